@@ -1,0 +1,31 @@
+# add_chapter(NN_name): the program, the benchmark and the tests of one chapter.
+# Executables: bin/NN_name, bin/NN_name_benchmark; tests: label chNN.
+if(RIGID_BENCHMARKS)
+  find_package(benchmark QUIET)
+  if(NOT benchmark_FOUND)
+    message(STATUS "Google Benchmark not found: the benchmarks are not built")
+  endif()
+endif()
+
+function(add_chapter chapter)
+  string(SUBSTRING ${chapter} 0 2 number)
+  set(folder ${PROJECT_SOURCE_DIR}/chapters/${chapter})
+
+  add_executable(${chapter} ${folder}/main.cpp)
+  target_link_libraries(${chapter} PRIVATE rigid_program)
+
+  if(benchmark_FOUND)
+    add_executable(${chapter}_benchmark ${folder}/benchmark.cpp)
+    target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
+    if(EXISTS ${folder}/peers.cmake)   # libraries to compare with, where they are installed
+      include(${folder}/peers.cmake)
+    endif()
+  endif()
+
+  if(BUILD_TESTING)
+    add_catch_tests(${chapter} ch${number} FILES tests/${chapter}.cpp)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)   # tests that run the program
+      include(${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)
+    endif()
+  endif()
+endfunction()

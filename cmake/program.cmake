@@ -1,0 +1,49 @@
+# rigid_program: what a chapter's main.cpp stands on. The command line is always there; the
+# window needs GLFW, GLEW, OpenGL and Dear ImGui, and is left out where one of them is missing.
+find_package(CLI11 CONFIG REQUIRED)
+
+add_library(rigid_program STATIC
+  common/svg_canvas.cpp
+  common/program/command_line.cpp
+  common/program/headless.cpp
+  common/program/run_program.cpp
+  common/program/table.cpp)
+target_link_libraries(rigid_program PUBLIC rigid_common PRIVATE CLI11::CLI11)
+
+set(RIGID_HAS_WINDOW OFF)
+if(RIGID_WINDOW)
+  find_package(OpenGL QUIET COMPONENTS OpenGL OPTIONAL_COMPONENTS EGL)
+  find_package(GLEW QUIET)
+  find_package(glfw3 3.3 QUIET)
+  find_package(imgui CONFIG QUIET)               # vcpkg
+  if(NOT TARGET imgui::imgui)
+    find_package(PkgConfig QUIET)                # Debian
+    if(PkgConfig_FOUND)
+      pkg_check_modules(IMGUI QUIET IMPORTED_TARGET imgui)
+    endif()
+  endif()
+  find_path(STB_INCLUDE_DIR NAMES stb/stb_image_write.h stb_image_write.h)
+  if(TARGET OpenGL::GL AND TARGET GLEW::GLEW AND TARGET glfw AND (TARGET imgui::imgui OR TARGET PkgConfig::IMGUI)
+     AND STB_INCLUDE_DIR)
+    set(RIGID_HAS_WINDOW ON)
+  endif()
+endif()
+
+if(RIGID_HAS_WINDOW)
+  target_sources(rigid_program PRIVATE common/gl_canvas.cpp common/program/offscreen.cpp common/program/window.cpp)
+  target_compile_definitions(rigid_program PRIVATE RIGID_HAS_WINDOW)
+  target_include_directories(rigid_program SYSTEM PRIVATE ${STB_INCLUDE_DIR})
+  target_link_libraries(rigid_program PRIVATE glfw GLEW::GLEW OpenGL::GL ${CMAKE_DL_LIBS})
+  if(TARGET OpenGL::EGL)
+    target_link_libraries(rigid_program PRIVATE OpenGL::EGL)
+    target_compile_definitions(rigid_program PRIVATE RIGID_HAS_EGL)
+  endif()
+  if(TARGET imgui::imgui)
+    target_link_libraries(rigid_program PRIVATE imgui::imgui)
+    target_compile_definitions(rigid_program PRIVATE RIGID_IMGUI_FLAT)   # backends stand beside imgui.h
+  else()
+    target_link_libraries(rigid_program PRIVATE PkgConfig::IMGUI)
+  endif()
+else()
+  message(STATUS "GLFW, GLEW, OpenGL, Dear ImGui or stb not found: the programs are built without a window")
+endif()

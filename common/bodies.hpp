@@ -1,0 +1,85 @@
+/// \file bodies.hpp
+/// The state of all bodies of a scene.
+///
+/// Positions, velocities, forces and inverse masses are ONE vector each, body after
+/// body, so that the formulas of the chapters are the code: `J * u + b` is \f$Ju + b\f$.
+#pragma once
+
+#include "common/math.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace rigid {
+
+/// The body index that stands for the world: it never moves.
+inline constexpr Index world = -1;
+
+/// \tparam Dof  degrees of freedom of a body: 2 for discs that do not turn
+template <int Dof>
+struct Bodies {
+    VecX x;             ///< positions [m], length Dof·K
+    VecX u;             ///< velocities [m/s], length Dof·K
+    VecX f;             ///< forces [N], length Dof·K
+    VecX inverse_mass;  ///< [1/kg], length Dof·K (the diagonal of M⁻¹); zero = cannot move
+
+    explicit Bodies(Index count = 0)
+        : x(VecX::Zero(Dof * count)), u(x), f(x), inverse_mass(VecX::Ones(Dof * count))
+    {
+    }
+
+    Index count() const { return x.size() / Dof; }
+
+    auto position(Index k) { return x.template segment<Dof>(Dof * k); }
+    auto position(Index k) const { return x.template segment<Dof>(Dof * k); }
+    auto velocity(Index k) { return u.template segment<Dof>(Dof * k); }
+    auto velocity(Index k) const { return u.template segment<Dof>(Dof * k); }
+    auto force(Index k) { return f.template segment<Dof>(Dof * k); }
+    auto force(Index k) const { return f.template segment<Dof>(Dof * k); }
+};
+
+/// Throws std::invalid_argument, naming vector, entry and value, unless every entry is finite.
+inline void require_finite(const VecX& v, const std::string& name)
+{
+    for (Index i = 0; i < v.size(); ++i)
+        if (!std::isfinite(v[i]))
+            throw std::invalid_argument(name + "[" + std::to_string(i) + "] is " + std::to_string(v[i]) +
+                                        "; it must be a finite number");
+}
+
+/// Throws std::invalid_argument unless the time step is a positive finite number.
+inline void require_step(Real h)
+{
+    if (!(h > 0) || !std::isfinite(h))
+        throw std::invalid_argument("the time step h is " + std::to_string(h) +
+                                    " s; it must be positive and finite");
+}
+
+/// Throws std::invalid_argument, with a sentence that names the entry, unless all four
+/// vectors have length Dof·K, all numbers are finite and no mass is negative.
+template <int Dof>
+void require_valid(const Bodies<Dof>& bodies)
+{
+    const Index n = bodies.x.size();
+    if (n % Dof != 0)
+        throw std::invalid_argument("x has " + std::to_string(n) + " entries; it must be a multiple of " +
+                                    std::to_string(Dof));
+    const auto check = [n](const VecX& v, const std::string& name) {
+        if (v.size() != n)
+            throw std::invalid_argument(name + " has " + std::to_string(v.size()) + " entries; x has " +
+                                        std::to_string(n));
+        require_finite(v, name);
+    };
+    check(bodies.x, "x");
+    check(bodies.u, "u");
+    check(bodies.f, "f");
+    check(bodies.inverse_mass, "inverse_mass");
+    for (Index i = 0; i < n; ++i)
+        if (bodies.inverse_mass[i] < 0)
+            throw std::invalid_argument("inverse_mass[" + std::to_string(i) + "] is " +
+                                        std::to_string(bodies.inverse_mass[i]) +
+                                        " 1/kg; it must be zero (cannot move) or positive");
+}
+
+}  // namespace rigid

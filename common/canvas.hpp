@@ -1,0 +1,83 @@
+/// \file canvas.hpp
+/// What a program draws on: a list of simple shapes in world coordinates (metres, y up).
+///
+/// A canvas is data. Physics never sees it, and it does not know who will paint it: an SVG
+/// file (svg_canvas.hpp), an OpenGL window (gl_canvas.hpp) or, later, a web page.
+#pragma once
+
+#include "common/math.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+/// The colours by what they mean, so that each painter can choose what reads well on its ground.
+/// The six hues stay apart for colour-blind readers.
+enum class Colour { ink, faint, blue, orange, green, red, purple, yellow };
+
+struct Style {
+    Colour colour = Colour::ink;
+    Real width = 1.5;     ///< of a line, in pixels
+    Real opacity = 1;     ///< 0 … 1
+    bool filled = false;  ///< discs, boxes and polygons only
+    bool dashed = false;
+};
+
+struct DrawItem {
+    enum class Kind { disc, polygon, line, arrow, text } kind = Kind::line;
+    std::vector<Vec2> points;  ///< disc: centre · polygon, line: corners · arrow: tail, head · text: where
+    Real radius = 0;           ///< of a disc [m]
+    std::string text;
+    Real size = 14;            ///< of text, in pixels
+    Style style;
+};
+
+/// The part of the world that a picture shows: centre ± half_size [m].
+struct View {
+    Vec2 centre = {0, 0};
+    Vec2 half_size = {1, 1};
+};
+
+class Canvas {
+public:
+    void disc(const Vec2& centre, Real radius, Style style = {})
+    {
+        items_.push_back({DrawItem::Kind::disc, {centre}, radius, {}, 14, style});
+    }
+    /// A box with the given half sizes, turned by the angle [rad].
+    void box(const Vec2& centre, const Vec2& half_size, Real angle, Style style = {})
+    {
+        const Vec2 side = half_size.x() * Vec2(std::cos(angle), std::sin(angle));
+        const Vec2 up = half_size.y() * Vec2(-std::sin(angle), std::cos(angle));
+        polygon({centre - side - up, centre + side - up, centre + side + up, centre - side + up}, style);
+    }
+    void polygon(std::vector<Vec2> corners, Style style = {})
+    {
+        items_.push_back({DrawItem::Kind::polygon, std::move(corners), 0, {}, 14, style});
+    }
+    void segment(const Vec2& from, const Vec2& to, Style style = {}) { polyline({from, to}, style); }
+    void polyline(std::vector<Vec2> points, Style style = {})
+    {
+        items_.push_back({DrawItem::Kind::line, std::move(points), 0, {}, 14, style});
+    }
+    void arrow(const Vec2& tail, const Vec2& head, Style style = {})
+    {
+        items_.push_back({DrawItem::Kind::arrow, {tail, head}, 0, {}, 14, style});
+    }
+    /// Text that begins at a point (its baseline's left end). UTF-8.
+    void text(const Vec2& where, std::string words, Real size = 14, Style style = {})
+    {
+        items_.push_back({DrawItem::Kind::text, {where}, 0, std::move(words), size, style});
+    }
+
+    void clear() { items_.clear(); }
+    const std::vector<DrawItem>& items() const { return items_; }
+
+private:
+    std::vector<DrawItem> items_;
+};
+
+}  // namespace rigid

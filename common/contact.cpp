@@ -1,0 +1,28 @@
+#include "common/contact.hpp"
+
+namespace rigid {
+
+void find_contacts(const VecX& x, const VecX& radius, const std::vector<HalfSpace>& walls,
+                   const std::vector<bool>& linked, Real margin, std::vector<Contact>& contacts)
+{
+    const Index K = radius.size();
+    contacts.clear();
+    for (Index a = 0; a < K; ++a)
+        for (Index b = a + 1; b < K; ++b) {
+            if (!linked.empty() && linked[static_cast<std::size_t>(a * K + b)]) continue;
+            const Vec2 d = x.segment<2>(2 * b) - x.segment<2>(2 * a);
+            const Real reach = radius[a] + radius[b] + margin;
+            if (d.squaredNorm() >= reach * reach) continue;
+            const Real distance = d.norm();
+            // Two centres in one point have no direction; any will part them.
+            const Vec2 normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
+            contacts.push_back({a, b, normal, distance - radius[a] - radius[b]});
+        }
+    for (Index b = 0; b < K; ++b)
+        for (const HalfSpace& wall : walls) {
+            const Real gap = wall.normal.dot(x.segment<2>(2 * b)) - wall.offset - radius[b];
+            if (gap < margin) contacts.push_back({world, b, wall.normal, gap});
+        }
+}
+
+}  // namespace rigid

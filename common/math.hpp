@@ -1,0 +1,31 @@
+/// \file math.hpp
+/// The few mathematical names that every chapter uses.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+
+namespace rigid {
+
+using Real = double;
+using Index = Eigen::Index;
+
+template <int N>
+using Vec = Eigen::Matrix<Real, N, 1>;  ///< a column of N numbers
+template <int N>
+using RowVec = Eigen::Matrix<Real, 1, N>;  ///< a line of N numbers, such as a block of J
+
+using Vec2 = Vec<2>;
+using VecX = Vec<Eigen::Dynamic>;
+using MatX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
+inline constexpr Real pi = 3.14159265358979323846;
+
+/// The third component of the cross product of two plane vectors: a.x b.y - a.y b.x.
+inline Real cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The vector turned by a quarter turn counterclockwise: (x, y) becomes (-y, x).
+inline Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
+
+}  // namespace rigid

@@ -1,0 +1,133 @@
+#include "common/scenes.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace rigid {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, Real value, const std::string& wanted)
+{
+    throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
+}
+
+void require_body(const std::string& what, Index k, Index count)
+{
+    if (k < 0 || k >= count)
+        throw std::invalid_argument(what + " names body " + std::to_string(k) + "; the scene has bodies 0 to " +
+                                    std::to_string(count - 1));
+}
+
+void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
+{
+    scene.bodies.position(k) = position;
+    scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / mass);
+    scene.radius[k] = radius;
+}
+
+}  // namespace
+
+void link_neighbours(DiscScene& scene)
+{
+    const Index K = scene.bodies.count();
+    scene.linked.assign(static_cast<std::size_t>(K * K), false);
+    for (const Link& link : scene.links) {
+        scene.linked[static_cast<std::size_t>(link.a * K + link.b)] = true;
+        scene.linked[static_cast<std::size_t>(link.b * K + link.a)] = true;
+    }
+}
+
+void require_valid(const DiscScene& scene)
+{
+    require_valid(scene.bodies);
+    const Index K = scene.bodies.count();
+    if (scene.radius.size() != K)
+        throw std::invalid_argument("there are " + std::to_string(scene.radius.size()) + " radii for " +
+                                    std::to_string(K) + " discs");
+    for (Index k = 0; k < K; ++k)
+        if (!(scene.radius[k] > 0) || !std::isfinite(scene.radius[k]))
+            refuse("the radius of disc " + std::to_string(k), scene.radius[k], "a positive number of metres");
+    for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+        const HalfSpace& wall = scene.walls[i];
+        const std::string name = "wall " + std::to_string(i);
+        const Real length = wall.normal.norm();
+        // Six digits: enough that a gap of a metre is right to a micrometre.
+        if (!(std::abs(length - 1) < 1e-6)) refuse("the length of the normal of " + name, length, "1");
+        if (!std::isfinite(wall.offset)) refuse("the offset of " + name, wall.offset, "finite");
+    }
+    for (std::size_t i = 0; i < scene.links.size(); ++i) {
+        const Link& link = scene.links[i];
+        const std::string name = "link " + std::to_string(i);
+        require_body(name, link.a, K);
+        require_body(name, link.b, K);
+        if (link.a == link.b)
+            throw std::invalid_argument(name + " joins body " + std::to_string(link.a) + " to itself");
+        if (!(link.length > 0) || !std::isfinite(link.length))
+            refuse("the length of " + name, link.length, "a positive number of metres");
+    }
+    for (std::size_t i = 0; i < scene.bends.size(); ++i) {
+        const Bend& bend = scene.bends[i];
+        const std::string name = "bend " + std::to_string(i);
+        require_body(name, bend.left, K);
+        require_body(name, bend.middle, K);
+        require_body(name, bend.right, K);
+        if (!(bend.length > 0) || !std::isfinite(bend.length))
+            refuse("the link length of " + name, bend.length, "a positive number of metres");
+    }
+    if (!scene.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    if (!scene.linked.empty() && static_cast<Index>(scene.linked.size()) != K * K)
+        throw std::invalid_argument("the table of linked pairs has " + std::to_string(scene.linked.size()) +
+                                    " entries; it must be empty or have " + std::to_string(K * K));
+}
+
+DiscScene ten_discs()
+{
+    constexpr Index chain = 7;
+    constexpr Real radius = 0.05;
+    DiscScene scene;
+    scene.bodies = Bodies<2>(10);
+    scene.radius.resize(10);
+    for (Index k = 0; k < chain; ++k)
+        place(scene, k, {-0.3 + 0.1 * static_cast<Real>(k), -0.1}, 0.1, radius);
+    place(scene, 7, {-0.3, 0.3}, 0.2, 0.10);
+    place(scene, 8, {0.0, 0.3}, 0.4, 0.15);
+    place(scene, 9, {0.4, 0.3}, 0.2, 0.08);
+    for (Index k = 0; k + 1 < chain; ++k) scene.links.push_back({k, k + 1, 2 * radius});
+    for (Index k = 1; k + 1 < chain; ++k) scene.bends.push_back({k - 1, k, k + 1, 2 * radius});
+    scene.walls = {{{1, 0}, -0.75}, {{-1, 0}, -0.75}, {{0, 1}, -0.5}, {{0, -1}, -0.5}};
+    scene.half_size = {0.8, 0.55};
+    link_neighbours(scene);
+    return scene;
+}
+
+DiscScene column(Index count, Real top_mass)
+{
+    constexpr Real radius = 0.1;
+    DiscScene scene;
+    scene.bodies = Bodies<2>(count);
+    scene.radius.resize(count);
+    for (Index k = 0; k < count; ++k)
+        place(scene, k, {0, radius * static_cast<Real>(2 * k + 1)}, k + 1 < count ? 1 : top_mass, radius);
+    scene.walls = {{{0, 1}, 0}};
+    scene.half_size = {0.6, 2 * radius * static_cast<Real>(count) + 0.1};
+    return scene;
+}
+
+DiscScene hanging_chain(Index count, Real end_mass)
+{
+    constexpr Real length = 0.1;
+    DiscScene scene;
+    scene.bodies = Bodies<2>(count + 1);
+    scene.radius.resize(count + 1);
+    for (Index k = 0; k <= count; ++k)
+        place(scene, k, {0, -length * static_cast<Real>(k)}, k < count ? 1 : end_mass, 0.4 * length);
+    scene.bodies.inverse_mass.head<2>().setZero();
+    for (Index k = 0; k < count; ++k) scene.links.push_back({k, k + 1, length});
+    scene.half_size = {0.6 * length * static_cast<Real>(count), 1.1 * length * static_cast<Real>(count)};
+    link_neighbours(scene);
+    return scene;
+}
+
+}  // namespace rigid

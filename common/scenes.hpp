@@ -1,0 +1,46 @@
+/// \file scenes.hpp
+/// Scenes made of discs that do not turn: what is where, without any method.
+///
+/// Coordinates: metres, x to the right, y up, the origin in the middle of the picture.
+#pragma once
+
+#include "common/bodies.hpp"
+#include "common/shapes.hpp"
+
+#include <vector>
+
+namespace rigid {
+
+struct DiscScene {
+    Bodies<2> bodies;
+    VecX radius;                  ///< [m], one for each disc
+    std::vector<HalfSpace> walls;
+    std::vector<Link> links;
+    std::vector<Bend> bends;
+    std::vector<bool> linked;     ///< [a*K + b]: this pair does not collide; made by link_neighbours()
+    Vec2 gravity = {0, -9.81};    ///< [m/s²]
+    Vec2 half_size = {1, 1};      ///< what a picture should show: the origin ± this [m]
+};
+
+/// Fills `linked` from `links`: discs that a rod joins do not collide with each other.
+void link_neighbours(DiscScene& scene);
+
+/// Throws std::invalid_argument, naming the thing and the value, unless the scene makes sense:
+/// finite numbers, masses not negative, radii positive, unit normals, body indices that exist,
+/// no link of a body to itself, no rest length of zero or less.
+void require_valid(const DiscScene& scene);
+
+/// The scene that this book grew from: a chain of seven discs of 0.1 kg and three free discs
+/// in a box of 1.5 m × 1.0 m. Links and torsional springs join the seven.
+DiscScene ten_discs();
+
+/// N equal discs of mass 1 kg and radius 0.1 m, one above the other and touching, on a floor.
+/// \param top_mass  mass of the uppermost [kg]
+DiscScene column(Index count, Real top_mass = 1);
+
+/// N discs of mass 1 kg on N links of 0.1 m, the first linked to a disc that cannot move
+/// (body 0, at the origin), hanging straight down. K = N + 1 bodies.
+/// \param end_mass  mass of the lowest [kg]
+DiscScene hanging_chain(Index count, Real end_mass = 1);
+
+}  // namespace rigid
