@@ -10,11 +10,14 @@ endif()
 function(add_chapter chapter)
   string(SUBSTRING ${chapter} 0 2 number)
   set(folder ${PROJECT_SOURCE_DIR}/chapters/${chapter})
+  if(NOT EXISTS ${folder}/main.cpp)
+    return()
+  endif()
 
   add_executable(${chapter} ${folder}/main.cpp)
   target_link_libraries(${chapter} PRIVATE rigid_program)
 
-  if(benchmark_FOUND)
+  if(benchmark_FOUND AND EXISTS ${folder}/benchmark.cpp)
     add_executable(${chapter}_benchmark ${folder}/benchmark.cpp)
     target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
     if(EXISTS ${folder}/peers.cmake)   # libraries to compare with, where they are installed
@@ -22,7 +25,7 @@ function(add_chapter chapter)
     endif()
   endif()
 
-  if(BUILD_TESTING)
+  if(BUILD_TESTING AND EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cpp)
     add_catch_tests(${chapter} ch${number} FILES tests/${chapter}.cpp)
     if(EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)   # tests that run the program
       include(${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)
