@@ -1,0 +1,101 @@
+/// \file mlcp.hpp
+/// The mixed linear complementarity problem, its answer, and the one measure of its error.
+///
+///     w = A λ + q,   lo ≤ λ ≤ hi,
+///     w ≥ 0 where λ = lo,   w ≤ 0 where λ = hi,   w = 0 between
+#pragma once
+
+#include "common/math.hpp"
+
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace rigid {
+
+using SparseMatrix = Eigen::SparseMatrix<Real, Eigen::RowMajor>;
+
+struct Mlcp {
+    SparseMatrix A;  ///< m×m [1/kg], row by row
+    VecX q;          ///< m [m/s]
+    VecX lo, hi;     ///< m [N s]; ∓infinity where there is no bound
+
+    Index size() const { return q.size(); }
+};
+
+enum class Status { solved, iteration_limit, ray_termination, infeasible, singular };
+
+/// The status in the words of the book.
+constexpr std::string_view to_string(Status status)
+{
+    switch (status) {
+    case Status::solved: return "solved";
+    case Status::iteration_limit: return "iteration limit";
+    case Status::ray_termination: return "ray termination";
+    case Status::infeasible: return "infeasible";
+    case Status::singular: return "singular";
+    }
+    return "unknown";
+}
+
+struct Solution {
+    VecX lambda;                              ///< m [N s]
+    Status status = Status::iteration_limit;  ///< `solved` only if the residual met the tolerance
+    int iterations = 0;                       ///< sweeps, pivots or tried sets: what the method counts
+    Real residual = infinity;                 ///< natural residual of lambda [m/s]
+};
+
+/// Row i of the natural residual [m/s]: how far λ_i is from its own best answer, as a velocity.
+/// \param a  the diagonal entry A_ii [1/kg]; a row without one (a ≤ 0) is measured with 1
+inline Real natural_residual_row(Real a, Real lambda, Real w, Real lo, Real hi)
+{
+    const Real scale = a > 0 ? a : 1;
+    return std::abs(scale * lambda - std::clamp(scale * lambda - w, scale * lo, scale * hi));
+}
+
+/// The natural residual of λ [m/s], the one definition of error in this book; 0 for the solution.
+inline Real natural_residual(const Mlcp& mlcp, const VecX& lambda)
+{
+    Real largest = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real w = mlcp.q[i];
+        Real diagonal = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            w += entry.value() * lambda[entry.col()];
+            if (entry.col() == i) diagonal = entry.value();
+        }
+        const Real r = natural_residual_row(diagonal, lambda[i], w, mlcp.lo[i], mlcp.hi[i]);
+        if (!(r <= largest)) largest = r;  // also takes over a NaN
+        if (std::isnan(largest)) return largest;
+    }
+    return largest;
+}
+
+/// Throws std::invalid_argument unless all sizes agree, all numbers of A and q are finite and lo ≤ hi.
+inline void require_valid(const Mlcp& mlcp)
+{
+    const Index n = mlcp.size();
+    const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
+    if (mlcp.A.rows() != n || mlcp.A.cols() != n)
+        refuse("A is " + std::to_string(mlcp.A.rows()) + " x " + std::to_string(mlcp.A.cols()) + "; q has " +
+               std::to_string(n) + " entries");
+    if (mlcp.lo.size() != n || mlcp.hi.size() != n)
+        refuse("lo has " + std::to_string(mlcp.lo.size()) + " and hi " + std::to_string(mlcp.hi.size()) +
+               " entries; q has " + std::to_string(n));
+    for (Index i = 0; i < n; ++i) {
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            if (!std::isfinite(entry.value()))
+                refuse("A[" + std::to_string(i) + "," + std::to_string(entry.col()) + "] is " +
+                       std::to_string(entry.value()) + "; it must be finite");
+        if (!std::isfinite(mlcp.q[i]))
+            refuse("q[" + std::to_string(i) + "] is " + std::to_string(mlcp.q[i]) + "; it must be finite");
+        if (!(mlcp.lo[i] <= mlcp.hi[i]))
+            refuse("row " + std::to_string(i) + " has lo = " + std::to_string(mlcp.lo[i]) + " > hi = " +
+                   std::to_string(mlcp.hi[i]));
+    }
+}
+
+}  // namespace rigid
