@@ -25,7 +25,7 @@ function(add_chapter chapter)
     endif()
   endif()
 
-  if(BUILD_TESTING AND EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cpp)
+  if(COMMAND add_catch_tests AND EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cpp)
     add_catch_tests(${chapter} ch${number} FILES tests/${chapter}.cpp)
     if(EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)   # tests that run the program
       include(${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)

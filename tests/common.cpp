@@ -1,0 +1,266 @@
+/// The ground that all chapters stand on: contacts, scenes, forces, measures.
+
+#include "tests/catch.hpp"
+
+#include "common/contact.hpp"
+#include "common/forces.hpp"
+#include "common/measure.hpp"
+#include "common/random.hpp"
+#include "common/scenes.hpp"
+
+using namespace rigid;
+
+namespace {
+
+/// Rounding of a few sums of numbers of size one.
+constexpr Real rounding = 1e-14;
+
+std::string sentence_of(const DiscScene& scene)
+{
+    try {
+        require_valid(scene);
+    } catch (const std::invalid_argument& refused) {
+        return refused.what();
+    }
+    return "accepted";
+}
+
+/// Three discs anywhere, moving anyhow.
+Bodies<2> random_triple(Random& random)
+{
+    Bodies<2> bodies(3);
+    for (Index i = 0; i < 6; ++i) {
+        bodies.x[i] = random.uniform(-1, 1);
+        bodies.u[i] = random.uniform(-3, 3);
+    }
+    for (Index k = 0; k < 3; ++k) bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.1, 4));
+    return bodies;
+}
+
+Real torque(const Bodies<2>& bodies)
+{
+    Real sum = 0;
+    for (Index k = 0; k < bodies.count(); ++k) sum += cross2(bodies.position(k), bodies.force(k));
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the normal of a contact points from a to b and the gap is negative in an overlap")
+{
+    VecX x(4), radius(2);
+    x << 0, 0, 0.3, 0.4;  // half a metre apart
+    radius << 0.2, 0.35;
+    std::vector<Contact> contacts;
+    find_contacts(x, radius, {}, {}, 0, contacts);
+    REQUIRE(contacts.size() == 1);
+    CHECK(contacts[0].a == 0);
+    CHECK(contacts[0].b == 1);
+    CHECK((contacts[0].normal - Vec2(0.6, 0.8)).norm() < rounding);
+    CHECK(contacts[0].gap == Approx(-0.05).margin(rounding));
+}
+
+TEST_CASE("a wall is body a of its contacts and its normal points into the free space")
+{
+    VecX x(2), radius(1);
+    x << 0, 0.15;
+    radius << 0.1;
+    std::vector<Contact> contacts;
+    find_contacts(x, radius, {{{0, 1}, 0}}, {}, 0.1, contacts);
+    REQUIRE(contacts.size() == 1);
+    CHECK(contacts[0].a == world);
+    CHECK(contacts[0].b == 0);
+    CHECK(contacts[0].normal == Vec2(0, 1));
+    CHECK(contacts[0].gap == Approx(0.05).margin(rounding));
+
+    find_contacts(x, radius, {{{0, 1}, 0}}, {}, 0.04, contacts);  // a margin below the gap
+    CHECK(contacts.empty());
+}
+
+TEST_CASE("discs that a link joins do not collide")
+{
+    DiscScene scene = ten_discs();
+    scene.bodies.position(1) = scene.bodies.position(0) + Vec2(0.01, 0);  // neighbours, deep in each other
+    std::vector<Contact> contacts;
+    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 0, contacts);
+    for (const Contact& contact : contacts) CHECK_FALSE((contact.a == 0 && contact.b == 1));
+    scene.linked.clear();
+    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 0, contacts);
+    CHECK(std::any_of(contacts.begin(), contacts.end(),
+                      [](const Contact& contact) { return contact.a == 0 && contact.b == 1; }));
+}
+
+TEST_CASE("two discs with one centre get a contact with a finite normal")
+{
+    VecX x = VecX::Zero(4), radius = VecX::Constant(2, 0.1);
+    std::vector<Contact> contacts;
+    find_contacts(x, radius, {}, {}, 0, contacts);
+    REQUIRE(contacts.size() == 1);
+    CHECK(contacts[0].normal.norm() == Approx(1).margin(rounding));
+    CHECK(contacts[0].gap == Approx(-0.2).margin(rounding));
+}
+
+TEST_CASE("the ten-disc scene is what the book says it is")
+{
+    const DiscScene scene = ten_discs();
+    REQUIRE_NOTHROW(require_valid(scene));
+    CHECK(scene.bodies.count() == 10);
+    CHECK(scene.links.size() == 6);
+    CHECK(scene.bends.size() == 5);
+    CHECK(scene.walls.size() == 4);
+    CHECK(largest_link_error(scene) < rounding);
+    CHECK(deepest_penetration(scene) == 0);
+    // Seven of 0.1 kg, two of 0.2 kg, one of 0.4 kg: the momentum at 1 m/s is the mass, 1.5 kg.
+    Bodies<2> moving = scene.bodies;
+    moving.u.setOnes();
+    CHECK((momentum(moving) - Vec2(1.5, 1.5)).norm() < rounding);
+}
+
+TEST_CASE("the torsional spring pushes with ten g k m sine of the bend angle")
+{
+    // A right angle with links of 0.1 m and discs of 0.1 kg: each neighbour is pushed by 10·9.81·k·0.1 N.
+    Bodies<2> bodies(3);
+    bodies.x << 0, 0, 0.1, 0, 0.1, 0.1;
+    bodies.inverse_mass.setConstant(10);
+    const Bend bend{0, 1, 2, 0.1};
+    CHECK(bend_angle(bodies.x, bend) == Approx(pi / 2).margin(rounding));
+    add_bend_springs(bodies, {bend}, 2, 0);
+    const Real F = 10 * 9.81 * 2 * 0.1;
+    CHECK((bodies.force(0) - Vec2(0, -F)).norm() < F * rounding);   // down, across the first link
+    CHECK((bodies.force(2) - Vec2(F, 0)).norm() < F * rounding);    // right, across the second link
+    CHECK((bodies.force(1) - Vec2(-F, F)).norm() < F * rounding);
+
+    SECTION("and no more than that beyond ninety degrees")
+    {
+        bodies.x.tail<2>() << 0.1 - 0.08, 0.06;  // bent further
+        bodies.f.setZero();
+        add_bend_springs(bodies, {bend}, 2, 0);
+        CHECK(bend_angle(bodies.x, bend) > pi / 2);
+        CHECK(bodies.force(2).norm() == Approx(F).epsilon(1e-13));  // a few roundings
+    }
+}
+
+TEST_CASE("torsional springs and dampers balance linear and angular momentum in any state")
+{
+    Random random(1);
+    for (int sample = 0; sample < 1000; ++sample) {
+        Bodies<2> bodies = random_triple(random);
+        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, random.uniform(0, 5), random.uniform(0, 20));
+        const Vec2 sum = bodies.force(0) + bodies.force(1) + bodies.force(2);
+        const Real size = bodies.f.lpNorm<1>();
+        // Rounding of sums of forces of this size; lever arms are at most 1.5 m.
+        CHECK(sum.norm() <= 1e-15 * size);
+        CHECK(std::abs(torque(bodies)) <= 1e-14 * size);
+    }
+}
+
+TEST_CASE("the torsional damper takes energy and never gives any")
+{
+    Random random(2);
+    for (int sample = 0; sample < 1000; ++sample) {
+        Bodies<2> bodies = random_triple(random);
+        add_bend_springs(bodies, {{0, 1, 2, 0.1}}, 0, random.uniform(0, 20));
+        const Real power = bodies.f.dot(bodies.u);
+        CHECK(power <= 1e-14 * bodies.f.lpNorm<1>() * bodies.u.lpNorm<Eigen::Infinity>());
+    }
+}
+
+TEST_CASE("the bend force is zero where there is no angle to speak of")
+{
+    Bodies<2> bodies(3);  // three centres in one point
+    add_bend_springs(bodies, {{0, 1, 2, 0.1}}, 2, 1);
+    CHECK(bodies.f.isZero(0));
+}
+
+TEST_CASE("gravity and the pulling hand leave bodies alone that cannot move")
+{
+    Bodies<2> bodies(2);
+    bodies.inverse_mass << 0, 0, 0.5, 0.5;
+    add_gravity(bodies, {0, -9.81});
+    CHECK(bodies.force(0).isZero(0));
+    CHECK((bodies.force(1) - Vec2(0, -2 * 9.81)).norm() < rounding);
+    bodies.f.setZero();
+    add_pull(bodies, 0, {1, 1});
+    CHECK(bodies.f.isZero(0));
+}
+
+TEST_CASE("free fall trades potential for kinetic energy")
+{
+    Bodies<2> bodies(1);
+    bodies.inverse_mass.setConstant(0.5);  // 2 kg
+    const Vec2 gravity(0, -9.81);
+    bodies.x << 3, 4;
+    const Real above = potential_energy(bodies, gravity);
+    CHECK(above == Approx(2 * 9.81 * 4).epsilon(1e-14));
+    bodies.x << 3, 0;
+    bodies.u << 0, -std::sqrt(2 * 9.81 * 4);
+    CHECK(kinetic_energy(bodies) + potential_energy(bodies, gravity) == Approx(above).epsilon(1e-14));
+    CHECK(angular_momentum(bodies) == Approx(2 * 3 * bodies.u[1]).epsilon(1e-14));
+}
+
+TEST_CASE("a scene that makes no sense is refused by a sentence that names the thing and the value")
+{
+    DiscScene scene = ten_discs();
+    SECTION("NaN in a position")
+    {
+        scene.bodies.x[3] = std::nan("");
+        CHECK(sentence_of(scene) == "x[3] is nan; it must be a finite number");
+    }
+    SECTION("a negative mass")
+    {
+        scene.bodies.inverse_mass[4] = -2;
+        CHECK(sentence_of(scene) ==
+              "inverse_mass[4] is -2.000000 1/kg; it must be zero (cannot move) or positive");
+    }
+    SECTION("a velocity too few")
+    {
+        scene.bodies.u.conservativeResize(19);
+        CHECK(sentence_of(scene) == "u has 19 entries; x has 20");
+    }
+    SECTION("a radius of zero")
+    {
+        scene.radius[2] = 0;
+        CHECK(sentence_of(scene) == "the radius of disc 2 is 0.000000; it must be a positive number of metres");
+    }
+    SECTION("a normal that is not a unit vector")
+    {
+        scene.walls[1].normal = {-2, 0};
+        CHECK(sentence_of(scene) == "the length of the normal of wall 1 is 2.000000; it must be 1");
+    }
+    SECTION("a link to a body that does not exist")
+    {
+        scene.links[0].b = 10;
+        CHECK(sentence_of(scene) == "link 0 names body 10; the scene has bodies 0 to 9");
+    }
+    SECTION("a link of a body to itself")
+    {
+        scene.links[2] = {4, 4, 0.1};
+        CHECK(sentence_of(scene) == "link 2 joins body 4 to itself");
+    }
+    SECTION("a link of no length")
+    {
+        scene.links[1].length = 0;
+        CHECK(sentence_of(scene) == "the length of link 1 is 0.000000; it must be a positive number of metres");
+    }
+    SECTION("a step of zero")
+    {
+        CHECK_THROWS_WITH(require_step(0), "the time step h is 0.000000 s; it must be positive and finite");
+    }
+}
+
+TEST_CASE("random numbers are the same on every machine")
+{
+    Random random(42);
+    // std::mt19937_64 seeded with 42: its first output is 13930160852258120406 by the standard's algorithm.
+    CHECK(random.uniform() == static_cast<Real>(13930160852258120406ULL >> 11) * 0x1.0p-53);
+    Real mean = 0, square = 0;
+    constexpr int count = 100000;
+    for (int i = 0; i < count; ++i) {
+        const Real value = random.normal();
+        mean += value / count;
+        square += value * value / count;
+    }
+    // Three and a bit standard deviations of the mean (1/√n) and of the variance (√(2/n)).
+    CHECK(std::abs(mean) < 0.011);
+    CHECK(std::abs(square - 1) < 0.016);
+}
