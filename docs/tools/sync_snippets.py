@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Copy the code that a text quotes from the source that is compiled.
+
+    docs/tools/sync_snippets.py            fill in the blocks of all texts
+    docs/tools/sync_snippets.py --check    change nothing, exit 1 if any is stale
+
+A block is `<!-- snippet: FILE NAME -->` to `<!-- /snippet -->`, each on its own
+line; FILE is relative to the text. The code lies in FILE between two lines
+`//! [NAME]`.
+"""
+import argparse
+import pathlib
+import sys
+
+from booktext import ROOT, TextError, blocks, markdown_files, snippet_code
+
+
+def filled(root, path):
+    """(new text, [names of the snippets that changed], [faults]) of one Markdown file."""
+    where = path.relative_to(root)
+    text = path.read_text(encoding="utf-8")
+    out, changed, faults = [], [], []
+    try:
+        parts = blocks(text, str(where))
+    except TextError as fault:
+        return text, [], [str(fault)]
+    for block in parts:
+        if block.kind != "snippet":
+            out += block.lines
+            continue
+        source, name = block.info["source"], block.info["name"]
+        try:
+            _, _, code = snippet_code((path.parent / source).resolve(), name)
+        except TextError as fault:
+            faults.append(f"{where}:{block.line}: {fault}")
+            out += block.lines
+            continue
+        ticks = "````" if any(l.lstrip().startswith("```") for l in code) else "```"
+        language = "cpp" if source.endswith((".hpp", ".cpp", ".h")) else ""
+        new = [block.lines[0], ticks + language, *code, ticks, block.lines[-1]]
+        if new != block.lines:
+            changed.append((block.line, source, name))
+        out += new
+    return "\n".join(out), changed, faults
+
+
+def run(root, check):
+    """All texts; returns the sentences to print and whether all is well."""
+    said, well = [], True
+    for path in markdown_files(root):
+        where = path.relative_to(root)
+        new, changed, faults = filled(root, path)
+        said += faults
+        well = well and not faults
+        for line, source, name in changed:
+            if check:
+                said.append(f"{where}:{line}: the snippet '{name}' of {source} is stale or empty; "
+                            "run docs/tools/sync_snippets.py.")
+                well = False
+            else:
+                said.append(f"{where}:{line}: updated '{name}' from {source}.")
+        if changed and not check:
+            path.write_text(new, encoding="utf-8")
+    return said, well
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--check", action="store_true", help="change nothing, fail if any is stale")
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the book's folder")
+    options = parser.parse_args()
+    said, well = run(options.root.resolve(), options.check)
+    for sentence in said:
+        print(sentence, file=sys.stdout if well else sys.stderr)
+    return 0 if well else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
