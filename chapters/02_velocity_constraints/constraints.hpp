@@ -5,23 +5,31 @@
 ///
 /// A `Constraint` is what geometry knows of it at the present positions: C and its
 /// derivative J. A `Row` is what a solver needs: J, what one unit of λ does to the
-/// bodies, the bias and the bounds.
+/// bodies, the bias and the bounds. `solve_row` answers one row exactly (2.7).
+///
+/// The signs: C ≥ 0 means separated, and a positive λ pushes: body b along the normal,
+/// body a against it. The world is always body a.
 #pragma once
 
 #include "common/bodies.hpp"
 
-namespace rigid {
+#include <algorithm>
+#include <string>
 
-/// \f$C(x)\f$ and \f$J = \partial C / \partial x\f$ at the present positions.
+namespace rigid
+{
+
+/// \f$C(x)\f$ and \f$J = \partial C / \partial x\f$ at the present positions, (2.2).
 template <int Dof>
 struct Constraint {
-    Index a = world;  ///< the world is always a
+    Index a = world; ///< the world is always a
     Index b = 0;
-    Real C = 0;       ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
-    RowVec<Dof> Ja = RowVec<Dof>::Zero();  ///< block of J for body a; zero for the world
-    RowVec<Dof> Jb = RowVec<Dof>::Zero();  ///< block of J for body b
+    Real C = 0; ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
+    RowVec<Dof> Ja = RowVec<Dof>::Zero(); ///< block of J for body a; zero for the world
+    RowVec<Dof> Jb = RowVec<Dof>::Zero(); ///< block of J for body b
 };
 
+//! [row]
 /// One row of \f$w = Ju + b\f$ with the bounds of its impulse.
 template <int Dof>
 struct Row {
@@ -29,13 +37,13 @@ struct Row {
     Index b = 0;
     RowVec<Dof> Ja = RowVec<Dof>::Zero();
     RowVec<Dof> Jb = RowVec<Dof>::Zero();
-    Vec<Dof> Wa = Vec<Dof>::Zero();  ///< \f$M_a^{-1} J_a^T\f$: what one unit of λ does to the velocity of a [1/kg]
-    Vec<Dof> Wb = Vec<Dof>::Zero();  ///< \f$M_b^{-1} J_b^T\f$
-    Real bias = 0;                   ///< b [m/s]
-    Real lo = 0;                     ///< [N s]
-    Real hi = infinity;              ///< [N s]
+    Vec<Dof> Wa = Vec<Dof>::Zero(); ///< \f$M_a^{-1} J_a^T\f$: one unit of λ changes a's velocity so [1/kg]
+    Vec<Dof> Wb = Vec<Dof>::Zero(); ///< \f$M_b^{-1} J_b^T\f$ [1/kg]
+    Real bias = 0;                  ///< b [m/s]
+    Real lo = 0;                    ///< [N s]
+    Real hi = infinity;             ///< [N s]
 
-    /// \f$J u + b\f$ [m/s]: what is left of the constraint velocity.
+    /// \f$J u + b\f$ [m/s]: what is left of the constraint velocity, (2.3).
     Real velocity(const VecX& u) const
     {
         Real w = bias + Jb.dot(u.template segment<Dof>(Dof * b));
@@ -46,15 +54,21 @@ struct Row {
     /// \f$J M^{-1} J^T\f$ [1/kg]: how readily the row's velocity follows its impulse.
     Real compliance() const { return Ja.dot(Wa) + Jb.dot(Wb); }
 
-    /// \f$u \leftarrow u + M^{-1} J^T \lambda\f$
+    /// \f$u \leftarrow u + M^{-1} J^T \lambda\f$, (2.5).
     void apply(Real lambda, VecX& u) const
     {
         if (a != world) u.template segment<Dof>(Dof * a) += Wa * lambda;
         u.template segment<Dof>(Dof * b) += Wb * lambda;
     }
 };
+//! [row]
 
 /// The row of a constraint, with any bounds.
+/// \param constraint    C and J; C itself is not used: what to do about it is the caller's choice of bias
+/// \param inverse_mass  [1/kg], length Dof·K; zero = cannot move
+/// \param bias          b [m/s]
+/// \param lo            least impulse [N s]
+/// \param hi            greatest impulse [N s]
 template <int Dof>
 Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias, Real lo, Real hi)
 {
@@ -86,4 +100,63 @@ Row<Dof> unilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass,
     return make_row(constraint, inverse_mass, bias, 0, infinity);
 }
 
-}  // namespace rigid
+/// What can be said of one row, or of several that have to hold together.
+enum class Verdict {
+    independent, ///< every w is as wanted, by exactly one λ
+    redundant,   ///< every w is as wanted, by many λ
+    conflicting, ///< no velocity gives every w that is wanted
+};
+
+/// The answer to one row.
+struct RowAnswer {
+    Real lambda = 0; ///< [N s]
+    Real w = 0;      ///< \f$Ju + b\f$ after the impulse [m/s]
+    Verdict verdict = Verdict::independent;
+};
+
+//! [solve_row]
+/// (2.7) and (2.10): the impulse that gives one row its wanted velocity, held within its bounds.
+///
+/// A row whose bodies cannot move has nothing to act on. The verdict says whether it is met as
+/// it is (redundant) or whether no impulse can meet it (conflicting; λ is then zero).
+/// \param u  velocities before the impulse [m/s]; they are not changed, see Row::apply()
+template <int Dof>
+RowAnswer solve_row(const Row<Dof>& row, const VecX& u)
+{
+    const Real w = row.velocity(u);
+    const Real A = row.compliance(); // J M⁻¹ Jᵀ
+    if (!(A > 0)) {
+        const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : std::clamp<Real>(0, row.lo, row.hi);
+        if (std::isfinite(bound)) return {bound, w, Verdict::redundant};
+        return {0, w, Verdict::conflicting};
+    }
+    const Real lambda = std::clamp(-w / A, row.lo, row.hi);
+    return {lambda, w + A * lambda, Verdict::independent};
+}
+//! [solve_row]
+
+/// Throws std::invalid_argument, naming row and value, unless the row's numbers are finite, its
+/// bodies are two of 0 … count-1 (or the world and one), and lo ≤ hi.
+/// \param row    the row to look at
+/// \param name   what to call it, such as "row 3"
+/// \param count  number of bodies K
+template <int Dof>
+void require_valid(const Row<Dof>& row, const std::string& name, Index count)
+{
+    const auto refuse = [&name](const std::string& what) { throw std::invalid_argument(name + " " + what); };
+    if (row.b < 0 || row.b >= count || row.a < world || row.a >= count)
+        refuse("joins bodies " + std::to_string(row.a) + " and " + std::to_string(row.b) +
+               "; there are bodies 0 to " + std::to_string(count - 1) +
+               ", and -1 as first body is the world");
+    if (row.a == row.b) refuse("joins body " + std::to_string(row.a) + " to itself");
+    if (!row.Ja.allFinite() || !row.Jb.allFinite()) refuse("has an entry of J that is not finite");
+    if (!row.Wa.allFinite() || !row.Wb.allFinite())
+        refuse("has an entry of the inverse mass times J that is not finite");
+    if (!std::isfinite(row.bias))
+        refuse("has the bias " + std::to_string(row.bias) + " m/s; it must be finite");
+    if (!(row.lo <= row.hi))
+        refuse("has the bounds lo = " + std::to_string(row.lo) + " and hi = " + std::to_string(row.hi) +
+               " N s; lo must not be above hi");
+}
+
+} // namespace rigid
