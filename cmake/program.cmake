@@ -6,8 +6,15 @@ add_library(rigid_program STATIC
   common/svg_canvas.cpp
   common/program/command_line.cpp
   common/program/headless.cpp
+  common/program/outputs.cpp
+  common/program/playback.cpp
+  common/program/progress.cpp
   common/program/run_program.cpp
   common/program/table.cpp)
+get_target_property(cli11_include CLI11::CLI11 INTERFACE_INCLUDE_DIRECTORIES)
+if(cli11_include)
+  target_include_directories(rigid_program SYSTEM PRIVATE ${cli11_include})
+endif()
 target_link_libraries(rigid_program PUBLIC rigid_common PRIVATE CLI11::CLI11)
 
 set(RIGID_HAS_WINDOW OFF)
@@ -29,7 +36,7 @@ if(RIGID_WINDOW)
   endif()
 endif()
 
-if(RIGID_HAS_WINDOW)
+if(RIGID_HAS_WINDOW AND EXISTS ${PROJECT_SOURCE_DIR}/common/program/window.cpp)
   target_sources(rigid_program PRIVATE common/gl_canvas.cpp common/program/offscreen.cpp common/program/window.cpp)
   target_compile_definitions(rigid_program PRIVATE RIGID_HAS_WINDOW)
   target_include_directories(rigid_program SYSTEM PRIVATE ${STB_INCLUDE_DIR})
@@ -45,5 +52,6 @@ if(RIGID_HAS_WINDOW)
     target_link_libraries(rigid_program PRIVATE PkgConfig::IMGUI)
   endif()
 else()
+  target_sources(rigid_program PRIVATE common/program/no_offscreen.cpp)
   message(STATUS "GLFW, GLEW, OpenGL, Dear ImGui or stb not found: the programs are built without a window")
 endif()

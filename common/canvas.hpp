@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-namespace rigid {
+namespace rigid
+{
 
 /// The colours by what they mean, so that each painter can choose what reads well on its ground.
 /// The six hues stay apart for colour-blind readers.
@@ -20,19 +21,25 @@ enum class Colour { ink, faint, blue, orange, green, red, purple, yellow };
 
 struct Style {
     Colour colour = Colour::ink;
-    Real width = 1.5;     ///< of a line, in pixels
-    Real opacity = 1;     ///< 0 … 1
-    bool filled = false;  ///< discs, boxes and polygons only
+    Real width = 1.5; ///< of a line, in pixels
+    Real opacity = 1; ///< 0 … 1
+    /// Discs, boxes and polygons: the inside is painted with `opacity`. Their outline is drawn too, with
+    /// √opacity, so that a faint inside keeps an edge that can be seen; width = 0 leaves it out.
+    bool filled = false;
     bool dashed = false;
 };
 
+/// Which end of a text stands at its point.
+enum class Align { left, centre, right };
+
 struct DrawItem {
     enum class Kind { disc, polygon, line, arrow, text } kind = Kind::line;
-    std::vector<Vec2> points;  ///< disc: centre · polygon, line: corners · arrow: tail, head · text: where
-    Real radius = 0;           ///< of a disc [m]
+    std::vector<Vec2> points; ///< disc: centre · polygon, line: corners · arrow: tail, head · text: where
+    Real radius = 0;          ///< of a disc [m]
     std::string text;
-    Real size = 14;            ///< of text, in pixels
+    Real size = 14; ///< of text, in pixels
     Style style;
+    Align align = Align::left; ///< of text
 };
 
 /// The part of the world that a picture shows: centre ± half_size [m].
@@ -41,11 +48,12 @@ struct View {
     Vec2 half_size = {1, 1};
 };
 
-class Canvas {
+class Canvas
+{
 public:
     void disc(const Vec2& centre, Real radius, Style style = {})
     {
-        items_.push_back({DrawItem::Kind::disc, {centre}, radius, {}, 14, style});
+        items_.push_back({DrawItem::Kind::disc, {centre}, radius, {}, 14, style, Align::left});
     }
     /// A box with the given half sizes, turned by the angle [rad].
     void box(const Vec2& centre, const Vec2& half_size, Real angle, Style style = {})
@@ -56,21 +64,22 @@ public:
     }
     void polygon(std::vector<Vec2> corners, Style style = {})
     {
-        items_.push_back({DrawItem::Kind::polygon, std::move(corners), 0, {}, 14, style});
+        items_.push_back({DrawItem::Kind::polygon, std::move(corners), 0, {}, 14, style, Align::left});
     }
     void segment(const Vec2& from, const Vec2& to, Style style = {}) { polyline({from, to}, style); }
     void polyline(std::vector<Vec2> points, Style style = {})
     {
-        items_.push_back({DrawItem::Kind::line, std::move(points), 0, {}, 14, style});
+        items_.push_back({DrawItem::Kind::line, std::move(points), 0, {}, 14, style, Align::left});
     }
     void arrow(const Vec2& tail, const Vec2& head, Style style = {})
     {
-        items_.push_back({DrawItem::Kind::arrow, {tail, head}, 0, {}, 14, style});
+        items_.push_back({DrawItem::Kind::arrow, {tail, head}, 0, {}, 14, style, Align::left});
     }
-    /// Text that begins at a point (its baseline's left end). UTF-8.
-    void text(const Vec2& where, std::string words, Real size = 14, Style style = {})
+    /// Text that begins at a point (its baseline's left end), or is centred on it, or ends there. UTF-8.
+    void text(const Vec2& where, std::string words, Real size = 14, Style style = {},
+              Align align = Align::left)
     {
-        items_.push_back({DrawItem::Kind::text, {where}, 0, std::move(words), size, style});
+        items_.push_back({DrawItem::Kind::text, {where}, 0, std::move(words), size, style, align});
     }
 
     void clear() { items_.clear(); }
@@ -80,4 +89,4 @@ private:
     std::vector<DrawItem> items_;
 };
 
-}  // namespace rigid
+} // namespace rigid
