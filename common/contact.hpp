@@ -5,8 +5,8 @@
 /// pair is tested, N²/2 of them; chapter 10 finds out which of them it can leave out.
 #pragma once
 
-#include "common/shapes.hpp"
 #include "common/bodies.hpp"
+#include "common/shapes.hpp"
 
 #include <vector>
 

@@ -18,7 +18,8 @@ Real potential_energy(const Bodies<2>& bodies, const Vec2& gravity)
 {
     Real sum = 0;
     for (Index k = 0; k < bodies.count(); ++k)
-        if (bodies.inverse_mass[2 * k] > 0) sum -= gravity.dot(bodies.position(k)) / bodies.inverse_mass[2 * k];
+        if (bodies.inverse_mass[2 * k] > 0)
+            sum -= gravity.dot(bodies.position(k)) / bodies.inverse_mass[2 * k];
     return sum;
 }
 

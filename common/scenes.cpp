@@ -16,8 +16,8 @@ namespace {
 void require_body(const std::string& what, Index k, Index count)
 {
     if (k < 0 || k >= count)
-        throw std::invalid_argument(what + " names body " + std::to_string(k) + "; the scene has bodies 0 to " +
-                                    std::to_string(count - 1));
+        throw std::invalid_argument(what + " names body " + std::to_string(k) +
+                                    "; the scene has bodies 0 to " + std::to_string(count - 1));
 }
 
 void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
@@ -89,8 +89,7 @@ DiscScene ten_discs()
     DiscScene scene;
     scene.bodies = Bodies<2>(10);
     scene.radius.resize(10);
-    for (Index k = 0; k < chain; ++k)
-        place(scene, k, {-0.3 + 0.1 * static_cast<Real>(k), -0.1}, 0.1, radius);
+    for (Index k = 0; k < chain; ++k) place(scene, k, {-0.3 + 0.1 * static_cast<Real>(k), -0.1}, 0.1, radius);
     place(scene, 7, {-0.3, 0.3}, 0.2, 0.10);
     place(scene, 8, {0.0, 0.3}, 0.4, 0.15);
     place(scene, 9, {0.4, 0.3}, 0.2, 0.08);

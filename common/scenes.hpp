@@ -13,13 +13,13 @@ namespace rigid {
 
 struct DiscScene {
     Bodies<2> bodies;
-    VecX radius;                  ///< [m], one for each disc
+    VecX radius;  ///< [m], one for each disc
     std::vector<HalfSpace> walls;
     std::vector<Link> links;
     std::vector<Bend> bends;
-    std::vector<bool> linked;     ///< [a*K + b]: this pair does not collide; made by link_neighbours()
-    Vec2 gravity = {0, -9.81};    ///< [m/s²]
-    Vec2 half_size = {1, 1};      ///< what a picture should show: the origin ± this [m]
+    std::vector<bool> linked;   ///< [a*K + b]: this pair does not collide; made by link_neighbours()
+    Vec2 gravity = {0, -9.81};  ///< [m/s²]
+    Vec2 half_size = {1, 1};    ///< what a picture should show: the origin ± this [m]
 };
 
 /// Fills `linked` from `links`: discs that a rod joins do not collide with each other.

@@ -33,7 +33,8 @@ Bodies<2> random_triple(Random& random)
         bodies.x[i] = random.uniform(-1, 1);
         bodies.u[i] = random.uniform(-3, 3);
     }
-    for (Index k = 0; k < 3; ++k) bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.1, 4));
+    for (Index k = 0; k < 3; ++k)
+        bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.1, 4));
     return bodies;
 }
 
@@ -126,8 +127,8 @@ TEST_CASE("the torsional spring pushes with ten g k m sine of the bend angle")
     CHECK(bend_angle(bodies.x, bend) == Approx(pi / 2).margin(rounding));
     add_bend_springs(bodies, {bend}, 2, 0);
     const Real F = 10 * 9.81 * 2 * 0.1;
-    CHECK((bodies.force(0) - Vec2(0, -F)).norm() < F * rounding);   // down, across the first link
-    CHECK((bodies.force(2) - Vec2(F, 0)).norm() < F * rounding);    // right, across the second link
+    CHECK((bodies.force(0) - Vec2(0, -F)).norm() < F * rounding);  // down, across the first link
+    CHECK((bodies.force(2) - Vec2(F, 0)).norm() < F * rounding);   // right, across the second link
     CHECK((bodies.force(1) - Vec2(-F, F)).norm() < F * rounding);
 
     SECTION("and no more than that beyond ninety degrees")
@@ -145,7 +146,8 @@ TEST_CASE("torsional springs and dampers balance linear and angular momentum in 
     Random random(1);
     for (int sample = 0; sample < 1000; ++sample) {
         Bodies<2> bodies = random_triple(random);
-        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, random.uniform(0, 5), random.uniform(0, 20));
+        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, random.uniform(0, 5),
+                         random.uniform(0, 20));
         const Vec2 sum = bodies.force(0) + bodies.force(1) + bodies.force(2);
         const Real size = bodies.f.lpNorm<1>();
         // Rounding of sums of forces of this size; lever arms are at most 1.5 m.
@@ -220,7 +222,8 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
     SECTION("a radius of zero")
     {
         scene.radius[2] = 0;
-        CHECK(sentence_of(scene) == "the radius of disc 2 is 0.000000; it must be a positive number of metres");
+        CHECK(sentence_of(scene) ==
+              "the radius of disc 2 is 0.000000; it must be a positive number of metres");
     }
     SECTION("a normal that is not a unit vector")
     {
@@ -240,7 +243,8 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
     SECTION("a link of no length")
     {
         scene.links[1].length = 0;
-        CHECK(sentence_of(scene) == "the length of link 1 is 0.000000; it must be a positive number of metres");
+        CHECK(sentence_of(scene) ==
+              "the length of link 1 is 0.000000; it must be a positive number of metres");
     }
     SECTION("a step of zero")
     {

@@ -38,7 +38,8 @@ std::vector<Source> all_sources()
             if (extension == ".hpp" || extension == ".cpp")
                 sources.push_back({fs::relative(entry.path(), root).generic_string(), read(entry.path())});
         }
-    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
+    std::sort(sources.begin(), sources.end(),
+              [](const Source& a, const Source& b) { return a.path < b.path; });
     return sources;
 }
 
@@ -80,7 +81,8 @@ std::vector<std::string> broken_rules(const Source& source)
         if (other > own && own > 0) broken.push_back(source.path + " includes the later chapter " + included);
         if (is_physics(source.path)) {
             for (const char* unwanted : {"iostream", "cstdio", "stdio.h", "chrono", "ctime", "time.h"})
-                if (included == unwanted) broken.push_back(source.path + " is physics and includes " + included);
+                if (included == unwanted)
+                    broken.push_back(source.path + " is physics and includes " + included);
             if (included.find("canvas") != std::string::npos || starts_with(included, "common/program/"))
                 broken.push_back(source.path + " is physics and includes " + included);
         }
@@ -107,11 +109,13 @@ TEST_CASE("the rules of the house notice what they are for")
         return broken_rules({path, text}).size();
     };
     CHECK(count("chapters/02_b/b.hpp", "#include \"chapters/03_c/c.hpp\"\n") == 1);
-    CHECK(count("chapters/02_b/b.hpp", "#include \"chapters/01_a/a.hpp\"\n#include \"common/math.hpp\"\n") == 0);
+    CHECK(count("chapters/02_b/b.hpp", "#include \"chapters/01_a/a.hpp\"\n#include \"common/math.hpp\"\n") ==
+          0);
     CHECK(count("common/contact.hpp", "#include \"chapters/01_a/a.hpp\"\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", "#include <chrono>\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", "#include \"common/canvas.hpp\"\n") == 1);
-    CHECK(count("chapters/04_d/main.cpp", "#include \"common/program/program.hpp\"\n#include <iostream>\n") == 0);
+    CHECK(count("chapters/04_d/main.cpp", "#include \"common/program/program.hpp\"\n#include <iostream>\n") ==
+          0);
     CHECK(count("common/measure.cpp", "#include <iostream>\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", std::string(300, '\n')) == 1);
 }

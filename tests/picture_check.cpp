@@ -32,12 +32,14 @@ int main(int argc, char** argv)
         std::map<std::uint32_t, long> count;
         const long size = static_cast<long>(width) * height;
         for (long p = 0; p < size; ++p)
-            ++count[static_cast<std::uint32_t>(pixels[3 * p] << 16 | pixels[3 * p + 1] << 8 | pixels[3 * p + 2])];
+            ++count[static_cast<std::uint32_t>(pixels[3 * p] << 16 | pixels[3 * p + 1] << 8 |
+                                               pixels[3 * p + 2])];
         stbi_image_free(pixels);
         const auto most = std::max_element(count.begin(), count.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
         const double share = static_cast<double>(most->second) / static_cast<double>(size);
-        std::printf("%s: %d x %d, %zu colours, %.2f %% ground\n", argv[i], width, height, count.size(), 100 * share);
+        std::printf("%s: %d x %d, %zu colours, %.2f %% ground\n", argv[i], width, height, count.size(),
+                    100 * share);
         if (share > 0.999) blank = 1;
     }
     return blank;

@@ -16,17 +16,16 @@
 #include <algorithm>
 #include <string>
 
-namespace rigid
-{
+namespace rigid {
 
 /// \f$C(x)\f$ and \f$J = \partial C / \partial x\f$ at the present positions, (2.2).
 template <int Dof>
 struct Constraint {
-    Index a = world; ///< the world is always a
+    Index a = world;  ///< the world is always a
     Index b = 0;
-    Real C = 0; ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
-    RowVec<Dof> Ja = RowVec<Dof>::Zero(); ///< block of J for body a; zero for the world
-    RowVec<Dof> Jb = RowVec<Dof>::Zero(); ///< block of J for body b
+    Real C = 0;  ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
+    RowVec<Dof> Ja = RowVec<Dof>::Zero();  ///< block of J for body a; zero for the world
+    RowVec<Dof> Jb = RowVec<Dof>::Zero();  ///< block of J for body b
 };
 
 //! [row]
@@ -37,11 +36,11 @@ struct Row {
     Index b = 0;
     RowVec<Dof> Ja = RowVec<Dof>::Zero();
     RowVec<Dof> Jb = RowVec<Dof>::Zero();
-    Vec<Dof> Wa = Vec<Dof>::Zero(); ///< \f$M_a^{-1} J_a^T\f$: one unit of λ changes a's velocity so [1/kg]
-    Vec<Dof> Wb = Vec<Dof>::Zero(); ///< \f$M_b^{-1} J_b^T\f$ [1/kg]
-    Real bias = 0;                  ///< b [m/s]
-    Real lo = 0;                    ///< [N s]
-    Real hi = infinity;             ///< [N s]
+    Vec<Dof> Wa = Vec<Dof>::Zero();  ///< \f$M_a^{-1} J_a^T\f$: one unit of λ changes a's velocity so [1/kg]
+    Vec<Dof> Wb = Vec<Dof>::Zero();  ///< \f$M_b^{-1} J_b^T\f$ [1/kg]
+    Real bias = 0;                   ///< b [m/s]
+    Real lo = 0;                     ///< [N s]
+    Real hi = infinity;              ///< [N s]
 
     /// \f$J u + b\f$ [m/s]: what is left of the constraint velocity, (2.3).
     Real velocity(const VecX& u) const
@@ -102,15 +101,15 @@ Row<Dof> unilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass,
 
 /// What can be said of one row, or of several that have to hold together.
 enum class Verdict {
-    independent, ///< every w is as wanted, by exactly one λ
-    redundant,   ///< every w is as wanted, by many λ
-    conflicting, ///< no velocity gives every w that is wanted
+    independent,  ///< every w is as wanted, by exactly one λ
+    redundant,    ///< every w is as wanted, by many λ
+    conflicting,  ///< no velocity gives every w that is wanted
 };
 
 /// The answer to one row.
 struct RowAnswer {
-    Real lambda = 0; ///< [N s]
-    Real w = 0;      ///< \f$Ju + b\f$ after the impulse [m/s]
+    Real lambda = 0;  ///< [N s]
+    Real w = 0;       ///< \f$Ju + b\f$ after the impulse [m/s]
     Verdict verdict = Verdict::independent;
 };
 
@@ -124,7 +123,7 @@ template <int Dof>
 RowAnswer solve_row(const Row<Dof>& row, const VecX& u)
 {
     const Real w = row.velocity(u);
-    const Real A = row.compliance(); // J M⁻¹ Jᵀ
+    const Real A = row.compliance();  // J M⁻¹ Jᵀ
     if (!(A > 0)) {
         const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : std::clamp<Real>(0, row.lo, row.hi);
         if (std::isfinite(bound)) return {bound, w, Verdict::redundant};
@@ -159,4 +158,4 @@ void require_valid(const Row<Dof>& row, const std::string& name, Index count)
                " N s; lo must not be above hi");
 }
 
-} // namespace rigid
+}  // namespace rigid

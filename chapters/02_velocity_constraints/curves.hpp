@@ -14,8 +14,7 @@
 #include <string>
 #include <unsupported/Eigen/AutoDiff>
 
-namespace rigid
-{
+namespace rigid {
 
 //! [curve]
 /// (2.12): body k stays where g is zero.
@@ -38,7 +37,7 @@ Constraint<2> curve_constraint(const VecX& x, Index k, const G& g, const Gradien
 template <class G>
 Constraint<2> curve_constraint(const VecX& x, Index k, const G& g)
 {
-    using Dual = Eigen::AutoDiffScalar<Vec2>; // a value and its two derivatives
+    using Dual = Eigen::AutoDiffScalar<Vec2>;  // a value and its two derivatives
     const Eigen::Matrix<Dual, 2, 1> p(Dual(x[2 * k], 2, 0), Dual(x[2 * k + 1], 2, 1));
     const Dual value = g(p);
     return {world, k, value.value(), RowVec<2>::Zero(), value.derivatives().transpose()};
@@ -85,4 +84,4 @@ inline Constraint<2> normalised(Constraint<2> constraint)
     return constraint;
 }
 
-} // namespace rigid
+}  // namespace rigid

@@ -16,13 +16,12 @@
 #include "common/contact.hpp"
 #include "common/shapes.hpp"
 
-namespace rigid
-{
+namespace rigid {
 
 /// d/‖d‖ and ‖d‖. A zero vector has no direction; it is given y.
 struct Direction {
-    Vec2 n;      ///< unit vector
-    Real length; ///< [m]
+    Vec2 n;       ///< unit vector
+    Real length;  ///< [m]
 
     explicit Direction(const Vec2& d) : n(0, 1), length(d.norm())
     {
@@ -92,4 +91,4 @@ inline Constraint<2> contact_constraint(const Contact& contact)
 }
 //! [contact]
 
-} // namespace rigid
+}  // namespace rigid

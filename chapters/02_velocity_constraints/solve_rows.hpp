@@ -15,17 +15,16 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// The answer to several bilateral rows.
 struct RowsAnswer {
-    VecX lambda;       ///< m [N s]
-    VecX w;            ///< m: \f$Ju + b\f$ after the impulses [m/s]
-    Real residual = 0; ///< the largest |w_i| [m/s]
-    Index rank = 0;    ///< how many of the m rows say something new
+    VecX lambda;        ///< m [N s]
+    VecX w;             ///< m: \f$Ju + b\f$ after the impulses [m/s]
+    Real residual = 0;  ///< the largest |w_i| [m/s]
+    Index rank = 0;     ///< how many of the m rows say something new
     Verdict verdict = Verdict::independent;
-    std::vector<Index> at_odds; ///< the rows that contradict each other; empty unless conflicting
+    std::vector<Index> at_odds;  ///< the rows that contradict each other; empty unless conflicting
 };
 
 /// The answer in one sentence, for a reader.
@@ -68,8 +67,7 @@ Real coupling(const Row<Dof>& i, const Row<Dof>& j)
 /// Solves bilateral rows together. Keeps its memory, so that solving as many rows again does not allocate
 /// (as long as they are independent).
 template <int Dof>
-class RowsSolver
-{
+class RowsSolver {
 public:
     /// Throws std::invalid_argument for a row that is not bilateral or makes no sense.
     /// \param rows  m rows with lo = −∞, hi = ∞
@@ -88,12 +86,12 @@ public:
         A_.resize(m, m);
         q_.resize(m);
         scale_.resize(m);
-        for (Index i = 0; i < m; ++i) { // (2.24): A = J M⁻¹ Jᵀ and q = J u + b
+        for (Index i = 0; i < m; ++i) {  // (2.24): A = J M⁻¹ Jᵀ and q = J u + b
             q_[i] = row(rows, i).velocity(u);
             for (Index j = 0; j <= i; ++j) A_(i, j) = coupling(row(rows, i), row(rows, j));
             scale_[i] = A_(i, i) > 0 ? 1 / std::sqrt(A_(i, i)) : 1;
         }
-        for (Index i = 0; i < m; ++i) // to a unit diagonal
+        for (Index i = 0; i < m; ++i)  // to a unit diagonal
             for (Index j = 0; j <= i; ++j) A_(j, i) = A_(i, j) *= scale_[i] * scale_[j];
         q_.array() *= scale_.array();
 
@@ -101,7 +99,7 @@ public:
         answer_.rank = m;
         if (ldlt_.vectorD().minCoeff() > rank_tolerance) {
             answer_.lambda = ldlt_.solve(-q_);
-        } else { // rows that repeat others: the least λ of those that leave the least w
+        } else {  // rows that repeat others: the least λ of those that leave the least w
             orthogonal_.setThreshold(rank_tolerance);
             orthogonal_.compute(A_);
             answer_.rank = orthogonal_.rank();
@@ -139,7 +137,7 @@ private:
         u_ = u;
         for (Index i = 0; i < m; ++i) row(rows, i).apply(answer_.lambda[i], u_);
         answer_.w.resize(m);
-        Real worst = 0, speed = 0; // of the scaled rows
+        Real worst = 0, speed = 0;  // of the scaled rows
         for (Index i = 0; i < m; ++i) {
             answer_.w[i] = row(rows, i).velocity(u_);
             worst = std::max(worst, scale_[i] * std::abs(answer_.w[i]));
@@ -183,4 +181,4 @@ void apply(const std::vector<Row<Dof>>& rows, const VecX& lambda, VecX& u)
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].apply(lambda[static_cast<Index>(i)], u);
 }
 
-} // namespace rigid
+}  // namespace rigid

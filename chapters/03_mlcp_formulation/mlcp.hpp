@@ -32,11 +32,16 @@ enum class Status { solved, iteration_limit, ray_termination, infeasible, singul
 constexpr std::string_view to_string(Status status)
 {
     switch (status) {
-    case Status::solved: return "solved";
-    case Status::iteration_limit: return "iteration limit";
-    case Status::ray_termination: return "ray termination";
-    case Status::infeasible: return "infeasible";
-    case Status::singular: return "singular";
+    case Status::solved:
+        return "solved";
+    case Status::iteration_limit:
+        return "iteration limit";
+    case Status::ray_termination:
+        return "ray termination";
+    case Status::infeasible:
+        return "infeasible";
+    case Status::singular:
+        return "singular";
     }
     return "unknown";
 }
@@ -93,8 +98,8 @@ inline void require_valid(const Mlcp& mlcp)
         if (!std::isfinite(mlcp.q[i]))
             refuse("q[" + std::to_string(i) + "] is " + std::to_string(mlcp.q[i]) + "; it must be finite");
         if (!(mlcp.lo[i] <= mlcp.hi[i]))
-            refuse("row " + std::to_string(i) + " has lo = " + std::to_string(mlcp.lo[i]) + " > hi = " +
-                   std::to_string(mlcp.hi[i]));
+            refuse("row " + std::to_string(i) + " has lo = " + std::to_string(mlcp.lo[i]) +
+                   " > hi = " + std::to_string(mlcp.hi[i]));
     }
 }
 
