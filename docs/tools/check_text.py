@@ -182,7 +182,7 @@ class Checker:
             self.fault(path, line, f"in a table write \\lvert or \\mid for | in {token.text}.")
         if token.info["raw"]:
             return
-        for bad, why in ((r"\\[^A-Za-z\s]", "a backslash before punctuation"), (r"\*", "*"), (r"<", "<")):
+        for bad, why in ((r"\\[^A-Za-z\s]", "a backslash before punctuation"), (r"\*", "*"), (r"<[A-Za-z/!?]", "< without a space behind it")):
             found = re.search(bad, tex)
             if found:
                 self.fault(path, line, f"GitHub misreads {why} in {token.text}: write it as a word "

@@ -115,7 +115,7 @@ class Page:
         text = re.sub(r"<(https?://[^\s<>]+)>", r"\1 ", text)
         text = re.sub(r"<(?=\S)", "&lt;", text)
         text = re.sub(r"#(?=\w)", r"\\#", text)
-        text = re.sub(r"::(?=\w)", "&colon;&colon;", text)
+        text = re.sub(r"::(?=\w)", r"\\::", text)
         return self.book.linked(text)
 
     def inline(self, text):
@@ -228,7 +228,17 @@ class Page:
             else:
                 out += block.lines
             k += 1
+        if self.id == "index":
+            out += self.hidden_pages()
         return "\n".join(out) + "\n"
+
+    def hidden_pages(self):
+        """The sidebar lists the chapters alone: the other pages are below the main page,
+        and have entries of their own from DoxygenLayout.xml."""
+        pages = [f.stem for f in sorted((self.root / "docs").glob("*.md"))] + ["citelist"]
+        return (["", "\\htmlonly[block]<div hidden=\"hidden\">\\endhtmlonly", ""]
+                + [f"- \\subpage {page}" for page in pages]
+                + ["", "\\htmlonly[block]</div>\\endhtmlonly"])
 
 
 def source_text(book, source):
@@ -254,8 +264,8 @@ def test_text(book, path, source):
     for count, (line, name) in enumerate(cases, 1):
         safe = re.sub(r"([@\\#<>%*`$&])", r"\\\1", name)
         lines[line - 1] = f"/** {book.linked(safe)} */ void test_{count:03d}();"
-    title = f"/** \\file \n * The tests of {path.stem}. */"
-    return title.replace("\n", "") + "\n".join(lines)
+    title = f"/** \\file tests/{path.name} \\brief The tests of {path.stem}. */"
+    return title + "\n".join(lines)
 
 
 def main():

@@ -1,0 +1,60 @@
+#!/bin/sh
+# Builds the site of the book: build/docs/html/index.html.
+#
+#     docs/build.sh          check the texts, build the site, check the site
+#     docs/build.sh check    only check the texts (needs nothing but python3)
+#     docs/build.sh sync     fill the quoted code in from the sources
+#     docs/build.sh test     test these tools themselves
+#
+# DOXYGEN_AWESOME=FOLDER names another place of doxygen-awesome-css.
+set -eu
+cd "$(dirname "$0")/.."
+
+say() { printf 'docs: %s\n' "$*" >&2; }
+fail() { say "$*"; exit 1; }
+need() { command -v "$1" >/dev/null 2>&1 || fail "$1 is missing ($2); on Debian: apt-get install $3"; }
+
+# Tools leave no __pycache__ in the book.
+PYTHONDONTWRITEBYTECODE=1
+export PYTHONDONTWRITEBYTECODE
+
+check_texts() {
+    python3 docs/tools/sync_snippets.py --check
+    python3 docs/tools/check_text.py
+}
+
+find_theme() {
+    for theme in "${DOXYGEN_AWESOME:-}" /usr/share/doxygen-awesome-css /usr/local/share/doxygen-awesome-css; do
+        [ -n "$theme" ] && [ -r "$theme/doxygen-awesome.css" ] && return 0
+    done
+    fail "doxygen-awesome-css is missing (the theme of the site); on Debian: apt-get install doxygen-awesome-css, elsewhere set DOXYGEN_AWESOME to its folder"
+}
+
+need python3 "it runs the checks" python3
+case "${1:-build}" in
+check) check_texts; say "the texts are in order"; exit 0 ;;
+sync) exec python3 docs/tools/sync_snippets.py ;;
+test) exec python3 docs/tools/test_tools.py ;;
+build) ;;
+*) fail "knows build, check, sync and test, not '$1'" ;;
+esac
+
+need doxygen "it writes the site" doxygen
+need dot "it draws the include graphs" graphviz
+need bibtex "it sets the bibliography" texlive-binaries
+find_theme
+
+check_texts
+
+rm -rf build/docs
+mkdir -p build/docs/awesome
+cp "$theme"/*.css "$theme"/*.js build/docs/awesome/
+
+# bibtex of a bare texlive-binaries has no configuration: it finds its files by these two.
+BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >build/docs/doxygen.log 2>&1 || {
+    cat build/docs/doxygen.log >&2
+    fail "Doxygen found faults"
+}
+python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
+python3 docs/tools/check_html.py build/docs/html
+say "the site is build/docs/html/index.html"

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Put in what Doxygen could not know, after it has written the site.
+
+    docs/tools/finish_html.py HTML_FOLDER TAG_FILE
+
+  book:common/bodies.hpp#12   becomes the address of that file's page (with a line: of its
+                              source); where the site has no such page the words stay
+  (4.7) in a comment of code  becomes a link to the equation
+  pictures/chapters/…         are copied from the book
+  #nested-classes             Doxygen 1.9.4 links to it from pages that have no such part
+"""
+import html
+import os
+import pathlib
+import re
+import shutil
+import sys
+import xml.etree.ElementTree as xml
+
+from booktext import EQUATION, ROOT, chapters, equation_tags, page_id
+from doxygen_filter import label
+
+
+def addresses(tag_file, root):
+    """{path in the book: page of the site} from Doxygen's tag file."""
+    found = {}
+    for compound in xml.parse(tag_file).getroot().iter("compound"):
+        if compound.get("kind") == "file":
+            path, name = compound.findtext("path", ""), compound.findtext("name", "")
+            page = compound.findtext("filename", "")
+            full = os.path.join(path, name)
+            if full.endswith(".md"):
+                continue
+            if os.path.isabs(full):
+                full = os.path.relpath(full, root)
+            found[os.path.normpath(full)] = page if page.endswith(".html") else page + ".html"
+        elif compound.get("kind") == "dir":
+            path = compound.findtext("path", "")
+            path = os.path.relpath(path, root) if os.path.isabs(path) else os.path.normpath(path)
+            found[path] = compound.findtext("filename", "")
+    return found
+
+
+def equation_pages(root):
+    found = {}
+    for folder in chapters(root).values():
+        text = folder / "README.md"
+        if text.is_file():
+            page = page_id(root, text) + ".html"
+            for number, _ in equation_tags(text.read_text(encoding="utf-8")):
+                found[number] = f"{page}#eq_{label(number)}"
+    return found
+
+
+def finish(folder, tag_file, root):
+    pages, equations = addresses(tag_file, root), equation_pages(root)
+    pictures = set()
+
+    def book_link(m):
+        file, _, line = html.unescape(m.group(2)).partition("#")
+        page = pages.get(os.path.normpath(file))
+        if page and line:
+            source = page[:-len(".html")] + "_source.html"
+            page = f"{source}#l{int(line):05d}" if (folder / source).is_file() else page
+        return f'<a{m.group(1)}href="{page}"{m.group(3)}>{m.group(4)}</a>' if page else m.group(4)
+
+    def comment(m):
+        def link(e):
+            address = equations.get(e.group(0)[1:-1])
+            return f'<a class="equation" href="{address}">{e.group(0)}</a>' if address else e.group(0)
+        return m.group(1) + EQUATION.sub(link, m.group(2)) + m.group(3)
+
+    for page in sorted(folder.glob("*.html")):
+        old = page.read_text(encoding="utf-8")
+        new = re.sub(r'<a([^>]*?)href="book:([^"]*)"([^>]*)>(.*?)</a>', book_link, old, flags=re.S)
+        new = re.sub(r'(<span class="comment">)([^<]*)(</span>)', comment, new)
+        if 'id="nested-classes"' not in new and 'name="nested-classes"' not in new:
+            new = re.sub(r'<a href="#nested-classes">[^<]*</a>(?:\s*&#124;\s*)?', "", new)
+        pictures.update(html.unescape(p) for p in re.findall(r'src="pictures/([^"]+)"', new))
+        if new != old:
+            page.write_text(new, encoding="utf-8")
+    for picture in sorted(pictures):
+        if (root / picture).is_file():
+            (folder / "pictures" / picture).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(root / picture, folder / "pictures" / picture)
+
+
+if __name__ == "__main__":
+    finish(pathlib.Path(sys.argv[1]), sys.argv[2], ROOT)
