@@ -114,7 +114,7 @@ struct RowAnswer {
 };
 
 //! [solve_row]
-/// (2.7) and (2.10): the impulse that gives one row its wanted velocity, held within its bounds.
+/// (2.7) and (2.20): the impulse that gives one row its wanted velocity, held within its bounds.
 ///
 /// A row whose bodies cannot move has nothing to act on. The verdict says whether it is met as
 /// it is (redundant) or whether no impulse can meet it (conflicting; λ is then zero).

@@ -3,7 +3,7 @@
 ///
 ///     C = g(x_k),   J = ∇g(x_k)ᵀ
 ///
-/// (2.12). The curve may be a circle, an ellipse, or any function of the reader's own, with a
+/// (2.9). The curve may be a circle, an ellipse, or any function of the reader's own, with a
 /// gradient that is given or that automatic differentiation finds.
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace rigid {
 
 //! [curve]
-/// (2.12): body k stays where g is zero.
+/// (2.9): body k stays where g is zero.
 /// \param x         positions [m]
 /// \param k         the body
 /// \param g         any callable: a point to a number
@@ -45,7 +45,7 @@ Constraint<2> curve_constraint(const VecX& x, Index k, const G& g)
 //! [curve]
 
 //! [circle]
-/// A circle about the origin, \f$C = (x^T x - r^2) / 2r\f$ [m]. The divisor makes J a unit vector on the
+/// (2.10): a circle about the origin, \f$C = (x^T x - r^2) / 2r\f$ [m]. The divisor makes J a unit vector on the
 /// wire. Throws std::invalid_argument unless the radius is positive.
 inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 {
@@ -58,7 +58,7 @@ inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 }
 //! [circle]
 
-/// An ellipse about the origin with the half axes \f$a_1, a_2\f$ along x and y,
+/// (2.11): an ellipse about the origin with the half axes \f$a_1, a_2\f$ along x and y,
 /// \f$C = \tfrac12 (x^2/a_1^2 + y^2/a_2^2 - 1)\f$, a pure number; see normalised().
 /// Throws std::invalid_argument unless both half axes are positive.
 inline Constraint<2> ellipse_constraint(const VecX& x, Index k, const Vec2& half_axes)
