@@ -87,12 +87,13 @@ class Page:
             file = file / "README.md"
         if file.suffix == ".md":
             page = page_id(self.root, file)
+            if page == "index" and anchor:
+                return f'<a href="index.html#{section_label(page, anchor)}">{self.inline(text)}</a>'
             return f'\\ref {section_label(page, anchor) if anchor else page} "{plain}"'
         if file.suffix == ".bib":
             return f'\\ref citelist "{plain}"'
         # finish_html.py puts the address of the page in, or leaves the words alone
-        return (f'\\htmlonly<a class="el" href="book:{html.escape(self.relative(file))}">\\endhtmlonly'
-                f"{self.inline(text)}\\htmlonly</a>\\endhtmlonly")
+        return f'<a href="book:{html.escape(self.relative(file))}">{self.inline(text)}</a>'
 
     def image(self, info):
         source = self.relative((self.path.parent / info["src"]).resolve())
@@ -111,9 +112,10 @@ class Page:
     # -- running text
 
     def words(self, text):
-        text = text.replace("@", "\\@").replace("--", "\\--").replace("%", "\\%")
-        text = re.sub(r"<(https?://[^\s<>]+)>", r"\1 ", text)
-        text = re.sub(r"<(?=\S)", "&lt;", text)
+        text = text.replace("@", "\\@").replace("%", "\\%")
+        text = re.sub(r"(?<![-|:])--(?![-|:])", r"\\--", text)  # not the rule of a table
+        text = re.sub(r"<(https?://[^\s<>]+)>", r'<a href="\1">\1</a>', text)
+        text = re.sub(r"<(?=\S)(?!/?a\b)", "&lt;", text)
         text = re.sub(r"#(?=\w)", r"\\#", text)
         text = re.sub(r"::(?=\w)", r"\\::", text)
         return self.book.linked(text)
@@ -144,7 +146,7 @@ class Page:
     def paragraph(self, lines):
         """Lines of running text. A line that only by wrapping starts with `2. ` is no list."""
         if not re.match(r"^\s*([-*+]|\d+[.)])\s", lines[0]):
-            lines = lines[:1] + [re.sub(r"^(\d+)\.(\s)", r"\1&#46;\2", l) for l in lines[1:]]
+            lines = lines[:1] + [re.sub(r"^(\d+)\.(\s)", r"\1\\.\2", l) for l in lines[1:]]
         return self.inline("\n".join(lines)).split("\n")
 
     # -- blocks
@@ -152,6 +154,9 @@ class Page:
     def heading(self, block, seen):
         level, title = block.info["level"], block.info["title"]
         anchor = slug(title, seen)
+        if self.id == "index" and level > 1:  # no entries in the sidebar before the chapters
+            return ["", f'\\htmlonly[block]<h{level - 1}><a class="anchor" id="{section_label("index", anchor)}"></a>'
+                        f"{html.escape(title)}</h{level - 1}>\\endhtmlonly", ""]
         if level == 1:
             return [f"# {self.inline(title)}" + ("" if self.id == "index" else f" {{#{self.id}}}")]
         return ["", "#" * level + f" {self.inline(title)} {{#{section_label(self.id, anchor)}}}"]
@@ -228,17 +233,7 @@ class Page:
             else:
                 out += block.lines
             k += 1
-        if self.id == "index":
-            out += self.hidden_pages()
         return "\n".join(out) + "\n"
-
-    def hidden_pages(self):
-        """The sidebar lists the chapters alone: the other pages are below the main page,
-        and have entries of their own from DoxygenLayout.xml."""
-        pages = [f.stem for f in sorted((self.root / "docs").glob("*.md"))] + ["citelist"]
-        return (["", "\\htmlonly[block]<div hidden=\"hidden\">\\endhtmlonly", ""]
-                + [f"- \\subpage {page}" for page in pages]
-                + ["", "\\htmlonly[block]</div>\\endhtmlonly"])
 
 
 def source_text(book, source):

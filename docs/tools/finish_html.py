@@ -7,7 +7,10 @@
                               source); where the site has no such page the words stay
   (4.7) in a comment of code  becomes a link to the equation
   pictures/chapters/…         are copied from the book
-  #nested-classes             Doxygen 1.9.4 links to it from pages that have no such part
+  [1] for a citation          becomes its key, as in the texts
+  a formula and its comma     stay on one line
+  Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
+                              whose variable starts with a digit, as 01_euler_integration.cpp does
 """
 import html
 import os
@@ -74,11 +77,23 @@ def finish(folder, tag_file, root):
         old = page.read_text(encoding="utf-8")
         new = re.sub(r'<a([^>]*?)href="book:([^"]*)"([^>]*)>(.*?)</a>', book_link, old, flags=re.S)
         new = re.sub(r'(<span class="comment">)([^<]*)(</span>)', comment, new)
+        new = re.sub(r'(CITEREF_([\w-]+)"[^>]*>(?:</a>)?)\[\d+\]', r"\1[\2]", new)
+        new = re.sub(r"<p\s*>(<a class=\"anchor\" id=\"[^\"]*\"></a>\s*)</p>", r'<p class="anchorline">\1</p>', new)
+        new = re.sub(r"(?<![\w])(\(?\\\((?:(?!\\[()]).)+\\\)(?:&zwnj;)?[.,;:!?)’]+)", r'<span class="nobreak">\1</span>', new)
         if 'id="nested-classes"' not in new and 'name="nested-classes"' not in new:
             new = re.sub(r'<a href="#nested-classes">[^<]*</a>(?:\s*&#124;\s*)?', "", new)
         pictures.update(html.unescape(p) for p in re.findall(r'src="pictures/([^"]+)"', new))
         if new != old:
             page.write_text(new, encoding="utf-8")
+    digits = [f for f in folder.glob("[0-9]*.js")]
+    for script in folder.glob("*.js"):
+        if digits and script.name not in {f.name for f in digits}:
+            old = script.read_text(encoding="utf-8", errors="surrogateescape")
+            new = re.sub(r', "[0-9]\w*" \]', ", null ]", old) if script.name != "tex-svg.js" else old
+            if new != old:
+                script.write_text(new, encoding="utf-8", errors="surrogateescape")
+    for script in digits:
+        script.unlink()
     for picture in sorted(pictures):
         if (root / picture).is_file():
             (folder / "pictures" / picture).parent.mkdir(parents=True, exist_ok=True)
