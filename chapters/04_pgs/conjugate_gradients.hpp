@@ -1,0 +1,101 @@
+/// \file conjugate_gradients.hpp
+/// The contrast: conjugate gradients, for bilateral rows only.
+///
+///     A λ + q = 0,   A symmetric positive (semi-)definite
+///
+/// Where a sweep forgets all but the last λ, each step here minimises the merit ½ λᵀAλ + qᵀλ over all
+/// directions so far (4.25): n rows take at most n steps. It has no way to clamp.
+/// \cite hestenes1952
+#pragma once
+
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+
+namespace rigid {
+
+/// Memory that is kept from solve to solve.
+struct CgMemory {
+    VecX residual, scaled, direction, image, inverse_diagonal;
+};
+
+/// y = A x, row by row, without a temporary.
+inline void multiply(const SparseMatrix& A, const VecX& x, VecX& y)
+{
+    y.resize(A.rows());
+    for (Index i = 0; i < A.rows(); ++i) {
+        Real sum = 0;
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) sum += entry.value() * x[entry.col()];
+        y[i] = sum;
+    }
+}
+
+/// Conjugate gradients with the diagonal of A as preconditioner, from `solution.lambda` on.
+///
+/// `solved` when the natural residual, here the largest |w_i|, met the tolerance; `singular` when a
+/// direction has no curvature but a slope (conflicting rows); else `iteration limit`.
+/// \param tolerance  [m/s]
+/// \throws std::invalid_argument  if the problem is invalid or a row has a bound
+inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterations, CgMemory& memory,
+                                Solution& solution)
+{
+    require_valid(mlcp);
+    const Index n = mlcp.size();
+    for (Index i = 0; i < n; ++i)
+        if (mlcp.lo[i] > -infinity || mlcp.hi[i] < infinity)
+            throw std::invalid_argument("row " + std::to_string(i) +
+                                        " has a bound; conjugate gradients take bilateral rows only");
+    if (solution.lambda.size() != n || !solution.lambda.allFinite())
+        throw std::invalid_argument("the start of conjugate gradients must have " + std::to_string(n) +
+                                    " finite impulses");
+    auto& [r, y, p, Ap, inverse_diagonal] = memory;
+    inverse_diagonal.resize(n);
+    for (Index i = 0; i < n; ++i) {
+        const Real a = mlcp.A.coeff(i, i);
+        inverse_diagonal[i] = 1 / (a > 0 ? a : 1);
+    }
+    VecX& lambda = solution.lambda;
+    solution.status = Status::iteration_limit;
+
+    //! [cg]
+    multiply(mlcp.A, lambda, Ap);
+    r = -(Ap + mlcp.q);  // minus the gradient of the merit: −w
+    p = inverse_diagonal.cwiseProduct(r);
+    Real slope = r.dot(p);
+    int k = 0;
+    for (; k < max_iterations && r.lpNorm<Eigen::Infinity>() > tolerance; ++k) {
+        multiply(mlcp.A, p, Ap);
+        const Real curvature = p.dot(Ap);
+        if (!(curvature > 0)) {  // the merit falls for ever along p
+            solution.status = Status::singular;
+            break;
+        }
+        const Real alpha = slope / curvature;  // (4.24): the lowest point along p
+        lambda += alpha * p;
+        r -= alpha * Ap;
+        y = inverse_diagonal.cwiseProduct(r);
+        const Real next_slope = r.dot(y);
+        p = y + (next_slope / slope) * p;  // (4.25): conjugate to all directions so far
+        slope = next_slope;
+    }
+    //! [cg]
+
+    solution.iterations = k;
+    solution.residual = natural_residual(mlcp, lambda);  // of the answer itself, not of the recurrence
+    if (solution.residual <= tolerance) solution.status = Status::solved;
+    if (!std::isfinite(solution.residual)) {
+        lambda.setZero();
+        solution.residual = natural_residual(mlcp, lambda);
+        solution.status = Status::singular;
+    }
+}
+
+/// The same from zero, with memory of its own.
+inline Solution conjugate_gradients(const Mlcp& mlcp, Real tolerance = 1e-9, int max_iterations = 10000)
+{
+    CgMemory memory;
+    Solution solution;
+    solution.lambda.setZero(mlcp.size());
+    conjugate_gradients(mlcp, tolerance, max_iterations, memory, solution);
+    return solution;
+}
+
+}  // namespace rigid

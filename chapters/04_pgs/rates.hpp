@@ -1,0 +1,78 @@
+/// \file rates.hpp
+/// The theory lines: by what factor the error shrinks with each sweep.
+///
+/// For N rows in a line (a column of discs, a hanging chain) whose last body has the mass R of the
+/// others' unit: Gauss-Seidel cos²θ with tan θ tan (N−1)θ = 1/R, (4.14). Jacobi and SOR follow from it
+/// by (4.12) and (4.21) \cite young1954.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+
+#include <cmath>
+
+namespace rigid {
+
+//! [theta]
+/// The smallest angle θ of (4.14): tan θ tan (N−1)θ = 1/R, by bisection.
+/// \param count  N ≥ 2 rows
+/// \param ratio  R > 0: mass of the end / mass of one of the others
+inline Real line_angle(Index count, Real ratio)
+{
+    // The left side rises from 0 to infinity between 0 and π / 2(N−1).
+    Real low = 0, high = pi / (2 * static_cast<Real>(count - 1));
+    for (int halving = 0; halving < 100; ++halving) {
+        const Real theta = (low + high) / 2;
+        const Real side = std::tan(theta) * std::tan(static_cast<Real>(count - 1) * theta);
+        (side < 1 / ratio ? low : high) = theta;
+    }
+    return (low + high) / 2;
+}
+//! [theta]
+
+/// The rate of Gauss-Seidel for N rows in a line with end mass R: cos²θ; 0 for a single row.
+inline Real line_rate(Index count, Real ratio)
+{
+    if (count < 2) return 0;
+    const Real c = std::cos(line_angle(count, ratio));
+    return c * c;
+}
+
+/// (4.15): the share of the slowest mode in the error of a cold start, for a column of N equal bodies; the
+/// largest error after k sweeps is this times ρ^k times the largest λ.
+inline Real slowest_weight(Index count)
+{
+    const auto N = static_cast<Real>(count);
+    const Real s = std::sin(pi / (2 * N));
+    return 2 / (N * N * s * s);
+}
+
+/// (4.17): Jacobi lowers the merit of a symmetric problem for every ω below this.
+inline Real safe_jacobi_omega(const Mlcp& mlcp)
+{
+    Real largest = 1;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real sum = 0, diagonal = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            sum += std::abs(entry.value());
+            if (entry.col() == i) diagonal = entry.value();
+        }
+        if (diagonal > 0) largest = std::max(largest, sum / diagonal);
+    }
+    return 2 / largest;
+}
+
+//! [young]
+/// (4.22): the relaxation with the smallest rate, from the rate ρ of Gauss-Seidel.
+inline Real best_omega(Real rate) { return 2 / (1 + std::sqrt(1 - rate)); }
+
+/// (4.21): the rate of SOR with relaxation ω, from the rate ρ of Gauss-Seidel.
+inline Real sor_rate(Real omega, Real rate)
+{
+    const Real inside = omega * omega * rate - 4 * (omega - 1);
+    if (inside <= 0) return omega - 1;  // a complex pair: all modes shrink alike
+    const Real root = (omega * std::sqrt(rate) + std::sqrt(inside)) / 2;
+    return root * root;
+}
+//! [young]
+
+}  // namespace rigid

@@ -1,0 +1,167 @@
+/// \file sweeps.hpp
+/// One visit of every row of an MLCP: solve the row for its own λ, clamp, go on.
+///
+///     w = A λ + q,   lo ≤ λ ≤ hi,   0 = λ − clamp(λ − w/a, lo, hi)   in every row, a = A_ii
+///
+/// A visit does λ_i ← clamp(λ_i − ω w_i / A_ii), (4.4) with ω = 1 and (4.20) with any ω. The rows are first
+/// rewritten as (4.27), so that a visit is one short sum and a clamp, and lie in memory in the order
+/// in which they are visited.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+//! [layout]
+/// One row as the sweep wants it: λ_i ← clamp(keep λ_i + constant + Σ coefficient_j λ_j, lo, hi).
+struct SweepRow {
+    Real keep;      ///< 1 − ω A_ii / s_i, which is 1 − ω
+    Real constant;  ///< −ω q_i / s_i [N s]
+    Real lo, hi;    ///< [N s]
+    Real scale;     ///< s_i / ω [1/kg]: the velocity that a change of λ_i stands for
+};
+
+/// The rows in the order of the visits; entries of row k: column and coefficient at start[k] … start[k+1]−1.
+struct SweepRows {
+    std::vector<SweepRow> rows;
+    std::vector<int> start;         ///< n + 1
+    std::vector<int> column;        ///< places in this order, not row numbers of the problem
+    std::vector<Real> coefficient;  ///< −ω A_ij / s_i, without the diagonal
+    std::vector<int> row_at;        ///< row number of the problem at each place
+    std::vector<int> place_of;      ///< and back
+    VecX lambda;                    ///< the impulses by place [N s]
+    VecX next;                      ///< Jacobi's second copy
+};
+//! [layout]
+
+/// Writes the rows of a valid problem as (4.27). Allocates only if the problem is larger than all before it.
+/// \param omega  0 < ω < 2: 1 is plain Gauss-Seidel
+/// \param order  the row numbers in the order of the visits; empty = as they are
+/// \throws std::invalid_argument  for an ω out of range or an order that is not a permutation
+inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, SweepRows& sweep)
+{
+    if (!(omega > 0 && omega < 2))
+        throw std::invalid_argument("the relaxation omega is " + std::to_string(omega) +
+                                    "; it must lie between 0 and 2");
+    const auto n = static_cast<std::size_t>(mlcp.size());
+    if (!order.empty() && order.size() != n)
+        throw std::invalid_argument("the order names " + std::to_string(order.size()) +
+                                    " rows; the problem has " + std::to_string(n));
+    sweep.row_at.resize(n);
+    sweep.place_of.assign(n, -1);
+    for (std::size_t k = 0; k < n; ++k) {
+        const int i = order.empty() ? static_cast<int>(k) : order[k];
+        if (i < 0 || static_cast<std::size_t>(i) >= n || sweep.place_of[static_cast<std::size_t>(i)] >= 0)
+            throw std::invalid_argument("the order names row " + std::to_string(i) +
+                                        " twice or out of range; it must name each row once");
+        sweep.row_at[k] = i;
+        sweep.place_of[static_cast<std::size_t>(i)] = static_cast<int>(k);
+    }
+
+    sweep.rows.resize(n);
+    sweep.start.resize(n + 1);
+    sweep.column.resize(static_cast<std::size_t>(mlcp.A.nonZeros()));
+    sweep.coefficient.resize(static_cast<std::size_t>(mlcp.A.nonZeros()));
+    sweep.lambda.resize(mlcp.size());
+    sweep.next.resize(mlcp.size());
+    std::size_t filled = 0;
+    sweep.start[0] = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Index i = sweep.row_at[k];
+        Real diagonal = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            if (entry.col() == i) diagonal += entry.value();
+        const Real scale = diagonal > 0 ? diagonal : 1;  // as in the natural residual
+        const std::size_t first = filled;
+        const auto take = [&](bool later) {
+            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+                const int place = sweep.place_of[static_cast<std::size_t>(entry.col())];
+                if (entry.col() == i || entry.value() == 0 || (place > static_cast<int>(k)) != later)
+                    continue;
+                sweep.column[filled] = place;
+                sweep.coefficient[filled++] = -omega * entry.value() / scale;
+            }
+        };
+        // Later places first: the youngest λ, just written by the row before, joins the sum last,
+        // and the processor has the rest of the sum ready by then.
+        take(true);
+        take(false);
+        sweep.start[k + 1] = static_cast<int>(filled);
+        SweepRow& row = sweep.rows[k];
+        row = {1 - omega * diagonal / scale, -omega * mlcp.q[i] / scale, mlcp.lo[i], mlcp.hi[i],
+               scale / omega};
+        // A row that no λ can change, w = q whatever we do: its bound is the answer.
+        if (diagonal <= 0 && diagonal >= 0 && filled == first) {
+            if (mlcp.q[i] > 0 && std::isfinite(row.lo)) row.hi = row.lo;
+            if (mlcp.q[i] < 0 && std::isfinite(row.hi)) row.lo = row.hi;
+            if (row.lo < row.hi) row.constant = 0;
+        }
+    }
+}
+
+//! [visit]
+/// (4.4), (4.20): row k's own best answer to the λ of the others. A NaN stays a NaN.
+inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda)
+{
+    const SweepRow& row = sweep.rows[k];
+    Real value = row.constant + row.keep * lambda[k];
+    for (int e = sweep.start[k]; e < sweep.start[k + 1]; ++e)
+        value += sweep.coefficient[static_cast<std::size_t>(e)] *
+                 lambda[sweep.column[static_cast<std::size_t>(e)]];
+    value = value < row.lo ? row.lo : value;
+    return value > row.hi ? row.hi : value;
+}
+//! [visit]
+
+//! [gauss-seidel]
+/// One Gauss-Seidel sweep: each row sees what the rows before it have just done.
+/// \return  the largest change of a λ_i, as a velocity s_i |Δλ_i| / ω [m/s]; NOT the residual, see (4.7)
+inline Real sweep_forward(SweepRows& sweep)
+{
+    Real largest = 0;
+    Real* const lambda = sweep.lambda.data();
+    for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
+        const Real value = visit(sweep, k, lambda);
+        largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
+        lambda[k] = value;
+    }
+    return largest;
+}
+//! [gauss-seidel]
+
+/// The same from the last row to the first.
+inline Real sweep_backward(SweepRows& sweep)
+{
+    Real largest = 0;
+    Real* const lambda = sweep.lambda.data();
+    for (std::size_t k = sweep.rows.size(); k-- > 0;) {
+        const Real value = visit(sweep, k, lambda);
+        largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
+        lambda[k] = value;
+    }
+    return largest;
+}
+
+//! [jacobi]
+/// One Jacobi sweep: each row sees what all rows were BEFORE the sweep.
+inline Real sweep_jacobi(SweepRows& sweep)
+{
+    Real largest = 0;
+    for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
+        const auto i = static_cast<Index>(k);
+        sweep.next[i] = visit(sweep, k, sweep.lambda.data());
+        largest = std::max(largest, sweep.rows[k].scale * std::abs(sweep.next[i] - sweep.lambda[i]));
+    }
+    sweep.lambda.swap(sweep.next);
+    return largest;
+}
+//! [jacobi]
+
+}  // namespace rigid

@@ -1,0 +1,822 @@
+/// Chapter 4: projected Gauss-Seidel, its relatives, its rates, and where it fails.
+
+// Memory that is asked for while a NoAllocation lives is counted: operator new below, Eigen's own by its
+// check.
+#include <cstdlib>
+#include <new>
+namespace {
+bool allocation_forbidden = false;
+int forbidden_allocations = 0;
+}  // namespace
+#define EIGEN_RUNTIME_NO_MALLOC
+#define eigen_assert(condition)                                                                              \
+    do {                                                                                                     \
+        if (!(condition)) {                                                                                  \
+            if (!allocation_forbidden) std::abort();                                                         \
+            ++forbidden_allocations;                                                                         \
+        }                                                                                                    \
+    } while (false)
+
+#include "chapters/04_pgs/conjugate_gradients.hpp"
+#include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/rates.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <functional>
+#include <numeric>
+
+// Not inlined: else the compiler sees malloc() and delete meet and warns.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+    if (allocation_forbidden) ++forbidden_allocations;
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace rigid;
+
+namespace {
+
+/// While it lives, every allocation of this thread is counted.
+struct NoAllocation {
+    NoAllocation()
+    {
+        forbidden_allocations = 0;
+        allocation_forbidden = true;
+        Eigen::internal::set_is_malloc_allowed(false);
+    }
+    ~NoAllocation()
+    {
+        Eigen::internal::set_is_malloc_allowed(true);
+        allocation_forbidden = false;
+    }
+    static int violations() { return forbidden_allocations; }
+};
+
+Mlcp problem(const MatX& A, const VecX& q, Real lo = 0, Real hi = infinity)
+{
+    Mlcp mlcp;
+    mlcp.A = A.sparseView();
+    mlcp.q = q;
+    mlcp.lo = VecX::Constant(q.size(), lo);
+    mlcp.hi = VecX::Constant(q.size(), hi);
+    return mlcp;
+}
+
+/// N rows in a line, all bodies of 1 kg but one: (4.8), as a column at rest for one step of 1/60 s.
+Mlcp line(Index N, Real end_mass = 1, bool heavy_at_the_floor = false)
+{
+    VecX mass = VecX::Ones(N);
+    mass[heavy_at_the_floor ? 0 : N - 1] = end_mass;
+    MatX A = MatX::Zero(N, N);
+    for (Index k = 0; k < N; ++k) {
+        A(k, k) = 1 / mass[k] + (k > 0 ? 1 / mass[k - 1] : 0);
+        if (k > 0) A(k, k - 1) = A(k - 1, k) = -1 / mass[k - 1];
+    }
+    VecX q = VecX::Zero(N);
+    q[0] = -9.81 / 60;
+    return problem(A, q);
+}
+
+/// (4.9): row k carries all that lies above it.
+VecX carried(const Mlcp& mlcp)
+{
+    const MatX A = mlcp.A;
+    return A.ldlt().solve(-mlcp.q);
+}
+
+Real merit(const Mlcp& mlcp, const VecX& lambda)
+{
+    return 0.5 * lambda.dot(mlcp.A * lambda) + mlcp.q.dot(lambda);
+}
+
+/// One sweep of a kind; 0 Jacobi, 1 forward, 2 backward.
+Real sweep_of(int kind, SweepRows& rows)
+{
+    return kind == 0 ? sweep_jacobi(rows) : kind == 1 ? sweep_forward(rows) : sweep_backward(rows);
+}
+
+/// Sweeps from zero until the largest error is `relative` of the largest λ.
+int sweeps_until(const Mlcp& mlcp, Real relative, Real omega = 1, int kind = 1)
+{
+    const VecX exact = carried(mlcp);
+    SweepRows rows;
+    prepare(mlcp, omega, {}, rows);
+    rows.lambda.setZero();
+    int sweeps = 0;
+    while ((rows.lambda - exact).lpNorm<Eigen::Infinity>() > relative * exact.lpNorm<Eigen::Infinity>()) {
+        sweep_of(kind, rows);
+        REQUIRE(++sweeps < 1000000);
+    }
+    return sweeps;
+}
+
+/// The factor by which the error shrinks in the last of so many sweeps from zero.
+Real measured_rate(const Mlcp& mlcp, int sweeps, Real omega = 1, int kind = 1)
+{
+    const VecX exact = carried(mlcp);
+    SweepRows rows;
+    prepare(mlcp, omega, {}, rows);
+    rows.lambda.setZero();
+    Real before = 0, after = exact.norm();
+    for (int k = 0; k < sweeps; ++k) {
+        sweep_of(kind, rows);
+        before = after;
+        after = (rows.lambda - exact).norm();
+    }
+    return after / before;
+}
+
+/// A random symmetric problem: A = BBᵀ, of full rank or not, bounds of all kinds.
+Mlcp random_symmetric(Random& random, Index n, bool definite = false)
+{
+    const Index rank = definite ? n + 2 : 1 + random.index(n + 2);
+    MatX B(n, rank);
+    for (Index i = 0; i < B.size(); ++i) B.data()[i] = random.normal();
+    VecX q(n);
+    for (Index i = 0; i < n; ++i) q[i] = random.normal();
+    Mlcp mlcp = problem(B * B.transpose(), q);
+    for (Index i = 0; i < n; ++i) switch (random.index(4)) {
+        case 0:
+            break;  // contact
+        case 1:
+            mlcp.lo[i] = -infinity;
+            break;  // joint
+        case 2:
+            mlcp.lo[i] = -random.uniform(), mlcp.hi[i] = random.uniform();
+            break;  // motor
+        default:
+            mlcp.lo[i] = mlcp.hi[i] = random.uniform(-1, 1);  // pinned
+        }
+    return mlcp;
+}
+
+std::string sentence_of(const std::function<void()>& act)
+{
+    try {
+        act();
+    } catch (const std::invalid_argument& refused) {
+        return refused.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+// ---- discrete identities --------------------------------------------------------------------------
+
+TEST_CASE("two discs in a column by hand: each sweep halves what is missing")
+{
+    // The example of the text: A = (1 −1; −1 2), q = (−1, 0), answer (2, 1).
+    SweepRows rows;
+    prepare(problem((MatX(2, 2) << 1, -1, -1, 2).finished(), VecX(Vec2(-1, 0))), 1, {}, rows);
+    rows.lambda.setZero();
+    const Real by_hand[][2] = {{1, 0.5}, {1.5, 0.75}, {1.75, 0.875}, {1.875, 0.9375}};
+    for (const auto& [first, second] : by_hand) {
+        sweep_forward(rows);
+        CHECK(rows.lambda[0] == first);  // halves and quarters: no rounding at all
+        CHECK(rows.lambda[1] == second);
+    }
+}
+
+TEST_CASE("one visit solves a single row and clamps it to either bound")
+{
+    const auto answer = [](Real q, Real lo, Real hi) {
+        return pgs(problem(MatX::Constant(1, 1, 4), VecX::Constant(1, q), lo, hi));
+    };
+    CHECK(answer(-2, 0, infinity).lambda[0] == 0.5);
+    CHECK(answer(2, 0, infinity).lambda[0] == 0);
+    CHECK(answer(2, -infinity, infinity).lambda[0] == -0.5);
+    CHECK(answer(-2, -0.1, 0.25).lambda[0] == 0.25);
+    CHECK(answer(-2, 0, infinity).iterations == 1);
+    CHECK(answer(2, 0, infinity).iterations == 0);  // the cold start was the answer
+    CHECK(answer(2, 0, infinity).status == Status::solved);
+}
+
+TEST_CASE("a free visit lowers the merit by exactly half of A times the change squared as in (4.6)")
+{
+    Random random(3);
+    for (int sample = 0; sample < 200; ++sample) {
+        Mlcp mlcp = random_symmetric(random, 6, true);
+        mlcp.lo.setConstant(-infinity);
+        mlcp.hi.setConstant(infinity);
+        SweepRows rows;
+        prepare(mlcp, 1, {}, rows);
+        for (Index i = 0; i < 6; ++i) rows.lambda[i] = random.normal();
+        const VecX before = rows.lambda;
+        const Index i = random.index(6);
+        VecX after = before;
+        after[i] = visit(rows, static_cast<std::size_t>(i), before.data());
+        const Real change = after[i] - before[i];
+        const Real fall = merit(mlcp, before) - merit(mlcp, after);
+        // Rounding of merits of size up to some hundreds.
+        CHECK(fall == Approx(0.5 * mlcp.A.coeff(i, i) * change * change).margin(1e-12 * 100));
+    }
+}
+
+TEST_CASE("the row form of the sweep is the projected update written out")
+{
+    Random random(4);
+    for (int sample = 0; sample < 200; ++sample) {
+        const Mlcp mlcp = random_symmetric(random, 5);
+        const Real omega = random.uniform(0.1, 1.9);
+        SweepRows rows;
+        prepare(mlcp, omega, {}, rows);
+        VecX lambda(5);
+        for (Index i = 0; i < 5; ++i) lambda[i] = std::clamp(random.normal(), mlcp.lo[i], mlcp.hi[i]);
+        rows.lambda = lambda;
+        sweep_forward(rows);
+        for (Index i = 0; i < 5; ++i) {
+            const Real w = mlcp.A.row(i).dot(lambda) + mlcp.q[i];
+            lambda[i] = std::clamp(lambda[i] - omega * w / mlcp.A.coeff(i, i), mlcp.lo[i], mlcp.hi[i]);
+        }
+        // The sums run in another order, and rows of a rank-1 A may have small diagonals.
+        CHECK((rows.lambda - lambda).lpNorm<Eigen::Infinity>() <=
+              1e-12 * (1 + lambda.lpNorm<Eigen::Infinity>()) * 1e2);
+    }
+}
+
+// ---- why it converges ---------------------------------------------------------------------------------
+
+TEST_CASE("the merit never rises in 1000 random symmetric problems")
+{
+    Random random(9);
+    for (int sample = 0; sample < 1000; ++sample) {
+        const Index n = 1 + random.index(12);
+        const Mlcp mlcp = random_symmetric(random, n);
+        const Real omega = sample % 2 == 0 ? 1 : random.uniform(0.01, 1.99);
+        SweepRows rows;
+        prepare(mlcp, omega, {}, rows);
+        cold_start(mlcp, rows.lambda);
+        Real before = merit(mlcp, rows.lambda);
+        for (int sweep = 0; sweep < 20; ++sweep) {
+            sweep_of(1 + (sample / 2 + sweep) % 2, rows);
+            const Real after = merit(mlcp, rows.lambda);
+            const Real size = rows.lambda.cwiseAbs().dot(mlcp.A.cwiseAbs() * rows.lambda.cwiseAbs()) +
+                              mlcp.q.cwiseAbs().dot(rows.lambda.cwiseAbs());
+            REQUIRE(after <= before + 1e-14 * size);  // a few roundings of the sums that the merit is made of
+            before = after;
+        }
+    }
+}
+
+TEST_CASE("Jacobi lowers the merit when relaxed by (4.17) and may raise it when not")
+{
+    Random random(10);
+    int raised = 0;
+    for (int sample = 0; sample < 300; ++sample) {
+        const Index n = 2 + random.index(8);
+        const Mlcp mlcp = random_symmetric(random, n);
+        for (const bool safe : {true, false}) {
+            SweepRows rows;
+            prepare(mlcp, safe ? 0.99 * safe_jacobi_omega(mlcp) : 1, {}, rows);
+            cold_start(mlcp, rows.lambda);
+            Real before = merit(mlcp, rows.lambda);
+            for (int sweep = 0; sweep < 20; ++sweep) {
+                sweep_jacobi(rows);
+                const Real after = merit(mlcp, rows.lambda);
+                const Real size = rows.lambda.cwiseAbs().dot(mlcp.A.cwiseAbs() * rows.lambda.cwiseAbs()) + 1;
+                const bool rises = after > before + 1e-14 * size;
+                if (safe) REQUIRE_FALSE(rises);
+                raised += rises;
+                before = after;
+            }
+        }
+    }
+    CHECK(raised > 100);
+}
+
+// ---- how fast: theory and measurement -----------------------------------------------------------------
+
+TEST_CASE("Gauss-Seidel on a column of N shrinks the error by cos squared of pi over 2N a sweep")
+{
+    for (const Index N : {2, 5, 10, 20}) {
+        const Real c = std::cos(pi / (2 * static_cast<Real>(N)));
+        CHECK(line_rate(N, 1) == Approx(c * c).epsilon(1e-14));
+        // After N² sweeps the second mode, cos² 3π/2N, is below 1e-8 of the first.
+        CHECK(std::abs(measured_rate(line(N), static_cast<int>(N * N) + 10) - c * c) < 1e-8);
+    }
+}
+
+TEST_CASE("sweeps for six digits on a column are 20 and 136 and 550 and 2204")
+{
+    CHECK(sweeps_until(line(2), 1e-6) == 20);
+    CHECK(sweeps_until(line(5), 1e-6) == 136);
+    CHECK(sweeps_until(line(10), 1e-6) == 550);
+    CHECK(sweeps_until(line(20), 1e-6) == 2204);
+}
+
+TEST_CASE("the sweeps for six digits follow from the weight of the slowest mode as in (4.15)")
+{
+    for (const Index N : {10, 20, 40}) {
+        const Real theta = pi / (2 * static_cast<Real>(N));
+        const Real predicted =
+            (std::log(1e-6) - std::log(slowest_weight(N))) / (2 * std::log(std::cos(theta)));
+        CHECK(sweeps_until(line(N), 1e-6) == std::ceil(predicted));
+    }
+}
+
+TEST_CASE("a mass R on a mass 1 shrinks the error by R over 1 plus R and the reverse by 1 over 1 plus R")
+{
+    for (const Real R : {1.0, 10.0, 100.0, 1e3, 1e4}) {
+        CHECK(line_rate(2, R) == Approx(R / (1 + R)).epsilon(1e-12));
+        CHECK(std::abs(measured_rate(line(2, R), 10) - R / (1 + R)) < 1e-8);
+        if (R <= 100) CHECK(std::abs(measured_rate(line(2, R, true), 3) - 1 / (1 + R)) < 1e-8);
+    }
+    const auto sweeps = [](Real R) { return std::log(1e-6) / std::log(line_rate(2, R)); };
+    CHECK(std::round(sweeps(10)) == 145);
+    CHECK(std::round(sweeps(100)) == 1388);
+    CHECK(std::round(sweeps(1e3)) == 13822);
+    CHECK(std::round(sweeps(1e4)) == 138162);
+    // Two rows: the error is one mode from the first sweep on, so the count is that of the formula or one
+    // more.
+    CHECK(std::abs(sweeps_until(line(2, 10), 1e-6) - sweeps(10)) < 1);
+    CHECK(std::abs(sweeps_until(line(2, 1e3), 1e-6) - sweeps(1e3)) < 1);
+}
+
+TEST_CASE("forty hanging masses with a heavy end shrink the error as the reference says")
+{
+    CHECK(std::abs(line_rate(40, 1) - 0.9984586669) < 1e-10);
+    CHECK(std::abs(line_rate(40, 100) - 0.9997737380) < 1e-10);
+    CHECK(std::abs(line_rate(40, 1e3) - 0.9999746893) < 1e-10);
+    for (const Real R : {1.0, 100.0, 1e3})
+        CHECK(std::abs(measured_rate(line(40, R), 2500) - line_rate(40, R)) < 1e-8);
+}
+
+TEST_CASE("Jacobi shrinks the error by the square root of the rate of Gauss-Seidel")
+{
+    // ±cos θ are both modes, of equal weight but for their sign: look two sweeps back.
+    for (const Index N : {5, 10}) {
+        const Mlcp mlcp = line(N);
+        const int k = 2 * static_cast<int>(N * N);
+        const Real two = measured_rate(mlcp, k, 1, 0) * measured_rate(mlcp, k + 1, 1, 0);
+        CHECK(std::abs(two - line_rate(N, 1)) < 1e-8);
+    }
+}
+
+TEST_CASE("SOR shrinks the error as Young's formula says on either side of the best omega")
+{
+    const Real rho = line_rate(10, 1);
+    // Bilateral rows, nothing to do (q = 0) and a crooked start: λ is the error, and rounding is relative to
+    // it.
+    Mlcp mlcp = line(10);
+    mlcp.lo.setConstant(-infinity);
+    mlcp.q.setZero();
+    const auto error_after = [&](Real omega, int sweeps) {
+        SweepRows rows;
+        prepare(mlcp, omega, {}, rows);
+        for (Index k = 0; k < 10; ++k) rows.lambda[k] = static_cast<Real>(10 - k * k % 7);
+        for (int k = 0; k < sweeps; ++k) sweep_forward(rows);
+        return rows.lambda.norm();
+    };
+    // Below the best ω, 1.73, the slowest mode is real and soon alone: eight digits.
+    for (const Real omega : {0.5, 0.8, 1.0, 1.3, 1.5, 1.7})
+        CHECK(std::abs(error_after(omega, 501) / error_after(omega, 500) - sor_rate(omega, rho)) < 1e-8);
+    // Above it all modes have the size ω − 1 and turn: the mean over many sweeps. The norm swings by a factor
+    // of at most some tens, so its logarithm by 4, over 1000 sweeps.
+    for (const Real omega : {1.8, 1.9})
+        CHECK(std::abs(std::log(error_after(omega, 1100) / error_after(omega, 100)) / 1000 -
+                       std::log(omega - 1)) < 0.004);
+    CHECK(sor_rate(best_omega(rho), rho) == Approx(best_omega(rho) - 1).epsilon(1e-7));  // √ of rounding
+}
+
+TEST_CASE("sweeps grow with the square of N for Gauss-Seidel and in proportion to N for SOR and CG")
+{
+    const auto slope = [](const std::function<Real(Index)>& count) {
+        Real sx = 0, sy = 0, sxx = 0, sxy = 0;
+        const std::vector<Index> sizes = {10, 20, 40, 80, 160};
+        for (const Index N : sizes) {
+            const Real x = std::log(static_cast<Real>(N)), y = std::log(count(N));
+            sx += x, sy += y, sxx += x * x, sxy += x * y;
+        }
+        const auto n = static_cast<Real>(sizes.size());
+        return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    };
+    CHECK(std::abs(slope([](Index N) { return sweeps_until(line(N), 1e-3); }) - 2) < 0.15);
+    CHECK(std::abs(slope([](Index N) { return sweeps_until(line(N), 1e-3, best_omega(line_rate(N, 1))); }) -
+                   1) < 0.15);
+    CHECK(std::abs(slope([](Index N) {
+                       Mlcp mlcp = line(N);
+                       mlcp.lo.setConstant(-infinity);
+                       return conjugate_gradients(mlcp, 1e-9).iterations;
+                   }) -
+                   1) < 0.15);
+}
+
+TEST_CASE("conjugate gradients need no more steps than there are rows")
+{
+    Random random(12);
+    for (int sample = 0; sample < 100; ++sample) {
+        const Index n = 1 + random.index(12);
+        Mlcp mlcp = random_symmetric(random, n, true);
+        mlcp.lo.setConstant(-infinity);
+        mlcp.hi.setConstant(infinity);
+        // In exact arithmetic n steps end it; rounding of a badly conditioned A may want some more.
+        const Solution solution = conjugate_gradients(mlcp, 1e-8, static_cast<int>(3 * n));
+        REQUIRE(solution.status == Status::solved);
+        CHECK(natural_residual(mlcp, solution.lambda) <= 1e-8);
+    }
+    for (const Index N : {2, 5, 20, 40}) {
+        Mlcp mlcp = line(N);
+        mlcp.lo.setConstant(-infinity);
+        const Solution solution = conjugate_gradients(mlcp, 1e-12);
+        CHECK(solution.iterations == N);
+        CHECK((solution.lambda - carried(mlcp)).lpNorm<Eigen::Infinity>() < 1e-11 * carried(mlcp).maxCoeff());
+    }
+}
+
+TEST_CASE("conjugate gradients refuse bounds and say singular when rows contradict each other")
+{
+    Mlcp mlcp = problem((MatX(2, 2) << 1, 1, 1, 1).finished(), VecX(Vec2(-1, 1)), -infinity);
+    CHECK(conjugate_gradients(mlcp).status == Status::singular);
+    mlcp.q = Vec2(-1, -1);  // the same row twice: no contradiction
+    const Solution twice = conjugate_gradients(mlcp);
+    CHECK(twice.status == Status::solved);
+    CHECK(twice.lambda.sum() == Approx(1));
+    mlcp.lo[1] = 0;
+    CHECK(sentence_of([&] { conjugate_gradients(mlcp); }) ==
+          "row 1 has a bound; conjugate gradients take bilateral rows only");
+}
+
+// ---- when to stop -------------------------------------------------------------------------------------
+
+TEST_CASE("solved is said at the first sweep that meets the tolerance or one sweep later")
+{
+    for (const Index N : {2, 5, 20})
+        for (const Real omega : {0.7, 1.0, 1.5}) {
+            const Mlcp mlcp = line(N);
+            const Real tolerance = 1e-7;
+            SweepRows rows;
+            prepare(mlcp, omega, {}, rows);
+            rows.lambda.setZero();
+            int first = 0;
+            while (natural_residual(mlcp, rows.lambda) > tolerance) sweep_forward(rows), ++first;
+            PgsSettings settings;
+            settings.tolerance = tolerance;
+            settings.omega = omega;
+            PgsMemory memory;
+            Solution solution;
+            cold_start(mlcp, solution.lambda);
+            pgs(mlcp, settings, memory, solution);
+            CHECK(solution.status == Status::solved);
+            CHECK(solution.iterations >= first);
+            CHECK(solution.iterations <= first + 1);
+            CHECK(memory.checks < 12 + 2 * std::log2(1 + solution.iterations));
+        }
+}
+
+TEST_CASE("the residual that is reported is that of the answer")
+{
+    Random random(14);
+    for (int sample = 0; sample < 300; ++sample) {
+        const Mlcp mlcp = random_symmetric(random, 1 + random.index(10));
+        PgsSettings settings;
+        settings.tolerance = std::pow(10, -random.uniform(1, 9));
+        settings.max_sweeps = static_cast<int>(random.index(100));
+        const Solution solution = pgs(mlcp, settings);
+        CHECK(solution.residual == natural_residual(mlcp, solution.lambda));
+        CHECK((solution.status == Status::solved) == (solution.residual <= settings.tolerance));
+        for (Index i = 0; i < mlcp.size(); ++i) {
+            CHECK(solution.lambda[i] >= mlcp.lo[i]);
+            CHECK(solution.lambda[i] <= mlcp.hi[i]);
+        }
+    }
+}
+
+TEST_CASE("a small change does not mean a small residual")
+{
+    // Relaxed by 1/1000 a row does a thousandth of what it should: the change tests stagnation, not
+    // convergence.
+    const Mlcp mlcp = line(2);
+    SweepRows rows;
+    prepare(mlcp, 0.001, {}, rows);
+    rows.lambda.setZero();
+    const VecX before = rows.lambda;
+    sweep_forward(rows);
+    CHECK((rows.lambda - before).lpNorm<Eigen::Infinity>() < 2e-4);
+    CHECK(natural_residual(mlcp, rows.lambda) > 0.1);
+    // And at rate ρ the error is still ρ/(1−ρ) times the last change: (4.16).
+    const Mlcp heavy = line(2, 1e3);
+    const VecX exact = carried(heavy);
+    prepare(heavy, 1, {}, rows);
+    rows.lambda.setZero();
+    VecX last = rows.lambda;
+    for (int k = 0; k < 20; ++k) last = rows.lambda, sweep_forward(rows);
+    const Real ratio = (rows.lambda - exact).norm() / (rows.lambda - last).norm();
+    CHECK(ratio == Approx(1000).epsilon(1e-9));  // R/(1+R) / (1 − R/(1+R)) = R
+}
+
+// ---- where it fails -----------------------------------------------------------------------------------
+
+TEST_CASE("PGS goes round in circles on a matrix that is not symmetric and says iteration limit")
+{
+    // (4.26): positive definite, one answer (1, 1), and yet (0, 0) → (3, 5) → (0, 0) → …
+    const Mlcp mlcp = problem((MatX(2, 2) << 1, 2, -2, 1).finished(), VecX(Vec2(-3, 1)));
+    CHECK(natural_residual(mlcp, VecX::Ones(2)) == 0);
+    SweepRows rows;
+    prepare(mlcp, 1, {}, rows);
+    rows.lambda.setZero();
+    sweep_forward(rows);
+    CHECK(rows.lambda == VecX(Vec2(3, 5)));
+    sweep_forward(rows);
+    CHECK(rows.lambda == VecX(Vec2(0, 0)));
+    const Solution solution = pgs(mlcp);
+    CHECK(solution.status == Status::iteration_limit);
+    CHECK(solution.residual >= 1);
+}
+
+TEST_CASE("PGS fails on a sliding contact whose friction is a pyramid")
+{
+    MatX A(4, 4);
+    A << 1, -0.9, 0.9, 0, -0.9, 1, -1, 1, 0.9, -1, 1, 1, 0.3, -1, -1, 0;
+    VecX q(4);
+    q << -1, 1, -1, 0;
+    const Solution solution = pgs(problem(A, q));
+    CHECK(solution.status == Status::iteration_limit);
+    CHECK(solution.residual > 0.01);
+    PgsSettings settings;
+    settings.omega = 0.5;  // under-relaxation saves this one: no promise
+    CHECK(pgs(problem(A, q), settings).status == Status::solved);
+}
+
+TEST_CASE("Jacobi never settles on three equal contacts and Gauss-Seidel needs one sweep")
+{
+    const Mlcp mlcp = problem(MatX::Ones(3, 3), VecX::Constant(3, -1));
+    PgsSettings settings;
+    settings.sweeps = Sweeps::jacobi;
+    settings.max_sweeps = 1000;
+    const Solution jacobi = pgs(mlcp, settings);
+    CHECK(jacobi.status == Status::iteration_limit);
+    CHECK(jacobi.residual >= 1);
+    CHECK(pgs(mlcp).iterations == 1);
+    settings.omega = safe_jacobi_omega(mlcp) * 0.9;  // 0.6, below 2/3
+    CHECK(pgs(mlcp, settings).status == Status::solved);
+}
+
+TEST_CASE("an iteration that overflows is no answer and leaves finite impulses behind")
+{
+    const MatX A = MatX::Ones(3, 3) + 1e-3 * MatX::Identity(3, 3);
+    PgsSettings settings;
+    settings.sweeps = Sweeps::jacobi;
+    settings.max_sweeps = 100000;
+    const Solution solution = pgs(problem(A, VecX::Constant(3, -1), -infinity), settings);
+    CHECK(solution.status == Status::iteration_limit);
+    CHECK(solution.lambda.allFinite());
+    CHECK(std::isfinite(solution.residual));
+    CHECK(solution.residual > settings.tolerance);
+
+    // Numbers at the edge of what a double holds.
+    const Solution huge = pgs(problem(MatX::Identity(2, 2) * 1e-300, VecX::Constant(2, -1e300), 0));
+    CHECK(huge.lambda.allFinite());
+    CHECK((huge.status != Status::solved || huge.residual <= 1e-9));
+}
+
+TEST_CASE("nothing that PGS calls solved contains a NaN")
+{
+    Random random(15);
+    const std::vector<Real> odd = {0, 1, -1, 1e-308, 1e308, -1e308, 1e-200, 1e200, 3};
+    const auto any = [&] {
+        return odd[static_cast<std::size_t>(random.index(static_cast<Index>(odd.size())))];
+    };
+    for (int sample = 0; sample < 2000; ++sample) {
+        const Index n = 1 + random.index(4);
+        MatX A(n, n);
+        for (Index i = 0; i < A.size(); ++i) A.data()[i] = any();
+        VecX q(n);
+        for (Index i = 0; i < n; ++i) q[i] = any();
+        Mlcp mlcp = problem(A, q, random.index(2) == 0 ? 0 : -infinity);
+        PgsSettings settings;
+        settings.max_sweeps = 50;
+        settings.sweeps = static_cast<Sweeps>(random.index(3));
+        settings.omega = random.uniform(0.1, 1.9);
+        const Solution solution = pgs(mlcp, settings);
+        CHECK(solution.lambda.allFinite());
+        CHECK(!(solution.status == Status::solved && !(solution.residual <= settings.tolerance)));
+    }
+}
+
+TEST_CASE("a row that nothing moves goes to its bound or is called infeasible")
+{
+    MatX A = MatX::Zero(2, 2);
+    A(0, 0) = 2;
+    Mlcp mlcp = problem(A, VecX(Vec2(-2, 3)));
+    Solution solution = pgs(mlcp);  // w_1 = 3 > 0 with λ_1 = lo = 0
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.lambda == VecX(Vec2(1, 0)));
+    mlcp.hi[1] = 5;
+    mlcp.q[1] = -3;  // wants λ_1 = hi
+    solution = pgs(mlcp);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.lambda == VecX(Vec2(1, 5)));
+    mlcp.hi[1] = infinity;  // wants λ_1 = infinity
+    solution = pgs(mlcp);
+    CHECK(solution.status == Status::infeasible);
+    CHECK(solution.lambda.allFinite());
+    mlcp.q[1] = 0;
+    CHECK(pgs(mlcp).status == Status::solved);
+}
+
+TEST_CASE("a pinned row stays where it is pinned and the others answer to it")
+{
+    Mlcp mlcp = line(3);
+    mlcp.lo[1] = mlcp.hi[1] = 0.25;
+    const Solution solution = pgs(mlcp);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.lambda[1] == 0.25);
+    CHECK(solution.lambda[0] == Approx(0.25 + 9.81 / 60).epsilon(1e-8));
+}
+
+// ---- properties ---------------------------------------------------------------------------------------
+
+TEST_CASE("every order of the rows leads to the same answer")
+{
+    Random random(16);
+    for (int sample = 0; sample < 200; ++sample) {
+        const Index n = 2 + random.index(8);
+        const Mlcp mlcp = random_symmetric(random, n, true);
+        PgsSettings settings;
+        settings.tolerance = 1e-12;
+        settings.max_sweeps = 1000000;
+        const Solution given = pgs(mlcp, settings);
+        settings.order.resize(static_cast<std::size_t>(n));
+        std::iota(settings.order.rbegin(), settings.order.rend(), 0);
+        const Solution reversed = pgs(mlcp, settings);
+        for (std::size_t k = settings.order.size(); k-- > 1;)
+            std::swap(settings.order[k],
+                      settings.order[static_cast<std::size_t>(random.index(Index(k) + 1))]);
+        const Solution shuffled = pgs(mlcp, settings);
+        REQUIRE(given.status == Status::solved);
+        REQUIRE(reversed.status == Status::solved);
+        REQUIRE(shuffled.status == Status::solved);
+        // A residual of 1e-12 is an error of at most that over the smallest eigenvalue of A, here above 1e-4.
+        CHECK((given.lambda - reversed.lambda).lpNorm<Eigen::Infinity>() < 1e-7);
+        CHECK((given.lambda - shuffled.lambda).lpNorm<Eigen::Infinity>() < 1e-7);
+    }
+}
+
+TEST_CASE("renumbering the rows and visiting them in the old order is the old iteration")
+{
+    Random random(17);
+    for (int sample = 0; sample < 100; ++sample) {
+        const Index n = 6;
+        const Mlcp mlcp = random_symmetric(random, n, true);
+        std::vector<int> name(static_cast<std::size_t>(n));  // row i is now called name[i]
+        std::iota(name.begin(), name.end(), 0);
+        for (std::size_t k = name.size(); k-- > 1;)
+            std::swap(name[k], name[static_cast<std::size_t>(random.index(Index(k) + 1))]);
+        Mlcp renamed = mlcp;
+        MatX A(n, n);
+        for (Index i = 0; i < n; ++i) {
+            const Index to = name[static_cast<std::size_t>(i)];
+            for (Index j = 0; j < n; ++j) A(to, name[static_cast<std::size_t>(j)]) = mlcp.A.coeff(i, j);
+            renamed.q[to] = mlcp.q[i];
+            renamed.lo[to] = mlcp.lo[i];
+            renamed.hi[to] = mlcp.hi[i];
+        }
+        renamed.A = A.sparseView();
+        PgsSettings settings;
+        settings.tolerance = 0;
+        settings.max_sweeps = 7;
+        const Solution before = pgs(mlcp, settings);
+        settings.order = name;
+        const Solution after = pgs(renamed, settings);
+        for (Index i = 0; i < n; ++i)  // only the order of the sums differs
+            CHECK(after.lambda[name[static_cast<std::size_t>(i)]] == Approx(before.lambda[i]).margin(1e-11));
+    }
+}
+
+TEST_CASE("other units of mass and length give the same sweeps and the same impulses in those units")
+{
+    Random random(18);
+    for (int sample = 0; sample < 100; ++sample) {
+        Mlcp mlcp = random_symmetric(random, 6, true);
+        for (const bool exact : {true, false}) {
+            // Powers of two round nothing: bit for bit. Others: the last digits, over some hundred sweeps.
+            const Real mass = exact ? 0x1.0p10 : 453.6, length = exact ? 0x1.0p-7 : 0.3048;
+            Mlcp other = mlcp;
+            other.A = mlcp.A / mass;
+            other.q = mlcp.q * length;
+            other.lo = mlcp.lo * (mass * length);
+            other.hi = mlcp.hi * (mass * length);
+            PgsSettings settings;
+            settings.tolerance = 1e-6;
+            const Solution here = pgs(mlcp, settings);
+            settings.tolerance *= length;
+            const Solution there = pgs(other, settings);
+            CHECK(there.status == here.status);
+            const VecX back = there.lambda / (mass * length);
+            if (exact) {
+                CHECK(there.iterations == here.iterations);
+                CHECK(back == here.lambda);
+            } else {
+                CHECK((back - here.lambda).norm() <= 1e-9 * (1 + here.lambda.norm()) + 1e-5);
+            }
+        }
+    }
+}
+
+TEST_CASE("bad input of PGS is refused by a sentence")
+{
+    Mlcp mlcp = line(3);
+    PgsSettings settings;
+    const auto said = [&] { return sentence_of([&] { pgs(mlcp, settings); }); };
+    SECTION("relaxation")
+    {
+        settings.omega = 2;
+        CHECK(said() == "the relaxation omega is 2.000000; it must lie between 0 and 2");
+        settings.omega = std::nan("");
+        CHECK(said() == "the relaxation omega is nan; it must lie between 0 and 2");
+    }
+    SECTION("order")
+    {
+        settings.order = {0, 1};
+        CHECK(said() == "the order names 2 rows; the problem has 3");
+        settings.order = {0, 2, 2};
+        CHECK(said() == "the order names row 2 twice or out of range; it must name each row once");
+        settings.order = {0, 1, 3};
+        CHECK(said() == "the order names row 3 twice or out of range; it must name each row once");
+    }
+    SECTION("tolerance")
+    {
+        settings.tolerance = std::nan("");
+        CHECK(said() == "tolerance nan m/s and limit of 10000 sweeps: neither may be negative");
+    }
+    SECTION("start")
+    {
+        PgsMemory memory;
+        Solution solution;
+        CHECK(sentence_of([&] { pgs(mlcp, settings, memory, solution); }) ==
+              "the start has 0 impulses or one that is not finite; the problem has 3 rows");
+    }
+    SECTION("NaN in q")
+    {
+        mlcp.q[1] = std::nan("");
+        CHECK(said() != "accepted");
+    }
+    SECTION("crossed bounds")
+    {
+        mlcp.lo[1] = 1;
+        mlcp.hi[1] = -1;
+        CHECK(said() != "accepted");
+    }
+    SECTION("no rows at all")
+    {
+        mlcp = problem(MatX(0, 0), VecX(0));
+        CHECK(pgs(mlcp).status == Status::solved);
+        CHECK(pgs(mlcp).iterations == 0);
+    }
+}
+
+TEST_CASE("the guard against allocations notices them")
+{
+    VecX grows;
+    std::vector<int> also;
+    {
+        const NoAllocation guard;
+        grows.resize(10);
+        also.resize(10);
+    }
+    CHECK(NoAllocation::violations() >= 2);
+}
+
+TEST_CASE("a steady solve allocates nothing and gives the same bits each time")
+{
+    const Mlcp mlcp = line(50, 10);
+    PgsSettings settings;
+    settings.tolerance = 1e-6;
+    settings.order.resize(50);
+    std::iota(settings.order.rbegin(), settings.order.rend(), 0);
+    PgsMemory memory;
+    Solution solution;
+    VecX first;
+    for (const Sweeps kind : {Sweeps::jacobi, Sweeps::gauss_seidel, Sweeps::symmetric}) {
+        settings.sweeps = kind;
+        cold_start(mlcp, solution.lambda);
+        pgs(mlcp, settings, memory, solution);
+        first = solution.lambda;
+        {
+            const NoAllocation guard;
+            cold_start(mlcp, solution.lambda);
+            pgs(mlcp, settings, memory, solution);
+        }
+        CHECK(NoAllocation::violations() == 0);
+        CHECK(solution.lambda == first);
+    }
+    Mlcp free_rows = mlcp;
+    free_rows.lo.setConstant(-infinity);
+    CgMemory cg;
+    solution.lambda.setZero();
+    conjugate_gradients(free_rows, 1e-9, 1000, cg, solution);
+    {
+        const NoAllocation guard;
+        solution.lambda.setZero();
+        conjugate_gradients(free_rows, 1e-9, 1000, cg, solution);
+    }
+    CHECK(NoAllocation::violations() == 0);
+}
