@@ -13,8 +13,7 @@ import pathlib
 import re
 import sys
 
-import booktext
-from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, ROOT, TAG, TextError, attribute, blocks,
+from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, blocks,
                       chapters, comments, equation_tags, figure_captions, page_id, slug,
                       snippet_code, test_names, tokens)
 
@@ -22,6 +21,17 @@ from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, ROOT, TAG, TextError, at
 def label(text):
     """Letters, digits and _ only: what a Doxygen anchor may be made of."""
     return re.sub(r"[^A-Za-z0-9]", lambda m: "_" if m.group(0) in "-_. " else f"x{ord(m.group(0)):x}", text)
+
+
+def packed(tex):
+    """Inline maths as one plain word. Doxygen 1.9.4 sets its own \\f$…\\f$ apart by a space, and
+    so breaks `**$x$**`, `($x$)` and quotes; finish_html.py unpacks the word."""
+    return f"texq{tex.encode().hex()}q"
+
+
+def unpacked(text):
+    return re.sub(r"texq((?:[0-9a-f]{2})+)q",
+                  lambda m: "\\(" + html.escape(bytes.fromhex(m.group(1)).decode(), quote=False) + "\\)", text)
 
 
 def section_label(page, anchor):
@@ -125,7 +135,7 @@ class Page:
         for token in tokens(text):
             info = token.info
             if token.kind == "math":
-                out.append("\\f$" + re.sub(r"\s+", " ", info["tex"]) + "\\f$")
+                out.append(packed(re.sub(r"\s+", " ", info["tex"])))
             elif token.kind == "code":
                 code = re.sub(r"\s*\n\s*", " ", info["code"])
                 ticks = "``" if "``" not in code else "```"
@@ -237,8 +247,11 @@ class Page:
 
 
 def source_text(book, source):
-    """A C++ source with the equation numbers of its doc comments as links."""
-    lines = source.split("\n")
+    """A C++ source with the equation numbers of its doc comments as links.
+
+    The markers of snippets are left out: Doxygen would take `//! [name]` for documentation.
+    """
+    lines = ["" if MARKER.match(line) else line for line in source.split("\n")]
     for number, comment in comments(source):
         m = re.match(r"^(//[/!]<?)( *)(.*)$", comment)
         if not m or len(m.group(2)) >= 5:  # five spaces: a code block of the comment

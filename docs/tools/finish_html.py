@@ -8,7 +8,7 @@
   (4.7) in a comment of code  becomes a link to the equation
   pictures/chapters/…         are copied from the book
   [1] for a citation          becomes its key, as in the texts
-  a formula and its comma     stay on one line
+  inline maths                is unpacked; a formula and its comma stay on one line
   Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
                               whose variable starts with a digit, as 01_euler_integration.cpp does
 """
@@ -21,7 +21,7 @@ import sys
 import xml.etree.ElementTree as xml
 
 from booktext import EQUATION, ROOT, chapters, equation_tags, page_id
-from doxygen_filter import label
+from doxygen_filter import label, unpacked
 
 
 def addresses(tag_file, root):
@@ -77,8 +77,10 @@ def finish(folder, tag_file, root):
         old = page.read_text(encoding="utf-8")
         new = re.sub(r'<a([^>]*?)href="book:([^"]*)"([^>]*)>(.*?)</a>', book_link, old, flags=re.S)
         new = re.sub(r'(<span class="comment">)([^<]*)(</span>)', comment, new)
+        new = re.sub(r"\( (?=\\\()", "(", unpacked(new))
         new = re.sub(r'(CITEREF_([\w-]+)"[^>]*>(?:</a>)?)\[\d+\]', r"\1[\2]", new)
         new = re.sub(r"<p\s*>(<a class=\"anchor\" id=\"[^\"]*\"></a>\s*)</p>", r'<p class="anchorline">\1</p>', new)
+
         new = re.sub(r"(?<![\w])(\(?\\\((?:(?!\\[()]).)+\\\)(?:&zwnj;)?[.,;:!?)’]+)", r'<span class="nobreak">\1</span>', new)
         if 'id="nested-classes"' not in new and 'name="nested-classes"' not in new:
             new = re.sub(r'<a href="#nested-classes">[^<]*</a>(?:\s*&#124;\s*)?', "", new)
