@@ -10,6 +10,7 @@ add_library(rigid_program STATIC
   common/program/playback.cpp
   common/program/progress.cpp
   common/program/run_program.cpp
+  common/program/show.cpp
   common/program/table.cpp)
 get_target_property(cli11_include CLI11::CLI11 INTERFACE_INCLUDE_DIRECTORIES)
 if(cli11_include)
@@ -36,22 +37,31 @@ if(RIGID_WINDOW)
   endif()
 endif()
 
-if(RIGID_HAS_WINDOW AND EXISTS ${PROJECT_SOURCE_DIR}/common/program/window.cpp)
-  target_sources(rigid_program PRIVATE common/gl_canvas.cpp common/program/offscreen.cpp common/program/window.cpp)
+if(RIGID_HAS_WINDOW)
+  target_sources(rigid_program PRIVATE common/gl_canvas.cpp common/program/panel.cpp common/program/window.cpp)
   target_compile_definitions(rigid_program PRIVATE RIGID_HAS_WINDOW)
   target_include_directories(rigid_program SYSTEM PRIVATE ${STB_INCLUDE_DIR})
-  target_link_libraries(rigid_program PRIVATE glfw GLEW::GLEW OpenGL::GL ${CMAKE_DL_LIBS})
-  if(TARGET OpenGL::EGL)
-    target_link_libraries(rigid_program PRIVATE OpenGL::EGL)
-    target_compile_definitions(rigid_program PRIVATE RIGID_HAS_EGL)
-  endif()
   if(TARGET imgui::imgui)
-    target_link_libraries(rigid_program PRIVATE imgui::imgui)
+    set(imgui_target imgui::imgui)
     target_compile_definitions(rigid_program PRIVATE RIGID_IMGUI_FLAT)   # backends stand beside imgui.h
   else()
-    target_link_libraries(rigid_program PRIVATE PkgConfig::IMGUI)
+    set(imgui_target PkgConfig::IMGUI)
   endif()
+  foreach(library ${imgui_target} GLEW::GLEW glfw)   # not ours to warn about
+    get_target_property(include ${library} INTERFACE_INCLUDE_DIRECTORIES)
+    if(include)
+      target_include_directories(rigid_program SYSTEM PRIVATE ${include})
+    endif()
+  endforeach()
+  target_link_libraries(rigid_program PRIVATE ${imgui_target} glfw GLEW::GLEW OpenGL::GL ${CMAKE_DL_LIBS})
+else()
+  message(STATUS "GLFW, GLEW, OpenGL, Dear ImGui or stb not found: the programs are built without a window")
+endif()
+
+# Pictures by OpenGL without a window.
+if(RIGID_HAS_WINDOW AND TARGET OpenGL::EGL)
+  target_sources(rigid_program PRIVATE common/program/offscreen.cpp)
+  target_link_libraries(rigid_program PRIVATE OpenGL::EGL)
 else()
   target_sources(rigid_program PRIVATE common/program/no_offscreen.cpp)
-  message(STATUS "GLFW, GLEW, OpenGL, Dear ImGui or stb not found: the programs are built without a window")
 endif()

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// The colours by what they mean, so that each painter can choose what reads well on its ground.
 /// The six hues stay apart for colour-blind readers.
@@ -21,8 +20,8 @@ enum class Colour { ink, faint, blue, orange, green, red, purple, yellow };
 
 struct Style {
     Colour colour = Colour::ink;
-    Real width = 1.5; ///< of a line, in pixels
-    Real opacity = 1; ///< 0 … 1
+    Real width = 1.5;  ///< of a line, in pixels
+    Real opacity = 1;  ///< 0 … 1
     /// Discs, boxes and polygons: the inside is painted with `opacity`. Their outline is drawn too, with
     /// √opacity, so that a faint inside keeps an edge that can be seen; width = 0 leaves it out.
     bool filled = false;
@@ -34,12 +33,12 @@ enum class Align { left, centre, right };
 
 struct DrawItem {
     enum class Kind { disc, polygon, line, arrow, text } kind = Kind::line;
-    std::vector<Vec2> points; ///< disc: centre · polygon, line: corners · arrow: tail, head · text: where
-    Real radius = 0;          ///< of a disc [m]
+    std::vector<Vec2> points;  ///< disc: centre · polygon, line: corners · arrow: tail, head · text: where
+    Real radius = 0;           ///< of a disc [m]
     std::string text;
-    Real size = 14; ///< of text, in pixels
+    Real size = 14;  ///< of text, in pixels
     Style style;
-    Align align = Align::left; ///< of text
+    Align align = Align::left;  ///< of text
 };
 
 /// The part of the world that a picture shows: centre ± half_size [m].
@@ -48,8 +47,7 @@ struct View {
     Vec2 half_size = {1, 1};
 };
 
-class Canvas
-{
+class Canvas {
 public:
     void disc(const Vec2& centre, Real radius, Style style = {})
     {
@@ -89,4 +87,4 @@ private:
     std::vector<DrawItem> items_;
 };
 
-} // namespace rigid
+}  // namespace rigid

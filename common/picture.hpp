@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// One picture among several that stand side by side, such as the same scene under another method.
 struct Pane {
@@ -37,7 +36,7 @@ struct Rectangle {
 struct Projection {
     View view;
     Rectangle area;
-    Real scale = 1; ///< pixels per metre
+    Real scale = 1;  ///< pixels per metre
 
     Projection(const View& shown, const Rectangle& where)
         : view(shown), area(where),
@@ -58,10 +57,10 @@ struct Projection {
 
 /// Where the panes of a picture of its own (a file, not a window) stand.
 struct PictureLayout {
-    static constexpr Real label_height = 28, gap = 16; ///< [pixels]
+    static constexpr Real label_height = 28, gap = 16;  ///< [pixels]
 
     Real width = 0, height = 0;
-    std::vector<Rectangle> labels; ///< of height zero where there is one pane only
+    std::vector<Rectangle> labels;  ///< of height zero where there is one pane only
     std::vector<Rectangle> areas;
 };
 
@@ -96,6 +95,15 @@ inline Colour pane_colour(std::size_t k)
     return colours[k % colours.size()];
 }
 
+/// Faint is ink that steps back.
+inline Real seen_opacity(const Style& style)
+{
+    return std::clamp<Real>(style.opacity, 0, 1) * (style.colour == Colour::faint ? 0.4 : 1.0);
+}
+
+/// The dashes of a dashed line, in pixels: so long, so far apart.
+inline constexpr Real dash_length = 6, dash_gap = 5;
+
 /// An arrow in pixels: its shaft ends where its head begins.
 struct ArrowShape {
     Vec2 shaft_end, tip, left, right;
@@ -112,14 +120,69 @@ inline ArrowShape arrow_shape(const Vec2& tail, const Vec2& tip, Real width)
             base - half * perpendicular(direction)};
 }
 
-/// False for what has left the plane of finite numbers, or makes no shape: painters leave it out.
-inline bool is_paintable(const DrawItem& item)
+/// How far from the picture anything is painted [pixels]. What explodes goes farther than a painter
+/// can count; nobody sees the difference.
+inline constexpr Real far_away = 1e5;
+
+inline bool is_near(const Vec2& p) { return p.cwiseAbs().maxCoeff() <= far_away; }
+
+/// The part of the segment that lies near; false if there is none.
+inline bool cut_to_near(Vec2& from, Vec2& to)
+{
+    Real begin = 0, end = 1;  // of the way from `from` to `to`
+    const Vec2 along = to - from;
+    if (!along.allFinite()) return false;
+    for (Index axis = 0; axis < 2; ++axis)
+        for (const Real side : {-1.0, 1.0}) {
+            const Real ahead = side * along[axis], room = far_away - side * from[axis];
+            if (ahead > 0) end = std::min(end, room / ahead);
+            else if (ahead < 0) begin = std::max(begin, room / ahead);
+            else if (room < 0) return false;
+        }
+    if (begin >= end) return false;
+    to = from + end * along;
+    from += begin * along;
+    return true;
+}
+
+/// A polyline in pixels as the pieces of it that lie near; one piece, untouched, in all usual cases.
+inline std::vector<std::vector<Vec2>> near_pieces(std::vector<Vec2> points)
+{
+    if (std::all_of(points.begin(), points.end(), is_near)) return {std::move(points)};
+    std::vector<std::vector<Vec2>> pieces;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        Vec2 from = points[i], to = points[i + 1];
+        if (cut_to_near(from, to)) pieces.push_back({from, to});
+    }
+    return pieces;
+}
+
+/// The points of an item in pixels. Corners of polygons that are too far off are pulled nearer.
+inline std::vector<Vec2> pixels_of(const DrawItem& item, const Projection& projection)
+{
+    std::vector<Vec2> points;
+    for (const Vec2& p : item.points) {
+        points.push_back(projection.to_pixel(p));
+        if (item.kind == DrawItem::Kind::polygon)
+            points.back() = points.back().cwiseMax(-far_away).cwiseMin(far_away);
+    }
+    if (item.kind == DrawItem::Kind::arrow && is_near(points[0]) && !is_near(points[1]))
+        cut_to_near(points[0], points[1]);
+    return points;
+}
+
+/// False for what makes no shape, has left the plane of finite numbers or is too far off to be seen:
+/// painters leave it out.
+inline bool is_paintable(const DrawItem& item, const Projection& projection)
 {
     std::size_t needed = 1;
     if (item.kind == DrawItem::Kind::line || item.kind == DrawItem::Kind::arrow) needed = 2;
     if (item.kind == DrawItem::Kind::polygon) needed = 3;
-    return item.points.size() >= needed && std::isfinite(item.radius) && item.radius >= 0 &&
-           std::all_of(item.points.begin(), item.points.end(), [](const Vec2& p) { return p.allFinite(); });
+    if (item.points.size() < needed || !std::isfinite(item.radius) || item.radius < 0) return false;
+    if (!std::all_of(item.points.begin(), item.points.end(), [](const Vec2& p) { return p.allFinite(); }))
+        return false;
+    if (item.kind == DrawItem::Kind::line || item.kind == DrawItem::Kind::polygon) return true;
+    return is_near(projection.to_pixel(item.points[0])) && projection.scale * item.radius <= far_away;
 }
 
-} // namespace rigid
+}  // namespace rigid

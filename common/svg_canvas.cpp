@@ -5,10 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace rigid
-{
-namespace
-{
+namespace rigid {
+namespace {
 
 std::string escaped(const std::string& text)
 {
@@ -18,7 +16,7 @@ std::string escaped(const std::string& text)
         else if (c == '<') result += "&lt;";
         else if (c == '>') result += "&gt;";
         else if (c == '"') result += "&quot;";
-        else if (static_cast<unsigned char>(c) < 0x20) result += ' '; // no control characters in XML
+        else if (static_cast<unsigned char>(c) < 0x20) result += ' ';  // no control characters in XML
         else result += c;
     }
     return result;
@@ -33,13 +31,7 @@ std::string attribute(const char* name, Real value)
 
 std::string opacity_attribute(const char* name, Real value)
 {
-    return value >= 1 ? std::string() : attribute(name, std::max<Real>(value, 0));
-}
-
-/// Faint is ink that steps back.
-Real seen_opacity(const Style& style)
-{
-    return style.colour == Colour::faint ? 0.4 * style.opacity : style.opacity;
+    return value >= 1 ? std::string() : attribute(name, value);
 }
 
 std::string stroke(const Style& style, Real opacity)
@@ -47,7 +39,7 @@ std::string stroke(const Style& style, Real opacity)
     if (!(style.width > 0)) return {};
     std::string text = " stroke=\"" + svg_colour(style.colour) + '"' +
                        attribute("stroke-width", style.width) + opacity_attribute("stroke-opacity", opacity);
-    if (style.dashed) text += " stroke-dasharray=\"6 4\"";
+    if (style.dashed) text += " stroke-dasharray=\"" + number(dash_length) + ' ' + number(dash_gap) + '"';
     return text;
 }
 
@@ -56,16 +48,14 @@ std::string fill_and_stroke(const Style& style)
     const Real opacity = seen_opacity(style);
     if (!style.filled) return " fill=\"none\"" + stroke(style, opacity);
     return " fill=\"" + svg_colour(style.colour) + '"' + opacity_attribute("fill-opacity", opacity) +
-           stroke(style, std::sqrt(std::clamp<Real>(opacity, 0, 1)));
+           stroke(style, std::sqrt(opacity));
 }
 
-std::string points_attribute(const std::vector<Vec2>& points, const Projection& projection)
+std::string points_attribute(const std::vector<Vec2>& points)
 {
     std::string text = " points=\"";
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec2 p = projection.to_pixel(points[i]);
-        text += (i ? " " : "") + number(p.x()) + ',' + number(p.y());
-    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        text += (i ? " " : "") + number(points[i].x()) + ',' + number(points[i].y());
     return text + '"';
 }
 
@@ -83,38 +73,37 @@ std::string text_element(const Vec2& p, const std::string& words, Real size, con
 std::string element(const DrawItem& item, const Projection& projection)
 {
     const Style& style = item.style;
+    const std::vector<Vec2> points = pixels_of(item, projection);
+    const Real opacity = seen_opacity(style);
     switch (item.kind) {
-    case DrawItem::Kind::disc: {
-        const Vec2 p = projection.to_pixel(item.points[0]);
-        return "<circle" + attribute("cx", p.x()) + attribute("cy", p.y()) +
+    case DrawItem::Kind::disc:
+        return "<circle" + attribute("cx", points[0].x()) + attribute("cy", points[0].y()) +
                attribute("r", projection.scale * item.radius) + fill_and_stroke(style) + "/>\n";
-    }
     case DrawItem::Kind::polygon:
-        return "<polygon" + points_attribute(item.points, projection) + fill_and_stroke(style) + "/>\n";
-    case DrawItem::Kind::line:
-        return "<polyline" + points_attribute(item.points, projection) + " fill=\"none\"" +
-               stroke(style, seen_opacity(style)) + "/>\n";
+        return "<polygon" + points_attribute(points) + fill_and_stroke(style) + "/>\n";
+    case DrawItem::Kind::line: {
+        std::string text;
+        for (const auto& piece : near_pieces(points))
+            text +=
+                "<polyline" + points_attribute(piece) + " fill=\"none\"" + stroke(style, opacity) + "/>\n";
+        return text;
+    }
     case DrawItem::Kind::arrow: {
-        const Vec2 tail = projection.to_pixel(item.points[0]), tip = projection.to_pixel(item.points[1]);
-        if ((tip - tail).norm() < 0.5) return {}; // no direction to be seen
-        const ArrowShape shape = arrow_shape(tail, tip, style.width);
-        const Real opacity = seen_opacity(style);
-        std::string head = "<polygon points=\"";
-        for (const Vec2& p : {shape.left, shape.tip, shape.right})
-            head += (head.back() == '"' ? "" : " ") + number(p.x()) + ',' + number(p.y());
-        return "<line" + attribute("x1", tail.x()) + attribute("y1", tail.y()) +
-               attribute("x2", shape.shaft_end.x()) + attribute("y2", shape.shaft_end.y()) +
-               stroke(style, opacity) + "/>\n" + head + "\" fill=\"" + svg_colour(style.colour) + '"' +
-               opacity_attribute("fill-opacity", opacity) + "/>\n";
+        if ((points[1] - points[0]).norm() < 0.5) return {};  // no direction to be seen
+        const ArrowShape shape = arrow_shape(points[0], points[1], style.width);
+        return "<polyline" + points_attribute({points[0], shape.shaft_end}) + " fill=\"none\"" +
+               stroke(style, opacity) + "/>\n<polygon" +
+               points_attribute({shape.left, shape.tip, shape.right}) + " fill=\"" +
+               svg_colour(style.colour) + '"' + opacity_attribute("fill-opacity", opacity) + "/>\n";
     }
     case DrawItem::Kind::text:
-        return text_element(projection.to_pixel(item.points[0]), item.text, item.size,
-                            svg_colour(style.colour), seen_opacity(style), item.align, false);
+        return text_element(points[0], item.text, item.size, svg_colour(style.colour), opacity, item.align,
+                            false);
     }
     return {};
 }
 
-} // namespace
+}  // namespace
 
 std::string svg_colour(Colour colour)
 {
@@ -168,7 +157,7 @@ std::string to_svg(const std::vector<Pane>& panes)
                 attribute("height", area.height) + ">\n";
         const Projection projection(panes[i].view, inner);
         for (const DrawItem& item : panes[i].canvas.items())
-            if (is_paintable(item)) text += element(item, projection);
+            if (is_paintable(item, projection)) text += element(item, projection);
         text += "</svg>\n";
     }
     return text + "</svg>\n";
@@ -182,4 +171,4 @@ void write_svg(const std::string& file, const std::vector<Pane>& panes)
     if (!stream) throw std::runtime_error("the picture could not be written to \"" + file + '"');
 }
 
-} // namespace rigid
+}  // namespace rigid

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// `#4477AA` for blue, and so on; `#808080` for ink.
 std::string svg_colour(Colour colour);
@@ -21,4 +20,4 @@ std::string to_svg(const std::vector<Pane>& panes);
 /// Writes to_svg() into a file. Throws std::runtime_error, naming the file, if that can't be done.
 void write_svg(const std::string& file, const std::vector<Pane>& panes);
 
-} // namespace rigid
+}  // namespace rigid

@@ -14,14 +14,13 @@
 #include <system_error>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// The shortest text that reads back as exactly this number: 0.1, 1e-05, 0.30000000000000004.
 inline std::string shortest(Real value)
 {
     char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, value + 0.0).ptr; // + 0.0: never "-0"
+    const auto end = std::to_chars(text, text + sizeof text, value + 0.0).ptr;  // + 0.0: never "-0"
     return {text, end};
 }
 
@@ -84,4 +83,4 @@ inline std::string with_unit(const std::string& number, const std::string& unit)
     return unit.empty() ? number : number + " " + unit;
 }
 
-} // namespace rigid
+}  // namespace rigid

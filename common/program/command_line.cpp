@@ -9,10 +9,8 @@
 #include <set>
 #include <stdexcept>
 
-namespace rigid
-{
-namespace
-{
+namespace rigid {
+namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
 
@@ -169,7 +167,7 @@ std::string sentence(const CLI::ParseError& error)
     return line + "; --help lists all options";
 }
 
-} // namespace
+}  // namespace
 
 Settings default_settings(const Scene& scene)
 {
@@ -349,4 +347,4 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
     return options;
 }
 
-} // namespace rigid
+}  // namespace rigid

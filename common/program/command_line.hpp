@@ -8,23 +8,22 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 struct Options {
-    std::string answer; ///< not empty: print this and end (--help, --list-scenes)
+    std::string answer;  ///< not empty: print this and end (--help, --list-scenes)
 
     const Scene* scene = nullptr;
-    Settings settings;                ///< of the run; its method is the first one
-    std::vector<std::string> methods; ///< at least one; several = side by side
-    bool methods_given = false;       ///< by --method
+    Settings settings;                 ///< of the run; its method is the first one
+    std::vector<std::string> methods;  ///< at least one; several = side by side
+    bool methods_given = false;        ///< by --method
     std::optional<long> steps;
     bool headless = false;
-    std::string csv, svg, png; ///< files; csv may be "-"
-    std::string record;        ///< a folder
-    long every = 1;            ///< steps between two recorded frames
+    std::string csv, svg, png;  ///< files; csv may be "-"
+    std::string record;         ///< a folder
+    long every = 1;             ///< steps between two recorded frames
 
-    std::string problem; ///< a file
+    std::string problem;  ///< a file
     std::string problem_method;
 };
 
@@ -38,4 +37,4 @@ void require_consistent(const Program& program);
 /// The settings that a scene starts with when nothing was typed.
 Settings default_settings(const Scene& scene);
 
-} // namespace rigid
+}  // namespace rigid

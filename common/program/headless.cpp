@@ -13,8 +13,7 @@
 #include <iostream>
 #include <optional>
 
-namespace rigid
-{
+namespace rigid {
 
 int run_headless(const Program& program, const Options& options)
 {
@@ -76,4 +75,4 @@ int run_headless(const Program& program, const Options& options)
     return playback.failures().empty() ? 0 : 3;
 }
 
-} // namespace rigid
+}  // namespace rigid

@@ -4,12 +4,10 @@
 
 #include <csignal>
 
-namespace rigid
-{
+namespace rigid {
 
 /// While it lives, Ctrl-C (SIGINT) only sets a flag.
-class InterruptGuard
-{
+class InterruptGuard {
 public:
     InterruptGuard()
     {
@@ -37,4 +35,4 @@ private:
     void (*before_)(int) = SIG_DFL;
 };
 
-} // namespace rigid
+}  // namespace rigid

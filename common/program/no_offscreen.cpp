@@ -1,7 +1,6 @@
 #include "common/program/offscreen.hpp"
 
-namespace rigid
-{
+namespace rigid {
 
 std::unique_ptr<PicturePainter> make_offscreen_painter(std::string& reason)
 {
@@ -9,4 +8,4 @@ std::unique_ptr<PicturePainter> make_offscreen_painter(std::string& reason)
     return nullptr;
 }
 
-} // namespace rigid
+}  // namespace rigid

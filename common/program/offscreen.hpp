@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
-class PicturePainter
-{
+class PicturePainter {
 public:
     virtual ~PicturePainter() = default;
     /// Throws std::runtime_error, naming the file, if it can't be written.
@@ -22,4 +20,4 @@ public:
 /// Null, with the reason, where there is no OpenGL to be had. Never touches GLFW.
 std::unique_ptr<PicturePainter> make_offscreen_painter(std::string& reason);
 
-} // namespace rigid
+}  // namespace rigid

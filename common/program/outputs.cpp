@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace rigid
-{
+namespace rigid {
 
 namespace fs = std::filesystem;
 
@@ -42,4 +41,4 @@ std::string frame_name(long frame, const std::string& extension)
     return "frame_" + digits + extension;
 }
 
-} // namespace rigid
+}  // namespace rigid

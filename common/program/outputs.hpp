@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// Writes panes into a PNG file.
 using PngWriter = std::function<void(const std::string& file, const std::vector<Pane>& panes)>;
@@ -26,4 +25,4 @@ void require_folder(const std::string& folder);
 /// frame_000000.png
 std::string frame_name(long frame, const std::string& extension);
 
-} // namespace rigid
+}  // namespace rigid

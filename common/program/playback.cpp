@@ -6,8 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rigid
-{
+namespace rigid {
 
 Playback::Playback(const Scene& scene, const Settings& settings, const std::vector<std::string>& methods)
     : scene_(&scene), settings_(settings)
@@ -100,4 +99,4 @@ std::vector<Pane> Playback::draw() const
     return panes;
 }
 
-} // namespace rigid
+}  // namespace rigid

@@ -10,23 +10,21 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// The scene under one method. The steps are counted from the start.
 struct Track {
     std::string method;
-    std::unique_ptr<Run> run; ///< null if it could not be started
+    std::unique_ptr<Run> run;  ///< null if it could not be started
     long steps = 0;
-    Real time = 0;              ///< [s]
-    std::vector<Real> measured; ///< one number for each column
-    std::string failure;        ///< not empty: why it stands still
+    Real time = 0;               ///< [s]
+    std::vector<Real> measured;  ///< one number for each column
+    std::string failure;         ///< not empty: why it stands still
 
     bool can_go_on() const { return failure.empty(); }
 };
 
-class Playback
-{
+class Playback {
 public:
     /// Starts the scene under each of the methods. Throws std::invalid_argument if a start refuses the
     /// settings; a state that is not finite from the beginning becomes the track's failure.
@@ -42,9 +40,9 @@ public:
     const Scene& scene() const { return *scene_; }
     const Settings& settings() const { return settings_; }
     const std::vector<Track>& tracks() const { return tracks_; }
-    long steps() const { return steps_; } ///< since the start
-    Real time() const;                    ///< since the start [s]
-    bool can_go_on() const;               ///< at least one track does
+    long steps() const { return steps_; }  ///< since the start
+    Real time() const;                     ///< since the start [s]
+    bool can_go_on() const;                ///< at least one track does
 
     /// "step 12: the energy is inf J; it must be finite", for each track that stands still.
     std::vector<std::string> failures() const;
@@ -60,8 +58,8 @@ private:
     Settings settings_;
     std::vector<Track> tracks_;
     long steps_ = 0;
-    long steps_at_h_ = 0; ///< when h was set last, and the time then:
-    Real time_at_h_ = 0;  ///< t = time_at_h + (steps - steps_at_h) h does not gather rounding errors
+    long steps_at_h_ = 0;  ///< when h was set last, and the time then:
+    Real time_at_h_ = 0;   ///< t = time_at_h + (steps - steps_at_h) h does not gather rounding errors
 };
 
-} // namespace rigid
+}  // namespace rigid

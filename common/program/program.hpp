@@ -16,25 +16,24 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
 /// A number that the reader may change while the scene runs: --set name=value, a slider in the panel.
 struct Tunable {
-    std::string name; ///< as in --set name=value
-    std::string unit; ///< "" for a pure number
-    std::string help; ///< one line
+    std::string name;  ///< as in --set name=value
+    std::string unit;  ///< "" for a pure number
+    std::string help;  ///< one line
     Real value = 0, low = 0, high = 1;
-    bool whole = false;      ///< a count: only whole numbers
-    bool restarts = false;   ///< changing it starts the scene anew (a number of discs, say)
-    bool arrow_keys = false; ///< the up and down keys change it too
+    bool whole = false;       ///< a count: only whole numbers
+    bool restarts = false;    ///< changing it starts the scene anew (a number of discs, say)
+    bool arrow_keys = false;  ///< the up and down keys change it too
 };
 
 /// All that a run depends on.
 struct Settings {
     std::string scene;
     std::string method;
-    Real h = 0; ///< time step [s]
+    Real h = 0;  ///< time step [s]
     std::uint64_t seed = 1;
     std::map<std::string, Real> tunables;
 
@@ -45,18 +44,18 @@ struct Settings {
 /// What the reader's hand does during a step. Without a window it follows a seeded path in scenes
 /// that the pointer steers, and is absent in the others.
 struct Input {
-    Vec2 pointer = {0, 0}; ///< world coordinates [m]
-    bool present = false;  ///< the pointer is over the picture
-    bool pressed = false;  ///< the button is held: pull the body under it
+    Vec2 pointer = {0, 0};  ///< world coordinates [m]
+    bool present = false;   ///< the pointer is over the picture
+    bool pressed = false;   ///< the button is held: pull the body under it
 };
 
 /// A number that is measured after each step: a column of the table, a live plot.
 struct Column {
-    std::string name; ///< letters, digits and _ : the head of a CSV column
+    std::string name;  ///< letters, digits and _ : the head of a CSV column
     std::string unit;
     std::string help;
-    bool plotted = false;     ///< has a live plot in the panel
-    bool logarithmic = false; ///< the plot shows log10 of it
+    bool plotted = false;      ///< has a live plot in the panel
+    bool logarithmic = false;  ///< the plot shows log10 of it
 };
 
 /// Thrown by Run::step() when the run can't go on; its text says what and which body. The shell
@@ -66,8 +65,7 @@ struct StepFailure : std::runtime_error {
 };
 
 /// One scene under one method, alive.
-class Run
-{
+class Run {
 public:
     virtual ~Run() = default;
     /// Advances by settings.h. Depends on nothing but the state, the settings and the input.
@@ -78,25 +76,25 @@ public:
 };
 
 struct Scene {
-    std::string name;    ///< as in --scene name
-    std::string summary; ///< one line
+    std::string name;     ///< as in --scene name
+    std::string summary;  ///< one line
     View view;
-    Real h = 1.0 / 60; ///< default time step [s]
+    Real h = 1.0 / 60;  ///< default time step [s]
     Real h_low = 1e-4, h_high = 0.1;
-    std::vector<std::string> methods; ///< the first is the default
+    std::vector<std::string> methods;  ///< the first is the default
     std::vector<Tunable> tunables;
     std::vector<Column> columns;
-    bool steered = false; ///< the pointer steers it all the time (not only while pressed)
+    bool steered = false;  ///< the pointer steers it all the time (not only while pressed)
     std::vector<std::string>
-        side_by_side; ///< methods that the window shows at first; empty = the default one
+        side_by_side;  ///< methods that the window shows at first; empty = the default one
     /// Throws std::invalid_argument with a sentence for settings that make no sense.
     std::function<std::unique_ptr<Run>(const Settings&)> start;
 };
 
 struct Program {
-    std::string name;          ///< of the executable, 01_euler_integration
-    std::string title;         ///< "Chapter 1. Euler integration"
-    std::vector<Scene> scenes; ///< the first is the default
+    std::string name;           ///< of the executable, 01_euler_integration
+    std::string title;          ///< "Chapter 1. Euler integration"
+    std::vector<Scene> scenes;  ///< the first is the default
     /// For chapters that solve a problem from a file (--problem FILE --method NAME): does it, prints
     /// the answer and returns the exit code. `problem_methods` are the names that it takes.
     std::function<int(const std::string& file, const std::string& method)> solve_problem;
@@ -106,4 +104,4 @@ struct Program {
 /// The whole of main(): returns the exit code (0 well, 2 bad input, 3 a run that couldn't go on).
 int run_program(const Program& program, int argc, char** argv);
 
-} // namespace rigid
+}  // namespace rigid

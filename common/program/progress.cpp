@@ -10,10 +10,8 @@
 #include <unistd.h>
 #endif
 
-namespace rigid
-{
-namespace
-{
+namespace rigid {
+namespace {
 
 bool stderr_is_terminal()
 {
@@ -24,7 +22,7 @@ bool stderr_is_terminal()
 #endif
 }
 
-} // namespace
+}  // namespace
 
 Progress::Progress(long steps) : steps_(steps), terminal_(stderr_is_terminal()) {}
 
@@ -48,4 +46,4 @@ void Progress::clear()
     shown_ = false;
 }
 
-} // namespace rigid
+}  // namespace rigid

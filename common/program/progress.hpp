@@ -5,11 +5,9 @@
 #include <chrono>
 #include <string>
 
-namespace rigid
-{
+namespace rigid {
 
-class Progress
-{
+class Progress {
 public:
     explicit Progress(long steps);
     ~Progress() { clear(); }
@@ -28,4 +26,4 @@ private:
     Clock::time_point start_ = Clock::now(), next_ = start_ + std::chrono::seconds(1);
 };
 
-} // namespace rigid
+}  // namespace rigid

@@ -11,10 +11,8 @@
 #include <fstream>
 #include <iostream>
 
-namespace rigid
-{
-namespace
-{
+namespace rigid {
+namespace {
 
 /// Empty if a window can be tried, else the reason why not.
 std::string no_window_reason()
@@ -74,7 +72,7 @@ int run(const Program& program, const Options& options)
     return run_in_place_of_window(program, options, reason);
 }
 
-} // namespace
+}  // namespace
 
 int run_program(const Program& program, int argc, char** argv)
 {
@@ -90,4 +88,4 @@ int run_program(const Program& program, int argc, char** argv)
     }
 }
 
-} // namespace rigid
+}  // namespace rigid

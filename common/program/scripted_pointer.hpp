@@ -15,12 +15,10 @@
 #include <cmath>
 #include <cstdint>
 
-namespace rigid
-{
+namespace rigid {
 
 /// Depends on the seed and the time alone: the same run on every start.
-class ScriptedPointer
-{
+class ScriptedPointer {
 public:
     ScriptedPointer(std::uint64_t seed, const View& view) : view_(view)
     {
@@ -43,12 +41,12 @@ public:
 
 private:
     struct Wave {
-        Real amplitude = 0, frequency = 0, phase = 0; ///< 1, Hz, rad
+        Real amplitude = 0, frequency = 0, phase = 0;  ///< 1, Hz, rad
     };
     static constexpr std::array<Real, 3> amplitudes = {0.55, 0.30, 0.15};
-    static constexpr std::array<Real, 3> periods = {9, 5, 3}; ///< [s]
+    static constexpr std::array<Real, 3> periods = {9, 5, 3};  ///< [s]
     View view_;
     std::array<std::array<Wave, 3>, 2> waves_;
 };
 
-} // namespace rigid
+}  // namespace rigid

@@ -6,8 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 
-namespace rigid
-{
+namespace rigid {
 
 Table::Table(const std::string& file, const Scene& scene, std::size_t methods)
     : file_(file), last_step_(methods, -1), waiting_(methods)
@@ -47,7 +46,7 @@ void Table::add(const std::vector<Track>& tracks)
         if (i == 0) out() << row;
         else waiting_[i] += row;
     }
-    check(); // row by row, so that what is there stays there whatever happens next
+    check();  // row by row, so that what is there stays there whatever happens next
 }
 
 void Table::finish()
@@ -97,4 +96,4 @@ std::string summary(const Program& program, const Playback& playback)
     return text;
 }
 
-} // namespace rigid
+}  // namespace rigid

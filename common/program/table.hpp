@@ -17,11 +17,9 @@
 #include <string>
 #include <vector>
 
-namespace rigid
-{
+namespace rigid {
 
-class Table
-{
+class Table {
 public:
     /// Opens the file ("-" is the standard output) and writes the head. Throws std::invalid_argument,
     /// naming the file, if that can't be done.
@@ -40,11 +38,11 @@ private:
 
     std::string file_;
     std::ofstream stream_;
-    std::vector<long> last_step_;      ///< of each method, -1 = none yet
-    std::vector<std::string> waiting_; ///< rows of each method but the first
+    std::vector<long> last_step_;       ///< of each method, -1 = none yet
+    std::vector<std::string> waiting_;  ///< rows of each method but the first
 };
 
 /// The last row of each track, with units, for a reader.
 std::string summary(const Program& program, const Playback& playback);
 
-} // namespace rigid
+}  // namespace rigid

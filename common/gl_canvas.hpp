@@ -1,0 +1,59 @@
+/// \file gl_canvas.hpp
+/// Paints canvases with OpenGL, by way of Dear ImGui's draw lists: anti-aliased shapes and text in
+/// the window and in pictures made without one.
+#pragma once
+
+#include "common/picture.hpp"
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+namespace rigid {
+
+/// The colours of a light or a dark room.
+struct Theme {
+    bool dark = false;
+
+    ImU32 colour(Colour colour, Real opacity = 1) const;
+    ImU32 ground() const;  ///< behind everything
+    ImU32 card() const;    ///< behind a pane or a plot
+    ImU32 edge() const;    ///< around it
+};
+
+/// A typeface of the system, or the plain one inside Dear ImGui where none is found. Letters are
+/// rasterised at a few sizes; the nearest one is scaled.
+class Fonts {
+public:
+    /// Fills the current context's atlas. \param pixels_per_unit  how fine the letters are rasterised
+    explicit Fonts(Real pixels_per_unit);
+
+    ImFont* nearest(Real size) const;
+    bool knows_greek() const { return knows_greek_; }
+    /// Text as this typeface can show it: "lambda" for λ where there are no Greek letters.
+    std::string shown(const std::string& text) const;
+    /// Paints text with its baseline at a point, and returns its width.
+    Real paint(ImDrawList& list, const Vec2& baseline, const std::string& text, Real size, ImU32 colour,
+               Align align = Align::left) const;
+
+private:
+    std::vector<ImFont*> fonts_;
+    Real pixels_per_unit_;
+    bool knows_greek_ = false;
+};
+
+/// Paints a canvas into the projection's area; nothing goes beyond it.
+/// \param line_scale  how many units of the list a pixel of the canvas is (HiDPI)
+void paint(ImDrawList& list, const Canvas& canvas, const Projection& projection, const Theme& theme,
+           const Fonts& fonts, Real line_scale = 1);
+
+/// Paints a whole picture, as in a file of its own.
+void paint_picture(ImDrawList& list, const std::vector<Pane>& panes, const PictureLayout& layout,
+                   const Theme& theme, const Fonts& fonts);
+
+/// Saves a part of the framebuffer that is bound for reading; y counts from below. Throws
+/// std::runtime_error, naming the file, if it can't be written.
+void save_framebuffer(const std::string& file, int x, int y, int width, int height);
+
+}  // namespace rigid

@@ -1,0 +1,569 @@
+#include "common/program/panel.hpp"
+
+#include "common/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace rigid {
+namespace {
+
+constexpr Real text_size = 14, small_size = 12;
+
+/// For printf-like formats of sliders: % stands for itself.
+std::string escaped(const std::string& text)
+{
+    std::string result;
+    for (const char c : text) result += c == '%' ? std::string("%%") : std::string(1, c);
+    return result;
+}
+
+ImVec4 vector_of(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
+
+/// All that draws one panel, so that its parts need no long lists of arguments.
+class Panel {
+public:
+    Panel(Show& show, PanelState& state, const Theme& theme, const Fonts& fonts, Real scale)
+        : show_(show), state_(state), theme_(theme), fonts_(fonts), scale_(scale)
+    {
+    }
+
+    void draw()
+    {
+        title();
+        scene_and_methods();
+        buttons();
+        sliders();
+        plots();
+        bottom();
+    }
+
+private:
+    float units(Real pixels) const { return static_cast<float>(scale_ * pixels); }
+    std::string shown(const std::string& text) const { return fonts_.shown(text); }
+    ImU32 dim() const { return theme_.colour(Colour::ink, 0.62); }
+
+    void dim_text(const std::string& text, bool wrapped = false)
+    {
+        ImGui::PushStyleColor(ImGuiCol_Text, dim());
+        if (wrapped) ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(shown(text).c_str());
+        if (wrapped) ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+    }
+
+    void tooltip(const std::string& text)
+    {
+        if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(units(320));
+        ImGui::TextUnformatted(shown(text).c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+
+    void gap() { ImGui::Dummy({0, units(3)}); }
+
+    void title()
+    {
+        ImGui::PushFont(fonts_.nearest(scale_ * 16));
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(shown(show_.program().title).c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopFont();
+        gap();
+    }
+
+    void scene_and_methods()
+    {
+        const std::vector<Scene>& scenes = show_.program().scenes;
+        ImGui::SetNextItemWidth(-1);
+        if (ImGui::BeginCombo("##scene", show_.scene().name.c_str())) {
+            for (std::size_t i = 0; i < scenes.size(); ++i) {
+                if (ImGui::Selectable(scenes[i].name.c_str(), &scenes[i] == &show_.scene()))
+                    show_.choose_scene(i);
+                tooltip(scenes[i].summary);
+            }
+            ImGui::EndCombo();
+        }
+        dim_text(show_.scene().summary, true);
+        const std::vector<std::string>& methods = show_.scene().methods;
+        if (methods.size() < 2) return;
+        gap();
+        std::size_t pane = 0;
+        const float space = ImGui::GetStyle().ItemSpacing.x + ImGui::GetStyle().ItemInnerSpacing.x;
+        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+        float x = ImGui::GetCursorPosX();
+        for (std::size_t i = 0; i < methods.size(); ++i) {
+            const float width = ImGui::GetFrameHeight() + ImGui::CalcTextSize(methods[i].c_str()).x + space;
+            if (i > 0 && x + width <= right) ImGui::SameLine(x);
+            else x = ImGui::GetCursorPosX();
+            x += width;
+            bool on = show_.shows_method(i);
+            // The colour of the pane that shows it.
+            if (on) ImGui::PushStyleColor(ImGuiCol_CheckMark, theme_.colour(pane_colour(pane++)));
+            const bool changed = ImGui::Checkbox(methods[i].c_str(), &on);
+            if (show_.shows_method(i)) ImGui::PopStyleColor();
+            if (changed) show_.choose_method(i, on);
+            if (changed) break;
+        }
+    }
+
+    /// Buttons that share the width of the panel.
+    bool button(const char* label, int count, bool lit = false)
+    {
+        const float space = ImGui::GetStyle().ItemSpacing.x;
+        const float all = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
+        const float width = (all - space * static_cast<float>(count - 1)) / static_cast<float>(count);
+        if (lit) {
+            ImGui::PushStyleColor(ImGuiCol_Button, theme_.colour(Colour::blue));
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme_.colour(Colour::blue, 0.85));
+            ImGui::PushStyleColor(ImGuiCol_Text, theme_.card());
+        }
+        const bool pressed = ImGui::Button(label, {width, 0});
+        if (lit) ImGui::PopStyleColor(3);
+        return pressed;
+    }
+
+    void buttons()
+    {
+        gap();
+        if (button(show_.paused ? "Run##pause" : "Pause##pause", 3, show_.paused))
+            show_.paused = !show_.paused;
+        tooltip("Space");
+        ImGui::SameLine();
+        if (button("Step", 3)) state_.single_step = true;
+        tooltip("One time step: S or the right arrow");
+        ImGui::SameLine();
+        if (button("Reset", 3)) show_.restart();
+        tooltip("Start the scene anew: R");
+
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(3), ImGui::GetStyle().ItemSpacing.y});
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(2), ImGui::GetStyle().FramePadding.y});
+        constexpr std::array<std::pair<Real, const char*>, 6> speeds = {
+            {{0.125, "1/8"}, {0.25, "1/4"}, {0.5, "1/2"}, {1.0, "x 1"}, {2.0, "x 2"}, {4.0, "x 4"}}};
+        for (std::size_t i = 0; i < speeds.size(); ++i) {
+            if (i > 0) ImGui::SameLine();
+            if (button(speeds[i].second, static_cast<int>(speeds.size()), show_.speed == speeds[i].first))
+                show_.speed = speeds[i].first;
+            tooltip("Seconds of the scene per second");
+        }
+        ImGui::PopStyleVar(2);
+    }
+
+    /// A label at the left, and room for a slider at the right.
+    void begin_row(const std::string& label, const std::string& help)
+    {
+        const float all = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+        ImGui::AlignTextToFramePadding();
+        // A long name is cut: the tooltip has it whole.
+        std::string name = shown(label);
+        const float room = 0.40f * all;
+        if (ImGui::CalcTextSize(name.c_str()).x > room) {
+            while (name.size() > 1 && ImGui::CalcTextSize((name + "..").c_str()).x > room) name.pop_back();
+            name += "..";
+        }
+        ImGui::TextUnformatted(name.c_str());
+        tooltip(label + (help.empty() ? "" : ": " + help));
+        ImGui::SameLine(left + 0.42f * all);
+        ImGui::SetNextItemWidth(-1);
+    }
+
+    bool slider(const char* id, Real& value, Real low, Real high, const std::string& format, bool logarithmic)
+    {
+        ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+        if (logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+        return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format.c_str(), flags);
+    }
+
+    void sliders()
+    {
+        gap();
+        ImGui::Separator();
+        gap();
+        const Scene& scene = show_.scene();
+        for (const Tunable& one : scene.tunables) {
+            ImGui::PushID(one.name.c_str());
+            std::string words = one.name;
+            std::replace(words.begin(), words.end(), '_', ' ');
+            std::string help = one.help + (one.help.empty() ? "" : ". ") + "From " + readable(one.low) +
+                               " to " + with_unit(readable(one.high), one.unit) + ", at first " +
+                               with_unit(readable(one.value), one.unit) + " (right click)";
+            if (one.restarts) help += ". Starts the scene anew";
+            if (one.arrow_keys) help += ". Up and down keys";
+            begin_row(words, help);
+            const bool wide = one.low > 0 && one.high / one.low >= 1000;
+            const std::string unit = one.unit.empty() ? "" : " " + escaped(shown(one.unit));
+            Real value = show_.settings()[one.name];
+            if (slider("##value", value, one.low, one.high,
+                       (one.whole ? "%.0f"
+                        : wide    ? "%.3g"
+                                  : digits(one)) +
+                           unit,
+                       wide))
+                show_.set_tunable(one, value);
+            tooltip(help);
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) show_.set_tunable(one, one.value);
+            ImGui::PopID();
+        }
+        Real h = show_.settings().h;
+        const std::string about_h = "The time step: from " + readable(scene.h_low) + " to " +
+                                    readable(scene.h_high) + " s, at first " + significant(scene.h, 4) +
+                                    " s (right click)";
+        begin_row("time step", about_h);
+        if (slider("##h", h, scene.h_low, scene.h_high, "%.4g s", scene.h_high / scene.h_low >= 50))
+            show_.set_h(h);
+        tooltip(about_h);
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) show_.set_h(scene.h);
+
+        begin_row("seed", "Of all that is random. Starts the scene anew");
+        std::uint64_t seed = show_.settings().seed;
+        const std::uint64_t one = 1;
+        if (ImGui::InputScalar("##seed", ImGuiDataType_U64, &seed, &one, nullptr, "%llu",
+                               ImGuiInputTextFlags_EnterReturnsTrue))
+            show_.set_seed(seed);
+        if (scene.steered) {
+            bool scripted = show_.is_scripted();
+            if (ImGui::Checkbox("a seeded path steers", &scripted)) show_.set_script(scripted);
+            tooltip("Instead of the mouse: the path that runs without a window follow");
+        }
+    }
+
+    /// Digits behind the point that suit the range.
+    static const char* digits(const Tunable& one)
+    {
+        const Real span = one.high - one.low;
+        return span >= 100 ? "%.1f" : span >= 1 ? "%.2f" : span >= 0.1 ? "%.3f" : "%.2e";
+    }
+
+    // ---- plots --------------------------------------------------------------------------------
+
+    void plots()
+    {
+        const Scene& scene = show_.scene();
+        if (!show_.playback() || std::none_of(scene.columns.begin(), scene.columns.end(),
+                                              [](const Column& c) { return c.plotted; }))
+            return;
+        gap();
+        ImGui::Separator();
+        gap();
+        for (std::size_t c = 0; c < scene.columns.size(); ++c)
+            if (scene.columns[c].plotted) plot(c);
+        plot_span();
+    }
+
+    /// From when to when the plots reach, and the choice between the last steps and the whole run.
+    void plot_span()
+    {
+        const auto [begin, end] = time_span();
+        std::string text = "t = " + significant(begin, 4) + " to " + significant(end, 4) + " s";
+        ImGui::AlignTextToFramePadding();
+        dim_text(text);
+        const char* label = "whole run";
+        const float width =
+            ImGui::GetFrameHeight() + ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemInnerSpacing.x;
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+        ImGui::Checkbox(label, &state_.whole_run);
+        tooltip("Plots of the whole run instead of the last " + std::to_string(History::recent_steps) +
+                " steps");
+    }
+
+    std::pair<Real, Real> time_span() const
+    {
+        Real begin = infinity, end = -infinity;
+        const Scene& scene = show_.scene();
+        for (std::size_t k = 0; k < show_.playback()->tracks().size(); ++k)
+            for (std::size_t c = 0; c < scene.columns.size(); ++c)
+                each_sample(k, c, [&](const Sample& sample) {
+                    begin = std::min(begin, sample.t);
+                    end = std::max(end, sample.t);
+                });
+        return begin <= end ? std::pair{begin, end} : std::pair{0.0, 0.0};
+    }
+
+    template <class Visit>
+    void each_sample(std::size_t track, std::size_t column, const Visit& visit) const
+    {
+        const History& history = show_.history(track, column);
+        if (!state_.whole_run) {
+            for (const Sample& sample : history.recent()) visit(sample);
+            return;
+        }
+        for (const Sample& sample : history.whole()) visit(sample);
+        if (!history.recent().empty()) visit(history.recent().back());  // what thinning left out
+    }
+
+    void plot(std::size_t c)
+    {
+        const Column& column = show_.scene().columns[c];
+        const std::vector<Track>& tracks = show_.playback()->tracks();
+
+        // Name and unit at the left, the present values in the colours of their panes at the right.
+        std::string name = column.name;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        if (!column.unit.empty()) name += " [" + column.unit + ']';
+        const float right = ImGui::GetWindowContentRegionMax().x, left = ImGui::GetCursorPosX();
+        ImGui::TextUnformatted(shown(name).c_str());
+        tooltip(column.help);
+        const float name_end = left + ImGui::GetItemRectSize().x;
+        std::vector<std::string> values;
+        float wanted = 0;
+        for (const Track& track : tracks) {
+            values.push_back(track.measured.empty() ? "-" : significant(track.measured[c], 4));
+            wanted += ImGui::CalcTextSize(values.back().c_str()).x + units(12);
+        }
+        float x = right - wanted;
+        bool same_line = x > name_end;
+        if (!same_line) x = std::max(left, x);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (same_line) ImGui::SameLine(x + units(12));
+            else ImGui::SetCursorPosX(x + units(12));
+            same_line = true;
+            ImGui::PushStyleColor(ImGuiCol_Text, theme_.colour(pane_colour(k)));
+            ImGui::TextUnformatted(values[k].c_str());
+            ImGui::PopStyleColor();
+            x += ImGui::CalcTextSize(values[k].c_str()).x + units(12);
+        }
+
+        // The area.
+        const ImVec2 size = {ImGui::GetContentRegionAvail().x, units(64)};
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        ImGui::PushID(static_cast<int>(c));
+        ImGui::InvisibleButton("plot", size);
+        ImGui::PopID();
+        const bool hovered = ImGui::IsItemHovered();
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 opposite = {corner.x + size.x, corner.y + size.y};
+        list.AddRectFilled(corner, opposite, theme_.card(), units(3));
+
+        // The range of all curves.
+        const auto height_of = [&](Real value) { return column.logarithmic ? std::log10(value) : value; };
+        const auto shows = [&](Real value) { return !column.logarithmic || value > 0; };
+        Real low = infinity, high = -infinity;
+        for (std::size_t k = 0; k < tracks.size(); ++k)
+            each_sample(k, c, [&](const Sample& sample) {
+                if (!shows(sample.value)) return;
+                low = std::min(low, height_of(sample.value));
+                high = std::max(high, height_of(sample.value));
+            });
+        if (low <= high) {
+            if (column.logarithmic) {
+                low = std::floor(low);
+                high = std::max(std::ceil(high), low + 1);
+            } else if (high - low <= 1e-9 * std::max(std::abs(low), std::abs(high)) || high == low) {
+                const Real around = high == 0 ? 1 : 0.1 * std::abs(high);
+                low -= around;
+                high += around;
+            }
+            curves(c, list, corner, size, low, high, height_of, shows);
+            limits(list, corner, size, low, high, column.logarithmic);
+            if (hovered) read_off(c, list, corner, size);
+        }
+        list.AddRect(corner, opposite, theme_.edge(), units(3));
+        gap();
+    }
+
+    float margin() const { return units(5); }
+
+    template <class HeightOf, class Shows>
+    void curves(std::size_t c, ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low,
+                Real high, const HeightOf& height_of, const Shows& shows)
+    {
+        const auto [begin, end] = time_span();
+        const Real width = static_cast<Real>(size.x - 2 * margin()),
+                   height = static_cast<Real>(size.y - 2 * margin());
+        if (low < 0 && high > 0) {  // where zero is
+            const float y = corner.y + margin() + static_cast<float>(height * high / (high - low));
+            list.AddLine({corner.x, y}, {corner.x + size.x, y}, theme_.edge());
+        }
+        list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
+        for (std::size_t k = show_.playback()->tracks().size(); k-- > 0;) {
+            std::vector<ImVec2> points;
+            const ImU32 colour = theme_.colour(pane_colour(k));
+            const auto flush = [&] {
+                if (points.size() > 1)
+                    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, units(1.5));
+                points.clear();
+            };
+            each_sample(k, c, [&](const Sample& sample) {
+                if (!shows(sample.value)) return flush();
+                const Real x = end > begin ? (sample.t - begin) / (end - begin) : 1;
+                const Real y = (high - height_of(sample.value)) / (high - low);
+                points.push_back({corner.x + margin() + static_cast<float>(x * width),
+                                  corner.y + margin() + static_cast<float>(y * height)});
+            });
+            flush();
+        }
+        list.PopClipRect();
+    }
+
+    /// The numbers at the upper and the lower end, on a ground that keeps them readable.
+    void limits(ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low, Real high,
+                bool logarithmic)
+    {
+        const auto put = [&](Real value, Real baseline) {
+            const std::string text = logarithmic ? "1e" + readable(value) : significant(value, 3);
+            const ImFont* font = fonts_.nearest(scale_ * small_size);
+            const float height = units(small_size);
+            const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, text.c_str());
+            const float y = corner.y + static_cast<float>(baseline);
+            list.AddRectFilled({corner.x + units(2), y - units(11)},
+                               {corner.x + units(8) + extent.x, y + units(3)},
+                               (theme_.card() & ~IM_COL32_A_MASK) | (200u << IM_COL32_A_SHIFT), units(2));
+            fonts_.paint(list, {static_cast<Real>(corner.x + units(5)), static_cast<Real>(y)}, text,
+                         scale_ * small_size, dim());
+        };
+        put(high, scale_ * 14);
+        put(low, static_cast<Real>(size.y) - scale_ * 5);
+    }
+
+    /// The values under the mouse.
+    void read_off(std::size_t c, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
+    {
+        const auto [begin, end] = time_span();
+        const float mouse =
+            std::clamp(ImGui::GetIO().MousePos.x, corner.x + margin(), corner.x + size.x - margin());
+        const Real part = static_cast<Real>((mouse - corner.x - margin()) / (size.x - 2 * margin()));
+        const Real t = begin + part * (end - begin);
+        list.AddLine({mouse, corner.y}, {mouse, corner.y + size.y}, dim());
+        ImGui::BeginTooltip();
+        ImGui::Text("t = %s s", significant(t, 4).c_str());
+        const Column& column = show_.scene().columns[c];
+        for (std::size_t k = 0; k < show_.playback()->tracks().size(); ++k) {
+            Sample nearest{infinity, 0};
+            each_sample(k, c, [&](const Sample& sample) {
+                if (std::abs(sample.t - t) < std::abs(nearest.t - t)) nearest = sample;
+            });
+            if (!std::isfinite(nearest.t)) continue;
+            const std::string& method = show_.playback()->tracks()[k].method;
+            ImGui::TextColored(vector_of(theme_.colour(pane_colour(k))), "%s%s%s", method.c_str(),
+                               method.empty() ? "" : ": ",
+                               shown(with_unit(significant(nearest.value, 5), column.unit)).c_str());
+        }
+        ImGui::EndTooltip();
+    }
+
+    // ---- the end of the panel -------------------------------------------------------------------
+
+    void bottom()
+    {
+        gap();
+        ImGui::Separator();
+        gap();
+        if (button(state_.recording ? "Stop##record" : "Record##record", 3, state_.recording))
+            state_.toggle_recording = true;
+        tooltip("Numbered pictures of the panes into a folder");
+        ImGui::SameLine();
+        if (button("Picture", 3)) state_.save_picture = true;
+        tooltip("Save as SVG and PNG: P");
+        ImGui::SameLine();
+        if (button(state_.dark ? "Light" : "Dark", 3)) state_.dark = !state_.dark;
+        tooltip("The colours of the room: D");
+        if (state_.recording)
+            dim_text(std::to_string(state_.frames_recorded) + " pictures in " + state_.record_folder, true);
+
+        const Playback* playback = show_.playback();
+        std::string line = fixed(state_.frames_per_second, 0) + " frames/s";
+        if (playback)
+            line += "   step " + std::to_string(playback->steps()) + "   t = " + fixed(playback->time(), 2) +
+                    " s";
+        dim_text(line);
+        if (show_.falls_behind()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, theme_.colour(Colour::orange));
+            ImGui::TextUnformatted("slower than asked: too many steps");
+            ImGui::PopStyleColor();
+        }
+        if (ImGui::CollapsingHeader("Keys and mouse")) keys();
+    }
+
+    void keys()
+    {
+        const auto arrow = std::find_if(show_.scene().tunables.begin(), show_.scene().tunables.end(),
+                                        [](const Tunable& one) { return one.arrow_keys; });
+        const auto line = [&](const char* key, const std::string& what) {
+            ImGui::TextUnformatted(key);
+            ImGui::SameLine(units(78));
+            dim_text(what);
+        };
+        line("Space", "pause and run");
+        line("S, Right", "one time step");
+        line("R", "start anew");
+        if (arrow != show_.scene().tunables.end()) line("Up, Down", arrow->name);
+        line("P", "picture as SVG and PNG");
+        line("D", "dark or light");
+        line("Tab", "hide or show this panel");
+        line("Esc", "quit");
+        line("Mouse", show_.scene().steered ? "steers; held: pulls" : "held: pulls what is under it");
+        line("Sliders", "Ctrl + click: type a number");
+        line("", "right click: as at first");
+    }
+
+    Show& show_;
+    PanelState& state_;
+    const Theme& theme_;
+    const Fonts& fonts_;
+    Real scale_;
+};
+
+}  // namespace
+
+Real panel_width(Real scale) { return 316 * scale; }
+
+void draw_panel(Show& show, PanelState& state, const Theme& theme, const Fonts& fonts, Real scale,
+                Real height)
+{
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({static_cast<float>(panel_width(scale)), static_cast<float>(height)});
+    ImGui::PushFont(fonts.nearest(scale * text_size));
+    ImGui::Begin("panel", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    Panel(show, state, theme, fonts, scale).draw();
+    ImGui::End();
+    ImGui::PopFont();
+}
+
+void set_style(const Theme& theme, Real scale)
+{
+    ImGuiStyle style;
+    theme.dark ? ImGui::StyleColorsDark(&style) : ImGui::StyleColorsLight(&style);
+    style.WindowRounding = 0;
+    style.WindowBorderSize = 0;
+    style.WindowPadding = {14, 12};
+    style.FrameRounding = 4;
+    style.GrabRounding = 3;
+    style.PopupRounding = 4;
+    style.ScrollbarRounding = 4;
+    style.ScrollbarSize = 10;
+    style.FramePadding = {7, 4};
+    style.ItemSpacing = {7, 6};
+    style.GrabMinSize = 12;
+    const auto set = [&](ImGuiCol which, ImU32 colour) { style.Colors[which] = vector_of(colour); };
+    set(ImGuiCol_Text, theme.colour(Colour::ink));
+    set(ImGuiCol_WindowBg, theme.ground());
+    set(ImGuiCol_PopupBg, theme.card());
+    set(ImGuiCol_FrameBg, theme.card());
+    set(ImGuiCol_FrameBgHovered, theme.colour(Colour::blue, 0.18));
+    set(ImGuiCol_FrameBgActive, theme.colour(Colour::blue, 0.28));
+    set(ImGuiCol_SliderGrab, theme.colour(Colour::blue, 0.75));
+    set(ImGuiCol_SliderGrabActive, theme.colour(Colour::blue));
+    set(ImGuiCol_CheckMark, theme.colour(Colour::blue));
+    set(ImGuiCol_Button, theme.card());
+    set(ImGuiCol_ButtonHovered, theme.colour(Colour::blue, 0.25));
+    set(ImGuiCol_ButtonActive, theme.colour(Colour::blue, 0.45));
+    set(ImGuiCol_Header, theme.colour(Colour::blue, 0.16));
+    set(ImGuiCol_HeaderHovered, theme.colour(Colour::blue, 0.25));
+    set(ImGuiCol_HeaderActive, theme.colour(Colour::blue, 0.35));
+    set(ImGuiCol_Border, theme.edge());
+    set(ImGuiCol_Separator, theme.edge());
+    set(ImGuiCol_ScrollbarBg, theme.ground());
+    set(ImGuiCol_ScrollbarGrab, theme.edge());
+    style.FrameBorderSize = theme.dark ? 0.0f : 1.0f;
+    style.ScaleAllSizes(static_cast<float>(scale));
+    ImGui::GetStyle() = style;
+}
+
+}  // namespace rigid

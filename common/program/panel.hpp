@@ -1,0 +1,36 @@
+/// \file panel.hpp
+/// The panel beside the panes: chooser, buttons, sliders, live plots.
+#pragma once
+
+#include "common/gl_canvas.hpp"
+#include "common/program/show.hpp"
+
+#include <string>
+
+namespace rigid {
+
+/// What the panel asks of the window, and tells of it.
+struct PanelState {
+    // asked
+    bool single_step = false, save_picture = false, toggle_recording = false;
+    // the reader's taste
+    bool visible = true, dark = false, whole_run = false;
+    // told
+    bool recording = false;
+    std::string record_folder;
+    long frames_recorded = 0;
+    Real frames_per_second = 0;
+    std::string message;  ///< the last thing that happened, such as a picture saved
+};
+
+/// The width that the panel takes [units of ImGui].
+Real panel_width(Real scale);
+
+/// Draws the panel at the left edge of the window, and changes the show as the reader asks.
+void draw_panel(Show& show, PanelState& state, const Theme& theme, const Fonts& fonts, Real scale,
+                Real height);
+
+/// Colours, distances and corners of all that Dear ImGui draws.
+void set_style(const Theme& theme, Real scale);
+
+}  // namespace rigid
