@@ -17,7 +17,7 @@ FETCHED = {("script", "src"), ("img", "src"), ("iframe", "src"), ("source", "src
            ("audio", "src"), ("object", "data"), ("embed", "src"), ("image", "href")}
 LOADING_RELS = {"stylesheet", "icon", "preload", "prefetch", "preconnect", "dns-prefetch", "modulepreload"}
 RAW = [(re.compile(p), what) for p, what in (
-    (r"\\f[\[\]${}]|texq[0-9a-f]{2}", "a raw formula mark"),
+    (r"\\f[\[\]${}]|packq[0-9a-f]{2}|href=.book:", "a raw mark of the filter"),
     (r"(?<![\w$])\$(?=[^\s$\d])[^$\n]*[^\s$]\$(?![\w$])", "maths that was not turned into maths"),
     (r"\\(cite|ref|subpage|anchor|snippet|htmlonly|endhtmlonly|page|param|return|f)\b", "a raw command"),
     (r"\]\([^)\s]*\.(md|svg|png|bib)", "a raw link"),

@@ -13,8 +13,8 @@ import pathlib
 import re
 import sys
 
-from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, blocks,
-                      chapters, comments, equation_tags, figure_captions, page_id, slug,
+from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
+                      blocks, chapters, comments, equation_tags, figure_captions, page_id, slug,
                       snippet_code, test_names, tokens)
 
 
@@ -23,15 +23,15 @@ def label(text):
     return re.sub(r"[^A-Za-z0-9]", lambda m: "_" if m.group(0) in "-_. " else f"x{ord(m.group(0)):x}", text)
 
 
-def packed(tex):
-    """Inline maths as one plain word. Doxygen 1.9.4 sets its own \\f$…\\f$ apart by a space, and
-    so breaks `**$x$**`, `($x$)` and quotes; finish_html.py unpacks the word."""
-    return f"texq{tex.encode().hex()}q"
+def packed(markup):
+    """A piece of finished HTML as one plain word, which finish_html.py unpacks again. Doxygen
+    1.9.4 puts a space before a formula and stumbles over commands and code next to `**`, `(` and
+    quotes; a word it leaves alone everywhere, in tables too."""
+    return f"packq{markup.encode().hex()}q"
 
 
 def unpacked(text):
-    return re.sub(r"texq((?:[0-9a-f]{2})+)q",
-                  lambda m: "\\(" + html.escape(bytes.fromhex(m.group(1)).decode(), quote=False) + "\\)", text)
+    return re.sub(r"packq((?:[0-9a-f]{2})+)q", lambda m: bytes.fromhex(m.group(1)).decode(), text)
 
 
 def section_label(page, anchor):
@@ -39,32 +39,43 @@ def section_label(page, anchor):
 
 
 class Book:
-    """What a page must know of the others: which equations and figures there are."""
+    """What a page must know of the others: on which page each equation and figure is."""
 
     def __init__(self, root):
         self.root = root
-        self.equations, self.figures = set(), set()
+        self.equations, self.figures = {}, {}
         for folder in chapters(root).values():
             text = folder / "README.md"
             if text.is_file():
+                page = page_id(root, text) + ".html"
                 try:
                     content = text.read_text(encoding="utf-8")
-                    self.equations |= {tag for tag, _ in equation_tags(content)}
-                    self.figures |= {number for number, _ in figure_captions(content)}
+                    self.equations.update((tag, page) for tag, _ in equation_tags(content))
+                    self.figures.update((number, page) for number, _ in figure_captions(content))
                 except TextError:
                     pass  # check_text says what is wrong with it
 
-    def linked(self, words):
-        """Equation and figure numbers of running text, as links."""
-        def equation(m):
-            number = m.group(0)[1:-1]
-            return f'\\ref eq_{label(number)} "({number})"' if number in self.equations else m.group(0)
+    def numbers(self, words, equation, figure):
+        """Running text with its equation and figure numbers replaced: equation(number, text)."""
+        def replace(known, make):
+            def one(m):
+                number = ".".join(m.groups()[:2]) + "".join(m.groups()[2:])
+                return make(number, m.group(0)) if number in known else m.group(0)
+            return one
 
-        def figure(m):
-            number = f"{m.group(1)}.{m.group(2)}"
-            return f'\\ref fig_{label(number)} "{m.group(0)}"' if number in self.figures else m.group(0)
+        return FIGURE.sub(replace(self.figures, figure), EQUATION.sub(replace(self.equations, equation), words))
 
-        return FIGURE.sub(figure, EQUATION.sub(equation, words))
+    def links(self, words):
+        """For a text: packed links."""
+        return self.numbers(
+            words,
+            lambda n, text: packed(f'<a class="el" href="{self.equations[n]}#eq_{label(n)}">{text}</a>'),
+            lambda n, text: packed(f'<a class="el" href="{self.figures[n]}#fig_{label(n)}">{text}</a>'))
+
+    def refs(self, words):
+        """For a doc comment: Doxygen's own links."""
+        return self.numbers(words, lambda n, text: f'\\ref eq_{label(n)} "{text}"',
+                            lambda n, text: f'\\ref fig_{label(n)} "{text}"')
 
 
 class Page:
@@ -87,66 +98,80 @@ class Page:
         except ValueError:
             return path.as_posix()
 
-    def link(self, text, link):
-        if re.match(r"^[a-z]+:", link):
-            return f"[{text}]({link})"
-        plain = re.sub(r"[`*]", "", text).replace('"', "'")
-        plain = re.sub(r"\s+", " ", plain)
+    def address(self, link):
+        """Where a link of the text leads on the site."""
+        if re.match(r"^[a-z][a-z0-9+.-]*:", link, re.I):
+            return link
         file, anchor = self.target(link)
-        if file.is_dir() and (file / "README.md").is_file():
+        if (file / "README.md").is_file():
             file = file / "README.md"
         if file.suffix == ".md":
             page = page_id(self.root, file)
-            if page == "index" and anchor:
-                return f'<a href="index.html#{section_label(page, anchor)}">{self.inline(text)}</a>'
-            return f'\\ref {section_label(page, anchor) if anchor else page} "{plain}"'
+            return f"{page}.html" + (f"#{section_label(page, anchor)}" if anchor else "")
         if file.suffix == ".bib":
-            return f'\\ref citelist "{plain}"'
-        # finish_html.py puts the address of the page in, or leaves the words alone
-        return f'<a href="book:{html.escape(self.relative(file))}">{self.inline(text)}</a>'
+            return "citelist.html"
+        return f"book:{self.relative(file)}"  # finish_html.py knows the page, or keeps the words alone
+
+    def anchor_tag(self, inside, link):
+        end = "<!--/book-->" if self.address(link).startswith("book:") else ""
+        return f'<a class="el" href="{html.escape(self.address(link))}">{inside}{end}</a>'
+
+    def markup(self, text):
+        """The words of a link as HTML."""
+        out = []
+        for token in tokens(text):
+            if token.kind == "code":
+                out.append(f"<code>{html.escape(token.info['code'], quote=False)}</code>")
+            else:
+                out.append(html.escape(token.text.lstrip("\\") if token.kind == "escape" else token.text, quote=False))
+        return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", re.sub(r"\*\*([^*]+)\*\*", r"<b>\1</b>", "".join(out)))
 
     def image(self, info):
         source = self.relative((self.path.parent / info["src"]).resolve())
         width = f' width="{html.escape(info["width"])}"' if info.get("width") else ""
         alt = html.escape(re.sub(r"\s+", " ", info["alt"]))
         tag = f'<img src="pictures/{html.escape(source)}" alt="{alt}"{width}/>'
-        if "target" in info:
-            file, anchor = self.target(info["target"])
-            if file.suffix == ".md":
-                page = page_id(self.root, file) + ".html"
-                tag = f'<a href="{page}{"#" + section_label(page[:-5], anchor) if anchor else ""}">{tag}</a>'
-            else:
-                tag = f'<a href="book:{html.escape(self.relative(file))}">{tag}</a>'
+        return self.anchor_tag(tag, info["target"]) if "target" in info else tag
+
+    def code(self, text):
+        """A code span; the name of a file of the book is a link to its page."""
+        text = re.sub(r"\s*\n\s*", " ", text)
+        tag = f"<code>{html.escape(text, quote=False)}</code>"
+        if re.fullmatch(r"[\w.-]+(/[\w.-]+)+", text) and (self.root / text).is_file():
+            return f'<a class="el" href="book:{html.escape(text)}">{tag}<!--/book--></a>'
         return tag
 
     # -- running text
 
-    def words(self, text):
+    def words(self, text, links=True):
+        text = re.sub(r"<(https?://[^\s<>]+)>",
+                      lambda m: packed(f'<a href="{m.group(1)}">{m.group(1)}</a>'), text)
+        if links:
+            text = self.book.links(text)
         text = text.replace("@", "\\@").replace("%", "\\%")
         text = re.sub(r"(?<![-|:])--(?![-|:])", r"\\--", text)  # not the rule of a table
-        text = re.sub(r"<(https?://[^\s<>]+)>", r'<a href="\1">\1</a>', text)
-        text = re.sub(r"<(?=\S)(?!/?a\b)", "&lt;", text)
+        text = re.sub(r"<(?=\S)", "&lt;", text)
         text = re.sub(r"#(?=\w)", r"\\#", text)
-        text = re.sub(r"::(?=\w)", r"\\::", text)
-        return self.book.linked(text)
+        return re.sub(r"::(?=\w)", r"\\::", text)
 
     def inline(self, text):
         out = []
         for token in tokens(text):
             info = token.info
             if token.kind == "math":
-                out.append(packed(re.sub(r"\s+", " ", info["tex"])))
+                tex = re.sub(r"\s+", " ", info["tex"])
+                out.append(packed(f"\\({html.escape(tex, quote=False)}\\)"))
             elif token.kind == "code":
-                code = re.sub(r"\s*\n\s*", " ", info["code"])
-                ticks = "``" if "``" not in code else "```"
-                space = " " if code.startswith("`") or code.endswith("`") else ""
-                out.append(f"{ticks}{space}{code}{space}{ticks}")
+                out.append(packed(self.code(info["code"])))
+            elif token.kind == "escape":
+                out.append(packed(html.escape(token.text[1:])))
             elif token.kind == "image":
-                out.append(f"\\htmlonly{self.image(info)}\\endhtmlonly")
+                out.append(packed(self.image(info)))
             elif token.kind == "cite":
-                out.append(f"\\cite {info['key']}&zwnj;")
+                key = html.escape(info["key"])
+                out.append(packed(f'<a class="el" href="citelist.html#CITEREF_{key}">[{key}]</a>'))
             elif token.kind == "link":
-                out.append(self.link(info["label"], info["target"]))
+                out.append(packed(self.anchor_tag(self.markup(info["label"]), info["target"])))
             elif token.kind == "words":
                 out.append(self.words(token.text))
             else:
@@ -167,9 +192,9 @@ class Page:
         if self.id == "index" and level > 1:  # no entries in the sidebar before the chapters
             return ["", f'\\htmlonly[block]<h{level - 1}><a class="anchor" id="{section_label("index", anchor)}"></a>'
                         f"{html.escape(title)}</h{level - 1}>\\endhtmlonly", ""]
-        if level == 1:
-            return [f"# {self.inline(title)}" + ("" if self.id == "index" else f" {{#{self.id}}}")]
-        return ["", "#" * level + f" {self.inline(title)} {{#{section_label(self.id, anchor)}}}"]
+        mark = section_label(self.id, anchor) if level > 1 else self.id
+        words = self.words(title, links=False)
+        return ["", f"{'#' * level} {words}" + ("" if self.id == "index" else f" {{#{mark}}}")]
 
     def math(self, block):
         out = [""]
@@ -189,7 +214,7 @@ class Page:
         name = self.relative(source)
         return ["", "```{.cpp}", *code, "```", "",
                 f'\\htmlonly[block]<div class="origin"><a href="book:{html.escape(name)}#{first}">'
-                f"{html.escape(name)}, lines {first} to {last}</a></div>\\endhtmlonly", ""]
+                f"{html.escape(name)}, lines {first} to {last}<!--/book--></a></div>\\endhtmlonly", ""]
 
     def figure(self, picture, caption):
         """A picture that stands alone, with the caption paragraph behind it, if there is one."""
@@ -243,6 +268,10 @@ class Page:
             else:
                 out += block.lines
             k += 1
+        if self.id == "index":  # the bibliography lists what is cited: all of it
+            out += ["", "\\htmlonly[block]<div hidden=\"hidden\">\\endhtmlonly", ""]
+            out += [f"\\cite {key}" for key in bib_keys(self.root)]
+            out += ["", "\\htmlonly[block]</div>\\endhtmlonly"]
         return "\n".join(out) + "\n"
 
 
@@ -257,7 +286,7 @@ def source_text(book, source):
         if not m or len(m.group(2)) >= 5:  # five spaces: a code block of the comment
             continue
         pieces = re.split(r"(`[^`]*`|\\f\$.*?\\f\$|\"[^\"]*\")", m.group(3))
-        pieces[::2] = [book.linked(p) for p in pieces[::2]]
+        pieces[::2] = [re.sub(r"([\\\\@]cite\s+[\w-]+)(?=[:.,;])", r"\1&zwnj;", book.refs(p)) for p in pieces[::2]]
         linked = m.group(1) + m.group(2) + "".join(pieces)
         if linked != comment:
             lines[number - 1] = lines[number - 1].replace(comment, linked)
@@ -271,7 +300,7 @@ def test_text(book, path, source):
              if re.search(r"\b(TEST_CASE|SCENARIO)\b", source.split("\n")[line - 1])]
     for count, (line, name) in enumerate(cases, 1):
         safe = re.sub(r"([@\\#<>%*`$&])", r"\\\1", name)
-        lines[line - 1] = f"/** {book.linked(safe)} */ void test_{count:03d}();"
+        lines[line - 1] = f"/** {book.refs(safe)} */ void test_{count:03d}();"
     title = f"/** \\file tests/{path.name} \\brief The tests of {path.stem}. */"
     return title + "\n".join(lines)
 

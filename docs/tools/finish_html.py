@@ -8,7 +8,7 @@
   (4.7) in a comment of code  becomes a link to the equation
   pictures/chapters/…         are copied from the book
   [1] for a citation          becomes its key, as in the texts
-  inline maths                is unpacked; a formula and its comma stay on one line
+  packed words of the filter  are unpacked; a formula and its comma stay on one line
   Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
                               whose variable starts with a digit, as 01_euler_integration.cpp does
 """
@@ -59,13 +59,16 @@ def finish(folder, tag_file, root):
     pages, equations = addresses(tag_file, root), equation_pages(root)
     pictures = set()
 
+    def inner(text):
+        return re.sub(r"</?a\b[^>]*>", "", text)
+
     def book_link(m):
         file, _, line = html.unescape(m.group(2)).partition("#")
         page = pages.get(os.path.normpath(file))
         if page and line:
             source = page[:-len(".html")] + "_source.html"
             page = f"{source}#l{int(line):05d}" if (folder / source).is_file() else page
-        return f'<a{m.group(1)}href="{page}"{m.group(3)}>{m.group(4)}</a>' if page else m.group(4)
+        return f'<a{m.group(1)}href="{page}"{m.group(3)}>{inner(m.group(4))}</a>' if page else inner(m.group(4))
 
     def comment(m):
         def link(e):
@@ -75,9 +78,10 @@ def finish(folder, tag_file, root):
 
     for page in sorted(folder.glob("*.html")):
         old = page.read_text(encoding="utf-8")
-        new = re.sub(r'<a([^>]*?)href="book:([^"]*)"([^>]*)>(.*?)</a>', book_link, old, flags=re.S)
+        new = unpacked(old)
+        new = re.sub(r'<a([^>]*?)href="book:([^"]*)"([^>]*)>(.*?)<!--/book--></a>', book_link, new, flags=re.S)
         new = re.sub(r'(<span class="comment">)([^<]*)(</span>)', comment, new)
-        new = re.sub(r"\( (?=\\\()", "(", unpacked(new))
+        new = re.sub(r"\( (?=\\\()", "(", new)  # Doxygen sets formulas of doc comments apart
         new = re.sub(r'(CITEREF_([\w-]+)"[^>]*>(?:</a>)?)\[\d+\]', r"\1[\2]", new)
         new = re.sub(r"<p\s*>(<a class=\"anchor\" id=\"[^\"]*\"></a>\s*)</p>", r'<p class="anchorline">\1</p>', new)
 
