@@ -257,7 +257,7 @@ def tokens(paragraph):
 # `](1.5)` (a link), `(1.5)*x` (an operator behind it), `(0.05)` and `(1.0)` (no chapter or
 # equation is number zero), `(2.125)` (no chapter has a hundred equations).
 EQUATION = re.compile(r"(?<![\w\])}])\(([1-9]\d?)\.([1-9]\d?)([a-z]?)\)"
-                      r"(?!\s*[/^×·+-]\s*\w|\s+\*\s|\*\w)")
+                      r"(?!\s*[/^×·]\s*\w|\s*[+-]\s*\d|\s+\*\s|\*\w)")
 FIGURE = re.compile(r"\bFigures?\s+([1-9]\d?)\.([1-9]\d?)\b")
 FIGURE_CAPTION = re.compile(r"^\*\*Figure ([1-9]\d?\.[1-9]\d?)\.\*\*")
 TAG = re.compile(r"\\tag\*?\s*\{([^}]*)\}")
