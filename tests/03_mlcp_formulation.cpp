@@ -22,8 +22,10 @@ std::vector<Row<Dof>> random_rows(Random& random, Index m, Index K, VecX& invers
         c.a = random.index(K + 1) - 1;
         do c.b = random.index(K);
         while (c.b == c.a);
-        for (Index d = 0; d < Dof; ++d) c.Ja[d] = c.a == world ? 0 : random.normal(), c.Jb[d] = random.normal();
-        rows.push_back(make_row(c, inverse_mass, random.normal(), random.uniform() < 0.5 ? 0 : -infinity, infinity));
+        for (Index d = 0; d < Dof; ++d)
+            c.Ja[d] = c.a == world ? 0 : random.normal(), c.Jb[d] = random.normal();
+        rows.push_back(
+            make_row(c, inverse_mass, random.normal(), random.uniform() < 0.5 ? 0 : -infinity, infinity));
     }
     return rows;
 }
@@ -59,7 +61,8 @@ TEST_CASE("the assembled A and q are the dense triple product and Ju + b")
         require_valid(mlcp);
         const MatX A = mlcp.A;
         const MatX wanted = J * inverse_mass.asDiagonal() * J.transpose();
-        REQUIRE((A - wanted).norm() <= 1e-12 * (1 + wanted.norm()));  // sums of a few products, rounded differently
+        REQUIRE((A - wanted).norm() <=
+                1e-12 * (1 + wanted.norm()));  // sums of a few products, rounded differently
         REQUIRE((mlcp.q - (J * u + b)).norm() <= 1e-12 * (1 + b.norm() + u.norm()));
         REQUIRE(A == A.transpose());
         for (Index i = 0; i < m; ++i) {

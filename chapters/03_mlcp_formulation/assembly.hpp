@@ -17,10 +17,11 @@ namespace rigid {
 
 /// Memory that is kept from step to step, and what the last assembly cost.
 struct AssemblyScratch {
-    std::vector<int> first;    ///< K + 1: the rows that move body k are on_body[first[k]] … on_body[first[k+1] − 1]
+    std::vector<int>
+        first;  ///< K + 1: the rows that move body k are on_body[first[k]] … on_body[first[k+1] − 1]
     std::vector<int> on_body;  ///< row numbers, ascending for each body
     std::vector<int> next;     ///< where the next entry goes
-    Index pairs = 0;           ///< how often J_i M⁻¹ J_jᵀ was computed: entries on and below the diagonal
+    Index pairs = 0;  ///< how often J_i M⁻¹ J_jᵀ was computed: entries on and below the diagonal
 };
 
 /// True if the row's impulse changes the velocity of its body a (or b). The world and bodies that cannot move
@@ -55,12 +56,10 @@ void for_each_partner(const Row<Dof>& row, int i, const AssemblyScratch& scratch
 }
 
 //! [assemble]
-/// (3.18): A with ascending columns, q, and the bounds of the rows, in their order. A is symmetric to the bit.
-/// Does not allocate when the scene has as many rows as before.
-/// \param rows     m rows; their bodies must exist in u_star
-/// \param u_star   velocities after the forces, before the impulses [m/s]
-/// \param scratch  reused memory
-/// \param mlcp     out
+/// (3.18): A with ascending columns, q, and the bounds of the rows, in their order. A is symmetric to the
+/// bit. Does not allocate when the scene has as many rows as before. \param rows     m rows; their bodies
+/// must exist in u_star \param u_star   velocities after the forces, before the impulses [m/s] \param scratch
+/// reused memory \param mlcp     out
 template <int Dof>
 void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star, AssemblyScratch& scratch, Mlcp& mlcp)
 {

@@ -20,13 +20,13 @@ namespace rigid {
 
 /// What a step depends on besides the state.
 struct DiscSettings {
-    Real h = 1.0 / 480;          ///< time step [s]
-    Vec2 gravity = {0, -9.81};   ///< [m/s²]
-    Real stiffness = 0;          ///< k of the torsional springs, a pure number; see add_bend_springs()
-    Real damping = 0;            ///< of the bends [1/s]
-    Real margin = 0.02;          ///< a contact gets its row when its gap is below this [m]
-    Index pulled = world;        ///< the disc that a hand pulls; world = none
-    Vec2 hand = {0, 0};          ///< where to [m]
+    Real h = 1.0 / 480;         ///< time step [s]
+    Vec2 gravity = {0, -9.81};  ///< [m/s²]
+    Real stiffness = 0;         ///< k of the torsional springs, a pure number; see add_bend_springs()
+    Real damping = 0;           ///< of the bends [1/s]
+    Real margin = 0.02;         ///< a contact gets its row when its gap is below this [m]
+    Index pulled = world;       ///< the disc that a hand pulls; world = none
+    Vec2 hand = {0, 0};         ///< where to [m]
 };
 
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
@@ -85,10 +85,8 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
 
     // The least change of u* that keeps to them: w = A λ + q, complementary to λ (3.18).
     assemble(now.rows, now.u_star, now.scratch, now.mlcp);
-    if constexpr (std::is_invocable_v<const Solve&, const Mlcp&, Solution&>)
-        solve(now.mlcp, now.solution);
-    else
-        now.solution = solve(now.mlcp);
+    if constexpr (std::is_invocable_v<const Solve&, const Mlcp&, Solution&>) solve(now.mlcp, now.solution);
+    else now.solution = solve(now.mlcp);
 
     // u = u* + M⁻¹ Jᵀ λ (3.12), and with the new velocity the new position (1.7).
     bodies.u = now.u_star;

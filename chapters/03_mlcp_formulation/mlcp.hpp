@@ -46,11 +46,39 @@ constexpr std::string_view to_string(Status status)
     return "unknown";
 }
 
+/// How many answers there are. Only a solver that looked at all of them can tell.
+enum class Uniqueness {
+    not_examined,
+    unique,    ///< one λ
+    w_unique,  ///< several λ, all with the same w: the bodies move in one way only
+    any,       ///< several w
+    none       ///< no λ at all
+};
+
+/// The word of the problem files for it; "" if nobody looked.
+constexpr std::string_view to_string(Uniqueness uniqueness)
+{
+    switch (uniqueness) {
+    case Uniqueness::not_examined:
+        return "";
+    case Uniqueness::unique:
+        return "unique";
+    case Uniqueness::w_unique:
+        return "w_unique";
+    case Uniqueness::any:
+        return "any";
+    case Uniqueness::none:
+        return "none";
+    }
+    return "";
+}
+
 struct Solution {
     VecX lambda;                              ///< m [N s]
     Status status = Status::iteration_limit;  ///< `solved` only if the residual met the tolerance
     int iterations = 0;                       ///< sweeps, pivots or tried sets: what the method counts
     Real residual = infinity;                 ///< natural residual of lambda [m/s]
+    Uniqueness uniqueness = Uniqueness::not_examined;
 };
 
 /// Row i of the natural residual [m/s]: how far λ_i is from its own best answer, as a velocity.

@@ -1,82 +1,245 @@
 /// \file problem_file.hpp
-/// An MLCP in a text file: read it, solve it by a method's name, write the answer in the same format.
+/// Problems in files: read one, print its answer.
 ///
-///     # a comment
-///     name two contacts        key value: name, n, solution (unique, w_unique, any, none)
+///     name two_walls        # a comment
 ///     n 2
-///     A                        a section: its name, then its numbers; A has n lines of n numbers
+///     A
 ///     2 1
 ///     1 2
-///     q                        q, lo, hi, z, w have one line of n numbers
-///     -1 -1
+///     q
+///     -3 -3
 ///
-/// `n`, `A` and `q` are needed. Without `lo` and `hi` the bounds are 0 and inf.
+/// First the keys `name`, `n` (needed) and `solution` (unique, w_unique, any or none), each with its value on
+/// the same line. Then the sections, each after its name: `A` (needed) has n lines of n numbers; `q`
+/// (needed), `lo`, `hi` and, where the answer is known, `z` and `w` have one line of n numbers. Bounds may be
+/// inf and -inf; without them 0 ≤ z. Here z is what the chapters call λ.
 #pragma once
 
-#include "chapters/03_mlcp_formulation/problem_reader.hpp"
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "common/text.hpp"
 
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <map>
-#include <ostream>
-#include <sstream>
 #include <string>
+#include <vector>
 
 namespace rigid {
 
-/// Reads a problem. \throws std::invalid_argument  naming the line and what is wrong with it
-inline Problem read_problem(std::istream& in) { return ProblemReader(in).read(); }
+struct Problem {
+    std::string name;
+    Mlcp mlcp;
+    Uniqueness kind = Uniqueness::not_examined;  ///< what the file says of its answer
+    VecX z, w;                                   ///< the known answer; empty if there is none
+};
 
-/// Reads a problem from a file. \throws std::invalid_argument  naming the file, the line and what is wrong
-inline Problem read_problem(const std::string& path)
-{
-    std::ifstream file(path);
-    if (!file) throw std::invalid_argument(path + " cannot be read");
-    try {
-        return read_problem(file);
-    } catch (const std::invalid_argument& refused) {
-        throw std::invalid_argument(path + ", " + refused.what());
+inline constexpr Index largest_problem = 10000;  ///< rows; a file of so many is dense and has 200 MB or more
+
+/// Reads a problem line by line and remembers where it is, so that each refusal names the line.
+class ProblemReader {
+public:
+    /// \param in    the text
+    /// \param file  its name, for the refusals; may be empty
+    explicit ProblemReader(std::istream& in, const std::string& file = "")
+        : in_(in), file_(file.empty() ? "" : file + ", ")
+    {
     }
+
+    Problem read()
+    {
+        while (next_line()) {
+            const std::string key = words_.front();
+            if (!given_.emplace(key, line_).second)
+                refuse(quoted(key) + " is there twice, first in line " + std::to_string(given_.at(key)));
+            if (key == "name" || key == "n" || key == "solution") read_key(key);
+            else read_section(key);
+        }
+        ++line_;  // what is missing is missing after the last line
+        for (const char* key : {"n", "A", "q"})
+            if (!given_.count(key)) refuse("the file ends here, and " + quoted(key) + " is missing");
+        require_bounds();
+        return std::move(problem_);
+    }
+
+private:
+    /// The words of the next line that has any; false at the end of the file.
+    bool next_line()
+    {
+        std::string text;
+        while (std::getline(in_, text)) {
+            ++line_;
+            std::istringstream stream(text.substr(0, text.find('#')));
+            words_.clear();
+            for (std::string word; stream >> word;) words_.push_back(word);
+            if (!words_.empty()) return true;
+        }
+        return false;
+    }
+
+    void read_key(const std::string& key)
+    {
+        if (words_.size() != 2)
+            refuse(quoted(key) + " has " + std::to_string(words_.size() - 1) +
+                   " values on its line; it must have one");
+        const std::string& value = words_[1];
+        if (key == "name") problem_.name = value;
+        if (key == "n") {
+            const auto n = parse_whole(value);
+            if (!n || *n < 1 || *n > static_cast<std::uint64_t>(largest_problem))
+                refuse("n is " + quoted(value) + "; it must be a whole number from 1 to " +
+                       std::to_string(largest_problem));
+            const auto rows = static_cast<Index>(*n);
+            problem_.mlcp.A.resize(rows, rows);
+            problem_.mlcp.lo = VecX::Zero(rows);
+            problem_.mlcp.hi = VecX::Constant(rows, infinity);
+        }
+        if (key == "solution") {
+            for (const Uniqueness kind :
+                 {Uniqueness::unique, Uniqueness::w_unique, Uniqueness::any, Uniqueness::none})
+                if (value == to_string(kind)) problem_.kind = kind;
+            if (problem_.kind == Uniqueness::not_examined)
+                refuse("the solution is " + quoted(value) + "; it must be unique, w_unique, any or none");
+        }
+    }
+
+    void read_section(const std::string& key)
+    {
+        const std::map<std::string, VecX*> sections = {{"q", &problem_.mlcp.q},
+                                                       {"lo", &problem_.mlcp.lo},
+                                                       {"hi", &problem_.mlcp.hi},
+                                                       {"z", &problem_.z},
+                                                       {"w", &problem_.w}};
+        if (key != "A" && !sections.count(key))
+            refuse(quoted(key) + " is no key and no section; the keys are name, n and solution, the sections "
+                                 "A, q, lo, hi, z and w");
+        if (words_.size() > 1)
+            refuse("the name of the section " + quoted(key) + " must stand alone on its line");
+        if (!given_.count("n")) refuse("section " + quoted(key) + " begins before n was given");
+        const Index n = problem_.mlcp.A.rows();
+        if (key != "A") {
+            *sections.at(key) = numbers(key, "section " + quoted(key), n);
+            if (key == "lo" || key == "hi") bounds_line_ = line_;
+            return;
+        }
+        std::vector<Eigen::Triplet<Real>> entries;
+        for (Index i = 0; i < n; ++i) {
+            const VecX line = numbers(key, "row " + std::to_string(i + 1) + " of A", n);
+            for (Index j = 0; j < n; ++j)
+                if (line[j] < 0 || line[j] > 0)
+                    entries.emplace_back(static_cast<int>(i), static_cast<int>(j), line[j]);
+        }
+        problem_.mlcp.A.setFromTriplets(entries.begin(), entries.end());
+    }
+
+    /// One line of n numbers.
+    VecX numbers(const std::string& key, const std::string& what, Index n)
+    {
+        if (!next_line()) {
+            ++line_;
+            refuse("the file ends where " + what + " should be");
+        }
+        if (static_cast<Index>(words_.size()) != n)
+            refuse(what + " has " + std::to_string(words_.size()) + " entries; it must have " +
+                   std::to_string(n));
+        VecX result(n);
+        for (Index i = 0; i < n; ++i) {
+            const std::string& word = words_[static_cast<std::size_t>(i)];
+            const auto value = parse_real(word);
+            if (value) result[i] = *value;
+            else if (key == "hi" && (word == "inf" || word == "+inf")) result[i] = infinity;
+            else if (key == "lo" && word == "-inf") result[i] = -infinity;
+            else
+                refuse(what + " has the entry " + quoted(word) + "; it must be a finite number" +
+                       (key == "hi"   ? " or inf"
+                        : key == "lo" ? " or -inf"
+                                      : ""));
+        }
+        return result;
+    }
+
+    void require_bounds()
+    {
+        line_ = bounds_line_;
+        const Mlcp& mlcp = problem_.mlcp;
+        for (Index i = 0; i < mlcp.A.rows(); ++i)
+            if (!(mlcp.lo[i] <= mlcp.hi[i]))
+                refuse("entry " + std::to_string(i + 1) + " has lo = " + shortest(mlcp.lo[i]) + " and hi = " +
+                       shortest(mlcp.hi[i]) + "; lo must not be above hi (without a section lo is 0)");
+    }
+
+    [[noreturn]] void refuse(const std::string& sentence) const
+    {
+        throw std::invalid_argument(file_ + "line " + std::to_string(line_) + ": " + sentence);
+    }
+
+    static std::string quoted(const std::string& word)
+    {
+        return '"' + (word.size() > 40 ? word.substr(0, 40) + "..." : word) + '"';
+    }
+
+    std::istream& in_;
+    std::string file_;
+    int line_ = 0;
+    int bounds_line_ = 0;
+    std::vector<std::string> words_;
+    std::map<std::string, int> given_;  ///< and in which line
+    Problem problem_;
+};
+
+/// Reads a problem. Throws std::invalid_argument, with the line and one sentence, for a malformed one.
+inline Problem read_problem(std::istream& in) { return ProblemReader(in).read(); }
+inline Problem read_problem(const std::string& file)
+{
+    std::ifstream in(file);
+    if (!in) throw std::invalid_argument("the problem " + file + " can't be read; it must be a file");
+    return ProblemReader(in, file).read();
 }
 
-/// Writes status, residual [m/s] and iterations as key-value lines, z = λ [N s] and w = A z + q [m/s] as
-/// sections, with all the digits that a number has.
+/// Prints name, n, status, residual and iterations as keys; the uniqueness as `solution` if the method knows
+/// it; and z and w as sections if there is an answer.
 inline void write_solution(std::ostream& out, const Problem& problem, const Solution& solution)
 {
-    std::ostringstream text;
-    text.precision(17);
-    text << "name " << problem.name << "\nn " << problem.mlcp.size() << "\nstatus "
-         << to_string(solution.status) << "\nresidual " << solution.residual << "\niterations "
-         << solution.iterations;
-    const auto section = [&text](const char* name, const VecX& numbers) {
-        text << '\n' << name << '\n';
-        for (Index i = 0; i < numbers.size(); ++i) text << (i ? " " : "") << numbers[i];
+    const auto section = [&out](const char* name, const VecX& numbers) {
+        out << name << '\n';
+        for (Index i = 0; i < numbers.size(); ++i) out << (i ? " " : "") << shortest(numbers[i]);
+        out << '\n';
     };
-    if (solution.lambda.size() == problem.mlcp.size()) {
-        section("z", solution.lambda);
-        section("w", problem.mlcp.A * solution.lambda + problem.mlcp.q);
-    }
-    out << text.str() << '\n';
+    if (!problem.name.empty()) out << "name " << problem.name << '\n';
+    out << "n " << problem.mlcp.size() << '\n';
+    out << "status " << to_string(solution.status) << '\n';
+    out << "residual " << shortest(solution.residual) << '\n';
+    out << "iterations " << solution.iterations << '\n';
+    if (solution.uniqueness != Uniqueness::not_examined)
+        out << "solution " << to_string(solution.uniqueness) << '\n';
+    if (solution.lambda.size() != problem.mlcp.size() || !solution.lambda.allFinite()) return;
+    section("z", solution.lambda);
+    section("w", problem.mlcp.A * solution.lambda + problem.mlcp.q);
 }
 
-/// What a chapter can solve a problem by: its names, in the words of --method.
-using ProblemSolvers = std::map<std::string, std::function<Solution(const Mlcp&)>>;
+/// The ways that a program can solve a problem, by name.
+using ProblemMethods = std::map<std::string, std::function<Solution(const Mlcp&)>>;
 
-/// Solves the problem in a file and writes the answer.
-/// \return  the exit code of a program: 0 if it was solved, 3 if not
-/// \throws std::invalid_argument  for a file or a method that makes no sense
-inline int solve_problem_file(const std::string& path, const std::string& method,
-                              const ProblemSolvers& solvers, std::ostream& out)
+inline std::vector<std::string> names_of(const ProblemMethods& methods)
 {
-    const auto solver = solvers.find(method);
-    if (solver == solvers.end()) {
-        std::string known;
-        for (const auto& entry : solvers) known += " " + entry.first;
-        throw std::invalid_argument("the method '" + method + "' is not known here; there are:" + known);
-    }
-    const Problem problem = read_problem(path);
-    const Solution solution = solver->second(problem.mlcp);
-    write_solution(out, problem, solution);
+    std::vector<std::string> names;
+    for (const auto& method : methods) names.push_back(method.first);
+    return names;
+}
+
+/// What `--problem FILE --method NAME` does. Prints the answer to standard output.
+/// \return the exit code: 0 if the status is `solved`, else 3
+/// \throws std::invalid_argument for a malformed file, an unknown method, or a problem that is not for it
+inline int solve_problem_file(const std::string& file, const std::string& method,
+                              const ProblemMethods& methods)
+{
+    const auto solve = methods.find(method);
+    if (solve == methods.end())
+        throw std::invalid_argument("there is no method \"" + method +
+                                    "\"; there are: " + joined(names_of(methods)));
+    const Problem problem = read_problem(file);
+    const Solution solution = solve->second(problem.mlcp);
+    write_solution(std::cout, problem, solution);
     return solution.status == Status::solved ? 0 : 3;
 }
 
