@@ -191,6 +191,10 @@ private:
     Real scale_;
 };
 
+/// A size means the same as in a browser: there it is that of the em, in Dear ImGui that of a line,
+/// which is so much more (for DejaVu Sans).
+constexpr Real line_per_em = 1.164;
+
 /// Typefaces that systems have, the best for formulas first.
 std::string system_typeface()
 {
@@ -214,7 +218,7 @@ constexpr std::pair<const char*, const char*> spelled_out[] = {
     {"θ", "theta"}, {"κ", "kappa"}, {"λ", "lambda"}, {"μ", "mu"},    {"ν", "nu"},    {"π", "pi"},
     {"ρ", "rho"},   {"σ", "sigma"}, {"τ", "tau"},    {"φ", "phi"},   {"ω", "omega"}, {"Ω", "Omega"},
     {"≤", "<="},    {"≥", ">="},    {"→", "->"},     {"←", "<-"},    {"−", "-"},     {"–", "-"},
-    {"∞", "inf"},   {"⟂", "_|_"},   {"⊥", "_|_"},    {"√", "sqrt "}, {"≈", "~"},     {"Σ", "sum "},
+    {"∞", "inf"},   {"⟂", "⊥"},     {"⊥", "_|_"},    {"√", "sqrt "}, {"≈", "~"},     {"Σ", "sum "},
     {"∑", "sum "},  {"…", "..."},   {"⁻", "^-"},     {"ᵀ", "^T"},    {"₀", "0"},     {"₁", "1"},
     {"₂", "2"},     {"₃", "3"},     {"₄", "4"},      {"ₙ", "_n"},    {"ₖ", "_k"},    {"ⁿ", "^n"},
     {"’", "'"},     {"“", "\""},    {"”", "\""}};
@@ -260,7 +264,7 @@ Fonts::Fonts(Real pixels_per_unit) : pixels_per_unit_(pixels_per_unit)
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::string file = system_typeface();
     if (!file.empty())
-        for (const Real size : {14.0, 11.0, 12.0, 13.0, 16.0, 18.0, 22.0, 28.0}) {
+        for (const Real size : {15.0, 12.0, 13.0, 14.0, 16.3, 18.6, 21.0, 28.0}) {
             ImFontConfig config;
             config.OversampleH = 2;
             config.OversampleV = 1;
@@ -268,8 +272,21 @@ Fonts::Fonts(Real pixels_per_unit) : pixels_per_unit_(pixels_per_unit)
                                                     &config, ranges);
             if (font) fonts_.push_back(font);
         }
-    knows_greek_ = !fonts_.empty();
     if (fonts_.empty()) fonts_.push_back(atlas.AddFontDefault());
+    atlas.Build();
+    for (const auto& [letter, name] : spelled_out)
+        if (!knows(letter)) missing_.emplace_back(letter, name);
+}
+
+bool Fonts::knows(const std::string& letter) const
+{
+    const auto byte = [&](std::size_t i) {
+        return static_cast<unsigned>(static_cast<unsigned char>(letter[i]));
+    };
+    const unsigned code = letter.size() == 2
+                              ? (byte(0) & 0x1Fu) << 6 | (byte(1) & 0x3Fu)
+                              : (byte(0) & 0x0Fu) << 12 | (byte(1) & 0x3Fu) << 6 | (byte(2) & 0x3Fu);
+    return fonts_.front()->FindGlyphNoFallback(static_cast<ImWchar>(code)) != nullptr;
 }
 
 ImFont* Fonts::nearest(Real size) const
@@ -286,12 +303,10 @@ ImFont* Fonts::nearest(Real size) const
 
 std::string Fonts::shown(const std::string& text) const
 {
-    if (knows_greek_) return text;
     std::string result = text;
-    for (const auto& [letter, name] : spelled_out)
-        for (std::size_t at = 0; (at = result.find(letter, at)) != std::string::npos;
-             at += std::string(name).size())
-            result.replace(at, std::string(letter).size(), name);
+    for (const auto& [letter, name] : missing_)
+        for (std::size_t at = 0; (at = result.find(letter, at)) != std::string::npos; at += name.size())
+            result.replace(at, letter.size(), name);
     return result;
 }
 
@@ -299,8 +314,8 @@ Real Fonts::paint(ImDrawList& list, const Vec2& baseline, const std::string& tex
                   Align align) const
 {
     const std::string words = shown(text);
-    const ImFont* font = nearest(size);
-    const float height = static_cast<float>(size);
+    const ImFont* font = nearest(line_per_em * size);
+    const float height = static_cast<float>(line_per_em * size);
     const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, words.data(), words.data() + words.size());
     float x = static_cast<float>(baseline.x());
     if (align == Align::centre) x -= extent.x / 2;

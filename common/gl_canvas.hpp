@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigid {
@@ -30,17 +31,18 @@ public:
     explicit Fonts(Real pixels_per_unit);
 
     ImFont* nearest(Real size) const;
-    bool knows_greek() const { return knows_greek_; }
     /// Text as this typeface can show it: "lambda" for λ where there are no Greek letters.
     std::string shown(const std::string& text) const;
-    /// Paints text with its baseline at a point, and returns its width.
+    /// Paints text with its baseline at a point, and returns its width. The size is that of SVG and CSS.
     Real paint(ImDrawList& list, const Vec2& baseline, const std::string& text, Real size, ImU32 colour,
                Align align = Align::left) const;
 
 private:
+    bool knows(const std::string& letter) const;
+
     std::vector<ImFont*> fonts_;
     Real pixels_per_unit_;
-    bool knows_greek_ = false;
+    std::vector<std::pair<std::string, std::string>> missing_;  ///< letters, and what stands for them
 };
 
 /// Paints a canvas into the projection's area; nothing goes beyond it.

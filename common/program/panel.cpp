@@ -10,7 +10,7 @@
 namespace rigid {
 namespace {
 
-constexpr Real text_size = 14, small_size = 12;
+constexpr Real text_size = 15, small_size = 10.5;  // of a line of Dear ImGui, of an em
 
 /// For printf-like formats of sliders: % stands for itself.
 std::string escaped(const std::string& text)
@@ -32,11 +32,17 @@ public:
 
     void draw()
     {
+        // The end of the panel stays where it is; what stands above scrolls if it must.
+        const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + units(10) +
+                             (state_.recording ? ImGui::GetTextLineHeightWithSpacing() : 0);
+        ImGui::BeginChild("upper", {0, -footer}, false, ImGuiWindowFlags_NoBackground);
         title();
         scene_and_methods();
         buttons();
         sliders();
         plots();
+        if (ImGui::CollapsingHeader("Keys and mouse")) keys();
+        ImGui::EndChild();
         bottom();
     }
 
@@ -68,7 +74,7 @@ private:
 
     void title()
     {
-        ImGui::PushFont(fonts_.nearest(scale_ * 16));
+        ImGui::PushFont(fonts_.nearest(scale_ * 16.3));
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(shown(show_.program().title).c_str());
         ImGui::PopTextWrapPos();
@@ -310,8 +316,10 @@ private:
         const float name_end = left + ImGui::GetItemRectSize().x;
         std::vector<std::string> values;
         float wanted = 0;
+        ImGui::PushFont(fonts_.nearest(scale_ * (tracks.size() > 2 ? 12 : text_size)));
         for (const Track& track : tracks) {
-            values.push_back(track.measured.empty() ? "-" : significant(track.measured[c], 4));
+            values.push_back(
+                track.measured.empty() ? "-" : significant(track.measured[c], tracks.size() > 2 ? 3 : 4));
             wanted += ImGui::CalcTextSize(values.back().c_str()).x + units(12);
         }
         float x = right - wanted;
@@ -326,9 +334,10 @@ private:
             ImGui::PopStyleColor();
             x += ImGui::CalcTextSize(values[k].c_str()).x + units(12);
         }
+        ImGui::PopFont();
 
         // The area.
-        const ImVec2 size = {ImGui::GetContentRegionAvail().x, units(64)};
+        const ImVec2 size = {ImGui::GetContentRegionAvail().x, units(58)};
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         ImGui::PushID(static_cast<int>(c));
         ImGui::InvisibleButton("plot", size);
@@ -366,6 +375,7 @@ private:
     }
 
     float margin() const { return units(5); }
+    float gutter() const { return units(47); }  ///< at the left of a plot: the numbers of its range
 
     template <class HeightOf, class Shows>
     void curves(std::size_t c, ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low,
@@ -376,7 +386,7 @@ private:
                    height = static_cast<Real>(size.y - 2 * margin());
         if (low < 0 && high > 0) {  // where zero is
             const float y = corner.y + margin() + static_cast<float>(height * high / (high - low));
-            list.AddLine({corner.x, y}, {corner.x + size.x, y}, theme_.edge());
+            list.AddLine({corner.x + gutter(), y}, {corner.x + size.x, y}, theme_.edge());
         }
         list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
         for (std::size_t k = show_.playback()->tracks().size(); k-- > 0;) {
@@ -391,7 +401,7 @@ private:
                 if (!shows(sample.value)) return flush();
                 const Real x = end > begin ? (sample.t - begin) / (end - begin) : 1;
                 const Real y = (high - height_of(sample.value)) / (high - low);
-                points.push_back({corner.x + margin() + static_cast<float>(x * width),
+                points.push_back({corner.x + gutter() + static_cast<float>(x * width),
                                   corner.y + margin() + static_cast<float>(y * height)});
             });
             flush();
@@ -399,24 +409,20 @@ private:
         list.PopClipRect();
     }
 
-    /// The numbers at the upper and the lower end, on a ground that keeps them readable.
+    /// The numbers at the upper and the lower end.
     void limits(ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low, Real high,
                 bool logarithmic)
     {
+        const Real right = static_cast<Real>(corner.x + gutter()) - 5 * scale_,
+                   top = static_cast<Real>(corner.y);
         const auto put = [&](Real value, Real baseline) {
             const std::string text = logarithmic ? "1e" + readable(value) : significant(value, 3);
-            const ImFont* font = fonts_.nearest(scale_ * small_size);
-            const float height = units(small_size);
-            const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, text.c_str());
-            const float y = corner.y + static_cast<float>(baseline);
-            list.AddRectFilled({corner.x + units(2), y - units(11)},
-                               {corner.x + units(8) + extent.x, y + units(3)},
-                               (theme_.card() & ~IM_COL32_A_MASK) | (200u << IM_COL32_A_SHIFT), units(2));
-            fonts_.paint(list, {static_cast<Real>(corner.x + units(5)), static_cast<Real>(y)}, text,
-                         scale_ * small_size, dim());
+            fonts_.paint(list, {right, baseline}, text, scale_ * small_size, dim(), Align::right);
         };
-        put(high, scale_ * 14);
-        put(low, static_cast<Real>(size.y) - scale_ * 5);
+        put(high, top + 12 * scale_);
+        put(low, top + static_cast<Real>(size.y) - 4 * scale_);
+        list.AddLine({corner.x + gutter() - units(2), corner.y},
+                     {corner.x + gutter() - units(2), corner.y + size.y}, theme_.edge());
     }
 
     /// The values under the mouse.
@@ -424,8 +430,8 @@ private:
     {
         const auto [begin, end] = time_span();
         const float mouse =
-            std::clamp(ImGui::GetIO().MousePos.x, corner.x + margin(), corner.x + size.x - margin());
-        const Real part = static_cast<Real>((mouse - corner.x - margin()) / (size.x - 2 * margin()));
+            std::clamp(ImGui::GetIO().MousePos.x, corner.x + gutter(), corner.x + size.x - margin());
+        const Real part = static_cast<Real>((mouse - corner.x - gutter()) / (size.x - gutter() - margin()));
         const Real t = begin + part * (end - begin);
         list.AddLine({mouse, corner.y}, {mouse, corner.y + size.y}, dim());
         ImGui::BeginTooltip();
@@ -449,7 +455,6 @@ private:
 
     void bottom()
     {
-        gap();
         ImGui::Separator();
         gap();
         if (button(state_.recording ? "Stop##record" : "Record##record", 3, state_.recording))
@@ -462,20 +467,17 @@ private:
         if (button(state_.dark ? "Light" : "Dark", 3)) state_.dark = !state_.dark;
         tooltip("The colours of the room: D");
         if (state_.recording)
-            dim_text(std::to_string(state_.frames_recorded) + " pictures in " + state_.record_folder, true);
-
+            dim_text(std::to_string(state_.frames_recorded) + " pictures in " + state_.record_folder);
         const Playback* playback = show_.playback();
         std::string line = fixed(state_.frames_per_second, 0) + " frames/s";
-        if (playback)
-            line += "   step " + std::to_string(playback->steps()) + "   t = " + fixed(playback->time(), 2) +
-                    " s";
+        if (playback) line += "   step " + std::to_string(playback->steps());
         dim_text(line);
-        if (show_.falls_behind()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme_.colour(Colour::orange));
-            ImGui::TextUnformatted("slower than asked: too many steps");
-            ImGui::PopStyleColor();
-        }
-        if (ImGui::CollapsingHeader("Keys and mouse")) keys();
+        if (!show_.falls_behind()) return;
+        ImGui::SameLine();
+        ImGui::PushStyleColor(ImGuiCol_Text, theme_.colour(Colour::orange));
+        ImGui::TextUnformatted("too slow");
+        ImGui::PopStyleColor();
+        tooltip("More steps are due than there is time for: the scene runs slower than asked");
     }
 
     void keys()
@@ -520,7 +522,8 @@ void draw_panel(Show& show, PanelState& state, const Theme& theme, const Fonts& 
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoScrollWithMouse);
     Panel(show, state, theme, fonts, scale).draw();
     ImGui::End();
     ImGui::PopFont();
@@ -538,8 +541,8 @@ void set_style(const Theme& theme, Real scale)
     style.PopupRounding = 4;
     style.ScrollbarRounding = 4;
     style.ScrollbarSize = 10;
-    style.FramePadding = {7, 4};
-    style.ItemSpacing = {7, 6};
+    style.FramePadding = {7, 3};
+    style.ItemSpacing = {7, 5};
     style.GrabMinSize = 12;
     const auto set = [&](ImGuiCol which, ImU32 colour) { style.Colors[which] = vector_of(colour); };
     set(ImGuiCol_Text, theme.colour(Colour::ink));

@@ -36,7 +36,8 @@ std::string& glfw_complaint()
     return text;
 }
 
-/// Splits an area into a grid of panes of one view, as large as they can be.
+/// Splits an area into a grid of panes of one view: nearly as large as they can be, rather beside
+/// each other than above.
 std::vector<Rectangle> grid(const Rectangle& area, std::size_t count, const View& view, Real label, Real gap)
 {
     std::vector<Rectangle> best;
@@ -46,8 +47,8 @@ std::vector<Rectangle> grid(const Rectangle& area, std::size_t count, const View
         const Real c = static_cast<Real>(columns), r = static_cast<Real>(rows);
         const Real width = (area.width - (c - 1) * gap) / c, height = (area.height - (r - 1) * gap) / r;
         const Real scale = std::min(width / view.half_size.x(), (height - label) / view.half_size.y());
-        if (scale <= best_scale) continue;
-        best_scale = scale;
+        if (scale <= 0.75 * best_scale) continue;
+        best_scale = std::max(best_scale, scale);
         best.clear();
         for (std::size_t i = 0; i < count; ++i)
             best.push_back({area.x + static_cast<Real>(i % columns) * (width + gap),
@@ -93,7 +94,7 @@ public:
         glewExperimental = GL_TRUE;
         const GLenum loaded = glewInit();
         if ((loaded != GLEW_OK && loaded != 4) ||
-            !glReadPixels) {  // 4: no GLX (Wayland), though all is loaded
+            !glGenBuffers) {  // 4: no GLX (Wayland), though all is loaded
             reason += " (the functions of OpenGL could not be loaded)";
             return false;
         }
@@ -330,17 +331,17 @@ private:
             x += 16 * scale_;
         }
         const std::string time = "t = " + fixed(track.time, 2) + " s";
-        fonts_->paint(list, {place.x + place.width - 10 * scale_, baseline}, time, 13 * scale_,
+        fonts_->paint(list, {place.x + place.width - 10 * scale_, baseline}, time, 12 * scale_,
                       theme.colour(Colour::ink, 0.62), Align::right);
-        fonts_->paint(list, {x, baseline}, track.method, 14 * scale_, theme.colour(Colour::ink));
+        fonts_->paint(list, {x, baseline}, track.method, 13 * scale_, theme.colour(Colour::ink));
     }
 
     /// A sentence across the lower end of an area.
     void sentence(ImDrawList& list, const Theme& theme, const Rectangle& area, const std::string& words) const
     {
         const std::string text = fonts_->shown(words);
-        const ImFont* font = fonts_->nearest(14 * scale_);
-        const float size = static_cast<float>(14 * scale_), pad = static_cast<float>(10 * scale_);
+        const ImFont* font = fonts_->nearest(15 * scale_);
+        const float size = static_cast<float>(15 * scale_), pad = static_cast<float>(10 * scale_);
         const float wrap = static_cast<float>(area.width) - 2 * pad;
         const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, wrap, text.c_str());
         const ImVec2 end = opposite(area);
