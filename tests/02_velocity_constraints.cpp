@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace rigid;
@@ -306,7 +307,9 @@ TEST_CASE("J of circle and ellipse and of a curve of the reader's own is the der
 {
     Random random(6);
     const auto quartic = [](const auto& p) {
-        return p.x() * p.x() * p.x() * p.x() + p.y() * p.y() * p.y() * p.y() - 1.0;
+        using T = std::decay_t<decltype(p.x())>;
+        const T x2 = p.x() * p.x(), y2 = p.y() * p.y();
+        return T(x2 * x2 + y2 * y2 - 1.0);
     };
     const auto quartic_gradient = [](const Vec2& p) -> Vec2 { return 4 * p.array().cube(); };
     const auto quartic_dual = [&](const DualVec2&, const DualVec2& p) -> Dual { return quartic(p); };

@@ -45,8 +45,8 @@ Constraint<2> curve_constraint(const VecX& x, Index k, const G& g)
 //! [curve]
 
 //! [circle]
-/// (2.10): a circle about the origin, \f$C = (x^T x - r^2) / 2r\f$ [m]. The divisor makes J a unit vector on the
-/// wire. Throws std::invalid_argument unless the radius is positive.
+/// (2.10): a circle about the origin, \f$C = (x^T x - r^2) / 2r\f$ [m]. The divisor makes J a unit vector on
+/// the wire. Throws std::invalid_argument unless the radius is positive.
 inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 {
     if (!(radius > 0))
