@@ -167,9 +167,9 @@ class Checker:
         for name in begins:
             if re.fullmatch(r"(align|gather|equation|multline|eqnarray|alignat|flalign)\*?", name):
                 self.fault(path, line, f"use 'aligned' or 'cases' within the maths, not '{name}'.")
-        for bad in ("\\label", "\\eqref", "\\ref", "\\newcommand", "\\def"):
+        for bad in ("\\label", "\\eqref", "\\ref", "\\newcommand", "\\def", "\\operatorname"):
             if re.search(re.escape(bad) + r"(?![a-zA-Z])", tex):
-                self.fault(path, line, f"{bad} works neither on GitHub nor on the site.")
+                self.fault(path, line, f"{bad} does not work on GitHub" + ("; write \\mathrm." if "oper" in bad else "."))
         if display and len(re.findall(r"\\tag\b", tex)) > 1:
             self.fault(path, line, "one \\tag to a block of maths; cut the block in two.")
         if not display and "\\tag" in tex:
