@@ -1,0 +1,675 @@
+// The canvas, its SVG painter and the shell of the programs: command line, table, exit codes, what
+// the window shows (without opening one).
+#include "common/picture.hpp"
+#include "common/program/command_line.hpp"
+#include "common/program/scripted_pointer.hpp"
+#include "common/program/show.hpp"
+#include "common/svg_canvas.hpp"
+#include "common/text.hpp"
+#include "tests/catch.hpp"
+#include "tests/program_toy.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <locale>
+#include <random>
+#include <sstream>
+
+using namespace rigid;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a run of the toy said and returned.
+struct Said {
+    int code = 0;
+    std::string out, err;
+};
+
+Said run(const std::vector<std::string>& words, const Program& program = toy::program())
+{
+    std::vector<std::string> copies = {program.name};
+    copies.insert(copies.end(), words.begin(), words.end());
+    std::vector<char*> argv;
+    for (std::string& word : copies) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    std::ostringstream out, err;
+    std::streambuf* const cout_before = std::cout.rdbuf(out.rdbuf());
+    std::streambuf* const cerr_before = std::cerr.rdbuf(err.rdbuf());
+    Said said;
+    said.code = run_program(program, static_cast<int>(copies.size()), argv.data());
+    std::cout.rdbuf(cout_before);
+    std::cerr.rdbuf(cerr_before);
+    said.out = out.str();
+    said.err = err.str();
+    return said;
+}
+
+/// A folder of its own for each test, where it stands while the test runs.
+struct Folder {
+    fs::path before = fs::current_path();
+    fs::path path;
+    Folder()
+    {
+        static int count = 0;
+        path = fs::temp_directory_path() /
+               ("rigid_program_" + std::to_string(std::random_device()()) + "_" + std::to_string(++count));
+        fs::create_directories(path);
+        fs::current_path(path);
+    }
+    ~Folder()
+    {
+        fs::current_path(before);
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+};
+
+std::string content(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+long lines_in(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+/// Refused by exit code 2, with one line on stderr that holds each of the parts, and nothing on stdout.
+void require_refused(const std::vector<std::string>& words, const std::vector<std::string>& parts)
+{
+    const Said said = run(words);
+    CAPTURE(words, said.err);
+    CHECK(said.code == 2);
+    CHECK(said.out.empty());
+    CHECK(lines_in(said.err) == 1);
+    for (const std::string& part : parts) {
+        CAPTURE(part);
+        CHECK(contains(said.err, part));
+    }
+}
+
+/// Tags in pairs, attributes in quotes, no bare & or <: what every reader of XML insists on.
+bool is_well_formed(const std::string& text)
+{
+    std::vector<std::string> open;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '&') {
+            const std::size_t end = text.find(';', i);
+            const std::string name = text.substr(i + 1, end - i - 1);
+            if (name != "amp" && name != "lt" && name != "gt" && name != "quot") return false;
+        }
+        if (text[i] != '<') continue;
+        const std::size_t end = text.find('>', i);
+        if (end == std::string::npos) return false;
+        const std::string tag = text.substr(i + 1, end - i - 1);
+        if (contains(tag, "<") || std::count(tag.begin(), tag.end(), '"') % 2 != 0) return false;
+        const std::string name = tag.substr(0, tag.find(' '));
+        if (tag.front() == '/') {
+            if (open.empty() || open.back() != tag.substr(1)) return false;
+            open.pop_back();
+        } else if (tag.back() != '/') open.push_back(name);
+        i = end;
+    }
+    return open.empty();
+}
+
+Options parsed(const Program& program, std::vector<const char*> words)
+{
+    words.insert(words.begin(), "00_toy");
+    return parse_command_line(program, static_cast<int>(words.size()), words.data());
+}
+
+}  // namespace
+
+// ---- the command line -------------------------------------------------------------------------
+
+TEST_CASE("what is not known is refused with a list of what is")
+{
+    require_refused({"--scene", "moon"}, {"\"moon\"", "fall, steered"});
+    require_refused({"--set", "colour=3"}, {"\"colour\"", "fall", "g, beads"});
+    require_refused({"--method", "magic"}, {"\"magic\"", "symplectic, explicit, failing"});
+    require_refused({"--method", "symplectic,magic"}, {"\"magic\""});
+    require_refused({"--scene", "steered", "--method", "magic"}, {"\"magic\"", "steered"});
+    require_refused({"--colour", "red"}, {"--colour", "--help"});
+    require_refused({"moon"}, {"moon", "--help"});
+}
+
+TEST_CASE("a value out of its range is refused with the range")
+{
+    require_refused({"--set", "g=17"}, {"g is 17 m/s²", "between 0 and 16 m/s²"});
+    require_refused({"--set", "g=-1"}, {"g is -1 m/s²", "between 0 and 16 m/s²"});
+    require_refused({"--set", "beads=21"}, {"beads is 21", "whole number between 1 and 20"});
+    require_refused({"--h", "2"}, {"2 s", "between 0.001 and 1 s", "fall"});
+    require_refused({"--h", "0"}, {"0 s", "between 0.001 and 1 s"});
+    require_refused({"--h", "-0.1"}, {"-0.1 s", "between 0.001 and 1 s"});
+    require_refused({"--steps", "2000000000"}, {"--steps", "2000000000", "between 0 and 1000000000"});
+    require_refused({"--record", "frames", "--every", "0"}, {"--every", "\"0\"", "between 1"});
+}
+
+TEST_CASE("what is no number is refused")
+{
+    require_refused({"--set", "g=heavy"}, {"g is \"heavy\"", "number between 0 and 16"});
+    require_refused({"--set", "g=nan"}, {"g is \"nan\"", "number"});
+    require_refused({"--set", "g=inf"}, {"g is \"inf\"", "number"});
+    require_refused({"--set", "g=3kg"}, {"g is \"3kg\"", "number"});
+    require_refused({"--set", "g="}, {"g is \"\"", "number"});
+    require_refused({"--set", "g"}, {"\"g\"", "name=value"});
+    require_refused({"--set", "beads=1.5"}, {"beads is 1.5", "whole number"});
+    require_refused({"--h", "fast"}, {"\"fast\"", "number"});
+    require_refused({"--steps", "ten"}, {"--steps", "\"ten\"", "whole number"});
+    require_refused({"--steps", "-1"}, {"--steps", "\"-1\"", "whole number"});
+    require_refused({"--seed", "0x1"}, {"--seed", "\"0x1\"", "whole number"});
+}
+
+TEST_CASE("options that lack something or contradict each other are refused")
+{
+    require_refused({"--scene"}, {"--scene", "has no value"});
+    require_refused({"--steps", "1", "--steps", "2"}, {"--steps", "once"});
+    require_refused({"--every", "5"}, {"--every", "--record"});
+    require_refused({"--method", "explicit,explicit"}, {"\"explicit\" twice"});
+    require_refused({"--csv", ""}, {"--csv", "file name"});
+    require_refused({"--problem", "x.mlcp", "--scene", "fall"}, {"--scene", "--problem"});
+    require_refused({"--problem", "x.mlcp", "--method", "magic"}, {"\"magic\"", "enumerate, schur"});
+}
+
+TEST_CASE("a file that cannot be written is refused before the first step")
+{
+    const Folder folder;
+    for (const char* option : {"--csv", "--svg"})
+        require_refused({"--headless", option, "no/such/folder/file"},
+                        {"no/such/folder/file", "can't be written"});
+    fs::create_directories("folder");
+    require_refused({"--headless", "--svg", "folder"}, {"\"folder\"", "can't be written"});
+    std::ofstream("file") << "x";
+    require_refused({"--headless", "--record", "file/frames"}, {"file/frames", "--record"});
+}
+
+TEST_CASE("settings that the scene refuses end with its own sentence")
+{
+    require_refused({"--headless", "--set", "beads=13"}, {"beads is 13; it must be a luckier number"});
+}
+
+TEST_CASE("a program that contradicts itself is refused whatever was typed")
+{
+    Program program = toy::program();
+    program.scenes[1].name = "fall";
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("two of this name"));
+    program = toy::program();
+    program.scenes[0].tunables[0].value = 99;
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("g is 99"));
+    program = toy::program();
+    program.scenes[0].columns[0].name = "the height";
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("\"the height\""));
+    program = toy::program();
+    program.scenes[0].side_by_side = {"magic"};
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("\"magic\""));
+    program = toy::program();
+    program.scenes[0].view.half_size = {1, 0};
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("view"));
+    CHECK_NOTHROW(require_consistent(toy::program()));
+}
+
+TEST_CASE("help and the list of scenes name everything there is")
+{
+    const Said help = run({"--help"});
+    CHECK(help.code == 0);
+    CHECK(help.err.empty());
+    for (const char* word : {"--scene", "--set", "--method", "--headless", "--record", "--problem", "fall",
+                             "steered", "g=8 m/s²", "Gravity; between 0 and 16 m/s²", "beads=1",
+                             "symplectic, explicit", "height [m]", "enumerate, schur"}) {
+        CAPTURE(word);
+        CHECK(contains(help.out, word));
+    }
+    const Said list = run({"--list-scenes"});
+    CHECK(list.code == 0);
+    CHECK(list.out == "fall     A bead that falls.\nsteered  A bead under the pointer.\n");
+}
+
+TEST_CASE("what was typed arrives in the settings")
+{
+    const Program program = toy::program();
+    const Options options =
+        parsed(program, {"--scene", "fall", "--set", "g=4", "beads=3", "--h", "0.25", "--seed",
+                         "18446744073709551615", "--steps", "7", "--method", "explicit,symplectic"});
+    CHECK(options.scene == &program.scenes[0]);
+    CHECK(options.settings["g"] == 4);
+    CHECK(options.settings["beads"] == 3);
+    CHECK(options.settings.h == 0.25);
+    CHECK(options.settings.seed == 18446744073709551615u);
+    CHECK(options.steps == 7);
+    CHECK(options.methods == std::vector<std::string>{"explicit", "symplectic"});
+    const Options repeated =
+        parsed(program, {"--set", "g=4", "--set", "beads=3", "--method", "explicit", "--method", "failing"});
+    CHECK(repeated.settings["g"] == 4);
+    CHECK(repeated.settings["beads"] == 3);
+    CHECK(repeated.methods == std::vector<std::string>{"explicit", "failing"});
+}
+
+TEST_CASE("a problem from a file goes to the method that was named")
+{
+    const Folder folder;
+    std::ofstream("good.mlcp") << "good\n";
+    std::ofstream("bad.mlcp") << "bad\n";
+    CHECK(run({"--headless", "--problem", "good.mlcp"}).out == "status solved by enumerate\n");
+    CHECK(run({"--headless", "--problem", "good.mlcp", "--method", "schur"}).out ==
+          "status solved by schur\n");
+    require_refused({"--problem", "bad.mlcp"}, {"bad.mlcp:1", "\"bad\""});
+    require_refused({"--problem", "none.mlcp"}, {"none.mlcp", "can't be read"});
+}
+
+// ---- the table --------------------------------------------------------------------------------
+
+TEST_CASE("the table has the numbers of the run to the last digit")
+{
+    const Said said = run({"--headless", "--csv", "-", "--steps", "3"});
+    CHECK(said.code == 0);
+    CHECK(said.err.empty());
+    // h = 0.5 s, g = 8 m/s²: symplectic Euler by hand, without rounding.
+    CHECK(said.out == "step,t,height,speed\n0,0,0,0\n1,0.5,-2,-4\n2,1,-6,-8\n3,1.5,-12,-12\n");
+}
+
+TEST_CASE("with several methods the rows of each stand together and name it")
+{
+    const Said said = run({"--headless", "--csv", "-", "--steps", "2", "--method", "symplectic,explicit"});
+    CHECK(said.code == 0);
+    CHECK(said.out == "step,t,method,height,speed\n"
+                      "0,0,symplectic,0,0\n1,0.5,symplectic,-2,-4\n2,1,symplectic,-6,-8\n"
+                      "0,0,explicit,0,0\n1,0.5,explicit,0,-4\n2,1,explicit,-2,-8\n");
+}
+
+TEST_CASE("the table has decimal points whatever the locale says")
+{
+    struct Comma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\1"; }
+    };
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const Said said = run({"--headless", "--csv", "-", "--steps", "1200", "--set", "g=0.1", "--h", "0.001"});
+    std::locale::global(before);
+    CHECK(said.code == 0);
+    CHECK(lines_in(said.out) == 1202);
+    CHECK(contains(said.out, "\n1000,1,"));
+    CHECK(std::count(said.out.begin(), said.out.end(), ',') == 3 * 1202);
+}
+
+TEST_CASE("numbers in the table read back as the same bits")
+{
+    Random random(7);
+    for (int i = 0; i < 1000; ++i) {
+        const Real value = random.normal() * std::pow(10.0, random.uniform(-300, 300));
+        CHECK(parse_real(shortest(value)) == value);
+    }
+    CHECK(shortest(-0.0) == "0");
+    CHECK(shortest(0.1) == "0.1");
+}
+
+TEST_CASE("without the number of steps a run does 300")
+{
+    CHECK(lines_in(run({"--headless", "--csv", "-"}).out) == 302);
+    CHECK(lines_in(run({"--headless", "--csv", "-", "--steps", "0"}).out) == 2);
+}
+
+TEST_CASE("without any output a run sums up what it measured")
+{
+    const Said said = run({"--headless", "--steps", "3"});
+    CHECK(said.code == 0);
+    CHECK(contains(said.out, "scene fall: 3 steps of 0.5 s"));
+    CHECK(contains(said.out, "height         -12  m\n"));
+}
+
+// ---- runs that cannot go on -----------------------------------------------------------------
+
+TEST_CASE("a step that fails ends the run with its number and leaves the rows before it")
+{
+    const Folder folder;
+    const Said said = run({"--headless", "--csv", "table.csv", "--svg", "last.svg", "--method", "failing"});
+    CHECK(said.code == 3);
+    CHECK(said.err == "step 5: the bead 0 has left the wire\n");
+    CHECK(lines_in(content("table.csv")) == 6);
+    CHECK(is_well_formed(content("last.svg")));
+}
+
+TEST_CASE("a measured number that is not finite ends the run")
+{
+    const Said said = run({"--headless", "--csv", "-", "--method", "exploding"});
+    CHECK(said.code == 3);
+    CHECK(said.err == "step 5: height is inf m; it must be finite\n");
+    CHECK(lines_in(said.out) == 6);
+    CHECK_FALSE(contains(said.out, "inf"));
+}
+
+TEST_CASE("where one method fails the others go on")
+{
+    const Said said = run({"--headless", "--csv", "-", "--steps", "8", "--method", "failing,symplectic"});
+    CHECK(said.code == 3);
+    CHECK(said.err == "step 5: method failing: the bead 0 has left the wire\n");
+    CHECK(contains(said.out, "\n4,2,failing,-20,-16\n0,0,symplectic,0,0\n"));
+    CHECK(contains(said.out, "\n8,4,symplectic,-72,-32\n"));
+}
+
+TEST_CASE("an interrupted run finishes its row and closes its files")
+{
+    const Folder folder;
+    const Said said = run({"--headless", "--csv", "table.csv", "--svg", "last.svg", "--method",
+                           "interrupting,explicit", "--steps", "1000"});
+    CHECK(said.code == 130);
+    CHECK(contains(said.err, "after step 5"));
+    CHECK(lines_in(content("table.csv")) == 1 + 2 * 6);
+    CHECK(is_well_formed(content("last.svg")));
+}
+
+#ifdef __linux__
+TEST_CASE("without a display the program says so and leaves a picture and a table")
+{
+    const Folder folder;
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(name);
+    const Said said = run({"--steps", "4"});
+    CHECK(said.code == 0);
+    CHECK(contains(said.err, "running without one"));
+    CHECK(contains(said.err, (folder.path / "00_toy_fall.svg").string()));
+    CHECK(contains(said.err, (folder.path / "00_toy_fall.csv").string()));
+    CHECK(is_well_formed(content("00_toy_fall.svg")));
+    CHECK(lines_in(content("00_toy_fall.csv")) == 6);
+}
+#endif
+
+// ---- the same bytes ---------------------------------------------------------------------------
+
+TEST_CASE("two runs with the same settings write the same bytes")
+{
+    const Folder folder;
+    for (const char* name : {"a", "b"})
+        CHECK(run({"--headless", "--scene", "steered", "--seed", "5", "--h", "0.01", "--csv",
+                   std::string(name) + ".csv", "--svg", std::string(name) + ".svg"})
+                  .code == 0);
+    CHECK(content("a.csv") == content("b.csv"));
+    CHECK(content("a.svg") == content("b.svg"));
+    CHECK(lines_in(content("a.csv")) == 302);
+    CHECK(run({"--headless", "--scene", "steered", "--seed", "6", "--h", "0.01", "--csv", "c.csv"}).code ==
+          0);
+    CHECK(content("a.csv") != content("c.csv"));
+}
+
+TEST_CASE("frames are recorded at the start and every so many steps")
+{
+    const Folder folder;
+    const Said said = run({"--headless", "--steps", "10", "--record", "deep/frames", "--every", "4"});
+    CHECK(said.code == 0);
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator("deep/frames"))
+        names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    CHECK(names == std::vector<std::string>{"frame_000000", "frame_000001", "frame_000002"});
+}
+
+// ---- the pointer ------------------------------------------------------------------------------
+
+TEST_CASE("the scripted pointer depends on the seed and the time alone")
+{
+    const View view{{1, 2}, {3, 1.5}};
+    const ScriptedPointer a(3, view), b(3, view), c(4, view);
+    CHECK(a.at(1.25) == b.at(1.25));
+    b.at(99);
+    CHECK(a.at(7.5) == b.at(7.5));
+    CHECK((a.at(1.25) - c.at(1.25)).norm() > 1e-3);
+}
+
+TEST_CASE("the scripted pointer stays inside the picture and goes all over it without jumps")
+{
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const View view{{1, 2}, {3, 1.5}};
+        const ScriptedPointer pointer(seed, view);
+        Vec2 low = pointer.at(0), high = low, before = low;
+        for (int i = 1; i <= 12000; ++i) {  // two minutes
+            const Vec2 p = pointer.at(0.01 * i);
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+            // The sum of the waves' greatest speeds: 0.9 · 2π · 1.15 (0.55/9 + 0.30/5 + 0.15/3) = 1.12 half
+            // sizes in 1 s.
+            REQUIRE((p - before).cwiseAbs().cwiseQuotient(view.half_size).maxCoeff() <= 1.12 * 0.01);
+            before = p;
+        }
+        const Vec2 inside = 0.9 * view.half_size;
+        CHECK((low - view.centre + inside).minCoeff() >= -1e-12);
+        CHECK((view.centre + inside - high).minCoeff() >= -1e-12);
+        // Three waves of different length come near their common crest within two minutes.
+        CHECK(((high - low).cwiseQuotient(2 * inside)).minCoeff() > 0.8);
+    }
+}
+
+// ---- pictures ---------------------------------------------------------------------------------
+
+TEST_CASE("an SVG picture is well formed and its text is escaped")
+{
+    Canvas canvas;
+    toy::Bead(default_settings(toy::program().scenes[0])).draw(canvas);
+    const std::string svg = to_svg({{"", {{0, 0}, {1, 0.5}}, canvas}});
+    CHECK(is_well_formed(svg));
+    CHECK(contains(svg, "viewBox=\"0 0 720.00 360.00\""));
+    CHECK(contains(svg, "0 ≤ λ &amp; w &quot;⟂&quot; &lt;b&gt;"));
+    CHECK(contains(svg, "#808080"));
+    CHECK(contains(svg, "#4477AA"));
+    CHECK(contains(svg, "stroke-dasharray"));
+    CHECK(svg == to_svg({{"", {{0, 0}, {1, 0.5}}, canvas}}));
+}
+
+TEST_CASE("metres become pixels with y up and circles stay circles")
+{
+    Canvas canvas;
+    canvas.disc({0.5, 0.25}, 0.1);
+    const std::string svg = to_svg({{"", {{0, 0}, {1, 0.5}}, canvas}});
+    // 360 pixels a metre: x = 360 (1 + 0.5), y = 360 (0.5 - 0.25), r = 36.
+    CHECK(contains(svg, "<circle cx=\"540.00\" cy=\"90.00\" r=\"36.00\""));
+    const Projection projection({{1, 2}, {3, 1.5}}, {10, 20, 300, 300});
+    const Vec2 p(0.7, 2.9);
+    CHECK((projection.to_world(projection.to_pixel(p)) - p).norm() < 1e-14);
+    CHECK(projection.to_pixel({1, 2}) == Vec2(160, 170));
+}
+
+TEST_CASE("panes stand side by side with their labels")
+{
+    Canvas canvas;
+    canvas.disc({0, 0}, 0.5);
+    const View view{{0, 0}, {1, 0.5}};
+    const std::string svg = to_svg({{"left & one", view, canvas}, {"right", view, canvas}});
+    CHECK(is_well_formed(svg));
+    CHECK(contains(svg, ">left &amp; one</text>"));
+    CHECK(contains(svg, ">right</text>"));
+    CHECK(contains(svg, "width=\"1456.00\" height=\"388.00\""));
+    const PictureLayout four = lay_out({4, Pane{"", view, {}}});
+    CHECK(four.areas[3].x == four.areas[1].x);
+    CHECK(four.areas[3].y > four.areas[0].y + four.areas[0].height);
+}
+
+TEST_CASE("what is not finite or far away does not spoil a picture")
+{
+    Canvas canvas;
+    const Real nan = std::nan("");
+    canvas.disc({nan, 0}, 0.1);
+    canvas.disc({1e300, 0}, 0.1);
+    canvas.disc({0, 0}, infinity);
+    canvas.polyline({{0, 0}, {1e200, 1e200}});
+    canvas.polyline({{0, 0}, {infinity, 0}});
+    canvas.polyline({{0, 0}, {0.5, 0}, {0.5, 1e9}});
+    canvas.arrow({0, 0}, {1e300, 0});
+    canvas.arrow({0, 0}, {0, 0});
+    canvas.polygon({{-1e8, -1e8}, {1e8, -1e8}, {0, 1}});
+    canvas.polygon({{0, 0}, {1, 1}});
+    canvas.polyline({{0, 0}});
+    canvas.text({nan, nan}, "nowhere");
+    const std::string svg = to_svg({{"", {}, canvas}});
+    CHECK(is_well_formed(svg));
+    for (const char* word : {"nan", "inf", "e+", "nowhere"}) {
+        CAPTURE(word);
+        CHECK_FALSE(contains(svg, word));
+    }
+    CHECK(contains(svg, "<polyline"));
+    CHECK(svg.size() < 4000);
+}
+
+TEST_CASE("a picture of nothing is refused")
+{
+    CHECK_THROWS_AS(to_svg({}), std::invalid_argument);
+    CHECK_THROWS_WITH(to_svg({{"", {{0, 0}, {0, 1}}, {}}}), Catch::Matchers::Contains("must be positive"));
+    CHECK_THROWS_WITH(write_svg("no/such/folder/a.svg", {{"", {}, {}}}),
+                      Catch::Matchers::Contains("no/such/folder/a.svg"));
+}
+
+// ---- what the window shows --------------------------------------------------------------------
+
+TEST_CASE("the window takes the same steps as a run without one")
+{
+    const Program program = toy::program();
+    Show show(program,
+              parsed(program, {"--scene", "steered", "--h", "0.01", "--seed", "5", "--steps", "100"}));
+    // Uneven frames decide how many steps there are in each, never how long one is.
+    Random random(1);
+    for (int i = 0; i < 1000 && !show.is_over(); ++i) show.advance(random.uniform(0, 0.05), {}, 0);
+    REQUIRE(show.playback()->steps() == 100);
+    const Said said = run(
+        {"--headless", "--scene", "steered", "--h", "0.01", "--seed", "5", "--steps", "100", "--csv", "-"});
+    const auto& measured = show.playback()->tracks()[0].measured;
+    CHECK(contains(said.out, "\n100,1," + shortest(measured[0]) + ',' + shortest(measured[1]) + '\n'));
+}
+
+TEST_CASE("as many steps are taken as the speed asks for and a backlog is dropped")
+{
+    const Program program = toy::program();
+    Show show(program, parsed(program, {"--h", "0.01"}));
+    for (int i = 0; i < 60; ++i) show.advance(1.0 / 60, {}, 0);
+    CHECK(std::abs(show.playback()->steps() - 100) <= 1);
+    show.speed = 0.125;
+    const long before = show.playback()->steps();
+    for (int i = 0; i < 60; ++i) show.advance(1.0 / 60, {}, 0);
+    CHECK(std::abs(show.playback()->steps() - before - 12) <= 1);
+    show.speed = 4;
+    show.set_h(0.001);
+    show.advance(1000, {}, 0);
+    CHECK(show.falls_behind());
+    CHECK(show.playback()->steps() - before <= 4020);
+    show.paused = true;
+    const long paused_at = show.playback()->steps();
+    show.advance(1, {}, 0);
+    CHECK(show.playback()->steps() == paused_at);
+    show.single_step({});
+    CHECK(show.playback()->steps() == paused_at + 1);
+}
+
+TEST_CASE("recording stops at each step that is to be a frame")
+{
+    const Program program = toy::program();
+    Show show(program, parsed(program, {"--h", "0.01"}));
+    for (int i = 1; i <= 5; ++i) {
+        show.advance(1, {}, 7);
+        CHECK(show.playback()->steps() == 7 * i);
+    }
+}
+
+TEST_CASE("a tunable takes effect at once and restarts only where it is flagged")
+{
+    const Program program = toy::program();
+    const auto& tunables = program.scenes[0].tunables;
+    Show show(program, parsed(program, {}));
+    show.single_step({});
+    CHECK(show.playback()->tracks()[0].measured == std::vector<Real>{-2, -4});
+    show.set_tunable(tunables[0], 4);
+    CHECK(show.playback()->steps() == 1);
+    show.single_step({});
+    CHECK(show.playback()->tracks()[0].measured == std::vector<Real>{-5, -6});
+    show.set_tunable(tunables[0], 99);
+    CHECK(show.settings()["g"] == 16);
+    show.change_by_arrow(-1);
+    CHECK(show.settings()["g"] == Approx(16 - 16.0 / 50));
+    show.set_tunable(tunables[1], 2.4);
+    CHECK(show.settings()["beads"] == 2);
+    CHECK(show.playback()->steps() == 0);
+}
+
+TEST_CASE("settings that the scene refuses are told and mended without a new start of the program")
+{
+    const Program program = toy::program();
+    Show show(program, parsed(program, {}));
+    show.set_tunable(program.scenes[0].tunables[1], 13);
+    CHECK(show.playback() == nullptr);
+    CHECK(show.refusal() == "beads is 13; it must be a luckier number");
+    show.advance(1, {}, 0);
+    show.single_step({});
+    show.set_h(0.25);
+    show.set_tunable(program.scenes[0].tunables[1], 14);
+    REQUIRE(show.playback() != nullptr);
+    CHECK(show.settings().h == 0.25);
+}
+
+TEST_CASE("one to four methods stand side by side and one that fails stands still alone")
+{
+    const Program program = toy::program();
+    Show show(program, parsed(program, {"--method", "symplectic,failing"}));
+    CHECK(show.methods_on() == 2);
+    for (int i = 0; i < 8; ++i) show.single_step({});
+    CHECK(show.playback()->tracks()[0].steps == 8);
+    CHECK(show.playback()->tracks()[1].steps == 4);
+    CHECK(show.history(0, 0).recent().size() == 9);
+    CHECK(show.history(1, 0).recent().size() == 5);
+    CHECK(show.playback()->failures() ==
+          std::vector<std::string>{"step 5: method failing: the bead 0 has left the wire"});
+    CHECK_FALSE(show.is_over());
+    for (std::size_t i = 0; i < 5; ++i) show.choose_method(i, true);
+    CHECK(show.methods_on() == 4);
+    CHECK(show.shows_method(4));
+    for (std::size_t i = 0; i < 5; ++i) show.choose_method(i, false);
+    CHECK(show.methods_on() == 1);
+    show.choose_scene(1);
+    CHECK(show.scene().name == "steered");
+    CHECK(show.methods_on() == 0);
+    CHECK(show.playback()->tracks().size() == 1);
+    CHECK_THROWS_WITH(
+        Show(program, parsed(program, {"--method", "symplectic,explicit,failing,exploding,interrupting"})),
+        Catch::Matchers::Contains("4 at most"));
+}
+
+TEST_CASE("the table of a window begins anew with the scene")
+{
+    const Folder folder;
+    const Program program = toy::program();
+    Show show(program, parsed(program, {"--csv", "table.csv"}));
+    show.single_step({});
+    show.single_step({});
+    show.restart();
+    show.single_step({});
+    show.finish();
+    CHECK(content("table.csv") == "step,t,height,speed\n0,0,0,0\n1,0.5,-2,-4\n");
+}
+
+TEST_CASE("the history of a long run keeps both its ends and stays small")
+{
+    History history;
+    for (int i = 0; i <= 100000; ++i) history.add({0.01 * i, static_cast<Real>(i)});
+    CHECK(history.recent().size() == History::recent_steps);
+    CHECK(history.recent().back().value == 100000);
+    CHECK(history.whole().size() <= History::most_samples);
+    CHECK(history.whole().size() > History::most_samples / 4);
+    CHECK(history.whole().front().value == 0);
+    CHECK(history.whole().back().value > 99000);
+    // Evenly spread.
+    const Real stride = history.whole()[1].value - history.whole()[0].value;
+    for (std::size_t i = 1; i < history.whole().size(); ++i)
+        REQUIRE(history.whole()[i].value - history.whole()[i - 1].value == stride);
+}
+
+TEST_CASE("time does not gather rounding errors and goes on when h changes")
+{
+    const Program program = toy::program();
+    Playback playback(program.scenes[0], parsed(program, {"--h", "0.1"}).settings, {"symplectic"});
+    for (int i = 0; i < 1000; ++i) playback.step({});
+    CHECK(playback.time() == 1000 * 0.1);  // a sum of thousand 0.1 would be off by 1e-12
+    playback.set_h(0.5);
+    playback.step({});
+    CHECK(playback.time() == 1000 * 0.1 + 0.5);
+}

@@ -1,0 +1,98 @@
+/// \file program_toy.hpp
+/// A program for the tests of the shell: a bead that falls, in numbers that can be checked by hand.
+#pragma once
+
+#include "common/program/program.hpp"
+
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rigid::toy {
+
+/// Falls along y with the gravity `g`; in the scene `steered` it stands where the pointer is.
+class Bead : public Run {
+public:
+    explicit Bead(const Settings& settings) : method_(settings.method), steered_(settings.scene == "steered")
+    {
+        if (settings["beads"] == 13) throw std::invalid_argument("beads is 13; it must be a luckier number");
+    }
+
+    void step(const Settings& settings, const Input& input) override
+    {
+        ++steps_;
+        if (method_ == "failing" && steps_ == 5) throw StepFailure("the bead 0 has left the wire");
+        if (method_ == "interrupting" && steps_ == 5) std::raise(SIGINT);
+        if (method_ == "exploding") speed_ = steps_ < 5 ? std::pow(10.0, 75 * steps_) : infinity;
+        if (steered_) {
+            place_ = input.pointer;
+            return;
+        }
+        if (method_ == "explicit") place_.y() += settings.h * speed_;
+        speed_ -= settings.h * settings["g"];
+        if (method_ != "explicit") place_.y() += settings.h * speed_;
+    }
+
+    void draw(Canvas& canvas) const override
+    {
+        canvas.box({0, 0}, {0.9, 0.9}, 0, {Colour::ink, 2});
+        canvas.segment({-0.9, -0.5}, {0.9, -0.5}, {Colour::faint, 1, 1, false, true});
+        canvas.disc(place_, 0.1, {Colour::blue, 1.5, 0.4, true});
+        canvas.arrow(place_, place_ + Vec2(0.3, speed_), {Colour::orange, 2});
+        canvas.polygon({{0.2, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.45, 0.35}}, {Colour::purple, 1, 0.3, true});
+        canvas.text({-0.8, 0.7}, "0 ≤ λ & w \"⟂\" <b>", 14);
+    }
+
+    std::vector<Real> measure() const override { return {steered_ ? place_.x() : place_.y(), speed_}; }
+
+private:
+    std::string method_;
+    bool steered_;
+    long steps_ = 0;
+    Vec2 place_ = {0, 0};
+    Real speed_ = 0;
+};
+
+inline Program program()
+{
+    Scene fall;
+    fall.name = "fall";
+    fall.summary = "A bead that falls.";
+    fall.h = 0.5;
+    fall.h_low = 0.001;
+    fall.h_high = 1;
+    fall.methods = {"symplectic", "explicit", "failing", "exploding", "interrupting"};
+    fall.tunables = {{"g", "m/s²", "Gravity", 8, 0, 16, false, false, true},
+                     {"beads", "", "How many beads", 1, 1, 20, true, true, false}};
+    fall.columns = {{"height", "m", "Where it is", true, false},
+                    {"speed", "m/s", "How fast it is", true, false}};
+    fall.start = [](const Settings& settings) { return std::make_unique<Bead>(settings); };
+    Scene steered = fall;
+    steered.name = "steered";
+    steered.summary = "A bead under the pointer.";
+    steered.steered = true;
+    steered.view = {{1, 2}, {3, 1.5}};
+    steered.methods.clear();
+
+    Program result;
+    result.name = "00_toy";
+    result.title = "Chapter 0. A toy";
+    result.scenes = {fall, steered};
+    result.solve_problem = [](const std::string& file, const std::string& method) {
+        std::ifstream stream(file);
+        std::string word;
+        stream >> word;
+        if (word != "good")
+            throw std::invalid_argument(file + ":1: \"" + word + "\" is no section; it must be good");
+        std::cout << "status solved by " << method << '\n';
+        return 0;
+    };
+    result.problem_methods = {"enumerate", "schur"};
+    return result;
+}
+
+}  // namespace rigid::toy
