@@ -1,5 +1,5 @@
 /// \file rates.hpp
-/// The theory lines: by what factor the error shrinks with each sweep.
+/// The theory lines: by what factor the error shrinks with each sweep, and the problem they are about.
 ///
 /// For N rows in a line (a column of discs, a hanging chain) whose last body has the mass R of the
 /// others' unit: Gauss-Seidel cos²θ with tan θ tan (N−1)θ = 1/R, (4.14). Jacobi and SOR follow from it
@@ -11,6 +11,41 @@
 #include <cmath>
 
 namespace rigid {
+
+/// (4.8): N rows in a line, a column of touching discs at rest on a floor. All have 1 kg but one.
+/// \param end_mass  mass of the uppermost, or of the lowest, which rests on the floor [kg]
+/// \param impulse   what gravity adds to each kilogram in the step, g h [N s/kg]
+inline Mlcp line_problem(Index count, Real end_mass, Real impulse, bool heavy_at_the_floor = false)
+{
+    VecX inverse_mass = VecX::Ones(count);
+    inverse_mass[heavy_at_the_floor ? 0 : count - 1] = 1 / end_mass;
+    Mlcp mlcp;
+    mlcp.A.resize(count, count);
+    mlcp.A.reserve(Eigen::VectorXi::Constant(count, 3));
+    for (Index k = 0; k < count; ++k) {
+        if (k > 0) mlcp.A.insert(k, k - 1) = -inverse_mass[k - 1];
+        mlcp.A.insert(k, k) = inverse_mass[k] + (k > 0 ? inverse_mass[k - 1] : 0);
+        if (k + 1 < count) mlcp.A.insert(k, k + 1) = -inverse_mass[k];
+    }
+    mlcp.A.makeCompressed();
+    mlcp.q = VecX::Zero(count);
+    mlcp.q[0] = -impulse;
+    mlcp.lo = VecX::Zero(count);
+    mlcp.hi = VecX::Constant(count, infinity);
+    return mlcp;
+}
+
+/// (4.9): its answer. Row k carries all that is above it.
+inline VecX line_answer(Index count, Real end_mass, Real impulse, bool heavy_at_the_floor = false)
+{
+    VecX lambda(count);
+    Real above = 0;
+    for (Index k = count; k-- > 0;) {
+        above += k == (heavy_at_the_floor ? 0 : count - 1) ? end_mass : 1;
+        lambda[k] = impulse * above;
+    }
+    return lambda;
+}
 
 //! [theta]
 /// The smallest angle θ of (4.14): tan θ tan (N−1)θ = 1/R, by bisection.

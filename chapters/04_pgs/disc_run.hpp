@@ -1,0 +1,190 @@
+/// \file disc_run.hpp
+/// A scene of discs, alive: chapter 3's step with sweeps for a solver.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/04_pgs/conjugate_gradients.hpp"
+#include "chapters/04_pgs/drawing.hpp"
+#include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/rates.hpp"
+#include "chapters/04_pgs/scene_sweeps.hpp"
+#include "common/measure.hpp"
+#include "common/program/program.hpp"
+
+#include <vector>
+
+namespace rigid {
+
+class DiscRun : public Run {
+public:
+    /// \param zoom  from metres to the units of the picture
+    DiscRun(DiscScene scene, const Vec2& centre, Real zoom)
+        : scene_(std::move(scene)), centre_(centre), zoom_(zoom)
+    {
+        require_valid(scene_);
+        disc_settings_.gravity = scene_.gravity;
+    }
+
+    //! [step]
+    void step(const Settings& settings, const Input& input) override
+    {
+        listen(settings, input);
+        const auto solve = [this](const Mlcp& mlcp, Solution& solution) {
+            cold_start(mlcp, solution.lambda);  // nothing is remembered from the last step
+            if (conjugate_)
+                conjugate_gradients(mlcp, pgs_settings_.tolerance, pgs_settings_.max_sweeps, cg_, solution);
+            else pgs(mlcp, tuned(mlcp), memory_, solution);
+        };
+        rigid::step(scene_, disc_settings_, solve, now_);
+        if (!scene_.bodies.x.allFinite()) throw StepFailure(first_lost_body());
+        unsolved_ += now_.solution.status != Status::solved;
+    }
+    //! [step]
+
+    std::vector<Real> measure() const override
+    {
+        const Index rows = now_.mlcp.size();
+        return {static_cast<Real>(now_.solution.iterations),
+                std::isfinite(now_.solution.residual) ? now_.solution.residual : 0,
+                static_cast<Real>(rows) * (now_.solution.iterations + memory_.checks),
+                static_cast<Real>(rows),
+                static_cast<Real>(unsolved_),
+                largest_link_error(scene_),
+                deepest_penetration(scene_),
+                kinetic_energy(scene_.bodies),
+                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, disc_settings_.gravity)};
+    }
+
+    void draw(Canvas& canvas) const override
+    {
+        draw_walls(canvas);
+        for (const Link& link : scene_.links)
+            canvas.segment(shown(scene_.bodies.position(link.a)), shown(scene_.bodies.position(link.b)),
+                           paint::link);
+        Real heaviest = 0;
+        for (Index k = 0; k < scene_.bodies.count(); ++k) heaviest = std::max(heaviest, mass(k));
+        for (Index k = 0; k < scene_.bodies.count(); ++k) {
+            Style style = mass(k) > 0 ? paint::body : paint::fixed_body;
+            if (mass(k) > 0) style.opacity = 0.15 + 0.55 * std::sqrt(mass(k) / heaviest);
+            canvas.disc(shown(scene_.bodies.position(k)), zoom_ * scene_.radius[k], style);
+        }
+        draw_impulses(canvas);
+        if (disc_settings_.pulled != world)
+            canvas.arrow(shown(scene_.bodies.position(disc_settings_.pulled)), shown(disc_settings_.hand),
+                         {Colour::green, 2, 1, false, false});
+    }
+
+protected:
+    /// Gravity follows the pointer in scenes that it steers; a pressed button pulls the disc under it.
+    void listen(const Settings& settings, const Input& input)
+    {
+        const Vec2 pointer = input.pointer / zoom_ + centre_;
+        if (!input.pressed) disc_settings_.pulled = world;
+        else if (disc_settings_.pulled == world) disc_settings_.pulled = disc_at(pointer);
+        disc_settings_.hand = pointer;
+        if (steered_ && input.present && !input.pressed) {
+            const Vec2 tilt = input.pointer.cwiseQuotient(scene_.half_size);
+            disc_settings_.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
+        }
+        disc_settings_.h = settings.h;
+        const auto tunable = [&](const char* name, Real otherwise) {
+            const auto found = settings.tunables.find(name);
+            return found != settings.tunables.end() ? found->second : otherwise;
+        };
+        disc_settings_.stiffness = tunable("k", 0);
+        disc_settings_.damping = tunable("damping", 0);
+        pgs_settings_.tolerance = std::pow(10, -settings["digits"]);
+        pgs_settings_.max_sweeps = static_cast<int>(settings["max_sweeps"]);
+        pgs_settings_.omega = settings.method == "sor" ? settings["omega"] : 1;
+        pgs_settings_.sweeps = settings.method == "jacobi"      ? Sweeps::jacobi
+                               : settings.method == "symmetric" ? Sweeps::symmetric
+                                                                : Sweeps::gauss_seidel;
+        conjugate_ = settings.method == "cg";
+        order_ = static_cast<int>(settings["order"]);
+        seed_ = settings.seed;
+    }
+
+    /// The settings for this problem: its order of visits, and for Jacobi the relaxation that keeps it from
+    /// growing.
+    const PgsSettings& tuned(const Mlcp& mlcp)
+    {
+        if (order_ == 0) pgs_settings_.order.clear();
+        else pgs_settings_.order = row_order(mlcp.size(), order_, seed_);
+        if (pgs_settings_.sweeps == Sweeps::jacobi)
+            pgs_settings_.omega = std::min(1.0, 0.95 * safe_jacobi_omega(mlcp));
+        return pgs_settings_;
+    }
+
+    Vec2 shown(const Vec2& p) const { return zoom_ * (p - centre_); }
+    Real mass(Index k) const
+    {
+        const Real inverse = scene_.bodies.inverse_mass[2 * k];
+        return inverse > 0 ? 1 / inverse : 0;
+    }
+    Index disc_at(const Vec2& p) const
+    {
+        for (Index k = 0; k < scene_.bodies.count(); ++k)
+            if ((scene_.bodies.position(k) - p).norm() <= scene_.radius[k]) return k;
+        return world;
+    }
+    std::string first_lost_body() const
+    {
+        Index k = 0;
+        while (k + 1 < scene_.bodies.count() && scene_.bodies.position(k).allFinite()) ++k;
+        return "the position of body " + std::to_string(k) + " is not finite";
+    }
+
+    void draw_walls(Canvas& canvas) const
+    {
+        for (const HalfSpace& wall : scene_.walls) {
+            const Vec2 along = perpendicular(wall.normal), middle = wall.normal * wall.offset;
+            // A wall ends where the walls across it stand; a lone floor is as wide as the picture.
+            Real from = -1 / zoom_, to = 1 / zoom_;
+            for (const HalfSpace& other : scene_.walls) {
+                const Real slope = other.normal.dot(along);
+                if (std::abs(slope) < 0.5) continue;
+                const Real end = (other.offset - other.normal.dot(middle)) / slope;
+                (slope > 0 ? from : to) = end;
+            }
+            canvas.segment(shown(middle + from * along), shown(middle + to * along), paint::wall);
+        }
+    }
+
+    /// Each contact's force λ/h as an arrow on body b, each link's as a red (pulls) or blue (pushes) core.
+    void draw_impulses(Canvas& canvas) const
+    {
+        if (now_.solution.lambda.size() != static_cast<Index>(now_.rows.size())) return;
+        Real weight = 0;
+        for (Index k = 0; k < scene_.bodies.count(); ++k) weight += 9.81 * mass(k);
+        const Real unit = 0.5 / (weight * disc_settings_.h);
+        const std::size_t links = scene_.links.size();
+        for (std::size_t i = links; i < now_.rows.size(); ++i) {
+            const Contact& contact = now_.contacts[i - links];
+            const Real length = std::min(Real{0.5}, unit * now_.solution.lambda[static_cast<Index>(i)]);
+            if (length < 0.004) continue;
+            const Vec2 touch =
+                shown(scene_.bodies.position(contact.b) - contact.normal * scene_.radius[contact.b]);
+            canvas.arrow(touch, touch + length * contact.normal, paint::impulse);
+            if (contact.a != world) canvas.arrow(touch, touch - length * contact.normal, paint::impulse);
+        }
+    }
+
+    DiscScene scene_;
+    Vec2 centre_;
+    Real zoom_;
+    bool steered_ = false;
+    DiscSettings disc_settings_;
+    PgsSettings pgs_settings_;
+    PgsMemory memory_;
+    CgMemory cg_;
+    DiscStep now_;
+    bool conjugate_ = false;
+    int order_ = 0;
+    std::uint64_t seed_ = 1;
+    int unsolved_ = 0;
+
+public:
+    void steer() { steered_ = true; }
+};
+
+}  // namespace rigid
