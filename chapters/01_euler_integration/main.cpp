@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,12 @@ struct Mover {
     }
     Real step_size(Real h) const { return method == Method::dormand_prince ? run.last.h : h; }
 };
+
+Tolerance tolerance_of(const Settings& settings)
+{
+    const Real allowed = std::pow(10, -settings["digits"]);
+    return {allowed, allowed, allowed};
+}
 
 const Style dashed{Colour::ink, 1.2, 0.8, false, true};
 
@@ -199,7 +206,7 @@ public:
         const Real angle = settings["angle"] * pi / 180;
         start_ = {Vec2(0, 1.8), settings["speed"] * Vec2(std::cos(angle), std::sin(angle))};
         mover_.s = start_;
-        mover_.tolerance = {settings["tolerance"], settings["tolerance"], settings["tolerance"]};
+        mover_.tolerance = tolerance_of(settings);
         mover_.gap = [](const State<2>& s) { return s.x.y(); };
         mover_.start();
         trail_ = {start_.x};
@@ -298,7 +305,7 @@ public:
         : mover_{{}, method_of(settings.method), kepler_perihelion({}, settings["eccentricity"])},
           e_(settings["eccentricity"]), start_(mover_.s), h_(settings.h)
     {
-        mover_.tolerance = {settings["tolerance"], settings["tolerance"], settings["tolerance"]};
+        mover_.tolerance = tolerance_of(settings);
         mover_.start();
         trail_ = {start_.x};
     }
@@ -368,7 +375,7 @@ public:
           theta0_(settings["angle"] * pi / 180), h_(settings.h)
     {
         mover_.s = {Vec<1>(theta0_), Vec<1>(0)};
-        mover_.tolerance = {settings["tolerance"], settings["tolerance"], settings["tolerance"]};
+        mover_.tolerance = tolerance_of(settings);
         mover_.start();
         energy_ = mover_.a.a.energy(mover_.s);
         remember(trail_, phase(mover_.s));
@@ -454,11 +461,11 @@ std::unique_ptr<Run> start(const Settings& settings)
     return std::make_unique<Scenery>(settings);
 }
 
-Tunable tolerance_of_steps(Real value)
+Tunable digits_of_steps(Real value)
 {
-    return {"tolerance", "",    "what a step of dormand_prince may be off, relative, and in m and m/s",
-            value,       1e-12, 1e-2,
-            false,       true};
+    return {"digits", "",  "a step of dormand_prince may be off by 10^-digits, relative and in m and m/s",
+            value,    2,   12,
+            true,     true};
 }
 
 Program program()
@@ -488,7 +495,7 @@ Program program()
     javelin.tunables = {{"speed", "m/s", "of the throw", 30, 1, 32, false, true},
                         {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false, true},
                         {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1, false, true},
-                        tolerance_of_steps(1e-9)};
+                        digits_of_steps(9)};
     javelin.columns = {{"x", "m", "distance"},
                        {"y", "m", "height", true},
                        {"speed", "m/s", "length of the velocity", true},
@@ -506,8 +513,7 @@ Program program()
     kepler.h = 0.05;
     kepler.methods = {"symplectic_euler", "explicit_euler", "verlet", "yoshida4", "rk4", "dormand_prince"};
     kepler.side_by_side = {"explicit_euler", "symplectic_euler", "rk4"};
-    kepler.tunables = {{"eccentricity", "", "0 = a circle", 0.6, 0, 0.95, false, true},
-                       tolerance_of_steps(1e-6)};
+    kepler.tunables = {{"eccentricity", "", "0 = a circle", 0.6, 0, 0.95, false, true}, digits_of_steps(6)};
     kepler.columns = {{"x", "m", "place"},
                       {"y", "m", "place"},
                       {"energy_error", "", "relative error of the energy", true, true},
@@ -526,7 +532,7 @@ Program program()
     pendulum.tunables = {
         {"angle", "degrees", "where it is let go, from straight down", 120, 1, 179, false, true},
         {"length", "m", "of the pendulum", 1, 0.1, 1, false, true},
-        tolerance_of_steps(1e-6)};
+        digits_of_steps(6)};
     pendulum.columns = {{"angle", "rad", "from straight down", true},
                         {"rate", "rad/s", "angular velocity"},
                         {"energy_error", "J/kg", "energy less energy at the start", true},
