@@ -20,13 +20,14 @@ public:
     }
 
     //! [accept]
-    /// Holds a scaled λ, once pressed into its bounds, to the natural residual: that of what would be handed
-    /// out, in m/s. Returns whether it is an answer.
+    /// Holds a scaled λ, once pressed into its bounds, to the natural residual: that of what
+    /// would be handed out, in m/s. Returns whether it is an answer.
     bool accept(const VecX& candidate)
     {
         z_ = candidate.cwiseMax(dense_.lo).cwiseMin(dense_.hi);
         lambda_ = z_.cwiseProduct(dense_.scale);
-        if (!(natural_residual(mlcp_, lambda_) <= tolerance_ * size_of_numbers(mlcp_, lambda_))) return false;
+        const Real residual = natural_residual(mlcp_, lambda_);
+        if (!(residual <= tolerance_ * size_of_numbers(mlcp_, lambda_))) return false;
         w_ = dense_.A * z_ + dense_.q;
         if (count_++ == 0) {
             first_ = z_;

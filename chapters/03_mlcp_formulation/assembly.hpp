@@ -56,12 +56,15 @@ void for_each_partner(const Row<Dof>& row, int i, const AssemblyScratch& scratch
 }
 
 //! [assemble]
-/// (3.18): A with ascending columns, q, and the bounds of the rows, in their order. A is symmetric to the
-/// bit. Does not allocate when the scene has as many rows as before. \param rows     m rows; their bodies
-/// must exist in u_star \param u_star   velocities after the forces, before the impulses [m/s] \param scratch
-/// reused memory \param mlcp     out
+/// (3.18): A with ascending columns, q, and the bounds of the rows, in their order. A is symmetric
+/// to the bit. Does not allocate when the scene has as many rows as before.
+/// \param rows     m rows; their bodies must exist in u_star
+/// \param u_star   velocities after the forces, before the impulses [m/s]
+/// \param scratch  reused memory
+/// \param mlcp     out
 template <int Dof>
-void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star, AssemblyScratch& scratch, Mlcp& mlcp)
+void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star,  //
+              AssemblyScratch& scratch, Mlcp& mlcp)
 {
     const int m = static_cast<int>(rows.size());
     const auto at = [](auto& list, Index i) -> auto& { return list[static_cast<std::size_t>(i)]; };
@@ -94,8 +97,8 @@ void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star, AssemblyScr
     for (int i = 0; i < m; ++i) begin[i + 1] += begin[i];
     mlcp.A.resizeNonZeros(begin[m]);
 
-    // Multiply each pair once and write it twice. Line j gets its entries right of the diagonal from the
-    // later lines i, in their order: the columns ascend by themselves.
+    // Multiply each pair once and write it twice. Line j gets its entries right of the diagonal
+    // from the later lines i, in their order: the columns ascend by themselves.
     mlcp.q.resize(m);
     mlcp.lo.resize(m);
     mlcp.hi.resize(m);

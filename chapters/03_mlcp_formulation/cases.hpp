@@ -43,8 +43,8 @@ public:
     const std::vector<RowCase>& now() const { return set_; }
 
     //! [order]
-    /// Calls try_set() once for each set until it returns true. Sets near the first one come first: it
-    /// itself, then those that differ from it in one row, then in two, …
+    /// Calls try_set() once for each set until it returns true. Sets near the first one come
+    /// first: it itself, then those that differ from it in one row, then in two, …
     template <class Try>
     void visit_all(const Try& try_set)
     {
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// The sets that differ from the present one in so many of the rows choices_[from], choices_[from + 1], …
+    /// The sets that differ from the present one in so many of the rows choices_[from], …
     template <class Try>
     bool visit(std::size_t from, std::size_t distance, const Try& try_set)
     {

@@ -39,12 +39,20 @@ struct DiscStep {
     Solution solution;
 };
 
+/// Calls a solver of either form.
+template <class Solve>
+void hand_over(const Solve& solve, const Mlcp& mlcp, Solution& solution)
+{
+    if constexpr (std::is_invocable_v<const Solve&, const Mlcp&, Solution&>) solve(mlcp, solution);
+    else solution = solve(mlcp);
+}
+
 //! [rows]
 /// One bilateral row for each link, then one unilateral row for each contact.
 ///
-/// What we want is C(x + h u) = 0, or ≥ 0, after the step. To first order that is C + h J u, hence
-/// the bias b = C/h, (3.30). It repays the whole of an error in one step; why that is rash in general is
-/// a later chapter's subject.
+/// What we want is C(x + h u) = 0, or ≥ 0, after the step. To first order that is C + h J u,
+/// hence the bias b = C/h, (3.30). It repays the whole of an error in one step; why that is rash
+/// in general is a later chapter's subject.
 /// \param h  time step [s]
 inline void disc_rows(const DiscScene& scene, Real h, const std::vector<Contact>& contacts,
                       std::vector<Row<2>>& rows)
@@ -64,8 +72,8 @@ inline void disc_rows(const DiscScene& scene, Real h, const std::vector<Contact>
 
 //! [step]
 /// One time step. Depends on its arguments alone.
-/// \param solve  any callable: void(const Mlcp&, Solution&), where the Solution still holds the last answer,
-///               or Solution(const Mlcp&). If it throws, the scene still stands where it stood.
+/// \param solve  any callable: void(const Mlcp&, Solution&), where the Solution still holds the
+///               last answer, or Solution(const Mlcp&). If it throws, the scene stands where it stood.
 template <class Solve>
 void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, DiscStep& now)
 {
@@ -86,8 +94,7 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
 
     // The least change of u* that keeps to them: w = A λ + q, complementary to λ (3.12).
     assemble(now.rows, now.u_star, now.scratch, now.mlcp);
-    if constexpr (std::is_invocable_v<const Solve&, const Mlcp&, Solution&>) solve(now.mlcp, now.solution);
-    else now.solution = solve(now.mlcp);
+    hand_over(solve, now.mlcp, now.solution);
 
     // u = u* + M⁻¹ Jᵀ λ (3.9), and with the new velocity the new position (1.7).
     bodies.u = now.u_star;

@@ -86,7 +86,7 @@ struct Solution {
 };
 
 //! [residual]
-/// (3.15), row i of the natural residual [m/s]: how far λ_i is from its own best answer, as a velocity.
+/// (3.15), row i of the natural residual [m/s]: how far λ_i is from its own best answer.
 /// \param a  the diagonal entry A_ii [1/kg]; a row without one (a ≤ 0) is measured with 1
 inline Real natural_residual_row(Real a, Real lambda, Real w, Real lo, Real hi)
 {

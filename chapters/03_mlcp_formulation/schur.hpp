@@ -90,11 +90,12 @@ inline void eliminate_bilateral(const Mlcp& mlcp, SchurComplement& schur)
 //! [eliminate]
 
 //! [schur]
-/// Eliminates the bilateral rows, enumerates the cases of the others, and substitutes back. `singular` if the
-/// bilateral rows are redundant, else the status of the enumeration, once the whole λ has proved itself.
+/// Eliminates the bilateral rows, enumerates the cases of the others, and substitutes back.
+/// `singular` if the bilateral rows are redundant, else the status of the enumeration, once the
+/// whole λ has proved itself.
 /// \param settings  of the enumeration; `first` names all rows of the whole problem
-/// \throws std::invalid_argument  for an invalid problem, too many rows with bounds, or an A that is not
-///                                symmetric in its bilateral rows
+/// \throws std::invalid_argument  for an invalid problem, too many rows with bounds, or an A that
+///                                is not symmetric in its bilateral rows
 inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {})
 {
     require_valid(mlcp);
@@ -116,7 +117,8 @@ inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {}
     solution = enumerate(parts.rest, of_rest);
     solution.lambda = parts.whole(mlcp, solution.lambda);
     if (solution.status == Status::solved)
-        conclude(mlcp, solution, settings.tolerance, Status::singular);  // A_BB was too nearly singular
+        // If the residual is too large, A_BB was too nearly singular.
+        conclude(mlcp, solution, settings.tolerance, Status::singular);
     else solution.residual = natural_residual(mlcp, solution.lambda);
     return solution;
 }
