@@ -7,8 +7,8 @@
 /// (1.10) symplectic Euler, (1.14) implicit Euler for a linear spring, (1.24) velocity
 /// Verlet, (1.28) classical Runge-Kutta, (1.34) Yoshida's fourth-order composition of
 /// Verlet steps. A step is a function: state in, next state out. Steps are the inner loop
-/// and check nothing; `march` is the door that does. A negative h goes back in time. \cite
-/// hairer2006 \cite hairer1993
+/// and check nothing; `march` is the door that does. A negative h goes back in time.
+/// \cite hairer2006 \cite hairer1993
 #pragma once
 
 #include "common/bodies.hpp"
