@@ -19,8 +19,10 @@ PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
 
 check_texts() {
-    python3 docs/tools/sync_snippets.py --check
-    python3 docs/tools/check_text.py
+    faulty=0
+    python3 docs/tools/sync_snippets.py --check || faulty=1
+    python3 docs/tools/check_text.py || faulty=1
+    return $faulty
 }
 
 find_theme() {

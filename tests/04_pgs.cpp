@@ -17,9 +17,14 @@ int forbidden_allocations = 0;
         }                                                                                                    \
     } while (false)
 
+#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/enumeration.hpp"
+#include "chapters/03_mlcp_formulation/problem_file.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"
+#include "common/measure.hpp"
+#include "common/program/scripted_pointer.hpp"
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
@@ -69,22 +74,13 @@ Mlcp problem(const MatX& A, const VecX& q, Real lo = 0, Real hi = infinity)
     return mlcp;
 }
 
-/// N rows in a line, all bodies of 1 kg but one: (4.8), as a column at rest for one step of 1/60 s.
+/// N rows in a line, (4.8), for one step of 1/60 s.
 Mlcp line(Index N, Real end_mass = 1, bool heavy_at_the_floor = false)
 {
-    VecX mass = VecX::Ones(N);
-    mass[heavy_at_the_floor ? 0 : N - 1] = end_mass;
-    MatX A = MatX::Zero(N, N);
-    for (Index k = 0; k < N; ++k) {
-        A(k, k) = 1 / mass[k] + (k > 0 ? 1 / mass[k - 1] : 0);
-        if (k > 0) A(k, k - 1) = A(k - 1, k) = -1 / mass[k - 1];
-    }
-    VecX q = VecX::Zero(N);
-    q[0] = -9.81 / 60;
-    return problem(A, q);
+    return line_problem(N, end_mass, 9.81 / 60, heavy_at_the_floor);
 }
 
-/// (4.9): row k carries all that lies above it.
+/// Its answer by a direct solve.
 VecX carried(const Mlcp& mlcp)
 {
     const MatX A = mlcp.A;
@@ -240,6 +236,41 @@ TEST_CASE("the row form of the sweep is the projected update written out")
         CHECK((rows.lambda - lambda).lpNorm<Eigen::Infinity>() <=
               1e-12 * (1 + lambda.lpNorm<Eigen::Infinity>()) * 1e2);
     }
+}
+
+TEST_CASE("a column of discs and a hanging chain assemble into (4.8) and carry (4.9)")
+{
+    const Real h = 1.0 / 60;
+    for (const Real mass : {1.0, 100.0}) {
+        DiscSettings settings;
+        settings.h = h;
+        settings.margin = 1e-6;
+        for (const bool hanging : {false, true}) {
+            DiscScene scene = hanging ? hanging_chain(7, mass) : column(7, mass);
+            if (hanging) scene.linked.assign(scene.linked.size(), true);
+            DiscStep now;
+            step(
+                scene, settings, [](const Mlcp& mlcp) { return pgs(mlcp); }, now);
+            const Mlcp wanted = line_problem(7, mass, 9.81 * h);
+            REQUIRE(now.mlcp.size() == 7);
+            // The contacts of the column come with the floor last: sort them by height.
+            VecX order(7), sign = VecX::Ones(7);
+            for (Index k = 0; k < 7; ++k) order[k] = static_cast<Real>(hanging ? k : (k == 0 ? 6 : k - 1));
+            for (Index i = 0; i < 7; ++i) {
+                const auto row = static_cast<Index>(order[i]);
+                // The rods pull: their λ is negative, and so all is mirrored.
+                CHECK((hanging ? -1 : 1) * now.mlcp.q[row] == Approx(wanted.q[i]).margin(1e-12));
+                for (Index j = 0; j < 7; ++j)
+                    CHECK(now.mlcp.A.coeff(row, static_cast<Index>(order[j])) ==
+                          Approx(wanted.A.coeff(i, j)).margin(1e-12));
+                const Real lambda = (hanging ? -1 : 1) * now.solution.lambda[row];
+                CHECK(lambda ==
+                      Approx(line_answer(7, mass, 9.81 * h)[i]).epsilon(1e-4));  // residual 1e-9, κ ~ 1e4
+            }
+        }
+    }
+    CHECK((line_answer(7, 3, 2) - carried(line_problem(7, 3, 2))).norm() < 1e-12 * 50);
+    CHECK((line_answer(7, 3, 2, true) - carried(line_problem(7, 3, 2, true))).norm() < 1e-12 * 50);
 }
 
 // ---- why it converges ---------------------------------------------------------------------------------
@@ -630,6 +661,212 @@ TEST_CASE("a pinned row stays where it is pinned and the others answer to it")
     CHECK(solution.status == Status::solved);
     CHECK(solution.lambda[1] == 0.25);
     CHECK(solution.lambda[0] == Approx(0.25 + 9.81 / 60).epsilon(1e-8));
+}
+
+// ---- the ten discs ------------------------------------------------------------------------------------
+
+namespace {
+
+/// The ten discs, steered by the seeded pointer, with sweeps from a cold start in every step.
+struct TenDiscs {
+    DiscScene scene = ten_discs();
+    DiscSettings settings;
+    PgsSettings sweeps;
+    PgsMemory memory;
+    DiscStep now;
+    ScriptedPointer pointer{1, {{0, 0}, {0.8, 0.55}}};
+    int steps = 0, most_sweeps = 0, unsolved = 0;
+
+    TenDiscs()
+    {
+        settings.stiffness = 1;
+        settings.damping = 1;
+        sweeps.tolerance = 1e-6;
+    }
+    void advance()
+    {
+        const Vec2 tilt = pointer.at(steps++ * settings.h).cwiseQuotient(scene.half_size);
+        settings.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
+        step(
+            scene, settings,
+            [this](const Mlcp& mlcp, Solution& solution) {
+                cold_start(mlcp, solution.lambda);
+                pgs(mlcp, sweeps, memory, solution);
+            },
+            now);
+        most_sweeps = std::max(most_sweeps, now.solution.iterations);
+        unsolved += now.solution.status != Status::solved;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre")
+{
+    for (const Real stiffness : {0.0, 1.0, 3.0}) {
+        TenDiscs run;
+        run.settings.stiffness = stiffness;
+        for (int k = 0; k < 600; ++k) {
+            run.advance();
+            if (k < 10) continue;
+            REQUIRE(largest_link_error(run.scene) < 1e-3);
+            REQUIRE(deepest_penetration(run.scene) < 1e-3);
+        }
+        CHECK(run.unsolved == 0);
+        CHECK(run.most_sweeps < 1000);
+    }
+}
+
+TEST_CASE("6000 steps of the ten discs keep to a millimetre too")
+{
+    TenDiscs run;  // 12.5 seconds: everything has met everything
+    run.sweeps.tolerance = 1e-4;
+    for (int k = 0; k < 6000; ++k) {
+        run.advance();
+        REQUIRE(largest_link_error(run.scene) < 1e-3);
+        REQUIRE(deepest_penetration(run.scene) < 1e-3);
+    }
+    CHECK(run.unsolved == 0);
+}
+
+TEST_CASE("600 steps of the ten discs are the same bits when run again")
+{
+    TenDiscs first, second;
+    for (int k = 0; k < 600; ++k) {
+        first.advance();
+        second.advance();
+        REQUIRE(first.scene.bodies.x == second.scene.bodies.x);
+        REQUIRE(first.scene.bodies.u == second.scene.bodies.u);
+    }
+}
+
+TEST_CASE("no slider of the ten discs makes a NaN")
+{
+    Random random(20);
+    const auto end_or_between = [&](int corner, int bit, Real low, Real high) {
+        return corner < 0 ? random.uniform(low, high) : (corner >> bit & 1 ? high : low);
+    };
+    for (int sample = 0; sample < 96; ++sample) {
+        const int corner = sample < 64 ? sample : -1;  // all corners, then some places between
+        TenDiscs run;
+        run.settings.h = end_or_between(corner, 0, 1e-4, 1.0 / 120);
+        run.settings.stiffness = end_or_between(corner, 1, 0, 3);
+        run.settings.damping = end_or_between(corner, 2, 0, 2);
+        run.sweeps.max_sweeps = static_cast<int>(end_or_between(corner, 3, 5, 300));
+        run.sweeps.tolerance = std::pow(10, -end_or_between(corner, 4, 1, 12));
+        run.sweeps.omega = end_or_between(corner, 5, 0.2, 1.7);
+        if (sample % 3 == 2) run.sweeps.sweeps = Sweeps::symmetric;
+        for (int k = 0; k < 600; ++k) {
+            if (k % 100 == 60) {  // now and then a hand that pulls a disc across the box
+                run.settings.pulled = random.index(10);
+                run.settings.hand = {random.uniform(-0.8, 0.8), random.uniform(-0.55, 0.55)};
+            }
+            if (k % 100 == 99) run.settings.pulled = world;
+            run.advance();
+        }
+        INFO("sample " << sample);
+        CHECK(run.scene.bodies.x.allFinite());
+        CHECK(run.scene.bodies.u.allFinite());
+        // And nothing has left the box by more than its own size.
+        CHECK(run.scene.bodies.x.lpNorm<Eigen::Infinity>() < 2);
+    }
+}
+
+TEST_CASE("the clamped rows of the ten discs are in the residual too")
+{
+    // A contact that should push but has λ = 0 is an error like any other: cold start, no sweep.
+    TenDiscs run;
+    for (int k = 0; k < 200; ++k) run.advance();
+    Mlcp mlcp = run.now.mlcp;
+    Index pushing = -1;
+    for (Index i = 6; i < mlcp.size(); ++i)
+        if (run.now.solution.lambda[i] > 1e-3) pushing = i;
+    REQUIRE(pushing >= 0);
+    VecX lambda = run.now.solution.lambda;
+    CHECK(natural_residual(mlcp, lambda) <= 1e-6);
+    lambda[pushing] = 0;
+    CHECK(natural_residual(mlcp, lambda) > 1e-3);
+}
+
+TEST_CASE("a steady step of the ten discs allocates nothing")
+{
+    // Steady: as many rows as in the step before, and no more entries of A than ever before.
+    TenDiscs run;
+    int steady = 0, allocated = 0;
+    Index entries = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const Index rows = run.now.mlcp.size();
+        {
+            const NoAllocation guard;
+            run.advance();
+        }
+        if (k > 100 && run.now.mlcp.size() == rows && run.now.mlcp.A.nonZeros() <= entries) {
+            ++steady;
+            allocated += NoAllocation::violations() > 0;
+        }
+        entries = std::max(entries, run.now.mlcp.A.nonZeros());
+    }
+    CHECK(steady > 2000);
+    CHECK(allocated == 0);
+}
+
+// ---- exact answers ------------------------------------------------------------------------------------
+
+TEST_CASE("PGS and SOR give the checked answers of the small problems with symmetric matrices")
+{
+    for (const char* name : {"spd_s5", "column_rest_s3", "pyramid_impact_s3", "disc_chain_s2", "blcp_spd_s10",
+                             "fric_boxed_s4", "mass1000_rest_s5"}) {
+        const Problem known = read_problem(std::string(RIGID_SOURCE_DIR "/tests/problems/") + name + ".mlcp");
+        INFO(name);
+        for (const Real omega : {1.0, 1.3}) {
+            PgsSettings settings;
+            settings.tolerance = 1e-11;
+            settings.max_sweeps = 400000;
+            settings.omega = omega;
+            const Solution solution = pgs(known.mlcp, settings);
+            REQUIRE(solution.status == Status::solved);
+            const VecX w = known.mlcp.A * solution.lambda + known.mlcp.q;
+            // The answers are known to 6e-14; the error is the residual times the condition, here up to 1e5.
+            CHECK((w - known.w).lpNorm<Eigen::Infinity>() < 1e-8);
+            if (known.kind == Uniqueness::unique)
+                CHECK((solution.lambda - known.z).lpNorm<Eigen::Infinity>() <
+                      1e-5 * (1 + known.z.maxCoeff()));
+        }
+    }
+}
+
+TEST_CASE("PGS agrees with the enumeration of all active sets on random problems")
+{
+    Random random(21);
+    for (int sample = 0; sample < 200; ++sample) {
+        const Mlcp mlcp = random_symmetric(random, 1 + random.index(7), true);
+        PgsSettings settings;
+        settings.tolerance = 1e-12;
+        settings.max_sweeps = 1000000;
+        const Solution swept = pgs(mlcp, settings), exact = enumerate(mlcp);
+        REQUIRE(swept.status == Status::solved);
+        REQUIRE(exact.status == Status::solved);
+        // The residual over the smallest eigenvalue, which is above 1e-4 here.
+        CHECK((swept.lambda - exact.lambda).lpNorm<Eigen::Infinity>() < 1e-7);
+    }
+}
+
+TEST_CASE("what PGS cannot promise it does not call solved")
+{
+    for (const char* name : {"fric_st_s2", "nonsym_pd_s6", "murty_exp_s6", "murty_q1_s16",
+                             "circulant_ties_12", "infeasible_psd2"}) {
+        const Problem known = read_problem(std::string(RIGID_SOURCE_DIR "/tests/problems/") + name + ".mlcp");
+        INFO(name);
+        for (const Sweeps kind : {Sweeps::gauss_seidel, Sweeps::jacobi, Sweeps::symmetric}) {
+            PgsSettings settings;
+            settings.sweeps = kind;
+            const Solution solution = pgs(known.mlcp, settings);
+            CHECK(solution.lambda.allFinite());
+            CHECK((solution.status == Status::solved) ==
+                  (natural_residual(known.mlcp, solution.lambda) <= 1e-9));
+            if (known.kind == Uniqueness::none) CHECK(solution.status == Status::iteration_limit);
+        }
+    }
 }
 
 // ---- properties ---------------------------------------------------------------------------------------

@@ -17,13 +17,13 @@ Scene disc_scene(const std::string& name, const std::string& summary, int max_sw
     scene.summary = summary;
     scene.h = 1.0 / 480;
     scene.h_low = 1e-4;
-    scene.h_high = 1.0 / 60;
+    scene.h_high = 1.0 / 120;
     scene.methods = {"gauss_seidel", "sor", "symmetric", "jacobi"};
     scene.tunables = {
         {"max_sweeps", "", "after so many sweeps a step makes do with what it has",
-         static_cast<Real>(max_sweeps), 1, 2000, true, false, false},
+         static_cast<Real>(max_sweeps), 5, 2000, true, false, false},
         {"digits", "", "the residual is to be below 10^-digits m/s", 6, 1, 12, false, false, false},
-        {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95, false, false, false},
+        {"omega", "", "relaxation of method sor", 1.5, 0.2, 1.7, false, false, false},
         {"order", "", "order of the visits: 0 as the rows come, 1 reversed, 2 shuffled", 0, 0, 2, true, false,
          false}};
     scene.columns = {{"sweeps", "", "sweeps of the step", true, false},
@@ -45,8 +45,8 @@ Scene ten_discs_scene()
     scene.view = {{0, 0}, {0.8, 0.55}};
     scene.steered = true;
     scene.tunables.insert(scene.tunables.begin(),
-                          {{"k", "", "stiffness of the torsional springs", 1, 0, 5, false, false, true},
-                           {"damping", "1/s", "of the bends of the chain", 1, 0, 5, false, false, false}});
+                          {{"k", "", "stiffness of the torsional springs", 1, 0, 3, false, false, true},
+                           {"damping", "1/s", "of the bends of the chain", 1, 0, 2, false, false, false}});
     scene.start = [](const Settings&) {
         auto run = std::make_unique<DiscRun>(ten_discs(), Vec2(0, 0), 1);
         run->steer();

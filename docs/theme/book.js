@@ -27,6 +27,18 @@ function book_start() {
     DoxygenAwesomeDarkModeToggle.init();
     DoxygenAwesomeFragmentCopyButton.init();
     DoxygenAwesomeParagraphLink.init();
+    // The sidebar opens the sections of the chapter that is read.
+    window.addEventListener('load', () => {
+        let tries = 0;
+        const open = () => {
+            const row = document.querySelector('#nav-tree .item.selected');
+            if (!row && tries++ < 40) return setTimeout(open, 50);
+            const arrow = row && row.querySelector('span.arrow');
+            const closed = row && row.parentNode && !row.parentNode.querySelector('ul.children_ul li');
+            if (arrow && arrow.parentNode.href && closed && /\/ch\d\d_/.test(location.pathname)) arrow.parentNode.click();
+        };
+        open();
+    });
     // Wide tables scroll in a box of their own.
     document.addEventListener('DOMContentLoaded', () => {
         for (const table of document.querySelectorAll('.contents table.markdownTable, .contents table.doxtable')) {

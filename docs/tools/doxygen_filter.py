@@ -202,17 +202,21 @@ class Page:
             out += [f"\\anchor eq_{label(tag.strip())}" for tag in TAG.findall(line)]
         return out + ["\\f["] + [l for l in block.body if l.strip()] + ["\\f]", ""]
 
+    def fenced(self, code, kind, pad=""):
+        """A fence that its content cannot close."""
+        mark = "~~~" if any(line.lstrip().startswith("```") for line in code) else "```"
+        return [f"{pad}{mark}{{.{kind}}}", *code, pad + mark]
+
     def fence(self, block):
-        pad = " " * block.info["indent"]
-        language = block.info["language"]
-        kind = {"c++": "cpp", "cxx": "cpp", "hpp": "cpp", "cpp": "cpp", "py": "py", "python": "py"}
-        return [f"{pad}```{{.{kind.get(language, 'unparsed')}}}"] + block.body + [f"{pad}```"]
+        kinds = {"c++": "cpp", "cxx": "cpp", "hpp": "cpp", "cpp": "cpp", "py": "py", "python": "py"}
+        kind = kinds.get(block.info["language"], "unparsed")
+        return self.fenced(block.body, kind, " " * block.info["indent"])
 
     def snippet(self, block):
         source = (self.path.parent / block.info["source"]).resolve()
         first, last, code = snippet_code(source, block.info["name"])
         name = self.relative(source)
-        return ["", "```{.cpp}", *code, "```", "",
+        return ["", *self.fenced(code, "cpp"), "",
                 f'\\htmlonly[block]<div class="origin"><a href="book:{html.escape(name)}#{first}">'
                 f"{html.escape(name)}, lines {first} to {last}<!--/book--></a></div>\\endhtmlonly", ""]
 

@@ -1,0 +1,466 @@
+#!/usr/bin/env python3
+"""Tests of the tools: each check notices the fault that it is for, and nothing else.
+
+    docs/build.sh test
+"""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import check_html  # noqa: E402
+import check_text  # noqa: E402
+from finish_html import finish  # noqa: E402
+import sync_snippets  # noqa: E402
+from booktext import TextError, blocks, comments, slug, test_names, tokens  # noqa: E402
+from doxygen_filter import Book, Page, source_text, test_text, unpacked  # noqa: E402
+
+ONE = """# Chapter 1. Euler integration
+
+[Contents](../../README.md) · [Next: constraints](../02_constraints/README.md)
+
+**The one idea: swap two lines.**
+
+![A picture of a spring.](figures/ch01_spring.svg)
+
+**Figure 1.1.** A spring, by (1.2).
+
+## 1.1 From Newton's law to a step
+
+A price of $5 and one of $6, $x_n$, `f(1.9)`, f(1.9) and h (0.05 s) are no equations; (1.1) is one.
+
+```math
+a_n = f(x_n) \\tag{1.1}
+```
+
+<!-- snippet: step.hpp step -->
+<!-- /snippet -->
+
+```math
+\\begin{aligned} x &= 1, \\\\ y &= 2 \\end{aligned} \\tag{1.2}
+```
+
+## 1.2 Sources
+
+See [[known2000]](../../docs/references.bib), [section 1.1](#11-from-newtons-law-to-a-step) and Figure 1.1.
+`it steps by (1.1)` in `tests/01_euler.cpp` holds it.
+
+| a | $\\lvert x \\rvert$ |
+|---|---|
+| 1 | `b` |
+
+<details>
+<summary>Solution</summary>
+
+Text.
+
+</details>
+"""
+
+TWO = """# Chapter 2. Constraints
+
+## 2.1 Start
+
+By (1.2), see [the step](../01_euler/README.md#11-from-newtons-law-to-a-step).
+
+```math
+C = 0 \\tag{2.1}
+```
+"""
+
+STEP = """/// \\file step.hpp
+/// The step (1.2).
+#pragma once
+namespace rigid {
+//! [step]
+/// One step of (1.1). \\cite known2000
+    inline int step(int x)
+    {
+        return x + 1;  // (1.1): forward; scale (0.5) and (1.0) and f(1.7) are numbers
+    }
+//! [step]
+}  // namespace rigid
+"""
+
+TESTS = """#include "catch.hpp"
+TEST_CASE("it steps by (1.1)", "[ch01]") { CHECK(step(1) == 2); }
+"""
+
+
+class Folder(unittest.TestCase):
+    """A small book without faults, in a folder of its own."""
+
+    def setUp(self):
+        self.held = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.held.name).resolve()
+        self.write("README.md", "# Book\n\n[One](chapters/01_euler/README.md)\n")
+        self.write("docs/references.bib", "@book{known2000,\n title = {T}\n}\n")
+        self.write("chapters/01_euler/README.md", ONE)
+        self.write("chapters/01_euler/step.hpp", STEP)
+        self.write("chapters/01_euler/figures/ch01_spring.svg", "<svg><text>theory (1.2)</text></svg>\n")
+        self.write("chapters/02_constraints/README.md", TWO)
+        self.write("tests/01_euler.cpp", TESTS)
+        sync_snippets.run(self.root, check=False)
+
+    def tearDown(self):
+        self.held.cleanup()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def read(self, name):
+        return (self.root / name).read_text(encoding="utf-8")
+
+    def change(self, name, old, new):
+        text = self.read(name)
+        self.assertIn(old, text)
+        self.write(name, text.replace(old, new, 1))
+
+    def add(self, words, name="chapters/01_euler/README.md"):
+        self.write(name, self.read(name) + "\n" + words + "\n")
+
+    def faults(self):
+        return check_text.Checker(self.root).run()
+
+    def fails(self, *words):
+        """Exactly one fault, and its sentence has these words."""
+        found = self.faults()
+        self.assertEqual(len(found), 1, found)
+        self.assertRegex(found[0], r"^[\w./-]+:\d+: .*\.$")
+        for word in words:
+            self.assertIn(word, found[0])
+
+
+class Text(Folder):
+    def test_a_book_without_faults_passes(self):
+        self.assertEqual(self.faults(), [])
+
+    def test_a_broken_link(self):
+        self.add("See [that](nothing.md).")
+        self.fails("chapters/01_euler/README.md:", "nothing.md leads to nothing")
+
+    def test_a_link_out_of_the_book(self):
+        self.add("See [that](../../../etc).")
+        self.fails("out of the book")
+
+    def test_a_broken_anchor(self):
+        self.add("See [that](../02_constraints/README.md#29-nowhere).")
+        self.fails("no heading '#29-nowhere'")
+
+    def test_a_missing_picture(self):
+        self.change("chapters/01_euler/README.md", "ch01_spring.svg", "ch01_gone.svg")
+        found = "\n".join(self.faults())
+        self.assertIn("ch01_gone.svg leads to nothing", found)
+        self.assertIn("ch01_spring.svg:1: this picture is not shown", found)
+
+    def test_a_picture_from_elsewhere(self):
+        self.change("README.md", "[One]", "![x](https://example.org/x.png) [One]")
+        self.fails("fetched from elsewhere")
+
+    def test_an_orphan_figure(self):
+        self.write("chapters/02_constraints/figures/ch02_alone.svg", "<svg/>")
+        self.fails("ch02_alone.svg", "not shown by its chapter")
+
+    def test_a_figure_with_the_number_of_another_chapter_in_its_name(self):
+        self.write("chapters/01_euler/figures/ch02_x.svg", "<svg/>")
+        self.add("![A line.](figures/ch02_x.svg)\n\n**Figure 1.2.** A line.")
+        self.fails("does not begin with ch01_")
+
+    def test_a_picture_without_alt_text(self):
+        self.change("chapters/01_euler/README.md", "A picture of a spring.", "")
+        self.fails("no alternative text")
+
+    def test_a_picture_without_caption(self):
+        self.change("chapters/01_euler/README.md", "**Figure 1.1.** A spring", "A spring")
+        self.assertTrue(any("has a caption" in f for f in self.faults()))
+
+    def test_an_unknown_figure(self):
+        self.add("As in Figure 1.7.")
+        self.fails("no Figure 1.7")
+
+    def test_an_unknown_citation(self):
+        self.add("See [[nobody1999]](../../docs/references.bib).")
+        self.fails("no 'nobody1999'")
+
+    def test_an_unknown_citation_in_a_doc_comment(self):
+        self.change("chapters/01_euler/step.hpp", "#pragma once", "/// \\cite nobody1999\n#pragma once")
+        self.fails("step.hpp:3", "no 'nobody1999'")
+
+    def test_a_citation_without_its_file(self):
+        self.add("See [[known2000]] for it.")
+        self.fails("lacks its")
+
+    def test_a_duplicate_equation(self):
+        self.add("```math\na\n\\tag{1.2}\n```")
+        self.fails("equation (1.2) exists already, at chapters/01_euler/README.md:")
+
+    def test_an_equation_with_the_number_of_another_chapter(self):
+        self.add("```math\na \\tag{2.7}\n```")
+        self.fails("number of another chapter")
+
+    def test_two_tags_in_one_block(self):
+        self.add("```math\na \\tag{1.8} b \\tag{1.9}\n```")
+        self.fails("one \\tag")
+
+    def test_an_unknown_equation_in_the_text(self):
+        self.add("By\nsome words and (1.8), it follows.")
+        self.fails("no equation (1.8)", "README.md:%d" % (self.read("chapters/01_euler/README.md").count("\n") - 0))
+
+    def test_an_unknown_equation_of_another_chapter(self):
+        self.add("By (2.4).")
+        self.fails("no equation (2.4) in chapter 2")
+
+    def test_an_unknown_equation_in_a_comment(self):
+        self.change("chapters/01_euler/step.hpp", "(1.1): forward", "(1.4): forward")
+        self.write("chapters/01_euler/README.md", ONE)
+        sync_snippets.run(self.root, check=False)
+        self.fails("step.hpp:9", "no equation (1.4)")
+
+    def test_an_unknown_equation_in_the_name_of_a_test(self):
+        self.write("tests/02_x.cpp", 'TEST_CASE("drift follows (2.3)") {}\nconst char* s = "(2.4)";\n')
+        self.fails("tests/02_x.cpp:1", "(2.3)")
+
+    def test_an_unknown_equation_in_a_figure(self):
+        self.write("chapters/01_euler/figures/ch01_spring.svg", "<svg>\n<text>theory (1.6)</text></svg>")
+        self.fails("ch01_spring.svg:2", "(1.6)")
+
+    def test_numbers_that_are_no_equations(self):
+        self.add("f(1.9), `(1.9)`, $(1.9)$, (1.9)*2 no: (1.95 m), (0.05), (1.0), (7.3), (1.125), v(1.7), "
+                 "[text](https://example.org/1.9) and 1.9.")
+        self.assertEqual([f for f in self.faults() if "equation" in f and "(1.9)" not in f], [])
+        self.change("chapters/01_euler/README.md", "(1.9)*2 no: ", "")
+        self.assertEqual(self.faults(), [])
+
+    def test_a_range_of_equations(self):
+        self.add("From (1.1)-(1.2), (1.1) to (1.2), **(1.1)** and *(1.2)*; ((1.1)).")
+        self.assertEqual(self.faults(), [])
+        self.add("**(1.7)**")
+        self.fails("(1.7)")
+
+    def test_a_test_that_does_not_exist(self):
+        self.change("tests/01_euler.cpp", "it steps by", "it walks by")
+        self.fails("has no test 'it steps by (1.1)'")
+
+    def test_sections_out_of_order(self):
+        self.change("chapters/01_euler/README.md", "## 1.2 Sources", "## 1.3 Sources")
+        self.fails("'## 1.2 …'")
+
+    def test_maths_in_a_heading(self):
+        self.add("## 1.3 The rate $r$")
+        self.fails("no maths, code, link or #")
+
+    def test_maths_that_is_not_closed(self):
+        self.add("A letter $x of it.")
+        self.fails("a $ that belongs to no maths")
+
+    def test_maths_that_github_misreads(self):
+        self.add("A set $\\{0, 1\\}$.")
+        self.fails("GitHub misreads")
+        self.change("chapters/01_euler/README.md", "$\\{0, 1\\}$", "$`\\{0, 1\\}`$")
+        self.assertEqual(self.faults(), [])
+
+    def test_underscores_that_become_emphasis(self):
+        self.add("Of $(a)_i$ and $c_{ij}$.")
+        self.fails("underscores")
+
+    def test_unbalanced_braces(self):
+        self.add("```math\n\\frac{1}{2\n```")
+        self.fails("unbalanced braces")
+
+    def test_an_environment_that_mathjax_refuses_here(self):
+        self.add("```math\n\\begin{align} a \\end{align}\n```")
+        self.fails("'aligned'")
+
+    def test_a_bar_in_the_maths_of_a_table(self):
+        self.add("| a |\n|---|\n| $|x|$ |")
+        self.assertTrue(any("\\lvert" in f for f in self.faults()))
+
+    def test_a_table_with_a_short_row(self):
+        self.add("| a | b |\n|---|---|\n| 1 |")
+        self.fails("1 cells, its header 2")
+
+    def test_details_that_are_not_closed(self):
+        self.add("<details>\n<summary>More</summary>\n\nText.")
+        self.fails("never closed")
+
+    def test_a_fence_that_is_not_closed(self):
+        self.add("```cpp\nint x;")
+        self.assertTrue(any("never closed" in f for f in self.faults()))
+
+    def test_other_html(self):
+        self.add("A <div>box</div>.")
+        self.assertTrue(all("no HTML" in f for f in self.faults()) and self.faults())
+
+    def test_what_is_in_code_is_left_alone(self):
+        self.add("````text\n```math\n\\tag{9.9}\n```\n[x](gone.md) $ (1.99)\n<!-- snippet: a b -->\n````\n\n"
+                 "`[x](gone.md)` and `` `(1.99)` `` and \\$ too.")
+        self.assertEqual(self.faults(), [])
+
+
+class Snippets(Folder):
+    def stale(self):
+        said, well = sync_snippets.run(self.root, check=True)
+        self.assertFalse(well)
+        return "\n".join(said)
+
+    def test_the_code_is_filled_in_without_its_margin(self):
+        text = self.read("chapters/01_euler/README.md")
+        self.assertIn("```cpp\n/// One step of (1.1). \\cite known2000\n    inline int step(int x)\n", text)
+        self.assertEqual(sync_snippets.run(self.root, check=True), ([], True))
+
+    def test_code_that_changed_is_stale(self):
+        self.change("chapters/01_euler/step.hpp", "x + 1", "x + 2")
+        self.assertIn("chapters/01_euler/README.md:19: the snippet 'step' of step.hpp is stale", self.stale())
+        sync_snippets.run(self.root, check=False)
+        self.assertEqual(sync_snippets.run(self.root, check=True), ([], True))
+
+    def test_a_missing_marker(self):
+        self.change("chapters/01_euler/README.md", "step.hpp step", "step.hpp leap")
+        self.assertIn("step.hpp has no markers '//! [leap]'", self.stale())
+
+    def test_a_missing_file(self):
+        self.change("chapters/01_euler/README.md", "step.hpp step", "leap.hpp step")
+        self.assertIn("no file leap.hpp", self.stale())
+
+    def test_a_marker_that_occurs_once_or_three_times(self):
+        self.change("chapters/01_euler/step.hpp", "//! [step]\n}", "}")
+        self.assertIn("occurs once", self.stale())
+        self.change("chapters/01_euler/step.hpp", "#pragma", "//! [step]\n//! [step]\n#pragma")
+        self.assertIn("occurs 3 times", self.stale())
+
+    def test_a_block_without_end(self):
+        self.change("chapters/01_euler/README.md", "<!-- /snippet -->", "")
+        self.assertIn("has no end", self.stale())
+
+    def test_a_snippet_of_another_chapter(self):
+        self.add("<!-- snippet: ../01_euler/step.hpp step -->\n<!-- /snippet -->", "chapters/02_constraints/README.md")
+        sync_snippets.run(self.root, check=False)
+        self.assertIn("return x + 1", self.read("chapters/02_constraints/README.md"))
+
+
+class Filter(Folder):
+    def page(self, name="chapters/01_euler/README.md"):
+        return unpacked(Page(Book(self.root), self.root / name).text())
+
+    def test_titles_and_sections_get_their_labels(self):
+        text = self.page()
+        self.assertIn("# Chapter 1. Euler integration {#ch01_euler}", text)
+        self.assertIn("## 1.1 From Newton's law to a step {#ch01_euler_11_from_newtons_law_to_a_step}", text)
+
+    def test_maths(self):
+        text = self.page()
+        self.assertIn("\\anchor eq_1_1\n\\f[\na_n = f(x_n) \\tag{1.1}\n\\f]", text)
+        self.assertIn("\\(x_n\\)", text)
+        self.assertIn("$5 and one of $6", text)
+        self.assertIn("\\(\\lvert x \\rvert\\)", text)
+
+    def test_links_pictures_and_citations(self):
+        text = self.page()
+        self.assertIn('<a class="el" href="ch02_constraints.html">Next: constraints</a>', text)
+        self.assertIn('href="ch01_euler.html#ch01_euler_11_from_newtons_law_to_a_step"', text)
+        self.assertIn('<a class="el" href="citelist.html#CITEREF_known2000">[known2000]</a>', text)
+        self.assertIn('<img src="pictures/chapters/01_euler/figures/ch01_spring.svg" alt="A picture of a spring."/>',
+                      text)
+        self.assertIn('<a class="el" href="ch01_euler.html#eq_1_2">(1.2)</a>', text)
+        self.assertIn('<a class="el" href="ch01_euler.html#fig_1_1">Figure 1.1</a>', text)
+
+    def test_code_is_left_alone(self):
+        self.add("`$HOME` and ``a`b`` and `<T>`\n\n```sh\necho $x (1.1) [a](b.md)\n```")
+        text = self.page()
+        self.assertIn("<code>$HOME</code> and <code>a`b</code> and <code>&lt;T&gt;</code>", text)
+        self.assertIn("echo $x (1.1) [a](b.md)", text)
+        self.assertIn("return x + 1;  // (1.1): forward", text)
+
+    def test_doc_comments_get_links_and_keep_their_lines(self):
+        text = source_text(Book(self.root), STEP)
+        self.assertEqual(text.count("\n"), STEP.count("\n"))
+        self.assertIn('/// One step of \\ref eq_1_1 "(1.1)". \\cite known2000', text)
+        self.assertIn("// (1.1): forward", text)
+        self.assertNotIn("//! [step]", text)
+
+    def test_tests_become_functions_with_their_names(self):
+        text = test_text(Book(self.root), self.root / "tests/01_euler.cpp", TESTS)
+        self.assertIn('/** it steps by \\ref eq_1_1 "(1.1)" */ void test_001();', text.split("\n")[1])
+
+
+class Finish(Folder):
+    def test_what_doxygen_could_not_know(self):
+        html = self.root / "html"
+        html.mkdir()
+        (html / "step_8hpp_source.html").write_text("")
+        (html / "index.html").write_text(
+            '<a class="el" href="book:chapters/01_euler/step.hpp#7">line<!--/book--></a> '
+            '<a class="el" href="book:LICENSE">MIT<!--/book--></a> '
+            '<span class="comment">// (1.1): and f(1.1)</span> '
+            '<img src="pictures/chapters/01_euler/figures/ch01_spring.svg" alt="x"/> \\(x\\), '
+            '<a href="citelist.html#CITEREF_known2000">[12]</a>')
+        (self.root / "tag").write_text(
+            "<tagfile><compound kind='file'><name>step.hpp</name>"
+            f"<path>{self.root}/chapters/01_euler/</path><filename>step_8hpp.html</filename></compound></tagfile>")
+        finish(html, self.root / "tag", self.root)
+        text = (html / "index.html").read_text()
+        self.assertIn('<a class="el" href="step_8hpp_source.html#l00007">line</a> MIT', text)
+        self.assertIn('// <a class="equation" href="ch01_euler.html#eq_1_1">(1.1)</a>: and f(1.1)', text)
+        self.assertIn('<span class="nobreak">\\(x\\),</span>', text)
+        self.assertIn("[known2000]</a>", text)
+        self.assertTrue((html / "pictures/chapters/01_euler/figures/ch01_spring.svg").is_file())
+
+
+class Site(unittest.TestCase):
+    def check(self, body, head=""):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "index.html").write_text(f"<html><head>{head}</head><body>{body}</body></html>")
+            return "\n".join(check_html.check(folder.resolve()))
+
+    def test_a_page_without_faults_passes(self):
+        self.assertEqual(self.check('<a id="x"></a><a href="#x">x</a> <a href="https://example.org">out</a> \\(x\\) '
+                                    "costs $5 and $6 <code>$x$ \\cite</code>"), "")
+
+    def test_links_anchors_and_pictures(self):
+        self.assertIn("leads to nothing", self.check('<a href="gone.html">x</a>'))
+        self.assertIn("no anchor #y", self.check('<a href="#y">x</a>'))
+        self.assertIn("is missing", self.check('<img src="gone.svg" alt="x">'))
+        self.assertIn("without alternative text", self.check('<img src="data:," alt="">'))
+
+    def test_requests_to_elsewhere(self):
+        self.assertIn("fetched from elsewhere", self.check("", '<script src="https://example.org/x.js"></script>'))
+        self.assertIn("fetched from elsewhere", self.check("", '<link rel="stylesheet" href="//example.org/x.css">'))
+        self.assertIn("fetched from elsewhere", self.check('<img alt="x" src="http://example.org/x.png">'))
+
+    def test_raw_marks(self):
+        for raw in ("\\f[ x \\f]", "let $x$ be", "see \\cite key", "[x](y.md)", "packq2020q"):
+            self.assertIn("raw" if "$" not in raw else "not turned into", self.check(f"<p>{raw}</p>"), raw)
+
+
+class Reading(unittest.TestCase):
+    def test_slugs_are_those_of_github(self):
+        self.assertEqual(slug("1.1 From Newton's law to a step"), "11-from-newtons-law-to-a-step")
+        seen = {}
+        self.assertEqual([slug("Run it", seen), slug("Run it", seen)], ["run-it", "run-it-1"])
+
+    def test_tokens(self):
+        kinds = [(t.kind, t.text) for t in tokens("a $x$ `$y$` \\$ $`z|`$ [b](c) ![d](e) [[k]](r/references.bib) $5")]
+        self.assertEqual([k for k in kinds if k[0] != "words"],
+                         [("math", "$x$"), ("code", "`$y$`"), ("escape", "\\$"), ("math", "$`z|`$"),
+                          ("link", "[b](c)"), ("image", "![d](e)"), ("cite", "[[k]](r/references.bib)")])
+
+    def test_comments_of_cpp(self):
+        source = 'auto a = "// (1.1)"; // (1.2)\nauto b = R"x(// (1.3))x"; /* (1.4)\n(1.5) */ auto c = 1\'000; // d'
+        self.assertEqual(comments(source), [(1, "// (1.2)"), (2, "/* (1.4)"), (3, "(1.5) */"), (3, "// d")])
+
+    def test_names_of_tests(self):
+        self.assertEqual(test_names('TEST_CASE("a "\n  "b")\n{ SECTION("c") {} }'), [(1, "a b"), (3, "c")])
+
+    def test_a_fence_without_end_is_refused(self):
+        with self.assertRaises(TextError):
+            blocks("```\ncode")
+
+
+if __name__ == "__main__":
+    unittest.main()
