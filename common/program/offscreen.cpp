@@ -118,7 +118,7 @@ private:
         if (display_ == EGL_NO_DISPLAY) return;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-        eglTerminate(display_);
+        // The display stays: it is one for the whole process, and another painter may be using it.
     }
 
     void resize(int width, int height)

@@ -381,7 +381,8 @@ private:
     void curves(std::size_t c, ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low,
                 Real high, const HeightOf& height_of, const Shows& shows)
     {
-        const auto [begin, end] = time_span();
+        const std::pair<Real, Real> span = time_span();
+        const Real begin = span.first, length = span.second - span.first;
         const Real width = static_cast<Real>(size.x - 2 * margin()),
                    height = static_cast<Real>(size.y - 2 * margin());
         if (low < 0 && high > 0) {  // where zero is
@@ -399,7 +400,7 @@ private:
             };
             each_sample(k, c, [&](const Sample& sample) {
                 if (!shows(sample.value)) return flush();
-                const Real x = end > begin ? (sample.t - begin) / (end - begin) : 1;
+                const Real x = length > 0 ? (sample.t - begin) / length : 1;
                 const Real y = (high - height_of(sample.value)) / (high - low);
                 points.push_back({corner.x + gutter() + static_cast<float>(x * width),
                                   corner.y + margin() + static_cast<float>(y * height)});
