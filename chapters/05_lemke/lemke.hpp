@@ -95,7 +95,7 @@ struct LemkeWalk {
             if (tableau.is_basic(i)) y[i] = std::max(Real{0}, tableau.T(tableau.row_of(i), c));
         if (entering < tableau.n) y[entering] = 1;
         const Real delta = std::max(Real{0}, (A.transpose() * y).maxCoeff());
-        return -q.dot(y) * A.cwiseAbs().maxCoeff() > 1e12 * delta * q.cwiseAbs().maxCoeff();
+        return -q.dot(y) * A.cwiseAbs().maxCoeff() > 1e13 * delta * q.cwiseAbs().maxCoeff();
     }
     //! [ray]
 };
@@ -120,14 +120,29 @@ inline VecX solve_basis(const Tableau& tableau, const MatX& A, const VecX& q)
 }
 //! [refine]
 
+/// What rounding alone may hide when w = A λ + q is computed [m/s]. λ of 1e13 that cancel in w can look
+/// right by luck.
+inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda)
+{
+    Real largest = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real sum = std::abs(mlcp.q[i]);
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            sum += std::abs(entry.value() * lambda[entry.col()]);
+        if (!(sum <= largest)) largest = sum;
+    }
+    return std::numeric_limits<Real>::epsilon() * largest;
+}
+
 //! [lemke]
 /// Solves an MLCP. `iterations` counts pivots, the first one (z0 enters) included.
 ///
-/// `solved`: the natural residual is at most tolerance·max|q| (q after the shift to the bounds if that is
-/// larger). `infeasible`: a ray that proves it (5.18). `ray termination`: a ray that proves nothing.
-/// `singular`: the bilateral rows have no single answer, or the last vertex is no answer to that many digits.
-/// If not solved, lambda is the last vertex, and the residual says how wrong it is.
-/// \throws std::invalid_argument for a problem that is malformed or a tolerance that is not positive
+/// `solved`: the natural residual is at most tolerance·max|q| (or 1e-4 of that share of what λ at large
+/// bounds add to q), and rounding can't hide ten times as much. `infeasible`: a ray that proves it (5.17).
+/// `ray termination`: a ray that proves nothing. `singular`: the last vertex is no answer to that many
+/// digits. If not solved, lambda is the last vertex, and the residual says how wrong it is.
+///
+/// \throws std::invalid_argument  for a malformed problem or settings that make no sense
 inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
 {
     require_valid(mlcp);
@@ -144,11 +159,11 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
         solution.residual = natural_residual(mlcp, lambda);
         return solution;
     };
-    if (form.singular)
-        return report(Status::singular, VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi));
-
-    const Real scale =
-        std::max(mlcp.q.size() ? mlcp.q.cwiseAbs().maxCoeff() : 0, n ? form.q.cwiseAbs().maxCoeff() : 0);
+    // How large a residual may be: a share of q, or of 1e-4 of what the λ at their bounds add to it.
+    const auto allowed = [&](Real share) {
+        const Real q = mlcp.size() > 0 ? mlcp.q.cwiseAbs().maxCoeff() : 0;
+        return settings.tolerance * share * std::max(q, 1e-4 * size_of_numbers(mlcp, solution.lambda));
+    };
     const int limit = settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(n);
     // Ones first. If rounding led that walk astray, another covering vector is another way.
     for (const Real last : {1.0, 2.0}) {
@@ -165,12 +180,12 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
             if (proof) return solution;
             continue;
         }
-        if (!(solution.residual <= settings.tolerance * std::min(scale, Real{1}))) {  // refine once
+        if (!(solution.residual <= std::min(allowed(1), settings.tolerance))) {  // refine once
             const Solution walked = solution;
             report(Status::singular, form.impulses(solve_basis(walk.tableau, form.A, form.q)));
             if (!(solution.residual < walked.residual)) solution = walked;
         }
-        if (solution.residual <= settings.tolerance * scale) {
+        if (solution.residual <= allowed(1) && hidden_by_rounding(mlcp, solution.lambda) <= allowed(10)) {
             solution.status = Status::solved;
             return solution;
         }
