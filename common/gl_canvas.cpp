@@ -255,7 +255,7 @@ ImU32 Theme::ground() const { return rgb(dark ? 0x14171B : 0xE9ECEF); }
 ImU32 Theme::card() const { return rgb(dark ? 0x1B1F25 : 0xFFFFFF); }
 ImU32 Theme::edge() const { return rgb(dark ? 0x323942 : 0xCDD3D9); }
 
-Fonts::Fonts(Real pixels_per_unit) : pixels_per_unit_(pixels_per_unit)
+Fonts::Fonts(Real scale, Real density) : density_(density)
 {
     static const ImWchar ranges[] = {0x0020, 0x00FF, 0x010A, 0x010B, 0x0391, 0x03C9, 0x1D40, 0x1D40, 0x1E8A,
                                      0x1E8F, 0x2010, 0x2033, 0x2070, 0x209C, 0x2190, 0x2195, 0x21D0, 0x21D4,
@@ -268,7 +268,7 @@ Fonts::Fonts(Real pixels_per_unit) : pixels_per_unit_(pixels_per_unit)
             ImFontConfig config;
             config.OversampleH = 2;
             config.OversampleV = 1;
-            ImFont* font = atlas.AddFontFromFileTTF(file.c_str(), static_cast<float>(size * pixels_per_unit),
+            ImFont* font = atlas.AddFontFromFileTTF(file.c_str(), static_cast<float>(size * scale * density),
                                                     &config, ranges);
             if (font) fonts_.push_back(font);
         }
@@ -294,7 +294,7 @@ ImFont* Fonts::nearest(Real size) const
     // The smallest that is large enough: scaling down keeps letters crisp.
     ImFont* best = nullptr;
     for (ImFont* font : fonts_)
-        if (font->FontSize >= size * pixels_per_unit_ - 0.25 && (!best || font->FontSize < best->FontSize))
+        if (font->FontSize >= size * density_ - 0.25 && (!best || font->FontSize < best->FontSize))
             best = font;
     if (best) return best;
     return *std::max_element(fonts_.begin(), fonts_.end(),

@@ -27,9 +27,12 @@ struct Theme {
 /// rasterised at a few sizes; the nearest one is scaled.
 class Fonts {
 public:
-    /// Fills the current context's atlas. \param pixels_per_unit  how fine the letters are rasterised
-    explicit Fonts(Real pixels_per_unit);
+    /// Fills the current context's atlas.
+    /// \param scale    units of a draw list for one pixel of a design at 96 dpi
+    /// \param density  pixels of the framebuffer for one unit of a draw list
+    Fonts(Real scale, Real density);
 
+    /// The typeface for letters of this size [units of a draw list].
     ImFont* nearest(Real size) const;
     /// Text as this typeface can show it: "lambda" for λ where there are no Greek letters.
     std::string shown(const std::string& text) const;
@@ -41,7 +44,7 @@ private:
     bool knows(const std::string& letter) const;
 
     std::vector<ImFont*> fonts_;
-    Real pixels_per_unit_;
+    Real density_;
     std::vector<std::pair<std::string, std::string>> missing_;  ///< letters, and what stands for them
 };
 

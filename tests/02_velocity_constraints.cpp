@@ -467,6 +467,21 @@ TEST_CASE("the velocity of the bead is along the wire to the last bits though it
     CHECK(bead.bodies.x.norm() > 1.04);
 }
 
+TEST_CASE("a bias of C over h keeps the bead within the drift of a single step")
+{
+    // Exercise 2.4: u is asked for -C/h across the wire, and r² after the step is 1 + h² v².
+    CircleBead bead;
+    const Real h = 0.01;
+    for (int k = 0; k < 1000; ++k) {
+        const Constraint<2> wire = circle_constraint(bead.bodies.x, 0, 1);
+        const Row<2> row = bilateral(wire, bead.bodies.inverse_mass, wire.C / h);
+        row.apply(solve_row(row, bead.bodies.u).lambda, bead.bodies.u);
+        bead.bodies.x += h * bead.bodies.u;
+        const Real wanted = 1 + h * h * bead.bodies.u.squaredNorm();
+        REQUIRE(std::abs(bead.bodies.x.squaredNorm() - wanted) <= exact);
+    }
+}
+
 TEST_CASE("the drift of the bead is of first order in the step")
 {
     std::vector<Real> errors;

@@ -18,7 +18,7 @@ int forbidden_allocations = 0;
     } while (false)
 
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
-#include "chapters/03_mlcp_formulation/enumeration.hpp"
+#include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/problem_file.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"

@@ -62,12 +62,16 @@ int chapter_of(const std::string& path)
 
 bool starts_with(const std::string& text, const std::string& head) { return text.rfind(head, 0) == 0; }
 
-/// Physics: every file of common/ and the chapters but programs, benchmarks and what draws.
+/// Physics: every file of common/ and the chapters but programs with their scenes (`scene_x.hpp`, `x_scene.hpp`,
+/// `x_run.hpp`) and problem files, benchmarks and what draws.
 bool is_physics(const std::string& path)
 {
     if (starts_with(path, "common/program/") || path.find("canvas") != std::string::npos) return false;
-    return !path.ends_with("main.cpp") && !path.ends_with("benchmark.cpp") &&
-           path.find("draw") == std::string::npos;
+    for (const char* end : {"main.cpp", "benchmark.cpp", "_scene.hpp", "_run.hpp"})
+        if (path.ends_with(end)) return false;
+    for (const char* part : {"draw", "/scene_", "/problem_file"})
+        if (path.find(part) != std::string::npos) return false;
+    return true;
 }
 
 /// The sentences that a source breaks the rules by.

@@ -119,7 +119,7 @@ public:
         for (Index k = 0; k < bodies.count(); ++k) {
             const Vec2 x = bodies.position(k);
             canvas.disc(x, scene_.radius[k], paint::body);
-            canvas.text(x + Vec2(0, 0.7 * scene_.radius[k]), std::to_string(k), 14, paint::label,
+            canvas.text(x - Vec2(0, 0.85 * scene_.radius[k]), std::to_string(k), 14, paint::label,
                         Align::centre);
             const Vec2 star = before_.segment<2>(2 * k), u = bodies.velocity(k);
             if ((star - u).norm() > 0.05) arrow(x, 0.25 * star, "u*", paint::wanted);
@@ -207,9 +207,10 @@ public:
         bodies_.u += h * bodies_.inverse_mass.cwiseProduct(bodies_.f);
 
         rows_.clear();
-        for (Index k = 0; k + 1 < bodies_.count(); ++k)
-            rows_.push_back(
-                bilateral(distance_constraint(bodies_.x, {k, k + 1, length_}), bodies_.inverse_mass));
+        for (Index k = 0; k + 1 < bodies_.count(); ++k) {
+            const Constraint<2> link = distance_constraint(bodies_.x, {k, k + 1, length_});
+            rows_.push_back(bilateral(link, bodies_.inverse_mass, settings["repay"] * link.C / h));
+        }
         if (settings.method == "one-shot") {
             const RowsAnswer& answer = solver_.solve(rows_, bodies_.u);
             apply(rows_, answer.lambda, bodies_.u);
@@ -267,7 +268,8 @@ inline Scene chain_scene()
     scene.tunables = {
         {"links", "", "number of links", 16, 1, 60, true, true, false},
         {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 1, 0.01, 1000, false, true, false},
-        {"rounds", "", "row by row: how often each row has its turn in a step", 1, 1, 1000, true, false,
+        {"repay", "", "part of the error C/h that the rows' bias asks back", 0, 0, 1, false, false, false},
+        {"rounds", "", "row by row: how often each row has its turn in a step", 10, 1, 1000, true, false,
          true}};
     scene.columns = {{"residual", "m/s", "the largest |w| that is left", true, true},
                      {"link_error", "mm", "the largest error of a link", true, false},

@@ -83,7 +83,7 @@ public:
         if (half) canvas.polygon(cut(square, J, row_.bias), {Colour::green, 0, 0.12, true, false});
         // The line: the square cut from both sides, to a strip without width.
         canvas.polygon(cut(cut(square, J, row_.bias), -J, -row_.bias + 1e-9),
-                       {Colour::green, 2, 1, false, false});
+                       {Colour::green, 1.2, 1, false, false});
         canvas.arrow({-R, 0}, {R, 0}, {Colour::ink, 1, 1, false, false});
         canvas.arrow({0, -R}, {0, R}, {Colour::ink, 1, 1, false, false});
         for (int k = -2; k <= 2; ++k) {

@@ -4,3 +4,4 @@
 
 #include "chapters/03_mlcp_formulation/direct.hpp"
 #include "chapters/03_mlcp_formulation/enumeration.hpp"
+#include "chapters/03_mlcp_formulation/schur.hpp"

@@ -9,7 +9,7 @@
 /// \cite lawson1974, chapter 23
 #pragma once
 
-#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "chapters/03_mlcp_formulation/cases.hpp"
 
 #include <Eigen/QR>
 #include <optional>
@@ -17,9 +17,6 @@
 #include <vector>
 
 namespace rigid {
-
-/// The three lines of the definition of an MLCP, (3.24).
-enum class RowCase : unsigned char { at_lo, between, at_hi };
 
 /// A dense copy of an MLCP in which each row is scaled to A_ii = 1, so that units and masses don't matter:
 /// λ_i = scale_i · λ̂_i, ŵ_i = scale_i · w_i with scale_i = 1/√A_ii (1 where A_ii ≤ 0).

@@ -2,7 +2,7 @@
 /// A scene of discs, alive: chapter 3's step with sweeps for a solver.
 #pragma once
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/ten_disc_scene.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/drawing.hpp"
 #include "chapters/04_pgs/pgs.hpp"
@@ -17,9 +17,11 @@ namespace rigid {
 
 class DiscRun : public Run {
 public:
-    /// \param zoom  from metres to the units of the picture
-    DiscRun(DiscScene scene, const Vec2& centre, Real zoom)
-        : scene_(std::move(scene)), centre_(centre), zoom_(zoom)
+    /// \param zoom     from metres to the units of the picture
+    /// \param view     what the picture shows
+    /// \param steered  the pointer sets gravity, and contact forces are arrows; else they are bars
+    DiscRun(DiscScene scene, Real zoom, const View& view, bool steered = false)
+        : scene_(std::move(scene)), zoom_(zoom), view_(view), steered_(steered)
     {
         require_valid(scene_);
         disc_settings_.gravity = scene_.gravity;
@@ -69,30 +71,23 @@ public:
             canvas.disc(shown(scene_.bodies.position(k)), zoom_ * scene_.radius[k], style);
         }
         draw_impulses(canvas);
+        draw_caption(canvas);
         if (disc_settings_.pulled != world)
             canvas.arrow(shown(scene_.bodies.position(disc_settings_.pulled)), shown(disc_settings_.hand),
                          {Colour::green, 2, 1, false, false});
     }
 
 protected:
-    /// Gravity follows the pointer in scenes that it steers; a pressed button pulls the disc under it.
+    /// Gravity follows the pointer in the scene that it steers; a pressed button pulls the disc under it.
     void listen(const Settings& settings, const Input& input)
     {
-        const Vec2 pointer = input.pointer / zoom_ + centre_;
-        if (!input.pressed) disc_settings_.pulled = world;
-        else if (disc_settings_.pulled == world) disc_settings_.pulled = disc_at(pointer);
-        disc_settings_.hand = pointer;
-        if (steered_ && input.present && !input.pressed) {
-            const Vec2 tilt = input.pointer.cwiseQuotient(scene_.half_size);
-            disc_settings_.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
-        }
+        const Index was_pulled = disc_settings_.pulled;
+        if (steered_) disc_settings_ = ten_discs_settings(settings, input, view_);
         disc_settings_.h = settings.h;
-        const auto tunable = [&](const char* name, Real otherwise) {
-            const auto found = settings.tunables.find(name);
-            return found != settings.tunables.end() ? found->second : otherwise;
-        };
-        disc_settings_.stiffness = tunable("k", 0);
-        disc_settings_.damping = tunable("damping", 0);
+        disc_settings_.hand = input.pointer / zoom_;
+        disc_settings_.pulled = !input.pressed        ? world
+                                : was_pulled != world ? was_pulled
+                                                      : disc_under(scene_, disc_settings_.hand);
         pgs_settings_.tolerance = std::pow(10, -settings["digits"]);
         pgs_settings_.max_sweeps = static_cast<int>(settings["max_sweeps"]);
         pgs_settings_.omega = settings.method == "sor" ? settings["omega"] : 1;
@@ -115,17 +110,11 @@ protected:
         return pgs_settings_;
     }
 
-    Vec2 shown(const Vec2& p) const { return zoom_ * (p - centre_); }
+    Vec2 shown(const Vec2& p) const { return zoom_ * p; }
     Real mass(Index k) const
     {
         const Real inverse = scene_.bodies.inverse_mass[2 * k];
         return inverse > 0 ? 1 / inverse : 0;
-    }
-    Index disc_at(const Vec2& p) const
-    {
-        for (Index k = 0; k < scene_.bodies.count(); ++k)
-            if ((scene_.bodies.position(k) - p).norm() <= scene_.radius[k]) return k;
-        return world;
     }
     std::string first_lost_body() const
     {
@@ -150,28 +139,56 @@ protected:
         }
     }
 
-    /// Each contact's force λ/h as an arrow on body b, each link's as a red (pulls) or blue (pushes) core.
+    /// Each row's force |λ|/h, to scale with the weight of all: arrows at contacts, or bars across the
+    /// normal.
     void draw_impulses(Canvas& canvas) const
     {
         if (now_.solution.lambda.size() != static_cast<Index>(now_.rows.size())) return;
         Real weight = 0;
         for (Index k = 0; k < scene_.bodies.count(); ++k) weight += 9.81 * mass(k);
-        const Real unit = 0.5 / (weight * disc_settings_.h);
+        const Real unit = (scene_.links.empty() || steered_ ? 0.5 : 0.25) / (weight * disc_settings_.h);
         const std::size_t links = scene_.links.size();
-        for (std::size_t i = links; i < now_.rows.size(); ++i) {
-            const Contact& contact = now_.contacts[i - links];
-            const Real length = std::min(Real{0.5}, unit * now_.solution.lambda[static_cast<Index>(i)]);
+        for (std::size_t i = 0; i < now_.rows.size(); ++i) {
+            const Row<2>& row = now_.rows[i];
+            const Vec2 normal = row.Jb.transpose();
+            const Real length =
+                std::min(Real{0.6}, unit * std::abs(now_.solution.lambda[static_cast<Index>(i)]));
             if (length < 0.004) continue;
-            const Vec2 touch =
-                shown(scene_.bodies.position(contact.b) - contact.normal * scene_.radius[contact.b]);
-            canvas.arrow(touch, touch + length * contact.normal, paint::impulse);
-            if (contact.a != world) canvas.arrow(touch, touch - length * contact.normal, paint::impulse);
+            const Vec2 touch = shown(scene_.bodies.position(row.b) - normal * scene_.radius[row.b]);
+            if (!steered_) {
+                canvas.segment(touch - length * perpendicular(normal), touch + length * perpendicular(normal),
+                               {Colour::red, 4, 0.9, false, false});
+            } else if (i >= links) {
+                canvas.arrow(touch, touch + length * normal, paint::impulse);
+                if (row.a != world) canvas.arrow(touch, touch - length * normal, paint::impulse);
+            }
+        }
+    }
+
+    /// What the step cost and what is wrong with its answer.
+    void draw_caption(Canvas& canvas) const
+    {
+        const Solution& solution = now_.solution;
+        if (!std::isfinite(solution.residual)) return;
+        std::string text = std::to_string(solution.iterations) + " sweeps, residual " +
+                           significant(solution.residual, 2) + " m/s";
+        if (solution.status != Status::solved) text += ": " + std::string(to_string(solution.status));
+        const Vec2 corner = view_.centre + Vec2(-0.93, 0.92).cwiseProduct(view_.half_size);
+        const Vec2 line_below(0, 0.035 * view_.half_size.maxCoeff() * 1.6);
+        canvas.text(corner, text, 14, solution.status == Status::solved ? paint::label : paint::impulse);
+        const Real off = 1000 * std::max(largest_link_error(scene_), deepest_penetration(scene_));
+        canvas.text(corner - line_below, "links and contacts off by " + significant(off, 2) + " mm", 14,
+                    paint::label);
+        if (steered_) {
+            canvas.arrow({0, 0}, 0.02 * disc_settings_.gravity, {Colour::green, 2.5, 1, false, false});
+            canvas.text(0.022 * disc_settings_.gravity + Vec2(0.015, -0.02), "g", 14,
+                        {Colour::green, 1.5, 1, false, false});
         }
     }
 
     DiscScene scene_;
-    Vec2 centre_;
     Real zoom_;
+    View view_;
     bool steered_ = false;
     DiscSettings disc_settings_;
     PgsSettings pgs_settings_;
@@ -182,9 +199,6 @@ protected:
     int order_ = 0;
     std::uint64_t seed_ = 1;
     int unsolved_ = 0;
-
-public:
-    void steer() { steered_ = true; }
 };
 
 }  // namespace rigid

@@ -15,9 +15,8 @@ Scene disc_scene(const std::string& name, const std::string& summary, int max_sw
     Scene scene;
     scene.name = name;
     scene.summary = summary;
-    scene.h = 1.0 / 480;
+    scene.h = scene.h_high = 1.0 / 60;
     scene.h_low = 1e-4;
-    scene.h_high = 1.0 / 120;
     scene.methods = {"gauss_seidel", "sor", "symmetric", "jacobi"};
     scene.tunables = {
         {"max_sweeps", "", "after so many sweeps a step makes do with what it has",
@@ -42,58 +41,63 @@ Scene ten_discs_scene()
 {
     Scene scene = disc_scene(
         "ten_discs", "Seven discs on a chain and three free ones in a box that the pointer tilts", 2000);
-    scene.view = {{0, 0}, {0.8, 0.55}};
+    scene.view = {{0, 0.03}, {0.8, 0.58}};
+    scene.h = ten_discs_h;
+    scene.h_low = ten_discs_h_low;
+    scene.h_high = ten_discs_h_high;
     scene.steered = true;
-    scene.tunables.insert(scene.tunables.begin(),
-                          {{"k", "", "stiffness of the torsional springs", 1, 0, 3, false, false, true},
-                           {"damping", "1/s", "of the bends of the chain", 1, 0, 2, false, false, false}});
-    scene.start = [](const Settings&) {
-        auto run = std::make_unique<DiscRun>(ten_discs(), Vec2(0, 0), 1);
-        run->steer();
-        return run;
+    const std::vector<Tunable> shared = ten_discs_tunables();
+    scene.tunables.insert(scene.tunables.begin(), shared.begin(), shared.end());
+    scene.start = [view = scene.view](const Settings&) {
+        return std::make_unique<DiscRun>(ten_discs(), 1, view, true);
     };
+    return scene;
+}
+
+/// The scenes that show where sweeps do not suffice: few sweeps, long steps.
+Scene failing_scene(const std::string& name, const std::string& summary, const Tunable& size,
+                    const Tunable& mass)
+{
+    Scene scene = disc_scene(name, summary, 10);
+    scene.side_by_side = {"gauss_seidel", "sor"};
+    scene.tunables.insert(scene.tunables.begin(), mass);
+    if (!size.name.empty()) scene.tunables.insert(scene.tunables.begin(), size);
     return scene;
 }
 
 Scene column_scene()
 {
     Scene scene =
-        disc_scene("column", "A column of N discs with a heavy one on top: too few sweeps and it sinks", 10);
-    scene.view = {{0, 0.95}, {0.9, 1.1}};
-    scene.side_by_side = {"gauss_seidel", "sor"};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {{"rows", "", "N, discs in the column", 10, 1, 100, true, true, false},
-                           {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1, 0.01,
-                            1000, false, true, false}});
-    scene.start = [](const Settings& settings) {
+        failing_scene("column", "A column of N discs with a heavy one on top: too few sweeps and it sinks",
+                      {"rows", "", "N, discs in the column", 15, 1, 100, true, true, false},
+                      {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 10, 0.01, 1000,
+                       false, true, false});
+    scene.view = {{0, 1.05}, {0.9, 1.2}};
+    scene.start = [view = scene.view](const Settings& settings) {
         const auto N = static_cast<Index>(settings["rows"]);
-        return std::make_unique<DiscRun>(column(N, settings["top_mass"]), Vec2(0, 0),
-                                         10 / static_cast<Real>(N));
+        return std::make_unique<DiscRun>(column(N, settings["top_mass"]), 10 / static_cast<Real>(N), view);
     };
     return scene;
 }
 
 Scene chain_scene()
 {
-    Scene scene =
-        disc_scene("hanging_chain",
-                   "N links with a heavy end: pull it with the mouse; too few sweeps and it stretches", 10);
-    scene.view = {{0, -1.05}, {1.3, 1.3}};
+    Scene scene = failing_scene(
+        "hanging_chain", "N links with a heavy end: pull it with the mouse; too few sweeps and it stretches",
+        {"links", "", "N, links of 0.1 m", 30, 1, 60, true, true, false},
+        {"end_mass", "kg", "mass of the lowest disc; the others have 1 kg", 10, 0.01, 1000, false, true,
+         false});
+    scene.view = {{0, -1.05}, {1, 1.45}};
     scene.methods.push_back("cg");
-    scene.side_by_side = {"gauss_seidel", "sor", "cg"};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {{"links", "", "N, links of 0.1 m", 20, 1, 60, true, true, false},
-                           {"end_mass", "kg", "mass of the lowest disc; the others have 1 kg", 1, 0.01, 1000,
-                            false, true, false}});
-    scene.start = [](const Settings& settings) {
+    scene.side_by_side.push_back("cg");
+    scene.start = [view = scene.view](const Settings& settings) {
         const auto N = static_cast<Index>(settings["links"]);
         DiscScene chain = hanging_chain(N, settings["end_mass"]);
-        // It starts a little aside, as a pendulum: 6° from the vertical.
+        // It starts a little aside, as a pendulum, and its discs never meet.
         for (Index k = 1; k <= N; ++k)
-            chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.1), -std::cos(0.1));
-        // Discs of a hanging chain never meet.
+            chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
         chain.linked.assign(chain.linked.size(), true);
-        return std::make_unique<DiscRun>(std::move(chain), Vec2(0, 0), 20 / static_cast<Real>(N));
+        return std::make_unique<DiscRun>(std::move(chain), 20 / static_cast<Real>(N), view);
     };
     return scene;
 }
@@ -113,15 +117,13 @@ DiscScene two_columns(Real R)
 
 Scene mass_ratio_scene()
 {
-    Scene scene = disc_scene("mass_ratio",
-                             "Left a heavy disc on a light one, right the reverse, with the same sweeps", 10);
-    scene.view = {{0, 0.35}, {0.9, 0.5}};
-    scene.side_by_side = {"gauss_seidel", "sor"};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {"ratio", "", "R, the mass of the heavy ones over that of the light ones", 100, 1,
-                           10000, false, true, false});
-    scene.start = [](const Settings& settings) {
-        return std::make_unique<DiscRun>(two_columns(settings["ratio"]), Vec2(0, 0), 1.5);
+    Scene scene = failing_scene(
+        "mass_ratio", "Left a heavy disc on a light one, right the reverse, with the same sweeps", {},
+        {"ratio", "", "R, the mass of the heavy ones over that of the light ones", 100, 1, 10000, false, true,
+         false});
+    scene.view = {{0, 0.42}, {0.9, 0.5}};
+    scene.start = [view = scene.view](const Settings& settings) {
+        return std::make_unique<DiscRun>(two_columns(settings["ratio"]), 1.5, view);
     };
     return scene;
 }

@@ -45,8 +45,8 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
 {
     for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
         const SweepRow& row = sweep.rows[k];
-        const bool empty = sweep.start[k] == sweep.start[k + 1] && row.keep == 1;
-        if (empty && row.lo < row.hi && std::abs(mlcp.q[sweep.row_at[k]]) > tolerance) return true;
+        if (is_empty(sweep, k) && row.lo < row.hi && std::abs(mlcp.q[sweep.row_at[k]]) > tolerance)
+            return true;
     }
     return false;
 }

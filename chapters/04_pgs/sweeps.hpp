@@ -20,26 +20,35 @@
 namespace rigid {
 
 //! [layout]
-/// One row as the sweep wants it: λ_i ← clamp(keep λ_i + constant + Σ coefficient_j λ_j, lo, hi).
+/// One row as the sweep wants it, (4.27). Its neighbours in the order of the visits have fields of their own:
+/// in a column or a chain nothing else is left, and the λ that was just written never leaves the processor.
 struct SweepRow {
-    Real keep;      ///< 1 − ω A_ii / s_i, which is 1 − ω
-    Real constant;  ///< −ω q_i / s_i [N s]
-    Real lo, hi;    ///< [N s]
-    Real scale;     ///< s_i / ω [1/kg]: the velocity that a change of λ_i stands for
+    Real keep;           ///< 1 − ω A_ii / s_i, which is 1 − ω
+    Real constant;       ///< −ω q_i / s_i [N s]
+    Real before, after;  ///< −ω A_ij / s_i for the rows visited just before and just after
+    Real lo, hi;         ///< [N s]
+    Real scale;          ///< s_i / ω [1/kg]: the velocity that a change of λ_i stands for
 };
 
-/// The rows in the order of the visits; entries of row k: column and coefficient at start[k] … start[k+1]−1.
+/// The rows in the order of the visits. The other entries of row k: start[k] … start[k+1] − 1.
 struct SweepRows {
     std::vector<SweepRow> rows;
     std::vector<int> start;         ///< n + 1
     std::vector<int> column;        ///< places in this order, not row numbers of the problem
-    std::vector<Real> coefficient;  ///< −ω A_ij / s_i, without the diagonal
+    std::vector<Real> coefficient;  ///< −ω A_ij / s_i
     std::vector<int> row_at;        ///< row number of the problem at each place
     std::vector<int> place_of;      ///< and back
     VecX lambda;                    ///< the impulses by place [N s]
     VecX next;                      ///< Jacobi's second copy
 };
 //! [layout]
+
+/// True if no λ of any row changes the velocity of row k.
+inline bool is_empty(const SweepRows& sweep, std::size_t k)
+{
+    const SweepRow& row = sweep.rows[k];
+    return row.keep == 1 && row.before == 0 && row.after == 0 && sweep.start[k] == sweep.start[k + 1];
+}
 
 /// Writes the rows of a valid problem as (4.27). Allocates only if the problem is larger than all before it.
 /// \param omega  0 < ω < 2: 1 is plain Gauss-Seidel
@@ -75,30 +84,29 @@ inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, Sw
     sweep.start[0] = 0;
     for (std::size_t k = 0; k < n; ++k) {
         const Index i = sweep.row_at[k];
-        Real diagonal = 0;
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            if (entry.col() == i) diagonal += entry.value();
-        const Real scale = diagonal > 0 ? diagonal : 1;  // as in the natural residual
         const std::size_t first = filled;
-        const auto take = [&](bool later) {
-            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-                const int place = sweep.place_of[static_cast<std::size_t>(entry.col())];
-                if (entry.col() == i || entry.value() == 0 || (place > static_cast<int>(k)) != later)
-                    continue;
-                sweep.column[filled] = place;
-                sweep.coefficient[filled++] = -omega * entry.value() / scale;
-            }
-        };
-        // Later places first: the youngest λ, just written by the row before, joins the sum last,
-        // and the processor has the rest of the sum ready by then.
-        take(true);
-        take(false);
+        Real diagonal = 0, before = 0, after = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            const int place = sweep.place_of[static_cast<std::size_t>(entry.col())];
+            const int distance = place - static_cast<int>(k);
+            if (distance == 0) diagonal = entry.value();
+            else if (distance == -1) before = entry.value();
+            else if (distance == 1) after = entry.value();
+            else sweep.column[filled] = place, sweep.coefficient[filled++] = entry.value();
+        }
         sweep.start[k + 1] = static_cast<int>(filled);
+        const Real scale = diagonal > 0 ? diagonal : 1;  // as in the natural residual
+        const Real factor = -omega / scale;
+        for (std::size_t e = first; e < filled; ++e) sweep.coefficient[e] *= factor;
         SweepRow& row = sweep.rows[k];
-        row = {1 - omega * diagonal / scale, -omega * mlcp.q[i] / scale, mlcp.lo[i], mlcp.hi[i],
-               scale / omega};
-        // A row that no λ can change, w = q whatever we do: its bound is the answer.
-        if (diagonal <= 0 && diagonal >= 0 && filled == first) {
+        row.keep = diagonal > 0 ? 1 - omega : 1 - omega * diagonal;
+        row.constant = factor * mlcp.q[i];
+        row.before = factor * before;
+        row.after = factor * after;
+        row.lo = mlcp.lo[i];
+        row.hi = mlcp.hi[i];
+        row.scale = scale / omega;
+        if (is_empty(sweep, k)) {  // w = q whatever we do: a bound is the answer
             if (mlcp.q[i] > 0 && std::isfinite(row.lo)) row.hi = row.lo;
             if (mlcp.q[i] < 0 && std::isfinite(row.hi)) row.lo = row.hi;
             if (row.lo < row.hi) row.constant = 0;
@@ -108,29 +116,38 @@ inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, Sw
 
 //! [visit]
 /// (4.4), (4.20): row k's own best answer to the λ of the others. A NaN stays a NaN.
-inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda)
+inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda, Real before, Real after)
 {
     const SweepRow& row = sweep.rows[k];
     Real value = row.constant + row.keep * lambda[k];
     for (int e = sweep.start[k]; e < sweep.start[k + 1]; ++e)
         value += sweep.coefficient[static_cast<std::size_t>(e)] *
                  lambda[sweep.column[static_cast<std::size_t>(e)]];
+    value += row.after * after;    // the youngest number joins the sum last:
+    value += row.before * before;  // the processor has the rest ready by then
     value = value < row.lo ? row.lo : value;
     return value > row.hi ? row.hi : value;
 }
 //! [visit]
+
+/// The same, with the neighbours looked up.
+inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda)
+{
+    return visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, k + 1 < sweep.rows.size() ? lambda[k + 1] : 0);
+}
 
 //! [gauss-seidel]
 /// One Gauss-Seidel sweep: each row sees what the rows before it have just done.
 /// \return  the largest change of a λ_i, as a velocity s_i |Δλ_i| / ω [m/s]; NOT the residual, see (4.7)
 inline Real sweep_forward(SweepRows& sweep)
 {
-    Real largest = 0;
+    const std::size_t n = sweep.rows.size();
     Real* const lambda = sweep.lambda.data();
-    for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
-        const Real value = visit(sweep, k, lambda);
+    Real largest = 0, before = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Real value = visit(sweep, k, lambda, before, k + 1 < n ? lambda[k + 1] : 0);
         largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
-        lambda[k] = value;
+        before = lambda[k] = value;
     }
     return largest;
 }
@@ -139,12 +156,12 @@ inline Real sweep_forward(SweepRows& sweep)
 /// The same from the last row to the first.
 inline Real sweep_backward(SweepRows& sweep)
 {
-    Real largest = 0;
     Real* const lambda = sweep.lambda.data();
+    Real largest = 0, after = 0;
     for (std::size_t k = sweep.rows.size(); k-- > 0;) {
-        const Real value = visit(sweep, k, lambda);
+        const Real value = visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, after);
         largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
-        lambda[k] = value;
+        after = lambda[k] = value;
     }
     return largest;
 }

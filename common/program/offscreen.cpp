@@ -97,7 +97,7 @@ private:
         ImGui::CreateContext();
         has_imgui_ = true;
         ImGui::GetIO().IniFilename = nullptr;
-        fonts_ = std::make_unique<Fonts>(1);
+        fonts_ = std::make_unique<Fonts>(1, 1);
         if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
             reason_ = "Dear ImGui could not start on OpenGL";
             return;

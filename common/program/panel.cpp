@@ -20,6 +20,19 @@ std::string escaped(const std::string& text)
     return result;
 }
 
+/// As many digits as six characters have room for: 0.0496, 1.4e-13.
+std::string narrow(Real value)
+{
+    std::string text;
+    for (int digits = 3; digits > 0; --digits) {
+        text = significant(value, digits);
+        const std::size_t zero = text.find("e-0");
+        if (zero != std::string::npos) text.erase(zero + 2, 1);
+        if (text.size() <= 6) break;
+    }
+    return text;
+}
+
 ImVec4 vector_of(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 /// All that draws one panel, so that its parts need no long lists of arguments.
@@ -33,8 +46,7 @@ public:
     void draw()
     {
         // The end of the panel stays where it is; what stands above scrolls if it must.
-        const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + units(10) +
-                             (state_.recording ? ImGui::GetTextLineHeightWithSpacing() : 0);
+        const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + units(10);
         ImGui::BeginChild("upper", {0, -footer}, false, ImGuiWindowFlags_NoBackground);
         title();
         scene_and_methods();
@@ -62,7 +74,8 @@ private:
 
     void tooltip(const std::string& text)
     {
-        if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+        if (text.empty() || state_.recording) return;  // it would be in the pictures
+        if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(units(320));
         ImGui::TextUnformatted(shown(text).c_str());
@@ -205,7 +218,7 @@ private:
             Real value = show_.settings()[one.name];
             if (slider("##value", value, one.low, one.high,
                        (one.whole ? "%.0f"
-                        : wide    ? "%.3g"
+                        : wide    ? "%.4g"
                                   : digits(one)) +
                            unit,
                        wide))
@@ -417,7 +430,7 @@ private:
         const Real right = static_cast<Real>(corner.x + gutter()) - 5 * scale_,
                    top = static_cast<Real>(corner.y);
         const auto put = [&](Real value, Real baseline) {
-            const std::string text = logarithmic ? "1e" + readable(value) : significant(value, 3);
+            const std::string text = logarithmic ? "1e" + readable(value) : narrow(value);
             fonts_.paint(list, {right, baseline}, text, scale_ * small_size, dim(), Align::right);
         };
         put(high, top + 12 * scale_);
@@ -467,11 +480,19 @@ private:
         ImGui::SameLine();
         if (button(state_.dark ? "Light" : "Dark", 3)) state_.dark = !state_.dark;
         tooltip("The colours of the room: D");
-        if (state_.recording)
+        // One line, so that nothing moves: the last event, or the recording, or how fast all is.
+        if (!state_.message.empty()) {
+            dim_text(state_.message);
+            tooltip(state_.message);
+            return;
+        }
+        if (state_.recording) {
             dim_text(std::to_string(state_.frames_recorded) + " pictures in " + state_.record_folder);
-        const Playback* playback = show_.playback();
+            tooltip(state_.record_folder);
+            return;
+        }
         std::string line = fixed(state_.frames_per_second, 0) + " frames/s";
-        if (playback) line += "   step " + std::to_string(playback->steps());
+        if (show_.playback()) line += "   step " + std::to_string(show_.playback()->steps());
         dim_text(line);
         if (!show_.falls_behind()) return;
         ImGui::SameLine();
@@ -552,8 +573,8 @@ void set_style(const Theme& theme, Real scale)
     set(ImGuiCol_FrameBg, theme.card());
     set(ImGuiCol_FrameBgHovered, theme.colour(Colour::blue, 0.18));
     set(ImGuiCol_FrameBgActive, theme.colour(Colour::blue, 0.28));
-    set(ImGuiCol_SliderGrab, theme.colour(Colour::blue, 0.75));
-    set(ImGuiCol_SliderGrabActive, theme.colour(Colour::blue));
+    set(ImGuiCol_SliderGrab, theme.colour(Colour::blue, 0.45));
+    set(ImGuiCol_SliderGrabActive, theme.colour(Colour::blue, 0.65));
     set(ImGuiCol_CheckMark, theme.colour(Colour::blue));
     set(ImGuiCol_Button, theme.card());
     set(ImGuiCol_ButtonHovered, theme.colour(Colour::blue, 0.25));

@@ -20,7 +20,7 @@ struct PanelState {
     std::string record_folder;
     long frames_recorded = 0;
     Real frames_per_second = 0;
-    std::string message;  ///< the last thing that happened, such as a picture saved
+    std::string message;  ///< what happened in the last seconds, such as a picture saved
 };
 
 /// The width that the panel takes [units of ImGui].

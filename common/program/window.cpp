@@ -119,7 +119,7 @@ public:
         glfwGetFramebufferSize(window_, &pixels, nullptr);
         density_ = units > 0 ? std::max(1.0, static_cast<Real>(pixels) / units) : 1;
         scale_ = std::clamp(static_cast<Real>(content) / density_, 1.0, 4.0);
-        fonts_ = std::make_unique<Fonts>(scale_ * density_);
+        fonts_ = std::make_unique<Fonts>(scale_, density_);
         ImGui::GetIO().FontGlobalScale = static_cast<float>(1 / density_);
         if (!options_.record.empty()) {
             start_recording(options_.record, options_.every);
@@ -246,6 +246,7 @@ private:
 
     void frame()
     {
+        if (std::chrono::steady_clock::now() > message_until_) state_.message.clear();
         const Theme theme{state_.dark};
         set_style(theme, scale_);
         ImGui_ImplOpenGL3_NewFrame();
@@ -259,7 +260,6 @@ private:
         if (state_.visible) draw_panel(show_, state_, theme, *fonts_, scale_, static_cast<Real>(size.y));
         draw_panes(list, theme);
         read_hand();
-        draw_message(list, theme);
         ImGui::Render();
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
@@ -363,20 +363,6 @@ private:
         const Vec2 p = projection.to_pixel(where);
         list.AddCircle({static_cast<float>(p.x()), static_cast<float>(p.y())}, static_cast<float>(6 * scale_),
                        theme.colour(Colour::ink, 0.5), 0, static_cast<float>(1.5 * scale_));
-    }
-
-    /// What has just happened, for some seconds.
-    void draw_message(ImDrawList& list, const Theme& theme) const
-    {
-        if (state_.message.empty() || std::chrono::steady_clock::now() > message_until_) return;
-        const std::string text = fonts_->shown(state_.message);
-        const ImFont* font = fonts_->nearest(13 * scale_);
-        const float size = static_cast<float>(13 * scale_), pad = static_cast<float>(8 * scale_);
-        const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str());
-        const ImVec2 end = {opposite(pictures_).x - 3 * pad, opposite(pictures_).y - 3 * pad};
-        const ImVec2 begin = {end.x - extent.x - 2 * pad, end.y - extent.y - 2 * pad};
-        list.AddRectFilled(begin, end, theme.colour(Colour::ink), pad / 2);
-        list.AddText(font, size, {begin.x + pad, begin.y + pad}, theme.card(), text.c_str());
     }
 
     void say(const std::string& words)

@@ -1,0 +1,81 @@
+/// \file cases.hpp
+/// Either/or, row by row: the cases that each row can be in, and all ways to choose one for each.
+///
+///     at_lo:   λ = lo, and w ≥ 0 must come out
+///     between: w = 0,  and lo ≤ λ ≤ hi must come out
+///     at_hi:   λ = hi, and w ≤ 0 must come out
+///
+/// (3.24). A row without bounds has one case, a contact two, a row between two bounds three.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace rigid {
+
+enum class RowCase : unsigned char { at_lo, between, at_hi };
+
+class CaseSets {
+public:
+    /// \param first  the set to begin with; a row for which it is empty or impossible begins with what q
+    /// alone
+    ///               says: what pushes is at work where q asks for it
+    CaseSets(const Mlcp& mlcp, const std::vector<RowCase>& first)
+    {
+        for (Index i = 0; i < mlcp.size(); ++i) {
+            const bool room = mlcp.lo[i] < mlcp.hi[i];
+            std::vector<RowCase>& cases = cases_.emplace_back();
+            if (room) cases.push_back(RowCase::between);
+            if (std::isfinite(mlcp.lo[i])) cases.push_back(RowCase::at_lo);
+            if (room && std::isfinite(mlcp.hi[i])) cases.push_back(RowCase::at_hi);
+            count_ *= static_cast<Real>(cases.size());
+            if (cases.size() > 1) choices_.push_back(static_cast<std::size_t>(i));
+            RowCase guess = mlcp.q[i] < 0 ? RowCase::between : RowCase::at_lo;
+            if (static_cast<Index>(first.size()) == mlcp.size()) guess = first[static_cast<std::size_t>(i)];
+            const bool possible = std::find(cases.begin(), cases.end(), guess) != cases.end();
+            set_.push_back(possible ? guess : cases.front());
+        }
+    }
+
+    Real count() const { return count_; }
+    const std::vector<RowCase>& now() const { return set_; }
+
+    //! [order]
+    /// Calls try_set() once for each set until it returns true. Sets near the first one come first: it
+    /// itself, then those that differ from it in one row, then in two, …
+    template <class Try>
+    void visit_all(const Try& try_set)
+    {
+        for (std::size_t distance = 0; distance <= choices_.size(); ++distance)
+            if (visit(0, distance, try_set)) return;
+    }
+
+private:
+    /// The sets that differ from the present one in so many of the rows choices_[from], choices_[from + 1], …
+    template <class Try>
+    bool visit(std::size_t from, std::size_t distance, const Try& try_set)
+    {
+        if (distance == 0) return try_set();
+        bool stop = false;
+        for (std::size_t k = from; !stop && k + distance <= choices_.size(); ++k) {
+            const RowCase kept = set_[choices_[k]];
+            for (const RowCase other : cases_[choices_[k]])
+                if (!stop && other != kept) {
+                    set_[choices_[k]] = other;
+                    stop = visit(k + 1, distance - 1, try_set);
+                }
+            set_[choices_[k]] = kept;
+        }
+        return stop;
+    }
+    //! [order]
+
+    std::vector<std::vector<RowCase>> cases_;
+    std::vector<std::size_t> choices_;  ///< rows with more than one case
+    std::vector<RowCase> set_;
+    Real count_ = 1;
+};
+
+}  // namespace rigid
