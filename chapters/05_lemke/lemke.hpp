@@ -1,124 +1,26 @@
 /// \file lemke.hpp
 /// Lemke's algorithm: walk from vertex to vertex, and finish.
 ///
-///     w = A z + q,   0 ≤ z ⟂ w ≥ 0
+///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
-/// The artificial variable z0 lifts all rows until q + d z0 ≥ 0 (5.5). From then on one pair (z_i, w_i) is
-/// missing at each vertex; the variable that left brings in its complement (5.10), until z0 is back at zero.
-/// An answer is only called solved after its residual was computed.
-/// \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
+/// Brought to the plain form (standard_form.hpp), walked (walk.hpp), and only called solved after the
+/// residual of the answer was computed. \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
 #pragma once
 
 #include "chapters/05_lemke/standard_form.hpp"
-#include "chapters/05_lemke/tableau.hpp"
+#include "chapters/05_lemke/walk.hpp"
 
-#include <Eigen/LU>
+#include <limits>
 #include <string>
-#include <vector>
 
 namespace rigid {
 
 struct LemkeSettings {
     TieRule ties = TieRule::lexicographic;
+    Tolerances tolerances;   ///< of pivots and ties
     int pivot_limit = 0;     ///< 0 = 10,000 + 50 n: far beyond what contacts need, soon over for the others
     Real tolerance = 1e-10;  ///< of the natural residual, as a share of the largest |q|
 };
-
-/// One walk, pivot by pivot, so that a program can show each of them.
-struct LemkeWalk {
-    enum class Place { on_the_way, solution, ray };
-
-    Tableau tableau;
-    TieRule ties;
-    Index entering = 0;  ///< the variable that enters next
-    int pivots = 0;
-    Place place = Place::on_the_way;
-
-    //! [start]
-    /// \param A     n×n
-    /// \param q     n
-    /// \param d     the covering vector, n positive numbers
-    /// \param ties_ who leaves in a tie
-    LemkeWalk(const MatX& A, const VecX& q, const VecX& d, TieRule ties_) : tableau(A, q, d), ties(ties_)
-    {
-        entering = tableau.artificial();
-        if (q.size() == 0 || q.minCoeff() >= 0) place = Place::solution;  // z = 0 will do
-    }
-    //! [start]
-
-    //! [step]
-    /// One pivot.
-    void step()
-    {
-        const Index c = tableau.column_of(entering);
-        const Index p = entering == tableau.artificial() ? most_negative_row() : tableau.ratio_test(c, ties);
-        if (p < 0) {
-            place = Place::ray;
-            return;
-        }
-        const Index leaving = tableau.basic[static_cast<std::size_t>(p)];
-        tableau.pivot(p, c);
-        ++pivots;
-        if (leaving == tableau.artificial()) place = Place::solution;
-        else entering = tableau.complement(leaving);  // (5.10)
-    }
-    //! [step]
-
-    /// (5.6): the row that needs the largest z0; ties by the rule, where ε^k is least for the last row.
-    Index most_negative_row() const
-    {
-        const VecX need = -tableau.values().cwiseQuotient(tableau.T.col(tableau.n));
-        const Real enough = need.maxCoeff() - Tableau::tie_tolerance * need.cwiseAbs().maxCoeff();
-        Index best = 0;
-        while (need[best] < enough) ++best;
-        for (Index i = best + 1; i < tableau.n && ties != TieRule::first_row; ++i)
-            if (need[i] >= enough) best = i;
-        return best;
-    }
-
-    VecX z() const
-    {
-        VecX answer(tableau.n);
-        for (Index i = 0; i < tableau.n; ++i) answer[i] = std::max(Real{0}, tableau.value(i));
-        return answer;
-    }
-
-    //! [ray]
-    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.18)? For every z ≥ 0 with
-    /// A z + q ≥ 0 we have 0 ≤ yᵀ(A z + q) = (Aᵀy)ᵀz + qᵀy. If Aᵀy ≤ 0 and qᵀy < 0, there is none.
-    /// Rounding leaves Aᵀy ≤ δ: then an answer would have Σz ≥ -qᵀy/δ, and we want that to be absurd.
-    bool proves_infeasibility(const MatX& A, const VecX& q) const
-    {
-        const Index c = tableau.column_of(entering);
-        VecX y = VecX::Zero(tableau.n);
-        for (Index i = 0; i < tableau.n; ++i)
-            if (tableau.is_basic(i)) y[i] = std::max(Real{0}, tableau.T(tableau.row_of(i), c));
-        if (entering < tableau.n) y[entering] = 1;
-        const Real delta = std::max(Real{0}, (A.transpose() * y).maxCoeff());
-        return -q.dot(y) * A.cwiseAbs().maxCoeff() > 1e13 * delta * q.cwiseAbs().maxCoeff();
-    }
-    //! [ray]
-};
-
-//! [refine]
-/// The answer anew from its basis alone: where z_i is basic w_i = 0, and that is a linear system (5.16).
-/// No error of the walk is left in it.
-inline VecX solve_basis(const Tableau& tableau, const MatX& A, const VecX& q)
-{
-    std::vector<Index> active;
-    for (Index i = 0; i < tableau.n; ++i)
-        if (tableau.is_basic(i)) active.push_back(i);
-    VecX z = VecX::Zero(tableau.n);
-    if (active.empty()) return z;
-    const Eigen::PartialPivLU<MatX> factors(A(active, active));
-    const VecX b = -q(active);
-    VecX x = factors.solve(b);
-    x += factors.solve(b - A(active, active) * x);
-    for (std::size_t k = 0; k < active.size(); ++k)
-        z[active[k]] = std::max(Real{0}, x[static_cast<Index>(k)]);
-    return z;
-}
-//! [refine]
 
 /// What rounding alone may hide when w = A λ + q is computed [m/s]. λ of 1e13 that cancel in w can look
 /// right by luck.
@@ -167,7 +69,7 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
     const int limit = settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(n);
     // Ones first. If rounding led that walk astray, another covering vector is another way.
     for (const Real last : {1.0, 2.0}) {
-        LemkeWalk walk(form.A, form.q, VecX::LinSpaced(n, 1, last), settings.ties);
+        LemkeWalk walk(form.A, form.q, VecX::LinSpaced(n, 1, last), settings.ties, settings.tolerances);
         while (walk.place == LemkeWalk::Place::on_the_way && solution.iterations + walk.pivots < limit)
             walk.step();
         solution.iterations += walk.pivots;

@@ -12,7 +12,7 @@
 ///                           rows repeat each other, λ = z₊ - z₋ instead (5.21)
 #pragma once
 
-#include "chapters/03_mlcp_formulation/direct.hpp"
+#include "chapters/03_mlcp_formulation/schur.hpp"
 
 #include <utility>
 #include <vector>

@@ -21,14 +21,18 @@ namespace rigid {
 /// Who leaves when several basic variables reach zero together.
 enum class TieRule { lexicographic, first_row, last_row };
 
-struct Tableau {
-    /// An entry below this share of the largest of its column is rounding error, not a slope. Section 5.6 has
-    /// the evidence: anything from 1e-6 to 1e-12 gives the same answers, 1e-14 pivots on noise.
-    static constexpr Real pivot_tolerance = 1e-10;
+/// What counts as nothing, relative to the numbers it is compared with. Section 5.6 has the evidence.
+struct Tolerances {
+    /// An entry below this share of the largest of its column is rounding error, not a slope. Anything from
+    /// 1e-6 to 1e-12 gives the same answers; 1e-14 pivots on noise.
+    Real pivot = 1e-10;
     /// Two ratios, or two terms of their perturbations, that differ by less than this share of their scale
-    /// are equal. Anything from 1e-5 to 1e-8 serves; 1e-10 takes noise for order.
-    static constexpr Real tie_tolerance = 1e-8;
+    /// are equal. Anything from 1e-5 to 1e-8 serves; 1e-11 takes noise for order.
+    Real tie = 1e-8;
+};
 
+struct Tableau {
+    Tolerances tolerances;
     Index n = 0;
     MatX T;                       ///< n×(n + 2): a column for each y_N, then r
     std::vector<Index> basic;     ///< the variable of each row: z_i has the number i, w_i n + i, z0 2n
@@ -38,8 +42,9 @@ struct Tableau {
 
     Tableau() = default;
     /// (5.5): w = q + d z0 + A z.
-    Tableau(const MatX& A, const VecX& q, const VecX& d)
-        : n(q.size()), T(n, n + 2), basic(size(n)), nonbasic(size(n + 1)), place(size(2 * n + 1)), column(n)
+    Tableau(const MatX& A, const VecX& q, const VecX& d, const Tolerances& nothing = {})
+        : tolerances(nothing), n(q.size()), T(n, n + 2), basic(size(n)), nonbasic(size(n + 1)),
+          place(size(2 * n + 1)), column(n)
     {
         T.leftCols(n) = A;
         T.col(n) = d;
@@ -90,13 +95,13 @@ struct Tableau {
     {
         const auto slope = T.col(c);
         const Real steepest = slope.cwiseAbs().maxCoeff();
-        const Real falling = -pivot_tolerance * steepest;
+        const Real falling = -tolerances.pivot * steepest;
         Real least = infinity;
         for (Index i = 0; i < n; ++i)
             if (slope[i] < falling) least = std::min(least, std::max(values()[i], Real{0}) / -slope[i]);
         if (!(least < infinity)) return -1;
 
-        const Real limit = least + tie_tolerance * values().cwiseAbs().maxCoeff() / steepest;
+        const Real limit = least + tolerances.tie * values().cwiseAbs().maxCoeff() / steepest;
         Index best = -1;
         for (Index i = 0; i < n; ++i) {
             if (!(slope[i] < falling) || values()[i] > -slope[i] * limit) continue;
@@ -122,7 +127,7 @@ struct Tableau {
         const auto scale = [&](Index row) {
             return std::max(Real{1}, T.row(row).head(n + 1).cwiseAbs().maxCoeff()) / -T(row, c);
         };
-        const Real noise = tie_tolerance * std::max(scale(i), scale(k));
+        const Real noise = tolerances.tie * std::max(scale(i), scale(k));
         for (Index j = 0; j < n; ++j) {
             const Real difference = perturbation(i, j) / -T(i, c) - perturbation(k, j) / -T(k, c);
             if (std::abs(difference) > noise) return difference < 0;
