@@ -20,7 +20,7 @@ enum class Colour { ink, faint, blue, orange, green, red, purple, yellow };
 
 struct Style {
     Colour colour = Colour::ink;
-    Real width = 1.5;  ///< of a line, in pixels
+    Real width = 1.5;  ///< of a line, in pixels of a picture 720 wide
     Real opacity = 1;  ///< 0 … 1
     /// Discs, boxes and polygons: the inside is painted with `opacity`. Their outline is drawn too, with
     /// √opacity, so that a faint inside keeps an edge that can be seen; width = 0 leaves it out.
@@ -36,7 +36,7 @@ struct DrawItem {
     std::vector<Vec2> points;  ///< disc: centre · polygon, line: corners · arrow: tail, head · text: where
     Real radius = 0;           ///< of a disc [m]
     std::string text;
-    Real size = 14;  ///< of text, in pixels
+    Real size = 14;  ///< of text, in pixels of a picture 720 wide
     Style style;
     Align align = Align::left;  ///< of text
 };

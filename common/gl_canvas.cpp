@@ -264,7 +264,7 @@ Fonts::Fonts(Real scale, Real density) : density_(density)
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::string file = system_typeface();
     if (!file.empty())
-        for (const Real size : {15.0, 12.0, 13.0, 14.0, 16.3, 18.6, 21.0, 28.0}) {
+        for (const Real size : {15.0, 12.0, 13.0, 14.0, 16.3, 18.6, 21.0, 28.0, 10.5, 9.5}) {
             ImFontConfig config;
             config.OversampleH = 2;
             config.OversampleV = 1;

@@ -64,16 +64,20 @@ struct PictureLayout {
     std::vector<Rectangle> areas;
 };
 
-/// Up to three panes in a row, more in rows of two; each of them 720 pixels along its longer side.
+/// The pixels per metre that pictures are designed for: 720 pixels along the longer side of the view.
+/// In a file widths and letters are in these pixels; in a window they grow and shrink with the pane.
+inline Real design_scale(const View& view) { return 720 / (2 * view.half_size.maxCoeff()); }
+
+/// Up to three panes in a row, more in rows of two, each in the scale that it is designed for.
 inline PictureLayout lay_out(const std::vector<Pane>& panes)
 {
-    constexpr Real longest = 720, narrowest = 240;
+    constexpr Real narrowest = 240;
     PictureLayout layout;
     const std::size_t count = panes.size(), columns = count > 3 ? 2 : count;
     const Real label = count > 1 ? PictureLayout::label_height : 0;
     Real width = 0, height = 0;
     for (const Pane& pane : panes) {
-        const Real scale = longest / (2 * pane.view.half_size.maxCoeff());
+        const Real scale = design_scale(pane.view);
         width = std::max({width, std::round(2 * scale * pane.view.half_size.x()), narrowest});
         height = std::max(height, std::round(2 * scale * pane.view.half_size.y()));
     }

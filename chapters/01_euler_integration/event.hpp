@@ -16,27 +16,27 @@ namespace rigid {
 inline constexpr int event_samples = 8;
 
 //! [polish]
-/// Puts the run, which has just taken a step, back to the event between the parts `before` and `after` of it.
-template <int N, Acceleration<N> A, class Closes, class Gap>
-void go_back_to_event(Adaptive<N>& run, Real before, Real after, const A& a, const Closes& closes,
-                      const Gap& gap)
+/// Puts a run that has just taken a step back to the event between the parts `open` and `closed` of it.
+template <int N, Acceleration<N> A, class Gap>
+void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, const Gap& gap)
 {
+    const Hermite<N> whole = run.last;
+    const auto gap_at = [&](Real theta) { return gap(whole.at(theta)); };
+
     // (1.46): halve the interval on the polynomial until no number fits in between.
-    for (Real middle = (before + after) / 2; before < middle && middle < after; middle = (before + after) / 2)
-        (closes(middle) > 0 ? before : after) = middle;
+    for (Real theta = (open + closed) / 2; open < theta && theta < closed; theta = (open + closed) / 2)
+        (gap_at(theta) > 0 ? open : closed) = theta;
 
     // (1.47): Newton's method with real steps; the slope of the polynomial is good enough for it.
-    const Hermite<N> whole = run.last;
-    const Real slope = (closes(after + 1e-3) - closes(after - 1e-3)) / (2e-3 * whole.h);
-    Real h = after * whole.h;
+    const Real slope = (gap_at(closed + 1e-3) - gap_at(closed - 1e-3)) / (2e-3 * whole.h);
+    Real h = closed * whole.h;
     for (int i = 0;; ++i) {
         const PairStep<N> step = dormand_prince_step(whole.s0, whole.a0, h, a);
         run.evaluations += 6;
         run.s = step.s;
         run.a = step.a;
         run.last = {whole.s0, step.s, whole.a0, step.a, h};
-        const Real change = -gap(step.s) / slope;
-        const Real next = std::clamp(h + change, before * whole.h / 2, whole.h);
+        const Real next = std::clamp(h - gap(step.s) / slope, h / 2, whole.h);
         const bool close = !(std::abs(next - h) > 4 * std::numeric_limits<Real>::epsilon() * run.t);
         if (close || i == 9) break;
         h = next;
@@ -46,38 +46,44 @@ void go_back_to_event(Adaptive<N>& run, Real before, Real after, const A& a, con
 //! [polish]
 
 //! [event]
-/// Takes adaptive steps until gap(s) passes from above zero to zero or below, or until t_end [s].
-/// At `Outcome::event` the run stands at the moment of the event. Whoever then changes run.s (a
-/// bounce) sets run.a to its acceleration too. A run that starts at gap ≤ 0 has no event before it
-/// was above zero.
+/// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to zero or below
+/// on the way, the run goes back to that moment and the outcome is `event`. Whoever then changes
+/// run.s (a bounce) sets run.a to its acceleration too. A run that starts at gap ≤ 0 has no event
+/// before it was above zero.
 /// \param gap  gap(s): a number with the sign of the distance, continuous in the state
+template <int N, Acceleration<N> A, class Gap>
+Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& tolerance, const Gap& gap)
+{
+    const Outcome outcome = advance(run, t_end, a, tolerance);
+    if (outcome != Outcome::reached) return outcome;
+
+    // Look along the step for a place where the gap closes.
+    const auto gap_at = [&](Real theta) { return gap(run.last.at(theta)); };
+    bool open = gap(run.last.s0) > 0;
+    for (int i = 1; i <= event_samples; ++i) {
+        const Real theta = static_cast<Real>(i) / event_samples;
+        const bool still_open = (i < event_samples ? gap_at(theta) : gap(run.last.s1)) > 0;
+        if (open && !still_open) {
+            go_back_to_event(run, theta - 1. / event_samples, theta, a, gap);
+            return Outcome::event;
+        }
+        open = still_open;
+    }
+    return Outcome::reached;
+}
+//! [event]
+
+/// Takes adaptive steps until the event or until t_end [s].
 /// \throws std::invalid_argument  for a t_end that is not finite or lies in the past
 template <int N, Acceleration<N> A, class Gap>
 Outcome integrate_to_event(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& tolerance,
                            const Gap& gap)
 {
     require_end(run, t_end);
-    while (run.t < t_end) {
-        const Outcome outcome = advance(run, t_end, a, tolerance);
-        if (outcome != Outcome::reached) return outcome;
-
-        // Look along the step for a place where the gap closes.
-        const auto closes = [&](Real theta) { return gap(run.last.at(theta)); };
-        Real before = 0;
-        bool open = gap(run.last.s0) > 0;
-        for (int i = 1; i <= event_samples; ++i) {
-            const Real after = static_cast<Real>(i) / event_samples;
-            const bool still_open = (i < event_samples ? closes(after) : gap(run.last.s1)) > 0;
-            if (open && !still_open) {
-                go_back_to_event(run, before, after, a, closes, gap);
-                return Outcome::event;
-            }
-            open = still_open;
-            before = after;
-        }
-    }
-    return Outcome::reached;
+    Outcome outcome = Outcome::reached;
+    while (run.t < t_end && outcome == Outcome::reached)
+        outcome = advance_to_event(run, t_end, a, tolerance, gap);
+    return outcome;
 }
-//! [event]
 
 }  // namespace rigid

@@ -102,7 +102,7 @@ inline State<2> exact_kepler(const Kepler& kepler, Real e, Real t)
 ///     t_down = acosh(exp(k top)) / √(gk)
 inline Real exact_impact(const Projectile& projectile, Real y0, Real u0)
 {
-    const Real g = projectile.g;
+    const Real g = -projectile.gravity.y();
     const Real k = projectile.drag;
     if (k == 0) return (u0 + std::sqrt(u0 * u0 + 2 * g * y0)) / g;
     const Real rate = std::sqrt(g * k);

@@ -58,15 +58,15 @@ struct Kepler {
     Real angular_momentum(const State<2>& s) const { return cross2(s.x, s.u); }
 };
 
-/// A throw with quadratic drag: a(u) = (0, −g) − k |u| u.
+/// A throw with quadratic drag: a(u) = g − k |u| u.
 struct Projectile {
-    Real g = 9.81;  ///< [m/s²]
-    Real drag = 0;  ///< k = ½ · density of air · drag coefficient · area / mass [1/m]
+    Real drag = 0;              ///< k = ½ · density of air · drag coefficient · area / mass [1/m]
+    Vec2 gravity = {0, -9.81};  ///< g [m/s²]
 
-    Vec2 operator()(const Vec2&, const Vec2& u) const { return Vec2(0, -g) - drag * u.norm() * u; }
+    Vec2 operator()(const Vec2&, const Vec2& u) const { return gravity - drag * u.norm() * u; }
 
-    /// ½u² + g y [J/kg]; drag takes from it
-    Real energy(const State<2>& s) const { return s.u.squaredNorm() / 2 + g * s.x.y(); }
+    /// ½u² − g·x [J/kg]; drag takes from it
+    Real energy(const State<2>& s) const { return s.u.squaredNorm() / 2 - gravity.dot(s.x); }
 };
 
 /// An acceleration that counts how often it is asked: the work of a method, the same on every machine.

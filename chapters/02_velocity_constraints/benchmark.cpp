@@ -150,10 +150,9 @@ void links_row_by_row(benchmark::State& state)
         }
         benchmark::DoNotOptimize(u.data());
     }
-    state.counters["error"] = links.worst(u) / links.worst(links.u);
-    state.counters["rounds"] = static_cast<Real>(rounds);
-    state.counters["work"] =
-        static_cast<Real>(rounds * state.range(0)) * 12;  // multiplications: w, λ, two velocities
+    const Real visits = static_cast<Real>(rounds * state.range(0));
+    // 12 multiplications a visit: w, λ and two velocities
+    report(state, links.worst(u) / links.worst(links.u), 0, static_cast<Real>(rounds), 12 * visits);
 }
 
 void rounds_of_32_links(benchmark::State& state)

@@ -119,7 +119,7 @@ public:
         for (Index k = 0; k < bodies.count(); ++k) {
             const Vec2 x = bodies.position(k);
             canvas.disc(x, scene_.radius[k], paint::body);
-            canvas.text(x - Vec2(0, 0.85 * scene_.radius[k]), std::to_string(k), 14, paint::label,
+            canvas.text(x + scene_.radius[k] * Vec2(-0.55, 0.5), std::to_string(k), 14, paint::label,
                         Align::centre);
             const Vec2 star = before_.segment<2>(2 * k), u = bodies.velocity(k);
             if ((star - u).norm() > 0.05) arrow(x, 0.25 * star, "u*", paint::wanted);

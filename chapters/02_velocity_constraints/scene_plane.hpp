@@ -121,7 +121,7 @@ public:
         if (answer_.lambda != 0 && (foot - u).norm() > 0.05) {
             canvas.segment(u_star_, foot, paint::guide);
             canvas.disc(foot, 0.06, {Colour::ink, 1.5, 1, false, false});
-            canvas.text(foot + Vec2(0.2, 0.12), "foot of the perpendicular", 13, paint::label);
+            canvas.text(foot + Vec2(0.3, 0.12), "foot of the perpendicular", 13, paint::label);
         }
         if (answer_.lambda != 0) canvas.arrow(u_star_, u, paint::impulse);
         canvas.disc(u_star_, 0.08, {Colour::orange, 2, 1, true, false});

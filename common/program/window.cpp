@@ -85,8 +85,10 @@ public:
             const GLFWvidmode* mode = glfwGetVideoMode(monitor);
             if (mode && mode->refreshRate > 0) refresh_ = 1.0 / mode->refreshRate;
         }
-        window_ = glfwCreateWindow(std::min(1280, width), std::min(800, height),
-                                   show_.program().title.c_str(), nullptr, nullptr);
+        // Most of the screen, as far as the eye reaches.
+        width = std::min(width, std::clamp(17 * width / 20, 1280, 1800));
+        height = std::min(height, std::clamp(17 * height / 20, 800, 1125));
+        window_ = glfwCreateWindow(width, height, show_.program().title.c_str(), nullptr, nullptr);
         if (!window_) return complain(reason);
         glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
         glfwMakeContextCurrent(window_);
@@ -293,7 +295,9 @@ private:
             const Rectangle picture = {place.x + 1, place.y + label, place.width - 2,
                                        place.height - label - 1};
             const Projection& projection = projections_.emplace_back(panes[i].view, picture);
-            paint(list, panes[i].canvas, projection, theme, *fonts_, scale_);
+            // Letters keep their place among the shapes, as far as they stay readable.
+            const Real grown = projection.scale / scale_ / design_scale(panes[i].view);
+            paint(list, panes[i].canvas, projection, theme, *fonts_, scale_ * std::clamp(grown, 0.62, 1.5));
             header(list, theme, place, label, i, panes.size() > 1, tracks[i]);
             if (!tracks[i].can_go_on()) sentence(list, theme, picture, show_failure(tracks[i]));
             draw_pointer(list, theme, projection, i);
