@@ -36,17 +36,18 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width, const Lem
 {
     const Tableau& tableau = walk.tableau;
     const Index n = tableau.n;
+    const MatX T = tableau.entries();
     const Real cell = width / static_cast<Real>(n + 3);  // a gap before the column r
     const auto centre = [&](Index row, Index c) {
         const Real gap = c > n ? 0.5 : 0;
         return Vec2(top_left + cell * Vec2(static_cast<Real>(c) + gap + 0.5, -static_cast<Real>(row) - 0.5));
     };
-    const Real largest = tableau.T.leftCols(n + 1).cwiseAbs().maxCoeff();
+    const Real largest = T.leftCols(n + 1).cwiseAbs().maxCoeff();
     const Real largest_value = tableau.values().cwiseAbs().maxCoeff();
     const Vec2 half(0.46 * cell, 0.46 * cell);
     for (Index row = 0; row < n; ++row)
         for (Index c = 0; c < n + 2; ++c) {
-            const Real entry = tableau.T(row, c), scale = c > n ? largest_value : largest;
+            const Real entry = T(row, c), scale = c > n ? largest_value : largest;
             const Real size = scale > 0 ? std::log10(std::max(std::abs(entry) / scale, 1e-4)) / 4 + 1 : 0;
             if (size > 0)
                 canvas.box(centre(row, c), half, 0,
@@ -61,8 +62,8 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width, const Lem
         canvas.text(centre(row, 0) - Vec2(0.62 * cell, 0.15 * cell), name_of(tableau, variable), letters,
                     {colour_of(tableau, variable), 1, 1, false, false}, Align::right);
         if (n <= 8)
-            canvas.text(centre(row, n + 1) - Vec2(0, 0.12 * cell), significant(tableau.T(row, n + 1), 3),
-                        letters - 1, label, Align::centre);
+            canvas.text(centre(row, n + 1) - Vec2(0, 0.12 * cell), significant(T(row, n + 1), 3), letters - 1,
+                        label, Align::centre);
     }
     for (Index c = 0; words && c < n + 2; ++c) {
         const bool value = c == n + 1;

@@ -22,10 +22,15 @@ struct LemkeSettings {
     Real tolerance = 1e-10;  ///< of the natural residual, as a share of the largest |q|
 };
 
-/// What rounding alone may hide when w = A λ + q is computed [m/s]. λ of 1e13 that cancel in w can look
-/// right by luck.
-inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda)
+/// What rounding alone may hide when w = A λ + q is computed [m/s]: λ of 1e13 that cancel in w can look right
+/// by luck. A bound that is quick to have will do where it is not above `enough`.
+inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda, Real enough)
 {
+    if (mlcp.A.nonZeros() == 0) return 0;
+    constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+    const Real entry_sum = mlcp.A.coeffs().abs().maxCoeff() * lambda.lpNorm<1>();
+    const Real bound = epsilon * (mlcp.q.cwiseAbs().maxCoeff() + entry_sum);
+    if (bound <= enough) return bound;
     Real largest = 0;
     for (Index i = 0; i < mlcp.size(); ++i) {
         Real sum = std::abs(mlcp.q[i]);
@@ -33,7 +38,7 @@ inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda)
             sum += std::abs(entry.value() * lambda[entry.col()]);
         if (!(sum <= largest)) largest = sum;
     }
-    return std::numeric_limits<Real>::epsilon() * largest;
+    return epsilon * largest;
 }
 
 //! [lemke]
@@ -61,11 +66,9 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
         solution.residual = natural_residual(mlcp, lambda);
         return solution;
     };
-    // How large a residual may be: a share of q, or of 1e-4 of what the λ at their bounds add to it.
-    const auto allowed = [&](Real share) {
-        const Real q = mlcp.size() > 0 ? mlcp.q.cwiseAbs().maxCoeff() : 0;
-        return settings.tolerance * share * std::max(q, 1e-4 * size_of_numbers(mlcp, solution.lambda));
-    };
+    // How large a residual may be: a share of q, or of 1e-4 of what the bounds add to it.
+    const auto largest = [](const VecX& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0; };
+    const Real allowed = settings.tolerance * std::max(largest(mlcp.q), 1e-4 * largest(form.q));
     const int limit = settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(n);
     // Ones first. If rounding led that walk astray, another covering vector is another way.
     for (const Real last : {1.0, 2.0}) {
@@ -82,12 +85,13 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
             if (proof) return solution;
             continue;
         }
-        if (!(solution.residual <= std::min(allowed(1), settings.tolerance))) {  // refine once
+        if (!(solution.residual <= std::min(allowed, settings.tolerance))) {  // refine once
             const Solution walked = solution;
             report(Status::singular, form.impulses(solve_basis(walk.tableau, form.A, form.q)));
             if (!(solution.residual < walked.residual)) solution = walked;
         }
-        if (solution.residual <= allowed(1) && hidden_by_rounding(mlcp, solution.lambda) <= allowed(10)) {
+        if (solution.residual <= allowed &&
+            hidden_by_rounding(mlcp, solution.lambda, 10 * allowed) <= 10 * allowed) {
             solution.status = Status::solved;
             return solution;
         }

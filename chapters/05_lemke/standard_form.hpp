@@ -38,20 +38,33 @@ public:
         std::vector<Index> boxed;  // which z have an upper bound
         for (Index i = 0; i < rest.size(); ++i) {
             const bool below = rest.lo[i] > -infinity, above = rest.hi[i] < infinity;
+            first_.push_back(row_.size());
             if (below || above) fixed_[i] = below ? rest.lo[i] : rest.hi[i];
             if (rest.lo[i] == rest.hi[i]) continue;
             if (below && above) boxed.push_back(static_cast<Index>(row_.size()));
             if (below || !above) add(i, 1);
             if (!below) add(i, -1);
         }
+        first_.push_back(row_.size());
 
         const auto m = static_cast<Index>(row_.size()), s = static_cast<Index>(boxed.size());
         const VecX w = rest.A * fixed_ + rest.q;  // where all z are zero
-        const Eigen::Map<const VecX> sign(sign_.data(), m);
-        A = MatX::Zero(m + s, m + s);
-        A.topLeftCorner(m, m) = sign.asDiagonal() * MatX(rest.A)(row_, row_) * sign.asDiagonal();
         q.resize(m + s);
-        q.head(m) = sign.cwiseProduct(VecX(w(row_)));
+        if (m == rest.size() && s == 0 && sign_ == std::vector<Real>(row_.size(), 1)) {
+            A = rest.A;  // nothing to turn or to leave out
+            q = w;
+            return;
+        }
+        A = MatX::Zero(m + s, m + s);
+        for (Index k = 0; k < m; ++k) {
+            const Index row = row_[static_cast<std::size_t>(k)];
+            const Real sign = sign_[static_cast<std::size_t>(k)];
+            q[k] = sign * w[row];
+            for (SparseMatrix::InnerIterator entry(rest.A, row); entry; ++entry)
+                for (auto l = first_[static_cast<std::size_t>(entry.col())];
+                     l < first_[static_cast<std::size_t>(entry.col()) + 1]; ++l)
+                    A(k, static_cast<Index>(l)) = sign * sign_[l] * entry.value();
+        }
         //! [box]
         for (Index k = 0; k < s; ++k) {  // (5.20), in the units of the row itself
             const Index i = boxed[static_cast<std::size_t>(k)];
@@ -98,9 +111,10 @@ private:
     const Mlcp& mlcp_;
     SchurComplement schur_;
     bool eliminated_ = false;
-    VecX fixed_;              ///< λ where all z are zero
-    std::vector<Index> row_;  ///< of each z, the row that it moves
-    std::vector<Real> sign_;  ///< and which way
+    VecX fixed_;                      ///< λ where all z are zero
+    std::vector<Index> row_;          ///< of each z, the row that it moves
+    std::vector<Real> sign_;          ///< and which way
+    std::vector<std::size_t> first_;  ///< of each row, its first z
 };
 
 }  // namespace rigid

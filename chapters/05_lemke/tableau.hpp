@@ -4,8 +4,8 @@
 ///     y_B = r + T y_N        one line for each basic variable; where y_N = 0 its value is r
 ///
 /// It starts as the question itself, w = q + d z0 + A z (5.5). A pivot swaps a basic variable with one that
-/// was zero (5.8). This is the condensed tableau: the columns of the basic variables would be unit vectors,
-/// so they are not stored, and n² numbers are worked on instead of 2n².
+/// was zero (5.8). This is the condensed tableau: the columns of the basic variables would be unit vectors
+/// and are not stored. And a column is only brought up to date when somebody looks at it: most never enter.
 /// \cite cottle1992, §2.3 and §4.4
 #pragma once
 
@@ -34,21 +34,21 @@ struct Tolerances {
 struct Tableau {
     Tolerances tolerances;
     Index n = 0;
-    MatX T;                       ///< n×(n + 2): a column for each y_N, then r
-    std::vector<Index> basic;     ///< the variable of each row: z_i has the number i, w_i n + i, z0 2n
-    std::vector<Index> nonbasic;  ///< the variable of each column
-    std::vector<Index> place;     ///< of each variable: its column, or -1 - its row
-    VecX column;                  ///< scratch: the multipliers of a pivot
+    std::vector<Index> basic;         ///< the variable of each row: z_i has the number i, w_i n + i, z0 2n
+    std::vector<Index> nonbasic;      ///< the variable of each column
+    std::vector<Index> place;         ///< of each variable: its column, or -1 - its row
+    mutable long column_updates = 0;  ///< how often a pivot was worked into a column
 
     Tableau() = default;
     /// (5.5): w = q + d z0 + A z.
     Tableau(const MatX& A, const VecX& q, const VecX& d, const Tolerances& nothing = {})
-        : tolerances(nothing), n(q.size()), T(n, n + 2), basic(size(n)), nonbasic(size(n + 1)),
-          place(size(2 * n + 1)), column(n)
+        : tolerances(nothing), n(q.size()), basic(size(n)), nonbasic(size(n + 1)), place(size(2 * n + 1)),
+          T_(whole_lines(n), n + 2), U_(T_.rows(), std::max<Index>(n, 8)), applied_(size(n + 2), 0)
     {
-        T.leftCols(n) = A;
-        T.col(n) = d;
-        T.col(n + 1) = q;
+        T_.bottomRows(T_.rows() - n).setZero();
+        T_.topLeftCorner(n, n) = A;
+        T_.col(n).head(n) = d;
+        T_.col(n + 1).head(n) = q;
         for (Index i = 0; i < n; ++i) {
             put_row(i, n + i);
             put_column(i, i);
@@ -61,31 +61,57 @@ struct Tableau {
     bool is_basic(Index variable) const { return place[size(variable)] < 0; }
     Index row_of(Index variable) const { return -1 - place[size(variable)]; }
     Index column_of(Index variable) const { return place[size(variable)]; }
-    auto values() const { return T.col(n + 1); }  ///< r, of the basic variables
+    /// A column of T.
+    auto column(Index j) const
+    {
+        bring_up_to_date(j);
+        return std::as_const(T_).col(j).head(n);
+    }
+    auto values() const { return column(n + 1); }  ///< r, of the basic variables
     /// The value of any variable.
-    Real value(Index variable) const { return is_basic(variable) ? T(row_of(variable), n + 1) : 0; }
+    Real value(Index variable) const { return is_basic(variable) ? values()[row_of(variable)] : 0; }
+    /// All of [T r].
+    MatX entries() const
+    {
+        for (Index j = 0; j < n + 2; ++j) bring_up_to_date(j);
+        return T_.topRows(n);
+    }
 
     //! [pivot]
-    /// (5.8): the basic variable of row p and the nonbasic one of column c change places.
+    /// (5.8): the basic variable of row p and the nonbasic one of column c change places. Here the pivot is
+    /// only written down: its row, -1/T_pc, and its column with a zero for T_pc.
     void pivot(Index p, Index c)
     {
-        const Real inverse = -1 / T(p, c);
-        column = T.col(c);
-        column[p] = 0;
-        T.col(c).setZero();
-        T(p, c) = -1;
+        if (pivots_.size() == size(U_.cols())) forget();
+        bring_up_to_date(c);
+        auto u = U_.col(static_cast<Index>(pivots_.size()));
+        u = T_.col(c);
+        u[p] = 0;
+        const Real inverse = -1 / T_(p, c);
+        T_.col(c).setZero();  // the column of the variable that leaves: it was a unit vector
+        T_(p, c) = -1;
         Index first = 0, last = n;  // only rows first … last-1 can change
-        while (first < last && column[first] == 0) ++first;
-        while (last > first && column[last - 1] == 0) --last;
-        for (Index j = 0; j < n + 2; ++j) {
-            const Real multiplier = inverse * T(p, j);
-            if (multiplier == 0) continue;  // a multiplier of zero changes nothing
-            T.col(j).segment(first, last - first) += multiplier * column.segment(first, last - first);
-            T(p, j) = multiplier;
-        }
+        while (first < last && u[first] == 0) ++first;
+        while (last > first && u[last - 1] == 0) --last;
+        first -= first % line;
+        pivots_.push_back({p, inverse, first, whole_lines(last - first)});
         const Index leaving = basic[size(p)];
         put_row(p, nonbasic[size(c)]);
         put_column(c, leaving);
+    }
+
+    /// (5.8) for one column: works the pivots into it that it has not seen yet.
+    void bring_up_to_date(Index j) const
+    {
+        for (std::size_t& k = applied_[size(j)]; k < pivots_.size(); ++k) {
+            const PastPivot& past = pivots_[k];
+            const Real multiplier = past.inverse * T_(past.row, j);
+            if (multiplier == 0) continue;  // a multiplier of zero changes nothing
+            T_.col(j).segment(past.first, past.count) +=
+                multiplier * U_.col(static_cast<Index>(k)).segment(past.first, past.count);
+            T_(past.row, j) = multiplier;
+            ++column_updates;
+        }
     }
     //! [pivot]
 
@@ -93,18 +119,18 @@ struct Tableau {
     /// (5.9): the row that reaches zero first while the variable of column c grows; -1 if none does: a ray.
     Index ratio_test(Index c, TieRule rule) const
     {
-        const auto slope = T.col(c);
+        const auto slope = column(c), r = values();
         const Real steepest = slope.cwiseAbs().maxCoeff();
         const Real falling = -tolerances.pivot * steepest;
         Real least = infinity;
         for (Index i = 0; i < n; ++i)
-            if (slope[i] < falling) least = std::min(least, std::max(values()[i], Real{0}) / -slope[i]);
+            if (slope[i] < falling) least = std::min(least, std::max(r[i], Real{0}) / -slope[i]);
         if (!(least < infinity)) return -1;
 
-        const Real limit = least + tolerances.tie * values().cwiseAbs().maxCoeff() / steepest;
+        const Real limit = least + tolerances.tie * r.cwiseAbs().maxCoeff() / steepest;
         Index best = -1;
         for (Index i = 0; i < n; ++i) {
-            if (!(slope[i] < falling) || values()[i] > -slope[i] * limit) continue;
+            if (!(slope[i] < falling) || r[i] > -slope[i] * limit) continue;
             if (basic[size(i)] == artificial()) return i;  // z0 can go: that is the end of the walk
             if (best < 0 || rule == TieRule::last_row) best = i;
             else if (rule == TieRule::lexicographic && comes_before(i, best, c)) best = i;
@@ -119,25 +145,40 @@ struct Tableau {
     {
         const Index w = n + k;
         if (is_basic(w)) return row_of(w) == i ? 1 : 0;
-        return -T(i, column_of(w));
+        return -column(column_of(w))[i];
     }
     /// True if row i reaches zero before row k as soon as the tie is broken by ε > ε² > … (5.13).
     bool comes_before(Index i, Index k, Index c) const
     {
-        const auto scale = [&](Index row) {
-            return std::max(Real{1}, T.row(row).head(n + 1).cwiseAbs().maxCoeff()) / -T(row, c);
-        };
-        const Real noise = tolerances.tie * std::max(scale(i), scale(k));
+        const auto slope = column(c);
+        Real scale = 1 / std::min(-slope[i], -slope[k]);
         for (Index j = 0; j < n; ++j) {
-            const Real difference = perturbation(i, j) / -T(i, c) - perturbation(k, j) / -T(k, c);
-            if (std::abs(difference) > noise) return difference < 0;
+            const Real a = perturbation(i, j) / -slope[i], b = perturbation(k, j) / -slope[k];
+            scale = std::max({scale, std::abs(a), std::abs(b)});
+            if (std::abs(a - b) > tolerances.tie * scale) return a < b;
         }
         return false;
     }
     //! [lexicographic]
 
 private:
+    struct PastPivot {
+        Index row;
+        Real inverse;        ///< -1/T_pc
+        Index first, count;  ///< the rows that it changes
+    };
+    static constexpr Index line = 8;  ///< numbers in a cache line: every column starts at one
+
     static std::size_t size(Index i) { return static_cast<std::size_t>(i); }
+    static Index whole_lines(Index rows) { return (rows + line - 1) / line * line; }
+
+    /// Works all pivots into all columns: from then on nobody asks for them.
+    void forget()
+    {
+        for (Index j = 0; j < n + 2; ++j) bring_up_to_date(j);
+        pivots_.clear();
+        applied_.assign(applied_.size(), 0);
+    }
 
     void put_row(Index row, Index variable)
     {
@@ -149,6 +190,11 @@ private:
         nonbasic[size(c)] = variable;
         place[size(variable)] = c;
     }
+
+    mutable MatX T_;  ///< n rows, and zeros to fill the cache lines; a column for each y_N, then r
+    MatX U_;          ///< the columns of the past pivots
+    std::vector<PastPivot> pivots_;
+    mutable std::vector<std::size_t> applied_;  ///< how many of them each column of T_ has seen
 };
 
 }  // namespace rigid

@@ -65,7 +65,7 @@ struct LemkeWalk {
     /// (5.6): the row that needs the largest z0; ties by the rule, where ε^k is least for the last row.
     Index most_negative_row() const
     {
-        const VecX need = -tableau.values().cwiseQuotient(tableau.T.col(tableau.n));
+        const VecX need = -tableau.values().cwiseQuotient(tableau.column(tableau.n));
         const Real enough = need.maxCoeff() - tableau.tolerances.tie * need.cwiseAbs().maxCoeff();
         Index best = 0;
         while (need[best] < enough) ++best;
@@ -88,9 +88,10 @@ struct LemkeWalk {
     bool proves_infeasibility(const MatX& A, const VecX& q) const
     {
         const Index c = tableau.column_of(entering);
+        const VecX direction = tableau.column(c);
         VecX y = VecX::Zero(tableau.n);
         for (Index i = 0; i < tableau.n; ++i)
-            if (tableau.is_basic(i)) y[i] = std::max(Real{0}, tableau.T(tableau.row_of(i), c));
+            if (tableau.is_basic(i)) y[i] = std::max(Real{0}, direction[tableau.row_of(i)]);
         if (entering < tableau.n) y[entering] = 1;
         const Real delta = std::max(Real{0}, (A.transpose() * y).maxCoeff());
         return -q.dot(y) * A.cwiseAbs().maxCoeff() > 1e13 * delta * q.cwiseAbs().maxCoeff();

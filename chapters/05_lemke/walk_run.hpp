@@ -41,7 +41,7 @@ public:
                 lift(),
                 static_cast<Real>((z.array() > 0).count()),
                 natural_residual(problem_, z),
-                tableau.n > 0 ? tableau.T.leftCols(tableau.n + 1).cwiseAbs().maxCoeff() : 0,
+                tableau.n > 0 ? tableau.entries().leftCols(tableau.n + 1).cwiseAbs().maxCoeff() : 0,
                 static_cast<Real>(walk_.place)};
     }
 
