@@ -71,6 +71,7 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
 {
     Bodies<2>& bodies = scene.bodies;
     const Real h = settings.h;
+    require_step(h);
 
     // Forces, and the velocity u* that they alone would lead to (3.8).
     bodies.f.setZero();

@@ -4,7 +4,7 @@
 ///     A λ + q = 0,   A symmetric positive (semi-)definite
 ///
 /// Where a sweep forgets all but the last λ, each step here minimises the merit ½ λᵀAλ + qᵀλ over all
-/// directions so far (4.25): n rows take at most n steps. It has no way to clamp.
+/// directions so far (4.22): n rows take at most n steps. It has no way to clamp.
 /// \cite hestenes1952
 #pragma once
 
@@ -68,12 +68,12 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
             solution.status = Status::singular;
             break;
         }
-        const Real alpha = slope / curvature;  // (4.24): the lowest point along p
+        const Real alpha = slope / curvature;  // (4.21): the lowest point along p
         lambda += alpha * p;
         r -= alpha * Ap;
         y = inverse_diagonal.cwiseProduct(r);
         const Real next_slope = r.dot(y);
-        p = y + (next_slope / slope) * p;  // (4.25): conjugate to all directions so far
+        p = y + (next_slope / slope) * p;  // (4.22): conjugate to all directions so far
         slope = next_slope;
     }
     //! [cg]

@@ -3,7 +3,7 @@
 ///
 /// For N rows in a line (a column of discs, a hanging chain) whose last body has the mass R of the
 /// others' unit: Gauss-Seidel cos²θ with tan θ tan (N−1)θ = 1/R, (4.14). Jacobi and SOR follow from it
-/// by (4.12) and (4.21) \cite young1954.
+/// by (4.12) and (4.19) \cite young1954.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
@@ -97,10 +97,10 @@ inline Real safe_jacobi_omega(const Mlcp& mlcp)
 }
 
 //! [young]
-/// (4.22): the relaxation with the smallest rate, from the rate ρ of Gauss-Seidel.
+/// (4.20): the relaxation with the smallest rate, from the rate ρ of Gauss-Seidel.
 inline Real best_omega(Real rate) { return 2 / (1 + std::sqrt(1 - rate)); }
 
-/// (4.21): the rate of SOR with relaxation ω, from the rate ρ of Gauss-Seidel.
+/// (4.19): the rate of SOR with relaxation ω, from the rate ρ of Gauss-Seidel.
 inline Real sor_rate(Real omega, Real rate)
 {
     const Real inside = omega * omega * rate - 4 * (omega - 1);

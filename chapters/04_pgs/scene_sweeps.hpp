@@ -29,7 +29,7 @@ inline std::vector<int> row_order(Index count, int kind, std::uint64_t seed)
     return order;
 }
 
-/// A column of N discs at rest, whose answer (4.9) and rates (4.12), (4.14), (4.21) are known.
+/// A column of N discs at rest, whose answer (4.9) and rates (4.12), (4.14), (4.19) are known.
 class SweepsRun : public Run {
 public:
     explicit SweepsRun(const Settings& settings)

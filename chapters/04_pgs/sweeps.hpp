@@ -3,8 +3,8 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   0 = λ − clamp(λ − w/a, lo, hi)   in every row, a = A_ii
 ///
-/// A visit does λ_i ← clamp(λ_i − ω w_i / A_ii), (4.4) with ω = 1 and (4.20) with any ω. The rows are first
-/// rewritten as (4.27), so that a visit is one short sum and a clamp, and lie in memory in the order
+/// A visit does λ_i ← clamp(λ_i − ω w_i / A_ii), (4.4) with ω = 1 and (4.18) with any ω. The rows are first
+/// rewritten as (4.24), so that a visit is one short sum and a clamp, and lie in memory in the order
 /// in which they are visited.
 #pragma once
 
@@ -20,7 +20,7 @@
 namespace rigid {
 
 //! [layout]
-/// One row as the sweep wants it, (4.27). Its neighbours in the order of the visits have fields of their own:
+/// One row as the sweep wants it, (4.24). Its neighbours in the order of the visits have fields of their own:
 /// in a column or a chain nothing else is left, and the λ that was just written never leaves the processor.
 struct SweepRow {
     Real keep;           ///< 1 − ω A_ii / s_i, which is 1 − ω
@@ -50,7 +50,7 @@ inline bool is_empty(const SweepRows& sweep, std::size_t k)
     return row.keep == 1 && row.before == 0 && row.after == 0 && sweep.start[k] == sweep.start[k + 1];
 }
 
-/// Writes the rows of a valid problem as (4.27). Allocates only if the problem is larger than all before it.
+/// Writes the rows of a valid problem as (4.24). Allocates only if the problem is larger than all before it.
 /// \param omega  0 < ω < 2: 1 is plain Gauss-Seidel
 /// \param order  the row numbers in the order of the visits; empty = as they are
 /// \throws std::invalid_argument  for an ω out of range or an order that is not a permutation
@@ -115,7 +115,7 @@ inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, Sw
 }
 
 //! [visit]
-/// (4.4), (4.20): row k's own best answer to the λ of the others. A NaN stays a NaN.
+/// (4.4), (4.18): row k's own best answer to the λ of the others. A NaN stays a NaN.
 inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda, Real before, Real after)
 {
     const SweepRow& row = sweep.rows[k];

@@ -1,6 +1,6 @@
 #include "common/program/outputs.hpp"
 
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>

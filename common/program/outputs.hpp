@@ -1,20 +1,10 @@
 /// \file outputs.hpp
-/// What a run leaves behind: the table, the last picture, a picture each N steps.
+/// The files that a run leaves behind: whether they can be written, and how frames are called.
 #pragma once
 
-#include "common/program/command_line.hpp"
-#include "common/program/table.hpp"
-
-#include <filesystem>
-#include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace rigid {
-
-/// Writes panes into a PNG file.
-using PngWriter = std::function<void(const std::string& file, const std::vector<Pane>& panes)>;
 
 /// Throws std::invalid_argument, naming the file, unless it can be written. Leaves what is in it.
 void require_writable(const std::string& what, const std::string& file);

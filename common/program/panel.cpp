@@ -23,6 +23,7 @@ std::string escaped(const std::string& text)
 /// As many digits as six characters have room for: 0.0496, 1.4e-13.
 std::string narrow(Real value)
 {
+    if (std::abs(value) >= 100 && std::abs(value) < 99999.5) return fixed(value, 0);
     std::string text;
     for (int digits = 3; digits > 0; --digits) {
         text = significant(value, digits);

@@ -297,7 +297,7 @@ private:
             const Projection& projection = projections_.emplace_back(panes[i].view, picture);
             // Letters keep their place among the shapes, as far as they stay readable.
             const Real grown = projection.scale / scale_ / design_scale(panes[i].view);
-            paint(list, panes[i].canvas, projection, theme, *fonts_, scale_ * std::clamp(grown, 0.62, 1.5));
+            paint(list, panes[i].canvas, projection, theme, *fonts_, scale_ * std::clamp(grown, 0.72, 1.5));
             header(list, theme, place, label, i, panes.size() > 1, tracks[i]);
             if (!tracks[i].can_go_on()) sentence(list, theme, picture, show_failure(tracks[i]));
             draw_pointer(list, theme, projection, i);
@@ -356,13 +356,15 @@ private:
                      nullptr, wrap);
     }
 
-    /// A ring where the seeded path is, and in the other panes where the mouse is in this one.
+    /// A ring where the seeded path is, where a pull goes to, and in each pane where another one's mouse
+    /// steers.
     void draw_pointer(ImDrawList& list, const Theme& theme, const Projection& projection, std::size_t i) const
     {
         Vec2 where;
         if (show_.scene().steered && show_.is_scripted() && !hand_.pressed)
             where = ScriptedPointer(show_.settings().seed, show_.scene().view).at(show_.playback()->time());
-        else if (hand_.present && (hand_pane_ != i || hand_.pressed)) where = hand_.pointer;
+        else if (hand_.pressed || (show_.scene().steered && hand_.present && hand_pane_ != i))
+            where = hand_.pointer;
         else return;
         const Vec2 p = projection.to_pixel(where);
         list.AddCircle({static_cast<float>(p.x()), static_cast<float>(p.y())}, static_cast<float>(6 * scale_),
