@@ -18,9 +18,6 @@
 
 namespace rigid {
 
-/// Who leaves when several basic variables reach zero together.
-enum class TieRule { lexicographic, first_row, last_row };
-
 /// What counts as nothing, relative to the numbers it is compared with. Section 5.6 has the evidence.
 struct Tolerances {
     /// An entry below this share of the largest of its column is rounding error, not a slope. Anything from
@@ -114,52 +111,6 @@ struct Tableau {
         }
     }
     //! [pivot]
-
-    //! [ratio_test]
-    /// (5.9): the row that reaches zero first while the variable of column c grows; -1 if none does: a ray.
-    Index ratio_test(Index c, TieRule rule) const
-    {
-        const auto slope = column(c), r = values();
-        const Real steepest = slope.cwiseAbs().maxCoeff();
-        const Real falling = -tolerances.pivot * steepest;
-        Real least = infinity;
-        for (Index i = 0; i < n; ++i)
-            if (slope[i] < falling) least = std::min(least, std::max(r[i], Real{0}) / -slope[i]);
-        if (!(least < infinity)) return -1;
-
-        const Real limit = least + tolerances.tie * r.cwiseAbs().maxCoeff() / steepest;
-        Index best = -1;
-        for (Index i = 0; i < n; ++i) {
-            if (!(slope[i] < falling) || r[i] > -slope[i] * limit) continue;
-            if (basic[size(i)] == artificial()) return i;  // z0 can go: that is the end of the walk
-            if (best < 0 || rule == TieRule::last_row) best = i;
-            else if (rule == TieRule::lexicographic && comes_before(i, best, c)) best = i;
-        }
-        return best;
-    }
-    //! [ratio_test]
-
-    //! [lexicographic]
-    /// (5.12): the coefficient of ε^k in basic variable i when each q_k is raised by ε^k.
-    Real perturbation(Index i, Index k) const
-    {
-        const Index w = n + k;
-        if (is_basic(w)) return row_of(w) == i ? 1 : 0;
-        return -column(column_of(w))[i];
-    }
-    /// True if row i reaches zero before row k as soon as the tie is broken by ε > ε² > … (5.13).
-    bool comes_before(Index i, Index k, Index c) const
-    {
-        const auto slope = column(c);
-        Real scale = 1 / std::min(-slope[i], -slope[k]);
-        for (Index j = 0; j < n; ++j) {
-            const Real a = perturbation(i, j) / -slope[i], b = perturbation(k, j) / -slope[k];
-            scale = std::max({scale, std::abs(a), std::abs(b)});
-            if (std::abs(a - b) > tolerances.tie * scale) return a < b;
-        }
-        return false;
-    }
-    //! [lexicographic]
 
 private:
     struct PastPivot {

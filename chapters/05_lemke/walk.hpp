@@ -7,7 +7,7 @@
 /// \cite lemke1965; \cite cottle1992, §4.4
 #pragma once
 
-#include "chapters/05_lemke/tableau.hpp"
+#include "chapters/05_lemke/ratio_test.hpp"
 
 #include <Eigen/LU>
 #include <vector>
@@ -43,7 +43,7 @@ struct LemkeWalk {
     Index leaving_row() const
     {
         if (entering == tableau.artificial()) return most_negative_row();
-        return tableau.ratio_test(tableau.column_of(entering), ties);
+        return ratio_test(tableau, tableau.column_of(entering), ties);
     }
 
     /// One pivot.
