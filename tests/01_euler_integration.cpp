@@ -6,7 +6,7 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <functional>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -14,9 +14,21 @@ using namespace rigid;
 using Catch::Matchers::Contains;
 
 // ---- every allocation of this program is counted --------------------------------------------------
+// AddressSanitizer has its own operator new and wants to keep it; there nothing is counted.
+#if defined(__SANITIZE_ADDRESS__)
+#define RIGID_COUNTS_ALLOCATIONS 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RIGID_COUNTS_ALLOCATIONS 0
+#endif
+#endif
+#ifndef RIGID_COUNTS_ALLOCATIONS
+#define RIGID_COUNTS_ALLOCATIONS 1
+#endif
 namespace {
 std::atomic<long> allocations{0};
 }
+#if RIGID_COUNTS_ALLOCATIONS
 void* operator new(std::size_t size)
 {
     ++allocations;
@@ -25,6 +37,7 @@ void* operator new(std::size_t size)
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif
 
 namespace {
 
@@ -150,7 +163,7 @@ TEST_CASE("A spring gains or loses energy by exactly the factor of its Euler met
     const Spring spring{1};
     const Real h = 0.01;
     const State<1> s0 = state(1, 0);
-    // (1.13): 1000 roundings of 1e-16, at random: 1e-12 relative is generous.
+    // (1.9): 1000 roundings of 1e-16, at random: 1e-12 relative is generous.
     const State<1> grown = go(Method::explicit_euler, s0, h, 1000, spring);
     CHECK(spring.energy(grown) / spring.energy(s0) == Approx(1.105165392603233).epsilon(1e-12));
     const State<1> shrunk =
@@ -158,7 +171,7 @@ TEST_CASE("A spring gains or loses energy by exactly the factor of its Euler met
     CHECK(spring.energy(shrunk) / spring.energy(s0) == Approx(0.9048419419327689).epsilon(1e-12));
 }
 
-TEST_CASE("Symplectic Euler on a spring conserves the modified energy (1.17) exactly")
+TEST_CASE("Symplectic Euler on a spring conserves the modified energy (1.11) exactly")
 {
     const Real omega = 3;
     const Spring spring{omega};
@@ -204,16 +217,16 @@ TEST_CASE("Symplectic Euler on a spring is bounded below h omega = 2 and grows a
         }
         return most;
     };
-    // At 1.99 the ellipse (1.17) reaches |x| = 1/sqrt(1 - h^2/4) = 10.01 at most, forever.
+    // At 1.99 the ellipse (1.11) reaches |x| = 1/sqrt(1 - h^2/4) = 10.01 at most, forever.
     CHECK(largest(1.99, 100000) <= 1 / std::sqrt(1 - 1.99 * 1.99 / 4) * (1 + 1e-9));
-    // At 2.01 the larger eigenvalue is -1.2210: 100 steps multiply by about 5e8.
+    // At 2.01 the larger eigenvalue is -1.2213: 100 steps multiply by about 5e8.
     CHECK(largest(2.01, 100) > 1e8);
 }
 
 TEST_CASE("One Runge-Kutta step on a spring is the Taylor polynomial of the exact solution")
 {
     // With z = i h omega the state (omega x + i u) does not mix nicely for general methods, but both
-    // methods turn (x, u) by the matrix R(hA), R their stability polynomial (1.29), A^2 = -omega^2.
+    // methods turn (x, u) by the matrix R(hA), R their stability polynomial (1.30), A^2 = -omega^2.
     const Real omega = 1.7, h = 0.6, z = h * omega;
     const Spring spring{omega};
     const State<1> s0 = state(0.8, -0.3);
@@ -245,7 +258,7 @@ TEST_CASE("The symplectic methods keep the area of phase space")
         INFO(name_of(method));
         CHECK(std::abs(area(method) - 1) < 1e-9);
     }
-    CHECK(std::abs(area(Method::explicit_euler) - 1) > 0.01);  // it grows by (1.13), here by 5 %
+    CHECK(std::abs(area(Method::explicit_euler) - 1) > 0.01);  // it grows by (1.9), here by 5 %
     CHECK(std::abs(area(Method::rk4) - 1) > 1e-7);
 }
 
@@ -333,7 +346,8 @@ TEST_CASE("Every method has its order on the Kepler orbit at a generic time")
                                : order_of(method) == 1          ? 4000
                                : order_of(method) == 2          ? 1000
                                : method == Method::yoshida4     ? 1000
-                                                                : 250;
+                               : method == Method::rk4          ? 250
+                                                                : 125;
         for (Index steps = coarsest; steps <= 16 * coarsest; steps *= 2) {
             const State<2> s =
                 go(method, kepler_perihelion(kepler, 0.6), 5. / static_cast<Real>(steps), steps, kepler);
@@ -492,14 +506,13 @@ TEST_CASE("Verlet has no secular energy drift over a million steps")
     const Real h = 0.01, start = pendulum.energy(s);
     const Index steps = 1000000;
     // A straight line through all energies by least squares; its rise against the width of the oscillation.
-    Real low = 0, high = 0, sum = 0, sum_t = 0;
+    Real low = 0, high = 0, sum_t = 0;
     for (Index n = 0; n < steps; ++n) {
         s = velocity_verlet(s, now, h, pendulum);
         const Real error = pendulum.energy(s) - start;
         low = std::min(low, error);
         high = std::max(high, error);
         const Real t = (static_cast<Real>(n) + 0.5) / static_cast<Real>(steps) - 0.5;
-        sum += error;
         sum_t += error * t;
     }
     const Real rise = 12 * sum_t / static_cast<Real>(steps);
@@ -509,7 +522,7 @@ TEST_CASE("Verlet has no secular energy drift over a million steps")
 
 TEST_CASE("The energy error of RK4 on a spring grows in proportion to time")
 {
-    // (1.30): each step multiplies the energy by 1 - z^6/72 + z^8/576.
+    // (1.31): each step multiplies the energy by 1 - z^6/72 + z^8/576.
     const Spring spring{1};
     const Real h = 0.1, z2 = h * h;
     const State<1> s0 = state(1, 0);
@@ -541,6 +554,18 @@ TEST_CASE("The time of impact is found to 1e-10 with and without drag")
     REQUIRE(integrate_to_event(run, 100, vacuum, tolerance, height) == Outcome::event);
     CHECK(std::abs(run.t - 40 / 9.81) < 1e-10);
     CHECK(std::abs(run.s.x.x() - 800 / 9.81) < 1e-9);
+}
+
+TEST_CASE("At the event the gap is closed to rounding even at a loose tolerance")
+{
+    // The polynomial alone leaves up to a millimetre here; the real steps to the event do not.
+    for (Real tolerance : {1e-2, 1e-3, 1e-4}) {
+        const Projectile projectile{0.1};
+        const Tolerance allowed{tolerance, tolerance, tolerance};
+        Adaptive<2> run = start_adaptive(State<2>{Vec2(0, 2), Vec2(20, 15)}, projectile, allowed);
+        REQUIRE(integrate_to_event(run, 100, projectile, allowed, height) == Outcome::event);
+        CHECK(std::abs(run.s.x.y()) < 1e-12);
+    }
 }
 
 TEST_CASE("A gap that closes and opens within one step is found")
@@ -617,6 +642,11 @@ TEST_CASE("No step allocates memory")
     State<2> s = kepler_perihelion(kepler, 0.6);
     Adaptive<2> run = start_adaptive(s, kepler, tolerance);
     Adaptive<2> thrown = start_adaptive(State<2>{Vec2(0, 0), Vec2(20, 20)}, ball, tolerance);
+#if RIGID_COUNTS_ALLOCATIONS
+    const long none = allocations;
+    std::vector<Real>(1).swap(*std::make_unique<std::vector<Real>>());
+    CHECK(allocations > none);  // the counter counts
+#endif
     const long before = allocations;
     for (Method method : all_methods) s = go(method, s, 1e-3, 100, kepler);
     const Outcome flown = integrate(run, 10, kepler, tolerance);

@@ -420,6 +420,25 @@ TEST_CASE("a unilateral row leaves a velocity that is allowed as it is")
     CHECK(answer.verdict == Verdict::independent);
 }
 
+TEST_CASE("an open gap may close in a step but not more")
+{
+    // A disc of radius 0.5 m, 0.01 m above the floor, falls at 3 m/s; h = 1/60 s would carry it 0.05 m.
+    Bodies<2> bodies(1);
+    bodies.x << 0.2, 0.51;
+    bodies.u << 1, -3;
+    const Real h = 1.0 / 60;
+    std::vector<Contact> contacts;
+    find_contacts(bodies.x, VecX::Constant(1, 0.5), {{{0, 1}, 0}}, {}, 0.1, contacts);
+    REQUIRE(contacts.size() == 1);
+    const Row<2> row = unilateral(contact_constraint(contacts[0]), bodies.inverse_mass, contacts[0].gap / h);
+    row.apply(solve_row(row, bodies.u).lambda, bodies.u);
+    bodies.x += h * bodies.u;
+    CHECK(std::abs(bodies.x[1] - 0.5) <= exact);
+    CHECK(bodies.u[0] == 1);  // along the floor nothing happens
+    bodies.u << 0, -0.1;      // too slow to reach it from 0.01 m: left alone
+    CHECK(solve_row(row, bodies.u).lambda == 0);
+}
+
 TEST_CASE("a row between bodies that cannot move says whether it is met")
 {
     VecX x(4), u = VecX::Zero(4), fixed = VecX::Zero(4);

@@ -3,7 +3,7 @@
 ///
 ///     error(h) ≈ C h⁵,   wanted: error = tolerance,   so   h ← 0.8 h (tolerance / error)^(1/5)
 ///
-/// Seven slopes give an answer of order 5 and, for nothing, one of order 4; their difference (1.40)
+/// Seven slopes give an answer of order 5 and, for nothing, one of order 4; their difference (1.39)
 /// estimates the error. The seventh slope is the first of the next step, so an accepted step costs
 /// six evaluations. Between its two ends the motion is a quintic Hermite polynomial (1.45).
 /// \cite dormand1980 \cite hairer1993, §II.4
@@ -63,11 +63,11 @@ template <int N>
 struct PairStep {
     State<N> s;      ///< the answer of order 5
     Vec<N> a;        ///< a(s), the first slope of the next step
-    Slope<N> error;  ///< (1.40): the difference to the answer of order 4 [m, m/s]
+    Slope<N> error;  ///< (1.39): the difference to the answer of order 4 [m, m/s]
 };
 
 //! [pair]
-/// (1.39) and (1.40): one step of Dormand and Prince's pair. Six evaluations.
+/// (1.38) and (1.39): one step of Dormand and Prince's pair. Six evaluations.
 /// \param now  a(s) [m/s²], the last slope of the step before
 template <int N, Acceleration<N> A>
 PairStep<N> dormand_prince_step(const State<N>& s, const Vec<N>& now, Real h, const A& a)
@@ -91,7 +91,7 @@ PairStep<N> dormand_prince_step(const State<N>& s, const Vec<N>& now, Real h, co
 //! [pair]
 
 //! [norm]
-/// (1.41): the square of the error in units of what the tolerance allows. Vectors are measured by
+/// (1.40): the square of the error in units of what the tolerance allows. Vectors are measured by
 /// their length, so it does not matter how the axes lie; a NaN anywhere gives NaN.
 template <int N>
 Real scaled_error2(const Slope<N>& error, const State<N>& from, const State<N>& to,
@@ -172,8 +172,8 @@ Outcome advance(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& toler
         const PairStep<N> step = dormand_prince_step(run.s, run.a, h, a);
         run.evaluations += 6;
         const Real error2 = scaled_error2(step.error, run.s, step.s, tolerance);
-        const auto factor = [error2] {  // (1.42), in single precision: enough for a guess, and quicker
-            return static_cast<Real>(0.8f * std::pow(static_cast<float>(error2), -0.1f));
+        const auto factor = [error2] {  // (1.41), in single precision: enough for a guess, and quicker
+            return static_cast<Real>(0.8f * std::pow(static_cast<float>(std::min(error2, 1e30)), -0.1f));
         };
         if (error2 <= 1) {
             // Between 0.2 and 0.5 the step is as good as right: no power, and the next step need not wait.

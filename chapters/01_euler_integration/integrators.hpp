@@ -3,9 +3,9 @@
 ///
 ///     dx/dt = u,   du/dt = a(x, u)
 ///
-/// Every method replaces the two integrals of (1.4) by finite sums: (1.5) explicit Euler, (1.7)
-/// symplectic Euler, (1.9) implicit Euler for a linear spring, (1.23) velocity Verlet, (1.27)
-/// classical Runge-Kutta, (1.33) Yoshida's fourth-order composition of Verlet steps. A step is a
+/// Every method replaces the two integrals of (1.4) by finite sums: (1.5) explicit Euler, (1.10)
+/// symplectic Euler, (1.14) implicit Euler for a linear spring, (1.24) velocity Verlet, (1.28)
+/// classical Runge-Kutta, (1.34) Yoshida's fourth-order composition of Verlet steps. A step is a
 /// function: state in, next state out. Steps are the inner loop and check nothing; `march` is the
 /// door that does. A negative h goes back in time.
 /// \cite hairer2006 \cite hairer1993
@@ -67,7 +67,7 @@ State<N> explicit_euler(State<N> s, Real h, const A& a)
 //! [explicit]
 
 //! [symplectic]
-/// (1.7): symplectic Euler, the same two lines in the other order. Order 1; one evaluation.
+/// (1.10): symplectic Euler, the same two lines in the other order. Order 1; one evaluation.
 template <int N, Acceleration<N> A>
 State<N> symplectic_euler(State<N> s, Real h, const A& a)
 {
@@ -79,7 +79,7 @@ State<N> symplectic_euler(State<N> s, Real h, const A& a)
 //! [symplectic]
 
 //! [implicit]
-/// (1.9): implicit Euler for the linear spring a(x) = −ω² x, solved by hand. Order 1.
+/// (1.14): implicit Euler for the linear spring a(x) = −ω² x, solved by hand. Order 1.
 /// \param omega  angular frequency ω [rad/s]
 template <int N>
 State<N> implicit_euler_spring(State<N> s, Real h, Real omega)
@@ -91,7 +91,7 @@ State<N> implicit_euler_spring(State<N> s, Real h, Real omega)
 //! [implicit]
 
 //! [verlet]
-/// (1.23): velocity Verlet. Order 2; one evaluation, because the acceleration at the end of a
+/// (1.24): velocity Verlet. Order 2; one evaluation, because the acceleration at the end of a
 /// step is the one at the start of the next. \cite verlet1967
 /// \param now  a(x) at the state going in; at the state that comes out on return [m/s²]
 template <int N, PositionAcceleration<N> A>
@@ -106,7 +106,7 @@ State<N> velocity_verlet(State<N> s, Vec<N>& now, Real h, const A& a)
 //! [verlet]
 
 //! [yoshida]
-/// (1.33): three steps of drift, kick, drift, the middle one backwards, whose errors of third order
+/// (1.34): three steps of drift, kick, drift, the middle one backwards, whose errors of third order
 /// cancel; drifts that follow each other are one. Order 4; three evaluations.
 /// \cite forest1990 \cite yoshida1990
 template <int N, PositionAcceleration<N> A>
@@ -126,7 +126,7 @@ State<N> yoshida4(State<N> s, Real h, const A& a)
 //! [yoshida]
 
 //! [rk4]
-/// (1.28): the classical Runge-Kutta method. Order 4; four evaluations. What the last of them
+/// (1.29): the classical Runge-Kutta method. Order 4; four evaluations. What the last of them
 /// gives is added last: the next step waits for it.
 template <int N, Acceleration<N> A>
 State<N> rk4(const State<N>& s, Real h, const A& a)

@@ -264,12 +264,11 @@ public:
             const Vec2 drag = -mover_.a.a.drag * s.u.norm() * s.u;
             if (drag.norm() > 0) canvas.arrow(s.x, s.x + 20 * drag, {Colour::red, 2});
         }
-        canvas.text({-4, 36.5},
-                    "dashed: without air   green ring: exact landing   orange dots: adaptive steps", 12,
-                    {Colour::ink});
-        canvas.text({-4, 33.5}, "arrows: velocity (blue), drag × 20 (red)", 12, {Colour::ink});
+        canvas.text({-4, 30.5}, "dashed: without air; green ring: exact landing; orange dots: adaptive steps",
+                    12, {Colour::ink});
+        canvas.text({-4, 28}, "arrows: velocity (blue), drag × 20 (red)", 12, {Colour::ink});
         if (landed())
-            canvas.text({-4, 30.5},
+            canvas.text({-4, 25.5},
                         "lands after " + fixed(time(), 9) + " s (exact " + fixed(exact_.t, 9) + " s) at " +
                             fixed(s.x.x(), 3) + " m; " + std::to_string(mover_.a.evaluations) +
                             " evaluations",
@@ -339,8 +338,8 @@ public:
         canvas.disc({0, 0}, 0.07, {Colour::yellow, 1.5, 0.9, true});
         canvas.disc(exact_kepler(mover_.a.a, e_, mover_.t).x, 0.045, {Colour::ink, 1.5});
         canvas.disc(s.x, 0.04, {Colour::blue, 1, 1, true});
-        canvas.arrow(s.x, s.x + 0.25 * s.u, {Colour::blue, 1.8});
-        canvas.arrow(s.x, s.x + 0.1 * mover_.a.a(s.x), {Colour::red, 1.8});
+        canvas.arrow(s.x, s.x + 0.35 * s.u, {Colour::blue, 1.8});
+        canvas.arrow(s.x, s.x + 0.2 * mover_.a.a(s.x), {Colour::red, 1.8});
         const std::vector<Real> m = measure();
         canvas.text({-2.25, 1.28}, "arrows: velocity (blue), force (red); ring: where it should be", 12,
                     {Colour::ink});
@@ -484,7 +483,7 @@ Program program()
     Scene javelin;
     javelin.name = "projectile";
     javelin.summary = "A javelin's centre of mass with quadratic drag, until it meets the ground";
-    javelin.view = {{53, 15}, {59, 24}};
+    javelin.view = {{53, 13.5}, {59, 19.5}};
     javelin.methods = {"dormand_prince", "rk4", "symplectic_euler", "explicit_euler"};
     javelin.tunables = {{"speed", "m/s", "of the throw", 30, 1, 32, false, true},
                         {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false, true},

@@ -213,6 +213,7 @@ public:
         }
         if (settings.method == "one-shot") {
             const RowsAnswer& answer = solver_.solve(rows_, bodies_.u);
+            if (answer.verdict == Verdict::conflicting) throw StepFailure(sentence(answer));
             apply(rows_, answer.lambda, bodies_.u);
         } else {
             for (int round = 0; round < static_cast<int>(settings["rounds"]); ++round)

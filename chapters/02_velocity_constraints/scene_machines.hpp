@@ -183,15 +183,15 @@ public:
                        {Colour::ink, 2, 0.2, true, false});
         canvas.box(block, {half, half}, -angle_, paint::body);
         const Vec2 touch = block - half * normal_;
-        labelled_arrow(canvas, touch, 0.06 * force_ * normal_, "+N", paint::impulse);
-        labelled_arrow(canvas, touch, -0.06 * force_ * normal_, "−N", paint::impulse);
-        labelled_arrow(canvas, block, {0, -0.06 * m_ * g}, "", paint::direction);
+        labelled_arrow(canvas, touch, 0.05 * force_ * normal_, "+N", paint::impulse);
+        labelled_arrow(canvas, touch, -0.05 * force_ * normal_, "−N", paint::impulse);
+        labelled_arrow(canvas, block, {0, -0.05 * m_ * g}, "", paint::direction);
         const std::vector<Real> values = measure();
-        canvas.text({-1.5, 1.25},
+        canvas.text({-1.5, 1.31},
                     "force between block and wedge λ/h = " + fixed(values[2], 6) + " N, exact " +
                         fixed(values[3], 6) + " N",
                     15, paint::label);
-        canvas.text({-1.5, 1.12},
+        canvas.text({-1.5, 1.2},
                     "acceleration of the wedge " + fixed(values[0], 6) + " m/s², exact " +
                         fixed(values[1], 6) + " m/s²",
                     15, paint::label);

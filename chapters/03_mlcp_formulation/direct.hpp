@@ -3,7 +3,7 @@
 ///
 ///     A λ = −q
 ///
-/// (3.26). A is factored by a sparse Cholesky (LDLᵀ) decomposition with a fill-reducing order: a chain of N
+/// (3.25). A is factored by a sparse Cholesky (LDLᵀ) decomposition with a fill-reducing order: a chain of N
 /// links costs O(N). Redundant rows make A singular: then λ is not determined, and `singular` is said, with
 /// the row that adds nothing to the others. \cite davis2006
 #pragma once
@@ -102,7 +102,7 @@ inline void conclude(const Mlcp& mlcp, Solution& solution, Real tolerance, Statu
 }
 
 //! [direct]
-/// (3.26): all rows bilateral, w = 0. `solved`, or `singular` (λ is then zero) if a row adds nothing to the
+/// (3.25): all rows bilateral, w = 0. `solved`, or `singular` (λ is then zero) if a row adds nothing to the
 /// others, whether or not they contradict each other: λ is not determined.
 /// \param tolerance  of the natural residual, relative to the numbers in the problem
 /// \throws std::invalid_argument  for an invalid problem, a row with a bound, or an A that is not symmetric

@@ -73,7 +73,7 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
     const Real h = settings.h;
     require_step(h);
 
-    // Forces, and the velocity u* that they alone would lead to (3.8).
+    // Forces, and the velocity u* that they alone would lead to (3.4).
     bodies.f.setZero();
     add_gravity(bodies, settings.gravity);
     add_bend_springs(bodies, scene.bends, settings.stiffness, settings.damping);
@@ -84,12 +84,12 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
     find_contacts(bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
     disc_rows(scene, h, now.contacts, now.rows);
 
-    // The least change of u* that keeps to them: w = A λ + q, complementary to λ (3.18).
+    // The least change of u* that keeps to them: w = A λ + q, complementary to λ (3.12).
     assemble(now.rows, now.u_star, now.scratch, now.mlcp);
     if constexpr (std::is_invocable_v<const Solve&, const Mlcp&, Solution&>) solve(now.mlcp, now.solution);
     else now.solution = solve(now.mlcp);
 
-    // u = u* + M⁻¹ Jᵀ λ (3.12), and with the new velocity the new position (1.7).
+    // u = u* + M⁻¹ Jᵀ λ (3.9), and with the new velocity the new position (1.7).
     bodies.u = now.u_star;
     apply(now.rows, now.solution.lambda, bodies.u);
     bodies.x += h * bodies.u;

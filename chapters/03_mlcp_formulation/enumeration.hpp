@@ -4,7 +4,7 @@
 ///
 ///     A_FF λ_F = −(q_F + A_FB λ_B)     F the rows between their bounds, B those at a bound
 ///
-/// (3.25). An answer counts only by its natural residual; a singular block is asked for its whole family; how
+/// (3.22). An answer counts only by its natural residual; a singular block is asked for its whole family; how
 /// many answers there are is decided by comparing those that were found. \cite cottle1992
 #pragma once
 
@@ -86,7 +86,7 @@ private:
     }
 
     //! [set]
-    /// (3.25): the rows that are between their bounds make a linear system; the others are known.
+    /// (3.22): the rows that are between their bounds make a linear system; the others are known.
     void try_set(const std::vector<RowCase>& set)
     {
         if (settings_.stop_at_first && tried_ >= settings_.most_sets) {

@@ -3,6 +3,8 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,
 ///     w ≥ 0 where λ = lo,   w ≤ 0 where λ = hi,   w = 0 between
+///
+/// (3.12) and (3.14). \cite cottle1992
 #pragma once
 
 #include "common/math.hpp"
@@ -18,6 +20,7 @@ namespace rigid {
 
 using SparseMatrix = Eigen::SparseMatrix<Real, Eigen::RowMajor>;
 
+//! [mlcp]
 struct Mlcp {
     SparseMatrix A;  ///< m×m [1/kg], row by row
     VecX q;          ///< m [m/s]
@@ -25,6 +28,7 @@ struct Mlcp {
 
     Index size() const { return q.size(); }
 };
+//! [mlcp]
 
 enum class Status { solved, iteration_limit, ray_termination, infeasible, singular };
 
@@ -81,7 +85,8 @@ struct Solution {
     Uniqueness uniqueness = Uniqueness::not_examined;
 };
 
-/// Row i of the natural residual [m/s]: how far λ_i is from its own best answer, as a velocity.
+//! [residual]
+/// (3.15), row i of the natural residual [m/s]: how far λ_i is from its own best answer, as a velocity.
 /// \param a  the diagonal entry A_ii [1/kg]; a row without one (a ≤ 0) is measured with 1
 inline Real natural_residual_row(Real a, Real lambda, Real w, Real lo, Real hi)
 {
@@ -106,6 +111,7 @@ inline Real natural_residual(const Mlcp& mlcp, const VecX& lambda)
     }
     return largest;
 }
+//! [residual]
 
 /// How large the numbers are that a solver has to work with [m/s]: q, and what the λ that stand at their
 /// bounds add to it. A residual is small if it is small beside this. (The λ between do not count: a λ that is

@@ -27,6 +27,7 @@ public:
         scene_.radius = VecX::Constant(1, 0.1);
         scene_.walls = std::move(walls);
         require_valid(scene_);
+        start_ = x;
     }
 
     //! [step]
@@ -34,6 +35,7 @@ public:
     {
         Bodies<2>& disc = scene_.bodies;
         const Real h = settings.h;
+        if (throw_every_ > 0) throw_again(h);
         disc.f.setZero();
         add_gravity(disc, scene_.gravity);
         if (input.pressed) add_pull(disc, 0, input.pointer);
@@ -61,8 +63,15 @@ public:
         now_.u = disc.u;
         now_.t = (t_ += h);
         const bool hit = (now_.u_before - now_.u).norm() > 20 * h * scene_.gravity.norm();
-        if (hit || shown_.rows.empty() || t_ > shown_.t + 0.5 || shown_.mlcp.size() == 0) shown_ = now_;
+        const bool thrown = throw_every_ > 0 && steps_ % throw_every_ == 0;
+        const bool over = throw_every_ == 0 && t_ > shown_.t + 0.5;  // long enough on the screen
+        if (hit || thrown || over || shown_.mlcp.size() == 0) shown_ = now_;
+        ++steps_;
     }
+
+    /// Puts the disc back to where it started every so many steps, with a u* that goes round, (-1, -2) m/s
+    /// first.
+    void throw_every(long steps) { throw_every_ = steps; }
 
     std::vector<Real> measure() const override
     {
@@ -111,7 +120,18 @@ public:
     }
 
 private:
+    void throw_again(Real h)
+    {
+        if (steps_ % throw_every_ != 0) return;
+        const Real turn = static_cast<Real>(steps_ / throw_every_) * 50 * pi / 180;
+        const Vec2 first(-1, -2);
+        scene_.bodies.x = start_;
+        scene_.bodies.u = std::cos(turn) * first + std::sin(turn) * perpendicular(first) - h * scene_.gravity;
+    }
+
     DiscScene scene_;
+    VecX start_;
+    long steps_ = 0, throw_every_ = 0;
     std::vector<Contact> contacts_;
     AssemblyScratch scratch_;
     ImpactMoment now_, shown_;
@@ -157,19 +177,21 @@ inline Scene bounce_scene()
     return scene;
 }
 
-/// A disc that falls into a corner of two walls.
+/// A disc that touches floor and ramp is thrown again and again, each time in another direction.
 inline Scene corner_scene()
 {
-    Scene scene = impact_scene("corner", "A disc falls into a corner: two contacts, four sets of either/or");
+    Scene scene =
+        impact_scene("corner", "A disc is thrown into a corner: two contacts, four sets of either/or");
     scene.tunables[0].value = 0;
-    scene.tunables.push_back({"left", "degrees", "slope of the left wall", 50, 10, 85, false, true, false});
-    scene.tunables.push_back({"right", "degrees", "slope of the right wall", 25, 10, 85, false, true, false});
+    scene.tunables.push_back(
+        {"ramp", "degrees", "slope of the ramp", std::atan(0.75) * 180 / pi, 10, 85, false, true, false});
     scene.start = [](const Settings& settings) {
-        const Real left = settings["left"] * pi / 180, right = settings["right"] * pi / 180;
-        return std::make_unique<ImpactRun>(settings,
-                                           std::vector<HalfSpace>{{{std::sin(left), std::cos(left)}, 0},
-                                                                  {{-std::sin(right), std::cos(right)}, 0}},
-                                           Vec2(-0.3, 1.2), Vec2(0, 0));
+        const Real ramp = settings["ramp"] * pi / 180;
+        const Vec2 normal(std::sin(ramp), std::cos(ramp)), x(0, 0.1);
+        auto run = std::make_unique<ImpactRun>(
+            settings, std::vector<HalfSpace>{{{0, 1}, 0}, {normal, normal.dot(x) - 0.1}}, x, Vec2(0, 0));
+        run->throw_every(40);
+        return run;
     };
     return scene;
 }

@@ -19,8 +19,8 @@ namespace rigid {
 struct SchurComplement {
     std::vector<Index> bilateral, others;  ///< row numbers of the whole problem
     BilateralBlock block;                  ///< A_BB
-    SparseMatrix A_BN;
-    Mlcp rest;  ///< S, r and the bounds of the others
+    Eigen::SparseMatrix<Real> A_BN;        ///< by columns: each is a right side to solve for
+    Mlcp rest;                             ///< S, r and the bounds of the others
 
     /// λ of the whole problem from the λ of the others: \f$\lambda_B = -A_{BB}^{-1}(q_B + A_{BN}
     /// \lambda_N)\f$, (3.27).
