@@ -442,6 +442,13 @@ TEST_CASE("enumeration says infeasible in 100 problems that have no answer")
     }
 }
 
+TEST_CASE("a miss of 1e-8 is no answer")
+{
+    // Two walls come nearer to a disc, one a hair faster: a null vector (1, 1) with (1, 1) q = -1e-8.
+    CHECK(enumerate(problem({1, -1, -1, 1}, {-1, 1 - 1e-8})).status == Status::infeasible);
+    CHECK(enumerate(problem({1, -1, -1, 1}, {-1, 1 + 1e-8})).status == Status::solved);
+}
+
 TEST_CASE("enumeration finds what was planted between bounds of all kinds")
 {
     for (int seed = 0; seed < 300; ++seed) {
@@ -906,6 +913,7 @@ TEST_CASE("a disc lands on the floor and not in it")
     CHECK(std::abs(scene.bodies.u[1]) <= 1e-13);
     for (int k = 0; k < 1000; ++k) {  // and there it rests, carried by m g h in each step
         step(scene, settings, exact_solve, now);
+        REQUIRE(now.solution.lambda.size() == 1);
         REQUIRE(now.solution.lambda[0] == Approx(9.81 / 60).epsilon(1e-12));
     }
     CHECK(std::abs(scene.bodies.x[1] - 0.1) <= 1e-13);

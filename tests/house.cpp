@@ -69,7 +69,7 @@ bool is_physics(const std::string& path)
     if (starts_with(path, "common/program/") || path.find("canvas") != std::string::npos) return false;
     for (const char* end : {"main.cpp", "benchmark.cpp", "_scene.hpp", "_run.hpp"})
         if (path.ends_with(end)) return false;
-    for (const char* part : {"draw", "/scene_", "/problem_file"})
+    for (const char* part : {"draw", "picture", "/scene_", "/problem_file"})
         if (path.find(part) != std::string::npos) return false;
     return true;
 }

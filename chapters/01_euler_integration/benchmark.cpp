@@ -1,8 +1,10 @@
 // Chapter 1: work and time against error, and Boost.odeint beside it.
 //
-//   01_euler_integration_benchmark                  Google Benchmark: every method on every problem
-//   01_euler_integration_benchmark --table NAME     a table for a figure, as CSV (see `tables` below);
-//                                                   all but `pairs` are the same on every machine
+//   01_euler_integration_benchmark                  Google Benchmark: every method on every
+//   problem 01_euler_integration_benchmark --table NAME     a table for a figure, as CSV
+//   (see `tables` below);
+//                                                   all but `pairs` are the same on every
+//                                                   machine
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/exact.hpp"
 
@@ -23,10 +25,11 @@
 namespace rigid {
 namespace {
 
-// ---- the problems ---------------------------------------------------------------------------------
+// ---- the problems
+// ---------------------------------------------------------------------------------
 
-/// What has to be computed: where is the body at time T? The same force twice: for our vectors, and
-/// written out in plain numbers for libraries that have their own.
+/// What has to be computed: where is the body at time T? The same force twice: for our
+/// vectors, and written out in plain numbers for libraries that have their own.
 struct KeplerProblem {
     static constexpr int N = 2;
     using A = Kepler;
@@ -56,14 +59,17 @@ struct PendulumProblem {
     }
 };
 
-/// A light ball thrown at 30 m/s and 40 degrees, k = 0.02 1/m. No closed form: the reference has 20 digits
-/// from a Taylor method in 30-digit arithmetic.
+/// A light ball thrown at 30 m/s and 40 degrees, k = 0.02 1/m. No closed form: the
+/// reference has 20 digits from a Taylor method in 30-digit arithmetic.
 struct ThrowProblem {
     static constexpr int N = 2;
     using A = Projectile;
     A a{0.02};
     Real T = 3;
-    State<2> start() const { return {Vec2(0, 0), 30 * Vec2(std::cos(pi * 2 / 9), std::sin(pi * 2 / 9))}; }
+    State<2> start() const
+    {
+        return {Vec2(0, 0), 30 * Vec2(std::cos(pi * 2 / 9), std::sin(pi * 2 / 9))};
+    }
     Vec2 exact() const { return {41.36367414795186111, 1.2318529699294813}; }
     static void plain(const double*, const double* u, double* acceleration)
     {
@@ -73,28 +79,33 @@ struct ThrowProblem {
     }
 };
 
-// ---- our methods ----------------------------------------------------------------------------------
+// ---- our methods
+// ----------------------------------------------------------------------------------
 
-enum class Method { explicit_euler, symplectic_euler, verlet, yoshida4, rk4, dormand_prince };
-constexpr Method all_methods[] = {
-    Method::explicit_euler, Method::symplectic_euler, Method::verlet, Method::yoshida4, Method::rk4,
-    Method::dormand_prince};
+enum class Method {
+    explicit_euler,
+    symplectic_euler,
+    verlet,
+    yoshida4,
+    rk4,
+    dormand_prince
+};
+constexpr Method all_methods[] = {Method::explicit_euler,
+                                  Method::symplectic_euler,
+                                  Method::verlet,
+                                  Method::yoshida4,
+                                  Method::rk4,
+                                  Method::dormand_prince};
 
 const char* name_of(Method method)
 {
     switch (method) {
-    case Method::explicit_euler:
-        return "explicit_euler";
-    case Method::symplectic_euler:
-        return "symplectic_euler";
-    case Method::verlet:
-        return "verlet";
-    case Method::yoshida4:
-        return "yoshida4";
-    case Method::rk4:
-        return "rk4";
-    case Method::dormand_prince:
-        return "dormand_prince";
+    case Method::explicit_euler: return "explicit_euler";
+    case Method::symplectic_euler: return "symplectic_euler";
+    case Method::verlet: return "verlet";
+    case Method::yoshida4: return "yoshida4";
+    case Method::rk4: return "rk4";
+    case Method::dormand_prince: return "dormand_prince";
     }
     return "";
 }
@@ -102,21 +113,18 @@ const char* name_of(Method method)
 Index evaluations_per_step(Method method)
 {
     switch (method) {
-    case Method::yoshida4:
-        return 3;
-    case Method::rk4:
-        return 4;
-    case Method::dormand_prince:
-        return 6;
-    default:
-        return 1;
+    case Method::yoshida4: return 3;
+    case Method::rk4: return 4;
+    case Method::dormand_prince: return 6;
+    default: return 1;
     }
 }
 
 template <class A, int N>
 constexpr bool can(Method method)
 {
-    return PositionAcceleration<A, N> || (method != Method::verlet && method != Method::yoshida4);
+    return PositionAcceleration<A, N> ||
+           (method != Method::verlet && method != Method::yoshida4);
 }
 
 /// Every measured loop is a function of its own, as it would be in the reader's program.
@@ -131,11 +139,16 @@ template <Method method, int N, class A>
 RIGID_SEPARATE State<N> run_method(const State<N>& s, Real h, Index steps, const A& a)
 {
     if constexpr (method == Method::explicit_euler)
-        return march(s, h, steps, [a](const State<N>& y, Real step) { return explicit_euler(y, step, a); });
+        return march(s, h, steps, [a](const State<N>& y, Real step) {
+            return explicit_euler(y, step, a);
+        });
     if constexpr (method == Method::symplectic_euler)
-        return march(s, h, steps, [a](const State<N>& y, Real step) { return symplectic_euler(y, step, a); });
+        return march(s, h, steps, [a](const State<N>& y, Real step) {
+            return symplectic_euler(y, step, a);
+        });
     if constexpr (method == Method::rk4)
-        return march(s, h, steps, [a](const State<N>& y, Real step) { return rk4(y, step, a); });
+        return march(s, h, steps,
+                     [a](const State<N>& y, Real step) { return rk4(y, step, a); });
     if constexpr (method == Method::dormand_prince) {
         Vec<N> now = acceleration(a, s);
         return march(s, h, steps, [a, now](const State<N>& y, Real step) mutable {
@@ -151,7 +164,8 @@ RIGID_SEPARATE State<N> run_method(const State<N>& s, Real h, Index steps, const
         });
     }
     if constexpr (PositionAcceleration<A, N> && method == Method::yoshida4)
-        return march(s, h, steps, [a](const State<N>& y, Real step) { return yoshida4(y, step, a); });
+        return march(s, h, steps,
+                     [a](const State<N>& y, Real step) { return yoshida4(y, step, a); });
     throw std::invalid_argument(std::string(name_of(method)) +
                                 " does not take forces that depend on the velocity");
 }
@@ -160,23 +174,19 @@ template <int N, class A>
 State<N> run_fixed(Method method, const State<N>& s, Real h, Index steps, const A& a)
 {
     switch (method) {
-    case Method::explicit_euler:
-        return run_method<Method::explicit_euler>(s, h, steps, a);
+    case Method::explicit_euler: return run_method<Method::explicit_euler>(s, h, steps, a);
     case Method::symplectic_euler:
         return run_method<Method::symplectic_euler>(s, h, steps, a);
-    case Method::verlet:
-        return run_method<Method::verlet>(s, h, steps, a);
-    case Method::yoshida4:
-        return run_method<Method::yoshida4>(s, h, steps, a);
-    case Method::rk4:
-        return run_method<Method::rk4>(s, h, steps, a);
-    case Method::dormand_prince:
-        return run_method<Method::dormand_prince>(s, h, steps, a);
+    case Method::verlet: return run_method<Method::verlet>(s, h, steps, a);
+    case Method::yoshida4: return run_method<Method::yoshida4>(s, h, steps, a);
+    case Method::rk4: return run_method<Method::rk4>(s, h, steps, a);
+    case Method::dormand_prince: return run_method<Method::dormand_prince>(s, h, steps, a);
     }
     return s;
 }
 
-/// From a prepared start, because the first step is given to odeint, which has none of its own.
+/// From a prepared start, because the first step is given to odeint, which has none of its
+/// own.
 template <int N, class A>
 RIGID_SEPARATE Adaptive<N> run_adaptive(Adaptive<N> run, Real T, Real tolerance, const A& a)
 {
@@ -200,20 +210,25 @@ Adaptive<N> run_adaptive(const State<N>& s, Real T, Real tolerance, const A& a)
     return run_adaptive(start_at(s, tolerance, a), T, tolerance, a);
 }
 
-// ---- Boost.odeint ---------------------------------------------------------------------------------
+// ---- Boost.odeint
+// ---------------------------------------------------------------------------------
 #ifdef RIGID_HAS_ODEINT
 namespace odeint = boost::numeric::odeint;
 
-/// Yoshida's composition in odeint's own frame for such methods, which drifts first and kicks then; the
-/// drift that is left over after the third kick is done by hand, because a fourth stage would ask for a
-/// force that nobody needs. Its mirror image is ours: the same order, cost and size of error.
+/// Yoshida's composition in odeint's own frame for such methods, which drifts first and
+/// kicks then; the drift that is left over after the third kick is done by hand, because a
+/// fourth stage would ask for a force that nobody needs. Its mirror image is ours: the same
+/// order, cost and size of error.
 template <class P>
 struct OdeintYoshida {
     static constexpr double outer = 1.3512071919596576340, inner = 1 - 2 * outer;
     odeint::symplectic_nystroem_stepper_base<
-        3, 4, P, P, double, P, P, double, typename odeint::algebra_dispatcher<P>::algebra_type,
-        typename odeint::operations_dispatcher<P>::operations_type, odeint::initially_resizer>
-        stages{{{outer / 2, (outer + inner) / 2, (outer + inner) / 2}}, {{outer, inner, outer}}};
+        3, 4, P, P, double, P, P, double,
+        typename odeint::algebra_dispatcher<P>::algebra_type,
+        typename odeint::operations_dispatcher<P>::operations_type,
+        odeint::initially_resizer>
+        stages{{{outer / 2, (outer + inner) / 2, (outer + inner) / 2}},
+               {{outer, inner, outer}}};
 
     template <class Kick>
     void do_step(const Kick& kick, P& q, P& p, double t, double h)
@@ -226,7 +241,7 @@ struct OdeintYoshida {
 template <class Problem>
 struct Odeint {
     static constexpr int N = Problem::N;
-    using P = std::array<double, static_cast<std::size_t>(N)>;      // positions or velocities
+    using P = std::array<double, static_cast<std::size_t>(N)>;  // positions or velocities
     using Y = std::array<double, static_cast<std::size_t>(2 * N)>;  // both
 
     static Y whole(const State<N>& s)
@@ -257,19 +272,25 @@ struct Odeint {
         P q, p;
         std::copy(y.begin(), y.begin() + N, q.begin());
         std::copy(y.begin() + N, y.end(), p.begin());
-        const auto kick = [](const P& x, P& a) { Problem::plain(x.data(), x.data(), a.data()); };
+        const auto kick = [](const P& x, P& a) {
+            Problem::plain(x.data(), x.data(), a.data());
+        };
         const auto march_y = [&](auto stepper) {
-            for (Index n = 0; n < steps; ++n) stepper.do_step(slope, y, static_cast<double>(n) * h, h);
+            for (Index n = 0; n < steps; ++n)
+                stepper.do_step(slope, y, static_cast<double>(n) * h, h);
             return place(y.data());
         };
         const auto march_pq = [&](auto stepper) {
-            for (Index n = 0; n < steps; ++n) stepper.do_step(kick, q, p, static_cast<double>(n) * h, h);
+            for (Index n = 0; n < steps; ++n)
+                stepper.do_step(kick, q, p, static_cast<double>(n) * h, h);
             return place(q.data());
         };
         if constexpr (method == Method::explicit_euler) return march_y(odeint::euler<Y>());
         if constexpr (method == Method::rk4) return march_y(odeint::runge_kutta4<Y>());
-        if constexpr (method == Method::dormand_prince) return march_y(odeint::runge_kutta_dopri5<Y>());
-        if constexpr (method == Method::symplectic_euler) return march_pq(odeint::symplectic_euler<P>());
+        if constexpr (method == Method::dormand_prince)
+            return march_y(odeint::runge_kutta_dopri5<Y>());
+        if constexpr (method == Method::symplectic_euler)
+            return march_pq(odeint::symplectic_euler<P>());
         if constexpr (method == Method::yoshida4) return march_pq(OdeintYoshida<P>());
         if constexpr (method == Method::verlet) {
             odeint::velocity_verlet<P> stepper;
@@ -277,8 +298,8 @@ struct Odeint {
                 Problem::plain(x.data(), u.data(), a.data());
             };
             for (Index n = 0; n < steps; ++n)
-                stepper.do_step(force, std::make_pair(std::ref(q), std::ref(p)), static_cast<double>(n) * h,
-                                h);
+                stepper.do_step(force, std::make_pair(std::ref(q), std::ref(p)),
+                                static_cast<double>(n) * h, h);
             return place(q.data());
         }
     }
@@ -286,36 +307,34 @@ struct Odeint {
     static Vec<N> run_fixed(Method method, const State<N>& s, double h, Index steps)
     {
         switch (method) {
-        case Method::explicit_euler:
-            return run_method<Method::explicit_euler>(s, h, steps);
+        case Method::explicit_euler: return run_method<Method::explicit_euler>(s, h, steps);
         case Method::symplectic_euler:
             return run_method<Method::symplectic_euler>(s, h, steps);
-        case Method::verlet:
-            return run_method<Method::verlet>(s, h, steps);
-        case Method::yoshida4:
-            return run_method<Method::yoshida4>(s, h, steps);
-        case Method::rk4:
-            return run_method<Method::rk4>(s, h, steps);
-        case Method::dormand_prince:
-            return run_method<Method::dormand_prince>(s, h, steps);
+        case Method::verlet: return run_method<Method::verlet>(s, h, steps);
+        case Method::yoshida4: return run_method<Method::yoshida4>(s, h, steps);
+        case Method::rk4: return run_method<Method::rk4>(s, h, steps);
+        case Method::dormand_prince: return run_method<Method::dormand_prince>(s, h, steps);
         }
         return {};
     }
 
-    RIGID_SEPARATE static Vec<N> run_adaptive(const State<N>& s, double T, double tolerance, double first)
+    RIGID_SEPARATE static Vec<N> run_adaptive(const State<N>& s, double T, double tolerance,
+                                              double first)
     {
         Y y = whole(s);
         odeint::integrate_adaptive(
-            odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<Y>()), slope, y, 0., T,
-            first);
+            odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<Y>()),
+            slope, y, 0., T, first);
         return place(y.data());
     }
 };
 #endif
 
-// ---- measuring ------------------------------------------------------------------------------------
+// ---- measuring
+// ------------------------------------------------------------------------------------
 
-constexpr Real tolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
+constexpr Real tolerances[] = {1e-3, 1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                               1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
 
 /// Calls visit(name, problem) for the four problems.
 template <class Visit>
@@ -348,32 +367,36 @@ void register_problem(const std::string& problem_name, const Problem& problem)
         if (method == Method::dormand_prince) {
             for (Real tolerance : tolerances) {
                 const Adaptive<N> prepared = start_at(s, tolerance, problem.a);
-                const Adaptive<N> run = run_adaptive(prepared, problem.T, tolerance, problem.a);
+                const Adaptive<N> run =
+                    run_adaptive(prepared, problem.T, tolerance, problem.a);
                 const Real error = (run.s.x - exact).norm();
                 const Real evaluations = static_cast<Real>(run.evaluations);
                 char label[32];
                 std::snprintf(label, sizeof label, "/tolerance:%g", tolerance);
-                benchmark::RegisterBenchmark((problem_name + "/dormand_prince/ours" + label).c_str(),
-                                             [=](benchmark::State& state) {
-                                                 for (auto _ : state)
-                                                     benchmark::DoNotOptimize(
-                                                         run_adaptive(s, problem.T, tolerance, problem.a));
-                                                 state.counters["error"] = error;
-                                                 state.counters["evaluations"] = evaluations;
-                                             })
+                benchmark::RegisterBenchmark(
+                    (problem_name + "/dormand_prince/ours" + label).c_str(),
+                    [=](benchmark::State& state) {
+                        for (auto _ : state)
+                            benchmark::DoNotOptimize(
+                                run_adaptive(s, problem.T, tolerance, problem.a));
+                        state.counters["error"] = error;
+                        state.counters["evaluations"] = evaluations;
+                    })
                     ->Unit(benchmark::kMicrosecond)
                     ->MinTime(0.02);
 #ifdef RIGID_HAS_ODEINT
                 const Real first = prepared.h;
                 const Real odeint_error =
-                    (Odeint<Problem>::run_adaptive(s, problem.T, tolerance, first) - exact).norm();
-                benchmark::RegisterBenchmark((problem_name + "/dormand_prince/odeint" + label).c_str(),
-                                             [=](benchmark::State& state) {
-                                                 for (auto _ : state)
-                                                     benchmark::DoNotOptimize(Odeint<Problem>::run_adaptive(
-                                                         s, problem.T, tolerance, first));
-                                                 state.counters["error"] = odeint_error;
-                                             })
+                    (Odeint<Problem>::run_adaptive(s, problem.T, tolerance, first) - exact)
+                        .norm();
+                benchmark::RegisterBenchmark(
+                    (problem_name + "/dormand_prince/odeint" + label).c_str(),
+                    [=](benchmark::State& state) {
+                        for (auto _ : state)
+                            benchmark::DoNotOptimize(Odeint<Problem>::run_adaptive(
+                                s, problem.T, tolerance, first));
+                        state.counters["error"] = odeint_error;
+                    })
                     ->Unit(benchmark::kMicrosecond)
                     ->MinTime(0.02);
 #endif
@@ -389,23 +412,28 @@ void register_problem(const std::string& problem_name, const Problem& problem)
             benchmark::RegisterBenchmark(
                 (base + "/ours" + label).c_str(),
                 [=](benchmark::State& state) {
-                    for (auto _ : state) benchmark::DoNotOptimize(run_fixed(method, s, h, steps, problem.a));
+                    for (auto _ : state)
+                        benchmark::DoNotOptimize(run_fixed(method, s, h, steps, problem.a));
                     state.counters["error"] = error;
-                    state.counters["evaluations"] = static_cast<Real>(steps * evaluations_per_step(method));
+                    state.counters["evaluations"] =
+                        static_cast<Real>(steps * evaluations_per_step(method));
                 })
                 ->Unit(benchmark::kMicrosecond)
                 ->MinTime(0.02);
 #ifdef RIGID_HAS_ODEINT
-            if (!PositionAcceleration<typename Problem::A, N> && method == Method::symplectic_euler)
+            if (!PositionAcceleration<typename Problem::A, N> &&
+                method == Method::symplectic_euler)
                 continue;  // odeint's takes no drag
-            const Real odeint_error = (Odeint<Problem>::run_fixed(method, s, h, steps) - exact).norm();
-            benchmark::RegisterBenchmark((base + "/odeint" + label).c_str(),
-                                         [=](benchmark::State& state) {
-                                             for (auto _ : state)
-                                                 benchmark::DoNotOptimize(
-                                                     Odeint<Problem>::run_fixed(method, s, h, steps));
-                                             state.counters["error"] = odeint_error;
-                                         })
+            const Real odeint_error =
+                (Odeint<Problem>::run_fixed(method, s, h, steps) - exact).norm();
+            benchmark::RegisterBenchmark(
+                (base + "/odeint" + label).c_str(),
+                [=](benchmark::State& state) {
+                    for (auto _ : state)
+                        benchmark::DoNotOptimize(
+                            Odeint<Problem>::run_fixed(method, s, h, steps));
+                    state.counters["error"] = odeint_error;
+                })
                 ->Unit(benchmark::kMicrosecond)
                 ->MinTime(0.02);
 #endif
@@ -413,7 +441,8 @@ void register_problem(const std::string& problem_name, const Problem& problem)
     }
 }
 
-// ---- tables for the figures -----------------------------------------------------------------------
+// ---- tables for the figures
+// -----------------------------------------------------------------------
 
 /// Error against evaluations.
 void table_work_precision()
@@ -426,9 +455,11 @@ void table_work_precision()
             if (!can<typename Problem::A, N>(method)) continue;
             if (method == Method::dormand_prince) {
                 for (Real tolerance : tolerances) {
-                    const Adaptive<N> run = run_adaptive(problem.start(), problem.T, tolerance, problem.a);
+                    const Adaptive<N> run =
+                        run_adaptive(problem.start(), problem.T, tolerance, problem.a);
                     std::printf("%s,%s,%ld,%.3e\n", name.c_str(), name_of(method),
-                                static_cast<long>(run.evaluations), (run.s.x - problem.exact()).norm());
+                                static_cast<long>(run.evaluations),
+                                (run.s.x - problem.exact()).norm());
                 }
                 continue;
             }
@@ -436,7 +467,9 @@ void table_work_precision()
                 const Index steps = budget / evaluations_per_step(method);
                 const Real h = problem.T / static_cast<Real>(steps);
                 const Real error =
-                    (run_fixed(method, problem.start(), h, steps, problem.a).x - problem.exact()).norm();
+                    (run_fixed(method, problem.start(), h, steps, problem.a).x -
+                     problem.exact())
+                        .norm();
                 std::printf("%s,%s,%ld,%.3e\n", name.c_str(), name_of(method),
                             static_cast<long>(steps * evaluations_per_step(method)), error);
             }
@@ -444,14 +477,15 @@ void table_work_precision()
     });
 }
 
-/// Errors over thousands of periods when every method may ask for the force equally often: the
-/// largest within the last period, in place and in energy.
+/// Errors over thousands of periods when every method may ask for the force equally often:
+/// the largest within the last period, in place and in energy.
 void table_long_time(Index per_period)
 {
     const Kepler kepler;
     const Real e = 0.6;
     const State<2> start = kepler_perihelion(kepler, e);
-    const std::vector<Index> samples = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
+    const std::vector<Index> samples = {1,   2,   5,   10,   20,   50,
+                                        100, 200, 500, 1000, 2000, 5000};
     std::puts("method,evaluations_per_period,periods,position_error,energy_error");
     // The tolerance that makes the adaptive method spend as much, by bisection.
     Real low = -12, high = -2;
@@ -475,7 +509,8 @@ void table_long_time(Index per_period)
             const auto look = [&](const State<2>& y, Real t) {
                 if (!wanted) return;
                 of_place = std::max(of_place, (y.x - exact_kepler(kepler, e, t).x).norm());
-                of_energy = std::max(of_energy, std::abs(kepler.energy(y) / kepler.energy(start) - 1));
+                of_energy = std::max(of_energy,
+                                     std::abs(kepler.energy(y) / kepler.energy(start) - 1));
             };
             if (method == Method::dormand_prince) {
                 while (run.t < 2 * pi * static_cast<Real>(period)) {
@@ -485,36 +520,30 @@ void table_long_time(Index per_period)
             } else {
                 for (Index n = 0; n < steps; ++n) {
                     switch (method) {
-                    case Method::explicit_euler:
-                        s = explicit_euler(s, h, kepler);
-                        break;
+                    case Method::explicit_euler: s = explicit_euler(s, h, kepler); break;
                     case Method::symplectic_euler:
                         s = symplectic_euler(s, h, kepler);
                         break;
-                    case Method::verlet:
-                        s = velocity_verlet(s, now, h, kepler);
-                        break;
-                    case Method::yoshida4:
-                        s = yoshida4(s, h, kepler);
-                        break;
-                    default:
-                        s = rk4(s, h, kepler);
-                        break;
+                    case Method::verlet: s = velocity_verlet(s, now, h, kepler); break;
+                    case Method::yoshida4: s = yoshida4(s, h, kepler); break;
+                    default: s = rk4(s, h, kepler); break;
                     }
-                    look(s, 2 * pi * static_cast<Real>(period - 1) + static_cast<Real>(n + 1) * h);
+                    look(s, 2 * pi * static_cast<Real>(period - 1) +
+                                static_cast<Real>(n + 1) * h);
                 }
             }
             if (wanted) {
-                std::printf("%s,%ld,%ld,%.3e,%.3e\n", name_of(method), static_cast<long>(per_period),
-                            static_cast<long>(period), of_place, of_energy);
+                std::printf("%s,%ld,%ld,%.3e,%.3e\n", name_of(method),
+                            static_cast<long>(per_period), static_cast<long>(period),
+                            of_place, of_energy);
                 ++next;
             }
         }
     }
 }
 
-/// The largest modulus of an eigenvalue of one step on a spring, from the step itself: a linear method
-/// is the matrix of what it makes of (1, 0) and of (0, 1).
+/// The largest modulus of an eigenvalue of one step on a spring, from the step itself: a
+/// linear method is the matrix of what it makes of (1, 0) and of (0, 1).
 void table_stability()
 {
     std::puts("method,h_omega,modulus");
@@ -522,7 +551,8 @@ void table_stability()
     const auto print = [](const char* name, Real z, const State<1>& p, const State<1>& q) {
         const Real trace = p.x[0] + q.u[0], det = p.x[0] * q.u[0] - q.x[0] * p.u[0];
         const Real root = trace * trace / 4 - det;
-        const Real modulus = root < 0 ? std::sqrt(det) : std::abs(trace) / 2 + std::sqrt(root);
+        const Real modulus =
+            root < 0 ? std::sqrt(det) : std::abs(trace) / 2 + std::sqrt(root);
         std::printf("%s,%.3f,%.6f\n", name, z, modulus);
     };
     const State<1> one{Vec<1>(1), Vec<1>(0)}, other{Vec<1>(0), Vec<1>(1)};
@@ -546,7 +576,9 @@ void table_energy()
     State<1> a = start, b = start, c = start;
     const Real h = 0.1;
     for (int n = 0; n <= 400; ++n) {
-        const auto ratio = [&](const State<1>& s) { return spring.energy(s) / spring.energy(start); };
+        const auto ratio = [&](const State<1>& s) {
+            return spring.energy(s) / spring.energy(start);
+        };
         std::printf("%d,%.6f,%.6f,%.6f\n", n, ratio(a), ratio(b), ratio(c));
         a = explicit_euler(a, h, spring);
         b = symplectic_euler(b, h, spring);
@@ -563,7 +595,8 @@ void table_phase()
     State<1> a = start, b = start, c = start;
     const Real h = 0.5;
     for (int n = 0; n <= 40; ++n) {
-        std::printf("%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n", n, a.x[0], a.u[0], b.x[0], b.u[0], c.x[0], c.u[0]);
+        std::printf("%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n", n, a.x[0], a.u[0], b.x[0], b.u[0],
+                    c.x[0], c.u[0]);
         a = explicit_euler(a, h, spring);
         b = symplectic_euler(b, h, spring);
         c = implicit_euler_spring(c, h, 1);
@@ -582,8 +615,8 @@ void table_modified()
         };
         const Real energy = pendulum.energy(s), start = modified(s);
         for (int n = 0; static_cast<Real>(n) * h <= 5; ++n) {
-            std::printf("%.2f,%.4f,%.6f,%.6f\n", h, static_cast<Real>(n) * h, pendulum.energy(s) - energy,
-                        modified(s) - start);
+            std::printf("%.2f,%.4f,%.6f,%.6f\n", h, static_cast<Real>(n) * h,
+                        pendulum.energy(s) - energy, modified(s) - start);
             s = symplectic_euler(s, h, pendulum);
         }
     }
@@ -593,7 +626,8 @@ void table_modified()
 void table_steps()
 {
     std::puts("problem,t,h,speed");
-    const auto walk = [](const char* name, const auto& state, const auto& a, Real T, Real tolerance) {
+    const auto walk = [](const char* name, const auto& state, const auto& a, Real T,
+                         Real tolerance) {
         const Tolerance allowed{tolerance, tolerance, tolerance};
         auto run = start_adaptive(state, a, allowed);
         while (run.t < T) {
@@ -606,20 +640,22 @@ void table_steps()
     walk("projectile", ThrowProblem{}.start(), ThrowProblem{}.a, 3, 1e-6);
 }
 
-/// The fewest evaluations for a given error, with steps of one size and with steps of their own: the
-/// same pair of Dormand and Prince. Within 1 %, by a search over steps and over tolerances.
+/// The fewest evaluations for a given error, with steps of one size and with steps of their
+/// own: the same pair of Dormand and Prince. Within 1 %, by a search over steps and over
+/// tolerances.
 void table_adaptive()
 {
     std::puts("problem,error,fixed,adaptive,gain");
     const auto row = [](const char* name, const auto& problem, Real error) {
         const auto start = problem.start();
         const auto exact = problem.exact();
-        // From far too fine towards too coarse, and stop before the first that is not good enough.
+        // From far too fine towards too coarse, and stop before the first that is not good
+        // enough.
         Index fixed = 0, adaptive = 0;
         for (Real steps = 20; fixed == 0; steps = std::ceil(steps * 1.01)) {
             const auto good = [&](Index n) {
-                return (run_fixed(Method::dormand_prince, start, problem.T / static_cast<Real>(n), n,
-                                  problem.a)
+                return (run_fixed(Method::dormand_prince, start,
+                                  problem.T / static_cast<Real>(n), n, problem.a)
                             .x -
                         exact)
                            .norm() <= error;
@@ -637,7 +673,8 @@ void table_adaptive()
                 adaptive = at(exponent).evaluations;
         }
         std::printf("%s,%.0e,%ld,%ld,%.2f\n", name, error, static_cast<long>(fixed),
-                    static_cast<long>(adaptive), static_cast<Real>(fixed) / static_cast<Real>(adaptive));
+                    static_cast<long>(adaptive),
+                    static_cast<Real>(fixed) / static_cast<Real>(adaptive));
     };
     row("kepler e = 0", KeplerProblem{{}, 7, 0}, 1e-6);
     row("kepler e = 0.3", KeplerProblem{{}, 7, 0.3}, 1e-6);
@@ -649,24 +686,27 @@ void table_adaptive()
 }
 
 #ifdef RIGID_HAS_ODEINT
-/// Seconds of processor time that f() takes, from enough repetitions to be seen by the clock. Time in
-/// which the processor serves another program does not count.
+/// Seconds of processor time that f() takes, from enough repetitions to be seen by the
+/// clock. Time in which the processor serves another program does not count.
 template <class F>
 Real seconds(const F& f, Index repeat)
 {
     const std::clock_t start = std::clock();
     for (Index i = 0; i < repeat; ++i) benchmark::DoNotOptimize(f());
-    return static_cast<Real>(std::clock() - start) / CLOCKS_PER_SEC / static_cast<Real>(repeat);
+    return static_cast<Real>(std::clock() - start) / CLOCKS_PER_SEC /
+           static_cast<Real>(repeat);
 }
 
-/// Times of two functions, measured in turns; the least of 31 each, because what disturbs only adds.
+/// Times of two functions, measured in turns; the least of 31 each, because what disturbs
+/// only adds.
 struct Pair {
     Real ours = infinity, theirs = infinity;
 };
 template <class F, class G>
 Pair paired(const F& ours, const G& theirs)
 {
-    const Index repeat = std::max<Index>(1, static_cast<Index>(1e-3 / std::max(1e-7, seconds(ours, 100))));
+    const Index repeat =
+        std::max<Index>(1, static_cast<Index>(1e-3 / std::max(1e-7, seconds(ours, 100))));
     Pair least;
     for (int i = 0; i < 31; ++i) {
         least.ours = std::min(least.ours, seconds(ours, repeat));
@@ -675,16 +715,19 @@ Pair paired(const F& ours, const G& theirs)
     return least;
 }
 
-/// Ours against odeint's: the same steps for fixed methods, equal error for the adaptive one.
+/// Ours against odeint's: the same steps for fixed methods, equal error for the adaptive
+/// one.
 void table_pairs()
 {
-    std::puts("problem,method,error_ours,error_odeint,ns_per_step_ours,ns_per_step_odeint,ratio");
+    std::puts(
+        "problem,method,error_ours,error_odeint,ns_per_step_ours,ns_per_step_odeint,ratio");
     for_each_problem([](const std::string& name, const auto& problem) {
         using Problem = std::decay_t<decltype(problem)>;
         constexpr int N = Problem::N;
         const State<N> s = problem.start();
         const Vec<N> exact = problem.exact();
-        if (name == "kepler_1_period") return;  // the same steps as ten periods, a tenth of them
+        if (name == "kepler_1_period")
+            return;  // the same steps as ten periods, a tenth of them
         for (Method method : all_methods) {
             if (!can<typename Problem::A, N>(method)) continue;
             if constexpr (!PositionAcceleration<typename Problem::A, N>)
@@ -692,12 +735,14 @@ void table_pairs()
             const Index steps = 4000;
             const Real h = problem.T / static_cast<Real>(steps);
             const auto ours = [&] { return run_fixed(method, s, h, steps, problem.a); };
-            const auto theirs = [&] { return Odeint<Problem>::run_fixed(method, s, h, steps); };
+            const auto theirs = [&] {
+                return Odeint<Problem>::run_fixed(method, s, h, steps);
+            };
             const Pair pair = paired(ours, theirs);
             const Real per = 1e9 / static_cast<Real>(steps);
             std::printf("%s,%s,%.3e,%.3e,%.2f,%.2f,%.3f\n", name.c_str(), name_of(method),
-                        (ours().x - exact).norm(), (theirs() - exact).norm(), pair.ours * per,
-                        pair.theirs * per, pair.ours / pair.theirs);
+                        (ours().x - exact).norm(), (theirs() - exact).norm(),
+                        pair.ours * per, pair.theirs * per, pair.ours / pair.theirs);
             std::fflush(stdout);
         }
         // The adaptive run: both curves of time against error, read at the same errors.
@@ -706,16 +751,21 @@ void table_pairs()
             const Real tolerance = std::pow(10, exponent);
             const Adaptive<N> prepared = start_at(s, tolerance, problem.a);
             const Real first = prepared.h;
-            const auto our_run = [&] { return run_adaptive(prepared, problem.T, tolerance, problem.a); };
+            const auto our_run = [&] {
+                return run_adaptive(prepared, problem.T, tolerance, problem.a);
+            };
             const auto their_run = [&] {
                 return Odeint<Problem>::run_adaptive(s, problem.T, tolerance, first);
             };
             const Pair pair = paired(our_run, their_run);
-            ours.emplace_back(std::log((our_run().s.x - exact).norm()), std::log(pair.ours));
-            theirs.emplace_back(std::log((their_run() - exact).norm()), std::log(pair.theirs));
+            ours.emplace_back(std::log((our_run().s.x - exact).norm()),
+                              std::log(pair.ours));
+            theirs.emplace_back(std::log((their_run() - exact).norm()),
+                                std::log(pair.theirs));
         }
-        // One run's error is a matter of luck. A straight line through the logarithms of the runs with
-        // an error within a factor of 30 of the wanted one says what it costs on the whole.
+        // One run's error is a matter of luck. A straight line through the logarithms of
+        // the runs with an error within a factor of 30 of the wanted one says what it costs
+        // on the whole.
         const auto time_for = [](const std::vector<Vec2>& curve, Real error) {
             Real n = 0, x = 0, y = 0, xx = 0, xy = 0;
             for (const Vec2& p : curve) {
@@ -731,13 +781,16 @@ void table_pairs()
         };
         for (Real error : {1e-2, 1e-4, 1e-6, 1e-8}) {
             const Real a = time_for(ours, error), b = time_for(theirs, error);
-            std::printf("%s,adaptive to %.0e,%.0e,%.0e,%.1f,%.1f,%.3f\n", name.c_str(), error, error, error,
-                        a * 1e9, b * 1e9, a / b);
+            std::printf("%s,adaptive to %.0e,%.0e,%.0e,%.1f,%.1f,%.3f\n", name.c_str(),
+                        error, error, error, a * 1e9, b * 1e9, a / b);
         }
     });
 }
 #else
-void table_pairs() { std::puts("Boost.odeint was not installed when this program was built"); }
+void table_pairs()
+{
+    std::puts("Boost.odeint was not installed when this program was built");
+}
 #endif
 
 int print_table(const std::string& name)
@@ -770,9 +823,11 @@ int print_table(const std::string& name)
 
 int main(int argc, char** argv)
 {
-    if (argc == 3 && std::strcmp(argv[1], "--table") == 0) return rigid::print_table(argv[2]);
-    rigid::for_each_problem(
-        [](const std::string& name, const auto& problem) { rigid::register_problem(name, problem); });
+    if (argc == 3 && std::strcmp(argv[1], "--table") == 0)
+        return rigid::print_table(argv[2]);
+    rigid::for_each_problem([](const std::string& name, const auto& problem) {
+        rigid::register_problem(name, problem);
+    });
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();

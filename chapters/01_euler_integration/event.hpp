@@ -1,22 +1,25 @@
 /// \file event.hpp
-/// Where a motion meets the ground: the time at which a gap closes, found to the last digits.
+/// Where a motion meets the ground: the time at which a gap closes, found to the last
+/// digits.
 ///
 ///     gap(x(t*), u(t*)) = 0,   gap > 0 before
 ///
-/// The polynomial (1.45) of an accepted step costs nothing and finds t* to the accuracy of the
-/// polynomial; one or two real steps, from the start of that step to t*, then make it as accurate as
-/// the steps themselves (1.47).
+/// The polynomial (1.45) of an accepted step costs nothing and finds t* to the accuracy of
+/// the polynomial; one or two real steps, from the start of that step to t*, then make it
+/// as accurate as the steps themselves (1.47).
 #pragma once
 
-#include "chapters/01_euler_integration/dormand_prince.hpp"
+#include "chapters/01_euler_integration/adaptive.hpp"
 
 namespace rigid {
 
-/// How many parts of a step are looked at: a gap that closes and opens again in less may be missed.
+/// How many parts of a step are looked at: a gap that closes and opens again in less may be
+/// missed.
 inline constexpr int event_samples = 8;
 
 //! [polish]
-/// Puts a run that has just taken a step back to the event between the parts `open` and `closed` of it.
+/// Puts a run that has just taken a step back to the event between the parts `open` and
+/// `closed` of it.
 template <int N, Acceleration<N> A, class Gap>
 void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, const Gap& gap)
 {
@@ -24,10 +27,12 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
     const auto gap_at = [&](Real theta) { return gap(whole.at(theta)); };
 
     // (1.46): halve the interval on the polynomial until no number fits in between.
-    for (Real theta = (open + closed) / 2; open < theta && theta < closed; theta = (open + closed) / 2)
+    for (Real theta = (open + closed) / 2; open < theta && theta < closed;
+         theta = (open + closed) / 2)
         (gap_at(theta) > 0 ? open : closed) = theta;
 
-    // (1.47): Newton's method with real steps; the slope of the polynomial is good enough for it.
+    // (1.47): Newton's method with real steps; the slope of the polynomial is good enough
+    // for it.
     const Real slope = (gap_at(closed + 1e-3) - gap_at(closed - 1e-3)) / (2e-3 * whole.h);
     Real h = closed * whole.h;
     for (int i = 0;; ++i) {
@@ -37,7 +42,8 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
         run.a = step.a;
         run.last = {whole.s0, step.s, whole.a0, step.a, h};
         const Real next = std::clamp(h - gap(step.s) / slope, h / 2, whole.h);
-        const bool close = !(std::abs(next - h) > 4 * std::numeric_limits<Real>::epsilon() * run.t);
+        const bool close =
+            !(std::abs(next - h) > 4 * std::numeric_limits<Real>::epsilon() * run.t);
         if (close || i == 9) break;
         h = next;
     }
@@ -46,13 +52,14 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
 //! [polish]
 
 //! [event]
-/// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to zero or below
-/// on the way, the run goes back to that moment and the outcome is `event`. Whoever then changes
-/// run.s (a bounce) sets run.a to its acceleration too. A run that starts at gap ≤ 0 has no event
-/// before it was above zero.
-/// \param gap  gap(s): a number with the sign of the distance, continuous in the state
+/// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to zero or
+/// below on the way, the run goes back to that moment and the outcome is `event`. Whoever
+/// then changes run.s (a bounce) sets run.a to its acceleration too. A run that starts at
+/// gap ≤ 0 has no event before it was above zero. \param gap  gap(s): a number with the
+/// sign of the distance, continuous in the state
 template <int N, Acceleration<N> A, class Gap>
-Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& tolerance, const Gap& gap)
+Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a,
+                         const Tolerance& tolerance, const Gap& gap)
 {
     const Outcome outcome = advance(run, t_end, a, tolerance);
     if (outcome != Outcome::reached) return outcome;
@@ -76,8 +83,8 @@ Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a, const Toleran
 /// Takes adaptive steps until the event or until t_end [s].
 /// \throws std::invalid_argument  for a t_end that is not finite or lies in the past
 template <int N, Acceleration<N> A, class Gap>
-Outcome integrate_to_event(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& tolerance,
-                           const Gap& gap)
+Outcome integrate_to_event(Adaptive<N>& run, Real t_end, const A& a,
+                           const Tolerance& tolerance, const Gap& gap)
 {
     require_end(run, t_end);
     Outcome outcome = Outcome::reached;

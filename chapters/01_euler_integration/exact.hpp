@@ -1,5 +1,6 @@
 /// \file exact.hpp
-/// What is known exactly of the systems of this chapter: the truth that errors are measured against.
+/// What is known exactly of the systems of this chapter: the truth that errors are measured
+/// against.
 #pragma once
 
 #include "chapters/01_euler_integration/systems.hpp"
@@ -18,8 +19,9 @@ inline State<1> exact_spring(const Spring& spring, const State<1>& s, Real t)
     return {c * s.x + n / spring.omega * s.u, c * s.u - spring.omega * n * s.x};
 }
 
-/// The arithmetic-geometric mean of 1 and b = cos α, and the numbers met on the way to it, which the
-/// Jacobi functions of modulus k = sin α are made of. \cite abramowitz1964, §17.6 and §16.4
+/// The arithmetic-geometric mean of 1 and b = cos α, and the numbers met on the way to it,
+/// which the Jacobi functions of modulus k = sin α are made of. \cite abramowitz1964, §17.6
+/// and §16.4
 struct GeometricMean {
     std::array<Real, 12> a{}, c{};
     int last = 0;
@@ -43,7 +45,8 @@ struct GeometricMean {
 /// Period of a pendulum let go at rest from the angle theta0 [s]: 4 √(L/g) K(sin²(θ₀/2)).
 inline Real pendulum_period(const Pendulum& pendulum, Real theta0)
 {
-    return 2 * pi * std::sqrt(pendulum.length / pendulum.g) / GeometricMean(theta0 / 2).mean();
+    return 2 * pi * std::sqrt(pendulum.length / pendulum.g) /
+           GeometricMean(theta0 / 2).mean();
 }
 
 /// The state at time t of a pendulum let go at rest from the angle theta0, 0 < theta0 < π:
@@ -83,7 +86,8 @@ inline State<2> exact_kepler(const Kepler& kepler, Real e, Real t)
 {
     const Real n = std::sqrt(kepler.GM);  // mean motion for the half axis 1 m
     const Real M = std::remainder(n * t, 2 * pi);
-    Real E = M + (M < 0 ? -e : e);  // for this start Newton's method converges from one side
+    Real E =
+        M + (M < 0 ? -e : e);  // for this start Newton's method converges from one side
     for (int i = 0; i < 100; ++i) {
         const Real change = (E - e * std::sin(E) - M) / (1 - e * std::cos(E));
         E -= change;
@@ -95,8 +99,9 @@ inline State<2> exact_kepler(const Kepler& kepler, Real e, Real t)
             Vec2(-std::sin(E) * E_dot, minor * std::cos(E) * E_dot)};
 }
 
-/// Time until a body thrown straight up at speed u0 ≥ 0 from height y0 ≥ 0 hits the ground [s].
-/// Without drag the root of a quadratic; with drag, from dy = u du / (−g ∓ k u²) up and down:
+/// Time until a body thrown straight up at speed u0 ≥ 0 from height y0 ≥ 0 hits the ground
+/// [s]. Without drag the root of a quadratic; with drag, from dy = u du / (−g ∓ k u²) up
+/// and down:
 ///
 ///     t_up = atan(u₀ √(k/g)) / √(gk),   top = y₀ + ln(1 + k u₀²/g) / 2k,
 ///     t_down = acosh(exp(k top)) / √(gk)
@@ -109,7 +114,9 @@ inline Real exact_impact(const Projectile& projectile, Real y0, Real u0)
     const Real top = y0 + std::log1p(k * u0 * u0 / g) / (2 * k);
     // acosh(exp z) = log(exp z + √(exp 2z − 1)), written so that small z keep their digits.
     const Real grown = std::expm1(k * top);
-    return (std::atan(u0 * std::sqrt(k / g)) + std::log1p(grown + std::sqrt(grown * (grown + 2)))) / rate;
+    return (std::atan(u0 * std::sqrt(k / g)) +
+            std::log1p(grown + std::sqrt(grown * (grown + 2)))) /
+           rate;
 }
 
 }  // namespace rigid

@@ -1,4 +1,5 @@
-// Chapter 1. Euler integration: springs, a throw, a planet and a pendulum under six methods.
+// Chapter 1. Euler integration: springs, a throw, a planet and a pendulum under six
+// methods.
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/exact.hpp"
 #include "common/program/program.hpp"
@@ -6,16 +7,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace rigid {
 namespace {
 
-enum class Method { explicit_euler, symplectic_euler, implicit_euler, verlet, yoshida4, rk4, dormand_prince };
+enum class Method {
+    explicit_euler,
+    symplectic_euler,
+    implicit_euler,
+    verlet,
+    yoshida4,
+    rk4,
+    dormand_prince
+};
 
 constexpr std::array<const char*, 7> method_names = {
-    "explicit_euler", "symplectic_euler", "implicit_euler", "verlet", "yoshida4", "rk4", "dormand_prince"};
+    "explicit_euler", "symplectic_euler", "implicit_euler", "verlet", "yoshida4", "rk4",
+    "dormand_prince"};
 
 Method method_of(const std::string& name)
 {
@@ -23,7 +34,8 @@ Method method_of(const std::string& name)
     return static_cast<Method>(found - method_names.begin());
 }
 
-/// One body with one force, moved by one of the methods. Nobody else in this program integrates.
+/// One body with one force, moved by one of the methods. Nobody else in this program
+/// integrates.
 template <int N, class A>
 struct Mover {
     Counted<A> a;
@@ -50,14 +62,11 @@ struct Mover {
     void step(Real h)
     {
         switch (method) {
-        case Method::explicit_euler:
-            s = explicit_euler(s, h, a);
-            break;
-        case Method::symplectic_euler:
-            s = symplectic_euler(s, h, a);
-            break;
+        case Method::explicit_euler: s = explicit_euler(s, h, a); break;
+        case Method::symplectic_euler: s = symplectic_euler(s, h, a); break;
         case Method::implicit_euler:
-            if constexpr (std::same_as<A, Spring>) s = implicit_euler_spring(s, h, a.a.omega);
+            if constexpr (std::same_as<A, Spring>)
+                s = implicit_euler_spring(s, h, a.a.omega);
             break;
         case Method::verlet:
             if constexpr (PositionAcceleration<A, N>) s = velocity_verlet(s, now, h, a);
@@ -65,10 +74,9 @@ struct Mover {
         case Method::yoshida4:
             if constexpr (PositionAcceleration<A, N>) s = yoshida4(s, h, a);
             break;
-        case Method::rk4:
-            s = rk4(s, h, a);
-            break;
-        case Method::dormand_prince:  // steps of its own size; the picture is taken in between
+        case Method::rk4: s = rk4(s, h, a); break;
+        case Method::dormand_prince:  // steps of its own size; the picture is taken in
+                                      // between
             while (run.t < t + h && outcome == Outcome::reached) {
                 outcome = advance_to_event(run, 1e9, a, tolerance, gap);
                 stops.push_back(run.s);
@@ -90,8 +98,17 @@ struct Mover {
                               method_names[static_cast<std::size_t>(method)] +
                               " has left all numbers; a smaller time step helps");
     }
-    Real step_size(Real h) const { return method == Method::dormand_prince ? run.last.h : h; }
+    Real step_size(Real h) const
+    {
+        return method == Method::dormand_prince ? run.last.h : h;
+    }
 };
+
+Tolerance tolerance_of(const Settings& settings)
+{
+    const Real allowed = std::pow(10, -settings["digits"]);
+    return {allowed, allowed, allowed};
+}
 
 const Style dashed{Colour::ink, 1.2, 0.8, false, true};
 
@@ -100,19 +117,24 @@ void remember(std::vector<Vec2>& trail, const Vec2& p, std::size_t most = 20000)
     if (trail.size() < most) trail.push_back(p);
 }
 
-// ---- springs --------------------------------------------------------------------------------------
+// ---- springs
+// --------------------------------------------------------------------------------------
 
-/// Three equal masses on three equal springs under three Euler methods; below each its phase plane.
+/// Three equal masses on three equal springs under three Euler methods; below each its
+/// phase plane.
 class Springs : public Run {
 public:
     explicit Springs(const Settings& settings)
-        : spring_{2 * pi * settings["frequency"]}, start_{Vec<1>(settings["amplitude"]), Vec<1>(0)}
+        : spring_{2 * pi * settings["frequency"]}, start_{Vec<1>(settings["amplitude"]),
+                                                          Vec<1>(0)}
     {
-        for (Method method : {Method::explicit_euler, Method::symplectic_euler, Method::implicit_euler}) {
+        for (Method method :
+             {Method::explicit_euler, Method::symplectic_euler, Method::implicit_euler}) {
             movers_.push_back({{spring_}, method, start_});
             movers_.back().start();
         }
-        for (std::size_t i = 0; i < movers_.size(); ++i) remember(trails_[i], phase(movers_[i].s));
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+            remember(trails_[i], phase(movers_[i].s));
     }
 
     void step(const Settings& settings, const Input&) override
@@ -131,22 +153,26 @@ public:
         const auto ratio = [&](std::size_t i) {
             return spring_.energy(movers_[i].s) / spring_.energy(start_);
         };
-        return {
-            movers_[0].s.x[0], movers_[1].s.x[0], movers_[2].s.x[0], exact_spring(spring_, start_, t_).x[0],
-            ratio(0),          ratio(1),          ratio(2)};
+        return {movers_[0].s.x[0], movers_[1].s.x[0],
+                movers_[2].s.x[0], exact_spring(spring_, start_, t_).x[0],
+                ratio(0),          ratio(1),
+                ratio(2)};
     }
 
     void draw(Canvas& canvas) const override
     {
-        const std::array<const char*, 3> names = {"explicit Euler", "symplectic Euler", "implicit Euler"};
+        const std::array<const char*, 3> names = {"explicit Euler", "symplectic Euler",
+                                                  "implicit Euler"};
         const std::array<Colour, 3> colours = {Colour::orange, Colour::blue, Colour::green};
         const State<1> exact = exact_spring(spring_, start_, t_);
         for (std::size_t i = 0; i < movers_.size(); ++i) {
             const State<1>& s = movers_[i].s;
-            const Real across = 1.2 * (static_cast<Real>(i) - 1), ceiling = 1.25, rest = 0.5;
+            const Real across = 1.2 * (static_cast<Real>(i) - 1), ceiling = 1.25,
+                       rest = 0.5;
             const Vec2 mass(across, rest + s.x[0]);
             // The ceiling, the spring as a zigzag, the mass, and where it should be.
-            canvas.segment({across - 0.3, ceiling}, {across + 0.3, ceiling}, {Colour::ink, 3});
+            canvas.segment({across - 0.3, ceiling}, {across + 0.3, ceiling},
+                           {Colour::ink, 3});
             std::vector<Vec2> zigzag{{across, ceiling}};
             constexpr int turns = 12;
             for (int k = 0; k <= turns; ++k) {
@@ -160,8 +186,10 @@ public:
             canvas.box({across, rest + exact.x[0]}, {0.1, 0.075}, 0, dashed);
             // The phase plane: position upwards, velocity / ω to the right.
             const Vec2 centre(across, -0.72);
-            canvas.segment(centre - Vec2(0.52, 0), centre + Vec2(0.52, 0), {Colour::faint, 1});
-            canvas.segment(centre - Vec2(0, 0.52), centre + Vec2(0, 0.52), {Colour::faint, 1});
+            canvas.segment(centre - Vec2(0.52, 0), centre + Vec2(0.52, 0),
+                           {Colour::faint, 1});
+            canvas.segment(centre - Vec2(0, 0.52), centre + Vec2(0, 0.52),
+                           {Colour::faint, 1});
             canvas.text(centre + Vec2(0.03, 0.49), "x", 12, {Colour::ink});
             canvas.text(centre + Vec2(0.52, 0.03), "u/ω", 12, {Colour::ink}, Align::right);
             canvas.disc(centre, start_.x.norm(), dashed);
@@ -171,12 +199,13 @@ public:
             canvas.disc(centre + phase(s), 0.025, {colours[i], 1, 1, true});
             const Real ratio = spring_.energy(s) / spring_.energy(start_);
             canvas.text({across, 1.36}, names[i], 15, {colours[i]}, Align::centre);
-            canvas.text({across, -1.38}, "energy × " + significant(ratio, 3), 14, {colours[i]},
-                        Align::centre);
+            canvas.text({across, -1.38}, "energy × " + significant(ratio, 3), 14,
+                        {colours[i]}, Align::centre);
         }
         canvas.text({-1.75, -1.55},
-                    "t = " + fixed(t_, 2) + " s,  hω = " + significant(z_, 3) + ";  dashed: exact", 13,
-                    {Colour::ink});
+                    "t = " + fixed(t_, 2) + " s,  hω = " + significant(z_, 3) +
+                        ";  dashed: exact",
+                    13, {Colour::ink});
     }
 
 private:
@@ -189,24 +218,27 @@ private:
     Real t_ = 0, z_ = 0;
 };
 
-// ---- projectile -----------------------------------------------------------------------------------
+// ---- projectile
+// -----------------------------------------------------------------------------------
 
 /// A javelin's centre of mass, thrown from shoulder height; the run ends on the ground.
 class Throw : public Run {
 public:
-    explicit Throw(const Settings& settings) : mover_{{{settings["drag"]}}, method_of(settings.method), {}}
+    explicit Throw(const Settings& settings)
+        : mover_{{{settings["drag"]}}, method_of(settings.method), {}}
     {
         const Real angle = settings["angle"] * pi / 180;
         start_ = {Vec2(0, 1.8), settings["speed"] * Vec2(std::cos(angle), std::sin(angle))};
         mover_.s = start_;
-        mover_.tolerance = {settings["tolerance"], settings["tolerance"], settings["tolerance"]};
+        mover_.tolerance = tolerance_of(settings);
         mover_.gap = [](const State<2>& s) { return s.x.y(); };
         mover_.start();
         trail_ = {start_.x};
         // The truth: the same flight to the last digits.
         const Tolerance tight{1e-13, 1e-13, 1e-13};
         exact_ = start_adaptive(start_, mover_.a.a, tight);
-        const Outcome outcome = integrate_to_event(exact_, 1000, mover_.a.a, tight, mover_.gap);
+        const Outcome outcome =
+            integrate_to_event(exact_, 1000, mover_.a.a, tight, mover_.gap);
         if (outcome != Outcome::event)
             throw StepFailure(std::string("the exact flight: ") + to_string(outcome));
     }
@@ -238,9 +270,11 @@ public:
         const State<2>& s = mover_.s;
         canvas.segment({-5, 0}, {112, 0}, {Colour::ink, 2});
         for (int metres = 0; metres <= 100; metres += 20) {
-            canvas.segment({static_cast<Real>(metres), 0}, {static_cast<Real>(metres), -1}, {Colour::ink, 1});
-            canvas.text({static_cast<Real>(metres), -4}, std::to_string(metres) + (metres == 100 ? " m" : ""),
-                        12, {Colour::ink}, Align::centre);
+            canvas.segment({static_cast<Real>(metres), 0}, {static_cast<Real>(metres), -1},
+                           {Colour::ink, 1});
+            canvas.text({static_cast<Real>(metres), -4},
+                        std::to_string(metres) + (metres == 100 ? " m" : ""), 12,
+                        {Colour::ink}, Align::centre);
         }
         // Without air: a parabola.
         std::vector<Vec2> parabola;
@@ -264,23 +298,28 @@ public:
             const Vec2 drag = -mover_.a.a.drag * s.u.norm() * s.u;
             if (drag.norm() > 0) canvas.arrow(s.x, s.x + 20 * drag, {Colour::red, 2});
         }
-        canvas.text({-4, 30.5}, "dashed: without air; green ring: exact landing; orange dots: adaptive steps",
-                    12, {Colour::ink});
-        canvas.text({-4, 28}, "arrows: velocity (blue), drag × 20 (red)", 12, {Colour::ink});
+        canvas.text(
+            {-4, 30.5},
+            "dashed: without air; green ring: exact landing; orange dots: adaptive steps",
+            12, {Colour::ink});
+        canvas.text({-4, 28}, "arrows: velocity (blue), drag × 20 (red)", 12,
+                    {Colour::ink});
         if (landed())
             canvas.text({-4, 25.5},
-                        "lands after " + fixed(time(), 9) + " s (exact " + fixed(exact_.t, 9) + " s) at " +
-                            fixed(s.x.x(), 3) + " m; " + std::to_string(mover_.a.evaluations) +
-                            " evaluations",
+                        "lands after " + fixed(time(), 9) + " s (exact " +
+                            fixed(exact_.t, 9) + " s) at " + fixed(s.x.x(), 3) + " m; " +
+                            std::to_string(mover_.a.evaluations) + " evaluations",
                         12, {Colour::ink});
     }
 
 private:
     bool landed() const
     {
-        return mover_.outcome == Outcome::event ? mover_.t >= mover_.run.t : mover_.s.x.y() <= 0;
+        return mover_.outcome == Outcome::event ? mover_.t >= mover_.run.t
+                                                : mover_.s.x.y() <= 0;
     }
-    /// When it met the ground: a fixed step only knows the end of the step that went below it.
+    /// When it met the ground: a fixed step only knows the end of the step that went below
+    /// it.
     Real time() const { return mover_.outcome == Outcome::event ? mover_.run.t : mover_.t; }
 
     Mover<2, Projectile> mover_;
@@ -290,15 +329,18 @@ private:
     Real h_ = 0;
 };
 
-// ---- a planet -------------------------------------------------------------------------------------
+// ---- a planet
+// -------------------------------------------------------------------------------------
 
 class Planet : public Run {
 public:
     explicit Planet(const Settings& settings)
-        : mover_{{}, method_of(settings.method), kepler_perihelion({}, settings["eccentricity"])},
+        : mover_{{},
+                 method_of(settings.method),
+                 kepler_perihelion({}, settings["eccentricity"])},
           e_(settings["eccentricity"]), start_(mover_.s), h_(settings.h)
     {
-        mover_.tolerance = {settings["tolerance"], settings["tolerance"], settings["tolerance"]};
+        mover_.tolerance = tolerance_of(settings);
         mover_.start();
         trail_ = {start_.x};
     }
@@ -341,14 +383,17 @@ public:
         canvas.arrow(s.x, s.x + 0.35 * s.u, {Colour::blue, 1.8});
         canvas.arrow(s.x, s.x + 0.2 * mover_.a.a(s.x), {Colour::red, 1.8});
         const std::vector<Real> m = measure();
-        canvas.text({-2.25, 1.28}, "arrows: velocity (blue), force (red); ring: where it should be", 12,
+        canvas.text({-2.25, 1.28},
+                    "arrows: velocity (blue), force (red); ring: where it should be", 12,
                     {Colour::ink});
         canvas.text({-2.25, -1.23},
-                    fixed(mover_.t / (2 * pi), 2) + " periods, " + significant(m[6], 6) + " evaluations", 12,
-                    {Colour::ink});
+                    fixed(mover_.t / (2 * pi), 2) + " periods, " + significant(m[6], 6) +
+                        " evaluations",
+                    12, {Colour::ink});
         canvas.text({-2.25, -1.35},
-                    "energy off by " + significant(m[2], 2) + ", place by " + significant(m[4], 2) + " m", 12,
-                    {Colour::ink});
+                    "energy off by " + significant(m[2], 2) + ", place by " +
+                        significant(m[4], 2) + " m",
+                    12, {Colour::ink});
     }
 
 private:
@@ -359,7 +404,8 @@ private:
     std::vector<Vec2> trail_;
 };
 
-// ---- a pendulum -----------------------------------------------------------------------------------
+// ---- a pendulum
+// -----------------------------------------------------------------------------------
 
 class Swing : public Run {
 public:
@@ -368,7 +414,7 @@ public:
           theta0_(settings["angle"] * pi / 180), h_(settings.h)
     {
         mover_.s = {Vec<1>(theta0_), Vec<1>(0)};
-        mover_.tolerance = {settings["tolerance"], settings["tolerance"], settings["tolerance"]};
+        mover_.tolerance = tolerance_of(settings);
         mover_.start();
         energy_ = mover_.a.a.energy(mover_.s);
         remember(trail_, phase(mover_.s));
@@ -411,8 +457,8 @@ public:
         canvas.segment(pivot, place, {Colour::ink, 3});
         canvas.disc(place, 0.08, {Colour::blue, 1.5, 0.9, true});
         canvas.disc(pivot, 0.03, {Colour::ink, 1, 1, true});
-        // The phase plane: angle to the right, angular velocity upwards, both in units of their largest
-        // value.
+        // The phase plane: angle to the right, angular velocity upwards, both in units of
+        // their largest value.
         const Vec2 centre(1.15, 0.25);
         canvas.segment(centre - Vec2(0.85, 0), centre + Vec2(0.85, 0), {Colour::faint, 1});
         canvas.segment(centre - Vec2(0, 0.85), centre + Vec2(0, 0.85), {Colour::faint, 1});
@@ -421,25 +467,28 @@ public:
         std::vector<Vec2> orbit, trail;
         const Real period = pendulum_period(mover_.a.a, theta0_);
         for (int i = 0; i <= 120; ++i)
-            orbit.push_back(centre + phase(exact_pendulum(mover_.a.a, theta0_, period * i / 120)));
+            orbit.push_back(centre +
+                            phase(exact_pendulum(mover_.a.a, theta0_, period * i / 120)));
         for (const Vec2& p : trail_) trail.push_back(centre + p);
         canvas.polyline(trail, {Colour::blue, 1.2, 0.8});
         canvas.polyline(orbit, dashed);
         canvas.disc(centre + phase(mover_.s), 0.03, {Colour::blue, 1, 1, true});
         const std::vector<Real> m = measure();
         canvas.text({-2, -1.0},
-                    "t = " + fixed(mover_.t, 2) + " s, period " + fixed(period, 6) + " s; dashed: exact", 12,
-                    {Colour::ink});
+                    "t = " + fixed(mover_.t, 2) + " s, period " + fixed(period, 6) +
+                        " s; dashed: exact",
+                    12, {Colour::ink});
         canvas.text({-2, -1.12},
-                    "energy off by " + significant(m[2], 2) + " J/kg, angle by " + significant(m[3], 2) +
-                        " rad",
+                    "energy off by " + significant(m[2], 2) + " J/kg, angle by " +
+                        significant(m[3], 2) + " rad",
                     12, {Colour::ink});
     }
 
 private:
     Vec2 phase(const State<1>& s) const
     {
-        const Real fastest = 2 * std::sqrt(mover_.a.a.g / mover_.a.a.length) * std::sin(theta0_ / 2);
+        const Real fastest =
+            2 * std::sqrt(mover_.a.a.g / mover_.a.a.length) * std::sin(theta0_ / 2);
         return {0.7 * s.x[0] / theta0_, 0.7 * s.u[0] / fastest};
     }
 
@@ -454,11 +503,16 @@ std::unique_ptr<Run> start(const Settings& settings)
     return std::make_unique<Scenery>(settings);
 }
 
-Tunable tolerance_of_steps(Real value)
+Tunable digits_of_steps(Real value)
 {
-    return {"tolerance", "",    "what a step of dormand_prince may be off, relative, and in m and m/s",
-            value,       1e-12, 1e-2,
-            false,       true};
+    return {"digits",
+            "",
+            "a step of dormand_prince may be off by 10^-digits, relative and in m and m/s",
+            value,
+            2,
+            12,
+            true,
+            true};
 }
 
 Program program()
@@ -468,65 +522,75 @@ Program program()
     springs.summary = "Three equal springs under explicit, symplectic and implicit Euler";
     springs.view = {{0, -0.1}, {1.85, 1.6}};
     springs.methods = {"three_eulers"};
-    springs.tunables = {{"frequency", "Hz", "oscillations per second", 1, 0.1, 5, false, true},
-                        {"amplitude", "m", "how far up the masses start", 0.15, 0.01, 0.5, false, true}};
+    springs.tunables = {
+        {"frequency", "Hz", "oscillations per second", 1, 0.1, 5, false, true},
+        {"amplitude", "m", "how far up the masses start", 0.15, 0.01, 0.5, false, true}};
     springs.columns = {
         {"x_explicit", "m", "place under explicit Euler"},
         {"x_symplectic", "m", "place under symplectic Euler"},
         {"x_implicit", "m", "place under implicit Euler"},
         {"x_exact", "m", "where it should be"},
         {"energy_explicit", "", "energy / energy at the start, explicit Euler", true, true},
-        {"energy_symplectic", "", "energy / energy at the start, symplectic Euler", true, false},
-        {"energy_implicit", "", "energy / energy at the start, implicit Euler", true, true}};
+        {"energy_symplectic", "", "energy / energy at the start, symplectic Euler", true,
+         false},
+        {"energy_implicit", "", "energy / energy at the start, implicit Euler", true,
+         true}};
     springs.start = start<Springs>;
 
     Scene javelin;
     javelin.name = "projectile";
-    javelin.summary = "A javelin's centre of mass with quadratic drag, until it meets the ground";
+    javelin.summary =
+        "A javelin's centre of mass with quadratic drag, until it meets the ground";
     javelin.view = {{53, 13.5}, {59, 19.5}};
     javelin.methods = {"dormand_prince", "rk4", "symplectic_euler", "explicit_euler"};
-    javelin.tunables = {{"speed", "m/s", "of the throw", 30, 1, 32, false, true},
-                        {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false, true},
-                        {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1, false, true},
-                        tolerance_of_steps(1e-9)};
-    javelin.columns = {{"x", "m", "distance"},
-                       {"y", "m", "height", true},
-                       {"speed", "m/s", "length of the velocity", true},
-                       {"energy", "J/kg", "kinetic and potential, for one kilogram", true},
-                       {"step_size", "s", "of the last step that the method took"},
-                       {"landed", "", "1 once it is on the ground"},
-                       {"impact_error", "s", "time of impact against the exact one, once landed"},
-                       {"evaluations", "", "how often the force was asked"}};
+    javelin.tunables = {
+        {"speed", "m/s", "of the throw", 30, 1, 32, false, true},
+        {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false, true},
+        {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1, false, true},
+        digits_of_steps(9)};
+    javelin.columns = {
+        {"x", "m", "distance"},
+        {"y", "m", "height", true},
+        {"speed", "m/s", "length of the velocity", true},
+        {"energy", "J/kg", "kinetic and potential, for one kilogram", true},
+        {"step_size", "s", "of the last step that the method took"},
+        {"landed", "", "1 once it is on the ground"},
+        {"impact_error", "s", "time of impact against the exact one, once landed"},
+        {"evaluations", "", "how often the force was asked"}};
     javelin.start = start<Throw>;
 
     Scene kepler;
     kepler.name = "kepler";
-    kepler.summary = "A planet around its sun: GM = 1, half major axis 1, from the point nearest to the sun";
+    kepler.summary = "A planet around its sun: GM = 1, half major axis 1, from the point "
+                     "nearest to the sun";
     kepler.view = {{-0.75, 0}, {1.6, 1.42}};
     kepler.h = 0.05;
-    kepler.methods = {"symplectic_euler", "explicit_euler", "verlet", "yoshida4", "rk4", "dormand_prince"};
+    kepler.methods = {"symplectic_euler", "explicit_euler", "verlet", "yoshida4", "rk4",
+                      "dormand_prince"};
     kepler.side_by_side = {"explicit_euler", "symplectic_euler", "rk4"};
     kepler.tunables = {{"eccentricity", "", "0 = a circle", 0.6, 0, 0.95, false, true},
-                       tolerance_of_steps(1e-6)};
-    kepler.columns = {{"x", "m", "place"},
-                      {"y", "m", "place"},
-                      {"energy_error", "", "relative error of the energy", true, true},
-                      {"momentum_error", "", "relative error of the angular momentum", false, true},
-                      {"position_error", "m", "distance from where it should be", true, true},
-                      {"step_size", "s", "of the last step that the method took", true},
-                      {"evaluations", "", "how often the force was asked"}};
+                       digits_of_steps(6)};
+    kepler.columns = {
+        {"x", "m", "place"},
+        {"y", "m", "place"},
+        {"energy_error", "", "relative error of the energy", true, true},
+        {"momentum_error", "", "relative error of the angular momentum", false, true},
+        {"position_error", "m", "distance from where it should be", true, true},
+        {"step_size", "s", "of the last step that the method took", true},
+        {"evaluations", "", "how often the force was asked"}};
     kepler.start = start<Planet>;
 
     Scene pendulum;
     pendulum.name = "pendulum";
     pendulum.summary = "A pendulum let go at rest";
     pendulum.view = {{0, 0.05}, {2.1, 1.3}};
-    pendulum.methods = {"verlet", "explicit_euler", "symplectic_euler", "yoshida4", "rk4", "dormand_prince"};
+    pendulum.methods = {"verlet", "explicit_euler", "symplectic_euler", "yoshida4",
+                        "rk4",    "dormand_prince"};
     pendulum.side_by_side = {"explicit_euler", "symplectic_euler"};
-    pendulum.tunables = {
-        {"angle", "degrees", "where it is let go, from straight down", 120, 1, 179, false, true},
-        {"length", "m", "of the pendulum", 1, 0.1, 1, false, true},
-        tolerance_of_steps(1e-6)};
+    pendulum.tunables = {{"angle", "degrees", "where it is let go, from straight down", 120,
+                          1, 179, false, true},
+                         {"length", "m", "of the pendulum", 1, 0.1, 1, false, true},
+                         digits_of_steps(6)};
     pendulum.columns = {{"angle", "rad", "from straight down", true},
                         {"rate", "rad/s", "angular velocity"},
                         {"energy_error", "J/kg", "energy less energy at the start", true},
@@ -535,8 +599,11 @@ Program program()
                         {"evaluations", "", "how often the force was asked"}};
     pendulum.start = start<Swing>;
 
-    return {
-        "01_euler_integration", "Chapter 1. Euler integration", {springs, javelin, kepler, pendulum}, {}, {}};
+    return {"01_euler_integration",
+            "Chapter 1. Euler integration",
+            {springs, javelin, kepler, pendulum},
+            {},
+            {}};
 }
 
 }  // namespace

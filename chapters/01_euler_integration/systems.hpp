@@ -1,8 +1,8 @@
 /// \file systems.hpp
 /// The four things that move in this chapter: acceleration and energy, for one kilogram.
 ///
-/// Each is a callable that the integrators take, with its energy beside it. What is known exactly
-/// of their motion stands in exact.hpp.
+/// Each is a callable that the integrators take, with its energy beside it. What is known
+/// exactly of their motion stands in exact.hpp.
 #pragma once
 
 #include "chapters/01_euler_integration/integrators.hpp"
@@ -26,13 +26,16 @@ struct Spring {
 };
 //! [spring]
 
-/// A pendulum, its angle counted from straight down: a(θ) = −(g/L) sin θ. A uniform rod of length
-/// l that turns about its end is the pendulum with L = 2l/3.
+/// A pendulum, its angle counted from straight down: a(θ) = −(g/L) sin θ. A uniform rod of
+/// length l that turns about its end is the pendulum with L = 2l/3.
 struct Pendulum {
     Real g = 9.81;    ///< [m/s²]
     Real length = 1;  ///< L [m]
 
-    Vec<1> operator()(const Vec<1>& x) const { return Vec<1>(-g / length * std::sin(x[0])); }
+    Vec<1> operator()(const Vec<1>& x) const
+    {
+        return Vec<1>(-g / length * std::sin(x[0]));
+    }
 
     /// ½L²u² − gL cos θ [J/kg], zero for a pendulum at rest on the level of its pivot
     Real energy(const State<1>& s) const
@@ -60,16 +63,23 @@ struct Kepler {
 
 /// A throw with quadratic drag: a(u) = g − k |u| u.
 struct Projectile {
-    Real drag = 0;              ///< k = ½ · density of air · drag coefficient · area / mass [1/m]
+    Real drag = 0;  ///< k = ½ · density of air · drag coefficient · area / mass [1/m]
     Vec2 gravity = {0, -9.81};  ///< g [m/s²]
 
-    Vec2 operator()(const Vec2&, const Vec2& u) const { return gravity - drag * u.norm() * u; }
+    Vec2 operator()(const Vec2&, const Vec2& u) const
+    {
+        return gravity - drag * u.norm() * u;
+    }
 
     /// ½u² − g·x [J/kg]; drag takes from it
-    Real energy(const State<2>& s) const { return s.u.squaredNorm() / 2 - gravity.dot(s.x); }
+    Real energy(const State<2>& s) const
+    {
+        return s.u.squaredNorm() / 2 - gravity.dot(s.x);
+    }
 };
 
-/// An acceleration that counts how often it is asked: the work of a method, the same on every machine.
+/// An acceleration that counts how often it is asked: the work of a method, the same on
+/// every machine.
 template <class A>
 struct Counted {
     A a;

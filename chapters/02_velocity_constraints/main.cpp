@@ -1,8 +1,11 @@
 // Chapter 2. Velocity constraints: the program. Each scene_*.hpp has a few scenes, each with its step().
+#include "chapters/02_velocity_constraints/scene_atwood.hpp"
 #include "chapters/02_velocity_constraints/scene_beads.hpp"
 #include "chapters/02_velocity_constraints/scene_discs.hpp"
-#include "chapters/02_velocity_constraints/scene_machines.hpp"
+#include "chapters/02_velocity_constraints/scene_links.hpp"
+#include "chapters/02_velocity_constraints/scene_pendulum.hpp"
 #include "chapters/02_velocity_constraints/scene_plane.hpp"
+#include "chapters/02_velocity_constraints/scene_wedge.hpp"
 #include "common/program/program.hpp"
 
 namespace {

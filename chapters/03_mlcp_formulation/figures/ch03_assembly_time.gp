@@ -8,5 +8,5 @@ set xrange [7:5000]; set yrange [0.05:1e7]
 set key left top
 plot data.'/assembly_dense' using 1:($3/1000) with linespoints pt 5 ps 0.6 lw 1.2 lc rgb orange title 'full matrices', \
      data.'/assembly_sparse' using 1:($3/1000) with linespoints pt 7 ps 0.6 lw 1.2 lc rgb blue title 'pairs that share a disc', \
-     data.'/assembly_dense' using ($1 > 90 ? $1 : NaN):($1**3*2e-7) with lines dt 2 lw 1 lc rgb ink title 'slopes 3 and 1', \
+     data.'/assembly_dense' using ($1 > 90 ? $1 : NaN):($1**3*3e-5) with lines dt 2 lw 1 lc rgb ink title 'slopes 3 and 1', \
      data.'/assembly_sparse' using ($1 > 90 ? $1 : NaN):($1*1e-2) with lines dt 2 lw 1 lc rgb ink notitle
