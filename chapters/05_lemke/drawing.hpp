@@ -51,7 +51,8 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width, const Lem
             const Real size = scale > 0 ? std::log10(std::max(std::abs(entry) / scale, 1e-4)) / 4 + 1 : 0;
             if (size > 0)
                 canvas.box(centre(row, c), half, 0,
-                           {entry > 0 ? Colour::orange : Colour::blue, 0, 0.15 + 0.85 * size, true, false});
+                           {entry > 0 ? Colour::orange : Colour::blue, 0,
+                            (c > n ? 0.35 : 1) * (0.15 + 0.85 * size), true, false});
             else canvas.box(centre(row, c), half, 0, {Colour::faint, 0.5, 0.3, false, false});
         }
 

@@ -19,6 +19,7 @@ public:
     void step(const Settings& settings, const Input& input) override
     {
         if (settings.method != "lemke") return DiscRun::step(settings, input);
+        counted_ = "pivots";
         listen(settings, input);
         const auto solve = [](const Mlcp& mlcp) { return lemke(mlcp); };
         rigid::step(scene_, disc_settings_, solve, now_);
@@ -80,7 +81,7 @@ Scene heavy_top_scene()
     scene.view = {{0, 0.95}, {0.9, 1.1}};
     scene.tunables.insert(scene.tunables.begin(),
                           {{"rows", "", "discs in the column", 10, 1, 100, true, true, false},
-                           {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 100, 0.01,
+                           {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1000, 0.01,
                             1000, false, true, false}});
     scene.start = [view = scene.view](const Settings& settings) {
         const auto N = static_cast<Index>(settings["rows"]);

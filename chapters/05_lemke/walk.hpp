@@ -82,7 +82,7 @@ struct LemkeWalk {
     }
 
     //! [ray]
-    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.18)? For every z ≥ 0 with
+    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.17)? For every z ≥ 0 with
     /// A z + q ≥ 0 we have 0 ≤ yᵀ(A z + q) = (Aᵀy)ᵀz + qᵀy. If Aᵀy ≤ 0 and qᵀy < 0, there is none.
     /// Rounding leaves Aᵀy ≤ δ: then an answer would have Σz ≥ -qᵀy/δ, and we want that to be absurd.
     bool proves_infeasibility(const MatX& A, const VecX& q) const
