@@ -29,7 +29,7 @@ inline MatX murty_matrix(Index n)
     return U;
 }
 
-/// U with q_i = -(2ⁿ⁺¹ - 2ⁱ), i = 1 … n: the walk visits all 2ⁿ vertices that it can (5.14).
+/// U with q_i = -(2ⁿ⁺¹ - 2ⁱ), i = 1 … n: the walk visits all 2ⁿ vertices that it can (5.23).
 /// \cite murty1997, §6.2
 inline Mlcp murty(Index n)
 {

@@ -45,7 +45,7 @@ inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda, Real enough
 /// Solves an MLCP. `iterations` counts pivots, the first one (z0 enters) included.
 ///
 /// `solved`: the natural residual is at most tolerance·max|q| (or 1e-4 of that share of what λ at large
-/// bounds add to q), and rounding can't hide ten times as much. `infeasible`: a ray that proves it (5.17).
+/// bounds add to q), and rounding can't hide ten times as much. `infeasible`: a ray that proves it (5.15).
 /// `ray termination`: a ray that proves nothing. `singular`: the last vertex is no answer to that many
 /// digits. If not solved, lambda is the last vertex, and the residual says how wrong it is.
 ///

@@ -58,7 +58,7 @@ inline void break_tie(const Tableau& tableau, Index c, std::vector<Index>& tied)
 //! [lexicographic]
 
 //! [ratio_test]
-/// (5.9): the row that reaches zero first while the variable of column c grows; -1 if none does: a ray.
+/// (5.10): the row that reaches zero first while the variable of column c grows; -1 if none does: a ray.
 inline Index ratio_test(const Tableau& tableau, Index c, TieRule rule)
 {
     const Index n = tableau.n;

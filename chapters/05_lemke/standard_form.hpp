@@ -3,13 +3,13 @@
 ///
 ///     0 ≤ z ⟂ A z + q ≥ 0
 ///
-///     lo ≤ λ                λ = lo + z (5.19)
-///          λ ≤ hi           λ = hi - z, and the row changes its sign (5.19)
-///     lo ≤ λ ≤ hi           λ = lo + z, and a row of its own keeps z ≤ hi - lo (5.20)
+///     lo ≤ λ                λ = lo + z (5.18)
+///          λ ≤ hi           λ = hi - z, and the row changes its sign (5.18)
+///     lo ≤ λ ≤ hi           λ = lo + z, and a row of its own keeps z ≤ hi - lo (5.19)
 ///     lo = λ = hi           nothing to find
 ///     λ free                w = 0: eliminated by the Schur complement of chapter 3 (3.28); where the
 ///     bilateral
-///                           rows repeat each other, λ = z₊ - z₋ instead (5.21)
+///                           rows repeat each other, λ = z₊ - z₋ instead (5.20)
 #pragma once
 
 #include "chapters/03_mlcp_formulation/schur.hpp"
@@ -66,7 +66,7 @@ public:
                     A(k, static_cast<Index>(l)) = sign * sign_[l] * entry.value();
         }
         //! [box]
-        for (Index k = 0; k < s; ++k) {  // (5.20), in the units of the row itself
+        for (Index k = 0; k < s; ++k) {  // (5.19), in the units of the row itself
             const Index i = boxed[static_cast<std::size_t>(k)];
             const Index row = row_[static_cast<std::size_t>(i)];
             const Real unit = A(i, i) > 0 ? A(i, i) : 1;

@@ -2,7 +2,7 @@
 /// The walk from vertex to vertex, one pivot at a time, and what its two ends mean.
 ///
 /// The artificial variable z0 lifts all rows until q + d z0 ≥ 0 (5.5). From then on one pair (z_i, w_i) is
-/// missing at each vertex; the variable that left brings in its complement (5.10), until z0 is back at zero
+/// missing at each vertex; the variable that left brings in its complement (5.9), until z0 is back at zero
 /// or nothing stops the variable that enters: a ray.
 /// \cite lemke1965; \cite cottle1992, §4.4
 #pragma once
@@ -58,7 +58,7 @@ struct LemkeWalk {
         tableau.pivot(p, tableau.column_of(entering));
         ++pivots;
         if (leaving == tableau.artificial()) place = Place::solution;
-        else entering = tableau.complement(leaving);  // (5.10)
+        else entering = tableau.complement(leaving);  // (5.9)
     }
     //! [step]
 
@@ -82,7 +82,7 @@ struct LemkeWalk {
     }
 
     //! [ray]
-    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.17)? For every z ≥ 0 with
+    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.15)? For every z ≥ 0 with
     /// A z + q ≥ 0 we have 0 ≤ yᵀ(A z + q) = (Aᵀy)ᵀz + qᵀy. If Aᵀy ≤ 0 and qᵀy < 0, there is none.
     /// Rounding leaves Aᵀy ≤ δ: then an answer would have Σz ≥ -qᵀy/δ, and we want that to be absurd.
     bool proves_infeasibility(const MatX& A, const VecX& q) const
