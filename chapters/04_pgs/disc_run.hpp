@@ -170,7 +170,7 @@ protected:
     {
         const Solution& solution = now_.solution;
         if (!std::isfinite(solution.residual)) return;
-        std::string text = std::to_string(solution.iterations) + " sweeps, residual " +
+        std::string text = std::to_string(solution.iterations) + " " + counted_ + ", residual " +
                            significant(solution.residual, 2) + " m/s";
         if (solution.status != Status::solved) text += ": " + std::string(to_string(solution.status));
         const Vec2 corner = view_.centre + Vec2(-0.93, 0.92).cwiseProduct(view_.half_size);
@@ -186,6 +186,7 @@ protected:
         }
     }
 
+    std::string counted_ = "sweeps";  ///< what the solver counts
     DiscScene scene_;
     Real zoom_;
     View view_;

@@ -1,0 +1,120 @@
+/// \file standard_form.hpp
+/// From the MLCP to the plain problem that Lemke's algorithm walks on, and back.
+///
+///     0 ≤ z ⟂ A z + q ≥ 0
+///
+///     lo ≤ λ                λ = lo + z (5.18)
+///          λ ≤ hi           λ = hi - z, and the row changes its sign (5.18)
+///     lo ≤ λ ≤ hi           λ = lo + z, and a row of its own keeps z ≤ hi - lo (5.19)
+///     lo = λ = hi           nothing to find
+///     λ free                w = 0: eliminated by the Schur complement of chapter 3 (3.28); where the
+///     bilateral
+///                           rows repeat each other, λ = z₊ - z₋ instead (5.20)
+#pragma once
+
+#include "chapters/03_mlcp_formulation/schur.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+class StandardForm {
+public:
+    MatX A;
+    VecX q;
+
+    /// \param mlcp  a valid problem; it has to live as long as the form
+    explicit StandardForm(const Mlcp& mlcp) : mlcp_(mlcp)
+    {
+        eliminated_ = has_symmetric_bilateral_block();
+        if (eliminated_) {
+            eliminate_bilateral(mlcp, schur_);
+            eliminated_ = schur_.block.singular_row() < 0;
+        }
+        const Mlcp& rest = eliminated_ ? schur_.rest : mlcp;
+
+        fixed_ = VecX::Zero(rest.size());
+        std::vector<Index> boxed;  // which z have an upper bound
+        for (Index i = 0; i < rest.size(); ++i) {
+            const bool below = rest.lo[i] > -infinity, above = rest.hi[i] < infinity;
+            first_.push_back(row_.size());
+            if (below || above) fixed_[i] = below ? rest.lo[i] : rest.hi[i];
+            if (rest.lo[i] == rest.hi[i]) continue;
+            if (below && above) boxed.push_back(static_cast<Index>(row_.size()));
+            if (below || !above) add(i, 1);
+            if (!below) add(i, -1);
+        }
+        first_.push_back(row_.size());
+
+        const auto m = static_cast<Index>(row_.size()), s = static_cast<Index>(boxed.size());
+        const VecX w = rest.A * fixed_ + rest.q;  // where all z are zero
+        q.resize(m + s);
+        if (m == rest.size() && s == 0 && sign_ == std::vector<Real>(row_.size(), 1)) {
+            A = rest.A;  // nothing to turn or to leave out
+            q = w;
+            return;
+        }
+        A = MatX::Zero(m + s, m + s);
+        for (Index k = 0; k < m; ++k) {
+            const Index row = row_[static_cast<std::size_t>(k)];
+            const Real sign = sign_[static_cast<std::size_t>(k)];
+            q[k] = sign * w[row];
+            for (SparseMatrix::InnerIterator entry(rest.A, row); entry; ++entry)
+                for (auto l = first_[static_cast<std::size_t>(entry.col())];
+                     l < first_[static_cast<std::size_t>(entry.col()) + 1]; ++l)
+                    A(k, static_cast<Index>(l)) = sign * sign_[l] * entry.value();
+        }
+        //! [box]
+        for (Index k = 0; k < s; ++k) {  // (5.19), in the units of the row itself
+            const Index i = boxed[static_cast<std::size_t>(k)];
+            const Index row = row_[static_cast<std::size_t>(i)];
+            const Real unit = A(i, i) > 0 ? A(i, i) : 1;
+            A(i, m + k) = unit;
+            A(m + k, i) = -unit;
+            q[m + k] = unit * (rest.hi[row] - rest.lo[row]);
+        }
+        //! [box]
+    }
+
+    /// λ of the MLCP.
+    VecX impulses(const VecX& z) const
+    {
+        VecX lambda = fixed_;
+        for (std::size_t k = 0; k < row_.size(); ++k) lambda[row_[k]] += sign_[k] * z[static_cast<Index>(k)];
+        return eliminated_ ? schur_.whole(mlcp_, lambda) : lambda;
+    }
+
+private:
+    void add(Index row, Real sign)
+    {
+        row_.push_back(row);
+        sign_.push_back(sign);
+    }
+
+    bool has_symmetric_bilateral_block() const
+    {
+        bool any = false;
+        for (Index i = 0; i < mlcp_.size(); ++i) {
+            if (!is_bilateral(mlcp_, i)) continue;
+            any = true;
+            for (SparseMatrix::InnerIterator entry(mlcp_.A, i); entry; ++entry) {
+                const Real mirrored = mlcp_.A.coeff(entry.col(), i);
+                if (is_bilateral(mlcp_, entry.col()) &&
+                    std::abs(entry.value() - mirrored) > 1e-14 * std::abs(mirrored))
+                    return false;
+            }
+        }
+        return any;
+    }
+
+    const Mlcp& mlcp_;
+    SchurComplement schur_;
+    bool eliminated_ = false;
+    VecX fixed_;                      ///< λ where all z are zero
+    std::vector<Index> row_;          ///< of each z, the row that it moves
+    std::vector<Real> sign_;          ///< and which way
+    std::vector<std::size_t> first_;  ///< of each row, its first z
+};
+
+}  // namespace rigid

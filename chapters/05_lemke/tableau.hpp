@@ -1,0 +1,151 @@
+/// \file tableau.hpp
+/// The tableau: every basic variable written in terms of those that are zero; the pivot; the ratio test.
+///
+///     y_B = r + T y_N        one line for each basic variable; where y_N = 0 its value is r
+///
+/// It starts as the question itself, w = q + d z0 + A z (5.5). A pivot swaps a basic variable with one that
+/// was zero (5.8). This is the condensed tableau: the columns of the basic variables would be unit vectors
+/// and are not stored. And a column is only brought up to date when somebody looks at it: most never enter.
+/// \cite cottle1992, §2.3 and §4.4
+#pragma once
+
+#include "common/math.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+/// What counts as nothing, relative to the numbers it is compared with. Section 5.6 has the evidence.
+struct Tolerances {
+    /// An entry below this share of the largest of its column is rounding error, not a slope. Anything from
+    /// 1e-6 to 1e-12 gives the same answers; 1e-14 pivots on noise.
+    Real pivot = 1e-10;
+    /// Two ratios, or two terms of their perturbations, that differ by less than this share of their scale
+    /// are equal. Anything from 1e-5 to 1e-8 serves; 1e-11 takes noise for order.
+    Real tie = 1e-8;
+};
+
+struct Tableau {
+    Tolerances tolerances;
+    Index n = 0;
+    std::vector<Index> basic;         ///< the variable of each row: z_i has the number i, w_i n + i, z0 2n
+    std::vector<Index> nonbasic;      ///< the variable of each column
+    std::vector<Index> place;         ///< of each variable: its column, or -1 - its row
+    mutable long column_updates = 0;  ///< how often a pivot was worked into a column
+
+    Tableau() = default;
+    /// (5.5): w = q + d z0 + A z.
+    Tableau(const MatX& A, const VecX& q, const VecX& d, const Tolerances& nothing = {})
+        : tolerances(nothing), n(q.size()), basic(size(n)), nonbasic(size(n + 1)), place(size(2 * n + 1)),
+          T_(whole_lines(n), n + 2), U_(T_.rows(), std::max<Index>(n, 8)), applied_(size(n + 2), 0)
+    {
+        T_.bottomRows(T_.rows() - n).setZero();
+        T_.topLeftCorner(n, n) = A;
+        T_.col(n).head(n) = d;
+        T_.col(n + 1).head(n) = q;
+        for (Index i = 0; i < n; ++i) {
+            put_row(i, n + i);
+            put_column(i, i);
+        }
+        put_column(n, artificial());
+    }
+
+    Index artificial() const { return 2 * n; }
+    Index complement(Index variable) const { return variable < n ? variable + n : variable - n; }
+    bool is_basic(Index variable) const { return place[size(variable)] < 0; }
+    Index row_of(Index variable) const { return -1 - place[size(variable)]; }
+    Index column_of(Index variable) const { return place[size(variable)]; }
+    /// A column of T.
+    auto column(Index j) const
+    {
+        bring_up_to_date(j);
+        return std::as_const(T_).col(j).head(n);
+    }
+    auto values() const { return column(n + 1); }  ///< r, of the basic variables
+    /// The value of any variable.
+    Real value(Index variable) const { return is_basic(variable) ? values()[row_of(variable)] : 0; }
+    /// All of [T r].
+    MatX entries() const
+    {
+        for (Index j = 0; j < n + 2; ++j) bring_up_to_date(j);
+        return T_.topRows(n);
+    }
+
+    //! [pivot]
+    /// (5.8): the basic variable of row p and the nonbasic one of column c change places. Here the pivot is
+    /// only written down: its row, -1/T_pc, and its column with a zero for T_pc.
+    void pivot(Index p, Index c)
+    {
+        if (pivots_.size() == size(U_.cols())) forget();
+        bring_up_to_date(c);
+        auto u = U_.col(static_cast<Index>(pivots_.size()));
+        u = T_.col(c);
+        u[p] = 0;
+        const Real inverse = -1 / T_(p, c);
+        T_.col(c).setZero();  // the column of the variable that leaves: it was a unit vector
+        T_(p, c) = -1;
+        Index first = 0, last = n;  // only rows first … last-1 can change
+        while (first < last && u[first] == 0) ++first;
+        while (last > first && u[last - 1] == 0) --last;
+        first -= first % line;
+        pivots_.push_back({p, inverse, first, whole_lines(last - first)});
+        const Index leaving = basic[size(p)];
+        put_row(p, nonbasic[size(c)]);
+        put_column(c, leaving);
+    }
+
+    /// (5.8) for one column: works the pivots into it that it has not seen yet.
+    void bring_up_to_date(Index j) const
+    {
+        for (std::size_t& k = applied_[size(j)]; k < pivots_.size(); ++k) {
+            const PastPivot& past = pivots_[k];
+            const Real multiplier = past.inverse * T_(past.row, j);
+            if (multiplier == 0) continue;  // a multiplier of zero changes nothing
+            T_.col(j).segment(past.first, past.count) +=
+                multiplier * U_.col(static_cast<Index>(k)).segment(past.first, past.count);
+            T_(past.row, j) = multiplier;
+            ++column_updates;
+        }
+    }
+    //! [pivot]
+
+private:
+    struct PastPivot {
+        Index row;
+        Real inverse;        ///< -1/T_pc
+        Index first, count;  ///< the rows that it changes
+    };
+    static constexpr Index line = 8;  ///< numbers in a cache line: every column starts at one
+
+    static std::size_t size(Index i) { return static_cast<std::size_t>(i); }
+    static Index whole_lines(Index rows) { return (rows + line - 1) / line * line; }
+
+    /// Works all pivots into all columns: from then on nobody asks for them.
+    void forget()
+    {
+        for (Index j = 0; j < n + 2; ++j) bring_up_to_date(j);
+        pivots_.clear();
+        applied_.assign(applied_.size(), 0);
+    }
+
+    void put_row(Index row, Index variable)
+    {
+        basic[size(row)] = variable;
+        place[size(variable)] = -1 - row;
+    }
+    void put_column(Index c, Index variable)
+    {
+        nonbasic[size(c)] = variable;
+        place[size(variable)] = c;
+    }
+
+    mutable MatX T_;  ///< n rows, and zeros to fill the cache lines; a column for each y_N, then r
+    MatX U_;          ///< the columns of the past pivots
+    std::vector<PastPivot> pivots_;
+    mutable std::vector<std::size_t> applied_;  ///< how many of them each column of T_ has seen
+};
+
+}  // namespace rigid

@@ -1,0 +1,122 @@
+/// \file walk.hpp
+/// The walk from vertex to vertex, one pivot at a time, and what its two ends mean.
+///
+/// The artificial variable z0 lifts all rows until q + d z0 ≥ 0 (5.5). From then on one pair (z_i, w_i) is
+/// missing at each vertex; the variable that left brings in its complement (5.9), until z0 is back at zero
+/// or nothing stops the variable that enters: a ray.
+/// \cite lemke1965; \cite cottle1992, §4.4
+#pragma once
+
+#include "chapters/05_lemke/ratio_test.hpp"
+
+#include <Eigen/LU>
+#include <vector>
+
+namespace rigid {
+
+/// One walk, pivot by pivot, so that a program can show each of them.
+struct LemkeWalk {
+    enum class Place { on_the_way, solution, ray };
+
+    Tableau tableau;
+    TieRule ties;
+    Index entering = 0;  ///< the variable that enters next
+    int pivots = 0;
+    Place place = Place::on_the_way;
+
+    //! [start]
+    /// \param A     n×n
+    /// \param q     n
+    /// \param d     the covering vector, n positive numbers
+    /// \param ties_ who leaves in a tie
+    /// \param tolerances what counts as nothing
+    LemkeWalk(const MatX& A, const VecX& q, const VecX& d, TieRule ties_, const Tolerances& tolerances = {})
+        : tableau(A, q, d, tolerances), ties(ties_)
+    {
+        entering = tableau.artificial();
+        if (q.size() == 0 || q.minCoeff() >= 0) place = Place::solution;  // z = 0 will do
+    }
+    //! [start]
+
+    //! [step]
+    /// The row whose variable leaves next; -1 = a ray.
+    Index leaving_row() const
+    {
+        if (entering == tableau.artificial()) return most_negative_row();
+        return ratio_test(tableau, tableau.column_of(entering), ties);
+    }
+
+    /// One pivot.
+    void step()
+    {
+        const Index p = leaving_row();
+        if (p < 0) {
+            place = Place::ray;
+            return;
+        }
+        const Index leaving = tableau.basic[static_cast<std::size_t>(p)];
+        tableau.pivot(p, tableau.column_of(entering));
+        ++pivots;
+        if (leaving == tableau.artificial()) place = Place::solution;
+        else entering = tableau.complement(leaving);  // (5.9)
+    }
+    //! [step]
+
+    /// (5.6): the row that needs the largest z0; ties by the rule, where ε^k is least for the last row.
+    Index most_negative_row() const
+    {
+        const VecX need = -tableau.values().cwiseQuotient(tableau.column(tableau.n));
+        const Real enough = need.maxCoeff() - tableau.tolerances.tie * need.cwiseAbs().maxCoeff();
+        Index best = 0;
+        while (need[best] < enough) ++best;
+        for (Index i = best + 1; i < tableau.n && ties != TieRule::first_row; ++i)
+            if (need[i] >= enough) best = i;
+        return best;
+    }
+
+    VecX z() const
+    {
+        VecX answer(tableau.n);
+        for (Index i = 0; i < tableau.n; ++i) answer[i] = std::max(Real{0}, tableau.value(i));
+        return answer;
+    }
+
+    //! [ray]
+    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.15)? For every z ≥ 0 with
+    /// A z + q ≥ 0 we have 0 ≤ yᵀ(A z + q) = (Aᵀy)ᵀz + qᵀy. If Aᵀy ≤ 0 and qᵀy < 0, there is none.
+    /// Rounding leaves Aᵀy ≤ δ: then an answer would have Σz ≥ -qᵀy/δ, and we want that to be absurd.
+    bool proves_infeasibility(const MatX& A, const VecX& q) const
+    {
+        const Index c = tableau.column_of(entering);
+        const VecX direction = tableau.column(c);
+        VecX y = VecX::Zero(tableau.n);
+        for (Index i = 0; i < tableau.n; ++i)
+            if (tableau.is_basic(i)) y[i] = std::max(Real{0}, direction[tableau.row_of(i)]);
+        if (entering < tableau.n) y[entering] = 1;
+        const Real delta = std::max(Real{0}, (A.transpose() * y).maxCoeff());
+        return -q.dot(y) * A.cwiseAbs().maxCoeff() > 1e13 * delta * q.cwiseAbs().maxCoeff();
+    }
+    //! [ray]
+};
+
+//! [refine]
+/// The answer anew from its basis alone: where z_i is basic w_i = 0, and that is a linear system (5.16).
+/// No error of the walk is left in it.
+inline VecX solve_basis(const Tableau& tableau, const MatX& A, const VecX& q)
+{
+    std::vector<Index> active;
+    for (Index i = 0; i < tableau.n; ++i)
+        if (tableau.is_basic(i)) active.push_back(i);
+    VecX z = VecX::Zero(tableau.n);
+    if (active.empty()) return z;
+    const Eigen::PartialPivLU<MatX> factors(A(active, active));
+    const VecX b = -q(active);
+    VecX x = factors.solve(b);
+    x += factors.solve(b - A(active, active) * x);
+    for (std::size_t k = 0; k < active.size(); ++k)
+        z[active[k]] = std::max(Real{0}, x[static_cast<Index>(k)]);
+    return z;
+}
+//! [refine]
+
+}  // namespace rigid

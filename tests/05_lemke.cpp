@@ -1,0 +1,786 @@
+/// Chapter 5: Lemke's algorithm. The walk on problems whose pivots are known, the answers against chapter 3's
+/// enumeration and against closed forms, and a search for problems that it gets wrong.
+
+#include "chapters/03_mlcp_formulation/exact.hpp"
+#include "chapters/03_mlcp_formulation/problem_file.hpp"
+#include "chapters/05_lemke/families.hpp"
+#include "chapters/05_lemke/lemke.hpp"
+#include "chapters/05_lemke/stewart_trinkle.hpp"
+
+#include "tests/catch.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <functional>
+#include <set>
+
+using namespace rigid;
+
+namespace {
+
+constexpr Real identity = 1e-12;  // rounding of a few pivots on numbers of size one
+
+VecX vector(std::initializer_list<Real> numbers)
+{
+    VecX v(static_cast<Index>(numbers.size()));
+    std::copy(numbers.begin(), numbers.end(), v.begin());
+    return v;
+}
+
+MatX matrix2(Real a, Real b, Real c, Real d)
+{
+    MatX A(2, 2);
+    A << a, b, c, d;
+    return A;
+}
+
+Solution with_ties(const Mlcp& mlcp, TieRule ties, int pivot_limit = 0)
+{
+    LemkeSettings settings;
+    settings.ties = ties;
+    settings.pivot_limit = pivot_limit;
+    return lemke(mlcp, settings);
+}
+
+int pivots(const Mlcp& mlcp, TieRule ties)
+{
+    const Solution solution = with_ties(mlcp, ties);
+    REQUIRE(solution.status == Status::solved);
+    return solution.iterations;
+}
+
+/// The natural residual in long double: the judge does not share the arithmetic of the judged.
+long double judged_residual(const Mlcp& mlcp, const VecX& lambda)
+{
+    long double largest = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        long double w = mlcp.q[i], a = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            w += static_cast<long double>(entry.value()) * lambda[entry.col()];
+            if (entry.col() == i) a = entry.value();
+        }
+        if (!(a > 0)) a = 1;
+        const long double x = a * lambda[i];
+        const long double r =
+            std::abs(x - std::max(a * mlcp.lo[i], std::min(a * static_cast<long double>(mlcp.hi[i]), x - w)));
+        if (!(r <= largest)) largest = r;
+    }
+    return largest;
+}
+
+MatX gaussian(Index rows, Index columns, Random& random)
+{
+    MatX G(rows, columns);
+    for (Real& entry : G.reshaped()) entry = random.normal();
+    return G;
+}
+
+/// The kinds of matrices of this chapter's random problems.
+enum class Kind { spd, psd, p_matrix, positive_real, bounded, bilateral };
+constexpr Kind all_kinds[] = {Kind::spd,           Kind::psd,     Kind::p_matrix,
+                              Kind::positive_real, Kind::bounded, Kind::bilateral};
+
+MatX random_matrix(Kind kind, Index n, Random& random)
+{
+    const auto size = static_cast<Real>(n);
+    if (kind == Kind::psd) {
+        const MatX G = gaussian(n, (n + 1) / 2, random);
+        return G * G.transpose() / size;
+    }
+    if (kind == Kind::p_matrix) {  // a dominant positive diagonal makes all principal minors positive
+        MatX A = gaussian(n, n, random);
+        for (Index i = 0; i < n; ++i) A(i, i) = 0.1 + A.row(i).cwiseAbs().sum();
+        return A;
+    }
+    const MatX G = gaussian(n, n, random);
+    MatX A = G * G.transpose() / size + 0.05 * MatX::Identity(n, n);
+    if (kind == Kind::positive_real) {  // not symmetric, and yet zᵀAz > 0
+        const MatX S = gaussian(n, n, random);
+        A += S - S.transpose();
+    }
+    return A;
+}
+
+/// A problem with a planted answer: each row has λ at a bound and w of the right sign, or λ between and w =
+/// 0.
+Mlcp planted(Kind kind, Index n, Random& random, VecX& lambda)
+{
+    Mlcp mlcp = plain_lcp(random_matrix(kind, n, random), VecX::Zero(n));
+    lambda = VecX::Zero(n);
+    VecX w = VecX::Zero(n);
+    for (Index i = 0; i < n; ++i) {
+        if (kind == Kind::bilateral && random.uniform() < 0.4) {
+            mlcp.lo[i] = -infinity;
+            lambda[i] = random.normal();
+            continue;
+        }
+        if (kind == Kind::bounded) {
+            mlcp.lo[i] = random.uniform() < 0.2 ? -infinity : -random.uniform();
+            mlcp.hi[i] = mlcp.lo[i] > -infinity && random.uniform() < 0.3 ? infinity : random.uniform();
+        }
+        const bool below = mlcp.lo[i] > -infinity, above = mlcp.hi[i] < infinity;
+        const Real where = random.uniform();
+        if (below && where < 0.4) {
+            lambda[i] = mlcp.lo[i];
+            w[i] = random.uniform();
+        } else if (above && where > 0.6) {
+            lambda[i] = mlcp.hi[i];
+            w[i] = -random.uniform();
+        } else {
+            const Real lo = below ? mlcp.lo[i] : mlcp.hi[i] - 1, hi = above ? mlcp.hi[i] : lo + 1;
+            lambda[i] = lo + (hi - lo) * random.uniform();
+        }
+    }
+    mlcp.q = w - mlcp.A * lambda;
+    return mlcp;
+}
+
+std::string refused(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const std::invalid_argument& sentence) {
+        return sentence.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+// ---- the tableau and the walk ---------------------------------------------------------------------------
+
+TEST_CASE("the two contacts of the text take three pivots through the tableaus of the text")
+{
+    // Section 5.2: w1 = 2 z1 + z2 - 5, w2 = z1 + 2 z2 - 6.
+    LemkeWalk walk(matrix2(2, 1, 1, 2), vector({-5, -6}), vector({1, 1}), TieRule::lexicographic);
+    walk.step();  // z0 enters, w2 leaves
+    CHECK(walk.tableau.value(walk.tableau.artificial()) == 6);
+    CHECK(walk.tableau.value(2) == 1);  // w1
+    CHECK(walk.entering == 1);          // z2
+    walk.step();                        // z2 enters, w1 leaves
+    CHECK(walk.tableau.value(1) == 1);
+    CHECK(walk.tableau.value(walk.tableau.artificial()) == 4);
+    CHECK(walk.entering == 0);  // z1
+    walk.step();                // z1 enters, z0 leaves
+    CHECK(walk.place == LemkeWalk::Place::solution);
+    CHECK(walk.pivots == 3);
+    // Numbers with thirds in them: a few roundings.
+    CHECK(walk.z()[0] == Approx(4.0 / 3).epsilon(1e-15));
+    CHECK(walk.z()[1] == Approx(7.0 / 3).epsilon(1e-15));
+}
+
+TEST_CASE("each vertex of the walk satisfies w = A z + q + d z0 and misses exactly one pair")
+{
+    Random random(1);
+    for (int sample = 0; sample < 100; ++sample) {
+        const Index n = 2 + random.index(12);
+        const MatX A = random_matrix(Kind::positive_real, n, random);
+        const VecX q = gaussian(n, 1, random), d = VecX::LinSpaced(n, 1, 3);
+        LemkeWalk walk(A, q, d, TieRule::lexicographic);
+        while (walk.place == LemkeWalk::Place::on_the_way) {
+            walk.step();
+            const Tableau& tableau = walk.tableau;
+            VecX z(n), w(n);
+            int missing = 0;
+            for (Index i = 0; i < n; ++i) {
+                z[i] = tableau.value(i);
+                w[i] = tableau.value(n + i);
+                CHECK_FALSE((tableau.is_basic(i) && tableau.is_basic(n + i)));
+                missing += !tableau.is_basic(i) && !tableau.is_basic(n + i);
+            }
+            CHECK(missing == (tableau.is_basic(tableau.artificial()) ? 1 : 0));
+            const Real size = 1 + z.cwiseAbs().maxCoeff();
+            CHECK((w - A * z - q - d * tableau.value(tableau.artificial())).cwiseAbs().maxCoeff() <=
+                  identity * static_cast<Real>(n) * size);
+            CHECK(tableau.values().minCoeff() >= -identity * size);  // it is a vertex: nothing is negative
+        }
+    }
+}
+
+TEST_CASE("a pivot undoes itself")
+{
+    Random random(2);
+    const Index n = 7;
+    const Tableau start(random_matrix(Kind::spd, n, random), gaussian(n, 1, random), VecX::Ones(n));
+    Tableau tableau = start;
+    for (Index p = 0; p < n; ++p)
+        for (Index c = 0; c <= n; ++c) {
+            if (std::abs(tableau.column(c)[p]) < 0.05) continue;  // a tiny pivot would multiply the rounding
+            tableau.pivot(p, c);
+            tableau.pivot(p, c);
+            REQUIRE(tableau.basic == start.basic);
+            REQUIRE(tableau.nonbasic == start.nonbasic);
+        }
+    CHECK((tableau.entries() - start.entries()).cwiseAbs().maxCoeff() <
+          1e-10);  // a hundred pivots with 1/0.05² each at worst
+}
+
+TEST_CASE("the tableau stores n + 2 columns and no unit columns")
+{
+    const Tableau tableau(MatX::Identity(5, 5), -VecX::Ones(5), VecX::Ones(5));
+    CHECK(tableau.entries().rows() == 5);
+    CHECK(tableau.entries().cols() == 7);
+}
+
+TEST_CASE("columns that nobody looks at are left alone and the answer has the same bits")
+{
+    Random random(4);
+    const Index n = 60;
+    std::vector<Mlcp> problems = {random_spd(n, random), tridiagonal(VecX::Constant(n, -1)),
+                                  stewart_trinkle(BoxStack{})};
+    for (const Mlcp& problem : problems) {
+        const auto start = [&] {
+            return LemkeWalk(MatX(problem.A), problem.q, VecX::Ones(problem.size()), TieRule::lexicographic);
+        };
+        LemkeWalk lazy = start(), eager = start();
+        while (lazy.place == LemkeWalk::Place::on_the_way) lazy.step();
+        while (eager.place == LemkeWalk::Place::on_the_way) {
+            eager.step();
+            eager.tableau.entries();  // looks at everything
+        }
+        CHECK(lazy.pivots == eager.pivots);
+        CHECK(lazy.z() == eager.z());
+        CHECK(lazy.tableau.column_updates < eager.tableau.column_updates);
+        CHECK(eager.tableau.column_updates <= lazy.pivots * (problem.size() + 2));
+        CHECK(lazy.tableau.entries() == eager.tableau.entries());
+    }
+    LemkeWalk half(MatX(problems[0].A), problems[0].q, VecX::Ones(n), TieRule::lexicographic);
+    while (half.place == LemkeWalk::Place::on_the_way) half.step();
+    // About half of the z enter, and each has to see about half of the pivots.
+    CHECK(half.tableau.column_updates < half.pivots * (n + 2) / 2);
+}
+
+TEST_CASE("nothing is pivoted where q is not negative")
+{
+    const Solution solution = lemke(plain_lcp(MatX::Identity(4, 4), vector({0, 1, 2, 0})));
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.iterations == 0);
+    CHECK(solution.lambda.isZero(0));
+    CHECK(lemke(plain_lcp(MatX(0, 0), VecX(0))).status == Status::solved);
+}
+
+// ---- what the textbooks know ----------------------------------------------------------------------------
+
+TEST_CASE("Murty's exponential family takes exactly 2^n pivots whatever the tie rule")
+{
+    for (const TieRule ties : {TieRule::lexicographic, TieRule::first_row, TieRule::last_row})
+        for (Index n = 1; n <= 12; ++n) {
+            const Solution solution = with_ties(murty(n), ties);
+            REQUIRE(solution.status == Status::solved);
+            CHECK(solution.iterations == 1 << n);
+            VecX z = VecX::Zero(n);
+            z[n - 1] = static_cast<Real>(1 << n);
+            CHECK(solution.lambda == z);  // whole numbers below 2^53: no rounding at all
+        }
+}
+
+TEST_CASE("the transpose of Murty's matrix takes 2^n or 2n or 2 pivots: the tie rule is the whole difference")
+{
+    for (Index n = 2; n <= 12; ++n) {
+        CHECK(pivots(murty_transposed(n), TieRule::lexicographic) == 1 << n);
+        CHECK(pivots(murty_transposed(n), TieRule::first_row) == 2);
+        CHECK(pivots(murty_transposed(n), TieRule::last_row) == 2 * n);
+        CHECK((lemke(murty_transposed(n)).lambda - VecX::Unit(n, 0)).isZero(0));
+    }
+}
+
+TEST_CASE("Murty's matrix with equal q takes two pivots")
+{
+    for (Index n = 2; n <= 20; ++n) CHECK(pivots(murty_equal(n), TieRule::lexicographic) == 2);
+}
+
+TEST_CASE("Fathi's symmetric positive definite family behaves as the transpose does")
+{
+    for (Index n = 2; n <= 12; ++n) {
+        CHECK(pivots(fathi(n), TieRule::lexicographic) == 1 << n);  // exact only with a sound tie tolerance
+        CHECK(pivots(fathi(n), TieRule::first_row) == 2);
+        CHECK(pivots(fathi(n), TieRule::last_row) == 2 * n);
+        // 2^n pivots on numbers like 4n leave their rounding.
+        CHECK((lemke(fathi(n)).lambda - VecX::Unit(n, 0)).cwiseAbs().maxCoeff() < 1e-10);
+        CHECK(Eigen::SelfAdjointEigenSolver<MatX>(MatX(fathi(n).A)).eigenvalues().minCoeff() > 0);
+    }
+}
+
+TEST_CASE("thirty rows of Fathi's family would take 2^30 pivots and end at the pivot limit")
+{
+    const Solution solution = lemke(fathi(30));
+    CHECK(solution.status == Status::iteration_limit);
+    CHECK(solution.iterations == 10000 + 50 * 30);
+    CHECK(solution.residual > 1e-8);
+    CHECK(solution.residual == Approx(natural_residual(fathi(30), solution.lambda)));
+    CHECK(with_ties(fathi(30), TieRule::first_row).status == Status::solved);
+}
+
+TEST_CASE("the pivots of the exponential family double with each row and those of a column grow by one")
+{
+    // The observed order: log2 of the ratio from n to n + 1, and the slope of log pivots over log n.
+    for (Index n = 4; n < 12; ++n) {
+        const Real ratio = static_cast<Real>(pivots(murty(n + 1), TieRule::lexicographic)) /
+                           pivots(murty(n), TieRule::lexicographic);
+        CHECK(std::log2(ratio) == Approx(1).margin(0.15));
+    }
+    const auto column_pivots = [](Index n) {
+        return pivots(tridiagonal(VecX::Constant(n, -1)), TieRule::lexicographic);
+    };
+    for (Index n = 8; n <= 128; n *= 2)
+        CHECK(std::log2(static_cast<Real>(column_pivots(2 * n)) / column_pivots(n)) ==
+              Approx(1).margin(0.15));
+}
+
+TEST_CASE("tridiagonal Z-matrices take at most n + 1 pivots")
+{
+    Random random(3);
+    for (int sample = 0; sample < 300; ++sample) {
+        const Index n = 1 + random.index(60);
+        CHECK(pivots(tridiagonal(gaussian(n, 1, random)), TieRule::lexicographic) <= n + 1);
+    }
+}
+
+TEST_CASE("where all ratios tie the lexicographic rule ends and the first row cycles")
+{
+    for (Index n = 3; n <= 20; ++n) {
+        const Solution solution = lemke(circulant(n));
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.iterations <= 2 * n);
+    }
+    // Three rows, first row first: a vertex comes back, so it would walk forever; the limit stops it.
+    const Mlcp problem = circulant(3);
+    LemkeWalk walk(MatX(problem.A), problem.q, VecX::Ones(3), TieRule::first_row);
+    std::set<std::vector<Index>> seen;
+    bool returned = false;
+    while (walk.place == LemkeWalk::Place::on_the_way && walk.pivots < 100 && !returned) {
+        walk.step();
+        std::vector<Index> vertex = walk.tableau.basic;
+        std::sort(vertex.begin(), vertex.end());
+        returned = !seen.insert(vertex).second;
+    }
+    CHECK(returned);
+    CHECK(with_ties(problem, TieRule::first_row).status == Status::iteration_limit);
+}
+
+TEST_CASE("skew two by two problems: solved where there is an answer and infeasible where there is none")
+{
+    const MatX A = matrix2(0, 1, -1, 0);
+    const Solution both = lemke(plain_lcp(A, vector({-1, 1})));
+    CHECK(both.status == Status::solved);
+    CHECK(both.lambda == vector({1, 1}));
+    CHECK(lemke(plain_lcp(A, vector({1, 1}))).status == Status::solved);
+    for (const VecX& q : {vector({-1, -1}), vector({1, -1}), vector({0, -1})}) {
+        const Solution none = lemke(plain_lcp(A, q));
+        CHECK(none.status == Status::infeasible);
+        CHECK(none.residual > 0.1);
+    }
+}
+
+TEST_CASE("two contacts that push against each other are solvable or infeasible depending on q")
+{
+    const MatX A = matrix2(1, -1, -1, 1);
+    CHECK(lemke(plain_lcp(A, vector({1, -1}))).status == Status::solved);
+    CHECK(lemke(plain_lcp(A, vector({-1, -1}))).status == Status::infeasible);
+}
+
+TEST_CASE("a ray that proves nothing is called ray termination")
+{
+    // z = (1, 0) answers it, but the walk runs along an edge that never ends: A is not copositive.
+    const Mlcp problem = plain_lcp(matrix2(-2, 0, 1, -1), vector({2, -1}));
+    const Solution solution = lemke(problem);
+    CHECK(natural_residual(problem, vector({1, 0})) == 0);
+    CHECK(solution.status == Status::ray_termination);
+    CHECK(solution.residual > 0.1);
+}
+
+TEST_CASE("of all two-row problems with entries from -2 to 2 none is called infeasible or solved wrongly")
+{
+    int rays = 0;
+    for (int code = 0; code < 15625; ++code) {
+        Real digit[6];
+        for (int k = 0, rest = code; k < 6; ++k, rest /= 5) digit[k] = rest % 5 - 2;
+        const Mlcp problem =
+            plain_lcp(matrix2(digit[0], digit[1], digit[2], digit[3]), vector({digit[4], digit[5]}));
+        const Solution truth = enumerate(problem), solution = lemke(problem);
+        INFO("problem " << code);
+        if (truth.status == Status::solved) {
+            CHECK(solution.status != Status::infeasible);
+            rays += solution.status == Status::ray_termination;
+        } else {
+            CHECK(solution.status != Status::solved);
+        }
+        if (solution.status == Status::solved) CHECK(solution.residual <= 1e-12);
+    }
+    CHECK(rays < 1000);  // matrices with negative entries on the diagonal: Lemke promises nothing there
+}
+
+TEST_CASE("nearly parallel rows are not called infeasible")
+{
+    // The answer is about 2e12 in both rows: absurd, but it exists.
+    const Solution solution = lemke(plain_lcp(matrix2(1, -1, -1, 1 + 1e-12), vector({-1, -1})));
+    CHECK(solution.status != Status::infeasible);
+    CHECK((solution.status != Status::solved || solution.residual <= 1e-10));
+}
+
+// ---- bounds and bilateral rows --------------------------------------------------------------------------
+
+TEST_CASE("a bilateral row takes any sign and a bounded one stops at its bounds")
+{
+    Mlcp one = plain_lcp(MatX::Constant(1, 1, 2), vector({6}));
+    const auto lambda = [&](Real lo, Real hi) {
+        one.lo[0] = lo;
+        one.hi[0] = hi;
+        const Solution solution = lemke(one);
+        REQUIRE(solution.status == Status::solved);
+        return solution.lambda[0];
+    };
+    CHECK(lambda(-infinity, infinity) == Approx(-3).epsilon(identity));
+    CHECK(lambda(-1, 1) == Approx(-1).epsilon(identity));
+    CHECK(lambda(-5, -4) == Approx(-4).epsilon(identity));
+    CHECK(lambda(-5, -2) == Approx(-3).epsilon(identity));
+    CHECK(lambda(-infinity, -4) == Approx(-4).epsilon(identity));
+    CHECK(lambda(-infinity, 4) == Approx(-3).epsilon(identity));
+    CHECK(lambda(7, infinity) == Approx(7).epsilon(identity));
+    CHECK(lambda(5, 5) == 5);
+}
+
+TEST_CASE("bilateral rows that repeat each other are solved and those that contradict each other are not")
+{
+    Mlcp twice = plain_lcp(MatX::Constant(2, 2, 1), vector({3, 3}));
+    twice.lo.setConstant(-infinity);
+    const Solution solution = lemke(twice);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.lambda.sum() == Approx(-3).epsilon(identity));
+    twice.q[1] = 4;
+    CHECK(lemke(twice).status == Status::infeasible);
+}
+
+// ---- physics --------------------------------------------------------------------------------------------
+
+TEST_CASE("the lowest contact of a column carries all the weight above it")
+{
+    for (const Index N : {Index{1}, Index{2}, Index{10}, Index{50}}) {
+        const Real m = 2, g = 9.81, h = 1.0 / 60;
+        MatX A = 2 / m * MatX::Identity(N, N);
+        for (Index i = 0; i + 1 < N; ++i) A(i, i + 1) = A(i + 1, i) = -1 / m;
+        A(0, 0) = 1 / m;  // the ground does not yield
+        VecX q = VecX::Zero(N);
+        q[0] = -g * h;
+        const Solution solution = lemke(plain_lcp(A, q));
+        REQUIRE(solution.status == Status::solved);
+        for (Index k = 0; k < N; ++k) {
+            const Real exact = static_cast<Real>(N - k) * m * g * h;
+            // The condition of a column of N is about N².
+            CHECK(std::abs(solution.lambda[k] - exact) <= identity * exact * static_cast<Real>(N));
+        }
+    }
+}
+
+TEST_CASE("a box on a slope sticks below the angle of friction and slides above with the known acceleration")
+{
+    const Real mu = 0.3, h = 0.01, g = 9.81;
+    BoxStack stack;
+    stack.boxes = 1;
+    stack.offset = stack.jostle = 0;
+    stack.friction = mu;
+    for (const Real degrees : {5.0, 16.5, 16.9, 30.0}) {
+        ContactRows scene = contact_rows(stack);
+        const Real angle = degrees * pi / 180;
+        scene.u_star << g * h * std::sin(angle), -g * h * std::cos(angle), 0;  // x runs down the slope
+        const Solution solution = lemke(stewart_trinkle(assemble(scene.rows, scene.u_star), mu));
+        REQUIRE(solution.status == Status::solved);
+        VecX u = scene.u_star;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto k = static_cast<Index>(i);
+            scene.rows[i].apply(solution.lambda[k], u);
+            scene.rows[i + 2].apply(solution.lambda[2 + k] - solution.lambda[4 + k], u);
+        }
+        const Real slides = h * g * std::max(Real{0}, std::sin(angle) - mu * std::cos(angle));
+        CHECK((u - vector({slides, 0, 0})).cwiseAbs().maxCoeff() < identity);
+        CHECK((slides > 0) == (degrees > 16.69924423399362));
+    }
+}
+
+TEST_CASE("every friction problem of a stack of boxes is solved")
+{
+    for (const Index boxes : {5, 10, 20, 40})
+        for (const Real jostle : {0.0, 0.01, 0.1, 1.0})
+            for (std::uint64_t seed = 1; seed <= (boxes < 40 ? 4 : 2); ++seed) {
+                BoxStack stack;
+                stack.boxes = boxes;
+                stack.jostle = jostle;
+                stack.seed = seed;
+                const Mlcp problem = stewart_trinkle(stack);
+                REQUIRE(problem.size() == 8 * boxes);
+                const Solution solution = lemke(problem);
+                INFO(boxes << " boxes, jostled by " << jostle << ", seed " << seed);
+                REQUIRE(solution.status == Status::solved);
+                CHECK(judged_residual(problem, solution.lambda) <= 1e-10);
+            }
+}
+
+TEST_CASE("friction opposes sliding and stays in its cone and loses energy")
+{
+    BoxStack stack;
+    stack.boxes = 8;
+    stack.fall = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        stack.seed = seed;
+        const ContactRows scene = contact_rows(stack);
+        const Mlcp problem = stewart_trinkle(assemble(scene.rows, scene.u_star), stack.friction);
+        const Solution solution = lemke(problem);
+        REQUIRE(solution.status == Status::solved);
+        const Index m = problem.size() / 4;
+        VecX u = scene.u_star;
+        for (Index i = 0; i < m; ++i) {
+            const Real beta = solution.lambda[m + i] - solution.lambda[2 * m + i];
+            CHECK(std::abs(beta) <= stack.friction * solution.lambda[i] + 1e-10);
+            scene.rows[static_cast<std::size_t>(i)].apply(solution.lambda[i], u);
+            scene.rows[static_cast<std::size_t>(m + i)].apply(beta, u);
+        }
+        Real power = 0;
+        for (Index i = 0; i < m; ++i) {
+            const auto& row = scene.rows[static_cast<std::size_t>(m + i)];
+            power += row.velocity(u) * (solution.lambda[m + i] - solution.lambda[2 * m + i]);
+        }
+        CHECK(power <= 1e-10);
+        // M = diag(1, 1, 1/6) for the unit box.
+        Real before = 0, after = 0;
+        for (Index k = 0; k < u.size(); ++k) {
+            const Real mass = k % 3 == 2 ? 1.0 / 6 : 1;
+            before += mass * scene.u_star[k] * scene.u_star[k];
+            after += mass * u[k] * u[k];
+        }
+        CHECK(after <= before * (1 + 1e-10));
+    }
+}
+
+// ---- against the truth ----------------------------------------------------------------------------------
+
+TEST_CASE("the small problems come out right to the uniqueness that their files state")
+{
+    for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2",
+                             "fric_boxed_s4", "fric_st_s2", "infeasible_psd2", "mass1000_rest_s5",
+                             "murty_exp_s6", "murty_q1_s16", "nonsym_pd_s6", "pyramid_impact_s3", "spd_s5"}) {
+        const Problem problem =
+            read_problem(std::string(RIGID_SOURCE_DIR) + "/tests/problems/" + name + ".mlcp");
+        const Solution solution = lemke(problem.mlcp);
+        INFO(name);
+        if (problem.kind == Uniqueness::none) {
+            CHECK(solution.status == Status::infeasible);
+            continue;
+        }
+        REQUIRE(solution.status == Status::solved);
+        CHECK(solution.residual <= 1e-12);
+        // Answers are as good as the residual times the condition, 1e4 for the masses 1 : 1000.
+        const VecX w = problem.mlcp.A * solution.lambda + problem.mlcp.q;
+        if (problem.kind == Uniqueness::unique)
+            CHECK((solution.lambda - problem.z).cwiseAbs().maxCoeff() <=
+                  1e-10 * (1 + problem.z.cwiseAbs().maxCoeff()));
+        if (problem.kind != Uniqueness::any) CHECK((w - problem.w).cwiseAbs().maxCoeff() <= 1e-10);
+    }
+}
+
+TEST_CASE("a thousand random problems of each kind agree with the enumeration of chapter 3")
+{
+    for (const Kind kind : all_kinds) {
+        Random random(100 + static_cast<std::uint64_t>(kind));
+        int unique = 0;
+        for (int sample = 0; sample < 1000; ++sample) {
+            const bool large = sample % 100 == 0;  // 3^12 cases take a while
+            const Index n = large ? (kind == Kind::bounded ? 8 : 12) : 1 + random.index(5);
+            VecX lambda;
+            Mlcp problem = planted(kind, n, random, lambda);
+            if (sample % 3 == 0)  // without a planted answer: some of these have none
+                for (Real& entry : problem.q) entry = random.normal();
+            const Solution truth = enumerate(problem), solution = lemke(problem);
+            INFO("kind " << static_cast<int>(kind) << ", sample " << sample << ", n = " << n);
+            if (truth.uniqueness == Uniqueness::none) {
+                CHECK((solution.status == Status::infeasible || solution.status == Status::ray_termination));
+                continue;
+            }
+            REQUIRE(solution.status == Status::solved);
+            CHECK(judged_residual(problem, solution.lambda) <= 1e-10 * (1 + problem.q.cwiseAbs().maxCoeff()));
+            // Both are accurate to their residual times the condition of the active block, up to 1e4 here.
+            const Real size = 1 + truth.lambda.cwiseAbs().maxCoeff();
+            const VecX dw = problem.A * (solution.lambda - truth.lambda);
+            if (truth.uniqueness == Uniqueness::unique) {
+                ++unique;
+                CHECK((solution.lambda - truth.lambda).cwiseAbs().maxCoeff() <= 1e-7 * size);
+            }
+            if (truth.uniqueness != Uniqueness::any) CHECK(dw.cwiseAbs().maxCoeff() <= 1e-8 * size);
+        }
+        CHECK(unique >= (kind == Kind::psd ? 300 : 900));
+    }
+}
+
+TEST_CASE("planted answers of up to two hundred rows are found")
+{
+    for (const Kind kind : all_kinds) {
+        Random random(200 + static_cast<std::uint64_t>(kind));
+        for (int sample = 0; sample < 60; ++sample) {
+            const Index n = sample == 0 ? 200 : 1 + random.index(60);
+            VecX lambda;
+            const Mlcp problem = planted(kind, n, random, lambda);
+            const Solution solution = lemke(problem);
+            INFO("kind " << static_cast<int>(kind) << ", sample " << sample << ", n = " << n);
+            REQUIRE(solution.status == Status::solved);
+            CHECK(judged_residual(problem, solution.lambda) <= 1e-10 * (1 + problem.q.cwiseAbs().maxCoeff()));
+            const VecX dw = problem.A * (solution.lambda - lambda);
+            CHECK(dw.cwiseAbs().maxCoeff() <= 1e-7 * (1 + problem.q.cwiseAbs().maxCoeff()));
+        }
+    }
+}
+
+TEST_CASE("infeasible semidefinite problems are recognised")
+{
+    // y ≥ 0 with A y = 0 and qᵀy < 0 is planted: no z has A z + q ≥ 0.
+    Random random(300);
+    int proved = 0;
+    for (int sample = 0; sample < 300; ++sample) {
+        const Index n = 2 + random.index(10);
+        VecX y(n), q(n);
+        for (Real& entry : y) entry = random.uniform(0.1, 1);
+        MatX G = gaussian(n, std::max<Index>(1, n / 2), random);
+        G -= y * (y.transpose() * G) / y.squaredNorm();
+        for (Real& entry : q) entry = random.normal();
+        q -= y * (q.dot(y) + random.uniform(0.1, 1)) / y.squaredNorm();
+        const Solution solution = lemke(plain_lcp(G * G.transpose(), q));
+        CHECK((solution.status == Status::infeasible || solution.status == Status::ray_termination));
+        proved += solution.status == Status::infeasible;
+    }
+    CHECK(proved >= 290);  // a few rays are too blurred by rounding to prove anything
+}
+
+TEST_CASE("a random search finds no problem that is called solved with a residual above 1e-8 or that loops")
+{
+    Random random(400);
+    int solved = 0;
+    constexpr int budget = 60000;
+    for (int sample = 0; sample < budget; ++sample) {
+        const Index n = 1 + random.index(sample % 50 == 0 ? 30 : 8);
+        MatX A(n, n);
+        VecX q(n);
+        const Index shape = random.index(7);
+        for (Real& entry : A.reshaped())
+            entry = shape < 2 ? std::floor(random.uniform(-2, 3)) : random.normal();  // ties, zeros, singular
+        for (Real& entry : q)
+            entry = random.uniform() < 0.5 ? std::floor(random.uniform(-2, 2)) : random.normal();
+        if (shape == 1) A = (A * A.transpose()).eval();
+        if (shape == 3) A = (A * A.transpose() + 1e-9 * MatX::Identity(n, n)).eval();
+        if (shape == 4) {  // nearly the same row twice
+            A = (A * A.transpose()).eval();
+            const Index i = random.index(n), j = random.index(n);
+            const Real near = std::pow(10.0, random.uniform(-16, -6));
+            A.row(j) = A.row(i) * (1 + near);
+            A.col(j) = A.col(i) * (1 + near);
+        }
+        if (shape == 5) {  // masses from grams to kilotons
+            A = (A * A.transpose() + 0.01 * MatX::Identity(n, n)).eval();
+            VecX scale(n);
+            for (Real& entry : scale) entry = std::pow(10.0, random.uniform(-3, 3));
+            A = (scale.asDiagonal() * A * scale.asDiagonal()).eval();
+        }
+        if (shape == 6) A = (A - A.transpose()).eval();
+        Mlcp problem = plain_lcp(A, q);
+        if (random.uniform() < 0.4)
+            for (Index i = 0; i < n; ++i) {
+                const Real which = random.uniform();
+                if (which < 0.3) problem.lo[i] = -infinity;
+                else if (which < 0.5) problem.hi[i] = random.uniform();
+                else if (which < 0.6) problem.hi[i] = problem.lo[i];
+                else if (which < 0.7) problem.hi[i] = 1e-12;
+            }
+        LemkeSettings settings;
+        settings.ties = static_cast<TieRule>(random.index(3));
+        settings.pivot_limit = 2000;
+        const Solution solution = lemke(problem, settings);
+        CHECK(solution.iterations <= settings.pivot_limit);
+        CHECK(solution.lambda.size() == n);
+        if (solution.status != Status::solved) continue;
+        ++solved;
+        if (!(judged_residual(problem, solution.lambda) <= 1e-8)) FAIL_CHECK("sample " << sample);
+    }
+    CHECK(solved > budget / 3);  // the search also looks at problems that have answers
+}
+
+// ---- properties -----------------------------------------------------------------------------------------
+
+TEST_CASE("masses and lengths in other units and rows in another order give the same impulses")
+{
+    Random random(500);
+    for (int sample = 0; sample < 200; ++sample) {
+        const Index n = 1 + random.index(20);
+        VecX lambda;
+        const Mlcp problem = planted(all_kinds[sample % 6 == 1 ? 0 : sample % 6], n, random, lambda);
+        const Solution solution = lemke(problem);
+        REQUIRE(solution.status == Status::solved);
+        const Real size = 1 + solution.lambda.cwiseAbs().maxCoeff();
+
+        const Real mass = std::pow(10.0, random.uniform(-6, 6)),
+                   length = std::pow(10.0, random.uniform(-6, 6));
+        Mlcp scaled = problem;
+        scaled.A /= mass;
+        scaled.q *= length;
+        scaled.lo *= mass * length;
+        scaled.hi *= mass * length;
+        const Solution same = lemke(scaled);
+        REQUIRE(same.status == Status::solved);
+        CHECK((same.lambda / (mass * length) - solution.lambda).cwiseAbs().maxCoeff() <= 1e-8 * size);
+
+        Eigen::PermutationMatrix<Eigen::Dynamic> order(static_cast<int>(n));
+        order.setIdentity();
+        for (Index i = n - 1; i > 0; --i) std::swap(order.indices()[i], order.indices()[random.index(i + 1)]);
+        Mlcp shuffled = problem;
+        shuffled.A = MatX(order * MatX(problem.A) * order.transpose()).sparseView();
+        shuffled.q = order * problem.q;
+        shuffled.lo = order * problem.lo;
+        shuffled.hi = order * problem.hi;
+        const Solution also = lemke(shuffled);
+        REQUIRE(also.status == Status::solved);
+        CHECK((also.lambda - order * solution.lambda).cwiseAbs().maxCoeff() <= 1e-8 * size);
+    }
+}
+
+TEST_CASE("the same problem gives the same bits twice")
+{
+    const Mlcp problem = stewart_trinkle(BoxStack{});
+    const Solution first = lemke(problem), second = lemke(problem);
+    CHECK(first.lambda == second.lambda);
+    CHECK(first.iterations == second.iterations);
+}
+
+TEST_CASE("a problem that makes no sense is refused with a sentence")
+{
+    Mlcp problem = plain_lcp(MatX::Identity(2, 2), vector({-1, -1}));
+    LemkeSettings settings;
+    SECTION("NaN in q")
+    {
+        problem.q[1] = std::nan("");
+        CHECK(refused([&] { lemke(problem); }) == "q[1] is nan; it must be finite");
+    }
+    SECTION("lo above hi")
+    {
+        problem.lo[0] = 2;
+        problem.hi[0] = 1;
+        CHECK(refused([&] { lemke(problem); }) != "accepted");
+    }
+    SECTION("a tolerance of zero")
+    {
+        settings.tolerance = 0;
+        CHECK(
+            refused([&] { lemke(problem, settings); }) ==
+            "the tolerance is 0.000000 and the pivot limit 0; the tolerance must be positive, the limit not "
+            "negative");
+    }
+    SECTION("a stack without boxes")
+    {
+        BoxStack stack;
+        stack.boxes = 0;
+        CHECK(refused([&] { contact_rows(stack); }) ==
+              "the number of boxes is 0.000000; it must be at least 1");
+    }
+}
+
+TEST_CASE("numbers too large for doubles end with an honest status")
+{
+    const Solution solution = lemke(plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})));
+    if (solution.status == Status::solved) CHECK(solution.residual <= 1e298);
+    const Solution tiny = lemke(plain_lcp(matrix2(1e-300, 0, 0, 1e300), vector({-1, -1})));
+    if (tiny.status == Status::solved) CHECK(tiny.residual <= 1e-10);
+}
