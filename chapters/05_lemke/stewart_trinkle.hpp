@@ -38,11 +38,9 @@ struct ContactRows {
     VecX u_star;               ///< [m/s, rad/s]
 };
 
-/// The rows with lever arms: r is the arm from the centre of mass to the point, n the normal.
+/// The rows with lever arms: ra and rb [m] lead from the centres of mass of a and b to the point, n is the normal.
 ///
 ///     C' = n·(u_b + ω_b × r_b) - n·(u_a + ω_a × r_a)
-///
-/// \param point  of contact relative to the centres of a and of b [m]
 inline Row<3> contact_row(Index a, Index b, const Vec2& n, const Vec2& ra, const Vec2& rb,
                           const VecX& inverse_mass)
 {
