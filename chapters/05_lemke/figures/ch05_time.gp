@@ -9,7 +9,7 @@ set format x '10^{%L}'; set format y '10^{%L}'
 set xlabel 'time [µs]' tc rgb '#808080'
 set ylabel 'natural residual [m/s]' tc rgb '#808080'
 set yrange [1e-16:3e3]; set xrange [1:2e5]
-set key tc rgb '#808080' samplen 1 font ',12' Left reverse bottom left
+set key tc rgb '#808080' samplen 1 font ',12' Left reverse top right
 do for [p = 1:4] {
     problem = word("spd column heavy_top friction", p)
     if (p == 1) { set title 'random, positive definite, n = 100' tc rgb '#808080' }
