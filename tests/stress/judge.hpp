@@ -1,0 +1,77 @@
+/// \file judge.hpp
+/// How well a method held a scene: 3 within the accuracy tolerance; 2 the scene holds (gaps below 5 % of a size,
+/// order kept); 1 finite and not above the energy of its start by more than 1 %, but the task failed; 0 not a number, an
+/// explosion, or an answer that calls itself right and isn't.
+#pragma once
+
+#include "common/measure.hpp"
+#include "tests/stress/method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace rigid::stress {
+
+inline constexpr int lost = 0, failed = 1, held = 2, accurate = 3;
+
+/// What a scene should do, and for how long it is watched.
+struct Task {
+    Real h = 1.0 / 60;    ///< [s]
+    long steps = 120;     ///< two seconds at 60 Hz
+    Real size = 0.2;      ///< of a disc or a link: gaps are measured by it [m]
+    bool rests = true;    ///< it is to come to rest: no disc faster than 1 cm/s in the second half
+    bool upright = false; ///< the discs stand above each other in the order of their numbers
+    Real energy = 1;      ///< by which a gain of energy is measured [J]
+    Real gap = 0;         ///< a gap that the scene itself makes unavoidable [m]
+};
+
+inline constexpr Real accurate_gap = 0.005, held_gap = 0.05;  ///< shares of the size
+inline constexpr Real resting_speed = 0.01;                    ///< [m/s]: a centimetre a second is seen as rest
+inline constexpr Real energy_gain = 0.01;
+
+inline Real total_energy(const DiscScene& scene)
+{
+    return kinetic_energy(scene.bodies) + potential_energy(scene.bodies, scene.gravity);
+}
+
+/// How far links and contacts are off [m].
+inline Real largest_gap(const DiscScene& scene)
+{
+    return std::max(largest_link_error(scene), deepest_penetration(scene));
+}
+
+inline bool stands_in_order(const DiscScene& scene)
+{
+    for (Index k = 0; k + 1 < scene.bodies.count(); ++k)
+        if (!(scene.bodies.position(k).y() < scene.bodies.position(k + 1).y())) return false;
+    return true;
+}
+
+/// Runs a method on a scene. The second half of the run is what is judged; finiteness and energy, all of it.
+inline int judge(DiscScene scene, const Task& task, const Step& step)
+{
+    const Real start = total_energy(scene);
+    Real gap = 0, speed = 0, energy = start;
+    // A look at the gaps tests all pairs; thirty looks are enough.
+    const long look_every = std::max(1L, task.steps / 60);
+    for (long n = 0; n < task.steps; ++n) {
+        try {
+            step(scene, task.h);
+        } catch (const std::runtime_error&) {
+            return lost;
+        }
+        if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite()) return lost;
+        energy = std::max(energy, total_energy(scene));
+        if (!(energy - start <= energy_gain * task.energy)) return lost;
+        if (2 * n < task.steps) continue;
+        speed = std::max(speed, scene.bodies.u.cwiseAbs().maxCoeff());
+        if (n % look_every == 0 || n + 1 == task.steps) gap = std::max(gap, largest_gap(scene));
+    }
+    if (task.upright && !stands_in_order(scene)) return failed;
+    gap = std::max(Real{0}, gap - task.gap);
+    if (gap <= accurate_gap * task.size && (!task.rests || speed <= resting_speed)) return accurate;
+    return gap <= held_gap * task.size ? held : failed;
+}
+
+}  // namespace rigid::stress

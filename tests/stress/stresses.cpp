@@ -1,0 +1,320 @@
+#include "tests/stress/stresses.hpp"
+
+#include "common/text.hpp"
+
+namespace rigid::stress {
+
+namespace {
+
+using Values = std::array<Real, levels>;
+
+std::array<std::string, levels> with_units(const Values& values, const std::string& unit)
+{
+    std::array<std::string, levels> words;
+    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
+    return words;
+}
+
+/// What one seed changes: masses by up to 5 %, velocities by up to 1 mm/s. One run without it misleads: symmetry
+/// hides what a breath would topple.
+void perturb(DiscScene& scene, std::uint64_t seed)
+{
+    Random random(seed);
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        if (scene.bodies.inverse_mass[2 * k] <= 0) continue;
+        scene.bodies.inverse_mass.segment<2>(2 * k) *= random.uniform(0.95, 1.05);
+        scene.bodies.velocity(k) = Vec2(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3));
+    }
+}
+
+/// m g times the height of the scene, summed: what the whole scene gains when it is lifted by its own size.
+Real lifting(const DiscScene& scene)
+{
+    Real weight = 0, low = infinity, high = -infinity;
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        low = std::min(low, scene.bodies.position(k).y() - scene.radius[k]);
+        high = std::max(high, scene.bodies.position(k).y() + scene.radius[k]);
+        const Real inverse = scene.bodies.inverse_mass[2 * k];
+        if (inverse > 0) weight += scene.gravity.norm() / inverse;
+    }
+    return weight * (high - low);
+}
+
+/// A run of a scene that a method can hold, unless it has too many rows for it.
+std::optional<int> run(const Method& method, const Wish& wish, DiscScene scene, Task task, std::uint64_t seed)
+{
+    if (static_cast<Index>(scene.links.size()) + 2 * scene.bodies.count() > method.most_rows) return std::nullopt;
+    perturb(scene, seed);
+    task.energy = lifting(scene);
+    return judge(std::move(scene), task, method.start(wish));
+}
+
+/// A column between walls that leave it a hundredth of a radius of play.
+DiscScene held_column(Index count, Real top_mass = 1) { return column_between_walls(count, top_mass, 0.001); }
+
+Task standing()
+{
+    Task task;
+    task.upright = true;
+    return task;
+}
+
+/// A chain of links of 0.1 m, let go at 30° from straight down; its discs never meet.
+DiscScene slanted_chain(Index count, Real end_mass)
+{
+    DiscScene scene = hanging_chain(count, end_mass);
+    const Vec2 along(std::sin(pi / 6), -std::cos(pi / 6));
+    for (Index k = 1; k <= count; ++k) scene.bodies.position(k) = 0.1 * static_cast<Real>(k) * along;
+    scene.linked.assign(scene.linked.size(), true);
+    return scene;
+}
+
+Task swinging()
+{
+    Task task;
+    task.rests = false;
+    task.size = 0.1;
+    return task;
+}
+
+Stress heavy_top()
+{
+    const Values R = {1, 30, 1e3, 3e4, 1e6};
+    return {"heavy on light", "a disc of R kg on a column of four discs of 1 kg between walls, two seconds",
+            with_units(R, "kg"), [R](const Method& method, int level, std::uint64_t seed) {
+                return run(method, {}, held_column(5, R[static_cast<std::size_t>(level)]), standing(), seed);
+            }};
+}
+
+Stress heavy_bottom()
+{
+    const Values R = {1, 30, 1e3, 3e4, 1e6};
+    return {"light on heavy", "four discs of 1 kg on one of R kg between walls, two seconds", with_units(R, "kg"),
+            [R](const Method& method, int level, std::uint64_t seed) {
+                DiscScene scene = held_column(5);
+                scene.bodies.inverse_mass.head<2>().setConstant(1 / R[static_cast<std::size_t>(level)]);
+                return run(method, {}, scene, standing(), seed);
+            }};
+}
+
+Stress tall_column()
+{
+    const Values N = {10, 20, 40, 80, 160};
+    return {"tall column", "a column of N equal discs between walls, two seconds", with_units(N, "discs"),
+            [N](const Method& method, int level, std::uint64_t seed) {
+                return run(method, {}, held_column(static_cast<Index>(N[static_cast<std::size_t>(level)])),
+                           standing(), seed);
+            }};
+}
+
+Stress long_chain()
+{
+    const Values N = {10, 30, 100, 300, 1000};
+    return {"long chain", "a chain of N equal links, let go at 30°, two seconds", with_units(N, "links"),
+            [N](const Method& method, int level, std::uint64_t seed) {
+                return run(method, {}, slanted_chain(static_cast<Index>(N[static_cast<std::size_t>(level)]), 1),
+                           swinging(), seed);
+            }};
+}
+
+Stress loaded_chain()
+{
+    const Values R = {1, 6, 30, 180, 1000};
+    return {"loaded chain", "a chain of 40 links of 1 kg with R kg at its end, let go at 30°, two seconds",
+            with_units(R, "kg"), [R](const Method& method, int level, std::uint64_t seed) {
+                return run(method, {}, slanted_chain(40, R[static_cast<std::size_t>(level)]), swinging(), seed);
+            }};
+}
+
+Stress time_step()
+{
+    const Values per_second = {960, 240, 60, 30, 10};
+    std::array<std::string, levels> words;
+    for (std::size_t i = 0; i < levels; ++i) words[i] = "1/" + readable(per_second[i]) + " s";
+    return {"long step", "the ten discs fall in their box, two seconds with steps of h", words,
+            [per_second](const Method& method, int level, std::uint64_t seed) {
+                Task task;
+                task.h = 1 / per_second[static_cast<std::size_t>(level)];
+                task.steps = std::lround(2 / task.h);
+                task.rests = false;
+                task.size = 0.1;
+                return run(method, {}, ten_discs(), task, seed);
+            }};
+}
+
+Stress beta()
+{
+    const Values share = {0.1, 0.5, 1, 1.5, 1.9};
+    return {"eager repair", "a triangle of base 4 between walls; a step repays the share β of an error",
+            with_units(share, ""),
+            [share](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+                if (!method.has_beta) return std::nullopt;
+                Wish wish;
+                wish.beta = share[static_cast<std::size_t>(level)];
+                return run(method, wish, triangle(4), {}, seed);
+            }};
+}
+
+Stress restitution()
+{
+    const Values N = {1, 2, 3, 5, 10};
+    return {"bouncing", "N discs above each other, dropped half a metre apart, restitution 1: two seconds",
+            with_units(N, "discs"),
+            [N](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+                if (!method.has_restitution) return std::nullopt;
+                Wish wish;
+                wish.restitution = 1;
+                DiscScene scene = held_column(static_cast<Index>(N[static_cast<std::size_t>(level)]));
+                for (Index k = 0; k < scene.bodies.count(); ++k)
+                    scene.bodies.position(k).y() += 0.5 * static_cast<Real>(k + 1);
+                Task task = standing();
+                task.rests = false;
+                task.h = 1.0 / 240;
+                task.steps = 480;
+                return run(method, wish, scene, task, seed);
+            }};
+}
+
+Stress redundant()
+{
+    const Values copies = {1, 2, 4, 8, 16};
+    return {"redundant rows", "a chain of 10 whose links are given n times each, let go at 30°, two seconds",
+            with_units(copies, "times"), [copies](const Method& method, int level, std::uint64_t seed) {
+                DiscScene scene = slanted_chain(10, 1);
+                const std::vector<Link> once = scene.links;
+                for (int n = 1; n < static_cast<int>(copies[static_cast<std::size_t>(level)]); ++n)
+                    scene.links.insert(scene.links.end(), once.begin(), once.end());
+                return run(method, {}, scene, swinging(), seed);
+            }};
+}
+
+Stress conflicting()
+{
+    const Values share = {1e-4, 1e-3, 1e-2, 1e-1, 1};
+    return {"conflicting rows",
+            "a chain of 10; a second rod at each link asks for a length that differs by this share", with_units(share, ""),
+            [share](const Method& method, int level, std::uint64_t seed) {
+                DiscScene scene = slanted_chain(10, 1);
+                const std::vector<Link> once = scene.links;
+                const Real mismatch = share[static_cast<std::size_t>(level)];
+                for (Link link : once) {
+                    link.length *= 1 + mismatch;
+                    scene.links.push_back(link);
+                }
+                Task task = swinging();
+                task.gap = mismatch * 0.1;  // one of the two rods is off by at least half of it; let either win
+                return run(method, {}, scene, task, seed);
+            }};
+}
+
+Stress far_away()
+{
+    const Values metres = {1e2, 1e3, 1e4, 1e5, 1e6};
+    return {"far away", "a column of 5 between walls and off the origin by this much in x and y; also compared with the origin",
+            with_units(metres, "m"), [metres](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+                DiscScene near = held_column(5, 10);
+                for (Index k = 0; k < 5; ++k) near.bodies.position(k).y() += 0.5;  // it falls first
+                perturb(near, seed);
+                DiscScene far = near;
+                const Vec2 moved = Vec2::Constant(metres[static_cast<std::size_t>(level)]);
+                for (Index k = 0; k < 5; ++k) far.bodies.position(k) += moved;
+                for (HalfSpace& wall : far.walls) wall.offset += wall.normal.dot(moved);
+                Task task = standing();
+                task.rests = false;
+                task.energy = lifting(near);
+                const int score = judge(far, task, method.start({}));
+                // A position that froze would look perfect. While both fall, 0.3 s, their velocities are to agree
+                // to a millimetre a second: a millionth of a metre lies between two numbers at 1e6 m / 1e-10.
+                const Step here = method.start({}), there = method.start({});
+                for (int n = 0; n < 18; ++n) here(near, task.h), there(far, task.h);
+                return (near.bodies.u - far.bodies.u).cwiseAbs().maxCoeff() < 1e-3 ? score : std::min(score, failed);
+            }};
+}
+
+Stress small_mass()
+{
+    const Values mass = {1, 1e-3, 1e-6, 1e-9, 1e-12};
+    return {"vanishing mass", "the third of five discs in a column between walls has this mass, two seconds",
+            with_units(mass, "kg"), [mass](const Method& method, int level, std::uint64_t seed) {
+                DiscScene scene = held_column(5);
+                scene.bodies.inverse_mass.segment<2>(4).setConstant(1 / mass[static_cast<std::size_t>(level)]);
+                return run(method, {}, scene, standing(), seed);
+            }};
+}
+
+Stress coincident()
+{
+    const Values N = {2, 3, 4, 6, 8};
+    return {"coincident", "N discs in one point of a box without gravity: they are to part within two seconds",
+            with_units(N, "discs"), [N](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+                const auto count = static_cast<Index>(N[static_cast<std::size_t>(level)]);
+                DiscScene scene;
+                scene.bodies = Bodies<2>(count);
+                scene.radius = VecX::Constant(count, 0.1);
+                scene.walls = {{{1, 0}, -1}, {{-1, 0}, -1}, {{0, 1}, -1}, {{0, -1}, -1}};
+                scene.gravity = {0, 0};
+                perturb(scene, seed);
+                Task task;
+                task.rests = false;
+                // Parting a whole diameter within a step, each disc gets 2r/h; more than that would be an explosion.
+                task.energy = 100 * static_cast<Real>(count) * 0.5 * std::pow(0.2 / task.h, 2);
+                return judge(scene, task, method.start({}));
+            }};
+}
+
+/// Every number of a scene and of a step that a caller sets, in five groups.
+Stress bad_input()
+{
+    return {"bad input", "one number of the scene or the step is NaN or infinite: it is to be refused",
+            {"positions, velocities", "masses, radii", "walls", "links", "gravity, h"},
+            [](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+                DiscScene scene = ten_discs();
+                Real h = 1.0 / 60;
+                Random random(seed);
+                const Real bad = std::array{std::nan(""), infinity, -infinity}[static_cast<std::size_t>(seed % 3)];
+                const auto one_of = [&random](VecX& v) -> Real& { return v[random.index(v.size())]; };
+                const bool first = random.uniform() < 0.5;
+                HalfSpace& wall = scene.walls[static_cast<std::size_t>(random.index(4))];
+                switch (level) {
+                case 0: (first ? one_of(scene.bodies.x) : one_of(scene.bodies.u)) = bad; break;
+                case 1: (first ? one_of(scene.bodies.inverse_mass) : one_of(scene.radius)) = bad; break;
+                case 2: (first ? wall.normal.x() : wall.offset) = bad; break;
+                case 3:
+                    (first ? scene.links[0].length : scene.bends[0].length) = bad;
+                    break;
+                default: (first ? scene.gravity.x() : h) = bad; break;
+                }
+                try {
+                    method.start({})(scene, h);
+                } catch (const std::invalid_argument&) {
+                    return accurate;
+                } catch (const std::exception&) {
+                    return failed;
+                }
+                return lost;
+            }};
+}
+
+Stress long_run()
+{
+    const Values steps = {1e2, 1e3, 1e4, 1e5, 1e6};
+    Stress stress{"long run", "a column of 5 between walls stands for so many steps at 60 Hz", with_units(steps, "steps"),
+                  [steps](const Method& method, int level, std::uint64_t seed) {
+                      Task task = standing();
+                      task.steps = std::lround(steps[static_cast<std::size_t>(level)]);
+                      return run(method, {}, held_column(5), task, seed);
+                  }};
+    stress.quick = false;
+    return stress;
+}
+
+}  // namespace
+
+std::vector<Stress> stresses()
+{
+    return {heavy_top(), heavy_bottom(), tall_column(), long_chain(),  loaded_chain(), time_step(),  beta(),
+            restitution(), redundant(),  conflicting(), far_away(),    small_mass(),   coincident(), bad_input(),
+            long_run()};
+}
+
+}  // namespace rigid::stress
