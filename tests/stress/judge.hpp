@@ -17,17 +17,17 @@ inline constexpr int lost = 0, failed = 1, held = 2, accurate = 3;
 
 /// What a scene should do, and for how long it is watched.
 struct Task {
-    Real h = 1.0 / 60;    ///< [s]
-    long steps = 120;     ///< two seconds at 60 Hz
-    Real size = 0.2;      ///< of a disc or a link: gaps are measured by it [m]
-    bool rests = true;    ///< it is to come to rest: no disc faster than 1 cm/s in the second half
-    bool upright = false; ///< the discs stand above each other in the order of their numbers
-    Real energy = 1;      ///< by which a gain of energy is measured [J]
-    Real gap = 0;         ///< a gap that the scene itself makes unavoidable [m]
+    Real h = 1.0 / 60;     ///< [s]
+    long steps = 120;      ///< two seconds at 60 Hz
+    Real size = 0.2;       ///< of a disc or a link: gaps are measured by it [m]
+    bool rests = true;     ///< it is to come to rest: no disc faster than 1 cm/s in the second half
+    bool upright = false;  ///< the discs stand above each other in the order of their numbers
+    Real energy = 1;       ///< by which a gain of energy is measured [J]
+    Real gap = 0;          ///< a gap that the scene itself makes unavoidable [m]
 };
 
 inline constexpr Real accurate_gap = 0.005, held_gap = 0.05;  ///< shares of the size
-inline constexpr Real resting_speed = 0.01;                    ///< [m/s]: a centimetre a second is seen as rest
+inline constexpr Real resting_speed = 0.01;  ///< [m/s]: a centimetre a second is seen as rest
 inline constexpr Real energy_gain = 0.01;
 
 inline Real total_energy(const DiscScene& scene)

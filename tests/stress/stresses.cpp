@@ -43,7 +43,8 @@ Real lifting(const DiscScene& scene)
 /// A run of a scene that a method can hold, unless it has too many rows for it.
 std::optional<int> run(const Method& method, const Wish& wish, DiscScene scene, Task task, std::uint64_t seed)
 {
-    if (static_cast<Index>(scene.links.size()) + 2 * scene.bodies.count() > method.most_rows) return std::nullopt;
+    if (static_cast<Index>(scene.links.size()) + 2 * scene.bodies.count() > method.most_rows)
+        return std::nullopt;
     perturb(scene, seed);
     task.energy = lifting(scene);
     return judge(std::move(scene), task, method.start(wish));
@@ -89,8 +90,8 @@ Stress heavy_top()
 Stress heavy_bottom()
 {
     const Values R = {1, 30, 1e3, 3e4, 1e6};
-    return {"light on heavy", "four discs of 1 kg on one of R kg between walls, two seconds", with_units(R, "kg"),
-            [R](const Method& method, int level, std::uint64_t seed) {
+    return {"light on heavy", "four discs of 1 kg on one of R kg between walls, two seconds",
+            with_units(R, "kg"), [R](const Method& method, int level, std::uint64_t seed) {
                 DiscScene scene = held_column(5);
                 scene.bodies.inverse_mass.head<2>().setConstant(1 / R[static_cast<std::size_t>(level)]);
                 return run(method, {}, scene, standing(), seed);
@@ -112,7 +113,8 @@ Stress long_chain()
     const Values N = {10, 30, 100, 300, 1000};
     return {"long chain", "a chain of N equal links, let go at 30°, two seconds", with_units(N, "links"),
             [N](const Method& method, int level, std::uint64_t seed) {
-                return run(method, {}, slanted_chain(static_cast<Index>(N[static_cast<std::size_t>(level)]), 1),
+                return run(method, {},
+                           slanted_chain(static_cast<Index>(N[static_cast<std::size_t>(level)]), 1),
                            swinging(), seed);
             }};
 }
@@ -122,7 +124,8 @@ Stress loaded_chain()
     const Values R = {1, 6, 30, 180, 1000};
     return {"loaded chain", "a chain of 40 links of 1 kg with R kg at its end, let go at 30°, two seconds",
             with_units(R, "kg"), [R](const Method& method, int level, std::uint64_t seed) {
-                return run(method, {}, slanted_chain(40, R[static_cast<std::size_t>(level)]), swinging(), seed);
+                return run(method, {}, slanted_chain(40, R[static_cast<std::size_t>(level)]), swinging(),
+                           seed);
             }};
 }
 
@@ -192,8 +195,8 @@ Stress conflicting()
 {
     const Values share = {1e-4, 1e-3, 1e-2, 1e-1, 1};
     return {"conflicting rows",
-            "a chain of 10; a second rod at each link asks for a length that differs by this share", with_units(share, ""),
-            [share](const Method& method, int level, std::uint64_t seed) {
+            "a chain of 10; a second rod at each link asks for a length that differs by this share",
+            with_units(share, ""), [share](const Method& method, int level, std::uint64_t seed) {
                 DiscScene scene = slanted_chain(10, 1);
                 const std::vector<Link> once = scene.links;
                 const Real mismatch = share[static_cast<std::size_t>(level)];
@@ -202,7 +205,8 @@ Stress conflicting()
                     scene.links.push_back(link);
                 }
                 Task task = swinging();
-                task.gap = mismatch * 0.1;  // one of the two rods is off by at least half of it; let either win
+                task.gap =
+                    mismatch * 0.1;  // one of the two rods is off by at least half of it; let either win
                 return run(method, {}, scene, task, seed);
             }};
 }
@@ -210,8 +214,11 @@ Stress conflicting()
 Stress far_away()
 {
     const Values metres = {1e2, 1e3, 1e4, 1e5, 1e6};
-    return {"far away", "a column of 5 between walls and off the origin by this much in x and y; also compared with the origin",
-            with_units(metres, "m"), [metres](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+    return {"far away",
+            "a column of 5 between walls and off the origin by this much in x and y; also compared with the "
+            "origin",
+            with_units(metres, "m"),
+            [metres](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
                 DiscScene near = held_column(5, 10);
                 for (Index k = 0; k < 5; ++k) near.bodies.position(k).y() += 0.5;  // it falls first
                 perturb(near, seed);
@@ -227,7 +234,8 @@ Stress far_away()
                 // to a millimetre a second: a millionth of a metre lies between two numbers at 1e6 m / 1e-10.
                 const Step here = method.start({}), there = method.start({});
                 for (int n = 0; n < 18; ++n) here(near, task.h), there(far, task.h);
-                return (near.bodies.u - far.bodies.u).cwiseAbs().maxCoeff() < 1e-3 ? score : std::min(score, failed);
+                return (near.bodies.u - far.bodies.u).cwiseAbs().maxCoeff() < 1e-3 ? score
+                                                                                   : std::min(score, failed);
             }};
 }
 
@@ -237,7 +245,8 @@ Stress small_mass()
     return {"vanishing mass", "the third of five discs in a column between walls has this mass, two seconds",
             with_units(mass, "kg"), [mass](const Method& method, int level, std::uint64_t seed) {
                 DiscScene scene = held_column(5);
-                scene.bodies.inverse_mass.segment<2>(4).setConstant(1 / mass[static_cast<std::size_t>(level)]);
+                scene.bodies.inverse_mass.segment<2>(4).setConstant(1 /
+                                                                    mass[static_cast<std::size_t>(level)]);
                 return run(method, {}, scene, standing(), seed);
             }};
 }
@@ -245,8 +254,10 @@ Stress small_mass()
 Stress coincident()
 {
     const Values N = {2, 3, 4, 6, 8};
-    return {"coincident", "N discs in one point of a box without gravity: they are to part within two seconds",
-            with_units(N, "discs"), [N](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+    return {"coincident",
+            "N discs in one point of a box without gravity: they are to part within two seconds",
+            with_units(N, "discs"),
+            [N](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
                 const auto count = static_cast<Index>(N[static_cast<std::size_t>(level)]);
                 DiscScene scene;
                 scene.bodies = Bodies<2>(count);
@@ -265,24 +276,34 @@ Stress coincident()
 /// Every number of a scene and of a step that a caller sets, in five groups.
 Stress bad_input()
 {
-    return {"bad input", "one number of the scene or the step is NaN or infinite: it is to be refused",
+    return {"bad input",
+            "one number of the scene or the step is NaN or infinite: it is to be refused",
             {"positions, velocities", "masses, radii", "walls", "links", "gravity, h"},
             [](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
                 DiscScene scene = ten_discs();
                 Real h = 1.0 / 60;
                 Random random(seed);
-                const Real bad = std::array{std::nan(""), infinity, -infinity}[static_cast<std::size_t>(seed % 3)];
+                const Real bad =
+                    std::array{std::nan(""), infinity, -infinity}[static_cast<std::size_t>(seed % 3)];
                 const auto one_of = [&random](VecX& v) -> Real& { return v[random.index(v.size())]; };
                 const bool first = random.uniform() < 0.5;
                 HalfSpace& wall = scene.walls[static_cast<std::size_t>(random.index(4))];
                 switch (level) {
-                case 0: (first ? one_of(scene.bodies.x) : one_of(scene.bodies.u)) = bad; break;
-                case 1: (first ? one_of(scene.bodies.inverse_mass) : one_of(scene.radius)) = bad; break;
-                case 2: (first ? wall.normal.x() : wall.offset) = bad; break;
+                case 0:
+                    (first ? one_of(scene.bodies.x) : one_of(scene.bodies.u)) = bad;
+                    break;
+                case 1:
+                    (first ? one_of(scene.bodies.inverse_mass) : one_of(scene.radius)) = bad;
+                    break;
+                case 2:
+                    (first ? wall.normal.x() : wall.offset) = bad;
+                    break;
                 case 3:
                     (first ? scene.links[0].length : scene.bends[0].length) = bad;
                     break;
-                default: (first ? scene.gravity.x() : h) = bad; break;
+                default:
+                    (first ? scene.gravity.x() : h) = bad;
+                    break;
                 }
                 try {
                     method.start({})(scene, h);
@@ -298,8 +319,8 @@ Stress bad_input()
 Stress long_run()
 {
     const Values steps = {1e2, 1e3, 1e4, 1e5, 1e6};
-    Stress stress{"long run", "a column of 5 between walls stands for so many steps at 60 Hz", with_units(steps, "steps"),
-                  [steps](const Method& method, int level, std::uint64_t seed) {
+    Stress stress{"long run", "a column of 5 between walls stands for so many steps at 60 Hz",
+                  with_units(steps, "steps"), [steps](const Method& method, int level, std::uint64_t seed) {
                       Task task = standing();
                       task.steps = std::lround(steps[static_cast<std::size_t>(level)]);
                       return run(method, {}, held_column(5), task, seed);
@@ -312,9 +333,9 @@ Stress long_run()
 
 std::vector<Stress> stresses()
 {
-    return {heavy_top(), heavy_bottom(), tall_column(), long_chain(),  loaded_chain(), time_step(),  beta(),
-            restitution(), redundant(),  conflicting(), far_away(),    small_mass(),   coincident(), bad_input(),
-            long_run()};
+    return {heavy_top(), heavy_bottom(), tall_column(), long_chain(), loaded_chain(),
+            time_step(), beta(),         restitution(), redundant(),  conflicting(),
+            far_away(),  small_mass(),   coincident(),  bad_input(),  long_run()};
 }
 
 }  // namespace rigid::stress
