@@ -123,7 +123,7 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys, const V
         if (old.unseen >= cache.keep) continue;
         while (i < rows && today[i].key < old.key) ++i;
         if (i == rows || today[i].key != old.key)
-            today.push_back({old.key, old.unseen + 1, old.lambda * h / cache.h});
+            today.push_back({old.key, old.unseen + 1, h / cache.h * old.lambda});
     }
     if (today.size() > rows) std::sort(today.begin(), today.end(), ascending);
 
