@@ -1,7 +1,7 @@
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/05_lemke/lemke.hpp"
-#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "chapters/08_warm_starting/warm_step.hpp"
 #include "tests/stress/method.hpp"
 
 #include <memory>
@@ -105,6 +105,28 @@ Method stabilized(const std::string& name, Stabilizer stabilizer, int sweeps, in
     return method;
 }
 
+Method warm(const std::string& name, Stabilizer stabilizer, int sweeps, int repaying, int substeps)
+{
+    Method method = stabilized(name, stabilizer, sweeps, repaying, substeps);
+    method.chapter = 8;
+    method.start = [=](const Wish& wish) {
+        const auto now = std::make_shared<WarmStep>();
+        return checked([=](DiscScene& scene, Real h) {
+            WarmStepSettings settings;
+            settings.h = h;
+            settings.gravity = scene.gravity;
+            settings.sweeps.max_sweeps = sweeps;
+            settings.stabilizer.method = stabilizer;
+            if (wish.beta >= 0) settings.stabilizer.beta = wish.beta;
+            settings.stabilizer.repaying_sweeps = repaying;
+            settings.substeps = substeps;
+            settings.warm = true;
+            warm_step(scene, settings, *now);
+        });
+    };
+    return method;
+}
+
 }  // namespace
 
 std::vector<Method> methods()
@@ -120,7 +142,14 @@ std::vector<Method> methods()
             stabilized("relaxation", Stabilizer::relaxation, 6, 4, 1),
             stabilized("split_impulse", Stabilizer::split_impulse, 5, 5, 1),
             stabilized("projection", Stabilizer::projection, 5, 5, 1),
-            stabilized("substeps", Stabilizer::baumgarte, 1, 0, 10)};
+            stabilized("substeps", Stabilizer::baumgarte, 1, 0, 10),
+            warm("warm baumgarte", Stabilizer::baumgarte, 10, 0, 1),
+            warm("warm relaxation", Stabilizer::relaxation, 6, 4, 1),
+            warm("warm split_impulse", Stabilizer::split_impulse, 5, 5, 1),
+            warm("warm projection", Stabilizer::projection, 5, 5, 1),
+            warm("warm substeps", Stabilizer::baumgarte, 1, 0, 10),
+            warm("warm relaxed substeps", Stabilizer::relaxation, 1, 1, 5),
+            warm("warm projected substeps", Stabilizer::projection, 1, 1, 16)};
 }
 
 }  // namespace rigid::stress
