@@ -34,7 +34,7 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, std:
             const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
             const Constraint<Dof> c = evaluate(i, x);
             const Real distance = h * baumgarte_bias(c.C, i < links, settings, h);  // β C, bounded
-            if (distance == 0) continue;
+            if (std::abs(distance) <= h * settings.tolerance) continue;
             const Row<Dof> row = bilateral(c, inverse_mass);
             const Real A = row.compliance();
             if (!(A > 0)) continue;

@@ -30,7 +30,7 @@ struct StabilizedStepSettings {
     ImpulseSettings sweeps;     ///< of each substep
     StabilizerSettings stabilizer;
     int substeps = 1;
-    bool warm = false;  ///< later substeps start from the λ of the one before; else from zero
+    Real carry = 0;  ///< part of λ that the next substep starts from, 0 … 1; see (7.16)
 };
 
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
@@ -80,6 +80,9 @@ inline void find_step_contacts(const DiscScene& scene, const StabilizedStepSetti
     if (settings.substeps < 1)
         throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +
                                     "; it must be 1 or more");
+    if (!(settings.carry >= 0 && settings.carry <= 1))
+        throw std::invalid_argument("carry is " + std::to_string(settings.carry) +
+                                    "; it must be from 0 to 1");
     find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
     now.x_found = scene.bodies.x;
     now.solution.lambda.setZero(static_cast<Index>(scene.links.size() + now.contacts.size()));
@@ -143,7 +146,7 @@ inline void advance(DiscScene& scene, const StabilizedStepSettings& settings, St
 {
     const Real h = settings.h / settings.substeps;
     for (int k = 0; k < settings.substeps; ++k) {
-        if (k > 0 && !settings.warm) now.solution.lambda.setZero();
+        if (k > 0) now.solution.lambda *= settings.carry;
         substep(scene, settings, h, now);
     }
 }
