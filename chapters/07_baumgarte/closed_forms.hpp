@@ -54,7 +54,7 @@ inline MatX power(const MatX& G, int exponent)
 /// \param sweeps  from the first row to the last
 /// \param beta    Baumgarte's
 /// \param h       time step [s]
-/// \param carry   part of λ that the next step starts from, (7.18); 0 = cold
+/// \param carry   part of λ that the next step starts from, (7.21); 0 = cold
 inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h, Real carry = 0)
 {
     const MatX G = power(gauss_seidel_matrix(A), sweeps), one = MatX::Identity(A.rows(), A.cols());
@@ -62,7 +62,7 @@ inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h
 }
 //! [sag]
 
-/// (7.17): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
+/// (7.18): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
 inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int repaying_sweeps, Real beta, Real h)
 {
     const MatX one = MatX::Identity(A.rows(), A.cols());

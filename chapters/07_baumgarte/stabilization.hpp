@@ -30,7 +30,7 @@ struct StabilizerSettings {
     Real bilateral_slop = 0;   ///< the same for a bilateral row, to both sides [m]
     Real fastest = infinity;   ///< an error is repaid at this speed at most [m/s]
     int repaying_sweeps = 10;  ///< at most, for relaxation, pseudo-velocities, projection
-    Real tolerance = 0;        ///< these sweeps end when none of them changes a row by more than this [m/s]
+    Real tolerance = 1e-9;     ///< these sweeps end when none of them changes a row by more than this [m/s]
 };
 
 constexpr std::string_view to_string(Stabilizer method)

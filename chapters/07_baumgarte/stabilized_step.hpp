@@ -30,7 +30,7 @@ struct StabilizedStepSettings {
     ImpulseSettings sweeps;     ///< of each substep
     StabilizerSettings stabilizer;
     int substeps = 1;
-    Real carry = 0;  ///< part of λ that the next substep starts from, 0 … 1; see (7.16)
+    Real carry = 0;  ///< part of λ that the next substep starts from, 0 … 1; see (7.21)
 };
 
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
@@ -44,6 +44,7 @@ struct StabilizedStep {
     std::vector<int> order;  ///< of the visits; empty = as they are
     ImpulseMemory<2> memory;
     VecX v;                   ///< pseudo-velocities of split_impulse [m/s]
+    std::vector<Real> goal;   ///< of projection [m]
     Solution solution;        ///< λ [N s] of the last substep; find_step_contacts() sets it to zero
     std::int64_t visits = 0;  ///< rows visited in this step, whatever for
 };
@@ -135,7 +136,7 @@ inline void substep(DiscScene& scene, const StabilizedStepSettings& settings, Re
         break;
     case Stabilizer::projection:
         now.visits += project_positions<2>(constraint_at, count, now.order, links, bodies.inverse_mass,
-                                           stabilizer, h, bodies.x);
+                                           stabilizer, h, now.goal, bodies.x);
         break;
     }
 }
