@@ -29,7 +29,8 @@ struct StabilizerSettings {
     Real slop = 0;             ///< an overlap of up to this much is left alone [m]
     Real bilateral_slop = 0;   ///< the same for a bilateral row, to both sides [m]
     Real fastest = infinity;   ///< an error is repaid at this speed at most [m/s]
-    int repaying_sweeps = 10;  ///< over the rows for relaxation, pseudo-velocities, projection
+    int repaying_sweeps = 10;  ///< at most, for relaxation, pseudo-velocities, projection
+    Real tolerance = 1e-9;     ///< these sweeps end when none of them changes a row by more than this [m/s]
 };
 
 constexpr std::string_view to_string(Stabilizer method)
@@ -62,6 +63,7 @@ inline void require_valid(const StabilizerSettings& settings)
     at_least_zero(settings.slop, "slop", true);
     at_least_zero(settings.bilateral_slop, "bilateral_slop", true);
     at_least_zero(settings.fastest, "fastest", false);
+    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps", false);
     if (settings.repaying_sweeps < 0)
         throw std::invalid_argument("repaying_sweeps is " + std::to_string(settings.repaying_sweeps) +
                                     "; it must be zero or positive");
@@ -118,13 +120,21 @@ Real predicted(const SolverRow<Dof>& row, Real C, const VecX& u, Real h)
     return C + h * (row.Ja.dot(u.template segment<Dof>(row.a)) + row.Jb.dot(u.template segment<Dof>(row.b)));
 }
 
-/// The sweeps go on over rows that are prepared, from their present λ and u.
+/// The sweeps go on over rows that are prepared, from their present λ and u, until one of them changes no row by
+/// more than the tolerance.
 /// \return  rows visited
 template <int Dof>
-std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, int sweeps, VecX& u)
+std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, const StabilizerSettings& settings, VecX& u)
 {
-    for (int k = 0; k < sweeps; ++k)
-        for (SolverRow<Dof>& row : rows) visit(row, u);
+    int sweeps = 0;
+    Real change = infinity;  // of a row's velocity [m/s]
+    for (; sweeps < settings.repaying_sweeps && change > settings.tolerance; ++sweeps) {
+        change = 0;
+        for (SolverRow<Dof>& row : rows) {
+            const Real delta = std::abs(visit(row, u));
+            if (delta > settings.tolerance * row.mass) change = std::max(change, delta / row.mass);
+        }
+    }
     return static_cast<std::int64_t>(rows.size()) * sweeps;
 }
 
@@ -143,7 +153,7 @@ std::int64_t relax(std::span<const Constraint<Dof>> constraints, std::span<const
         const Real C = i < links ? 0 : predicted(row, constraints[i].C, memory.u, h);
         row.bias = std::max(Real{0}, C) / h;
     }
-    return sweep_on(memory.rows, settings.repaying_sweeps, memory.u);
+    return sweep_on(memory.rows, settings, memory.u);
 }
 
 /// Pseudo-velocities v that repay the part β of the error that the step will leave, C' = C + h J u. They are
@@ -164,7 +174,7 @@ std::int64_t split_impulse(std::span<const Constraint<Dof>> constraints, std::sp
         row.lambda = 0;
     }
     v.setZero(memory.u.size());
-    return sweep_on(memory.rows, settings.repaying_sweeps, v);
+    return sweep_on(memory.rows, settings, v);
 }
 
 }  // namespace rigid

@@ -30,7 +30,7 @@ struct StabilizedStepSettings {
     ImpulseSettings sweeps;     ///< of each substep
     StabilizerSettings stabilizer;
     int substeps = 1;
-    bool warm = false;  ///< later substeps start from the λ of the one before; else from zero
+    Real carry = 0;  ///< part of λ that the next substep starts from, 0 … 1; see (7.21)
 };
 
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
@@ -44,6 +44,7 @@ struct StabilizedStep {
     std::vector<int> order;  ///< of the visits; empty = as they are
     ImpulseMemory<2> memory;
     VecX v;                   ///< pseudo-velocities of split_impulse [m/s]
+    std::vector<Real> goal;   ///< of projection [m]
     Solution solution;        ///< λ [N s] of the last substep; find_step_contacts() sets it to zero
     std::int64_t visits = 0;  ///< rows visited in this step, whatever for
 };
@@ -80,6 +81,9 @@ inline void find_step_contacts(const DiscScene& scene, const StabilizedStepSetti
     if (settings.substeps < 1)
         throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +
                                     "; it must be 1 or more");
+    if (!(settings.carry >= 0 && settings.carry <= 1))
+        throw std::invalid_argument("carry is " + std::to_string(settings.carry) +
+                                    "; it must be from 0 to 1");
     find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
     now.x_found = scene.bodies.x;
     now.solution.lambda.setZero(static_cast<Index>(scene.links.size() + now.contacts.size()));
@@ -132,7 +136,7 @@ inline void substep(DiscScene& scene, const StabilizedStepSettings& settings, Re
         break;
     case Stabilizer::projection:
         now.visits += project_positions<2>(constraint_at, count, now.order, links, bodies.inverse_mass,
-                                           stabilizer, h, bodies.x);
+                                           stabilizer, h, now.goal, bodies.x);
         break;
     }
 }
@@ -143,7 +147,7 @@ inline void advance(DiscScene& scene, const StabilizedStepSettings& settings, St
 {
     const Real h = settings.h / settings.substeps;
     for (int k = 0; k < settings.substeps; ++k) {
-        if (k > 0 && !settings.warm) now.solution.lambda.setZero();
+        if (k > 0) now.solution.lambda *= settings.carry;
         substep(scene, settings, h, now);
     }
 }
