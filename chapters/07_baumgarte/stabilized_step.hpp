@@ -91,11 +91,11 @@ inline void find_step_contacts(const DiscScene& scene, const StabilizedStepSetti
 }
 
 //! [substep]
-/// One small step h with the contacts that were found. The sweeps start from now.solution.lambda.
-inline void substep(DiscScene& scene, const StabilizedStepSettings& settings, Real h, StabilizedStep& now)
+/// The first half of one small step h with the contacts that were found: u*, C and J, and the rows.
+inline void substep_rows(DiscScene& scene, const StabilizedStepSettings& settings, Real h,
+                         StabilizedStep& now)
 {
     Bodies<2>& bodies = scene.bodies;
-    const StabilizerSettings& stabilizer = settings.stabilizer;
     const std::size_t links = scene.links.size(), count = links + now.contacts.size();
     const DiscConstraintAt constraint_at{scene, now};
 
@@ -109,8 +109,19 @@ inline void substep(DiscScene& scene, const StabilizedStepSettings& settings, Re
     // C and J where the bodies are now, and what b makes of C.
     now.constraints.resize(count);
     for (std::size_t i = 0; i < count; ++i) now.constraints[i] = constraint_at(i, bodies.x);
+    stabilized_rows(std::span<const Constraint<2>>(now.constraints), links, bodies.inverse_mass,
+                    settings.stabilizer, h, now.rows);
+}
+
+/// The second half: the sweeps start from now.solution.lambda, and the bodies move.
+inline void substep_solve(DiscScene& scene, const StabilizedStepSettings& settings, Real h,
+                          StabilizedStep& now)
+{
+    Bodies<2>& bodies = scene.bodies;
+    const StabilizerSettings& stabilizer = settings.stabilizer;
+    const std::size_t links = scene.links.size(), count = now.rows.size();
     const std::span<const Constraint<2>> constraints(now.constraints);
-    stabilized_rows(constraints, links, bodies.inverse_mass, stabilizer, h, now.rows);
+    const DiscConstraintAt constraint_at{scene, now};
 
     // λ by sweeps, and the new velocity.
     bodies.u = now.u_star;
@@ -148,7 +159,8 @@ inline void advance(DiscScene& scene, const StabilizedStepSettings& settings, St
     const Real h = settings.h / settings.substeps;
     for (int k = 0; k < settings.substeps; ++k) {
         if (k > 0) now.solution.lambda *= settings.carry;
-        substep(scene, settings, h, now);
+        substep_rows(scene, settings, h, now);
+        substep_solve(scene, settings, h, now);
     }
 }
 
