@@ -17,7 +17,14 @@ int forbidden_allocations = 0;
         }                                                                                                    \
     } while (false)
 
-#include "chapters/08_warm_starting/impulse_cache.hpp"
+#include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/ten_disc_scene.hpp"
+#include "chapters/04_pgs/rates.hpp"
+#include "chapters/07_baumgarte/closed_forms.hpp"
+#include "chapters/08_warm_starting/memory_rates.hpp"
+#include "chapters/08_warm_starting/warm_step.hpp"
+#include "common/measure.hpp"
+#include "common/program/scripted_pointer.hpp"
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
@@ -103,6 +110,72 @@ void shuffle(std::vector<ImpulseKey>& keys, Random& random)
     for (std::size_t i = keys.size(); i > 1; --i)
         std::swap(keys[i - 1], keys[static_cast<std::size_t>(random.index(static_cast<Index>(i)))]);
 }
+
+constexpr Start all_starts[] = {Start::cold, Start::yesterday, Start::best_multiple};
+constexpr Stabilizer all_stabilizers[] = {Stabilizer::none, Stabilizer::baumgarte, Stabilizer::relaxation,
+                                          Stabilizer::split_impulse, Stabilizer::projection};
+constexpr Order all_orders[] = {Order::given, Order::alternating, Order::shuffled, Order::coloured};
+
+/// Ten sweeps at most, fewer where 1e-6 m/s is reached.
+WarmStepSettings settings_for(Start start, Stabilizer method = Stabilizer::none, int sweeps = 10)
+{
+    WarmStepSettings settings;
+    settings.start = start;
+    settings.sweeps.max_sweeps = sweeps;
+    settings.sweeps.tolerance = 1e-6;
+    settings.stabilizer.method = method;
+    return settings;
+}
+
+/// A chain whose links alone act, hanging straight: all rows are bilateral, so that every step is linear.
+DiscScene still_chain(Index count)
+{
+    DiscScene scene = hanging_chain(count);
+    scene.linked.assign(scene.linked.size(), true);
+    return scene;
+}
+
+MatX matrix_of(const std::vector<Row<2>>& rows, const VecX& u)
+{
+    AssemblyScratch scratch;
+    Mlcp mlcp;
+    assemble(rows, u, scratch, mlcp);
+    return MatX(mlcp.A);
+}
+
+/// φ(λ) = ½ λᵀAλ + qᵀλ.
+Real merit(const std::vector<Row<2>>& rows, const VecX& u_star, const VecX& lambda)
+{
+    AssemblyScratch scratch;
+    Mlcp mlcp;
+    assemble(rows, u_star, scratch, mlcp);
+    return 0.5 * lambda.dot(mlcp.A * lambda) + mlcp.q.dot(lambda);
+}
+
+/// The ten discs as chapter 4's program runs them without a window, every step to 1e-6 m/s.
+struct TenDiscs {
+    DiscScene scene = ten_discs();
+    View view{{0, 0.03}, {0.8, 0.58}};
+    ScriptedPointer pointer;
+    WarmStepSettings settings;
+    WarmStep now;
+    int steps = 0;
+
+    explicit TenDiscs(Start start, std::uint64_t seed = 1) : pointer(seed, view)
+    {
+        settings.start = start;
+        settings.h = ten_discs_h;
+        settings.stiffness = settings.damping = 1;
+        settings.sweeps.tolerance = 1e-6;
+        settings.sweeps.max_sweeps = 2000;
+        settings.stabilizer.beta = 1;  // the bias of chapters 3 and 4
+    }
+    void step()
+    {
+        settings.gravity = steered_gravity({pointer.at(settings.h * steps++), true, false}, view, 9.81);
+        warm_step(scene, settings, now);
+    }
+};
 
 }  // namespace
 
@@ -244,4 +317,278 @@ TEST_CASE("the cache asks for no memory once it has seen so many rows")
         shuffle(keys, random);
     }
     CHECK(NoAllocation::violations() == 0);
+}
+
+// ---- discrete identities -----------------------------------------------------------------------------------
+
+TEST_CASE("two discs in a column by hand: from zero one digit costs three sweeps and from yesterday none")
+{
+    // The example of the text in units of mgh: answer (2, 1) for floor and upper contact.
+    DiscScene scene = column(2);
+    WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::none, 60);
+    settings.sweeps.tolerance = 1e-13;
+    WarmStep now;
+    warm_step(scene, settings, now);
+    const Real mgh = 9.81 / 60;
+    CHECK(now.solution.lambda[0] == Approx(mgh).epsilon(1e-11));      // the pair comes first
+    CHECK(now.solution.lambda[1] == Approx(2 * mgh).epsilon(1e-11));  // the floor
+    CHECK(now.solution.iterations > 30);
+    warm_step(scene, settings, now);
+    CHECK(now.solution.iterations == 1);
+}
+
+TEST_CASE("the error of a step that starts from yesterday follows (8.6) and that of a cold one (8.5)")
+{
+    for (const Real share : {0.0, 0.6, 1.0}) {
+        const int k = 3;
+        DiscScene scene = still_chain(6);
+        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::none, k);
+        settings.sweeps.tolerance = 0;
+        settings.share = share;
+        WarmStep now;
+        VecX e, before = VecX::Zero(6), exact;  // e of this step and of the one before
+        MatX Gk;
+        VecX rest;
+        for (int n = 0; n < 40; ++n) {
+            warm_step(scene, settings, now);
+            const MatX A = matrix_of(now.rows, now.u_star);
+            VecX q(6);
+            for (Index i = 0; i < 6; ++i) q[i] = now.rows[static_cast<std::size_t>(i)].velocity(now.u_star);
+            exact = A.partialPivLu().solve(-q);
+            const VecX error = now.solution.lambda - exact;
+            if (n == 0) {
+                rest = exact;
+                Gk = power(gauss_seidel_matrix(A), k);
+                e = error;
+                CHECK((e + Gk * rest).norm() <= 1e-12 * rest.norm());
+                continue;
+            }
+            // e' = Gᵏ (e + σ (e − e_before) − (1 − σ) λ*), for σ = 1 and 0 (8.6) and (8.5).
+            const VecX predicted = Gk * (e + share * (e - before) - (1 - share) * rest);
+            // λ of 6 N s and sums of some twenty terms each step.
+            REQUIRE((error - predicted).norm() <= 1e-12 * rest.norm());
+            before = e;
+            e = error;
+        }
+    }
+}
+
+TEST_CASE("a cold chain stretches in each step by what a warm one does in its whole life as in (8.8)")
+{
+    for (const int k : {2, 5, 10}) {
+        DiscScene warm = still_chain(8), cold = still_chain(8);
+        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::none, k);
+        settings.sweeps.tolerance = 0;
+        WarmStepSettings from_zero = settings;
+        from_zero.start = Start::cold;
+        WarmStep warm_now, cold_now;
+        for (int n = 0; n < 3000; ++n) warm_step(warm, settings, warm_now);
+        VecX before;
+        for (int n = 0; n < 3000; ++n) {
+            before = cold.bodies.x;
+            warm_step(cold, from_zero, cold_now);
+        }
+        const MatX A = matrix_of(warm_now.rows, warm_now.u_star);
+        VecX exact(8);
+        for (Index i = 0; i < 8; ++i) exact[i] = -static_cast<Real>(8 - i) * 9.81 * settings.h;
+        const VecX predicted = sag(A, exact, k, 1, settings.h);  // (7.12) with β = 1 is (8.8)
+        for (Index i = 0; i < 8; ++i) {
+            const Real warm_stretch = warm_now.constraints[static_cast<std::size_t>(i)].C;
+            const Real cold_stretch = (cold.bodies.position(i) - before.segment<2>(2 * i)).y() -
+                                      (cold.bodies.position(i + 1) - before.segment<2>(2 * i + 2)).y();
+            // Positions of some ten metres after 3000 steps, and (1 − G)⁻¹ of 26 at most.
+            CHECK(warm_stretch == Approx(predicted[i]).margin(1e-11));
+            CHECK(cold_stretch == Approx(predicted[i]).margin(1e-10));
+        }
+    }
+}
+
+TEST_CASE("what impulses do to the kinetic energy is the merit less what the biases account for as in (8.13)")
+{
+    Random random(13);
+    for (int sample = 0; sample < 100; ++sample) {
+        DiscScene scene = triangle(4);
+        for (Index i = 0; i < scene.bodies.x.size(); ++i) {
+            scene.bodies.x[i] += random.uniform(-0.01, 0.01);
+            scene.bodies.u[i] = random.normal();
+        }
+        WarmStepSettings settings = settings_for(Start::cold, Stabilizer::baumgarte, 1);
+        WarmStep now;
+        find_step_contacts(scene, settings, now);
+        substep_rows(scene, settings, settings.h, now);
+        VecX lambda(static_cast<Index>(now.rows.size())), u = now.u_star;
+        Real repaid = 0;
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+            lambda[static_cast<Index>(i)] = random.uniform(0, 3);
+            now.rows[i].apply(lambda[static_cast<Index>(i)], u);
+            repaid += now.rows[i].bias * lambda[static_cast<Index>(i)];
+        }
+        Bodies<2> after = scene.bodies, before = scene.bodies;
+        after.u = u;
+        before.u = now.u_star;
+        // Energies of some hundred joules.
+        CHECK(kinetic_energy(after) - kinetic_energy(before) ==
+              Approx(merit(now.rows, now.u_star, lambda) - repaid).margin(1e-12 * 1e3));
+    }
+}
+
+// ---- the best multiple -------------------------------------------------------------------------------------
+
+TEST_CASE("no other multiple of yesterday's impulses lowers the merit more")
+{
+    Random random(14);
+    BodyGroups groups;
+    MultipleScratch scratch;
+    for (int sample = 0; sample < 100; ++sample) {
+        DiscScene scene = triangle(3);
+        for (Index i = 0; i < scene.bodies.u.size(); ++i) scene.bodies.u[i] = random.normal();
+        WarmStepSettings settings;
+        WarmStep now;
+        find_step_contacts(scene, settings, now);
+        substep_rows(scene, settings, settings.h, now);
+        VecX lambda(static_cast<Index>(now.rows.size()));
+        for (Index i = 0; i < lambda.size(); ++i) lambda[i] = random.uniform(0, 2);
+        VecX best = lambda;
+        find_groups<2>(now.rows, scene.bodies.inverse_mass, groups);
+        best_multiple<2>(now.rows, scene.bodies.inverse_mass, now.u_star, groups, scratch, best);
+        const Real least = merit(now.rows, now.u_star, best);
+        CHECK(least <= 0);
+        for (Real s = 0; s <= 3; s += 0.01)
+            REQUIRE(least <= merit(now.rows, now.u_star, s * lambda) + 1e-12);  // merits of some joules
+    }
+}
+
+TEST_CASE(
+    "the best multiple is 1 when nothing has changed and 102 in 10202 when 100 kg are taken off two discs")
+{
+    for (const bool taken : {false, true}) {
+        DiscScene scene = column(3, 100);
+        WarmStepSettings settings = settings_for(Start::best_multiple, Stabilizer::none, 100000);
+        settings.sweeps.tolerance = 1e-13;
+        WarmStep now;
+        warm_step(scene, settings, now);
+        if (taken) {
+            DiscScene two = column(2);
+            two.bodies.x = scene.bodies.x.head(4);
+            two.bodies.u = scene.bodies.u.head(4);
+            scene = two;
+        }
+        warm_step(scene, settings, now);
+        // (8.15): qᵀλ over what it was. 1e-13 m/s of 16 left over.
+        CHECK(now.multiple.multiple[0] == Approx(taken ? 102.0 / 10202 : 1).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("two heaps that do not touch have each its own multiple and step as if alone to the bit")
+{
+    const auto heaps = [](bool first, bool second) {
+        DiscScene scene;
+        const DiscScene one = column(4);
+        const Index count = (first ? 4 : 0) + (second ? 4 : 0);
+        scene.bodies = Bodies<2>(count);
+        scene.radius = VecX::Constant(count, 0.1);
+        scene.walls = one.walls;
+        for (Index k = 0; k < count; ++k) {
+            const bool left = first && k < 4;
+            scene.bodies.position(k) = one.bodies.position(k % 4) + Vec2(left ? 0 : 5, 0);
+            if (!left && k % 4 == 3) scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(0.1);
+        }
+        return scene;
+    };
+    DiscScene left = heaps(true, false), right = heaps(false, true), both = heaps(true, true);
+    WarmStepSettings settings = settings_for(Start::best_multiple, Stabilizer::projection, 3);
+    settings.sweeps.tolerance = 0;  // else both would stop when the slower is done
+    settings.stabilizer.repaying_sweeps = 0;
+    WarmStep now_left, now_right, now_both;
+    for (int k = 0; k < 100; ++k) {
+        warm_step(left, settings, now_left);
+        warm_step(right, settings, now_right);
+        warm_step(both, settings, now_both);
+        REQUIRE(both.bodies.x.head(8) == left.bodies.x);
+        REQUIRE(both.bodies.x.tail(8) == right.bodies.x);
+    }
+    CHECK(now_both.groups.of[7] == 4);
+    CHECK(now_both.groups.of[3] == 0);
+}
+
+// ---- how fast memory settles, and when it builds up ---------------------------------------------------------
+
+TEST_CASE(
+    "every mode of (8.10) shrinks exactly if the share times what sweeps leave times 1 plus beta is below 1")
+{
+    Random random(10);
+    for (int sample = 0; sample < 3000; ++sample) {
+        const Real gamma = random.uniform(), share = random.uniform(), beta = random.uniform(0.001, 1.999);
+        const Real product = share * gamma * (1 + beta);
+        if (std::abs(product - 1) < 1e-6) continue;
+        REQUIRE((step_rate(gamma, share, beta) < 1) == (product < 1));
+    }
+}
+
+TEST_CASE("a chain that starts from yesterday under Baumgarte is stable from the sweeps on that (8.11) says")
+{
+    const auto growth = [](Index N, int k, Real share, Real beta) {
+        DiscScene scene = still_chain(N);
+        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::baumgarte, k);
+        settings.sweeps.tolerance = 0;
+        settings.share = share;
+        settings.stabilizer.beta = beta;
+        WarmStep now;
+        Real middle = 0, end = 0;
+        for (int n = 0; n < 1200; ++n) {
+            warm_step(scene, settings, now);
+            const Real speed = scene.bodies.u.lpNorm<Eigen::Infinity>();
+            if (!(speed < 1e6)) return infinity;  // it has long been growing
+            if (n >= 400 && n < 600) middle = std::max(middle, speed);
+            if (n >= 1000) end = std::max(end, speed);
+        }
+        return end / middle;
+    };
+    for (const auto& [N, share, beta, wanted] : std::vector<std::tuple<Index, Real, Real, int>>{
+             {10, 1, 0.1, 4}, {10, 1, 0.2, 8}, {20, 1, 0.1, 16}, {20, 1, 0.2, 30}, {20, 0.9, 0.2, 13}}) {
+        const int least = least_stable_sweeps(line_rate(N, 1), share, beta);
+        CHECK(least == wanted);
+        CHECK(growth(N, least, share, beta) < 1);
+        CHECK(growth(N, least - 1, share, beta) > 1);
+    }
+    CHECK(least_stable_sweeps(line_rate(200, 1), 0.8, 0.2) == 0);  // 0.8 · 1.2 < 1: at any number of sweeps
+    CHECK(growth(20, 1, 0.8, 0.2) < 1);
+}
+
+TEST_CASE("with no error in the bias memory settles by the square root of what the sweeps leave as in (8.7)")
+{
+    for (const int k : {2, 5}) {
+        DiscScene scene = still_chain(10);
+        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::none, k);
+        settings.sweeps.tolerance = 0;
+        WarmStep now;
+        // The slowest mode swings: compare peaks over many swings.
+        Real early = 0, late = 0;
+        const int first = 100, last = 300, swing = 60;
+        for (int n = 0; n < last + swing; ++n) {
+            warm_step(scene, settings, now);
+            const Real speed = scene.bodies.u.lpNorm<Eigen::Infinity>();
+            if (n >= first && n < first + swing) early = std::max(early, speed);
+            if (n >= last) late = std::max(late, speed);
+        }
+        const Real measured = std::pow(late / early, 1.0 / (last - first));
+        const Real theory = step_rate(std::pow(line_rate(10, 1), k), 1, 0);
+        CHECK(theory == Approx(std::pow(line_rate(10, 1), 0.5 * k)).epsilon(1e-12));
+        CHECK(measured == Approx(theory).epsilon(2e-3));  // a peak is met to within a step of its swing
+    }
+}
+
+TEST_CASE("the stretch of a warm chain falls with the square of the step")
+{
+    std::vector<Real> stretch;
+    for (Real h = 1.0 / 30; h > 1.0 / 600; h /= 2) {
+        DiscScene scene = still_chain(6);
+        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::none, 4);
+        settings.h = h;
+        WarmStep now;
+        for (int n = 0; n < 2000; ++n) warm_step(scene, settings, now);
+        stretch.push_back(largest_link_error(scene));
+    }
+    for (std::size_t i = 1; i < stretch.size(); ++i)
+        CHECK(std::log2(stretch[i - 1] / stretch[i]) == Approx(2).margin(0.15));
 }
