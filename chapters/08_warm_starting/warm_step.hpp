@@ -55,6 +55,17 @@ struct WarmStep : StabilizedStep {
     Random random{1};  ///< for a shuffled order
 };
 
+/// Throws std::invalid_argument, naming the setting and its value, unless what this chapter adds makes sense.
+inline void require_valid(const WarmStepSettings& settings)
+{
+    if (!(settings.share >= 0 && settings.share <= 1))
+        throw std::invalid_argument("share is " + std::to_string(settings.share) +
+                                    "; it must be from 0 to 1");
+    if (settings.keep < 0)
+        throw std::invalid_argument("keep is " + std::to_string(settings.keep) +
+                                    "; it must be zero or positive");
+}
+
 /// One key for each link, then one for each contact: the order of the rows of a scene of discs.
 inline void disc_keys(std::size_t links, const std::vector<Contact>& contacts, std::vector<ImpulseKey>& keys)
 {
@@ -79,11 +90,12 @@ inline void arrange_rows(const DiscScene& scene, const WarmStepSettings& setting
 /// One time step. Depends on its arguments alone.
 inline void warm_step(DiscScene& scene, WarmStepSettings settings, WarmStep& now)
 {
-    const Real h = settings.h / settings.substeps;  // what the impulses belong to
+    require_valid(settings);
     settings.sweeps.alternate = settings.order == Order::alternating;
 
     // Contacts, under the names that yesterday knew them by; yesterday's answer is today's guess (8.4).
     find_step_contacts(scene, settings, now);
+    const Real h = settings.h / settings.substeps;  // what the impulses belong to
     disc_keys(scene.links.size(), now.contacts, now.keys);
     if (settings.start != Start::cold) load(now.cache, now.keys, h, now.solution.lambda);
 
