@@ -138,6 +138,14 @@ std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, const StabilizerSetting
     return static_cast<std::int64_t>(rows.size()) * sweeps;
 }
 
+/// The λ of rows in the order of the visits, back to their numbers.
+template <int Dof>
+void read_impulses(const ImpulseMemory<Dof>& memory, std::span<const int> order, VecX& lambda)
+{
+    for (std::size_t k = 0; k < memory.rows.size(); ++k)
+        lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
+}
+
 /// Takes back the velocity that was only there to repay: the rows go on from their λ, now with b = 0, or with
 /// what is left of a gap.
 /// \param memory  as sequential_impulse() left it; its u has Dof·(K + 1) numbers and changes
@@ -150,6 +158,8 @@ std::int64_t relax(std::span<const Constraint<Dof>> constraints, std::span<const
     for (std::size_t k = 0; k < memory.rows.size(); ++k) {
         const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
         SolverRow<Dof>& row = memory.rows[k];
+        if (i >= constraints.size()) continue;  // a machine: its speed is wanted
+        if (row.bias < velocity_bias(constraints[i].C, i < links, settings, h)) continue;  // it bounces
         const Real C = i < links ? 0 : predicted(row, constraints[i].C, memory.u, h);
         row.bias = std::max(Real{0}, C) / h;
     }
@@ -169,9 +179,13 @@ std::int64_t split_impulse(std::span<const Constraint<Dof>> constraints, std::sp
     for (std::size_t k = 0; k < memory.rows.size(); ++k) {
         const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
         SolverRow<Dof>& row = memory.rows[k];
+        row.lambda = 0;
+        if (i >= constraints.size()) {  // a machine: it has no error to repay
+            row.mass = 0;
+            continue;
+        }
         const Real C = predicted(row, constraints[i].C, memory.u, h);
         row.bias = i >= links && C > 0 ? C / h : baumgarte_bias(C, i < links, settings, h);
-        row.lambda = 0;
     }
     v.setZero(memory.u.size());
     return sweep_on(memory.rows, settings, v);
