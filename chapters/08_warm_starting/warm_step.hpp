@@ -36,23 +36,21 @@ constexpr std::string_view to_string(Start start)
     return "unknown";
 }
 
-/// What a step depends on besides the state and the cache.
+/// What a step depends on besides the state and the cache. `carry` is not used: `share` says it for all substeps.
 struct WarmStepSettings : StabilizedStepSettings {
     Start start = Start::yesterday;
-    Real share = 1;              ///< σ, of yesterday's impulses that today starts from, 0 … 1; see (8.11)
-    int keep = 0;                ///< steps that an impulse outlives its row
-    Order order = Order::given;  ///< of the visits
+    Real share = 1;  ///< σ, of yesterday's impulses that today starts from, 0 … 1; see (8.11)
+    int keep = 0;    ///< steps that an impulse outlives its row
 };
 
 /// What the step finds on its way, and what it remembers for the next one.
 struct WarmStep : StabilizedStep {
-    std::vector<ImpulseKey> keys;     ///< who the rows are
-    std::vector<ImpulseKey> grouped;  ///< who they were when `groups` and a coloured order were found
     ImpulseCache cache;
+    std::vector<ImpulseKey> keys;      ///< who the rows are
+    std::vector<ImpulseKey> arranged;  ///< who they were when `order` and `groups` were found
+    Start started = Start::cold;       ///< how the last step started
     BodyGroups groups;
     MultipleScratch multiple;
-    Colouring colouring;
-    Random random{1};  ///< for a shuffled order
 };
 
 /// Throws std::invalid_argument, naming the setting and its value, unless what this chapter adds makes sense.
@@ -66,55 +64,56 @@ inline void require_valid(const WarmStepSettings& settings)
                                     "; it must be zero or positive");
 }
 
-/// One key for each link, then one for each contact: the order of the rows of a scene of discs.
-inline void disc_keys(std::size_t links, const std::vector<Contact>& contacts, std::vector<ImpulseKey>& keys)
+/// Who the rows of a scene of discs are, in their order: links, contacts, machines.
+inline void disc_keys(std::size_t links, const std::vector<Contact>& contacts, std::size_t machines,
+                      std::vector<ImpulseKey>& keys)
 {
     keys.clear();
     for (std::size_t i = 0; i < links; ++i) keys.push_back(joint_key(i));
     for (const Contact& contact : contacts) keys.push_back(contact_key(contact));
+    for (std::size_t i = 0; i < machines; ++i) keys.push_back(machine_key(i));
 }
 
-/// What depends on who the rows are, and on nothing else: done anew only when one has come or gone.
-inline void arrange_rows(const DiscScene& scene, const WarmStepSettings& settings, WarmStep& now)
+//! [start]
+/// Where the sweeps of this substep start: now.solution.lambda is what was remembered, and becomes the guess.
+inline void choose_start(const Bodies<2>& bodies, const WarmStepSettings& settings, bool same_rows,
+                         WarmStep& now)
 {
-    const Bodies<2>& bodies = scene.bodies;
-    const bool same_rows = now.keys == now.grouped;
-    if (settings.order != Order::coloured || !same_rows || now.order.size() != now.rows.size())
-        order_rows(now.rows, bodies.count(), settings.order, now.random, now.colouring, now.order);
-    if (settings.start == Start::best_multiple && (!same_rows || now.groups.of_row.size() != now.rows.size()))
-        find_groups<2>(now.rows, bodies.inverse_mass, now.groups);
-    now.grouped = now.keys;
+    VecX& lambda = now.solution.lambda;
+    lambda *= settings.start == Start::cold ? 0 : settings.share;
+    if (settings.start != Start::best_multiple) return;
+    if (!same_rows) find_groups<2>(now.rows, bodies.inverse_mass, now.groups);
+    best_multiple<2>(now.rows, bodies.inverse_mass, now.u_star, now.groups, now.multiple, lambda);
+    now.visits += static_cast<std::int64_t>(now.rows.size());
 }
+//! [start]
 
 //! [step]
 /// One time step. Depends on its arguments alone.
-inline void warm_step(DiscScene& scene, WarmStepSettings settings, WarmStep& now)
+inline void warm_step(DiscScene& scene, const WarmStepSettings& settings, WarmStep& now)
 {
     require_valid(settings);
-    settings.sweeps.alternate = settings.order == Order::alternating;
-
-    // Contacts, under the names that yesterday knew them by; yesterday's answer is today's guess (8.4).
     find_step_contacts(scene, settings, now);
-    const Real h = settings.h / settings.substeps;  // what the impulses belong to
-    disc_keys(scene.links.size(), now.contacts, now.keys);
+    const Real h = settings.h / settings.substeps;
+
+    // Who is who; the order and the groups stay while the rows are those of yesterday.
+    disc_keys(scene.links.size(), now.contacts, now.machines.size(), now.keys);
+    const bool same_rows = now.keys == now.arranged && now.started == settings.start;
+    now.ordered = same_rows && settings.order == Order::coloured && now.order.size() == now.keys.size();
+
+    // Yesterday's answer is today's guess (8.4).
     if (settings.start != Start::cold) load(now.cache, now.keys, h, now.solution.lambda);
 
     for (int k = 0; k < settings.substeps; ++k) {
         substep_rows(scene, settings, h, now);
-        if (k == 0) arrange_rows(scene, settings, now);
-
-        now.solution.lambda *= settings.start == Start::cold ? 0 : settings.share;
-        if (settings.start == Start::best_multiple) {
-            best_multiple<2>(now.rows, scene.bodies.inverse_mass, now.u_star, now.groups, now.multiple,
-                             now.solution.lambda);
-            now.visits += static_cast<std::int64_t>(now.rows.size());
-        }
-
-        substep_solve(scene, settings, h, now);  // chapter 7, word for word
+        choose_start(scene.bodies, settings, same_rows || k > 0, now);
+        substep_solve(scene, settings, h, k + 1 == settings.substeps, now);  // chapter 7, word for word
     }
 
     now.cache.keep = settings.keep;
     store(now.cache, now.keys, now.solution.lambda, h);
+    now.arranged = now.keys;
+    now.started = settings.start;
 }
 //! [step]
 
