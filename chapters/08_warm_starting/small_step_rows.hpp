@@ -4,12 +4,12 @@
 /// Most steps have the rows of the step before. Then there is next to nothing to do.
 #pragma once
 
+#include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "common/scenes.hpp"
 
-#include <array>
-#include <bit>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,7 +27,7 @@ struct SmallStepSettings {
     bool coloured = true;         ///< neighbours in the order of the visits share no body
     /// What repays the error after the last substep: β, slops, fastest and the number of sweeps are read. An overlap
     /// of half a millimetre is left alone: moving discs that nearly balance topples them.
-    StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1};
+    StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
 };
 
 /// What stays from step to step. All memory is kept.
@@ -39,12 +39,12 @@ struct SmallStep {
     std::vector<SolverRow<2>>
         rows;                ///< in the order of the visits; a wall's row has its own disc as a, with J = 0
     std::vector<Real> rest;  ///< distance at which C = 0, in the same order [m]
-    std::vector<int> order, place;       ///< row number of each visit; and where each row number is visited
-    std::vector<std::uint64_t> colours;  ///< of each body: which its rows have
-    std::vector<int> colour;             ///< of each row
-    VecX u;                              ///< [m/s]
-    int sweeps = 0;                      ///< of the last step
-    bool same_rows = false;              ///< nothing came or went since the step before
+    std::vector<int> order, place;  ///< row number of each visit; and where each row number is visited
+    std::vector<Row<2>> bodies;     ///< bodies and M⁻¹ of the rows as given: all that colours depend on
+    Colouring colouring;
+    VecX u;                  ///< [m/s]
+    int sweeps = 0;          ///< of the last step
+    bool same_rows = false;  ///< nothing came or went since the step before
 };
 
 /// The two bodies of a row by its number: links first, then contacts.
@@ -55,37 +55,6 @@ inline std::pair<Index, Index> bodies_of(const DiscScene& scene, const SmallStep
     return {now.contacts[i - links].a, now.contacts[i - links].b};
 }
 
-//! [colours]
-/// Greedy colours: each row in turn gets the first colour that its movable bodies do not have yet. Rows of one
-/// colour share no body, so the processor need not wait for a visit before it begins the next. Rows that find
-/// all 64 colours taken share the last one: that costs time and nothing else.
-inline void colour_rows(const DiscScene& scene, SmallStep& now)
-{
-    const std::size_t m = now.keys.size();
-    std::array<int, 64> end{};
-    now.colours.assign(static_cast<std::size_t>(scene.bodies.count()), 0);
-    now.colour.resize(m);
-    for (std::size_t i = 0; i < m; ++i) {
-        const auto [a, b] = bodies_of(scene, now, i);
-        const auto moves = [&](Index k) { return k != world && scene.bodies.inverse_mass[2 * k] > 0; };
-        std::uint64_t taken = 0;
-        if (moves(a)) taken |= now.colours[static_cast<std::size_t>(a)];
-        if (moves(b)) taken |= now.colours[static_cast<std::size_t>(b)];
-        const int colour = std::min(63, std::countr_one(taken));
-        if (moves(a)) now.colours[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
-        if (moves(b)) now.colours[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
-        now.colour[i] = colour;
-        ++end[static_cast<std::size_t>(colour)];
-    }
-    int begin = 0;
-    for (int& place : end) begin += std::exchange(place, begin);
-    now.order.resize(m);
-    for (std::size_t i = 0; i < m; ++i)
-        now.order[static_cast<std::size_t>(end[static_cast<std::size_t>(now.colour[i])]++)] =
-            static_cast<int>(i);
-}
-//! [colours]
-
 /// Yesterday's λ goes to the keys of its rows, and from there to the rows of today. Then their order.
 inline void change_rows(const DiscScene& scene, const SmallStepSettings& settings, Real h, SmallStep& now)
 {
@@ -95,17 +64,27 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
     if (now.cache.h > 0) store(now.cache, now.keys_before, now.start, now.cache.h);
     load(now.cache, now.keys, h, now.start);
     now.keys_before = now.keys;
-    if (settings.coloured) colour_rows(scene, now);
+
+    now.bodies.resize(m);
+    for (std::size_t i = 0; i < m; ++i) {
+        const auto [a, b] = bodies_of(scene, now, i);
+        now.bodies[i].a = a;
+        now.bodies[i].b = b;
+        if (a != world) now.bodies[i].Wa = scene.bodies.inverse_mass.segment<2>(2 * a);
+        now.bodies[i].Wb = scene.bodies.inverse_mass.segment<2>(2 * b);
+    }
+    if (settings.coloured) colour_rows(now.bodies, scene.bodies.count(), now.colouring, now.order);
     else {
         now.order.resize(m);
-        for (std::size_t i = 0; i < m; ++i) now.order[i] = static_cast<int>(i);
+        std::iota(now.order.begin(), now.order.end(), 0);
     }
+
     now.rows.resize(m);
     now.rest.resize(m);
     now.place.resize(m);
     for (std::size_t k = 0; k < m; ++k) {
         const auto i = static_cast<std::size_t>(now.order[k]);
-        const auto [a, b] = bodies_of(scene, now, i);
+        const Index a = now.bodies[i].a, b = now.bodies[i].b;
         SolverRow<2>& row = now.rows[k];
         now.place[i] = static_cast<int>(k);
         row.a = static_cast<int>(2 * (a == world ? b : a));
