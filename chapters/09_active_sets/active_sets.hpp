@@ -105,7 +105,7 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Real allowed, F
     if (!memory.dependent) {
         problem.shift.resize(0);
         problem.q = mlcp.q;
-        const GuessEnd end = correct_guess(problem, factor, settings.patience, limit, memory.guess, work);
+        const GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
         if (end == GuessEnd::right && judge(mlcp, allowed, memory.guess.lambda, solution)) return true;
         if (end == GuessEnd::limit) {
             judge(mlcp, allowed, memory.guess.lambda, solution);
@@ -183,7 +183,7 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
         problem.shift.resize(0);
         problem.q = mlcp.q;
         const GuessEnd end =
-            correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings), guess, memory.work);
+            correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings), true, guess, memory.work);
         settled = judge(mlcp, allowed, guess.lambda, solution) && end == GuessEnd::right;
         if (end == GuessEnd::limit) solution.status = Status::iteration_limit;
     } else {

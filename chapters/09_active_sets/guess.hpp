@@ -21,6 +21,7 @@ struct ActiveSetWork {
     int guesses = 0;         ///< sets that were tried
     int flips = 0;           ///< rows that changed their case
     int single_flips = 0;    ///< of these, one at a time
+    int descents = 0;        ///< guesses that were lowest points of faces (descent.hpp)
     int outer_steps = 0;     ///< proximal steps; 0 = A needed none
     int walks = 0;           ///< times that Lemke's algorithm had to be asked
     Index entries = 0;       ///< entries of the last factor
@@ -148,8 +149,8 @@ inline void find_wrong(const GuessedProblem& problem, Guess& guess)
 /// \param patience  flips of all wrong rows without fewer of them, before one row at a time
 /// \param limit     of guesses
 template <class Factor>
-GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, Guess& guess,
-                       ActiveSetWork& work)
+GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
+                       Guess& guess, ActiveSetWork& work)
 {
     std::size_t fewest = guess.cases.size() + 1;
     int chances = patience;
@@ -166,7 +167,8 @@ GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patien
             fewest = guess.wrong.size();
             chances = patience;
         } else if (chances > 0) --chances;
-        else all = false;
+        else if (singly) all = false;
+        else break;
         const std::size_t count = all ? guess.wrong.size() : 1;
         for (std::size_t k = 0; k < count; ++k) {  // (9.5), or the first alone (9.6)
             const Index i = guess.wrong[k];

@@ -9,7 +9,7 @@
 /// \cite rockafellar1976
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/descent.hpp"
 
 #include <algorithm>
 
@@ -20,11 +20,6 @@ inline constexpr Real proximal_share = 1e-8;  ///< ε: the root of what a double
 struct ProximalMemory {
     VecX previous, candidate, direction, image;
 };
-
-inline void clamp_into_bounds(const Mlcp& mlcp, VecX& lambda)
-{
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
-}
 
 //! [proof]
 /// (9.15): does a direction prove that there is no answer? Let v grow no bound: v_i ≥ 0 where only hi is
@@ -57,6 +52,16 @@ inline bool proves_infeasible(const Mlcp& mlcp, VecX& v, VecX& image)
 }
 //! [proof]
 
+/// Corrects the guess; if that makes no progress, descends.
+template <class Factor>
+GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int patience, int limit, Guess& guess,
+                          ActiveSetWork& work)
+{
+    const GuessEnd end = correct_guess(problem, factor, patience, limit, false, guess, work);
+    if (end != GuessEnd::limit) return end;
+    return descend(problem, factor, 3, limit, guess, work);
+}
+
 enum class ProximalEnd { right, infeasible, singular, limit };
 
 //! [outer]
@@ -78,7 +83,7 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
     for (int outer = 0; outer < 50; ++outer) {
         ++work.outer_steps;
         problem.q = mlcp.q - problem.shift.cwiseProduct(memory.previous);  // (9.12)
-        const GuessEnd inner = correct_guess(problem, factor, patience, limit - work.guesses, guess, work);
+        const GuessEnd inner = guess_or_descend(problem, factor, patience, limit, guess, work);
         if (inner != GuessEnd::right)
             return inner == GuessEnd::limit ? ProximalEnd::limit : ProximalEnd::singular;
         clamp_into_bounds(mlcp, guess.lambda);
