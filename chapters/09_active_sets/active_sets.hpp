@@ -42,7 +42,16 @@ struct ActiveSetMemory {
     std::vector<int> cursor;
 };
 
-/// True if A is symmetric to the bit. One pass: of the entries a_ji, in the order of i, each line's next one
+inline void require_valid(const ActiveSetSettings& settings)
+{
+    if (!(settings.tolerance > 0) || settings.limit < 0 || settings.patience < 0)
+        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + ", limit " +
+                                    std::to_string(settings.limit) + ", patience " +
+                                    std::to_string(settings.patience) +
+                                    ": the tolerance must be positive, the others not negative");
+}
+
+/// True if A is symmetric but for rounding. One pass: of the entries a_ji, in the order of i, each line's next one
 /// must be there.
 inline bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)
 {
@@ -56,21 +65,27 @@ inline bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)
             const int j = inner[p];
             if (j < i) return false;  // its partner should have been passed
             int& mirrored = next[static_cast<std::size_t>(j)];
-            if (mirrored >= outer[j + 1] || inner[mirrored] != i || value[mirrored] != value[p]) return false;
+            if (mirrored >= outer[j + 1] || inner[mirrored] != i) return false;
+            const Real difference = std::abs(value[mirrored] - value[p]);
+            if (difference > 1e-12 * std::abs(value[p])) return false;
             if (j > i) ++mirrored;
         }
     return true;
 }
 
 /// How large a residual may be [m/s]: a share of q, or of 1e-4 of what the bounds add to it.
-inline Real allowed_residual(const Mlcp& mlcp, Real tolerance)
+/// \param start  room for the point of the bounds that is nearest to zero
+inline Real allowed_residual(const Mlcp& mlcp, Real tolerance, VecX& start)
 {
-    Real largest = 0;
-    for (Index i = 0; i < mlcp.size(); ++i) {
+    start.setZero(mlcp.size());
+    clamp_into_bounds(mlcp, start);
+    const bool any = (start.array() != 0).any();
+    Real largest = mlcp.size() > 0 ? mlcp.q.cwiseAbs().maxCoeff() : 0;
+    for (Index i = 0; i < mlcp.size() && any; ++i) {
         Real w = mlcp.q[i];
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            w += entry.value() * std::clamp(Real{0}, mlcp.lo[entry.col()], mlcp.hi[entry.col()]);
-        largest = std::max({largest, std::abs(mlcp.q[i]), 1e-4 * std::abs(w)});
+            w += entry.value() * start[entry.col()];
+        largest = std::max(largest, 1e-4 * std::abs(w));
     }
     return tolerance * largest;
 }
@@ -152,15 +167,11 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
                         Solution& solution)
 {
     require_valid(mlcp);
-    if (!(settings.tolerance > 0) || settings.limit < 0 || settings.patience < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + ", limit " +
-                                    std::to_string(settings.limit) + ", patience " +
-                                    std::to_string(settings.patience) +
-                                    ": the tolerance must be positive, the others not negative");
+    require_valid(settings);
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;
-    const Real allowed = allowed_residual(mlcp, settings.tolerance);
+    const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
     GuessedProblem& problem = memory.problem;
     problem.mlcp = &mlcp;
     problem.tolerance = 0.01 * allowed;
@@ -181,8 +192,8 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
         GeneralLu factor;
         factor.look(mlcp);
         begin(problem, memory.cases, false, guess);
-        const GuessEnd end =
-            correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings), true, guess, memory.work);
+        const GuessEnd end = correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings),
+                                           true, guess, memory.work);
         settled = judge(mlcp, allowed, guess.lambda, solution) && end == GuessEnd::right;
         if (end == GuessEnd::limit) solution.status = Status::iteration_limit;
     } else {

@@ -24,7 +24,8 @@ public:
         const Index n = mlcp.size();
         A_.setZero(n, n);
         for (Index i = 0; i < n; ++i)
-            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) A_(entry.col(), i) = entry.value();
+            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+                A_(entry.col(), i) = entry.value();
         if (L_.rows() != n) L_.resize(n, n);
         place_.resize(static_cast<std::size_t>(n));
         x_.resize(n);
@@ -167,7 +168,8 @@ private:
             for (Index d = 0; d <= c; ++d) {
                 const Index i = changed_[index(c)], j = changed_[index(d)];
                 Real entry = in_[index(c)] * in_[index(d)] * A_(i, j);
-                if (i == j && problem.shift.size() > 0) entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
+                if (i == j && problem.shift.size() > 0)
+                    entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
                 entry -= Y_.col(column_[index(c)]).head(f).dot(Y_.col(column_[index(d)]).head(f));
                 S(c, d) = S(d, c) = entry;
             }
@@ -217,11 +219,11 @@ private:
             }
     }
 
-    static constexpr Index small = 32;               ///< up to here plain loops are faster
-    static constexpr Real rank_tolerance = 1e-11;    ///< share of A_ii that a pivot must keep
+    static constexpr Index small = 32;             ///< up to here plain loops are faster
+    static constexpr Real rank_tolerance = 1e-11;  ///< share of A_ii that a pivot must keep
 
     MatX A_, L_, Y_;
-    std::vector<Index> base_, place_;       ///< the rows of the factor; of a row, its place there or -1
+    std::vector<Index> base_, place_;  ///< the rows of the factor; of a row, its place there or -1
     std::vector<Index> slots_, changed_, column_;  ///< rows that Y has a column for; rows that differ now
     std::vector<Real> in_;
     Eigen::PartialPivLU<MatX> S_;

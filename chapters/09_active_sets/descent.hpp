@@ -41,7 +41,6 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
             if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
             solve_guess(problem, factor, guess);
             if (!guess.lambda.allFinite()) return GuessEnd::singular;
-            find_wrong(problem, guess);
             if (guess.wrong.empty()) return GuessEnd::right;
 
             // The part of the way to the lowest point of the face that no bound interrupts: always downhill.
