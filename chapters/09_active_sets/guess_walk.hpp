@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
 #include "common/program/program.hpp"
 
 #include <memory>
@@ -14,9 +15,11 @@ namespace rigid {
 struct GuessWalk {
     Mlcp problem;
     std::string method;
-    int corrections = 0;
+    int allowed = 1;      ///< corrections that the solver may make
+    int corrections = 0;  ///< and did
     ActiveSetMemory memory;
-    Solution solution;
+    Solution solution;           ///< what the guess led to
+    std::vector<RowCase> cases;  ///< the guess itself
 
     GuessWalk(Mlcp mlcp, std::string solver) : problem(std::move(mlcp)), method(std::move(solver))
     {
@@ -27,7 +30,7 @@ struct GuessWalk {
     //! [one_correction]
     void step()
     {
-        if (!done()) solve(corrections + 1);
+        if (!done()) solve(++allowed);
     }
     void to_the_end() { solve(0); }
     //! [one_correction]
@@ -78,8 +81,8 @@ struct GuessWalk {
                 static_cast<Real>(count_wrong()),
                 static_cast<Real>(count(RowCase::between)),
                 std::isfinite(solution.residual) ? solution.residual : 0,
-                static_cast<Real>(memory.factorisations),
-                static_cast<Real>(memory.flips),
+                static_cast<Real>(memory.work.factorisations),
+                static_cast<Real>(memory.work.flips),
                 static_cast<Real>(problem.size()),
                 static_cast<Real>(solution.status)};
     }
@@ -94,11 +97,15 @@ struct GuessWalk {
 private:
     void solve(int limit)
     {
+        // The guess of this correction is what the one before has left behind.
+        if (corrections == 0) begin(problem, {}, cases);
+        else cases = memory.cases;
         ActiveSetSettings settings;
         settings.limit = limit;
         memory = {};
         if (method == "dantzig") dantzig(problem, settings, memory, solution);
         else active_sets(problem, settings, memory, solution);
+        if (done()) cases = memory.cases;
         corrections = solution.iterations;
     }
 };

@@ -1,6 +1,7 @@
 /// Chapter 9: active sets.
 
 #include "chapters/03_mlcp_formulation/problem_file.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/exact_run.hpp"
 #include "chapters/09_active_sets/scene_guess.hpp"
 #include "chapters/09_active_sets/scene_plane.hpp"
