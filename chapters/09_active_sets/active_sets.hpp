@@ -103,8 +103,6 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Real allowed, F
     ActiveSetWork& work = memory.work;
     const int limit = guess_limit(mlcp, settings);
     if (!memory.dependent) {
-        problem.shift.resize(0);
-        problem.q = mlcp.q;
         const GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
         if (end == GuessEnd::right && judge(mlcp, allowed, memory.guess.lambda, solution)) return true;
         if (end == GuessEnd::limit) {
@@ -114,6 +112,7 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Real allowed, F
         }
     }
     memory.dependent = true;
+    if (memory.cases.size() != memory.guess.cases.size()) memory.proximal.previous.resize(0);  // cold
     const ProximalEnd end = proximal_steps(problem, factor, settings.patience, limit, allowed,
                                            memory.proximal, memory.guess, work);
     if (judge(mlcp, allowed, memory.guess.lambda, solution) && end == ProximalEnd::right) return true;
@@ -174,14 +173,14 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     guess.lambda.resize(n);
     guess.w.resize(n);
     guess.step.resize(n);
-    begin(mlcp, memory.cases, guess.cases);
+    problem.shift.resize(0);
+    problem.q = mlcp.q;
 
     bool settled = false;
     if (!is_symmetric(mlcp.A, memory.cursor)) {
         GeneralLu factor;
         factor.look(mlcp);
-        problem.shift.resize(0);
-        problem.q = mlcp.q;
+        begin(problem, memory.cases, false, guess);
         const GuessEnd end =
             correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings), true, guess, memory.work);
         settled = judge(mlcp, allowed, guess.lambda, solution) && end == GuessEnd::right;
@@ -192,13 +191,14 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
             memory.sparse_factor.look(mlcp);
             memory.sparse = 6 * memory.sparse_factor.elimination.entries() < n * n;
         }
+        begin(problem, memory.cases, memory.sparse, guess);
         if (memory.sparse) settled = settle(mlcp, settings, allowed, memory.sparse_factor, memory, solution);
         else {
             memory.dense_factor.look(mlcp);
             settled = settle(mlcp, settings, allowed, memory.dense_factor, memory, solution);
         }
     }
-    if (!settled && n <= most_walked_rows) walk(mlcp, settings, memory, solution);
+    if (!settled && settings.limit == 0 && n <= most_walked_rows) walk(mlcp, settings, memory, solution);
     solution.iterations = memory.work.guesses;
     memory.cases = guess.cases;
 }

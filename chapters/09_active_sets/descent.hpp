@@ -8,7 +8,7 @@
 /// than the one before, so none is met twice: this ends. \cite more1991
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/first_guess.hpp"
 
 #include <algorithm>
 
@@ -18,37 +18,6 @@ namespace rigid {
 inline Real merit(const GuessedProblem& problem, const VecX& lambda, const VecX& w)
 {
     return 0.5 * lambda.dot(w + problem.q);
-}
-
-/// One visit to each row (4.5).
-inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
-{
-    const Mlcp& mlcp = *problem.mlcp;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real w = problem.q[i], a = 0;
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            w += entry.value() * lambda[entry.col()];
-            if (entry.col() == i) a = entry.value();
-        }
-        if (problem.shift.size() > 0) {
-            w += problem.shift[i] * lambda[i];
-            a += problem.shift[i];
-        }
-        if (a > 0) lambda[i] = std::clamp(lambda[i] - w / a, mlcp.lo[i], mlcp.hi[i]);
-    }
-}
-
-inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<RowCase>& cases)
-{
-    for (Index i = 0; i < mlcp.size(); ++i)
-        cases[static_cast<std::size_t>(i)] = lambda[i] <= mlcp.lo[i]   ? RowCase::at_lo
-                                             : lambda[i] >= mlcp.hi[i] ? RowCase::at_hi
-                                                                       : RowCase::between;
-}
-
-inline void clamp_into_bounds(const Mlcp& mlcp, VecX& lambda)
-{
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
 }
 
 //! [descend]

@@ -45,21 +45,6 @@ struct Guess {
 
 enum class GuessEnd { right, singular, limit };
 
-/// Where the guesses begin: with yesterday's cases, where a row can have them; else every row is active.
-inline void begin(const Mlcp& mlcp, const std::vector<RowCase>& yesterday, std::vector<RowCase>& cases)
-{
-    const auto n = static_cast<std::size_t>(mlcp.size());
-    const bool known = yesterday.size() == n;
-    cases.resize(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto i = static_cast<Index>(k);
-        const RowCase wish = known ? yesterday[k] : RowCase::between;
-        const bool possible = (wish != RowCase::at_lo || mlcp.lo[i] > -infinity) &&
-                              (wish != RowCase::at_hi || mlcp.hi[i] < infinity);
-        cases[k] = mlcp.lo[i] == mlcp.hi[i] ? RowCase::at_lo : possible ? wish : RowCase::between;
-    }
-}
-
 //! [correct]
 /// (9.4): the case that a row should have, by what its own case led to.
 inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w, Real tolerance)
