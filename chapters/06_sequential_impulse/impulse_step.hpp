@@ -25,7 +25,7 @@ struct ImpulseStepSettings {
     Index pulled = world;       ///< the disc that a hand pulls; world = none
     Vec2 hand = {0, 0};         ///< where to [m]
     Real restitution = 0;       ///< e of every contact, 0 … 1
-    Real threshold = 1;  ///< contacts that approach slower than threshold · |gravity| · h do not bounce
+    Real threshold = 2;  ///< contacts that approach slower than threshold · |gravity| · h do not bounce
     ImpulseSettings sweeps;
     Order order = Order::given;
 };
