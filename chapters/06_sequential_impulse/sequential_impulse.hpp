@@ -52,13 +52,10 @@ template <int Dof>
 int sweep(std::vector<SolverRow<Dof>>& rows, VecX& u, Real tolerance, bool backwards = false)
 {
     int changed = 0;
-    const auto visit_and_see = [&](SolverRow<Dof>& row) {
-        changed += !(std::abs(visit(row, u)) <= tolerance * row.mass);  // a NaN counts
-    };
-    if (backwards)
-        for (std::size_t k = rows.size(); k-- > 0;) visit_and_see(rows[k]);
-    else
-        for (SolverRow<Dof>& row : rows) visit_and_see(row);
+    const std::ptrdiff_t step = backwards ? -1 : 1;
+    SolverRow<Dof>* row = rows.data() + (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
+    for (std::size_t k = rows.size(); k > 0; --k, row += step)
+        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);  // a NaN counts
     return changed;
 }
 //! [sweep]

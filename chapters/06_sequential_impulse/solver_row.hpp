@@ -90,7 +90,7 @@ inline void require_order(std::span<const int> order, std::size_t m, std::vector
 
 /// \f$J u + b\f$ [m/s]. The sums of both bodies are made side by side.
 template <int Dof>
-Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
+inline Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
 {
     return row.bias + (row.Ja.transpose().cwiseProduct(ua) + row.Jb.transpose().cwiseProduct(ub)).sum();
 }
@@ -100,7 +100,7 @@ Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
 /// \param u  Dof·K [m/s]
 /// \return   Δλ [N s]
 template <int Dof>
-Real visit(SolverRow<Dof>& row, VecX& u)
+inline Real visit(SolverRow<Dof>& row, VecX& u)
 {
     const Vec<Dof> ua = u.template segment<Dof>(row.a);
     const Vec<Dof> ub = u.template segment<Dof>(row.b);
