@@ -45,7 +45,7 @@ struct ImpulseStep {
 };
 
 //! [restitution]
-/// The bias of contacts that bounce, (6.16). `rows` begins with those of the links.
+/// The bias of contacts that bounce, (6.17). `rows` begins with those of the links.
 inline void add_restitution(const DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
 {
     if (!(settings.restitution > 0)) return;

@@ -107,7 +107,7 @@ void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory, Ve
     u = memory.u;
 }
 
-//! [solve]
+//! [until]
 /// Sweeps of any kind, until there is nothing left to do.
 /// \param one_sweep  int(int number): visits each row of memory.rows once and tells how many of them it found off
 ///                   by more than the tolerance
@@ -131,6 +131,7 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
         if (solution.status == Status::solved) return;
     }
 }
+//! [until]
 
 /// Sweeps over the rows, starting from solution.lambda; solution.iterations counts the sweeps.
 ///
@@ -154,6 +155,5 @@ void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> 
     sweep_until(settings, hopeless, one_sweep, memory, solution);
     end_sweeps(order, memory, u, solution);
 }
-//! [solve]
 
 }  // namespace rigid
