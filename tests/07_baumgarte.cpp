@@ -20,6 +20,8 @@ int forbidden_allocations = 0;
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
+#include "chapters/07_baumgarte/one_row_step.hpp"
+#include "chapters/07_baumgarte/overlaps.hpp"
 #include "chapters/07_baumgarte/stabilized_step.hpp"
 #include "common/measure.hpp"
 #include "common/program/scripted_pointer.hpp"
@@ -79,33 +81,9 @@ struct OneRow {
     StabilizerSettings settings = {};
     Real h = 0.01;
     Bodies<2> bodies{1};
-    VecX v = {};
-    std::vector<Real> goal = {};
+    OneRowStep now = {};
 
-    void advance()
-    {
-        const std::array<Constraint<2>, 1> constraints = {constraint(bodies.x)};
-        const std::span<const Constraint<2>> all(constraints);
-        std::vector<Row<2>> rows;
-        stabilized_rows(all, 1, bodies.inverse_mass, settings, h, rows);
-        ImpulseMemory<2> memory;
-        Solution solution;
-        ImpulseSettings one_sweep;
-        one_sweep.max_sweeps = 1;
-        sequential_impulse(rows, {}, one_sweep, memory, bodies.u, solution);
-        bodies.x += h * bodies.u;
-        if (settings.method == Stabilizer::relaxation) {
-            relax(all, {}, 1, settings, h, memory);
-            bodies.u = memory.u.head<2>();
-        }
-        if (settings.method == Stabilizer::split_impulse) {
-            split_impulse(all, {}, 1, settings, h, memory, v);
-            bodies.x += h * v.head<2>();
-        }
-        if (settings.method == Stabilizer::projection)
-            project_positions<2>([this](std::size_t, const VecX& x) { return constraint(x); }, 1, {}, 1,
-                                 bodies.inverse_mass, settings, h, goal, bodies.x);
-    }
+    void advance() { one_row_step(constraint, settings, {0, 0}, h, bodies, now); }
 };
 
 OneRow bead()
@@ -140,27 +118,6 @@ struct Discs {
         for (int k = 0; k < steps; ++k) stabilized_step(scene, settings, now);
     }
 };
-
-/// A disc of 1 kg and radius 0.5 m that lies a depth C deep in the floor, or in nothing.
-DiscScene sunken_disc(Real depth)
-{
-    DiscScene scene;
-    scene.bodies = Bodies<2>(1);
-    scene.radius = VecX::Constant(1, 0.5);
-    scene.bodies.x << 0, 0.5 - depth;
-    scene.walls = {{{0, 1}, 0}};
-    return scene;
-}
-
-/// Ten discs of radius 0.25 m in a column between walls, each overlapping the next, and the floor, by 0.2 m.
-DiscScene crowd()
-{
-    DiscScene scene = column_between_walls(10);
-    scene.radius.setConstant(0.25);
-    for (Index k = 0; k < 10; ++k) scene.bodies.position(k) = Vec2(0, 0.05 + 0.3 * static_cast<Real>(k));
-    scene.walls = {{{0, 1}, 0}, {{1, 0}, -0.25}, {{-1, 0}, -0.25}};
-    return scene;
-}
 
 }  // namespace
 
@@ -232,7 +189,7 @@ TEST_CASE("a bead with Baumgarte moves by (7.8) in each step and settles where (
             run.settings.beta = beta;
             Real D = 0, largest = 0;
             for (int n = 0; n < 1000; ++n) {
-                D = D - beta * D + beta * beta * D * D / (4 * (1 + D)) + h * h / (1 + D);
+                D = next_bead(D, beta, h);
                 run.advance();
                 largest = std::max(largest, std::abs(run.bodies.x.squaredNorm() - 1 - D));
             }
@@ -440,7 +397,7 @@ TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is t
     const Real pushing = 0.3;  // [m/s], each contact
     for (const Stabilizer method :
          {Stabilizer::baumgarte, Stabilizer::split_impulse, Stabilizer::projection, Stabilizer::relaxation}) {
-        Discs run(crowd(), method);
+        Discs run(crowd(10, 0.2), method);
         run.settings.stabilizer.fastest = pushing;
         run.settings.sweeps.max_sweeps = 400;
         run.settings.stabilizer.repaying_sweeps = 400;
@@ -468,7 +425,7 @@ TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is t
 
 TEST_CASE("without a greatest speed Baumgarte throws the tenth of ten overlapping discs metres high")
 {
-    Discs run(crowd());
+    Discs run(crowd(10, 0.2));
     run.settings.sweeps.max_sweeps = 400;
     Real highest = 0;
     for (int k = 0; k < 600; ++k) {
