@@ -122,7 +122,7 @@ public:
             speed = std::max(speed, scene_.bodies.velocity(k).norm());
         return {largest_link_error(scene_),
                 deepest_penetration(scene_),
-                theory_ ? theory_(step_) : 0,
+                theory_ && steps_ > 0 ? theory_(step_) : 0,
                 highest_,
                 speed,
                 energy(step_.gravity) - energy_,
@@ -142,7 +142,8 @@ public:
             canvas.disc(shown(k), zoom_ * scene_.radius[k],
                         scene_.bodies.inverse_mass[2 * k] > 0 ? paint::body : paint::fixed_body);
         for (const Contact& contact : now_.contacts) draw_overlap(canvas, contact);
-        if (theory_ && scene_.links.empty() && scene_.bodies.count() == 1) {  // how high it should hop
+        if (theory_ && steps_ > 0 && scene_.links.empty() &&
+            scene_.bodies.count() == 1) {  // how high it should hop
             const Real y = zoom_ * (scene_.radius[0] + theory_(step_));
             canvas.segment({-view_.half_size.x(), y}, {view_.half_size.x(), y}, paint::theory);
             const Real x = -0.7 * view_.half_size.x();
