@@ -5,9 +5,9 @@ foreach(scene ten_discs bead rail overlap crowd hanging_chain swinging_chain col
 endforeach()
 add_program_test(ch07 07_baumgarte "refuses a negative beta" --headless --scene column --set beta=-1)
 set_tests_properties("ch07: 07_baumgarte refuses a negative beta" PROPERTIES WILL_FAIL ON)
-add_program_test(ch07 07_baumgarte "gives up where beta makes the chain fly apart" --headless --scene swinging_chain
-                 --method baumgarte --set beta=2.5 --steps 100000)
-set_tests_properties("ch07: 07_baumgarte gives up where beta makes the chain fly apart" PROPERTIES WILL_FAIL ON)
+add_program_test(ch07 07_baumgarte "gives up where beta makes the error grow for ever" --headless --scene rail
+                 --method baumgarte --set beta=2.5 --steps 3000)
+set_tests_properties("ch07: 07_baumgarte gives up where beta makes the error grow for ever" PROPERTIES WILL_FAIL ON)
 
 # The same bits without and with optimisation. Every source is compiled anew: nothing optimised is linked in.
 if(NOT MSVC)

@@ -65,7 +65,7 @@ Scene crowd_scene()
     return scene;
 }
 
-/// (7.12) or (7.18) for rows in a line; 0 where another way repays.
+/// (7.12) or (7.19) for rows in a line; 0 where another way repays.
 StabilizedRun::Theory sag_theory(const DiscScene& scene)
 {
     std::vector<Constraint<2>> constraints;
