@@ -7,9 +7,9 @@ set multiplot layout 1,3
 set xlabel 'row visits a step / rows' tc rgb '#808080'
 set ylabel 'largest error [mm]' tc rgb '#808080'
 set logscale xy
-set xrange [1.5:300]; set yrange [1e-2:400]
+set xrange [1.5:300]; set yrange [1e-3:400]
 set format y '10^{%L}'
-shown(y) = y > 390 ? 390 : y < 0.0102 ? 0.0102 : y
+shown(y) = y > 390 ? 390 : y < 0.00102 ? 0.00102 : y
 set key bottom left tc rgb '#808080' samplen 1 spacing 1.1
 do for [scene in "column swing triangle"] {
     set title scene eq 'column' ? 'column of 20' : scene eq 'swing' ? 'swinging chain of 10, 10 kg' : 'triangle, base 10' tc rgb '#808080'
