@@ -11,9 +11,17 @@
 
 namespace rigid {
 
+/// (7.8): one step of a bead of 1 kg on a wire of radius 1 m, told as \f$D = r^2 - 1\f$ [m²]. With β = 0 it is the
+/// drift (7.3).
+/// \param hL  h times its angular momentum r u_t, which no radial impulse changes [m²]
+inline Real next_bead(Real D, Real beta, Real hL)
+{
+    return D - beta * D + (beta * beta * D * D / 4 + hL * hL) / (1 + D);
+}
+
 //! [settled]
 /// (7.9): where a bead on a wire of radius 1 m comes to rest with β, as \f$D = r^2 - 1\f$ [m²].
-/// \param hL  h times r·u_t, the angular momentum of 1 kg [m²]
+/// \param hL  as for next_bead() [m²]
 inline Real settled_bead(Real beta, Real hL)
 {
     const Real square = beta - beta * beta / 4;  // D² square + D β − (hL)² = 0
