@@ -491,19 +491,21 @@ TEST_CASE("a load that turns around starts from zero")
 
 TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says")
 {
-    const auto last_speed = [](int k) {
+    const auto growth = [](int k) {
         DiscScene scene = still_chain(20);
         WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::relaxation, k);
         settings.sweeps.tolerance = settings.stabilizer.tolerance = 0;
         settings.stabilizer.repaying_sweeps = k;
-        settings.gravity = {0, -1e-6};
+        settings.gravity = {0, -1e-6};  // small: a growing chain stays straight and linear
         WarmStep now;
-        Real speed = 0;
+        Real early = 0, late = 0;
         for (int n = 0; n < 3000; ++n) {
             warm_step(scene, settings, now);
-            if (n >= 2800) speed = std::max(speed, scene.bodies.u.lpNorm<Eigen::Infinity>());
+            const Real speed = scene.bodies.u.lpNorm<Eigen::Infinity>();
+            if (n >= 800 && n < 1000) early = std::max(early, speed);
+            if (n >= 2800) late = std::max(late, speed);
         }
-        return speed;
+        return late / early;
     };
     const auto settles = [](int k) {
         const Real gamma = std::pow(line_rate(20, 1), k);
@@ -511,8 +513,8 @@ TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says")
     };
     CHECK_FALSE(settles(7));
     CHECK(settles(8));
-    CHECK(last_speed(7) > 1e-3);  // from 1e-8 m/s at the start
-    CHECK(last_speed(8) < 1e-8);
+    CHECK(growth(7) > 1);
+    CHECK(growth(8) < 1);
 }
 
 // ---- how fast memory settles, and when it builds up ---------------------------------------------------------
@@ -788,7 +790,7 @@ TEST_CASE("rows that are known by number start worse than from zero")
     enum Known { by_name, by_number, not_at_all };
     const auto sweeps = [](Known known) {
         DiscScene scene = triangle(10);
-        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::none, 20000);
+        WarmStepSettings settings = settings_for(Start::yesterday, Stabilizer::baumgarte, 20000);
         WarmStep now;
         for (int k = 0; k < 50; ++k) warm_step(scene, settings, now);
         if (known == by_number) {
