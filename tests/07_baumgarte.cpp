@@ -19,7 +19,7 @@ int forbidden_allocations = 0;
 
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "chapters/03_mlcp_formulation/assembly.hpp"
-#include "chapters/07_baumgarte/chain_reference.hpp"
+#include "chapters/07_baumgarte/chain_in_angles.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/07_baumgarte/one_row_step.hpp"
 #include "chapters/07_baumgarte/overlaps.hpp"
@@ -227,6 +227,23 @@ TEST_CASE("a chain that hangs with too few sweeps sags by (7.12)")
         }
 }
 
+TEST_CASE("with one sweep a step link k of N hangs too long by N minus k times (7.11)")
+{
+    const Index N = 10;
+    for (const int substeps : {1, 2, 8}) {
+        Discs run(hanging_chain(N));
+        run.settings.sweeps.max_sweeps = 1;
+        run.settings.substeps = substeps;
+        run.advance(3000);
+        for (Index k = 1; k <= N; ++k) {
+            const Real length = (run.scene.bodies.position(k) - run.scene.bodies.position(k - 1)).norm();
+            const Real C = one_sweep_sag(k, N, 9.81, 0.2, run.settings.h / substeps);
+            INFO("link " << k << " in " << substeps << " substeps");
+            CHECK(std::abs(length - 0.1 - C) < 1e-12);  // lengths are of order 0.1 m
+        }
+    }
+}
+
 TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by about n less")
 {
     const auto sag_of = [](int substeps, int sweeps, Real carry) {
@@ -246,7 +263,7 @@ TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by a
     }
 }
 
-TEST_CASE("split impulses sag by (7.18), about the square of what Baumgarte's sag is multiplied by")
+TEST_CASE("split impulses sag by (7.19), about the square of what Baumgarte's sag is multiplied by")
 {
     const Index N = 4;
     for (const int sweeps : {1, 2, 4}) {
@@ -318,22 +335,22 @@ TEST_CASE("a pendulum on a distance row converges with order 1 under each way to
 
 TEST_CASE("the reference of a swinging chain keeps its energy and is the pendulum where it has one link")
 {
-    ChainReference pendulum(VecX::Ones(1), 1, pi / 2, 9.81);
+    ChainInAngles pendulum(VecX::Ones(1), 1, pi / 2, 9.81);
     for (int k = 0; k < 10000; ++k) pendulum.step(1e-4);
     // A4: the angle after 1 s. Order 4 at h = 1e-4 leaves rounding.
     CHECK(std::atan2(pendulum.tip().x(), -pendulum.tip().y()) == Approx(-1.405027311524799).epsilon(1e-11));
     VecX mass = VecX::Ones(10);
     mass[9] = 5;
-    ChainReference chain(mass, 0.1, pi / 2, 9.81);
+    ChainInAngles chain(mass, 0.1, pi / 2, 9.81);
     const Real before = chain.energy();
     for (int k = 0; k < 1000; ++k) chain.step(1e-3);
     CHECK(std::abs(chain.energy() - before) < 1e-6);  // it moves some 40 J; order 4
-    CHECK_THROWS_AS(ChainReference(VecX::Ones(2), 0, 0, 9.81), std::invalid_argument);
+    CHECK_THROWS_AS(ChainInAngles(VecX::Ones(2), 0, 0, 9.81), std::invalid_argument);
 }
 
 TEST_CASE("a swinging chain in small steps of one sweep converges to its equations without constraints")
 {
-    ChainReference exact(VecX::Ones(5), 0.1, pi / 2, 9.81);
+    ChainInAngles exact(VecX::Ones(5), 0.1, pi / 2, 9.81);
     for (int k = 0; k < 5000; ++k) exact.step(1e-4);
     std::vector<Real> steps, errors;
     for (const int n : {128, 256, 512, 1024, 2048}) {
@@ -512,7 +529,7 @@ TEST_CASE("a column of ten and a chain of ten stand and hang with each way that 
             run.settings.stabilizer.repaying_sweeps = 100;
             run.advance(600);
             INFO(to_string(method) << (chain ? " chain" : " column"));
-            // 200 sweeps leave cos²(π/20)^200 = 0.7 % of each step's error, (7.12) and (7.18).
+            // 200 sweeps leave cos²(π/20)^200 = 0.7 % of each step's error, (7.12) and (7.19).
             CHECK(std::max(largest_link_error(run.scene), deepest_penetration(run.scene)) < 1e-3);
             CHECK(kinetic_energy(run.scene.bodies) < 1e-3);
         }
