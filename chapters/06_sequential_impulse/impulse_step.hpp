@@ -25,7 +25,7 @@ struct ImpulseStepSettings {
     Index pulled = world;       ///< the disc that a hand pulls; world = none
     Vec2 hand = {0, 0};         ///< where to [m]
     Real restitution = 0;       ///< e of every contact, 0 … 1
-    Real threshold = 1;  ///< contacts that approach slower than threshold · |gravity| · h do not bounce
+    Real threshold = 2;  ///< contacts that approach slower than threshold · |gravity| · h do not bounce
     ImpulseSettings sweeps;
     Order order = Order::given;
 };
@@ -61,7 +61,9 @@ inline void add_restitution(const DiscScene& scene, const ImpulseStepSettings& s
 
 //! [step]
 /// One time step. Depends on its arguments alone.
-inline void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
+/// \param solve  what finds λ: void(rows, order, sweeps, memory, u, solution), as sequential_impulse()
+template <class Solve>
+void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, const Solve& solve, ImpulseStep& now)
 {
     Bodies<2>& bodies = scene.bodies;
     const Real h = settings.h;
@@ -87,10 +89,16 @@ inline void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, 
     sweeps.alternate = settings.order == Order::alternating;
     now.solution.lambda.setZero(static_cast<Index>(now.rows.size()));  // nothing is remembered
     bodies.u = now.u_star;
-    sequential_impulse(now.rows, now.order, sweeps, now.memory, bodies.u, now.solution);
+    solve(now.rows, now.order, sweeps, now.memory, bodies.u, now.solution);
 
     bodies.x += h * bodies.u;
 }
 //! [step]
+
+/// The same with this chapter's sweeps.
+inline void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
+{
+    impulse_step(scene, settings, sequential_impulse<2>, now);
+}
 
 }  // namespace rigid
