@@ -15,6 +15,27 @@ plot() { gnuplot -e "data='$data'; out='$out/$1.svg'" "$here/$1.gp"; }
 starts="cold yesterday best_multiple"
 
 if [ "${3:-}" = measured ]; then
+    table=$out/benchmark.csv
+    if [ ! -f "$table" ]; then
+        "${program}_benchmark" --benchmark_out="$table" --benchmark_out_format=csv >&2
+    fi
+    # engines/SCENE/WHO: time [us], error [mm]; held at the edges of the plot.
+    for kind in hanging swinging column triangle; do
+        for who in quick careful box2d chipmunk disorder; do echo 1e-9 1e-9 >"$data/engines_${kind}_$who"; done
+    done
+    tr -d '"' <"$table" | awk -F, -v dir="$data" '
+        /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+        /^engines\// {
+            split($1, part, "/")
+            split(part[2], scene, "_")
+            who = part[3]
+            if (who != "quick" && who != "careful" && who != "box2d" && who != "chipmunk") next
+            e = $column["link_mm"] > $column["overlap_mm"] ? $column["link_mm"] : $column["overlap_mm"]
+            e = e > 1e7 ? 1e7 : e < 5e-5 ? 5e-5 : e
+            print $column["real_time"], e >> (dir "/engines_" scene[1] "_" who)
+            if ($column["in_order"] == 0) print $column["real_time"], e >> (dir "/engines_" scene[1] "_disorder")
+        }'
+    plot ch08_engines
     exit
 fi
 
