@@ -66,7 +66,7 @@ struct GuessWalk {
 
     static std::vector<Column> columns()
     {
-        return {{"corrections", "", "corrections of the guess so far", false, false},
+        return {{"corrections", "", "guesses, or pivots, so far", false, false},
                 {"wrong", "", "rows that contradict the guess", true, false},
                 {"active", "", "rows that the guess holds at w = 0", true, false},
                 {"residual", "m/s", "natural residual of the present impulses", true, true},
@@ -88,13 +88,27 @@ struct GuessWalk {
     }
     std::string told() const
     {
-        const std::string name = std::to_string(corrections) + (corrections == 1 ? " solve: " : " solves: ");
+        const std::string what = method == "active_sets" ? "guess" : "pivot";
+        const std::string many = method == "active_sets" ? "guesses" : "pivots";
+        const std::string name = std::to_string(corrections) + " " + (corrections == 1 ? what : many) + ": ";
         if (done()) return name + std::string(to_string(solution.status));
         return name + std::to_string(count_wrong()) + " of " + std::to_string(problem.size()) +
                " rows are wrong";
     }
 
 private:
+    /// Chapter 5's walk, to compare: its vertices are guesses too.
+    void walk(int limit)
+    {
+        LemkeSettings settings;
+        settings.pivot_limit = limit;
+        solution = lemke(problem, settings);
+        memory.cases.assign(static_cast<std::size_t>(problem.size()), RowCase::at_lo);
+        for (Index i = 0; i < problem.size(); ++i)
+            if (solution.lambda[i] > problem.lo[i])
+                memory.cases[static_cast<std::size_t>(i)] =
+                    solution.lambda[i] < problem.hi[i] ? RowCase::between : RowCase::at_hi;
+    }
     void solve(int limit)
     {
         // The guess of this correction is what the one before has left behind.
@@ -104,8 +118,9 @@ private:
         settings.limit = limit;
         memory = {};
         if (method == "dantzig") dantzig(problem, settings, memory, solution);
+        else if (method == "lemke") walk(limit);
         else active_sets(problem, settings, memory, solution);
-        if (done()) cases = memory.cases;
+        if (done() || method != "active_sets") cases = memory.cases;
         corrections = solution.iterations;
     }
 };

@@ -68,8 +68,8 @@ inline Scene guess_scene()
     scene.h = 0.5;  // half a second for each correction when it plays by itself
     scene.h_low = 0.02;
     scene.h_high = 2;
-    scene.methods = {"active_sets", "dantzig"};
-    scene.side_by_side = scene.methods;
+    scene.methods = {"active_sets", "dantzig", "lemke"};
+    scene.side_by_side = {"active_sets", "dantzig"};
     scene.tunables = {
         {"pile", "", "0 a column, 1 a column of 1 kg and 1000 kg in turns, 2 a pyramid", 2, 0, 2, true, true,
          false},
