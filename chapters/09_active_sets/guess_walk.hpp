@@ -97,31 +97,21 @@ struct GuessWalk {
     }
 
 private:
-    /// Chapter 5's walk, to compare: its vertices are guesses too.
-    void walk(int limit)
-    {
-        LemkeSettings settings;
-        settings.pivot_limit = limit;
-        solution = lemke(problem, settings);
-        memory.cases.assign(static_cast<std::size_t>(problem.size()), RowCase::at_lo);
-        for (Index i = 0; i < problem.size(); ++i)
-            if (solution.lambda[i] > problem.lo[i])
-                memory.cases[static_cast<std::size_t>(i)] =
-                    solution.lambda[i] < problem.hi[i] ? RowCase::between : RowCase::at_hi;
-    }
     void solve(int limit)
     {
-        // The guess of this correction is what the one before has left behind.
-        if (corrections == 0) begin(problem, {}, cases);
-        else cases = memory.cases;
         ActiveSetSettings settings;
         settings.limit = limit;
         memory = {};
-        if (method == "dantzig") dantzig(problem, settings, memory, solution);
-        else if (method == "lemke") walk(limit);
-        else active_sets(problem, settings, memory, solution);
-        if (done() || method != "active_sets") cases = memory.cases;
+        if (method == "active_sets") active_sets(problem, settings, memory, solution);
+        else if (method == "dantzig") dantzig(problem, settings, memory, solution);
+        else solution = lemke(problem, {{}, {}, limit, settings.tolerance});  // chapter 5's walk, to compare
         corrections = solution.iterations;
+        // A row that is not active rests at its bound to the bit: λ tells what was guessed.
+        cases.resize(static_cast<std::size_t>(problem.size()));
+        for (Index i = 0; i < problem.size(); ++i)
+            cases[static_cast<std::size_t>(i)] = solution.lambda[i] == problem.lo[i]   ? RowCase::at_lo
+                                                 : solution.lambda[i] == problem.hi[i] ? RowCase::at_hi
+                                                                                       : RowCase::between;
     }
 };
 
