@@ -41,6 +41,7 @@ struct GuessedProblem {
 struct Guess {
     std::vector<RowCase> cases;
     VecX lambda, w, step;
+    VecX here, trial, way;     ///< room for the descent
     std::vector<Index> wrong;  ///< rows whose case does not fit what came out
 };
 
@@ -145,14 +146,14 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
 //! [loop]
 /// Corrects the guess until nothing is wrong. `singular`: the active rows of some guess depend on each other.
 /// \param patience  flips of all wrong rows without fewer of them, before one row at a time
-/// \param limit     of guesses
+/// \param limit     of work.guesses
 template <class Factor>
 GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
                        Guess& guess, ActiveSetWork& work)
 {
     std::size_t fewest = guess.cases.size() + 1;
     int chances = patience;
-    for (int tried = 0; tried < limit; ++tried) {
+    while (work.guesses < limit) {
         ++work.guesses;
         if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
         solve_guess(problem, factor, guess);
