@@ -114,6 +114,36 @@ DiscScene column(Index count, Real top_mass)
     return scene;
 }
 
+DiscScene column_between_walls(Index count, Real top_mass, Real clearance)
+{
+    DiscScene scene = column(count, top_mass);
+    const Real from_middle = scene.radius[0] + clearance;
+    scene.walls.push_back({{1, 0}, -from_middle});
+    scene.walls.push_back({{-1, 0}, -from_middle});
+    return scene;
+}
+
+DiscScene triangle(Index base)
+{
+    constexpr Real radius = 0.1;
+    const Index count = base * (base + 1) / 2;
+    const Real row_height = std::sqrt(3.0) * radius;
+    DiscScene scene;
+    scene.bodies = Bodies<2>(count);
+    scene.radius.resize(count);
+    Index k = 0;
+    for (Index row = 0; row < base; ++row)
+        for (Index i = 0; i < base - row; ++i)
+            place(scene, k++,
+                  {radius * static_cast<Real>(2 * i + row + 1 - base),
+                   radius + row_height * static_cast<Real>(row)},
+                  1, radius);
+    const Real wall = radius * static_cast<Real>(base);
+    scene.walls = {{{0, 1}, 0}, {{1, 0}, -wall}, {{-1, 0}, -wall}};
+    scene.half_size = {wall + 0.1, row_height * static_cast<Real>(base) + 0.1};
+    return scene;
+}
+
 DiscScene hanging_chain(Index count, Real end_mass)
 {
     constexpr Real length = 0.1;
@@ -125,6 +155,31 @@ DiscScene hanging_chain(Index count, Real end_mass)
     scene.bodies.inverse_mass.head<2>().setZero();
     for (Index k = 0; k < count; ++k) scene.links.push_back({k, k + 1, length});
     scene.half_size = {0.6 * length * static_cast<Real>(count), 1.1 * length * static_cast<Real>(count)};
+    link_neighbours(scene);
+    return scene;
+}
+
+DiscScene swinging_chain(Index count, Real end_mass)
+{
+    DiscScene scene = hanging_chain(count, end_mass);
+    for (Index k = 1; k <= count; ++k)
+        scene.bodies.position(k) = perpendicular(scene.bodies.position(k)).eval();
+    scene.half_size.setConstant(scene.half_size.y());
+    return scene;
+}
+
+DiscScene towed_discs()
+{
+    constexpr Real length = 0.5;
+    DiscScene scene;
+    scene.bodies = Bodies<2>(3);
+    scene.radius.resize(3);
+    place(scene, 0, {length, 0}, 10, 0.15);
+    place(scene, 1, {0, 0}, 1, 0.1);
+    place(scene, 2, {-length, 0}, 1, 0.1);
+    scene.links = {{0, 1, length}, {1, 2, length}};
+    scene.gravity = {0, 0};
+    scene.half_size = {1, 1};
     link_neighbours(scene);
     return scene;
 }

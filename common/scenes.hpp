@@ -38,9 +38,23 @@ DiscScene ten_discs();
 /// \param top_mass  mass of the uppermost [kg]
 DiscScene column(Index count, Real top_mass = 1);
 
+/// The same column between two walls that leave `clearance` on either side of it [m].
+DiscScene column_between_walls(Index count, Real top_mass = 1, Real clearance = 0);
+
+/// Discs of mass 1 kg and radius 0.1 m packed as a triangle: `base` of them on the floor, wall to wall and
+/// touching, each row above one disc shorter, each disc on two. K = base (base + 1) / 2, the lowest row first.
+DiscScene triangle(Index base);
+
 /// N discs of mass 1 kg on N links of 0.1 m, the first linked to a disc that cannot move
 /// (body 0, at the origin), hanging straight down. K = N + 1 bodies.
 /// \param end_mass  mass of the lowest [kg]
 DiscScene hanging_chain(Index count, Real end_mass = 1);
+
+/// The same chain, straight to the right of its anchor and at rest: it swings.
+DiscScene swinging_chain(Index count, Real end_mass = 1);
+
+/// A puck of 10 kg with two discs of 1 kg on links of 0.5 m behind it, on a table without gravity or walls.
+/// Body 0 is the puck; a program gives it a push.
+DiscScene towed_discs();
 
 }  // namespace rigid

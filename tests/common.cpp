@@ -268,3 +268,47 @@ TEST_CASE("random numbers are the same on every machine")
     CHECK(std::abs(mean) < 0.011);
     CHECK(std::abs(square - 1) < 0.016);
 }
+
+TEST_CASE("every scene is valid and starts with its links at their length and its discs touching at most")
+{
+    const std::vector<DiscScene> scenes = {
+        ten_discs(),  column(5, 100), column_between_walls(5, 100), column_between_walls(5, 1, 0.01),
+        triangle(1),  triangle(6),    hanging_chain(7, 10),         swinging_chain(7, 10),
+        towed_discs()};
+    for (const DiscScene& scene : scenes) {
+        CHECK_NOTHROW(require_valid(scene));
+        CHECK(deepest_penetration(scene) <= rounding);
+        CHECK(largest_link_error(scene) <= rounding);
+    }
+}
+
+TEST_CASE("a triangle of discs touches the floor and both walls, and each disc stands on two")
+{
+    const Index base = 5;
+    const DiscScene scene = triangle(base);
+    REQUIRE(scene.bodies.count() == base * (base + 1) / 2);
+    std::vector<Contact> contacts;
+    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 1e-9, contacts);
+    Index on_walls = 0, beside = 0, upright = 0;
+    for (const Contact& contact : contacts) {
+        if (contact.a == world) ++on_walls;
+        else if (std::abs(contact.normal.y()) < 0.1) ++beside;
+        else ++upright;
+    }
+    CHECK(on_walls == base + 2);             // the floor, and a wall at each end of the lowest row
+    CHECK(beside == base * (base - 1) / 2);  // in each row one less than discs
+    CHECK(upright == base * (base - 1));     // two below each disc that is not on the floor
+    for (const Contact& contact : contacts)
+        if (contact.a != world && std::abs(contact.normal.y()) > 0.1)
+            CHECK(contact.normal.y() == Approx(std::sqrt(3.0) / 2).epsilon(1e-12));
+}
+
+TEST_CASE("a swinging chain is a hanging chain turned by a quarter turn, its anchor in place")
+{
+    const DiscScene hanging = hanging_chain(4, 3), swinging = swinging_chain(4, 3);
+    CHECK(swinging.bodies.inverse_mass == hanging.bodies.inverse_mass);
+    for (Index k = 0; k <= 4; ++k) {
+        CHECK(swinging.bodies.position(k).x() == -hanging.bodies.position(k).y());
+        CHECK(swinging.bodies.position(k).y() == 0);
+    }
+}
