@@ -15,15 +15,19 @@ namespace rigid {
 struct GuessWalk {
     Mlcp problem;
     std::string method;
+    std::vector<RowCase> first;
     int allowed = 1;      ///< corrections that the solver may make
     int corrections = 0;  ///< and did
     ActiveSetMemory memory;
-    Solution solution;           ///< what the guess led to
+    Solution solution;           ///< what the solver says of it
+    VecX lambda;                 ///< what the guess led to, within its bounds or not [N s]
     std::vector<RowCase> cases;  ///< the guess itself
 
-    GuessWalk(Mlcp mlcp, std::string solver) : problem(std::move(mlcp)), method(std::move(solver))
+    /// \param start  yesterday's set; empty = the solver's own first guess
+    GuessWalk(Mlcp mlcp, std::string solver, std::vector<RowCase> start = {})
+        : problem(std::move(mlcp)), method(std::move(solver)), first(std::move(start))
     {
-        solve(1);
+        solve(allowed);
     }
 
     bool done() const { return solution.status != Status::iteration_limit; }
@@ -41,17 +45,17 @@ struct GuessWalk {
     {
         Real sum = problem.q[i];
         for (SparseMatrix::InnerIterator entry(problem.A, i); entry; ++entry)
-            sum += entry.value() * solution.lambda[entry.col()];
+            sum += entry.value() * lambda[entry.col()];
         return sum;
     }
     /// The row contradicts its guess: an active one pulls, or one that was let go is pushed through.
     bool wrong(Index i) const
     {
-        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), lambda = solution.lambda[i];
+        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), now = lambda[i];
         const Real a = problem.A.coeff(i, i);
         if (guess(i) == RowCase::at_lo) return w(i) < -tiny;
         if (guess(i) == RowCase::at_hi) return w(i) > tiny;
-        return a * (problem.lo[i] - lambda) > tiny || a * (lambda - problem.hi[i]) > tiny;
+        return a * (problem.lo[i] - now) > tiny || a * (now - problem.hi[i]) > tiny;
     }
     Index count(RowCase which) const
     {
@@ -92,6 +96,7 @@ struct GuessWalk {
         const std::string many = method == "active_sets" ? "guesses" : "pivots";
         const std::string name = std::to_string(corrections) + " " + (corrections == 1 ? what : many) + ": ";
         if (done()) return name + std::string(to_string(solution.status));
+        if (memory.dependent && lambda.isZero()) return name + "its active rows depend on each other";
         return name + std::to_string(count_wrong()) + " of " + std::to_string(problem.size()) +
                " rows are wrong";
     }
@@ -102,16 +107,18 @@ private:
         ActiveSetSettings settings;
         settings.limit = limit;
         memory = {};
+        memory.cases = first;
         if (method == "active_sets") active_sets(problem, settings, memory, solution);
         else if (method == "dantzig") dantzig(problem, settings, memory, solution);
         else solution = lemke(problem, {{}, {}, limit, settings.tolerance});  // chapter 5's walk, to compare
         corrections = solution.iterations;
+        lambda = method == "lemke" ? solution.lambda : memory.guess.lambda;
         // A row that is not active rests at its bound to the bit: λ tells what was guessed.
         cases.resize(static_cast<std::size_t>(problem.size()));
         for (Index i = 0; i < problem.size(); ++i)
-            cases[static_cast<std::size_t>(i)] = solution.lambda[i] == problem.lo[i]   ? RowCase::at_lo
-                                                 : solution.lambda[i] == problem.hi[i] ? RowCase::at_hi
-                                                                                       : RowCase::between;
+            cases[static_cast<std::size_t>(i)] = lambda[i] == problem.lo[i]   ? RowCase::at_lo
+                                                 : lambda[i] == problem.hi[i] ? RowCase::at_hi
+                                                                              : RowCase::between;
     }
 };
 

@@ -33,7 +33,7 @@ public:
             style.opacity = pile_.mass[k] > 1 ? 0.6 : 0.2;
             canvas.box(shown(pile_.centre[k]), zoom * Vec2(0.49, 0.49), 0, style);
         }
-        const VecX& lambda = walk_.solution.lambda;
+        const VecX& lambda = walk_.lambda;
         const Real largest = std::max(lambda.size() ? lambda.cwiseAbs().maxCoeff() : 0, 1e-12);
         const Real dot = std::min(0.09 * zoom, 0.022);
         Index i = 0;

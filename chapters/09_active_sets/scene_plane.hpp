@@ -11,7 +11,8 @@ namespace rigid {
 
 class PlaneRun : public Run {
 public:
-    explicit PlaneRun(const Settings& settings) : walk_(problem(settings), settings.method)
+    explicit PlaneRun(const Settings& settings)
+        : walk_(problem(settings), settings.method, set_of(static_cast<int>(settings["start"])))
     {
         const MatX A(walk_.problem.A);
         const VecX& q = walk_.problem.q;
@@ -78,6 +79,14 @@ private:
         return plain_lcp(A, q);
     }
 
+    static std::vector<RowCase> set_of(int number)
+    {
+        const auto active = [number](int row) {
+            return (number >> row) % 2 == 1 ? RowCase::between : RowCase::at_lo;
+        };
+        return {active(0), active(1)};
+    }
+
     /// 0 none, 1 row one, 2 row two, 3 both.
     std::size_t guess() const
     {
@@ -135,12 +144,14 @@ inline Scene plane_scene()
     scene.h = 1;
     scene.h_low = 0.02;
     scene.h_high = 2;
-    scene.methods = {"active_sets", "dantzig"};
-    scene.tunables = {{"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
-                      {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
-                      {"a12", "1/kg", "of A, off its diagonal", 1.5, -3, 3, false, true, false},
-                      {"q1", "m/s", "of q, row 1", -3, -4, 4, false, true, false},
-                      {"q2", "m/s", "of q, row 2", -1, -4, 4, false, true, false}};
+    scene.methods = {"active_sets"};
+    scene.tunables = {
+        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 2, 0, 3, true, true, false},
+        {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
+        {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
+        {"a12", "1/kg", "of A, off its diagonal", 1.5, -3, 3, false, true, false},
+        {"q1", "m/s", "of q, row 1", -3, -4, 4, false, true, false},
+        {"q2", "m/s", "of q, row 2", -1, -4, 4, false, true, false}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) { return std::make_unique<PlaneRun>(settings); };
     return scene;
