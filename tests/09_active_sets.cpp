@@ -3,6 +3,7 @@
 
 #include "tests/no_allocation.hpp"
 
+#include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/problem_file.hpp"
 #include "chapters/04_pgs/pgs.hpp"
@@ -302,6 +303,7 @@ TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
         for (Real& entry : before) entry = random.uniform();
         GuessedProblem asked = guessed(problem);
         asked.shift = 0.5 * asked.diagonal;
+        asked.shifted = true;
         asked.q = problem.q - asked.shift.cwiseProduct(before);
         DenseLlt factor;
         factor.look(problem);
@@ -793,16 +795,17 @@ TEST_CASE("a random search finds no exact solver that says solved with a residua
         bool any = false, none = false;
         for (const auto& [name, solution] : solutions) {
             CHECK(solution.lambda.size() == problem.size());
-            any = any || solution.status == Status::solved;
-            none = none || solution.status == Status::infeasible;
             if (solution.status == Status::solved && !(judged_residual(problem, solution.lambda) <= 1e-8))
                 FAIL_CHECK(name << ", sample " << sample);
+            if (name[0] != 'a' && name[0] != 'd') continue;  // the solvers of this chapter
+            any = any || solution.status == Status::solved;
+            none = none || solution.status == Status::infeasible;
         }
         solved += any;
         differ += any && none;
     }
-    CHECK(solved > budget / 3);       // the search also looks at problems that have answers
-    CHECK(differ <= budget / 10000);  // one proof against one answer: only where rounding decides
+    CHECK(solved > budget / 3);  // the search also looks at problems that have answers
+    CHECK(differ == 0);          // no proof of this chapter is contradicted by an answer
 }
 
 // ---- friction boxes -------------------------------------------------------------------------------------

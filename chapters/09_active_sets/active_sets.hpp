@@ -117,7 +117,7 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     guess.lambda.resize(n);
     guess.w.resize(n);
     guess.step.resize(n);
-    problem.shift.resize(0);
+    problem.shifted = false;
     problem.q = mlcp.q;
 
     bool settled = false;

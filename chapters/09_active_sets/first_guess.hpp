@@ -18,7 +18,7 @@ inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
             w += entry.value() * lambda[entry.col()];
             if (entry.col() == i) a = entry.value();
         }
-        if (problem.shift.size() > 0) {
+        if (problem.shifted) {
             w += problem.shift[i] * lambda[i];
             a += problem.shift[i];
         }

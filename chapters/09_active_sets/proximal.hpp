@@ -76,6 +76,7 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
     const Mlcp& mlcp = *problem.mlcp;
     Real share = proximal_share;
     problem.shift = share * problem.diagonal;
+    problem.shifted = true;
     factor.forget();
     if (memory.previous.size() != mlcp.size()) memory.previous.setZero(mlcp.size());
     clamp_into_bounds(mlcp, memory.previous);
