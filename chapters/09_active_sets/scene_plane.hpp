@@ -58,8 +58,9 @@ public:
             const Vec2 p = shown(answers_[k]);
             const bool here = k == visited_.back();
             canvas.disc(p, here ? 0.035 : 0.02, {here ? Colour::red : Colour::ink, 1.5, 1, here, false});
-            const bool left = p.x() < zero.x() - 0.01;
-            canvas.text(p + Vec2(left ? -0.05 : 0.05, 0.045), names[k] + complaint(k), 13,
+            const bool left = k == 0 || p.x() < zero.x() - 0.01;
+            const Vec2 beside(left ? -0.05 : 0.05, k == 0 ? -0.09 : 0.045);
+            canvas.text(p + beside, names[k] + complaint(k), 13,
                         {here ? Colour::red : Colour::ink, 1, 1, false, false},
                         left ? Align::right : Align::left);
         }
@@ -124,8 +125,8 @@ private:
         }
         if (from >= to) return;
         canvas.segment(middle + from * along, middle + to * along, style);
-        const Vec2 low = along.y() > 0 ? Vec2(middle + from * along) : Vec2(middle + to * along);
-        canvas.text(low + Vec2(0, -0.075), name, 13, style, Align::centre);
+        const Vec2 high = along.y() > 0 ? Vec2(middle + to * along) : Vec2(middle + from * along);
+        canvas.text(high + Vec2(0, 0.03), name, 13, style, Align::centre);
     }
 
     GuessWalk walk_;

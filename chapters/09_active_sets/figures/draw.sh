@@ -78,3 +78,10 @@ plot ch09_counts
 run --scene ten_discs --method active_sets --steps 1440 --csv "$data/warm"
 run --scene ten_discs --method cold --steps 1440 --csv "$data/cold"
 plot ch09_warm
+
+# How long the chain of 200 links becomes.
+run --scene long_chain --method active_sets --steps 2400 --csv "$data/stretch_exact"
+for sweeps in 10 40 160; do
+    run --scene long_chain --method gauss_seidel --set max_sweeps=$sweeps --steps 2400 --csv "$data/stretch_$sweeps"
+done
+plot ch09_stretch
