@@ -141,7 +141,7 @@ inline Scene plane_scene()
     Scene scene;
     scene.name = "plane";
     scene.summary = "Two rows and their four guesses in the plane of λ: what each gets wrong, and the way";
-    scene.view = {{0, -0.03}, {1.1, 1.12}};
+    scene.view = {{-0.12, -0.03}, {1.25, 1.12}};
     scene.h = 1;
     scene.h_low = 0.02;
     scene.h_high = 2;

@@ -6,7 +6,7 @@ set tics nomirror out tc rgb '#808080'
 set datafile separator ','
 set xlabel 'steps' tc rgb '#808080'
 set ylabel 'guesses so far' tc rgb '#808080'
-set xrange [0:1440]; set yrange [0:2600]
+set xrange [0:1440]; set yrange [0:*]
 set key tc rgb '#808080' samplen 1.5 font ',12' Left reverse top left
 plot data.'/cold' skip 1 using 1:3 smooth cumulative with lines lw 2 lc rgb '#EE7733' title 'from nothing', \
      data.'/warm' skip 1 using 1:3 smooth cumulative with lines lw 2 lc rgb '#4477AA' title "from yesterday's set", \
