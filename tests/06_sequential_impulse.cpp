@@ -398,30 +398,38 @@ TEST_CASE("a disc that falls into a groove of 30 degrees stops or hops by how on
     }
 }
 
-TEST_CASE("a disc at rest in a groove stays or jitters by how one clamps")
+TEST_CASE("a disc at rest in a groove stays or jitters or hangs askew by how one clamps")
 {
-    for (const bool wrong : {false, true}) {
-        DiscScene scene = groove(pi / 6);
-        const Vec2 start = scene.bodies.position(0);
-        ImpulseStepSettings settings;
-        settings.sweeps = {30, 0, false};  // the error falls by 4 a sweep: rounding is reached
-        ImpulseStep now;
-        Real farthest = 0, fastest = 0;
-        for (int k = 0; k < 600; ++k) {
-            if (wrong) impulse_step(scene, settings, impulse_clamping_corrections<2>, now);
-            else impulse_step(scene, settings, now);
-            farthest = std::max(farthest, (scene.bodies.position(0) - start).norm());
-            fastest = std::max(fastest, scene.bodies.u.norm());
+    const Real gh = 9.81 / 60;
+    for (const bool wrong : {false, true})
+        for (const Real margin : {0.02, 1e-9}) {  // contacts known before they close, or when they touch
+            DiscScene scene = groove(pi / 6);
+            const Vec2 start = scene.bodies.position(0);
+            ImpulseStepSettings settings;
+            settings.sweeps = {30, 0, false};  // the error falls by 4 a sweep: rounding is reached
+            settings.margin = margin;
+            ImpulseStep now;
+            Real farthest = 0, first = 0, late = 0;
+            for (int k = 0; k < 600; ++k) {
+                if (wrong) impulse_step(scene, settings, impulse_clamping_corrections<2>, now);
+                else impulse_step(scene, settings, now);
+                const Real speed = scene.bodies.u.norm();
+                if (k == 0) first = speed;
+                if (k >= 300) {
+                    late = std::max(late, speed);
+                    farthest = std::max(farthest, (scene.bodies.position(0) - start).norm());
+                }
+            }
+            if (!wrong) {
+                CHECK(late < 1e-13);
+                CHECK(farthest < 1e-13);
+                continue;
+            }
+            CHECK(first == Approx(gh / 4).epsilon(1e-12));  // ‖(√3, 1)‖/8 of g h
+            CHECK(farthest > 5e-4);                     // some of the first hop of 0.68 mm is never undone
+            if (margin < 1e-6) CHECK(late > 0.5 * gh);  // it never comes to rest
+            else CHECK(late < 1e-12);                   // it does, in the air
         }
-        const Real gh = 9.81 / 60;
-        if (wrong) {
-            CHECK(fastest == Approx(gh / 4).epsilon(1e-9));  // ‖(√3, 1)‖/8 of g h, in the first step
-            CHECK(farthest > 1e-3);
-        } else {
-            CHECK(fastest < 1e-13);
-            CHECK(farthest < 1e-13);
-        }
-    }
 }
 
 TEST_CASE("after n sweeps the first row of two is off by what (6.13) says")

@@ -519,6 +519,56 @@ TEST_CASE("a gap closes to zero and not beyond under each way")
     }
 }
 
+TEST_CASE("a disc that does not reach the floor in a step is not slowed down by its row")
+{
+    for (const Stabilizer method : all_ways) {
+        DiscScene scene = sunken_disc(-0.019);
+        scene.bodies.u[1] = -0.5;
+        Discs run(std::move(scene), method);
+        run.settings.gravity.setZero();
+        run.advance();
+        INFO(to_string(method));
+        REQUIRE(run.now.rows.size() == 1);
+        CHECK(run.scene.bodies.u[1] == -0.5);
+        CHECK(run.scene.bodies.x[1] == Approx(0.519 - 0.5 / 60).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("contacts move with their bodies within a step: n substeps repay n times")
+{
+    // Two discs and a wall: C of a pair, and of the wall.
+    for (const Stabilizer method :
+         {Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection}) {
+        Discs wall(sunken_disc(0.1), method);
+        DiscScene two = column(2);
+        two.walls.clear();
+        two.bodies.position(1).y() -= 0.05;
+        Discs pair(std::move(two), method);
+        for (Discs* run : {&wall, &pair}) {
+            run->settings.gravity.setZero();
+            run->settings.substeps = 4;
+            run->settings.stabilizer.tolerance = 0;
+            run->advance();
+        }
+        INFO(to_string(method));
+        CHECK(deepest_penetration(wall.scene) == Approx(0.1 * std::pow(0.8, 4)).epsilon(1e-12));
+        CHECK(deepest_penetration(pair.scene) == Approx(0.05 * std::pow(0.8, 4)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("projection once in a step repays what one step may and no faster than the greatest speed")
+{
+    Discs run(sunken_disc(0.1), Stabilizer::projection);
+    run.settings.gravity.setZero();
+    run.settings.substeps = 4;
+    run.settings.repay_once = true;
+    run.advance();
+    CHECK(deepest_penetration(run.scene) == Approx(0.1 * 0.8).epsilon(1e-12));
+    run.settings.stabilizer.fastest = 0.3;
+    run.advance();
+    CHECK(deepest_penetration(run.scene) == Approx(0.08 - 0.3 / 60).epsilon(1e-12));
+}
+
 TEST_CASE("a column of ten and a chain of ten stand and hang with each way that repays")
 {
     for (const Stabilizer method :

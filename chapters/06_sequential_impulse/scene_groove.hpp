@@ -22,6 +22,7 @@ public:
     {
         ImpulseStepSettings step;
         step.h = settings.h;
+        step.margin = settings["margin"];
         step.sweeps = sweeps_of(settings);
         step.order = order_of_method(settings.method);
         solver_.choose(settings.method);
@@ -82,6 +83,8 @@ inline Scene groove_scene()
     scene.tunables = sweep_tunables(10, 0);
     scene.tunables.push_back({"angle", "°", "of the sides of the groove", 30, 1, 85, false, true, true});
     scene.tunables.push_back({"drop", "m", "height to fall from", 0.2, 0, 0.3, false, true, false});
+    scene.tunables.push_back({"margin", "m", "a contact gets its row when its gap is below this", 0.02, 1e-9,
+                              0.1, false, false, false});
     scene.columns = {{"x", "m", "off its place of rest", true, false},
                      {"y", "m", "off its place of rest", true, false},
                      {"u_x", "m/s", "velocity", false, false},
