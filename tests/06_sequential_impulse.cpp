@@ -1283,15 +1283,32 @@ TEST_CASE("200 bad scenes are refused with a sentence or run without a NaN")
     CHECK(ran >= 80);
 }
 
-TEST_CASE("a step of no length or a NaN is refused")
+TEST_CASE("bad settings of a step are refused by a sentence and the scene stands where it stood")
 {
     DiscScene scene = column(2);
-    ImpulseStepSettings settings;
+    const VecX before = scene.bodies.x;
     ImpulseStep now;
-    for (const Real h : {0.0, -1.0, std::nan("")}) {
-        settings.h = h;
-        CHECK(sentence_of([&] { impulse_step(scene, settings, now); }) != "accepted");
-    }
+    const auto said = [&](const std::function<void(ImpulseStepSettings&)>& change) {
+        ImpulseStepSettings settings;
+        change(settings);
+        return sentence_of([&] { impulse_step(scene, settings, now); });
+    };
+    for (const Real h : {0.0, -1.0, std::nan("")})
+        CHECK(said([h](auto& s) { s.h = h; }).find("the time step h is") == 0);
+    CHECK(said([](auto& s) { s.restitution = 1.5; }) ==
+          "the restitution is 1.500000; it must be from 0 to 1");
+    CHECK(said([](auto& s) { s.restitution = std::nan(""); }) != "accepted");
+    CHECK(said([](auto& s) { s.threshold = -1; }) ==
+          "the threshold of bounces is -1.000000; it must be zero or positive");
+    CHECK(said([](auto& s) { s.margin = -0.1; }) ==
+          "the margin of contacts is -0.100000; it must be zero or positive");
+    CHECK(said([](auto& s) { s.sweeps.tolerance = std::nan(""); }) ==
+          "the tolerance of the sweeps is nan; it must be zero or positive");
+    CHECK(said([](auto& s) { s.sweeps.max_sweeps = -1; }) ==
+          "the number of sweeps is -1.000000; it must be zero or positive");
+    CHECK(said([](auto& s) { s.gravity = {0, infinity}; }) == "gravity is not finite");
+    CHECK(scene.bodies.x == before);
+    CHECK(said([](auto&) {}) == "accepted");
 }
 
 TEST_CASE("nothing that is called solved contains a NaN")

@@ -13,6 +13,8 @@
 
 #include <array>
 #include <chrono>
+#include <initializer_list>
+#include <string>
 
 using namespace rigid;
 
@@ -106,6 +108,17 @@ struct Named {
 };
 constexpr Named scenes[] = {
     {"column", column_of}, {"chain", chain_of}, {"triangle", triangle_of}, {"walls", walls_of}};
+
+/// "error/column/given/8"
+std::string name_of(std::initializer_list<std::string> words)
+{
+    std::string name;
+    for (const std::string& word : words) {
+        if (!name.empty()) name += '/';
+        name += word;
+    }
+    return name;
+}
 
 double seconds()
 {
@@ -214,6 +227,7 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
     std::vector<int> order;
     ImpulseMemory<2> memory;
     Solution ours, theirs;
+    VecX u;
     AssemblyScratch scratch;
     Mlcp mlcp;
     PgsMemory pgs_memory;
@@ -225,8 +239,8 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
         best[what] = std::min(best[what], seconds() - begin);
     };
     for (auto _ : state) {
+        u = problem.u_star;
         double begin = seconds();
-        VecX u = problem.u_star;
         order_rows(problem.rows, problem.bodies(), Order::coloured, random, colouring, order);
         ours.lambda.setZero(static_cast<Index>(m));
         sequential_impulse<2>(problem.rows, order, {10, 0, false}, memory, u, ours);
@@ -306,12 +320,12 @@ int main(int argc, char** argv)
 {
     for (const Named& scene : scenes)
         for (const Index m : {300, 1000, 3000, 10000})
-            benchmark::RegisterBenchmark((std::string("visit/") + scene.name).c_str(), visits, scene.make)
+            benchmark::RegisterBenchmark(name_of({"visit", scene.name}).c_str(), visits, scene.make)
                 ->Arg(m)
                 ->MinTime(0.2);
     for (const Named& scene : {scenes[0], scenes[2]})
         for (const Index m : {100, 300, 1000, 3000, 10000, 30000, 100000})
-            benchmark::RegisterBenchmark((std::string("size/") + scene.name).c_str(), whole_solve, scene.make)
+            benchmark::RegisterBenchmark(name_of({"size", scene.name}).c_str(), whole_solve, scene.make)
                 ->Arg(m)
                 ->MinTime(0.2);
     for (const Index m : {100, 300, 1000, 3000})
@@ -321,11 +335,10 @@ int main(int argc, char** argv)
     for (const auto& [name, problem] : {std::pair{"triangle", &triangle}, {"column", &column}})
         for (const std::string method : {"given", "alternating", "shuffled", "coloured", "blocks", "pgs"})
             for (int sweeps = 1; sweeps <= 4096; sweeps *= 2)
-                benchmark::RegisterBenchmark(
-                    (std::string("error/") + name + "/" + method + "/" + std::to_string(sweeps)).c_str(),
-                    [problem = problem, method, sweeps](benchmark::State& state) {
-                        one_error(state, *problem, method, sweeps);
-                    })
+                benchmark::RegisterBenchmark(name_of({"error", name, method, std::to_string(sweeps)}).c_str(),
+                                             [problem = problem, method, sweeps](benchmark::State& state) {
+                                                 one_error(state, *problem, method, sweeps);
+                                             })
                     ->MinTime(0.005);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -46,9 +46,9 @@ public:
     {
         for (const Real side : {-1.0, 1.0})
             canvas.segment({0, 0}, 0.55 * Vec2(side * std::cos(angle_), std::sin(angle_)), paint::wall);
-        canvas.polyline(trail_, {Colour::blue, 1.5, 0.7, false, false});
         canvas.disc(rest_, 0.1, {Colour::faint, 1, 1, false, true});
         canvas.disc(scene_.bodies.position(0), 0.1, paint::body);
+        canvas.polyline(trail_, {Colour::blue, 1.5, 0.7, false, false});
         for (std::size_t i = 0; i < now_.rows.size(); ++i) {
             const Vec2 n = now_.rows[i].Jb.transpose(), touch = scene_.bodies.position(0) - 0.1 * n;
             const Real force = now_.solution.lambda[static_cast<Index>(i)] / h_;

@@ -20,7 +20,7 @@ set yrange [1e-8:0.3]
 plot for [k = 1:5] data.'/column_'.word(methods, k) using 1:4 every 10::1 with lines lw 1.3 lc rgb word(colours, k) title word(methods, k)
 unset logscale
 set format y '%g'
-set ylabel 'sideways momentum / (weight · h)' tc rgb '#808080'
+set ylabel 'sideways / (weight · h)' tc rgb '#808080'
 unset key
 set xrange [0:60]; set autoscale y
 set title 'triangle: what the first sweeps leave' tc rgb '#808080'

@@ -44,7 +44,7 @@ fi
 
 # Pictures of scenes.
 run --scene one_sweep --method given,coloured --steps 60 --svg "$out/ch06_triangle.svg"
-run --scene groove --method given,correction --steps 29 --svg "$out/ch06_groove.svg"
+run --scene groove --method given,correction --steps 16 --svg "$out/ch06_groove.svg"
 run --scene cradle --method sequential,simultaneous --steps 960 --svg "$out/ch06_cradle.svg"
 run --scene bounce --method scaled,fixed --steps 270 --svg "$out/ch06_bounce.svg"
 run --scene lift --steps 60 --svg "$out/ch06_lift.svg"
