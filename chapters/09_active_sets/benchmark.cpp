@@ -139,7 +139,8 @@ struct ColdSolve {
     ActiveSetMemory memory;
     Fastest fastest;
 
-    /// From Mlcp to Solution, with all its checks, nothing remembered.
+    /// From Mlcp to Solution, with all its checks and nothing remembered: allocations, the order of elimination and
+    /// the pattern of the factor are part of the time.
     void run(const Mlcp& mlcp)
     {
         fastest.add(time_of_one(calls_for(mlcp.size()), [&] {
@@ -385,8 +386,9 @@ void add_all()
         add("slope/" + std::string(name), slope, name)->Iterations(1);
     for (const auto& [name, n] : {std::pair("spd", 300), std::pair("column_hit", 300),
                                   std::pair("chain", 999), std::pair("pyramid_hit", 512)}) {
-        const auto contest = [&, here = std::string(name)](const std::string& who, const Solve& solve) {
-            add("error/" + here + "/" + who, error, of(here.c_str()), solve)->Arg(n)->Iterations(10);
+        const auto contest = [&, here = std::string(name), size = n](const std::string& who,
+                                                                     const Solve& solve) {
+            add("error/" + here + "/" + who, error, of(here.c_str()), solve)->Arg(size)->Iterations(10);
         };
         contest("active_sets", [](const Mlcp& mlcp) { return active_sets(mlcp); });
         contest("dantzig", [](const Mlcp& mlcp) { return dantzig(mlcp); });
