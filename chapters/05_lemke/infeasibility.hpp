@@ -24,7 +24,7 @@ namespace rigid {
 inline bool proves_infeasibility(const Mlcp& mlcp, VecX v)
 {
     const Index n = mlcp.size();
-    constexpr Real epsilon = std::numeric_limits<Real>::epsilon(), absurd = 1e12;
+    constexpr Real epsilon = std::numeric_limits<Real>::epsilon(), absurd = 1e13;
     VecX image = VecX::Zero(n), sizes = VecX::Zero(n), terms = VecX::Constant(n, 2);  // Aᵀv, |A|ᵀ|v|
     Real largest_A = 0, largest_q = 0, gain = 0;
     for (Index i = 0; i < n; ++i) {
