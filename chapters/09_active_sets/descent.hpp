@@ -4,7 +4,7 @@
 ///     φ(λ) = ½ λᵀ A λ + qᵀ λ,   lo ≤ λ ≤ hi       least exactly at the answer
 ///
 /// A few visits of all rows as in chapter 4 let go of bounds; then straight to the lowest point of the face on
-/// which that ended, or as far towards it as the bounds and φ allow (9.7). Each lowest point of a face is lower
+/// which that ended, or as far towards it as the bounds and φ allow (9.7b). Each lowest point of a face is lower
 /// than the one before, so none is met twice: this ends. \cite more1991
 #pragma once
 
@@ -28,13 +28,14 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
                  ActiveSetWork& work)
 {
     const Mlcp& mlcp = *problem.mlcp;
-    VecX here = guess.lambda, trial, trial_w;
+    VecX &here = guess.here, &trial = guess.trial, &way = guess.way;
+    here = guess.lambda;
     clamp_into_bounds(mlcp, here);
-    for (int tried = 0; tried < limit;) {
+    while (work.guesses < limit) {
         for (int k = 0; k < visits; ++k) visit_rows(problem, here);
         velocities(problem, factor, here, guess.w);
         Real now = merit(problem, here, guess.w);
-        for (bool arrived = false; !arrived && tried < limit; ++tried) {
+        for (bool arrived = false; !arrived && work.guesses < limit;) {
             cases_of(mlcp, here, guess.cases);
             ++work.guesses;
             ++work.descents;
@@ -44,7 +45,7 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
             if (guess.wrong.empty()) return GuessEnd::right;
 
             // The part of the way to the lowest point of the face that no bound interrupts: always downhill.
-            const VecX way = guess.lambda - here;
+            way = guess.lambda - here;
             Real free_way = 1;
             for (const Index i : guess.wrong)
                 if (way[i] < 0) free_way = std::min(free_way, (mlcp.lo[i] - here[i]) / way[i]);
@@ -55,8 +56,8 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
                 if (last) share = free_way;
                 trial = here + share * way;
                 clamp_into_bounds(mlcp, trial);
-                velocities(problem, factor, trial, trial_w);
-                const Real there = merit(problem, trial, trial_w);
+                velocities(problem, factor, trial, guess.w);
+                const Real there = merit(problem, trial, guess.w);
                 if (!last && !(there < now)) continue;
                 now = there;
                 break;

@@ -31,16 +31,18 @@ struct ActiveSetWork {
 /// The problem as the guesses see it: A + diag(shift), and a q of its own. Rows are measured in m/s.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
-    VecX q;              ///< that of the problem, or of a proximal step (9.12)
-    VecX shift;          ///< ε A_ii of the proximal step, or zero
-    VecX diagonal;       ///< A_ii; 1 where it is not positive
-    Real tolerance = 0;  ///< a row that is wrong by less than this is right [m/s]
+    VecX q;                ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;            ///< ε A_ii of the proximal step, or zero
+    bool shifted = false;  ///< whether shift is used
+    VecX diagonal;         ///< A_ii; 1 where it is not positive
+    Real tolerance = 0;    ///< a row that is wrong by less than this is right [m/s]
 };
 
 /// Which rows are active, the λ that follows, and its w.
 struct Guess {
     std::vector<RowCase> cases;
     VecX lambda, w, step;
+    VecX here, trial, way;     ///< room for the descent
     std::vector<Index> wrong;  ///< rows whose case does not fit what came out
 };
 
@@ -73,7 +75,7 @@ void velocities(const GuessedProblem& problem, const Factor& factor, const VecX&
 {
     factor.multiply(*problem.mlcp, lambda, w);
     w += problem.q;
-    if (problem.shift.size() > 0) w += problem.shift.cwiseProduct(lambda);
+    if (problem.shifted) w += problem.shift.cwiseProduct(lambda);
 }
 
 /// The largest |w| of the active rows, which should be zero [m/s].
@@ -145,14 +147,14 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
 //! [loop]
 /// Corrects the guess until nothing is wrong. `singular`: the active rows of some guess depend on each other.
 /// \param patience  flips of all wrong rows without fewer of them, before one row at a time
-/// \param limit     of guesses
+/// \param limit     of work.guesses
 template <class Factor>
 GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
                        Guess& guess, ActiveSetWork& work)
 {
     std::size_t fewest = guess.cases.size() + 1;
     int chances = patience;
-    for (int tried = 0; tried < limit; ++tried) {
+    while (work.guesses < limit) {
         ++work.guesses;
         if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
         solve_guess(problem, factor, guess);
