@@ -316,7 +316,7 @@ def main():
         sys.stdout.write(Page(book, path).text())
     else:
         source = path.read_text(encoding="utf-8")
-        in_tests = path.is_relative_to(ROOT / "tests") and path.suffix == ".cpp"
+        in_tests = path.parent == ROOT / "tests" and path.suffix == ".cpp"
         sys.stdout.write(test_text(book, path, source) if in_tests else source_text(book, source))
 
 
