@@ -1,21 +1,6 @@
 /// Chapter 10: what a step may leave out, and that leaving it out changes nothing.
 
-// Memory that is asked for while a NoAllocation lives is counted: operator new below, Eigen's own by its
-// check.
-#include <cstdlib>
-#include <new>
-namespace {
-bool allocation_forbidden = false;
-int forbidden_allocations = 0;
-}  // namespace
-#define EIGEN_RUNTIME_NO_MALLOC
-#define eigen_assert(condition)                                                                              \
-    do {                                                                                                     \
-        if (!(condition)) {                                                                                  \
-            if (!allocation_forbidden) std::abort();                                                         \
-            ++forbidden_allocations;                                                                         \
-        }                                                                                                    \
-    } while (false)
+#include "tests/no_allocation.hpp"  // first: it replaces operator new
 
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/08_warm_starting/warm_step.hpp"
@@ -30,45 +15,9 @@ int forbidden_allocations = 0;
 #include <map>
 #include <set>
 
-// AddressSanitizer has its own operator new; there only Eigen's allocations are counted.
-#if defined(__SANITIZE_ADDRESS__)
-#define RIGID_ADDRESS_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RIGID_ADDRESS_SANITIZER
-#endif
-#endif
-#ifndef RIGID_ADDRESS_SANITIZER
-// Not inlined: else the compiler sees malloc() and delete meet and warns.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-    if (allocation_forbidden) ++forbidden_allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-#endif
-
 using namespace rigid;
 
 namespace {
-
-/// While it lives, every allocation is counted.
-struct NoAllocation {
-    NoAllocation()
-    {
-        forbidden_allocations = 0;
-        allocation_forbidden = true;
-        Eigen::internal::set_is_malloc_allowed(false);
-    }
-    ~NoAllocation()
-    {
-        Eigen::internal::set_is_malloc_allowed(true);
-        allocation_forbidden = false;
-    }
-    static int violations() { return forbidden_allocations; }
-};
 
 // ---- contacts --------------------------------------------------------------------------------------
 
@@ -105,7 +54,6 @@ struct Finder {
     }
     const std::vector<Contact>& find(const DiscScene& scene)
     {
-        broad.tested = 0;
         update_pairs(scene, set, broad);
         awake_contacts(scene, set, broad, contacts);
         return contacts;
@@ -154,6 +102,7 @@ WarmStepSettings as_chapter_8(const SkippingSettings& settings, Real margin)
     same.margin = margin;
     same.sweeps = settings.sweeps;
     same.stabilizer = settings.stabilizer;
+    same.order = settings.order;
     return same;
 }
 
@@ -189,8 +138,7 @@ DiscScene columns(Index count, Index height)
     DiscScene scene = empty_scene(count * height);
     for (Index c = 0; c < count; ++c)
         for (Index i = 0; i < height; ++i)
-            set_disc(scene, c * height + i,
-                     {static_cast<Real>(c), 0.1 + 0.2 * static_cast<Real>(i)}, 0.1);
+            set_disc(scene, c * height + i, {static_cast<Real>(c), 0.1 + 0.2 * static_cast<Real>(i)}, 0.1);
     scene.walls = {{{0, 1}, 0}};
     return scene;
 }
@@ -286,7 +234,8 @@ TEST_CASE("a pair at the very edge of the margin is found as all pairs find it")
     int touching = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         DiscScene scene = empty_scene(2);
-        const Real ra = random.uniform(0.01, 2), rb = random.uniform(0.01, 2), margin = random.uniform(0, 0.1);
+        const Real ra = random.uniform(0.01, 2), rb = random.uniform(0.01, 2),
+                   margin = random.uniform(0, 0.1);
         const Real distance = (ra + rb + margin) * (1 + 1e-16 * random.uniform(-8, 8));
         const Real angle = random.uniform(0, 2 * pi);
         const Vec2 from = std::pow(10, random.uniform(-3, 6)) * Vec2(random.normal(), random.normal());
@@ -454,7 +403,7 @@ TEST_CASE("the islands of the text: six discs and two that are fixed")
     const std::vector<int> bodies = {0, 1, 3, 4, 6, 7};
     Islands islands;
     separate(8, bodies, islands);
-    join_by_rows<2>(bodies, rows, islands);
+    join_by_rows<2>(bodies, rows, {}, islands);
     REQUIRE(islands.count() == 4);
     const auto list = [](std::span<const int> part) { return std::vector<int>(part.begin(), part.end()); };
     CHECK(list(islands.bodies_of(0)) == std::vector<int>{0, 3, 6});
@@ -484,7 +433,7 @@ TEST_CASE("islands are the connected parts of random rows and rows of two island
             if (inverse_mass[2 * k] > 0) bodies.push_back(k);
         Islands islands;
         separate(K, bodies, islands);
-        join_by_rows<2>(bodies, rows, islands);
+        join_by_rows<2>(bodies, rows, {}, islands);
 
         // The slow way: spread a mark until nothing changes.
         std::vector<int> mark(static_cast<std::size_t>(K));
@@ -493,7 +442,8 @@ TEST_CASE("islands are the connected parts of random rows and rows of two island
             changed = false;
             for (const Row<2>& row : rows) {
                 if (!moves_a(row) || !moves_b(row)) continue;
-                int &of_a = mark[static_cast<std::size_t>(row.a)], &of_b = mark[static_cast<std::size_t>(row.b)];
+                int &of_a = mark[static_cast<std::size_t>(row.a)],
+                    &of_b = mark[static_cast<std::size_t>(row.b)];
                 changed = changed || of_a != of_b;
                 of_a = of_b = std::min(of_a, of_b);
             }
@@ -519,8 +469,10 @@ TEST_CASE("without sleep the step has the bits of chapter 8 with broad phase and
     const Real h = 1.0 / 240;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const DiscScene scene = rain_on_hills(150, seed, 6);
-        const SkippingSettings settings = fixed_sweeps(6, h);
-        SkippingWorld now = world_of(scene), no_skin = world_of(scene, 0.02, 0), thick = world_of(scene, 0.02, 0.2);
+        SkippingSettings settings = fixed_sweeps(6, h);
+        settings.order = seed == 1 ? Order::given : Order::coloured;
+        SkippingWorld now = world_of(scene), no_skin = world_of(scene, 0.02, 0),
+                      thick = world_of(scene, 0.02, 0.2);
         SkippingSettings whole = settings;
         whole.islands = false;
         SkippingWorld in_one = world_of(scene);
@@ -569,7 +521,8 @@ TEST_CASE("an island that needs many sweeps does not make its neighbours sweep")
     // A column of thirty settles beside a hundred single discs.
     DiscScene scene = empty_scene(130);
     for (Index k = 0; k < 130; ++k)
-        set_disc(scene, k, k < 30 ? Vec2(-5, 0.1 + 0.2 * static_cast<Real>(k)) : Vec2(0.3 * static_cast<Real>(k), 0.1),
+        set_disc(scene, k,
+                 k < 30 ? Vec2(-5, 0.1 + 0.2 * static_cast<Real>(k)) : Vec2(0.3 * static_cast<Real>(k), 0.1),
                  0.1);
     scene.walls = {{{0, 1}, 0}};
     SkippingSettings settings = early_out();
@@ -683,7 +636,8 @@ TEST_CASE("even with a time of rest of one step nothing that is accelerated slee
     CHECK(up.scene.bodies.u[1] < 0);
 }
 
-TEST_CASE("a swing that never exceeds the speed of rest is frozen at most v over omega from its middle as in (10.9)")
+TEST_CASE("a swing that never exceeds the speed of rest is frozen at most v over omega from its middle as in "
+          "(10.9)")
 {
     const Real L = 0.1, omega = std::sqrt(9.81 / L);
     for (const Real part : {0.3, 0.9, 1.5, 5.0}) {  // of the amplitude whose top speed is v_rest
@@ -762,7 +716,8 @@ TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves 
     DiscScene scene = empty_scene(12);
     set_disc(scene, 0, {-3, 0.03}, 0.1);
     scene.bodies.u[0] = 2;
-    for (Index k = 1; k < 12; ++k) set_disc(scene, k, {0.201 * static_cast<Real>(k), 0.01 * static_cast<Real>(k % 3)}, 0.1);
+    for (Index k = 1; k < 12; ++k)
+        set_disc(scene, k, {0.201 * static_cast<Real>(k), 0.01 * static_cast<Real>(k % 3)}, 0.1);
     SkippingSettings settings = early_out();
     settings.gravity = {0, 0};
     settings.sweeps.max_sweeps = 20;
@@ -1132,7 +1087,8 @@ TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
         scene.walls = {{{0, 1}, -scene.half_size.y()}};
         for (int i = 0; i < 10; ++i) {
             const Index k = random.index(80);
-            scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(i < 3 ? 0 : std::pow(10, random.uniform(-6, 6)));
+            scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(
+                i < 3 ? 0 : std::pow(10, random.uniform(-6, 6)));
         }
         SkippingSettings settings = early_out(random.uniform(1e-3, 0.05));
         settings.sweeps.max_sweeps = 10;

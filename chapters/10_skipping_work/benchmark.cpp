@@ -68,12 +68,13 @@ void broad(benchmark::State& state, const std::string& method, const std::string
             contacts.clear();
             Contact contact;
             for (const std::uint64_t pair : pairs)
-                if (disc_contact(scene.bodies.x, scene.radius, first_of(pair), second_of(pair), margin, contact))
+                if (disc_contact(scene.bodies.x, scene.radius, first_of(pair), second_of(pair), margin,
+                                 contact))
                     contacts.push_back(contact);
             tested += memory.tested;
         } else {
             if (method == "grid") phase.reset(scene, {});
-            phase.tested = 0;
+
             update_pairs(scene, set, phase);
             awake_contacts(scene, set, phase, contacts);
             tested += phase.tested;
@@ -136,8 +137,9 @@ void add_all()
                 if (method != "all" || N <= 10000) one->Arg(N);
         }
     for (const bool pendulum : {false, true}) {
-        auto* const one = benchmark::RegisterBenchmark(
-            pendulum ? "beside" : "sleepers", [pendulum](benchmark::State& state) { sleepers(state, pendulum); });
+        auto* const one =
+            benchmark::RegisterBenchmark(pendulum ? "beside" : "sleepers",
+                                         [pendulum](benchmark::State& state) { sleepers(state, pendulum); });
         one->Unit(benchmark::kMicrosecond)->MinTime(0.05);
         for (const int K : {0, 1, 10, 100, 1000, 10000}) one->Arg(K);
     }

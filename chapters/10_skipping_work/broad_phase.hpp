@@ -93,6 +93,8 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
         for (std::size_t i = before; i < set.woken.size(); ++i) renew(set.woken[i]);
     };
 
+    broad.tested = 0;
+
     // (10.4): who has left its skin? (Who was woken since the last step asks too: nobody kept its pairs.)
     const Real allowed = broad.skin * broad.skin;
     for (const int k : set.woken) renew(k);

@@ -27,8 +27,7 @@ Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
 {
     Real largest = 0;
     for (const SolverRow<Dof>& row : rows) {
-        const Real w = row.bias + row.Ja.dot(u.template segment<Dof>(row.a)) +
-                       row.Jb.dot(u.template segment<Dof>(row.b));
+        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
         const Real r = natural_residual_row(row.mass > 0 ? 1 / row.mass : 0, row.lambda, w, row.lo, row.hi);
         if (!(r <= largest)) largest = r;  // also takes over a NaN
         if (std::isnan(largest)) break;
@@ -37,17 +36,18 @@ Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
 }
 
 //! [sweep_island]
-/// Sweeps over the rows of one island from their present λ, whose effect is in u already.
-/// \param u  Dof·(K + 1) numbers, the last Dof zero; changed where the rows move something [m/s]
+/// Sweeps over the rows of one island from their present λ, whose effect is in u already. With tolerance 0 all
+/// sweeps are made, or until one changes nothing.
+/// \param u  Dof·K; changed where the rows move something [m/s]
 template <int Dof>
 IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows, const ImpulseSettings& settings, VecX& u)
 {
     IslandAnswer answer;
-    while (answer.sweeps < settings.max_sweeps && answer.status != Status::solved) {
-        Real change = 0;  // the residual that each row had when it was visited [m/s]
+    int changed = 1;
+    while (answer.sweeps < settings.max_sweeps && changed > 0) {
+        changed = 0;
         const auto visit_and_see = [&](SolverRow<Dof>& row) {
-            const Real delta = visit(row, u);
-            if (row.mass > 0) change = std::max(change, std::abs(delta) / row.mass);
+            changed += !(std::abs(visit(row, u)) <= settings.tolerance * row.mass);  // a NaN counts
         };
         if (settings.alternate && answer.sweeps % 2 == 1)
             for (std::size_t k = rows.size(); k-- > 0;) visit_and_see(rows[k]);
@@ -56,13 +56,15 @@ IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows, const ImpulseSettings&
         ++answer.sweeps;
         answer.visits += static_cast<std::int64_t>(rows.size());
 
-        // A small change does not mean a small residual (chapter 4): it is only when we look.
-        const bool look =
-            settings.tolerance > 0 && (change <= settings.tolerance || answer.sweeps == settings.max_sweeps);
-        if (!look) continue;
+        // A small change is no small residual (chapter 4): it only says that it is time to look.
+        if (!(settings.tolerance > 0) || (changed > 0 && answer.sweeps < settings.max_sweeps)) continue;
         answer.residual = natural_residual(std::span<const SolverRow<Dof>>(rows), u);
         answer.visits += static_cast<std::int64_t>(rows.size());
-        if (answer.residual <= settings.tolerance) answer.status = Status::solved;
+        if (answer.residual <= settings.tolerance) {
+            answer.status = Status::solved;
+            break;
+        }
+        changed = 1;
     }
     return answer;
 }

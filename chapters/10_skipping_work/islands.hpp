@@ -9,8 +9,10 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/06_sequential_impulse/row_order.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -73,9 +75,11 @@ inline void separate(Index count, std::span<const int> bodies, Islands& islands)
 /// Joins the islands by rows and lists what is in each of them.
 /// \param bodies   as given to separate(); between the two calls unite() may have joined some of them
 /// \param rows     m rows; a row that moves nobody is left out of `islands.rows`
+/// \param order    row numbers in the order that they are to have in their island; empty = as they are
 /// \param islands  out; memory is kept
 template <int Dof>
-void join_by_rows(std::span<const int> bodies, const std::vector<Row<Dof>>& rows, Islands& islands)
+void join_by_rows(std::span<const int> bodies, const std::vector<Row<Dof>>& rows, std::span<const int> order,
+                  Islands& islands)
 {
     const auto mover = [](const Row<Dof>& row) {
         return static_cast<int>(moves_a(row) ? row.a : moves_b(row) ? row.b : Index{-1});
@@ -107,14 +111,47 @@ void join_by_rows(std::span<const int> bodies, const std::vector<Row<Dof>>& rows
         bodies.size(), [&](std::size_t i) { return Islands::at(islands.number, bodies[i]); },
         islands.first_body, islands.bodies);
     for (int& i : islands.bodies) i = bodies[static_cast<std::size_t>(i)];
+    const auto row_at = [&](std::size_t i) { return order.empty() ? i : static_cast<std::size_t>(order[i]); };
     sort_by_island(
         rows.size(),
         [&](std::size_t i) {
-            const int k = mover(rows[i]);
+            const int k = mover(rows[row_at(i)]);
             return k < 0 ? -1 : Islands::at(islands.number, k);
         },
         islands.first_row, islands.rows);
+    for (int& i : islands.rows) i = static_cast<int>(row_at(static_cast<std::size_t>(i)));
 }
 //! [islands]
+
+//! [colours]
+/// Chapter 6's colours, for those who are awake alone: rows of one colour share no body that can move.
+/// \param bodies  those whom the rows may move; only their places in memory.used are looked at
+/// \param order   becomes the row numbers, colour by colour, those of one colour as they came
+template <int Dof>
+void colour_rows_of(std::span<const int> bodies, Index count, const std::vector<Row<Dof>>& rows,
+                    Colouring& memory, std::vector<int>& order)
+{
+    constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
+    const auto size = [](Index i) { return static_cast<std::size_t>(i); };
+    memory.used.resize(size(count));
+    for (const int k : bodies) memory.used[size(k)] = 0;
+    memory.colour.resize(rows.size());
+    memory.start.assign(Colouring::most + 1, 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row<Dof>& row = rows[i];
+        std::uint64_t* const a = moves_a(row) ? &memory.used[size(row.a)] : nullptr;
+        std::uint64_t* const b = moves_b(row) ? &memory.used[size(row.b)] : nullptr;
+        const int colour = std::countr_one(((a ? *a : 0) | (b ? *b : 0)) & ~last);
+        for (std::uint64_t* const used : {a, b})
+            if (used) *used |= std::uint64_t{1} << colour;
+        memory.colour[i] = colour;
+        ++memory.start[size(colour) + 1];
+    }
+    for (std::size_t c = 1; c < memory.start.size(); ++c) memory.start[c] += memory.start[c - 1];
+    order.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        order[size(memory.start[size(memory.colour[i])]++)] = static_cast<int>(i);
+}
+//! [colours]
 
 }  // namespace rigid

@@ -7,101 +7,10 @@
 /// Without sleeping and with the same sweeps its bits are those of chapter 8's warm_step().
 #pragma once
 
-#include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/10_skipping_work/awake_rows.hpp"
 #include "chapters/10_skipping_work/island_solver.hpp"
-#include "chapters/10_skipping_work/skipping_world.hpp"
-#include "common/forces.hpp"
 
 namespace rigid {
-
-/// What has changed since the last step wakes whom it concerns. Costs the same however many sleep.
-inline void wake_by_changes(SkippingWorld& now, const SkippingSettings& settings)
-{
-    require_step(settings.h);
-    require_valid(settings.stabilizer);
-    require_valid(settings.rest);
-    if (settings.stabilizer.method != Stabilizer::none && settings.stabilizer.method != Stabilizer::baumgarte)
-        throw std::invalid_argument("the stabilizer is " +
-                                    std::string(to_string(settings.stabilizer.method)) +
-                                    "; this step knows none and baumgarte");
-    if (!settings.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
-    if (settings.gravity != now.gravity || settings.stiffness != now.stiffness ||
-        settings.damping != now.damping)
-        for (Index k = 0; k < now.scene.bodies.count(); ++k) now.set.wake(k);  // this once
-    now.gravity = settings.gravity;
-    now.stiffness = settings.stiffness;
-    now.damping = settings.damping;
-    if (settings.pulled == world) return;
-    now.set.wake(settings.pulled);
-    now.rested[static_cast<std::size_t>(settings.pulled)] = 0;
-}
-
-/// Who was woken starts from the forces that it fell asleep with, and has to rest anew.
-inline void get_up(SkippingWorld& now)
-{
-    remember_woken(now.forces, now.set.woken, now.cache);
-    for (const int k : now.set.woken) now.rested[static_cast<std::size_t>(k)] = 0;
-    now.counters.woken = static_cast<int>(now.set.woken.size());
-    now.set.woken.clear();
-    now.set.tidy();
-    now.changed = true;
-}
-
-/// The links and bends of those who are awake: listed anew when that has changed.
-inline void collect_active(SkippingWorld& now)
-{
-    if (!now.changed) return;
-    const auto counts = [&](Index k) {
-        return now.set.activity[static_cast<std::size_t>(k)] != Activity::gone;
-    };
-    const auto movable = [&](Index k) { return now.scene.bodies.inverse_mass[2 * k] > 0; };
-    collect(now.links_on, now.set.awake, now.links);
-    std::erase_if(now.links, [&](int i) {
-        const Link& link = now.scene.links[static_cast<std::size_t>(i)];
-        return !counts(link.a) || !counts(link.b) || !(movable(link.a) || movable(link.b));
-    });
-    collect(now.bends_on, now.set.awake, now.bends);
-    now.active_bends.clear();
-    for (const int i : now.bends) {
-        const Bend& bend = now.scene.bends[static_cast<std::size_t>(i)];
-        if (counts(bend.left) && counts(bend.middle) && counts(bend.right)) now.active_bends.push_back(bend);
-    }
-    now.changed = false;
-}
-
-/// Velocities u* after the forces, in memory.u, of those who are awake (3.4).
-inline void awake_forces(SkippingWorld& now, const SkippingSettings& settings)
-{
-    Bodies<2>& bodies = now.scene.bodies;
-    for (const int k : now.set.awake) {
-        const Real inverse_mass = bodies.inverse_mass[2 * k];
-        bodies.force(k) = inverse_mass > 0 ? Vec2(settings.gravity / inverse_mass) : Vec2(0, 0);
-    }
-    add_bend_springs(bodies, now.active_bends, settings.stiffness, settings.damping);
-    if (settings.pulled != world) add_pull(bodies, settings.pulled, settings.hand);
-    for (const int k : now.set.awake)
-        now.memory.u.segment<2>(2 * k) =
-            bodies.velocity(k) +
-            settings.h * bodies.inverse_mass.segment<2>(2 * k).cwiseProduct(bodies.force(k));
-}
-
-/// C, J, b, bounds and keys: a row for each active link, then one for each contact.
-inline void awake_rows(SkippingWorld& now, const SkippingSettings& settings)
-{
-    now.constraints.clear();
-    now.keys.clear();
-    for (const int i : now.links) {
-        now.constraints.push_back(
-            distance_constraint(now.scene.bodies.x, now.scene.links[static_cast<std::size_t>(i)]));
-        now.keys.push_back(joint_key(static_cast<std::size_t>(i)));
-    }
-    for (const Contact& contact : now.contacts) {
-        now.constraints.push_back(contact_constraint(contact));
-        now.keys.push_back(contact_key(contact));
-    }
-    stabilized_rows<2>(now.constraints, now.links.size(), now.scene.bodies.inverse_mass, settings.stabilizer,
-                       settings.h, now.rows);
-}
 
 /// Each island by itself, from yesterday's λ. The answer is in memory.u and lambda.
 inline void solve_islands(SkippingWorld& now, const SkippingSettings& settings)
@@ -113,7 +22,7 @@ inline void solve_islands(SkippingWorld& now, const SkippingSettings& settings)
         const Row<2>& row = now.rows[static_cast<std::size_t>(i)];
         now.lambda[i] = std::clamp(now.lambda[i], row.lo, row.hi);
     }
-    prepare<2>(now.rows, now.islands.rows, now.scene.bodies.count(), now.lambda, now.memory.rows);
+    prepare<2>(now.rows, now.islands.rows, now.lambda, now.memory.rows);
     for (const SolverRow<2>& row : now.memory.rows) {
         now.memory.u.segment<2>(row.a) += row.Wa * row.lambda;
         now.memory.u.segment<2>(row.b) += row.Wb * row.lambda;
@@ -136,16 +45,26 @@ inline void solve_islands(SkippingWorld& now, const SkippingSettings& settings)
     store(now.cache, now.keys, now.lambda, settings.h);
 }
 
-/// A torsional spring acts on three discs at once: they are of one island, whatever rows they have.
-inline void join_by_bends(SkippingWorld& now)
+/// Who belongs together, and the order of the rows. While the rows are those of yesterday, so are the islands.
+inline void find_islands(SkippingWorld& now, Order order, bool same_bodies)
 {
-    const auto movable = [&](Index k) { return now.scene.bodies.inverse_mass[2 * k] > 0; };
-    for (const Bend& bend : now.active_bends)
-        for (const Index k : {bend.left, bend.right})
-            if (movable(k) && movable(bend.middle))
-                now.islands.unite(static_cast<int>(k), static_cast<int>(bend.middle));
-            else if (movable(bend.left) && movable(bend.right))
-                now.islands.unite(static_cast<int>(bend.left), static_cast<int>(bend.right));
+    if (same_bodies && order == now.ordered && now.keys == now.arranged) return;
+    const std::span<const int> bodies(now.set.awake);
+    separate(now.scene.bodies.count(), bodies, now.islands);
+    // A torsional spring acts on three discs at once: they are of one island, whatever rows they have.
+    for (const Bend& bend : now.active_bends) {
+        const std::array<Index, 3> discs = {bend.left, bend.middle, bend.right};
+        for (const Index a : discs)
+            for (const Index b : discs)
+                if (now.scene.bodies.inverse_mass[2 * a] > 0 && now.scene.bodies.inverse_mass[2 * b] > 0)
+                    now.islands.unite(static_cast<int>(a), static_cast<int>(b));
+    }
+    now.order.clear();
+    if (order == Order::coloured)
+        colour_rows_of<2>(bodies, now.scene.bodies.count(), now.rows, now.colouring, now.order);
+    join_by_rows<2>(bodies, now.rows, now.order, now.islands);
+    now.arranged = now.keys;
+    now.ordered = order;
 }
 
 /// How long each body that is awake has been at rest, its velocity, and its new position.
@@ -221,18 +140,16 @@ inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
     if (now.set.awake.empty()) return;
 
     // Who may touch whom; who is touched wakes.
-    now.broad.tested = 0;
     update_pairs(now.scene, now.set, now.broad);
     if (!now.set.woken.empty()) get_up(now);
+    const bool same_bodies = !now.changed;
     collect_active(now);
     awake_contacts(now.scene, now.set, now.broad, now.contacts);
 
     // u*, rows and islands of those who are awake.
     awake_forces(now, settings);
     awake_rows(now, settings);
-    separate(now.scene.bodies.count(), now.set.awake, now.islands);
-    join_by_bends(now);
-    join_by_rows<2>(now.set.awake, now.rows, now.islands);
+    find_islands(now, settings.order, same_bodies);
 
     // Each island by itself; then new velocities and positions.
     solve_islands(now, settings);

@@ -3,6 +3,7 @@
 /// and the only doors through which a scene may be changed from outside, for each of them wakes whom it concerns.
 #pragma once
 
+#include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "chapters/10_skipping_work/broad_phase.hpp"
@@ -27,9 +28,10 @@ struct SkippingSettings {
     ImpulseSettings sweeps;         ///< of each island; a tolerance of 0 makes all sweeps
     StabilizerSettings stabilizer;  ///< none or baumgarte
     RestSettings rest;
-    bool warm = true;     ///< the sweeps start from yesterday's answer
-    bool islands = true;  ///< false: all rows are one problem
-    bool sleep = true;    ///< false: nobody falls asleep
+    Order order = Order::coloured;  ///< of the rows in their island: given or coloured
+    bool warm = true;               ///< the sweeps start from yesterday's answer
+    bool islands = true;            ///< false: all rows are one problem
+    bool sleep = true;              ///< false: nobody falls asleep
 };
 
 /// What a step has done. Each number is one of this step alone.
@@ -64,7 +66,10 @@ struct SkippingWorld {
     std::vector<Contact> contacts;
     std::vector<Constraint<2>> constraints;
     std::vector<Row<2>> rows;
-    std::vector<ImpulseKey> keys;
+    std::vector<ImpulseKey> keys, arranged;  ///< who the rows are, and who they were when islands were found
+    Order ordered = Order::given;            ///< and how they were ordered then
+    std::vector<int> order;
+    Colouring colouring;
     Islands islands;
     ImpulseMemory<2> memory;
     VecX lambda;  ///< one for each row [N s]
@@ -115,8 +120,15 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     });
     now.rested.assign(K, 0);
     now.forces.head.assign(K, -1);
-    now.memory.u = VecX::Zero(2 * (now.scene.bodies.count() + 1));
+    now.memory.u = now.scene.bodies.u;
     return now;
+}
+
+inline void require_disc(const SkippingWorld& now, Index k)
+{
+    if (k < 0 || k >= now.scene.bodies.count())
+        throw std::invalid_argument("there is no disc " + std::to_string(k) + "; they go from 0 to " +
+                                    std::to_string(now.scene.bodies.count() - 1));
 }
 
 //! [doors]
@@ -142,6 +154,7 @@ inline void wake_neighbours(SkippingWorld& now, Index k)
 /// \param inverse_mass  [1/kg]; 0 makes it a fixed disc, or, with a velocity, one that moves and is not moved
 inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& u, Real inverse_mass)
 {
+    require_disc(now, k);
     if (!x.allFinite() || !u.allFinite() || !(inverse_mass >= 0) || !std::isfinite(inverse_mass))
         throw std::invalid_argument(
             "disc " + std::to_string(k) +
@@ -165,6 +178,7 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
 /// Takes a disc out of the scene, with its links. What stood on it wakes.
 inline void take_away(SkippingWorld& now, Index k)
 {
+    require_disc(now, k);
     now.set.wake(k);
     wake_neighbours(now, k);
     const auto i = static_cast<std::size_t>(k);

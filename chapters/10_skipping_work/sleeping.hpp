@@ -12,6 +12,7 @@
 #include "chapters/10_skipping_work/awake_set.hpp"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rigid {
