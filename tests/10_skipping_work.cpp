@@ -64,6 +64,7 @@ struct Finder {
 void wander(DiscScene& scene, Random& random, Real far)
 {
     for (Index k = 0; k < scene.bodies.count(); ++k) {
+        if (scene.bodies.inverse_mass[2 * k] == 0) continue;
         const Real reach = random.uniform() < 0.02 ? 50 * far : far;
         scene.bodies.position(k) += reach * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
     }
@@ -527,7 +528,7 @@ TEST_CASE("an island that needs many sweeps does not make its neighbours sweep")
     scene.walls = {{{0, 1}, 0}};
     SkippingSettings settings = early_out();
     settings.warm = false;
-    settings.sweeps.max_sweeps = 2000;
+    settings.sweeps.max_sweeps = 20000;
     settings.sweeps.tolerance = 1e-6;
     SkippingWorld apart = world_of(scene), in_one = world_of(scene);
     skipping_step(apart, settings);
@@ -541,6 +542,57 @@ TEST_CASE("an island that needs many sweeps does not make its neighbours sweep")
     CHECK(in_one.counters.visits > 4 * apart.counters.visits);
     // Both met the tolerance; speeds differ by no more than errors of that size, piled up thirty high, squared.
     CHECK((apart.scene.bodies.u - in_one.scene.bodies.u).cwiseAbs().maxCoeff() < 1e-6 * 900);
+}
+
+TEST_CASE("small islands that are solved exactly have the answer that many sweeps approach")
+{
+    const DiscScene scene = rain_on_hills(60, 6, 6);
+    SkippingSettings settings = early_out(1.0 / 240);
+    settings.sleep = false;
+    settings.exact_rows = 12;
+    SkippingSettings sweeps = settings;
+    sweeps.exact_rows = 0;
+    sweeps.sweeps.tolerance = 1e-12;
+    sweeps.sweeps.max_sweeps = 20000;
+    SkippingWorld exact = world_of(scene);
+    int solved_exactly = 0, compared = 0;
+    for (int step = 0; step < 300; ++step) {
+        SkippingWorld swept = exact;  // from the same state
+        skipping_step(exact, settings);
+        solved_exactly += exact.counters.exact;
+        if (step % 5 != 0) continue;
+        skipping_step(swept, sweeps);
+        if (swept.counters.unsolved > 0 || exact.counters.unsolved > 0) continue;
+        ++compared;
+        // Residuals of 1e-12 and 1e-8 m/s (islands of more rows are swept); a body answers to a residual with at most
+        // the number of rows of its island squared.
+        REQUIRE((exact.scene.bodies.u - swept.scene.bodies.u).cwiseAbs().maxCoeff() < 1e-8 * 100 * 100);
+    }
+    CHECK(solved_exactly > 500);
+    CHECK(compared > 20);
+}
+
+TEST_CASE("two balls and a wall by hand: the exact island gives what (10.7) says")
+{
+    // 1 kg against the wall at 0 m/s, 3 kg runs into it at 2 m/s: both stop, 6 N s each, whatever λ they start from.
+    for (const Real start : {0.0, 2.0, 9.0}) {
+        VecX inverse_mass(4), u(4);
+        inverse_mass << 1, 1, 1.0 / 3, 1.0 / 3;
+        u << 0, 0, -2, 0;
+        std::vector<Row<2>> rows = {row_between(world, 0, inverse_mass), row_between(0, 1, inverse_mass)};
+        std::vector<SolverRow<2>> solver_rows;
+        prepare<2>(rows, {}, VecX::Constant(2, start), solver_rows);
+        for (const SolverRow<2>& row : solver_rows) {
+            u.segment<2>(row.a) += row.Wa * start;
+            u.segment<2>(row.b) += row.Wb * start;
+        }
+        std::vector<ExactScratch> scratch;
+        const IslandAnswer answer = solve_exactly<2>(solver_rows, scratch, u);
+        CHECK(answer.status == Status::solved);
+        CHECK(u.cwiseAbs().maxCoeff() < 1e-12);
+        CHECK(solver_rows[0].lambda == Approx(6).epsilon(1e-12));
+        CHECK(solver_rows[1].lambda == Approx(6).epsilon(1e-12));
+    }
 }
 
 // ---- sleeping --------------------------------------------------------------------------------------
@@ -708,7 +760,8 @@ TEST_CASE("rain comes to rest at the same place with sleep and without to a tent
     // (10.9): an island that sleeps was slower than v_rest and is in equilibrium to a_rest; what it would still have
     // crept is less than v_rest / rate, and the slowest rate of these piles is above 10/s.
     CHECK(off < settings.rest.speed / 10);
-    CHECK(deepest_penetration(with.scene) < 2 * settings.stabilizer.slop);
+    for (const Contact& contact : by_brute_force(with.scene, 0))
+        CHECK(contact.gap > -2 * settings.stabilizer.slop);
 }
 
 TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves when nobody slept")
@@ -753,7 +806,7 @@ TEST_CASE("no row ever joins a body that is awake and one that sleeps")
         skipping_step(now, settings);
         woken += now.counters.woken;
         slept += now.counters.fell_asleep;
-        if (now.counters.fell_asleep > 0) continue;  // the rows are of before
+        if (now.counters.fell_asleep > 0 || now.counters.awake == 0) continue;  // rows of before
         for (const Row<2>& row : now.rows) {
             REQUIRE_FALSE(now.set.is_asleep(row.b));
             REQUIRE_FALSE((row.a != world && now.set.is_asleep(row.a)));
@@ -934,19 +987,21 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         run(quick, settings, 1000);
         run(slow, full, 1000);
         int most = 0;
-        std::int64_t visits = 0, of_full = 0;
+        std::int64_t visits = 0;
         for (int step = 0; step < 1000; ++step) {
             skipping_step(quick, settings);
             skipping_step(slow, full);
             most = std::max(most, quick.counters.sweeps);
             visits += quick.counters.visits;
-            of_full += slow.counters.visits;
         }
         CHECK(most <= 2);
-        CHECK(visits * 20 < of_full);
-        // Each step's residual is at most 1e-6 m/s; in 2000 steps of 1/60 s that is 33 µm at the very most.
-        CHECK((quick.scene.bodies.x - slow.scene.bodies.x).cwiseAbs().maxCoeff() < 3.4e-5);
-        CHECK(deepest_penetration(quick.scene) < deepest_penetration(slow.scene) + 3.4e-5);
+        CHECK(visits <= 3 * 1000 * quick.counters.rows);  // two sweeps and a look; full: 100 sweeps
+        // The exact answer is that nobody moves. Each step's residual is at most 1e-6 m/s: in 2000 steps of 1/60 s
+        // that is 33 µm more than what full sweeps are off.
+        const Real off = (quick.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
+        const Real of_full = (slow.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
+        CHECK(off < of_full + 3.4e-5);
+        CHECK(off < 1e-3);
     }
 }
 
@@ -1023,8 +1078,10 @@ TEST_CASE("a mirrored world and one in other units of mass and length do the sam
     for (Index k = 0; k < mirrored.bodies.count(); ++k) mirrored.bodies.position(k).x() *= -1;
     for (HalfSpace& wall : mirrored.walls) wall.normal.x() *= -1;
     SkippingWorld left = make_world(mirrored, {}, 1.0 / 64, 1.0 / 128);
+    int rows = 0;
     for (int step = 0; step < 300; ++step) {
         skipping_step(now, settings);
+        rows = std::max(rows, now.counters.rows);
         skipping_step(large, scaled);
         skipping_step(left, settings);
         REQUIRE(large.scene.bodies.x == 4 * now.scene.bodies.x);
@@ -1035,7 +1092,7 @@ TEST_CASE("a mirrored world and one in other units of mass and length do the sam
             REQUIRE(left.scene.bodies.position(k).y() == now.scene.bodies.position(k).y());
         }
     }
-    CHECK(now.counters.rows > 30);
+    CHECK(rows > 30);
 }
 
 TEST_CASE("with exact answers the order of the bodies does not matter")
@@ -1076,6 +1133,90 @@ TEST_CASE("a pendulum above a thousand sleepers swings with an error of first or
         CHECK(now.counters.awake == 1);
     }
     CHECK(slope(steps, errors) == Approx(1).margin(0.15));
+}
+
+// ---- time that is skipped --------------------------------------------------------------------------
+
+namespace {
+
+/// A ball dropped from 1 m bounces with e = 0.8; where is it after 2 s? Symplectic Euler with the speed turned round
+/// when the ball has sunk into the floor; or chapter 1's adaptive steps from bounce to bounce.
+struct Bounced {
+    Real y = 0;
+    long steps = 0;
+};
+
+Bounced bounce_by_fixed_steps(long steps)
+{
+    const Real h = 2.0 / static_cast<Real>(steps);
+    Real y = 1, u = 0;
+    for (long n = 0; n < steps; ++n) {
+        u -= h * 9.81;
+        if (y + h * u < 0 && u < 0) u = -0.8 * u;
+        y += h * u;
+    }
+    return {y, steps};
+}
+
+Bounced bounce_by_adaptive_steps(Real tolerance)
+{
+    const auto gravity = [](const Vec<1>&, const Vec<1>&) { return Vec<1>(-9.81); };
+    const Tolerance allowed{tolerance, tolerance, tolerance};
+    Adaptive<1> run = start_adaptive<1>({Vec<1>(1.0), Vec<1>(0.0)}, gravity, allowed);
+    Bounced bounced;
+    while (run.t < 2) {
+        const Outcome outcome =
+            advance_to_event(run, 2, gravity, allowed, [](const State<1>& s) { return s.x[0]; });
+        ++bounced.steps;
+        REQUIRE((outcome == Outcome::reached || outcome == Outcome::event));
+        if (outcome != Outcome::event) continue;
+        run.s.u = -0.8 * run.s.u;
+        run.s.x[0] = std::max(run.s.x[0], 1e-15);
+        run.a = gravity(run.s.x, run.s.u);
+    }
+    bounced.y = run.s.x[0];
+    return bounced;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a bouncing ball takes less than a third of the steps when they end at the bounces for an equal error")
+{
+    const Real exact = 0.260741728327057;  // D1
+    const Bounced adaptive = bounce_by_adaptive_steps(1e-9);
+    CHECK(std::abs(adaptive.y - exact) < 1e-7);
+    // Fixed steps: the best of several, for a bounce falls well or badly into its step.
+    for (const long steps : {3, 10, 30, 100, 300, 1000, 3000})
+        if (steps <= 3 * adaptive.steps)
+            CHECK(std::abs(bounce_by_fixed_steps(steps).y - exact) > 1e4 * std::abs(adaptive.y - exact));
+    CHECK(std::abs(bounce_by_fixed_steps(100000).y - exact) > std::abs(adaptive.y - exact));
+}
+
+TEST_CASE("the factor of a chain of a thousand has less than a fifty-thousandth of the dense one's work")
+{
+    for (const Index N : {100, 300, 1000}) {
+        const DiscScene scene = hanging_chain(N);
+        std::vector<Row<2>> rows;
+        disc_rows(scene, 1.0 / 60, {}, rows);
+        const VecX u_star = VecX::Constant(scene.bodies.x.size(), -0.1);
+        const Mlcp mlcp = assemble(rows, u_star);
+        ActiveSetMemory memory;
+        Solution solution;
+        active_sets(mlcp, {}, memory, solution);
+        CHECK(solution.status == Status::solved);
+        REQUIRE(memory.sparse);
+        // A line of L with r entries takes at most (r + 1)² products; a dense one of n rows n³/3 in all.
+        const auto n = static_cast<Real>(N);
+        const std::vector<int>& begin = memory.sparse_factor.elimination.row_begin;
+        Real products = 0;
+        for (std::size_t k = 0; k + 1 < begin.size(); ++k) {
+            const Real r = begin[k + 1] - begin[k];
+            products += (r + 1) * (r + 1);
+        }
+        CHECK(products <= 4 * n);
+        CHECK(n * n * n / 3 / products >= n * n / 50);
+    }
 }
 
 TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")

@@ -117,4 +117,21 @@ inline DiscScene field(Index sleepers)
     return scene;
 }
 
+/// `count` columns of `height` discs on a floor, a metre apart, and a ball far above to the left, fixed until it is let
+/// go. The ball is body 0.
+inline DiscScene columns_and_ball(Index count, Index height)
+{
+    DiscScene scene = empty_scene(1 + count * height);
+    set_disc(scene, 0, {-4.2, 0.3}, 0.3, true);
+    for (Index c = 0; c < count; ++c)
+        for (Index i = 0; i < height; ++i)
+            set_disc(
+                scene, 1 + c * height + i,
+                {static_cast<Real>(c) - 0.5 * static_cast<Real>(count - 1), 0.1 + 0.2 * static_cast<Real>(i)},
+                0.1);
+    scene.walls = {{{0, 1}, 0}};
+    scene.half_size = {4.2, 2};
+    return scene;
+}
+
 }  // namespace rigid

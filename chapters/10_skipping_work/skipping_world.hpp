@@ -7,6 +7,7 @@
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "chapters/10_skipping_work/broad_phase.hpp"
+#include "chapters/10_skipping_work/exact_island.hpp"
 #include "chapters/10_skipping_work/incidence.hpp"
 #include "chapters/10_skipping_work/islands.hpp"
 #include "chapters/10_skipping_work/sleeping.hpp"
@@ -41,6 +42,7 @@ struct SkippingCounters {
     int contacts = 0;
     int rows = 0;             ///< built and solved
     int sweeps = 0;           ///< of the island that needed the most
+    int exact = 0;            ///< islands that were solved exactly
     int unsolved = 0;         ///< islands whose residual did not meet the tolerance
     int asked = 0;            ///< discs that asked the grid
     std::int64_t tested = 0;  ///< pairs of discs whose distance was computed
@@ -72,6 +74,7 @@ struct SkippingWorld {
     Colouring colouring;
     Islands islands;
     ImpulseMemory<2> memory;
+    std::vector<ExactScratch> exact;
     VecX lambda;  ///< one for each row [N s]
     SkippingCounters counters;
     Vec2 gravity = {0, 0};  ///< of the last step, and so on
