@@ -3,6 +3,7 @@
 #include "tests/no_allocation.hpp"  // first: it replaces operator new
 
 #include "chapters/01_euler_integration/event.hpp"
+#include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/08_warm_starting/warm_step.hpp"
 #include "chapters/10_skipping_work/skipping_scenes.hpp"
 #include "chapters/10_skipping_work/skipping_step.hpp"

@@ -4,8 +4,10 @@
 ///                              discs take a small step each time
 ///     sleepers/K               a step when K discs sleep and nobody is awake
 ///     beside/K                 a step of one pendulum beside K sleepers
-///     cells/PERCENT            the grid with cells of other sizes
+///     plain/K                  chapter 8's step for the same K discs and the pendulum
+///     small/EXACT/HIT          a hundred islands of seven rows, at rest or hit, swept or solved exactly
 
+#include "chapters/08_warm_starting/warm_step.hpp"
 #include "chapters/10_skipping_work/skipping_scenes.hpp"
 #include "chapters/10_skipping_work/skipping_step.hpp"
 #include "chapters/10_skipping_work/sort_and_sweep.hpp"
@@ -125,6 +127,45 @@ void sleepers(benchmark::State& state, bool pendulum)
     if (now.counters.awake != (pendulum ? 1 : 0)) state.SkipWithError("somebody is awake");
 }
 
+void plain(benchmark::State& state)
+{
+    DiscScene scene = field(static_cast<Index>(state.range(0)));
+    link_neighbours(scene);
+    WarmStepSettings settings;
+    settings.sweeps = early_out().sweeps;
+    settings.order = Order::coloured;
+    WarmStep now;
+    for (auto _ : state) warm_step(scene, settings, now);
+    state.counters["tested_per_disc"] = 0;
+    state.counters["contacts_per_disc"] = 0;
+    state.counters["us"] = 0;
+}
+
+void small(benchmark::State& state)
+{
+    const DiscScene scene = pockets(100);
+    SkippingSettings settings = early_out();
+    settings.sleep = false;
+    settings.sweeps.tolerance = 1e-8;
+    settings.sweeps.max_sweeps = 1000;
+    settings.exact_rows = static_cast<int>(state.range(0));
+    SkippingWorld now = make_world(scene, {});
+    for (int i = 0; i < 10; ++i) skipping_step(now, settings);
+    for (auto _ : state) {
+        if (state.range(1) != 0) {
+            now.scene.bodies.x = scene.bodies.x;
+            for (Index i = 0; i < 100; ++i)
+                now.scene.bodies.velocity(5 * i + 4) = Vec2(0.001 * static_cast<Real>(i), -1);
+        }
+        const auto start = Clock::now();
+        skipping_step(now, settings);
+        state.SetIterationTime(std::chrono::duration<Real>(Clock::now() - start).count());
+    }
+    state.counters["tested_per_disc"] = now.counters.sweeps;
+    state.counters["contacts_per_disc"] = now.counters.exact;
+    state.counters["us"] = static_cast<Real>(now.counters.visits);
+}
+
 void add_all()
 {
     for (const std::string name : {"sparse", "dense", "sizes", "line"})
@@ -143,6 +184,13 @@ void add_all()
         one->Unit(benchmark::kMicrosecond)->MinTime(0.05);
         for (const int K : {0, 1, 10, 100, 1000, 10000}) one->Arg(K);
     }
+    auto* const without = benchmark::RegisterBenchmark("plain", plain);
+    without->Unit(benchmark::kMicrosecond)->MinTime(0.05);
+    for (const int K : {0, 1, 10, 100, 1000, 5000}) without->Arg(K);
+    auto* const few = benchmark::RegisterBenchmark("small", small);
+    few->Unit(benchmark::kMicrosecond)->MinTime(0.05)->UseManualTime();
+    for (const int exact : {0, 12})
+        for (const int hit : {0, 1}) few->Args({exact, hit});
 }
 
 }  // namespace

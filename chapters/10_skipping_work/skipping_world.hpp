@@ -30,6 +30,7 @@ struct SkippingSettings {
     StabilizerSettings stabilizer;  ///< none or baumgarte
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
+    int exact_rows = 0;             ///< islands of up to so many rows are solved exactly
     bool warm = true;               ///< the sweeps start from yesterday's answer
     bool islands = true;            ///< false: all rows are one problem
     bool sleep = true;              ///< false: nobody falls asleep
