@@ -588,7 +588,7 @@ TEST_CASE("two balls and a wall by hand: the exact island gives what (10.7) says
             u.segment<2>(row.b) += row.Wb * start;
         }
         std::vector<ExactScratch> scratch;
-        const IslandAnswer answer = solve_exactly<2>(solver_rows, scratch, u);
+        const IslandAnswer answer = solve_exactly<2>(solver_rows, 1e-13, scratch, u);
         CHECK(answer.status == Status::solved);
         CHECK(u.cwiseAbs().maxCoeff() < 1e-12);
         CHECK(solver_rows[0].lambda == Approx(6).epsilon(1e-12));

@@ -67,7 +67,6 @@ inline bool disc_contact(const VecX& x, const VecX& radius, Index a, Index b, Re
 }
 //! [touches]
 
-//! [update]
 /// Brings the list of pairs up to date with x. Who is asleep and within the margin of somebody who is awake is
 /// woken, with its island, and asks as well. Afterwards no pair that is missing can have a gap below the margin,
 /// unless neither of the two is awake.
@@ -95,6 +94,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
 
     broad.tested = 0;
 
+    //! [kept]
     // (10.4): who has left its skin? (Who was woken since the last step asks too: nobody kept its pairs.)
     const Real allowed = broad.skin * broad.skin;
     for (const int k : set.woken) renew(k);
@@ -112,6 +112,8 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
         else if (set.is_asleep(a)) wake_if_close(b, a);
     }
 
+    //! [kept]
+    //! [ask]
     // Ask the grid. The list of those who ask may grow on the way.
     broad.fresh.clear();
     broad.grid.tested = broad.grid.cells = 0;
@@ -129,6 +131,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
             if (set.is_asleep(b)) wake_if_close(k, b);
         });
     }
+    //! [ask]
     broad.asked = static_cast<std::int64_t>(broad.renewed.size());
     for (const int k : broad.renewed) at(broad.renews, k) = 0;
     broad.renewed.clear();
@@ -142,7 +145,6 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
                broad.pairs.begin());
     broad.pairs.erase(std::unique(broad.pairs.begin(), broad.pairs.end()), broad.pairs.end());
 }
-//! [update]
 
 /// The contacts of those who are awake, with each other, with what is fixed and with the walls: what
 /// find_contacts() says of them, in the same order.

@@ -31,12 +31,20 @@ Real coupling(const SolverRow<Dof>& i, const SolverRow<Dof>& j)
     return sum;
 }
 
-//! [exact_island]
 /// Solves these rows exactly; λ and u are changed only if that is `solved`. `sweeps` counts guesses.
+/// \param enough   if the natural residual is below this as it is, there is nothing to solve [m/s]
 /// \param scratch  one for each number of rows; grows
 template <int Dof>
-IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, std::vector<ExactScratch>& scratch, VecX& u)
+IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vector<ExactScratch>& scratch,
+                           VecX& u)
 {
+    IslandAnswer answer;
+    answer.residual = natural_residual(std::span<const SolverRow<Dof>>(rows), u);
+    answer.visits = static_cast<std::int64_t>(rows.size());
+    if (answer.residual <= enough) {
+        answer.status = Status::solved;
+        return answer;
+    }
     if (scratch.size() <= rows.size()) scratch.resize(rows.size() + 1);
     auto& [mlcp, memory, solution] = scratch[rows.size()];
     const auto n = static_cast<Index>(rows.size());
@@ -44,6 +52,7 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, std::vector<ExactScra
         mlcp.A = MatX::Ones(n, n).sparseView();
         mlcp.q = mlcp.lo = mlcp.hi = VecX::Zero(n);
     }
+    //! [correction]
     for (Index i = 0; i < n; ++i) {
         const SolverRow<Dof>& row = rows[static_cast<std::size_t>(i)];
         for (Index j = 0; j <= i; ++j)
@@ -54,7 +63,7 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, std::vector<ExactScra
         mlcp.hi[i] = row.hi - row.lambda;
     }
     active_sets(mlcp, {}, memory, solution);
-    IslandAnswer answer;
+    //! [correction]
     answer.status = solution.status;
     answer.residual = solution.residual;
     answer.sweeps = solution.iterations;
@@ -65,9 +74,7 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, std::vector<ExactScra
         u.template segment<Dof>(row.a) += row.Wa * solution.lambda[i];
         u.template segment<Dof>(row.b) += row.Wb * solution.lambda[i];
     }
-    answer.visits = n;
     return answer;
 }
-//! [exact_island]
 
 }  // namespace rigid

@@ -7,6 +7,7 @@
 #include "common/scenes.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace rigid {
 
@@ -49,28 +50,34 @@ inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t se
 }
 
 /// The ground of the rain at x [m]: valleys 4 m apart, of different depths.
-inline Real ground(Real x) { return 0.8 * std::cos(0.5 * pi * x) + 0.25 * std::sin(0.37 * x); }
+inline Real ground(Real x) { return 1.6 * std::cos(0.5 * pi * x) + 0.3 * std::sin(0.37 * x); }
 
 /// N discs of 5 to 10 cm, hung up in lines above a ground of fixed discs between two walls: let go, it rains.
 /// The fixed discs come first.
-inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 24)
+inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 36)
 {
     constexpr Real step = 0.28, between = 0.24;
     Random random(seed);
-    const auto stones = static_cast<Index>(width / step);
+    std::vector<Real> stones;  // where along x: `step` apart along the ground
+    for (Real x = -width / 2; x < width / 2;) {
+        stones.push_back(x);
+        const Real rise = (ground(x + 0.01) - ground(x - 0.01)) / 0.02;
+        x += step / std::sqrt(1 + rise * rise);
+    }
+    const auto fixed = static_cast<Index>(stones.size());
     const auto in_line = static_cast<Index>((width - 0.2) / between);
-    DiscScene scene = empty_scene(stones + count);
-    for (Index k = 0; k < stones; ++k) {
-        const Real radius = random.uniform(0.2, 0.26), x = -width / 2 + (static_cast<Real>(k) + 0.5) * step;
+    DiscScene scene = empty_scene(fixed + count);
+    for (Index k = 0; k < fixed; ++k) {
+        const Real radius = random.uniform(0.2, 0.26), x = stones[static_cast<std::size_t>(k)];
         set_disc(scene, k, {x, ground(x) - radius + random.uniform(-0.04, 0.04)}, radius, true);
     }
     for (Index i = 0; i < count; ++i) {
         const Real x = between * (static_cast<Real>(i % in_line) - 0.5 * static_cast<Real>(in_line - 1));
-        const Real y = 1.6 + between * static_cast<Real>(i / in_line);
-        set_disc(scene, stones + i, {x + random.uniform(-0.015, 0.015), y}, random.uniform(0.05, 0.1));
+        const Real y = 2.2 + between * static_cast<Real>(i / in_line);
+        set_disc(scene, fixed + i, {x + random.uniform(-0.015, 0.015), y}, random.uniform(0.05, 0.1));
     }
     // Nothing gets through: behind the stones there is a wall.
-    scene.walls = {{{0, 1}, -1.6}, {{1, 0}, -width / 2}, {{-1, 0}, -width / 2}};
+    scene.walls = {{{0, 1}, -2.6}, {{1, 0}, -width / 2}, {{-1, 0}, -width / 2}};
     scene.half_size = {width / 2, width / 4};
     return scene;
 }

@@ -29,10 +29,14 @@ inline void solve_islands(SkippingWorld& now, const SkippingSettings& settings)
     }
     const auto solve = [&](std::span<SolverRow<2>> rows) {
         if (rows.empty()) return;
-        if (static_cast<int>(rows.size()) <= settings.exact_rows &&
-            solve_exactly(rows, now.exact, now.memory.u).status == Status::solved) {
-            ++now.counters.exact;
-            return;
+        if (static_cast<int>(rows.size()) <= settings.exact_rows) {
+            const IslandAnswer exact =
+                solve_exactly(rows, settings.sweeps.tolerance, now.exact, now.memory.u);
+            now.counters.visits += exact.visits;
+            if (exact.status == Status::solved) {
+                ++now.counters.exact;
+                return;
+            }
         }
         const IslandAnswer answer = sweep_island(rows, settings.sweeps, now.memory.u);
         now.counters.sweeps = std::max(now.counters.sweeps, answer.sweeps);

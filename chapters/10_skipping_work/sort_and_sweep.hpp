@@ -29,7 +29,6 @@ struct SortAndSweep {
     std::int64_t exchanged = 0;   ///< shadows that changed places while sorting
 };
 
-//! [sort_and_sweep]
 /// Calls visit(a, b), a < b, for each pair of discs whose boxes, grown by the margin, overlap.
 /// \param x       [m], 2K numbers
 /// \param radius  [m], K numbers
@@ -58,6 +57,7 @@ void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis, So
             std::swap(shadows[j], shadows[j - 1]);
             ++memory.exchanged;
         }
+    //! [sweep]
     for (std::size_t i = 0; i < K; ++i)
         for (std::size_t j = i + 1; j < K && shadows[j].left < shadows[i].right; ++j) {
             const SortAndSweep::Shadow &a = shadows[i], &b = shadows[j];
@@ -65,7 +65,7 @@ void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis, So
             const Real apart = std::abs(a.other - b.other);
             if (apart < a.half + b.half + margin) visit(std::min(a.k, b.k), std::max(a.k, b.k));
         }
+    //! [sweep]
 }
-//! [sort_and_sweep]
 
 }  // namespace rigid

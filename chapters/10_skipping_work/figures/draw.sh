@@ -23,7 +23,7 @@ if [ "${3:-}" = measured ]; then
     tr -d '"' <"$table" | awk -F, -v dir="$data" '
         /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
         { split($1, part, "/") }
-        /^broad\// { print part[4], $column["real_time"] > (dir "/broad_" part[3] "_" part[2]) }
+        /^broad\// { print part[4], $column["cpu_time"] > (dir "/broad_" part[3] "_" part[2]) }
         /^(sleepers|beside|plain)\// { print (part[2] < 1 ? 0.5 : part[2]), $column["cpu_time"] > (dir "/" part[1]) }'
     plot ch10_broad
     plot ch10_sleepers
