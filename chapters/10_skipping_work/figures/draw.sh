@@ -31,13 +31,12 @@ if [ "${3:-}" = measured ]; then
 fi
 
 # Pictures of scenes.
-run --scene rain --set discs=2000 --steps 300 --svg "$out/ch10_rain.svg"
-run --scene rain --set discs=2000 --steps 1200 --svg "$out/ch10_asleep.svg"
+run --scene rain --set discs=2000 --steps 720 --svg "$out/ch10_asleep.svg"
 run --scene columns --steps 410 --svg "$out/ch10_columns.svg"
 
 # The counters of the rain, step by step, with sleep and without.
 for method in skipping no_sleep; do
-    run --scene rain --set discs=2000 --steps 2400 --method $method --csv "$data/rain_$method.csv"
+    run --scene rain --set discs=2000 --steps 1680 --method $method --csv "$data/rain_$method.csv"
 done
 plot ch10_counters
 
