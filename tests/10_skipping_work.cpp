@@ -1194,7 +1194,7 @@ TEST_CASE(
     CHECK(std::abs(bounce_by_fixed_steps(100000).y - exact) > std::abs(adaptive.y - exact));
 }
 
-TEST_CASE("the factor of a chain of a thousand has less than a fifty-thousandth of the dense one's work")
+TEST_CASE("the factor of a chain of a thousand has less than a twenty-thousandth of the work of a dense one")
 {
     for (const Index N : {100, 300, 1000}) {
         const DiscScene scene = hanging_chain(N);
