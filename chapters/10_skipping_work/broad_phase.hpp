@@ -1,10 +1,10 @@
 /// \file broad_phase.hpp
 /// The pairs of discs that may touch, kept from step to step.
 ///
-///     ‖x_a − p_a‖ ≤ skin,  ‖x_b − p_b‖ ≤ skin,  ‖x_b − x_a‖ < r_a + r_b + margin
-///         ⟹  ‖p_b − p_a‖ < r_a + r_b + margin + 2 skin
+///     ‖x_a − x̄_a‖ ≤ skin,  ‖x_b − x̄_b‖ ≤ skin,  ‖x_b − x_a‖ < r_a + r_b + margin
+///         ⟹  ‖x̄_b − x̄_a‖ < r_a + r_b + margin + 2 skin
 ///
-/// (10.4). The grid holds each disc at p, where it stood when it was last put in. The pairs on the right are listed;
+/// (10.4). The grid holds each disc at x̄, where it stood when it was last put in. The pairs on the right are listed;
 /// while nobody has left its skin, no pair on the left can be missing from the list, so only who has left it asks
 /// the grid again \cite verlet1967. The contacts that come out are those of all K²/2 tests, in their order, to the bit.
 #pragma once

@@ -1,10 +1,10 @@
 /// \file disc_grid.hpp
 /// Who is near whom: a grid of square cells that has no edges, and a layer of it for each size of disc.
 ///
-///     cell of a layer s = 2^l ≥ 2 r + extra,   disc k stands in the cell (⌊x/s⌋, ⌊y/s⌋) of its own layer
+///     cell of a layer c = 2^l ≥ 2 r + extra,   disc k stands in the cell (⌊x/c⌋, ⌊y/c⌋) of its own layer
 ///
-/// (10.3). A disc whose surface is within reach R of a point can only stand in the cells from ⌊(x − R − r)/s⌋ to
-/// ⌊(x + R + r)/s⌋, for r the largest radius of the layer: at most three by three for two of one size. Cells are not stored: a hash puts them on a table of 2K or more lists
+/// (10.3). A disc whose surface is within reach R of a point can only stand in the cells from ⌊(x − R − r)/c⌋ to
+/// ⌊(x + R + r)/c⌋, for r the largest radius of the layer: at most three by three for two of one size. Cells are not stored: a hash puts them on a table of 2K or more lists
 /// \cite teschner2003. Putting in, taking out and moving cost the same however many discs there are, so whoever
 /// sleeps stays where it is for nothing.
 #pragma once
@@ -92,7 +92,7 @@ public:
             const int low = cell(x.y() - around, layer), high = cell(x.y() + around, layer);
             const std::int64_t wide = std::int64_t{right} - left + 1, tall = std::int64_t{high} - low + 1;
             // A giant over many small cells: then it is quicker to ask the small ones one by one.
-            if (wide > 64 || tall > 64 || wide * tall > 8 + static_cast<std::int64_t>(layer.members.size())) {
+            if (wide * tall > 8 + static_cast<std::int64_t>(layer.members.size())) {
                 for (const int b : layer.members) test(b, at(b));
                 continue;
             }

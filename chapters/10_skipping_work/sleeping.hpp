@@ -1,7 +1,7 @@
 /// \file sleeping.hpp
 /// When an island may sleep: it has been at rest for a time, and at rest means more than slow.
 ///
-///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ a_rest h   for each of its bodies, in each step, for the time T,
+///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ a_rest h   for each of its bodies, in each step, for the time t_rest,
 ///     and the step's answer was solved
 ///
 /// (10.8). A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g. What
@@ -20,7 +20,7 @@ namespace rigid {
 struct RestSettings {
     Real speed = 1e-3;         ///< v_rest [m/s]
     Real acceleration = 0.02;  ///< a_rest [m/s²]
-    Real time = 0.5;           ///< T [s]
+    Real time = 0.5;           ///< t_rest [s]
 };
 
 inline void require_valid(const RestSettings& rest)
