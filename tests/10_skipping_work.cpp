@@ -1006,6 +1006,71 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
     }
 }
 
+TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.11)")
+{
+    Random random(3);
+    const Real slack = 0.004;
+    DiscScene scene = scattered(200, 0.9, 2, 12);
+    Finder exact(scene, 0.02, 0.01), keeping(scene, 0.02, 0.01);
+    KeptContacts memory;
+    std::int64_t reused = 0;
+    Real largest = 0;
+    for (int step = 0; step < 100; ++step) {
+        exact.find(scene);
+        update_pairs(scene, keeping.set, keeping.broad);
+        keep_contacts(scene, keeping.set, keeping.broad, slack, memory, keeping.contacts);
+        REQUIRE(keeping.contacts.size() == exact.contacts.size());
+        reused += memory.reused;
+        for (std::size_t i = 0; i < exact.contacts.size(); ++i) {
+            const Contact &kept = keeping.contacts[i], &found = exact.contacts[i];
+            REQUIRE(kept.a == found.a);
+            REQUIRE(kept.b == found.b);
+            const Real distance = found.gap + scene.radius[found.a] + scene.radius[found.b];
+            if (distance < 10 * slack)
+                continue;  // crowded beyond any sense; the bound wants slack << distance
+            const Real off = found.gap - kept.gap;
+            largest = std::max(largest, off);
+            REQUIRE(off >= -1e-15);
+            REQUIRE(off <= slack * slack / (2 * (distance - 2 * slack)));
+            REQUIRE(std::abs(cross2(kept.normal, found.normal)) <= slack / (distance - slack));
+        }
+        for (Index k = 0; k < 200; ++k)
+            scene.bodies.position(k) += 0.0005 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+    }
+    CHECK(reused > 5000);
+    CHECK(largest > 1e-6);  // the bound is put to the test
+}
+
+TEST_CASE("a pile at rest keeps its rows and stands where it stands with new ones")
+{
+    SkippingSettings settings = early_out(1.0 / 240);
+    settings.sweeps.max_sweeps = 60;
+    settings.sleep = false;
+    SkippingWorld anew = world_of(rain_on_hills(60, 4, 6));
+    run(anew, settings, 1500);
+    SkippingWorld keeping = anew;
+    SkippingSettings slack = settings;
+    slack.row_slack = 1e-3;
+    run(anew, settings, 500);
+    run(keeping, slack, 500);
+    CHECK(keeping.counters.kept_rows == keeping.counters.rows);
+    CHECK(anew.counters.kept_rows == 0);
+    // (10.11): a gap is off by at most 1e-6 / 0.2 = 5 µm, and a pile of ten discs adds up ten of them.
+    CHECK((anew.scene.bodies.x - keeping.scene.bodies.x).cwiseAbs().maxCoeff() < 5e-5);
+
+    // From the fall on, with contacts that come and go: the pile holds as well.
+    SkippingWorld rain = world_of(rain_on_hills(60, 4, 6));
+    slack.row_slack = 1e-4;
+    run(rain, slack, 2000);
+    for (const Contact& contact : by_brute_force(rain.scene, 0))
+        CHECK(contact.gap > -2 * settings.stabilizer.slop);
+    {
+        NoAllocation guard;
+        run(rain, slack, 20);
+        CHECK(NoAllocation::violations() == 0);
+    }
+}
+
 TEST_CASE("the guard against allocations notices them")
 {
     NoAllocation guard;
@@ -1293,6 +1358,9 @@ TEST_CASE("bad input is refused by a sentence")
     settings = early_out();
     settings.rest.speed = 0;
     says([&] { skipping_step(now, settings); }, "the speed of rest");
+    settings = early_out();
+    settings.row_slack = -1;
+    says([&] { skipping_step(now, settings); }, "row_slack is -1.0");
     settings = early_out();
     settings.rest.time = infinity;
     says([&] { skipping_step(now, settings); }, "the time of rest");

@@ -1,5 +1,5 @@
 /// \file awake_rows.hpp
-/// The first half of the step: who is awake, and their forces, rows and islands. Nothing here looks at who sleeps.
+/// The first half of the step: who is awake, and their forces and rows. Nothing here looks at who sleeps.
 #pragma once
 
 #include "chapters/02_velocity_constraints/geometry.hpp"
@@ -16,6 +16,9 @@ inline void wake_by_changes(SkippingWorld& now, const SkippingSettings& settings
     require_step(settings.h);
     require_valid(settings.stabilizer);
     require_valid(settings.rest);
+    if (!(settings.row_slack >= 0) || !std::isfinite(settings.row_slack))
+        throw std::invalid_argument("row_slack is " + std::to_string(settings.row_slack) +
+                                    " m; it must be zero or positive and finite");
     if (settings.stabilizer.method != Stabilizer::none && settings.stabilizer.method != Stabilizer::baumgarte)
         throw std::invalid_argument("the stabilizer is " +
                                     std::string(to_string(settings.stabilizer.method)) +
@@ -87,22 +90,38 @@ inline void awake_forces(SkippingWorld& now, const SkippingSettings& settings)
             settings.h * bodies.inverse_mass.segment<2>(2 * k).cwiseProduct(bodies.force(k));
 }
 
-/// C, J, b, bounds and keys: a row for each active link, then one for each contact.
-inline void awake_rows(SkippingWorld& now, const SkippingSettings& settings)
+/// C, J, b, bounds and keys: a row for each active link, then one for each contact. Where the rows are those of the
+/// step before, one for one, a contact that has kept its normal keeps its row; only C and b are new (10.11).
+inline void awake_rows(SkippingWorld& now, const SkippingSettings& settings, bool same_rows)
 {
-    now.constraints.clear();
-    now.keys.clear();
-    for (const int i : now.links) {
-        now.constraints.push_back(
-            distance_constraint(now.scene.bodies.x, now.scene.links[static_cast<std::size_t>(i)]));
-        now.keys.push_back(joint_key(static_cast<std::size_t>(i)));
+    const VecX& inverse_mass = now.scene.bodies.inverse_mass;
+    const std::size_t links = now.links.size(), count = links + now.contacts.size();
+    now.constraints.resize(count);
+    if (!same_rows) {
+        now.keys.clear();
+        for (const int i : now.links) now.keys.push_back(joint_key(static_cast<std::size_t>(i)));
+        for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));
     }
-    for (const Contact& contact : now.contacts) {
-        now.constraints.push_back(contact_constraint(contact));
-        now.keys.push_back(contact_key(contact));
+    for (std::size_t i = 0; i < links; ++i)
+        now.constraints[i] =
+            distance_constraint(now.scene.bodies.x, now.scene.links[static_cast<std::size_t>(now.links[i])]);
+    if (!same_rows) {
+        for (std::size_t i = links; i < count; ++i)
+            now.constraints[i] = contact_constraint(now.contacts[i - links]);
+        stabilized_rows<2>(now.constraints, links, inverse_mass, settings.stabilizer, settings.h, now.rows);
+        return;
     }
-    stabilized_rows<2>(now.constraints, now.links.size(), now.scene.bodies.inverse_mass, settings.stabilizer,
-                       settings.h, now.rows);
+    //! [kept_rows]
+    for (std::size_t i = 0; i < count; ++i) {
+        Constraint<2>& c = now.constraints[i];
+        const bool kept = i >= links && now.kept.kept[i - links];
+        if (kept) c.C = now.contacts[i - links].gap;
+        else if (i >= links) c = contact_constraint(now.contacts[i - links]);
+        const Real b = velocity_bias(c.C, i < links, settings.stabilizer, settings.h);
+        if (kept) now.rows[i].bias = b;
+        else now.rows[i] = i < links ? bilateral(c, inverse_mass, b) : unilateral(c, inverse_mass, b);
+    }
+    //! [kept_rows]
 }
 
 }  // namespace rigid

@@ -5,6 +5,7 @@
 ///     sleepers/K               a step when K discs sleep and nobody is awake
 ///     beside/K                 a step of one pendulum beside K sleepers
 ///     plain/K                  chapter 8's step for the same K discs and the pendulum
+///     pile/SLACK               a pile at rest and awake, one sweep; contacts keep their normal for so many micrometres
 ///     small/EXACT/HIT          a hundred islands of seven rows, at rest or hit, swept or solved exactly
 
 #include "chapters/08_warm_starting/warm_step.hpp"
@@ -166,6 +167,26 @@ void small(benchmark::State& state)
     state.counters["us"] = static_cast<Real>(now.counters.visits);
 }
 
+/// The rain of 2,000 discs, come to rest and kept awake.
+void pile(benchmark::State& state)
+{
+    SkippingSettings settings = early_out();
+    settings.h = 1.0 / 120;
+    settings.sleep = false;
+    settings.stabilizer.slop = 5e-4;
+    settings.stabilizer.fastest = 1;
+    settings.sweeps.tolerance = 1e-5;
+    SkippingWorld now = make_world(rain_on_hills(2000, 1), {}, 0.03);
+    for (int i = 0; i < 2400; ++i) skipping_step(now, settings);
+    settings.row_slack = 1e-6 * static_cast<Real>(state.range(0));
+    settings.sweeps.max_sweeps = 1;
+    for (int i = 0; i < 20; ++i) skipping_step(now, settings);
+    for (auto _ : state) skipping_step(now, settings);
+    state.counters["tested_per_disc"] = now.counters.rows;
+    state.counters["contacts_per_disc"] = now.counters.kept_rows;
+    state.counters["us"] = now.counters.sweeps;
+}
+
 void add_all()
 {
     for (const std::string name : {"sparse", "dense", "sizes", "line"})
@@ -187,6 +208,9 @@ void add_all()
     auto* const without = benchmark::RegisterBenchmark("plain", plain);
     without->Unit(benchmark::kMicrosecond)->MinTime(0.05);
     for (const int K : {0, 1, 10, 100, 1000, 5000}) without->Arg(K);
+    auto* const rows = benchmark::RegisterBenchmark("pile", pile);
+    rows->Unit(benchmark::kMicrosecond)->MinTime(0.1);
+    for (const int micrometres : {0, 1, 10, 100, 1000}) rows->Arg(micrometres);
     auto* const few = benchmark::RegisterBenchmark("small", small);
     few->Unit(benchmark::kMicrosecond)->MinTime(0.05);
     for (const int exact : {0, 12})

@@ -76,6 +76,18 @@ inline void find_islands(SkippingWorld& now, Order order, bool same_bodies)
     now.ordered = order;
 }
 
+/// The contacts of those who are awake; true if they are those of the step before and may have kept their rows.
+inline bool step_contacts(SkippingWorld& now, Real slack)
+{
+    if (slack > 0) {
+        keep_contacts(now.scene, now.set, now.broad, slack, now.kept, now.contacts);
+        return now.kept.same;
+    }
+    awake_contacts(now.scene, now.set, now.broad, now.contacts);
+    now.kept = {};
+    return false;
+}
+
 /// How long each body that is awake has been at rest, its velocity, and its new position.
 inline void move_on(SkippingWorld& now, const SkippingSettings& settings)
 {
@@ -92,17 +104,17 @@ inline void move_on(SkippingWorld& now, const SkippingSettings& settings)
 }
 
 /// What the step looked at.
-inline void count_work(SkippingWorld& now)
+inline void count_work(SkippingWorld& now, bool same_rows)
 {
     now.counters.awake = static_cast<int>(now.set.awake.size());
     now.counters.islands = now.islands.count();
     now.counters.contacts = static_cast<int>(now.contacts.size());
     now.counters.rows = static_cast<int>(now.rows.size());
+    now.counters.kept_rows = static_cast<int>(same_rows ? now.kept.reused + std::int64_t(now.kept.walls) : 0);
     now.counters.asked = static_cast<int>(now.broad.asked);
     now.counters.tested = now.broad.tested;
 }
 
-//! [fall_asleep]
 /// Islands that have been at rest for long enough fall asleep (10.8); their forces are kept for the morning.
 inline void fall_asleep(SkippingWorld& now, const SkippingSettings& settings)
 {
@@ -125,6 +137,7 @@ inline void fall_asleep(SkippingWorld& now, const SkippingSettings& settings)
         if (carried || !(natural_residual(solved, now.memory.u) <= settings.rest.acceleration * settings.h))
             continue;
 
+        //! [fall_asleep]
         now.set.sleep(members);
         for (const int row : rows)
             now.forces.put(members[0], now.keys[static_cast<std::size_t>(row)], now.lambda[row] / settings.h);
@@ -132,13 +145,13 @@ inline void fall_asleep(SkippingWorld& now, const SkippingSettings& settings)
             now.scene.bodies.velocity(k).setZero();
             now.memory.u.segment<2>(2 * k).setZero();
         }
+        //! [fall_asleep]
         now.counters.fell_asleep += static_cast<int>(members.size());
     }
     if (now.counters.fell_asleep == 0) return;
     now.set.tidy();
     now.changed = true;
 }
-//! [fall_asleep]
 
 //! [step]
 /// One time step. Depends on its arguments alone.
@@ -153,17 +166,17 @@ inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
     if (!now.set.woken.empty()) get_up(now);
     const bool same_bodies = !now.changed;
     collect_active(now);
-    awake_contacts(now.scene, now.set, now.broad, now.contacts);
+    const bool same_rows = step_contacts(now, settings.row_slack) && same_bodies;
 
     // u*, rows and islands of those who are awake.
     awake_forces(now, settings);
-    awake_rows(now, settings);
+    awake_rows(now, settings, same_rows);
     find_islands(now, settings.order, same_bodies);
 
     // Each island by itself; then new velocities and positions.
     solve_islands(now, settings);
     move_on(now, settings);
-    count_work(now);
+    count_work(now, same_rows);
     fall_asleep(now, settings);
 }
 //! [step]

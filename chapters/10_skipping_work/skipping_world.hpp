@@ -10,6 +10,7 @@
 #include "chapters/10_skipping_work/exact_island.hpp"
 #include "chapters/10_skipping_work/incidence.hpp"
 #include "chapters/10_skipping_work/islands.hpp"
+#include "chapters/10_skipping_work/kept_contacts.hpp"
 #include "chapters/10_skipping_work/sleeping.hpp"
 #include "common/scenes.hpp"
 
@@ -30,6 +31,7 @@ struct SkippingSettings {
     StabilizerSettings stabilizer;  ///< none or baumgarte
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
+    Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]
     int exact_rows = 0;             ///< islands of up to so many rows are solved exactly
     bool warm = true;               ///< the sweeps start from yesterday's answer
     bool islands = true;            ///< false: all rows are one problem
@@ -41,7 +43,8 @@ struct SkippingCounters {
     int awake = 0;    ///< bodies that the step looked at
     int islands = 0;  ///< of these, single bodies included
     int contacts = 0;
-    int rows = 0;             ///< built and solved
+    int rows = 0;             ///< solved
+    int kept_rows = 0;        ///< of these, kept from the step before but for C and b
     int sweeps = 0;           ///< of the island that needed the most
     int exact = 0;            ///< islands that were solved exactly
     int unsolved = 0;         ///< islands whose residual did not meet the tolerance
@@ -67,6 +70,7 @@ struct SkippingWorld {
     std::vector<Bend> active_bends;
     bool changed = true;  ///< who is awake has changed since `links` and `bends` were listed
     std::vector<Contact> contacts;
+    KeptContacts kept;  ///< used where row_slack > 0
     std::vector<Constraint<2>> constraints;
     std::vector<Row<2>> rows;
     std::vector<ImpulseKey> keys, arranged;  ///< who the rows are, and who they were when islands were found
