@@ -573,7 +573,7 @@ TEST_CASE("small islands that are solved exactly have the answer that many sweep
     CHECK(compared > 20);
 }
 
-TEST_CASE("two balls and a wall by hand: the exact island gives what (10.7) says")
+TEST_CASE("two balls and a wall by hand: the exact island gives what (10.6) says")
 {
     // 1 kg against the wall at 0 m/s, 3 kg runs into it at 2 m/s: both stop, 6 N s each, whatever λ they start from.
     for (const Real start : {0.0, 2.0, 9.0}) {
@@ -1006,7 +1006,7 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
     }
 }
 
-TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.11)")
+TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.10)")
 {
     Random random(3);
     const Real slack = 0.004;
@@ -1055,7 +1055,7 @@ TEST_CASE("a pile at rest keeps its rows and stands where it stands with new one
     run(keeping, slack, 500);
     CHECK(keeping.counters.kept_rows == keeping.counters.rows);
     CHECK(anew.counters.kept_rows == 0);
-    // (10.11): a gap is off by at most 1e-6 / 0.2 = 5 µm, and a pile of ten discs adds up ten of them.
+    // (10.10): a gap is off by at most 1e-6 / 0.2 = 5 µm, and a pile of ten discs adds up ten of them.
     CHECK((anew.scene.bodies.x - keeping.scene.bodies.x).cwiseAbs().maxCoeff() < 5e-5);
 
     // From the fall on, with contacts that come and go: the pile holds as well.

@@ -91,7 +91,7 @@ inline void awake_forces(SkippingWorld& now, const SkippingSettings& settings)
 }
 
 /// C, J, b, bounds and keys: a row for each active link, then one for each contact. Where the rows are those of the
-/// step before, one for one, a contact that has kept its normal keeps its row; only C and b are new (10.11).
+/// step before, one for one, a contact that has kept its normal keeps its row; only C and b are new (10.10).
 inline void awake_rows(SkippingWorld& now, const SkippingSettings& settings, bool same_rows)
 {
     const VecX& inverse_mass = now.scene.bodies.inverse_mass;

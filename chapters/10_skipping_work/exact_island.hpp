@@ -3,7 +3,7 @@
 ///
 ///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
 ///
-/// (10.7): the problem of the correction Δ, whose answer is near zero when yesterday's λ still fits. Memory is kept for
+/// (10.6): the problem of the correction Δ, whose answer is near zero when yesterday's λ still fits. Memory is kept for
 /// each number of rows, so that islands of different sizes don't take it from each other.
 #pragma once
 

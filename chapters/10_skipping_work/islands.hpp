@@ -4,7 +4,7 @@
 ///
 ///     A_ij = J_i M⁻¹ J_jᵀ = 0   for rows i, j of different islands:   A is block diagonal
 ///
-/// (10.6). What cannot move passes nothing on, so it joins nobody. Found by union-find \cite tarjan1975, in time that
+/// (10.5). What cannot move passes nothing on, so it joins nobody. Found by union-find \cite tarjan1975, in time that
 /// is linear in the rows and bodies that are awake. An island is numbered by its lowest body; rows keep their order.
 #pragma once
 
