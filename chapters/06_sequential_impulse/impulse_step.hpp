@@ -25,10 +25,29 @@ struct ImpulseStepSettings {
     Index pulled = world;       ///< the disc that a hand pulls; world = none
     Vec2 hand = {0, 0};         ///< where to [m]
     Real restitution = 0;       ///< e of every contact, 0 … 1
-    Real threshold = 1;  ///< contacts that approach slower than threshold · |gravity| · h do not bounce
+    Real threshold = 2;  ///< contacts that approach slower than threshold · |gravity| · h do not bounce
     ImpulseSettings sweeps;
     Order order = Order::given;
 };
+
+/// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
+inline void require_valid(const ImpulseStepSettings& settings)
+{
+    require_step(settings.h);
+    const auto refuse = [](const std::string& what, Real value, const std::string& wanted) {
+        throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
+    };
+    if (!settings.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    if (!(settings.restitution >= 0 && settings.restitution <= 1))
+        refuse("the restitution", settings.restitution, "from 0 to 1");
+    if (!(settings.threshold >= 0))
+        refuse("the threshold of bounces", settings.threshold, "zero or positive");
+    if (!(settings.margin >= 0)) refuse("the margin of contacts", settings.margin, "zero or positive");
+    if (!(settings.sweeps.tolerance >= 0))
+        refuse("the tolerance of the sweeps", settings.sweeps.tolerance, "zero or positive");
+    if (settings.sweeps.max_sweeps < 0)
+        refuse("the number of sweeps", settings.sweeps.max_sweeps, "zero or positive");
+}
 
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
 struct ImpulseStep {
@@ -45,7 +64,7 @@ struct ImpulseStep {
 };
 
 //! [restitution]
-/// The bias of contacts that bounce, (6.16). `rows` begins with those of the links.
+/// The bias of contacts that bounce, (6.17). `rows` begins with those of the links.
 inline void add_restitution(const DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
 {
     if (!(settings.restitution > 0)) return;
@@ -61,11 +80,13 @@ inline void add_restitution(const DiscScene& scene, const ImpulseStepSettings& s
 
 //! [step]
 /// One time step. Depends on its arguments alone.
-inline void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
+/// \param solve  what finds λ: void(rows, order, sweeps, memory, u, solution), as sequential_impulse()
+template <class Solve>
+void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, const Solve& solve, ImpulseStep& now)
 {
     Bodies<2>& bodies = scene.bodies;
     const Real h = settings.h;
-    require_step(h);
+    require_valid(settings);
 
     // Forces, and the velocity u* that they alone would lead to (3.4).
     bodies.f.setZero();
@@ -87,10 +108,16 @@ inline void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, 
     sweeps.alternate = settings.order == Order::alternating;
     now.solution.lambda.setZero(static_cast<Index>(now.rows.size()));  // nothing is remembered
     bodies.u = now.u_star;
-    sequential_impulse(now.rows, now.order, sweeps, now.memory, bodies.u, now.solution);
+    solve(now.rows, now.order, sweeps, now.memory, bodies.u, now.solution);
 
     bodies.x += h * bodies.u;
 }
 //! [step]
+
+/// The same with this chapter's sweeps.
+inline void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
+{
+    impulse_step(scene, settings, sequential_impulse<2>, now);
+}
 
 }  // namespace rigid

@@ -52,13 +52,10 @@ template <int Dof>
 int sweep(std::vector<SolverRow<Dof>>& rows, VecX& u, Real tolerance, bool backwards = false)
 {
     int changed = 0;
-    const auto visit_and_see = [&](SolverRow<Dof>& row) {
-        changed += !(std::abs(visit(row, u)) <= tolerance * row.mass);  // a NaN counts
-    };
-    if (backwards)
-        for (std::size_t k = rows.size(); k-- > 0;) visit_and_see(rows[k]);
-    else
-        for (SolverRow<Dof>& row : rows) visit_and_see(row);
+    const std::ptrdiff_t step = backwards ? -1 : 1;
+    SolverRow<Dof>* row = rows.data() + (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
+    for (std::size_t k = rows.size(); k > 0; --k, row += step)
+        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);  // a NaN counts
     return changed;
 }
 //! [sweep]
@@ -79,13 +76,68 @@ bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>& rows, const Vec
     return hopeless;
 }
 
-//! [solve]
+/// What comes before the sweeps: the rows in order, λ within its bounds, and u = u* + M⁻¹ Jᵀ λ.
+/// \return  true if a row wants what it can't have
+template <int Dof>
+bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order, Real tolerance,
+                  ImpulseMemory<Dof>& memory, const VecX& u, Solution& solution)
+{
+    const auto m = static_cast<Index>(rows.size());
+    require_order(order, rows.size(), memory.seen);
+    if (solution.lambda.size() != m) solution.lambda.setZero(m);
+    for (Index i = 0; i < m; ++i)
+        solution.lambda[i] = std::clamp(solution.lambda[i], rows[static_cast<std::size_t>(i)].lo,
+                                        rows[static_cast<std::size_t>(i)].hi);
+    prepare(rows, order, solution.lambda, memory.rows);
+    memory.u = u;
+    for (const SolverRow<Dof>& row : memory.rows) {  // b after a: a row of the world has a = b, and Wa = 0
+        memory.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
+        memory.u.template segment<Dof>(row.b) += row.Wb * row.lambda;
+    }
+    memory.visits = 0;
+    return settle_rows_that_nothing_moves(memory.rows, memory.u, tolerance);
+}
+
+/// What comes after them: λ by row number.
+template <int Dof>
+void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory, VecX& u, Solution& solution)
+{
+    for (std::size_t k = 0; k < memory.rows.size(); ++k)
+        solution.lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
+    u = memory.u;
+}
+
+//! [until]
+/// Sweeps of any kind, until there is nothing left to do.
+/// \param one_sweep  int(int number): visits each row of memory.rows once and tells how many of them it found off
+///                   by more than the tolerance
+template <int Dof, class OneSweep>
+void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep& one_sweep,
+                 ImpulseMemory<Dof>& memory, Solution& solution)
+{
+    const auto m = static_cast<std::int64_t>(memory.rows.size());
+    solution.status = hopeless ? Status::infeasible : Status::iteration_limit;
+    solution.residual = infinity;
+    solution.iterations = 0;
+    for (int off = 1; solution.iterations < settings.max_sweeps && off > 0;) {
+        off = one_sweep(solution.iterations++);
+        memory.visits += m;
+        // The residual costs as much as a sweep: look when the sweep found nothing, or was the last.
+        if (!(settings.tolerance > 0) || (off > 0 && solution.iterations < settings.max_sweeps)) continue;
+        solution.residual = natural_residual(memory.rows, memory.u);
+        memory.visits += m;
+        if (solution.residual <= settings.tolerance) solution.status = Status::solved;
+        else off = hopeless ? 0 : 1;  // a small change is no small residual: go on
+        if (solution.status == Status::solved) return;
+    }
+}
+//! [until]
+
 /// Sweeps over the rows, starting from solution.lambda; solution.iterations counts the sweeps.
 ///
 /// `solved` is said only when the natural residual was computed and met the tolerance, `infeasible` when a row
 /// between bodies that cannot move wants what it can't have. With tolerance 0 the sweeps end early at one that
-/// changed nothing: the next would do the same.
-/// Does not allocate once it has seen a scene of this size.
+/// changed nothing: the next would do the same. Does not allocate once it has seen a scene of this size.
 /// \param rows      m valid rows
 /// \param order     row numbers in the order of the visits; empty = as they are
 /// \param u         in: u*, velocities before all impulses; out: u* + M⁻¹ Jᵀ λ [m/s]
@@ -96,47 +148,12 @@ void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> 
                         const ImpulseSettings& settings, ImpulseMemory<Dof>& memory, VecX& u,
                         Solution& solution)
 {
-    const auto m = static_cast<Index>(rows.size());
-    require_order(order, rows.size(), memory.seen);
-    if (solution.lambda.size() != m) solution.lambda.setZero(m);
-    for (Index i = 0; i < m; ++i)
-        solution.lambda[i] = std::clamp(solution.lambda[i], rows[static_cast<std::size_t>(i)].lo,
-                                        rows[static_cast<std::size_t>(i)].hi);
-    prepare(rows, order, solution.lambda, memory.rows);
-
-    // What λ holds already acts first. b after a: a row of the world has a = b, and Wa = 0.
-    memory.u = u;
-    for (const SolverRow<Dof>& row : memory.rows) {
-        memory.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
-        memory.u.template segment<Dof>(row.b) += row.Wb * row.lambda;
-    }
-    const bool hopeless = settle_rows_that_nothing_moves(memory.rows, memory.u, settings.tolerance);
-
-    memory.visits = 0;
-    solution.status = hopeless ? Status::infeasible : Status::iteration_limit;
-    solution.residual = infinity;
-    int sweeps = 0, changed = 1;
-    while (sweeps < settings.max_sweeps && changed > 0) {
-        changed = sweep(memory.rows, memory.u, settings.tolerance, settings.alternate && sweeps % 2 == 1);
-        memory.visits += m;
-        ++sweeps;
-        // The residual costs as much as a sweep: look when the sweep found nothing, or was the last.
-        if (settings.tolerance > 0 && (changed == 0 || sweeps == settings.max_sweeps)) {
-            solution.residual = natural_residual(memory.rows, memory.u);
-            memory.visits += m;
-            if (solution.residual <= settings.tolerance) {
-                solution.status = Status::solved;
-                break;
-            }
-            if (!hopeless) changed = 1;  // a small change is no small residual: go on
-        }
-    }
-
-    solution.iterations = sweeps;
-    for (std::size_t k = 0; k < memory.rows.size(); ++k)
-        solution.lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
-    u = memory.u;
+    const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
+    const auto one_sweep = [&](int number) {
+        return sweep(memory.rows, memory.u, settings.tolerance, settings.alternate && number % 2 == 1);
+    };
+    sweep_until(settings, hopeless, one_sweep, memory, solution);
+    end_sweeps(order, memory, u, solution);
 }
-//! [solve]
 
 }  // namespace rigid

@@ -11,9 +11,17 @@
 
 namespace rigid {
 
+/// (7.8): one step of a bead of 1 kg on a wire of radius 1 m, told as \f$D = r^2 - 1\f$ [m²]. With β = 0 it is the
+/// drift (7.3).
+/// \param hL  h times its angular momentum r u_t, which no radial impulse changes [m²]
+inline Real next_bead(Real D, Real beta, Real hL)
+{
+    return D - beta * D + (beta * beta * D * D / 4 + hL * hL) / (1 + D);
+}
+
 //! [settled]
 /// (7.9): where a bead on a wire of radius 1 m comes to rest with β, as \f$D = r^2 - 1\f$ [m²].
-/// \param hL  h times r·u_t, the angular momentum of 1 kg [m²]
+/// \param hL  as for next_bead() [m²]
 inline Real settled_bead(Real beta, Real hL)
 {
     const Real square = beta - beta * beta / 4;  // D² square + D β − (hL)² = 0
@@ -29,6 +37,12 @@ inline Real rise(Real v, Real g, Real h)
     return n * h * v - g * h * h * n * (n - 1) / 2;
 }
 //! [hop]
+
+/// (7.11): the error of link k of N, from the anchor, that hang with one sweep a step, first link first [m].
+inline Real one_sweep_sag(Index k, Index N, Real g, Real beta, Real h)
+{
+    return static_cast<Real>(N - k) * g * h * h / beta;
+}
 
 /// The matrix that one sweep multiplies the error of λ by, rows visited from first to last: (4.10).
 inline MatX gauss_seidel_matrix(const MatX& A)
@@ -62,7 +76,7 @@ inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h
 }
 //! [sag]
 
-/// (7.18): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
+/// (7.19): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
 inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int repaying_sweeps, Real beta, Real h)
 {
     const MatX one = MatX::Identity(A.rows(), A.cols());

@@ -145,12 +145,12 @@ inline void substep_solve(DiscScene& scene, const StabilizedStepSettings& settin
         break;
     case Stabilizer::relaxation:
         now.visits += relax(constraints, now.order, links, stabilizer, h, now.memory);
-        bodies.u = now.memory.u.head(bodies.u.size());
+        bodies.u = now.memory.u;
         read_impulses(now.memory, now.order, now.solution.lambda);
         break;
     case Stabilizer::split_impulse:
         now.visits += split_impulse(constraints, now.order, links, stabilizer, h, now.memory, now.v);
-        bodies.x += h * now.v.head(bodies.x.size());
+        bodies.x += h * now.v;
         break;
     case Stabilizer::projection:
         if (!settings.repay_once || last)
