@@ -4,11 +4,11 @@
 ///     φ(λ) = ½ λᵀ A λ + qᵀ λ,   lo ≤ λ ≤ hi       least exactly at the answer
 ///
 /// A few visits of all rows as in chapter 4 let go of bounds; then straight to the lowest point of the face on
-/// which that ended, or as far towards it as the bounds and φ allow (9.7). Each lowest point of a face is lower
+/// which that ended, or as far towards it as the bounds and φ allow (9.7b). Each lowest point of a face is lower
 /// than the one before, so none is met twice: this ends. \cite more1991
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/first_guess.hpp"
 
 #include <algorithm>
 
@@ -20,37 +20,6 @@ inline Real merit(const GuessedProblem& problem, const VecX& lambda, const VecX&
     return 0.5 * lambda.dot(w + problem.q);
 }
 
-/// One visit to each row (4.5).
-inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
-{
-    const Mlcp& mlcp = *problem.mlcp;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real w = problem.q[i], a = 0;
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            w += entry.value() * lambda[entry.col()];
-            if (entry.col() == i) a = entry.value();
-        }
-        if (problem.shift.size() > 0) {
-            w += problem.shift[i] * lambda[i];
-            a += problem.shift[i];
-        }
-        if (a > 0) lambda[i] = std::clamp(lambda[i] - w / a, mlcp.lo[i], mlcp.hi[i]);
-    }
-}
-
-inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<RowCase>& cases)
-{
-    for (Index i = 0; i < mlcp.size(); ++i)
-        cases[static_cast<std::size_t>(i)] = lambda[i] <= mlcp.lo[i]   ? RowCase::at_lo
-                                             : lambda[i] >= mlcp.hi[i] ? RowCase::at_hi
-                                                                       : RowCase::between;
-}
-
-inline void clamp_into_bounds(const Mlcp& mlcp, VecX& lambda)
-{
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
-}
-
 //! [descend]
 /// From guess.lambda down to the answer. Each guess is the lowest point of a face.
 /// \param visits  of all rows between two faces
@@ -59,24 +28,24 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
                  ActiveSetWork& work)
 {
     const Mlcp& mlcp = *problem.mlcp;
-    VecX here = guess.lambda, trial, trial_w;
+    VecX &here = guess.here, &trial = guess.trial, &way = guess.way;
+    here = guess.lambda;
     clamp_into_bounds(mlcp, here);
-    for (int tried = 0; tried < limit;) {
+    while (work.guesses < limit) {
         for (int k = 0; k < visits; ++k) visit_rows(problem, here);
         velocities(problem, factor, here, guess.w);
         Real now = merit(problem, here, guess.w);
-        for (bool arrived = false; !arrived && tried < limit; ++tried) {
+        for (bool arrived = false; !arrived && work.guesses < limit;) {
             cases_of(mlcp, here, guess.cases);
             ++work.guesses;
             ++work.descents;
             if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
             solve_guess(problem, factor, guess);
             if (!guess.lambda.allFinite()) return GuessEnd::singular;
-            find_wrong(problem, guess);
             if (guess.wrong.empty()) return GuessEnd::right;
 
             // The part of the way to the lowest point of the face that no bound interrupts: always downhill.
-            const VecX way = guess.lambda - here;
+            way = guess.lambda - here;
             Real free_way = 1;
             for (const Index i : guess.wrong)
                 if (way[i] < 0) free_way = std::min(free_way, (mlcp.lo[i] - here[i]) / way[i]);
@@ -87,8 +56,8 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
                 if (last) share = free_way;
                 trial = here + share * way;
                 clamp_into_bounds(mlcp, trial);
-                velocities(problem, factor, trial, trial_w);
-                const Real there = merit(problem, trial, trial_w);
+                velocities(problem, factor, trial, guess.w);
+                const Real there = merit(problem, trial, guess.w);
                 if (!last && !(there < now)) continue;
                 now = there;
                 break;

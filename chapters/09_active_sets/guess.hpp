@@ -9,6 +9,7 @@
 
 #include "chapters/03_mlcp_formulation/cases.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -30,39 +31,27 @@ struct ActiveSetWork {
 /// The problem as the guesses see it: A + diag(shift), and a q of its own. Rows are measured in m/s.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
-    VecX q;         ///< that of the problem, or of a proximal step (9.12)
-    VecX shift;     ///< ε A_ii of the proximal step, or zero
-    VecX diagonal;  ///< A_ii; 1 where it is not positive
-    Real tolerance = 0;  ///< a row that is wrong by less than this is right [m/s]
+    VecX q;                ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;            ///< ε A_ii of the proximal step, or zero
+    bool shifted = false;  ///< whether shift is used
+    VecX diagonal;         ///< A_ii; 1 where it is not positive
+    Real tolerance = 0;    ///< a row that is wrong by less than this is right [m/s]
 };
 
 /// Which rows are active, the λ that follows, and its w.
 struct Guess {
     std::vector<RowCase> cases;
     VecX lambda, w, step;
+    VecX here, trial, way;     ///< room for the descent
     std::vector<Index> wrong;  ///< rows whose case does not fit what came out
 };
 
 enum class GuessEnd { right, singular, limit };
 
-/// Where the guesses begin: with yesterday's cases, where a row can have them; else every row is active.
-inline void begin(const Mlcp& mlcp, const std::vector<RowCase>& yesterday, std::vector<RowCase>& cases)
-{
-    const auto n = static_cast<std::size_t>(mlcp.size());
-    const bool known = yesterday.size() == n;
-    cases.resize(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto i = static_cast<Index>(k);
-        const RowCase wish = known ? yesterday[k] : RowCase::between;
-        const bool possible = (wish != RowCase::at_lo || mlcp.lo[i] > -infinity) &&
-                              (wish != RowCase::at_hi || mlcp.hi[i] < infinity);
-        cases[k] = mlcp.lo[i] == mlcp.hi[i] ? RowCase::at_lo : possible ? wish : RowCase::between;
-    }
-}
-
 //! [correct]
 /// (9.4): the case that a row should have, by what its own case led to.
-inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w, Real tolerance)
+inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w,
+                         Real tolerance)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const Real allowed = tolerance / problem.diagonal[i];
@@ -86,7 +75,7 @@ void velocities(const GuessedProblem& problem, const Factor& factor, const VecX&
 {
     factor.multiply(*problem.mlcp, lambda, w);
     w += problem.q;
-    if (problem.shift.size() > 0) w += problem.shift.cwiseProduct(lambda);
+    if (problem.shifted) w += problem.shift.cwiseProduct(lambda);
 }
 
 /// The largest |w| of the active rows, which should be zero [m/s].
@@ -94,7 +83,8 @@ inline Real active_residual(const Guess& guess)
 {
     Real largest = 0;
     for (Index i = 0; i < guess.w.size(); ++i)
-        if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between && !(std::abs(guess.w[i]) <= largest))
+        if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between &&
+            !(std::abs(guess.w[i]) <= largest))
             largest = std::abs(guess.w[i]);
     return largest;
 }
@@ -110,8 +100,24 @@ void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
     velocities(problem, factor, guess.lambda, guess.w);
 }
 
+/// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
+/// \param hidden  what is left of the active rows' w: a row that is wrong by less than that may yet be right
+inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
+{
+    const Index n = guess.w.size();
+    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.diagonal).lpNorm<Eigen::Infinity>() : 0;
+    const Real tolerance =
+        std::max({problem.tolerance, 10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest});
+    guess.wrong.clear();
+    for (Index i = 0; i < n; ++i) {
+        const RowCase now = guess.cases[static_cast<std::size_t>(i)];
+        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now)
+            guess.wrong.push_back(i);
+    }
+}
+
 //! [solve]
-/// (9.2): λ and w of the guess. The factor must be that of guess.cases.
+/// (9.2): λ and w of the guess, and which rows they show to be wrong. The factor must be that of guess.cases.
 template <class Factor>
 void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 {
@@ -125,41 +131,34 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
     if (zero) guess.w = problem.q;
     else velocities(problem, factor, guess.lambda, guess.w);
     improve(problem, factor, guess);
-    // What rounding has left is looked at, and solved for once more where it could turn a sign.
-    if (active_residual(guess) > 0.01 * problem.tolerance) improve(problem, factor, guess);
-}
-//! [solve]
-
-/// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
-inline void find_wrong(const GuessedProblem& problem, Guess& guess)
-{
-    const Index n = guess.w.size();
-    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.diagonal).lpNorm<Eigen::Infinity>() : 0;
-    const Real tolerance =
-        std::max(problem.tolerance, 4 * std::numeric_limits<Real>::epsilon() * largest);
-    guess.wrong.clear();
-    for (Index i = 0; i < n; ++i) {
-        const RowCase now = guess.cases[static_cast<std::size_t>(i)];
-        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now) guess.wrong.push_back(i);
+    Real left = active_residual(guess);
+    if (left > 1e4 * problem.tolerance) {
+        improve(problem, factor, guess);
+        left = active_residual(guess);
+    }
+    find_wrong(problem, left, guess);
+    if (guess.wrong.empty() && left > 0.01 * problem.tolerance) {  // nothing large is wrong: look closer
+        improve(problem, factor, guess);
+        find_wrong(problem, 0, guess);
     }
 }
+//! [solve]
 
 //! [loop]
 /// Corrects the guess until nothing is wrong. `singular`: the active rows of some guess depend on each other.
 /// \param patience  flips of all wrong rows without fewer of them, before one row at a time
-/// \param limit     of guesses
+/// \param limit     of work.guesses
 template <class Factor>
 GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
                        Guess& guess, ActiveSetWork& work)
 {
     std::size_t fewest = guess.cases.size() + 1;
     int chances = patience;
-    for (int tried = 0; tried < limit; ++tried) {
+    while (work.guesses < limit) {
         ++work.guesses;
         if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
         solve_guess(problem, factor, guess);
         if (!guess.lambda.allFinite()) return GuessEnd::singular;
-        find_wrong(problem, guess);
         if (guess.wrong.empty()) return GuessEnd::right;
 
         bool all = true;

@@ -54,28 +54,32 @@ inline bool proves_infeasible(const Mlcp& mlcp, VecX& v, VecX& image)
 
 /// Corrects the guess; if that makes no progress, descends.
 template <class Factor>
-GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int patience, int limit, Guess& guess,
-                          ActiveSetWork& work)
+GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int patience, int limit,
+                          Guess& guess, ActiveSetWork& work)
 {
     const GuessEnd end = correct_guess(problem, factor, patience, limit, false, guess, work);
     if (end != GuessEnd::limit) return end;
-    return descend(problem, factor, 3, limit, guess, work);
+    return descend(problem, factor, 10, limit, guess, work);
 }
 
 enum class ProximalEnd { right, infeasible, singular, limit };
 
 //! [outer]
 /// Outer steps until the residual of the original problem is small and falls no more; guess.lambda, pressed
-/// into its bounds, is the answer.
+/// into its bounds, is the answer. Where rows depend on each other flipping all at once goes round more
+/// often, so the patience with it is a quarter.
+/// \param memory   memory.previous: λ⁰, zero unless it has the size of the problem
 /// \param allowed  the natural residual at which an answer is good enough [m/s]
 template <class Factor>
 ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience, int limit, Real allowed,
                            ProximalMemory& memory, Guess& guess, ActiveSetWork& work)
 {
     const Mlcp& mlcp = *problem.mlcp;
-    problem.shift = proximal_share * problem.diagonal;
+    Real share = proximal_share;
+    problem.shift = share * problem.diagonal;
+    problem.shifted = true;
     factor.forget();
-    memory.previous.setZero(mlcp.size());
+    if (memory.previous.size() != mlcp.size()) memory.previous.setZero(mlcp.size());
     clamp_into_bounds(mlcp, memory.previous);
     Real last = infinity;
     ProximalEnd end = ProximalEnd::limit;
@@ -83,7 +87,7 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
     for (int outer = 0; outer < 50; ++outer) {
         ++work.outer_steps;
         problem.q = mlcp.q - problem.shift.cwiseProduct(memory.previous);  // (9.12)
-        const GuessEnd inner = guess_or_descend(problem, factor, patience, limit, guess, work);
+        const GuessEnd inner = guess_or_descend(problem, factor, patience / 4, limit, guess, work);
         if (inner != GuessEnd::right)
             return inner == GuessEnd::limit ? ProximalEnd::limit : ProximalEnd::singular;
         clamp_into_bounds(mlcp, guess.lambda);
@@ -94,6 +98,12 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
             memory.direction = guess.lambda - memory.previous;
             memory.image.resize(mlcp.size());
             if (proves_infeasible(mlcp, memory.direction, memory.image)) return ProximalEnd::infeasible;
+        }
+        if (residual > allowed && !(residual <= 0.01 * last) &&
+            share > 1e-11) {  // too slow: a smaller term is gone sooner
+            share *= 0.01;
+            problem.shift = share * problem.diagonal;
+            factor.forget();
         }
         last = residual;
         memory.candidate = memory.previous = guess.lambda;

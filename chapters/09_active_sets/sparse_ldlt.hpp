@@ -45,37 +45,43 @@ public:
         const Elimination& e = elimination;
         const auto n = static_cast<int>(cases.size());
         const Real* const A = problem.mlcp->A.valuePtr();
-        const bool shifted = problem.shift.size() > 0;
-        work.entries = 0;
+        const bool shifted = problem.shifted;
+        const int* const begin = e.column_begin.data();
+        int* const end = filled_.data();
+        int* const row = row_.data();
+        Real* const value = value_.data();
+        Real* const y = y_.data();
+        Real* const pivot = pivot_.data();
         active_.clear();
         for (int k = 0; k < n; ++k) {
             const int i = at(e.order, k);
-            at(filled_, k) = at(e.column_begin, k);
-            pivot_[k] = 0;  // zero = not active
+            end[k] = begin[k];
+            pivot[k] = 0;  // zero = not active
             if (at(cases, i) != RowCase::between) continue;
             for (int p = at(e.lower_begin, k); p < at(e.lower_begin, k + 1); ++p)
-                y_[at(e.lower_column, p)] = A[at(e.lower_value, p)];
+                y[at(e.lower_column, p)] = A[at(e.lower_value, p)];
             const int place = at(e.diagonal_value, k);
             Real d = (place < 0 ? 0 : A[place]) + (shifted ? problem.shift[i] : 0);
             const Real nothing = shifted ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
             for (int p = at(e.row_begin, k); p < at(e.row_begin, k + 1); ++p) {  // (9.9)
                 const int j = at(e.row_columns, p);
-                const Real y = y_[j];
-                y_[j] = 0;
-                if (y == 0 || pivot_[j] == 0) continue;
-                const int begin = at(e.column_begin, j), end = at(filled_, j);
-                for (int r = begin; r < end; ++r) y_[at(row_, r)] -= at(value_, r) * y;
-                const Real l = y / pivot_[j];
-                d -= l * y;
-                at(row_, end) = k;
-                at(value_, end) = l;
-                at(filled_, j) = end + 1;
-                ++work.entries;
+                const Real y_j = y[j];
+                y[j] = 0;
+                if (y_j == 0 || pivot[j] == 0) continue;
+                const int last = end[j];
+                for (int r = begin[j]; r < last; ++r) y[row[r]] -= value[r] * y_j;
+                const Real l = y_j / pivot[j];
+                d -= l * y_j;
+                row[last] = k;
+                value[last] = l;
+                end[j] = last + 1;
             }
             if (!(d > nothing)) return false;
-            pivot_[k] = d;
+            pivot[k] = d;
             active_.push_back(k);
         }
+        work.entries = 0;
+        for (const int j : active_) work.entries += end[j] - begin[j];
         factored_ = cases;
         return true;
     }
@@ -85,20 +91,23 @@ public:
     void solve(VecX& x) const
     {
         const Elimination& e = elimination;
-        for (const int k : active_) y_[k] = x[at(e.order, k)];
-        for (const int j : active_) {
-            const Real y = y_[j];
-            for (int r = at(e.column_begin, j); r < at(filled_, j); ++r) y_[at(row_, r)] -= at(value_, r) * y;
-        }
+        const int* const begin = e.column_begin.data();
+        const int* const end = filled_.data();
+        const int* const row = row_.data();
+        const Real* const value = value_.data();
+        Real* const y = y_.data();
+        for (const int k : active_) y[k] = x[at(e.order, k)];
+        for (const int j : active_)
+            for (int r = begin[j]; r < end[j]; ++r) y[row[r]] -= value[r] * y[j];
         for (auto place = active_.rbegin(); place != active_.rend(); ++place) {
             const int j = *place;
-            Real y = y_[j] / pivot_[j];
-            for (int r = at(e.column_begin, j); r < at(filled_, j); ++r) y -= at(value_, r) * y_[at(row_, r)];
-            y_[j] = y;
+            Real sum = y[j] / pivot_[j];
+            for (int r = begin[j]; r < end[j]; ++r) sum -= value[r] * y[row[r]];
+            y[j] = sum;
         }
         for (const int k : active_) {
-            x[at(e.order, k)] = y_[k];
-            y_[k] = 0;
+            x[at(e.order, k)] = y[k];
+            y[k] = 0;
         }
     }
 
@@ -107,10 +116,11 @@ public:
         const int* const outer = mlcp.A.outerIndexPtr();
         const int* const inner = mlcp.A.innerIndexPtr();
         const Real* const A = mlcp.A.valuePtr();
+        const Real* const known = x.data();
         product.resize(x.size());
         for (Index i = 0; i < x.size(); ++i) {
             Real sum = 0;
-            for (int p = outer[i]; p < outer[i + 1]; ++p) sum += A[p] * x[inner[p]];
+            for (int p = outer[i]; p < outer[i + 1]; ++p) sum += A[p] * known[inner[p]];
             product[i] = sum;
         }
     }
@@ -123,7 +133,7 @@ private:
     std::vector<int> row_, filled_, active_;  ///< of the entries of L, column by column
     std::vector<Real> value_;
     VecX pivot_;
-    mutable VecX y_;                ///< all zero between calls
+    mutable VecX y_;                 ///< all zero between calls
     std::vector<RowCase> factored_;  ///< the cases that the factor is of
 };
 
