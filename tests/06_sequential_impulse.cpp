@@ -243,7 +243,8 @@ TEST_CASE("the iterates are those of projected Gauss-Seidel sweep by sweep as (6
 
 TEST_CASE("a column takes the sweeps that chapter 4 needs for six digits")
 {
-    for (const auto& [N, wanted] : {std::pair<Index, int>{2, 20}, {5, 136}, {10, 550}, {20, 2204}}) {
+    for (const auto& [count, wanted] : {std::pair<Index, int>{2, 20}, {5, 136}, {10, 550}, {20, 2204}}) {
+        const Index N = count;  // a lambda may not capture the binding itself
         const SceneRows here(column(N));
         std::vector<int> order(static_cast<std::size_t>(N));  // the floor's row comes last: bottom-up is
         std::iota(order.begin(), order.end(), -1);

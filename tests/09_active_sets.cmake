@@ -3,9 +3,9 @@ foreach(scene plane guess ten_discs long_chain)
   add_program_test(ch09 09_active_sets "runs scene ${scene}" --headless --scene ${scene} --steps 300 --csv -)
 endforeach()
 foreach(method dantzig lemke)
-  add_program_test(ch09 09_active_sets "guesses by ${method}" --headless --scene guess --method ${method} --steps 60 --csv -)
+  add_program_test(ch09 09_active_sets "guesses by ${method}" --headless --scene guess --method ${method} --steps 100 --csv -)
   set_tests_properties("ch09: 09_active_sets guesses by ${method}" PROPERTIES  # the last column is the status: solved
-    PASS_REGULAR_EXPRESSION "\n60,[^\n]*,0\n")
+    PASS_REGULAR_EXPRESSION "\n100,[^\n]*,0\n")
 endforeach()
 add_program_test(ch09 09_active_sets "refuses a pyramid that is too high" --headless --scene guess --set levels=40 --steps 1)
 set_tests_properties("ch09: 09_active_sets refuses a pyramid that is too high" PROPERTIES

@@ -31,7 +31,12 @@ namespace {
 Index boxes_of(Index n) { return n / 2; }
 Index levels_of(Index n) { return static_cast<Index>(std::lround(std::sqrt(static_cast<Real>(n) / 2))); }
 
-RowProblem<3> resting_column_rows(Index n) { return pile_problem(box_column(boxes_of(n)), at_rest); }
+RowProblem<3> toppling_rows(Index n) { return pile_problem(box_column(boxes_of(n)), at_rest); }
+RowProblem<3> upright_rows(Index n) { return pile_problem(box_column(boxes_of(n), 1, false, true), at_rest); }
+RowProblem<3> hit_upright_rows(Index n)
+{
+    return pile_problem(box_column(boxes_of(n), 1, false, true), in_impact);
+}
 RowProblem<3> column_rows(Index n) { return pile_problem(box_column(boxes_of(n)), nudged); }
 RowProblem<3> hit_column_rows(Index n) { return pile_problem(box_column(boxes_of(n)), in_impact); }
 RowProblem<3> heavy_rows(Index n) { return pile_problem(box_column(boxes_of(n), 1000, true), in_impact); }
@@ -139,7 +144,8 @@ struct ColdSolve {
     ActiveSetMemory memory;
     Fastest fastest;
 
-    /// From Mlcp to Solution, with all its checks, nothing remembered.
+    /// From Mlcp to Solution, with all its checks and nothing remembered: allocations, the order of elimination and
+    /// the pattern of the factor are part of the time.
     void run(const Mlcp& mlcp)
     {
         fastest.add(time_of_one(calls_for(mlcp.size()), [&] {
@@ -374,19 +380,25 @@ void add_all()
             add("warm/" + std::string(name), warm, of(name))->Arg(n)->Iterations(n <= 32 ? 200 : 20);
         }
     for (const Index n : {100, 200, 400, 800, 1600, 3200, 6400, 12800, 25600}) {
-        add("growth/column_at_rest", growth<resting_column_rows>, "column_at_rest")->Arg(n)->Iterations(20);
+        add("growth/column_upright", growth<upright_rows>, "column_upright")->Arg(n)->Iterations(20);
+        add("growth/column_upright_hit", growth<hit_upright_rows>, "column_upright_hit")
+            ->Arg(n)
+            ->Iterations(20);
+        add("growth/column_topples", growth<toppling_rows>, "column_topples")->Arg(n)->Iterations(5);
         add("growth/column", growth<column_rows>, "column")->Arg(n)->Iterations(20);
         add("growth/column_hit", growth<hit_column_rows>, "column_hit")->Arg(n)->Iterations(20);
         add("growth/chain", growth<chain_rows>, "chain")->Arg(n - 1)->Iterations(20);
     }
     for (const Index n : {32, 128, 288, 512, 968, 2048})
         add("growth/pyramid_hit", growth<hit_pyramid_rows>, "pyramid_hit")->Arg(n)->Iterations(10);
-    for (const char* name : {"column_at_rest", "column", "column_hit", "chain", "pyramid_hit"})
+    for (const char* name : {"column_upright", "column_upright_hit", "column_topples", "column", "column_hit",
+                             "chain", "pyramid_hit"})
         add("slope/" + std::string(name), slope, name)->Iterations(1);
     for (const auto& [name, n] : {std::pair("spd", 300), std::pair("column_hit", 300),
                                   std::pair("chain", 999), std::pair("pyramid_hit", 512)}) {
-        const auto contest = [&, here = std::string(name)](const std::string& who, const Solve& solve) {
-            add("error/" + here + "/" + who, error, of(here.c_str()), solve)->Arg(n)->Iterations(10);
+        const auto contest = [&, here = std::string(name), size = n](const std::string& who,
+                                                                     const Solve& solve) {
+            add("error/" + here + "/" + who, error, of(here.c_str()), solve)->Arg(size)->Iterations(10);
         };
         contest("active_sets", [](const Mlcp& mlcp) { return active_sets(mlcp); });
         contest("dantzig", [](const Mlcp& mlcp) { return dantzig(mlcp); });

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/09_active_sets/drawing.hpp"
-#include "chapters/09_active_sets/guess_walk.hpp"
+#include "chapters/09_active_sets/guess_run.hpp"
 #include "chapters/09_active_sets/problems.hpp"
 
 #include <memory>

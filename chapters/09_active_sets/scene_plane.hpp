@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/05_lemke/families.hpp"
-#include "chapters/09_active_sets/guess_walk.hpp"
+#include "chapters/09_active_sets/guess_run.hpp"
 
 #include <array>
 
@@ -47,7 +47,7 @@ public:
         canvas.arrow({-corner.x(), zero.y()}, {corner.x() + 0.03, zero.y()}, paint::axis);
         canvas.arrow({zero.x(), -corner.y()}, {zero.x(), corner.y() + 0.03}, paint::axis);
         canvas.text({corner.x() + 0.02, zero.y() - 0.09}, "λ₁ [N s]", 13, paint::label, Align::right);
-        canvas.text({zero.x() + 0.03, corner.y()}, "λ₂ [N s]", 13, paint::label);
+        canvas.text({zero.x() - 0.04, corner.y()}, "λ₂ [N s]", 13, paint::label, Align::right);
         draw_line(canvas, 0, {Colour::purple, 1.5, 1, false, false}, "w₁ = 0");
         draw_line(canvas, 1, {Colour::green, 1.5, 1, false, false}, "w₂ = 0");
 

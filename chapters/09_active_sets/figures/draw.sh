@@ -32,7 +32,6 @@ if [ "${3:-}" = measured ]; then
             print of("us"), (residual > 1e3 ? 1e3 : residual < 1e-16 ? 1e-16 : residual) > (dir "/error_" part[2] "_" who)
         }
         /^growth\// { print of("n"), of("us"), of("assembly_us") > (dir "/growth_" part[2]) }
-        /^slope\// { print of("slope"), of("assembly_slope") > (dir "/slope_" part[2]) }
         /^versus\// {
             print of("n"), of("us") > (dir "/versus_" part[2] "_ours")
             split("ode polished siconos bullet", peers, " ")

@@ -1,4 +1,4 @@
-/// \file guess_walk.hpp
+/// \file guess_run.hpp
 /// A guess on its way, alive: one correction per step of the program.
 #pragma once
 
