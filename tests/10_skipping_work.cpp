@@ -802,8 +802,13 @@ TEST_CASE("no row ever joins a body that is awake and one that sleeps")
     settings.rest.speed = 0.01;
     settings.rest.acceleration = 1;  // sleepy: many fall asleep and wake
     SkippingWorld now = world_of(rain_on_hills(120, 3, 6));
+    Random random(1);
     int woken = 0, slept = 0;
     for (int step = 0; step < 1200; ++step) {
+        if (step % 30 == 29) {  // one of them is taken from where it is and let fall again
+            const Index k = now.scene.bodies.count() - 1 - random.index(120);
+            change_disc(now, k, {random.uniform(-2.8, 2.8), 2.5}, {0, 0}, 1);
+        }
         skipping_step(now, settings);
         woken += now.counters.woken;
         slept += now.counters.fell_asleep;
