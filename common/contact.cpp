@@ -16,12 +16,13 @@ void find_contacts(const VecX& x, const VecX& radius, const std::vector<HalfSpac
             const Real distance = d.norm();
             // Two centres in one point have no direction; any will part them.
             const Vec2 normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
-            contacts.push_back({a, b, normal, distance - radius[a] - radius[b]});
+            contacts.push_back({a, b, normal, distance - radius[a] - radius[b], 0});
         }
     for (Index b = 0; b < K; ++b)
-        for (const HalfSpace& wall : walls) {
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            const HalfSpace& wall = walls[i];
             const Real gap = wall.normal.dot(x.segment<2>(2 * b)) - wall.offset - radius[b];
-            if (gap < margin) contacts.push_back({world, b, wall.normal, gap});
+            if (gap < margin) contacts.push_back({world, b, wall.normal, gap, static_cast<Index>(i)});
         }
 }
 

@@ -16,6 +16,7 @@ struct Contact {
     Index a = world, b = 0;  ///< the bodies; a wall of the world is always a
     Vec2 normal = {0, 1};    ///< unit vector from a to b
     Real gap = 0;            ///< distance of the surfaces [m]; negative = penetration
+    Index feature = 0;       ///< which of several contacts of this pair: the number of the wall
 };
 
 /// Collects the contacts of discs with each other and with walls whose gap is below the margin.

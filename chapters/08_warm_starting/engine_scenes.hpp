@@ -1,0 +1,60 @@
+/// \file engine_scenes.hpp
+/// The scenes that this book's step is measured on beside other engines. Each engine builds its world from the
+/// same DiscScene: nothing is tuned to one of them.
+///
+/// g = 10 m/s², no friction, no restitution, no damping, no sleeping; everything starts at rest, with exact
+/// lengths and gaps of zero. The discs of a chain do not collide with anything.
+#pragma once
+
+#include "common/scenes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigid {
+
+struct EngineScene {
+    std::string name;
+    DiscScene scene;
+    bool collides = true;  ///< false: no disc ever touches anything, so no engine has to look
+    bool rests = true;     ///< where it stands is where it stays; else it swings
+};
+
+/// What a chain of N links is, hanging or swinging, once nothing of it collides.
+inline EngineScene engine_chain(const std::string& name, DiscScene scene, bool rests)
+{
+    scene.gravity = {0, -10};
+    const auto pairs = static_cast<std::size_t>(scene.bodies.count() * scene.bodies.count());
+    scene.linked.assign(pairs, true);
+    return {name, std::move(scene), false, rests};
+}
+
+inline EngineScene engine_pile(const std::string& name, DiscScene scene)
+{
+    scene.gravity = {0, -10};
+    return {name, std::move(scene), true, true};
+}
+
+/// All of them, by the names that the table has.
+inline std::vector<EngineScene> engine_scenes()
+{
+    std::vector<EngineScene> scenes;
+    const auto number = [](auto n) { return std::to_string(static_cast<int>(n)); };
+    for (const Index count : {10, 50, 200})
+        for (const Real mass : {1.0, 10.0, 100.0})
+            scenes.push_back(engine_chain("hanging_" + number(count) + "_" + number(mass),
+                                          hanging_chain(count, mass), true));
+    for (const Index count : {10, 50, 200})
+        for (const Real mass : {1.0, 10.0, 100.0})
+            scenes.push_back(engine_chain("swinging_" + number(count) + "_" + number(mass),
+                                          swinging_chain(count, mass), false));
+    for (const Index count : {10, 20, 50})
+        for (const Real mass : {1.0, 100.0})
+            scenes.push_back(engine_pile("column_" + number(count) + "_" + number(mass),
+                                         column_between_walls(count, mass)));
+    for (const Index base : {10, 20, 40})
+        scenes.push_back(engine_pile("triangle_" + number(base), triangle(base)));
+    return scenes;
+}
+
+}  // namespace rigid

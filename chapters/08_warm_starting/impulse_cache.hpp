@@ -1,0 +1,136 @@
+/// \file impulse_cache.hpp
+/// Yesterday's impulses under names that survive the night, so that today's sweeps need not start from zero.
+///
+///     λ_start = λ_old · h / h_old     for a row that was there,      (8.4)
+///     λ_start = 0                     for a row that is new
+///
+/// Data only: the cache decides where a solver starts, never where it ends. It knows neither rows nor bodies.
+#pragma once
+
+#include "common/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rigid {
+
+//! [key]
+/// Who a row is. The number of a row changes whenever a contact comes or goes; this does not.
+struct ImpulseKey {
+    std::int32_t first = 0;    ///< body a, or the world (−1), or `of_a_joint`
+    std::int32_t second = 0;   ///< body b, or the number of the joint
+    std::int32_t feature = 0;  ///< which of several rows of this pair or joint
+
+    static constexpr std::int32_t of_a_joint = -2;
+    auto operator<=>(const ImpulseKey&) const = default;
+};
+
+inline ImpulseKey joint_key(std::size_t joint, int row = 0)
+{
+    return {ImpulseKey::of_a_joint, static_cast<std::int32_t>(joint), row};
+}
+
+inline ImpulseKey contact_key(const Contact& contact)
+{
+    return {static_cast<std::int32_t>(contact.a), static_cast<std::int32_t>(contact.b),
+            static_cast<std::int32_t>(contact.feature)};
+}
+//! [key]
+
+inline std::string to_string(const ImpulseKey& key)
+{
+    return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " + std::to_string(key.feature);
+}
+
+/// What was remembered, in ascending order of the keys. All memory is kept from step to step.
+struct ImpulseCache {
+    struct Entry {
+        ImpulseKey key;
+        int unseen = 0;   ///< steps since this row was there last
+        Real lambda = 0;  ///< [N s]
+    };
+    std::vector<Entry> entries;
+    std::vector<Entry> spare;  ///< where store() writes before it swaps
+    Real h = 0;                ///< time step of the impulses that are stored [s]
+    int keep = 0;              ///< steps that an impulse outlives its row; 0 = a row that goes is forgotten
+    int found = 0;             ///< rows that the last load() knew again
+    int searched = 0;          ///< rows that it had to search for, because they were not the next in line
+};
+
+//! [load]
+/// Where today's sweeps start, (8.4). Does not allocate once `lambda` has been as long.
+/// \param cache   what store() remembered
+/// \param keys    one for each row of today, in any order
+/// \param h       today's time step [s]
+/// \param lambda  becomes one number for each key [N s]
+inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h, VecX& lambda)
+{
+    lambda.setZero(static_cast<Index>(keys.size()));
+    cache.found = cache.searched = 0;
+    const Real scale = cache.h > 0 ? h / cache.h : 0;  // an impulse is a force times h
+    auto next = cache.entries.begin();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        // Most rows are those of yesterday in the same order: then the next entry is the one.
+        if (next == cache.entries.end() || next->key != keys[i]) {
+            ++cache.searched;
+            next = std::lower_bound(
+                cache.entries.begin(), cache.entries.end(), keys[i],
+                [](const ImpulseCache::Entry& entry, const ImpulseKey& key) { return entry.key < key; });
+            if (next == cache.entries.end() || next->key != keys[i]) continue;
+        }
+        lambda[static_cast<Index>(i)] = scale * next->lambda;
+        ++cache.found;
+        ++next;
+    }
+}
+//! [load]
+
+//! [store]
+/// Remembers the answer of a step, and for `cache.keep` more steps what rows had that are not there any more.
+/// An impulse that is not finite is not remembered. Does not allocate once it has seen so many rows.
+/// \param cache   is overwritten
+/// \param keys    one for each row, each key once; throws std::invalid_argument otherwise
+/// \param lambda  one for each key [N s]
+/// \param h       time step of these impulses [s]
+inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys, const VecX& lambda, Real h)
+{
+    if (static_cast<Index>(keys.size()) != lambda.size())
+        throw std::invalid_argument("there are " + std::to_string(keys.size()) + " keys for " +
+                                    std::to_string(lambda.size()) + " impulses");
+    const auto ascending = [](const ImpulseCache::Entry& a, const ImpulseCache::Entry& b) {
+        return a.key < b.key;
+    };
+    std::vector<ImpulseCache::Entry>& today = cache.spare;
+    today.clear();
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        today.push_back({keys[i], 0, lambda[static_cast<Index>(i)]});
+    if (!std::is_sorted(today.begin(), today.end(), ascending))
+        std::sort(today.begin(), today.end(), ascending);
+    for (std::size_t i = 1; i < today.size(); ++i)
+        if (today[i - 1].key == today[i].key)
+            throw std::invalid_argument("two rows have the key " + to_string(today[i].key));
+
+    // What is missing today but still remembered goes behind the rows of today.
+    const std::size_t rows = today.size();
+    std::size_t i = 0;
+    for (const ImpulseCache::Entry& old : cache.entries) {
+        if (old.unseen >= cache.keep) continue;
+        while (i < rows && today[i].key < old.key) ++i;
+        if (i == rows || today[i].key != old.key)
+            today.push_back({old.key, old.unseen + 1, h / cache.h * old.lambda});
+    }
+    if (today.size() > rows) std::sort(today.begin(), today.end(), ascending);
+
+    std::erase_if(today, [](const ImpulseCache::Entry& entry) { return !std::isfinite(entry.lambda); });
+    std::swap(cache.entries, cache.spare);
+    cache.h = h;
+}
+//! [store]
+
+}  // namespace rigid
