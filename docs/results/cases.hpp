@@ -2,7 +2,9 @@
 /// The cases by subject, and what they share.
 #pragma once
 
-#include "docs/results/measurement.hpp"
+#include "docs/results/one_step.hpp"
+
+#include "common/scenes.hpp"
 
 namespace rigid::results {
 
@@ -12,11 +14,14 @@ void add_heaps(Registry& registry);          ///< triangles of discs, and the te
 void add_bounces(Registry& registry);        ///< a ball that bounces
 void add_runs(Registry& registry);           ///< a thousand steps of chains and heaps, as engines take them
 
+/// The step of a scene that is at rest and stays so. \param h  [s]
+OneStep resting_step(const DiscScene& scene, Real h);
+
 inline Registry all_cases()
 {
     Registry registry;
     add_smooth_motion(registry);
-    // add_lines
+    add_lines(registry);
     // add_heaps
     // add_bounces
     // add_runs
