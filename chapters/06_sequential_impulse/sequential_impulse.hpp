@@ -3,8 +3,8 @@
 ///
 ///     w = J u + b,   u = u* + M⁻¹ Jᵀ λ,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
-/// The iterates are those of chapter 4 \cite catto2005 \cite catto2006; no A is built, so memory and the time of a
-/// sweep are linear in the rows whatever the rows have in common.
+/// The iterates are those of chapter 4, (6.6) \cite catto2005 \cite catto2006; no A is built, so memory and the
+/// time of a sweep are linear in the rows whatever the rows have in common.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
@@ -16,16 +16,17 @@ namespace rigid {
 
 struct ImpulseSettings {
     int max_sweeps = 10;
-    Real tolerance = 0;      ///< of the natural residual [m/s]; 0 = always make all sweeps, and don't measure
+    Real tolerance = 0;      ///< of the natural residual [m/s]; 0 = all sweeps, and no residual
     bool alternate = false;  ///< every second sweep runs backwards
 };
 
 /// Memory that is kept from step to step, and what has been done with it.
 template <int Dof>
 struct ImpulseMemory {
-    std::vector<SolverRow<Dof>> rows;
-    VecX u;                   ///< Dof·(K + 1) [m/s]; the last place is the world's
-    std::int64_t visits = 0;  ///< rows visited by the last solve, those of its residuals included
+    std::vector<SolverRow<Dof>> rows;  ///< in the order of the visits, each with its λ
+    VecX u;                            ///< Dof·K: the velocities that the sweeps work on [m/s]
+    std::vector<char> seen;            ///< rows that an order has named
+    std::int64_t visits = 0;           ///< rows visited by the last solve, those of its residuals included
 };
 
 /// The natural residual of the present λ and u [m/s], (3.15), without A: the diagonal and w are all it needs.
@@ -34,8 +35,7 @@ Real natural_residual(const std::vector<SolverRow<Dof>>& rows, const VecX& u)
 {
     Real largest = 0;
     for (const SolverRow<Dof>& row : rows) {
-        const Real w = row.bias + row.Ja.dot(u.template segment<Dof>(row.a)) +
-                       row.Jb.dot(u.template segment<Dof>(row.b));
+        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
         const Real A = row.mass > 0 ? 1 / row.mass : 0;
         const Real r = natural_residual_row(A, row.lambda, w, row.lo, row.hi);
         if (!(r <= largest)) largest = r;  // also takes over a NaN
@@ -44,63 +44,119 @@ Real natural_residual(const std::vector<SolverRow<Dof>>& rows, const VecX& u)
     return largest;
 }
 
+//! [sweep]
+/// Visits each row once.
+/// \param tolerance  [m/s]
+/// \return           how many rows were found off by more than the tolerance, told as the velocity Δλ_i A_ii
+template <int Dof>
+int sweep(std::vector<SolverRow<Dof>>& rows, VecX& u, Real tolerance, bool backwards = false)
+{
+    int changed = 0;
+    const auto visit_and_see = [&](SolverRow<Dof>& row) {
+        changed += !(std::abs(visit(row, u)) <= tolerance * row.mass);  // a NaN counts
+    };
+    if (backwards)
+        for (std::size_t k = rows.size(); k-- > 0;) visit_and_see(rows[k]);
+    else
+        for (SolverRow<Dof>& row : rows) visit_and_see(row);
+    return changed;
+}
+//! [sweep]
+
+/// A row whose bodies cannot move keeps its w whatever λ is: it takes the bound that w asks for.
+/// \return  true if some row asks for an infinite one, and w is off by more than the tolerance
+template <int Dof>
+bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>& rows, const VecX& u, Real tolerance)
+{
+    bool hopeless = false;
+    for (SolverRow<Dof>& row : rows) {
+        if (row.mass > 0) continue;
+        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
+        const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : row.lambda;
+        if (std::isfinite(bound)) row.lambda = bound;
+        else hopeless = hopeless || std::abs(w) > tolerance;
+    }
+    return hopeless;
+}
+
+/// What comes before the sweeps: the rows in order, λ within its bounds, and u = u* + M⁻¹ Jᵀ λ.
+/// \return  true if a row wants what it can't have
+template <int Dof>
+bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order, Real tolerance,
+                  ImpulseMemory<Dof>& memory, const VecX& u, Solution& solution)
+{
+    const auto m = static_cast<Index>(rows.size());
+    require_order(order, rows.size(), memory.seen);
+    if (solution.lambda.size() != m) solution.lambda.setZero(m);
+    for (Index i = 0; i < m; ++i)
+        solution.lambda[i] = std::clamp(solution.lambda[i], rows[static_cast<std::size_t>(i)].lo,
+                                        rows[static_cast<std::size_t>(i)].hi);
+    prepare(rows, order, solution.lambda, memory.rows);
+    memory.u = u;
+    for (const SolverRow<Dof>& row : memory.rows) {  // b after a: a row of the world has a = b, and Wa = 0
+        memory.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
+        memory.u.template segment<Dof>(row.b) += row.Wb * row.lambda;
+    }
+    memory.visits = 0;
+    return settle_rows_that_nothing_moves(memory.rows, memory.u, tolerance);
+}
+
+/// What comes after them: λ by row number.
+template <int Dof>
+void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory, VecX& u, Solution& solution)
+{
+    for (std::size_t k = 0; k < memory.rows.size(); ++k)
+        solution.lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
+    u = memory.u;
+}
+
+//! [solve]
+/// Sweeps of any kind, until there is nothing left to do.
+/// \param one_sweep  int(int number): visits each row of memory.rows once and tells how many of them it found off
+///                   by more than the tolerance
+template <int Dof, class OneSweep>
+void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep& one_sweep,
+                 ImpulseMemory<Dof>& memory, Solution& solution)
+{
+    const auto m = static_cast<std::int64_t>(memory.rows.size());
+    solution.status = hopeless ? Status::infeasible : Status::iteration_limit;
+    solution.residual = infinity;
+    solution.iterations = 0;
+    for (int off = 1; solution.iterations < settings.max_sweeps && off > 0;) {
+        off = one_sweep(solution.iterations++);
+        memory.visits += m;
+        // The residual costs as much as a sweep: look when the sweep found nothing, or was the last.
+        if (!(settings.tolerance > 0) || (off > 0 && solution.iterations < settings.max_sweeps)) continue;
+        solution.residual = natural_residual(memory.rows, memory.u);
+        memory.visits += m;
+        if (solution.residual <= settings.tolerance) solution.status = Status::solved;
+        else off = hopeless ? 0 : 1;  // a small change is no small residual: go on
+        if (solution.status == Status::solved) return;
+    }
+}
+
 /// Sweeps over the rows, starting from solution.lambda; solution.iterations counts the sweeps.
 ///
-/// `solved` is said only when the natural residual was computed and met the tolerance.
-/// Does not allocate once it has seen a scene of this size.
+/// `solved` is said only when the natural residual was computed and met the tolerance, `infeasible` when a row
+/// between bodies that cannot move wants what it can't have. With tolerance 0 the sweeps end early at one that
+/// changed nothing: the next would do the same. Does not allocate once it has seen a scene of this size.
 /// \param rows      m valid rows
 /// \param order     row numbers in the order of the visits; empty = as they are
 /// \param u         in: u*, velocities before all impulses; out: u* + M⁻¹ Jᵀ λ [m/s]
 /// \param solution  in: the λ to start from (a vector of another length means zero); out: the answer
+/// \throws std::invalid_argument  for an order that does not name each row once
 template <int Dof>
 void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> order,
                         const ImpulseSettings& settings, ImpulseMemory<Dof>& memory, VecX& u,
                         Solution& solution)
 {
-    const auto m = static_cast<Index>(rows.size());
-    const Index bodies = u.size() / Dof;
-    if (solution.lambda.size() != m) solution.lambda.setZero(m);
-    for (Index i = 0; i < m; ++i)
-        solution.lambda[i] = std::clamp(solution.lambda[i], rows[static_cast<std::size_t>(i)].lo,
-                                        rows[static_cast<std::size_t>(i)].hi);
-    prepare(rows, order, bodies, solution.lambda, memory.rows);
-
-    // Yesterday's impulses, if any, act first.
-    memory.u.resize(u.size() + Dof);
-    memory.u.head(u.size()) = u;
-    memory.u.template tail<Dof>().setZero();
-    for (const SolverRow<Dof>& row : memory.rows) {
-        memory.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
-        memory.u.template segment<Dof>(row.b) += row.Wb * row.lambda;
-    }
-
-    memory.visits = 0;
-    solution.status = Status::iteration_limit;
-    solution.residual = infinity;
-    int sweep = 0;
-    for (; sweep < settings.max_sweeps && solution.status != Status::solved; ++sweep) {
-        Real change = 0;  // the residual that each row had when it was visited [m/s]
-        const auto visit_and_see = [&](SolverRow<Dof>& row) {
-            const Real delta = visit(row, memory.u);
-            if (row.mass > 0) change = std::max(change, std::abs(delta) / row.mass);
-        };
-        if (settings.alternate && sweep % 2 == 1)
-            for (std::size_t k = memory.rows.size(); k-- > 0;) visit_and_see(memory.rows[k]);
-        else
-            for (SolverRow<Dof>& row : memory.rows) visit_and_see(row);
-        memory.visits += m;
-        const bool look =
-            settings.tolerance > 0 && (change <= settings.tolerance || sweep + 1 == settings.max_sweeps);
-        if (!look) continue;
-        solution.residual = natural_residual(memory.rows, memory.u);
-        memory.visits += m;
-        if (solution.residual <= settings.tolerance) solution.status = Status::solved;
-    }
-
-    solution.iterations = sweep;
-    for (std::size_t k = 0; k < memory.rows.size(); ++k)
-        solution.lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
-    u = memory.u.head(u.size());
+    const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
+    const auto one_sweep = [&](int number) {
+        return sweep(memory.rows, memory.u, settings.tolerance, settings.alternate && number % 2 == 1);
+    };
+    sweep_until(settings, hopeless, one_sweep, memory, solution);
+    end_sweeps(order, memory, u, solution);
 }
+//! [solve]
 
 }  // namespace rigid

@@ -4,37 +4,44 @@
 ///
 ///     Δλ = clamp(λ − w / A_ii, lo, hi) − λ,   w = J u + b,   u ← u + M⁻¹ Jᵀ Δλ
 ///
-/// The rows lie in memory in the order of the visits, each with its λ, so that a sweep reads forward.
+/// (6.3) to (6.5). The rows lie in memory in the order of the visits, each with its λ, so that a sweep reads
+/// forward. \cite catto2005 \cite catto2006
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
 
 #include <cmath>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace rigid {
 
+//! [solver_row]
 template <int Dof>
 struct SolverRow {
-    RowVec<Dof> Ja, Jb;  ///< blocks of J; zero for what cannot be moved
+    RowVec<Dof> Ja, Jb;  ///< blocks of J
     Vec<Dof> Wa, Wb;     ///< \f$M^{-1} J^T\f$ [1/kg]
     Real bias;           ///< b [m/s]
     Real mass;           ///< effective mass 1 / A_ii [kg]; 0 = no impulse changes this row
     Real lo, hi;         ///< bounds of λ [N s]
     Real lambda;         ///< accumulated impulse [N s]
-    int a, b;            ///< where the velocities of the bodies begin; the world has a place of its own
+    int a, b;  ///< where the velocities of the bodies begin; a row of the world has a = b and Ja = 0
 };
+//! [solver_row]
 
-/// The rows in the order of the visits. The world's velocity stands behind those of the K bodies and stays zero,
-/// so that no visit has to ask.
+//! [prepare]
+/// The rows in the order of the visits.
+///
+/// The world never moves, so its velocity is a constant zero and has no place in memory: if it had one, each row
+/// against the world would write its zeros there, and the next would wait for them.
 /// \param rows    m valid rows
 /// \param order   row numbers in the order of the visits; empty = as they are
-/// \param bodies  K
 /// \param lambda  m: the impulses to begin with [N s]
 /// \param out     m rows; memory is kept
 template <int Dof>
-void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, Index bodies, const VecX& lambda,
+void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, const VecX& lambda,
              std::vector<SolverRow<Dof>>& out)
 {
     out.resize(rows.size());
@@ -42,37 +49,70 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, Inde
         const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
         const Row<Dof>& row = rows[i];
         SolverRow<Dof>& visited = out[k];
-        visited.Ja = row.Ja;
         visited.Jb = row.Jb;
-        visited.Wa = row.Wa;
         visited.Wb = row.Wb;
-        visited.bias = row.bias;
-        const Real A = row.compliance();
+        visited.b = static_cast<int>(Dof * row.b);
+        if (row.a == world) {
+            visited.Ja.setZero();
+            visited.Wa.setZero();
+            visited.a = visited.b;
+        } else {
+            visited.Ja = row.Ja;
+            visited.Wa = row.Wa;
+            visited.a = static_cast<int>(Dof * row.a);
+        }
+        const Real A = visited.Ja.dot(visited.Wa) + visited.Jb.dot(visited.Wb);
         visited.mass = A > 0 ? 1 / A : 0;
+        visited.bias = row.bias;
         visited.lo = row.lo;
         visited.hi = row.hi;
         visited.lambda = lambda[static_cast<Index>(i)];
-        visited.a = static_cast<int>(Dof * (row.a == world ? bodies : row.a));
-        visited.b = static_cast<int>(Dof * row.b);
+    }
+}
+//! [prepare]
+
+/// Throws std::invalid_argument unless the order is empty or names each of m rows once.
+/// \param seen  memory
+inline void require_order(std::span<const int> order, std::size_t m, std::vector<char>& seen)
+{
+    if (order.empty()) return;
+    if (order.size() != m)
+        throw std::invalid_argument("the order names " + std::to_string(order.size()) + " rows; there are " +
+                                    std::to_string(m));
+    seen.assign(m, 0);
+    for (const int i : order) {
+        if (i < 0 || static_cast<std::size_t>(i) >= m || seen[static_cast<std::size_t>(i)])
+            throw std::invalid_argument("the order names row " + std::to_string(i) +
+                                        " twice or out of range; it must name each row once");
+        seen[static_cast<std::size_t>(i)] = 1;
     }
 }
 
+/// \f$J u + b\f$ [m/s]. The sums of both bodies are made side by side.
+template <int Dof>
+Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
+{
+    return row.bias + (row.Ja.transpose().cwiseProduct(ua) + row.Jb.transpose().cwiseProduct(ub)).sum();
+}
+
 //! [visit]
-/// One visit of one row. u has Dof·(K + 1) numbers, the last Dof of them zero.
-/// \return  Δλ [N s]
+/// One visit of one row, (6.3) to (6.5).
+/// \param u  Dof·K [m/s]
+/// \return   Δλ [N s]
 template <int Dof>
 Real visit(SolverRow<Dof>& row, VecX& u)
 {
-    auto ua = u.template segment<Dof>(row.a);
-    auto ub = u.template segment<Dof>(row.b);
-    const Real w = row.bias + row.Ja.dot(ua) + row.Jb.dot(ub);
-    Real lambda = row.lambda - row.mass * w;
-    lambda = lambda < row.lo ? row.lo : lambda;
+    const Vec<Dof> ua = u.template segment<Dof>(row.a);
+    const Vec<Dof> ub = u.template segment<Dof>(row.b);
+    const Real w = velocity(row, ua, ub);
+    Real lambda = row.lambda - row.mass * w;     // (6.3): what this row would like to have given in all
+    lambda = lambda < row.lo ? row.lo : lambda;  // (6.4): clamp the sum, not the correction
     lambda = lambda > row.hi ? row.hi : lambda;
     const Real change = lambda - row.lambda;
     row.lambda = lambda;
-    ua += row.Wa * change;
-    ub += row.Wb * change;
+    u.template segment<Dof>(row.a) =
+        ua + row.Wa * change;  // (6.5); b comes last: a row of the world has a = b
+    u.template segment<Dof>(row.b) = ub + row.Wb * change;
     return change;
 }
 //! [visit]
