@@ -1,10 +1,11 @@
 /// \file projection.hpp
 /// Non-linear Gauss-Seidel on the positions: visit row after row, look at C where the bodies are now, and move
-/// them so that the part β of the error is gone.
+/// them to where C has reached the goal of this step.
 ///
-///     x ← x + M⁻¹ Jᵀ Λ,   Λ = −β C(x) / (J M⁻¹ Jᵀ)
+///     x ← x + M⁻¹ Jᵀ Λ,   Λ = (goal − C(x)) / (J M⁻¹ Jᵀ),   goal = (1 − β) C at the start
 ///
-/// No velocity is touched. C and J are computed anew at each visit, so the rows see the curve and not its tangent.
+/// (7.19). No velocity is touched. C and J are computed anew at each visit, so the rows see the curve and not its
+/// tangent. The goal keeps β's meaning: the part that one step repays, however many sweeps it makes.
 #pragma once
 
 #include "chapters/07_baumgarte/stabilization.hpp"
@@ -13,38 +14,48 @@
 
 namespace rigid {
 
-/// Moves positions until the errors are gone or the sweeps are used up.
+//! [projection]
+/// Moves positions until each row is at its goal or the sweeps are used up.
 /// \param evaluate      constraint i at given positions: Constraint<Dof> (std::size_t i, const VecX& x)
 /// \param count         number of constraints
 /// \param order         of the visits; empty = as they are
 /// \param links         the first `links` of them are bilateral
 /// \param inverse_mass  [1/kg]
-/// \param h             time step: it and `fastest` bound what one visit moves [s]
+/// \param h             time step [s]: a visit that moves a row by less than h times the tolerance moves nothing
+/// \param goal          memory for one number a row [m]
 /// \param x             positions [m]; changed
-/// \return              rows visited
+/// \return              rows visited, the first look at C included
 template <int Dof, class Evaluate>
 std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, std::span<const int> order,
                                std::size_t links, const VecX& inverse_mass,
-                               const StabilizerSettings& settings, Real h, VecX& x)
+                               const StabilizerSettings& settings, Real h, std::vector<Real>& goal, VecX& x)
 {
-    std::int64_t visits = 0;
-    for (int sweep = 0; sweep < settings.repaying_sweeps; ++sweep) {
-        bool moved = false;
+    bool done = true;
+    goal.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Real C = evaluate(i, x).C;
+        const Real repaid = h * baumgarte_bias(C, i < links, settings, h);
+        goal[i] = i >= links && C > 0 ? 0 : C - repaid;
+        done = done && std::abs(repaid) <= h * settings.tolerance;
+    }
+    int sweep = 0;
+    for (; sweep < settings.repaying_sweeps && !done; ++sweep) {
+        done = true;
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
             const Constraint<Dof> c = evaluate(i, x);
-            const Real distance = h * baumgarte_bias(c.C, i < links, settings, h);  // β C, bounded
-            if (distance == 0) continue;
+            const Real missing = goal[i] - c.C;
+            if (i < links ? std::abs(missing) <= h * settings.tolerance : missing <= h * settings.tolerance)
+                continue;
             const Row<Dof> row = bilateral(c, inverse_mass);
             const Real A = row.compliance();
             if (!(A > 0)) continue;
-            row.apply(-distance / A, x);
-            moved = true;
+            row.apply(missing / A, x);  // (7.19)
+            done = false;
         }
-        visits += static_cast<std::int64_t>(count);
-        if (!moved) break;
     }
-    return visits;
+    return static_cast<std::int64_t>(count) * (sweep + 1);
 }
+//! [projection]
 
 }  // namespace rigid

@@ -29,7 +29,8 @@ struct StabilizerSettings {
     Real slop = 0;             ///< an overlap of up to this much is left alone [m]
     Real bilateral_slop = 0;   ///< the same for a bilateral row, to both sides [m]
     Real fastest = infinity;   ///< an error is repaid at this speed at most [m/s]
-    int repaying_sweeps = 10;  ///< over the rows for relaxation, pseudo-velocities, projection
+    int repaying_sweeps = 10;  ///< at most, for relaxation, pseudo-velocities, projection
+    Real tolerance = 1e-9;     ///< these sweeps end when none of them changes a row by more than this [m/s]
 };
 
 constexpr std::string_view to_string(Stabilizer method)
@@ -62,6 +63,7 @@ inline void require_valid(const StabilizerSettings& settings)
     at_least_zero(settings.slop, "slop", true);
     at_least_zero(settings.bilateral_slop, "bilateral_slop", true);
     at_least_zero(settings.fastest, "fastest", false);
+    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps", false);
     if (settings.repaying_sweeps < 0)
         throw std::invalid_argument("repaying_sweeps is " + std::to_string(settings.repaying_sweeps) +
                                     "; it must be zero or positive");
@@ -118,19 +120,29 @@ Real predicted(const SolverRow<Dof>& row, Real C, const VecX& u, Real h)
     return C + h * (row.Ja.dot(u.template segment<Dof>(row.a)) + row.Jb.dot(u.template segment<Dof>(row.b)));
 }
 
-/// The sweeps go on over rows that are prepared, from their present λ and u.
+/// The sweeps go on over rows that are prepared, from their present λ and u, until one of them finds no row off by
+/// more than the tolerance.
 /// \return  rows visited
 template <int Dof>
-std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, int sweeps, VecX& u)
+std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, const StabilizerSettings& settings, VecX& u)
 {
-    for (int k = 0; k < sweeps; ++k)
-        for (SolverRow<Dof>& row : rows) visit(row, u);
+    int sweeps = 0;
+    for (int changed = 1; sweeps < settings.repaying_sweeps && changed > 0; ++sweeps)
+        changed = sweep(rows, u, settings.tolerance);
     return static_cast<std::int64_t>(rows.size()) * sweeps;
+}
+
+/// The λ of rows in the order of the visits, back to their numbers.
+template <int Dof>
+void read_impulses(const ImpulseMemory<Dof>& memory, std::span<const int> order, VecX& lambda)
+{
+    for (std::size_t k = 0; k < memory.rows.size(); ++k)
+        lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
 }
 
 /// Takes back the velocity that was only there to repay: the rows go on from their λ, now with b = 0, or with
 /// what is left of a gap.
-/// \param memory  as sequential_impulse() left it; its u has Dof·(K + 1) numbers and changes
+/// \param memory  as sequential_impulse() left it; its rows and its u change
 /// \param order   the order that it was given
 /// \return        rows visited
 template <int Dof>
@@ -140,16 +152,18 @@ std::int64_t relax(std::span<const Constraint<Dof>> constraints, std::span<const
     for (std::size_t k = 0; k < memory.rows.size(); ++k) {
         const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
         SolverRow<Dof>& row = memory.rows[k];
+        if (i >= constraints.size()) continue;  // a machine: its speed is wanted
+        if (row.bias < velocity_bias(constraints[i].C, i < links, settings, h)) continue;  // it bounces
         const Real C = i < links ? 0 : predicted(row, constraints[i].C, memory.u, h);
         row.bias = std::max(Real{0}, C) / h;
     }
-    return sweep_on(memory.rows, settings.repaying_sweeps, memory.u);
+    return sweep_on(memory.rows, settings, memory.u);
 }
 
 /// Pseudo-velocities v that repay the part β of the error that the step will leave, C' = C + h J u. They are
 /// found by the same sweeps over the same rows, and only ever added to x.
 /// \param memory  as sequential_impulse() left it. Its rows' λ are those of v afterwards
-/// \param v       out: Dof·(K + 1) [m/s]
+/// \param v       out: Dof·K [m/s]
 /// \return        rows visited
 template <int Dof>
 std::int64_t split_impulse(std::span<const Constraint<Dof>> constraints, std::span<const int> order,
@@ -159,12 +173,16 @@ std::int64_t split_impulse(std::span<const Constraint<Dof>> constraints, std::sp
     for (std::size_t k = 0; k < memory.rows.size(); ++k) {
         const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
         SolverRow<Dof>& row = memory.rows[k];
+        row.lambda = 0;
+        if (i >= constraints.size()) {  // a machine: it has no error to repay
+            row.mass = 0;
+            continue;
+        }
         const Real C = predicted(row, constraints[i].C, memory.u, h);
         row.bias = i >= links && C > 0 ? C / h : baumgarte_bias(C, i < links, settings, h);
-        row.lambda = 0;
     }
     v.setZero(memory.u.size());
-    return sweep_on(memory.rows, settings.repaying_sweeps, v);
+    return sweep_on(memory.rows, settings, v);
 }
 
 }  // namespace rigid

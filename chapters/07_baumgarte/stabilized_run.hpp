@@ -1,0 +1,221 @@
+/// \file stabilized_run.hpp
+/// A scene of discs, alive: the step with any of the ways to repay, and a budget of row visits that all ways share.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/ten_disc_scene.hpp"
+#include "chapters/04_pgs/drawing.hpp"
+#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "common/measure.hpp"
+#include "common/program/program.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace rigid {
+
+inline std::vector<std::string> stabilizer_names()
+{
+    return {"baumgarte", "none", "relaxation", "split_impulse", "projection"};
+}
+
+inline Stabilizer stabilizer_named(const std::string& name)
+{
+    for (const Stabilizer method :
+         {Stabilizer::none, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
+        if (name == to_string(method)) return method;
+    return Stabilizer::baumgarte;
+}
+
+/// What the reader may change in every scene of discs.
+inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
+{
+    return {
+        {"beta", "", "part of an error that is repaid in a step", 0.2, 0, 2.5, false, false, true},
+        {"sweeps", "", "sweeps of a step in all; substeps and repaying share them", sweeps, 1, 512, true,
+         false, false},
+        {"substeps", "", "small steps in a step", 1, 1, 64, true, false, false},
+        {"carry", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false, false},
+        {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
+        {"fastest", "m/s", "an error is repaid at this speed at most", 1000, 0.01, 1000, false, false, false},
+        {"margin", "m", "a gap below this gets its row", 0.02, 0, 0.1, false, false, false},
+        {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
+         false}};
+}
+
+/// The settings of a step. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half of those
+/// repay where repaying takes sweeps of its own; each gets one at least.
+inline StabilizedStepSettings stabilized_settings(const Settings& settings)
+{
+    StabilizedStepSettings step;
+    step.h = settings.h;
+    step.margin = settings["margin"];
+    step.substeps = static_cast<int>(settings["substeps"]);
+    step.carry = settings["carry"];
+    step.order = static_cast<Order>(static_cast<int>(settings["order"]));
+    StabilizerSettings& stabilizer = step.stabilizer;
+    stabilizer.method = stabilizer_named(settings.method);
+    stabilizer.beta = settings["beta"];
+    stabilizer.slop = settings["slop"];
+    stabilizer.fastest = settings["fastest"];
+    const int passes =
+        stabilizer.method == Stabilizer::none || stabilizer.method == Stabilizer::baumgarte ? 1 : 2;
+    const int sweeps = static_cast<int>(settings["sweeps"]) / (step.substeps * passes);
+    step.sweeps.max_sweeps = stabilizer.repaying_sweeps = std::max(1, sweeps);
+    return step;
+}
+
+inline std::vector<Column> stabilized_columns()
+{
+    return {{"link_error", "m", "largest difference of a link from its length", true, true},
+            {"penetration", "m", "deepest overlap", true, true},
+            {"theory", "m", "what a formula of this chapter foretells for the scene; 0 = none", false, false},
+            {"highest", "m", "highest centre so far", false, false},
+            {"speed", "m/s", "greatest speed of a body", true, false},
+            {"energy", "J", "kinetic energy and that of the weight, less than at the start", true, false},
+            {"contacts", "", "contacts that have a row", false, false},
+            {"row_visits", "", "rows visited in the step", false, false}};
+}
+
+class StabilizedRun : public Run {
+public:
+    /// What the scene should show by theory [m], from the settings of the step.
+    using Theory = std::function<Real(const StabilizedStepSettings&)>;
+
+    /// \param zoom     from metres to the units of the picture
+    /// \param view     what the picture shows
+    /// \param theory   may be empty
+    /// \param steered  the pointer sets gravity, as for the ten discs
+    StabilizedRun(DiscScene scene, Real zoom, const View& view, Theory theory = {}, bool steered = false)
+        : scene_(std::move(scene)), zoom_(zoom), view_(view), theory_(std::move(theory)), steered_(steered)
+    {
+        require_valid(scene_);
+        energy_ = energy(scene_.gravity);
+        highest_ = top();
+    }
+
+    void step(const Settings& settings, const Input& input) override
+    {
+        const Index was_pulled = step_.pulled;
+        step_ = stabilized_settings(settings);
+        if (steps_++ == 0) now_.random = Random(settings.seed);
+        step_.gravity = scene_.gravity;
+        if (steered_) {
+            step_.gravity = steered_gravity(input, view_, settings["gravity"]);
+            step_.stiffness = settings["k"];
+            step_.damping = settings["damping"];
+        }
+        step_.hand = input.pointer / zoom_;
+        step_.pulled = !input.pressed        ? world
+                       : was_pulled != world ? was_pulled
+                                             : disc_under(scene_, step_.hand);
+        stabilized_step(scene_, step_, now_);
+        for (Index k = 0; k < scene_.bodies.count(); ++k)
+            if (!scene_.bodies.position(k).allFinite())
+                throw StepFailure("the position of body " + std::to_string(k) + " is not finite");
+        highest_ = std::max(highest_, top());
+    }
+
+    std::vector<Real> measure() const override
+    {
+        Real speed = 0;
+        for (Index k = 0; k < scene_.bodies.count(); ++k)
+            speed = std::max(speed, scene_.bodies.velocity(k).norm());
+        return {largest_link_error(scene_),
+                deepest_penetration(scene_),
+                theory_ && steps_ > 0 ? theory_(step_) : 0,
+                highest_,
+                speed,
+                energy(step_.gravity) - energy_,
+                static_cast<Real>(now_.contacts.size()),
+                static_cast<Real>(now_.visits)};
+    }
+
+    void draw(Canvas& canvas) const override
+    {
+        for (const HalfSpace& wall : scene_.walls) draw_wall(canvas, wall);
+        for (const Link& link : scene_.links) {
+            const Vec2 a = shown(link.a), b = shown(link.b);
+            const Real off = std::abs((b - a).norm() / zoom_ - link.length);
+            canvas.segment(a, b, off > visible ? paint::impulse : paint::link);
+        }
+        for (Index k = 0; k < scene_.bodies.count(); ++k)
+            canvas.disc(shown(k), zoom_ * scene_.radius[k],
+                        scene_.bodies.inverse_mass[2 * k] > 0 ? paint::body : paint::fixed_body);
+        for (const Contact& contact : now_.contacts) draw_overlap(canvas, contact);
+        if (theory_ && steps_ > 0 && scene_.links.empty() &&
+            scene_.bodies.count() == 1) {  // how high it should hop
+            const Real y = zoom_ * (scene_.radius[0] + theory_(step_));
+            canvas.segment({-view_.half_size.x(), y}, {view_.half_size.x(), y}, paint::theory);
+            const Real x = -0.7 * view_.half_size.x();
+            canvas.disc({x, zoom_ * highest_}, 0.012 * view_.half_size.y(), paint::body);
+        }
+        draw_caption(canvas);
+        if (step_.pulled != world)
+            canvas.arrow(shown(step_.pulled), zoom_ * step_.hand, {Colour::green, 2, 1, false, false});
+    }
+
+private:
+    static constexpr Real visible = 0.001;  ///< errors above this are red [m]
+
+    Vec2 shown(Index k) const { return zoom_ * scene_.bodies.position(k); }
+    Real top() const
+    {
+        Real y = -infinity;
+        for (Index k = 0; k < scene_.bodies.count(); ++k) y = std::max(y, scene_.bodies.position(k).y());
+        return y;
+    }
+    Real energy(const Vec2& gravity) const
+    {
+        return kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, gravity);
+    }
+
+    /// Across the picture, but not beyond other walls.
+    void draw_wall(Canvas& canvas, const HalfSpace& wall) const
+    {
+        const Vec2 along = perpendicular(wall.normal), middle = wall.normal * wall.offset;
+        Real from = -4 * view_.half_size.maxCoeff() / zoom_, to = -from;
+        for (const HalfSpace& other : scene_.walls) {
+            const Real slope = other.normal.dot(along);
+            if (std::abs(slope) < 0.5) continue;
+            (slope > 0 ? from : to) = (other.offset - other.normal.dot(middle)) / slope;
+        }
+        canvas.segment(zoom_ * (middle + from * along), zoom_ * (middle + to * along), paint::wall);
+    }
+
+    /// A red bar where two discs, or a disc and a wall, overlap: as long as the part that they share is wide.
+    void draw_overlap(Canvas& canvas, const Contact& contact) const
+    {
+        const Index b = contact.b;
+        const Constraint<2> c = DiscConstraintAt{scene_, now_}(
+            scene_.links.size() + static_cast<std::size_t>(&contact - now_.contacts.data()), scene_.bodies.x);
+        if (c.C > -visible) return;
+        const Vec2 normal = c.Jb.transpose();
+        const Real half = std::sqrt(std::max(Real{0}, -c.C * (scene_.radius[b] + c.C / 4)));
+        const Vec2 middle =
+            shown(b) - zoom_ * normal * (scene_.radius[b] + (contact.a == world ? 1 : 0.5) * c.C);
+        canvas.segment(middle - zoom_ * half * perpendicular(normal),
+                       middle + zoom_ * half * perpendicular(normal), paint::impulse);
+    }
+
+    void draw_caption(Canvas& canvas) const
+    {
+        const Vec2 corner = view_.centre + Vec2(-0.95, 0.93).cwiseProduct(view_.half_size);
+        const Vec2 line(0, 0.056 * view_.half_size.maxCoeff());
+        const Real off = 1000 * std::max(largest_link_error(scene_), deepest_penetration(scene_));
+        canvas.text(corner, "off by " + significant(off, 2) + " mm", 14,
+                    off < 1 ? paint::label : paint::impulse);
+        canvas.text(corner - line, std::to_string(now_.visits) + " row visits", 14, paint::label);
+    }
+
+    DiscScene scene_;
+    Real zoom_;
+    View view_;
+    Theory theory_;
+    bool steered_;
+    StabilizedStepSettings step_;
+    StabilizedStep now_;
+    Real energy_ = 0, highest_ = 0;
+    int steps_ = 0;
+};
+
+}  // namespace rigid

@@ -1,0 +1,977 @@
+/// Chapter 7: what a position error does, and the five ways to repay it.
+
+// Memory that is asked for while a NoAllocation lives is counted: operator new below, Eigen's own by its
+// check.
+#include <cstdlib>
+#include <new>
+namespace {
+bool allocation_forbidden = false;
+int forbidden_allocations = 0;
+}  // namespace
+#define EIGEN_RUNTIME_NO_MALLOC
+#define eigen_assert(condition)                                                                              \
+    do {                                                                                                     \
+        if (!(condition)) {                                                                                  \
+            if (!allocation_forbidden) std::abort();                                                         \
+            ++forbidden_allocations;                                                                         \
+        }                                                                                                    \
+    } while (false)
+
+#include "chapters/02_velocity_constraints/curves.hpp"
+#include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/07_baumgarte/chain_reference.hpp"
+#include "chapters/07_baumgarte/closed_forms.hpp"
+#include "chapters/07_baumgarte/one_row_step.hpp"
+#include "chapters/07_baumgarte/overlaps.hpp"
+#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "common/measure.hpp"
+#include "common/program/scripted_pointer.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+
+#include <functional>
+#include <numeric>
+
+// AddressSanitizer has its own operator new; there only Eigen's allocations are counted.
+#if defined(__SANITIZE_ADDRESS__)
+#define RIGID_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RIGID_ADDRESS_SANITIZER
+#endif
+#endif
+#ifndef RIGID_ADDRESS_SANITIZER
+// Not inlined: else the compiler sees malloc() and delete meet and warns.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+    if (allocation_forbidden) ++forbidden_allocations;
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif
+
+using namespace rigid;
+
+namespace {
+
+/// While it lives, every allocation of this thread is counted.
+struct NoAllocation {
+    NoAllocation()
+    {
+        forbidden_allocations = 0;
+        allocation_forbidden = true;
+        Eigen::internal::set_is_malloc_allowed(false);
+    }
+    ~NoAllocation()
+    {
+        Eigen::internal::set_is_malloc_allowed(true);
+        allocation_forbidden = false;
+    }
+    static int violations() { return forbidden_allocations; }
+};
+
+constexpr std::array all_ways = {Stabilizer::none, Stabilizer::baumgarte, Stabilizer::relaxation,
+                                 Stabilizer::split_impulse, Stabilizer::projection};
+
+/// One body and one bilateral row, as a step takes them: the constraint is evaluated anew in each step.
+struct OneRow {
+    std::function<Constraint<2>(const VecX&)> constraint;
+    StabilizerSettings settings = {};
+    Real h = 0.01;
+    Bodies<2> bodies{1};
+    OneRowStep now = {};
+
+    void advance() { one_row_step(constraint, settings, {0, 0}, h, bodies, now); }
+};
+
+OneRow bead()
+{
+    OneRow run{[](const VecX& x) { return circle_constraint(x, 0, 1); }};
+    run.bodies.x << 1, 0;
+    run.bodies.u << 0, 1;
+    return run;
+}
+
+/// A body 0.1 m beside a straight rail along x: C is linear in x.
+OneRow beside_a_rail()
+{
+    OneRow run{[](const VecX& x) { return alignment_constraint<2>(x, world, 0, Vec2(0, 1), 0); }};
+    run.bodies.x << 0, 0.1;
+    return run;
+}
+
+/// A scene with its settings and memory.
+struct Discs {
+    DiscScene scene;
+    StabilizedStepSettings settings;
+    StabilizedStep now;
+
+    explicit Discs(DiscScene start, Stabilizer method = Stabilizer::baumgarte) : scene(std::move(start))
+    {
+        settings.gravity = scene.gravity;
+        settings.stabilizer.method = method;
+    }
+    void advance(int steps = 1)
+    {
+        for (int k = 0; k < steps; ++k) stabilized_step(scene, settings, now);
+    }
+};
+
+}  // namespace
+
+// ---- identities ---------------------------------------------------------------------------------------
+
+TEST_CASE("a bead without repayment leaves the wire as (7.3) says")
+{
+    OneRow run = bead();
+    run.settings.method = Stabilizer::none;
+    Real r2 = 1;
+    for (int n = 0; n < 1000; ++n) {
+        // A millionth of a millionth: rounding of 1000 steps.
+        CHECK(std::abs(run.bodies.x.norm() - std::sqrt(r2)) < 1e-12);
+        r2 += run.h * run.h / r2;
+        run.advance();
+    }
+    // Its velocity is that of the last move; the row makes it tangential in the next step.
+    CHECK(std::abs(std::abs(cross2(run.bodies.x, run.bodies.u)) - 1) < 1e-12);
+    CHECK(std::abs(run.bodies.x.norm() - 1.046637127311678) < 1e-12);
+}
+
+TEST_CASE("a linear error shrinks by 1 minus beta in each step")
+{
+    for (const Stabilizer method : all_ways) {
+        if (method == Stabilizer::none) continue;
+        OneRow run = beside_a_rail();
+        run.settings.method = method;
+        run.settings.repaying_sweeps = 1;
+        run.settings.tolerance = 0;
+        for (int n = 0; n < 30; ++n) run.advance();
+        INFO(to_string(method));
+        CHECK(run.bodies.x[1] / 0.1 == Approx(1.237940039285e-3).epsilon(1e-12));
+        // Only Baumgarte's velocity is left with what it repaid.
+        const Real left = method == Stabilizer::baumgarte ? 0.2 * 0.1 * std::pow(0.8, 29) / run.h : 0;
+        CHECK(std::abs(run.bodies.u[1] + left) < 1e-15);
+    }
+    OneRow run = beside_a_rail();
+    run.settings.method = Stabilizer::none;
+    for (int n = 0; n < 30; ++n) run.advance();
+    CHECK(run.bodies.x[1] == 0.1);
+}
+
+TEST_CASE("repaying is monotone up to beta 1 and stable below 2 and grows beyond")
+{
+    for (const Real beta : {0.1, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9, 1.99, 2.01, 2.5}) {
+        OneRow run = beside_a_rail();
+        run.settings.beta = beta;
+        bool monotone = true;
+        for (int n = 0; n < 1000; ++n) {
+            const Real before = run.bodies.x[1];
+            run.advance();
+            monotone = monotone && run.bodies.x[1] >= 0 && run.bodies.x[1] <= before;
+            if (n == 9)  // 10 steps of the closed form; rounding relative to the 0.1 m it began with
+                CHECK(std::abs(run.bodies.x[1] - 0.1 * std::pow(1 - beta, 10)) <
+                      1e-14 * std::max(1.0, std::pow(beta - 1, 10)));
+        }
+        INFO("beta " << beta);
+        CHECK(monotone == (beta <= 1));
+        CHECK((std::abs(run.bodies.x[1]) < 0.1) == (beta < 2));
+    }
+}
+
+TEST_CASE("a bead with Baumgarte moves by (7.8) in each step and settles where (7.9) says")
+{
+    for (const Real beta : {0.05, 0.2, 0.5, 1.0, 1.5})
+        for (const Real h : {0.01, 0.05}) {
+            OneRow run = bead();
+            run.h = h;
+            run.settings.beta = beta;
+            Real D = 0, largest = 0;
+            for (int n = 0; n < 1000; ++n) {
+                D = next_bead(D, beta, h);
+                run.advance();
+                largest = std::max(largest, std::abs(run.bodies.x.squaredNorm() - 1 - D));
+            }
+            INFO("beta " << beta << " h " << h);
+            CHECK(largest < 1e-12);
+            CHECK(std::abs(D - settled_bead(beta, h)) < 1e-14);
+        }
+}
+
+TEST_CASE("a chain that hangs with too few sweeps sags by (7.12)")
+{
+    for (const Index N : {2, 3, 5})
+        for (const int sweeps : {1, 2, 3}) {
+            Discs run(hanging_chain(N, 3));
+            run.settings.sweeps.max_sweeps = sweeps;
+            run.settings.stabilizer.beta = 0.3;
+            run.advance(6000);  // the slowest mode is gone to the last digit
+            DiscScene straight = hanging_chain(N, 3);
+            std::vector<Row<2>> rows;
+            for (const Link& link : straight.links)
+                rows.push_back(
+                    bilateral(distance_constraint(straight.bodies.x, link), straight.bodies.inverse_mass));
+            const MatX A = assemble(rows, run.now.u_star).A;
+            VecX lambda(N);  // (4.9): each link carries what hangs below; it pulls, so its λ is negative
+            for (Index k = 0; k < N; ++k)
+                lambda[k] = -static_cast<Real>(N - 1 - k + 3) * 9.81 * run.settings.h;
+            const VecX C = sag(A, lambda, sweeps, 0.3, run.settings.h);
+            for (Index k = 0; k < N; ++k) {
+                const Real length = (run.scene.bodies.position(k + 1) - run.scene.bodies.position(k)).norm();
+                INFO("N " << N << " sweeps " << sweeps << " link " << k);
+                // The lengths are of order 1 m and C is their small difference from 0.1 m.
+                CHECK(std::abs(length - 0.1 - C[k]) < 1e-11);
+            }
+        }
+}
+
+TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by about n less")
+{
+    const auto sag_of = [](int substeps, int sweeps, Real carry) {
+        Discs run(hanging_chain(10));
+        run.settings.substeps = substeps;
+        run.settings.sweeps.max_sweeps = sweeps;
+        run.settings.carry = carry;
+        run.advance(1500);
+        return largest_link_error(run.scene);
+    };
+    const Real one = sag_of(1, 1, 0);
+    for (const int n : {2, 4, 8}) {
+        CHECK(sag_of(n, 1, 0) == Approx(one / (n * n)).epsilon(1e-6));
+        const Real sweeps = sag_of(1, n, 0);
+        CHECK(sweeps < one / n);
+        CHECK(sweeps > 0.8 * one / n);  // ten rows: G to the n is not near zero yet
+    }
+}
+
+TEST_CASE("split impulses sag by (7.18), about the square of what Baumgarte's sag is multiplied by")
+{
+    const Index N = 4;
+    for (const int sweeps : {1, 2, 4}) {
+        Discs run(hanging_chain(N), Stabilizer::split_impulse);
+        run.settings.sweeps.max_sweeps = sweeps;
+        run.settings.stabilizer.repaying_sweeps = sweeps;
+        run.advance(8000);
+        DiscScene straight = hanging_chain(N);
+        std::vector<Row<2>> rows;
+        for (const Link& link : straight.links)
+            rows.push_back(
+                bilateral(distance_constraint(straight.bodies.x, link), straight.bodies.inverse_mass));
+        const MatX A = assemble(rows, run.now.u_star).A;
+        VecX lambda(N);
+        for (Index k = 0; k < N; ++k) lambda[k] = -static_cast<Real>(N - k) * 9.81 * run.settings.h;
+        const VecX C = split_sag(A, lambda, sweeps, sweeps, 0.2, run.settings.h);
+        for (Index k = 0; k < N; ++k) {
+            const Real length = (run.scene.bodies.position(k + 1) - run.scene.bodies.position(k)).norm();
+            INFO("sweeps " << sweeps << " link " << k);
+            CHECK(std::abs(length - 0.1 - C[k]) < 1e-10);
+        }
+    }
+}
+
+// ---- order of convergence -----------------------------------------------------------------------------
+
+/// The slope of log y over log x by least squares.
+static Real slope(const std::vector<Real>& x, const std::vector<Real>& y)
+{
+    Real sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Real a = std::log(x[i]), b = std::log(y[i]);
+        sx += a, sy += b, sxx += a * a, sxy += a * b;
+    }
+    const auto n = static_cast<Real>(x.size());
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+TEST_CASE("a pendulum on a distance row converges with order 1 under each way to repay")
+{
+    for (const Stabilizer method : all_ways) {
+        std::vector<Real> steps, errors, lengths;
+        for (const Real h : {1.0 / 400, 1.0 / 800, 1.0 / 1600, 1.0 / 3200, 1.0 / 6400}) {
+            DiscScene scene = swinging_chain(1);
+            scene.bodies.position(1) = Vec2(1, 0);
+            scene.links[0].length = 1;
+            Discs run(std::move(scene), method);
+            run.settings.h = h;
+            Real length = 0;
+            for (Index k = 0; k < std::lround(1 / h); ++k) {
+                run.advance();
+                length = std::max(length, largest_link_error(run.scene));
+            }
+            const Vec2 p = run.scene.bodies.position(1);
+            steps.push_back(h);
+            // A4: from 90 degrees at rest, the angle from straight down after 1 s.
+            errors.push_back(std::abs(std::atan2(p.x(), -p.y()) + 1.405027311524799));
+            lengths.push_back(length);
+        }
+        INFO(to_string(method));
+        CHECK(std::abs(slope(steps, errors) - 1) < 0.15);
+        if (method == Stabilizer::none) {
+            CHECK(std::abs(slope(steps, lengths) - 1) < 0.15);  // h² in each of 1/h steps
+        } else {
+            CHECK(std::abs(slope(steps, lengths) - 2) < 0.15);  // as (7.9): h² over β
+        }
+    }
+}
+
+TEST_CASE("the reference of a swinging chain keeps its energy and is the pendulum where it has one link")
+{
+    ChainReference pendulum(VecX::Ones(1), 1, pi / 2, 9.81);
+    for (int k = 0; k < 10000; ++k) pendulum.step(1e-4);
+    // A4: the angle after 1 s. Order 4 at h = 1e-4 leaves rounding.
+    CHECK(std::atan2(pendulum.tip().x(), -pendulum.tip().y()) == Approx(-1.405027311524799).epsilon(1e-11));
+    VecX mass = VecX::Ones(10);
+    mass[9] = 5;
+    ChainReference chain(mass, 0.1, pi / 2, 9.81);
+    const Real before = chain.energy();
+    for (int k = 0; k < 1000; ++k) chain.step(1e-3);
+    CHECK(std::abs(chain.energy() - before) < 1e-6);  // it moves some 40 J; order 4
+    CHECK_THROWS_AS(ChainReference(VecX::Ones(2), 0, 0, 9.81), std::invalid_argument);
+}
+
+TEST_CASE("a swinging chain in small steps of one sweep converges to its equations without constraints")
+{
+    ChainReference exact(VecX::Ones(5), 0.1, pi / 2, 9.81);
+    for (int k = 0; k < 5000; ++k) exact.step(1e-4);
+    std::vector<Real> steps, errors;
+    for (const int n : {128, 256, 512, 1024, 2048}) {
+        DiscScene scene = swinging_chain(5);
+        scene.linked.assign(scene.linked.size(), true);
+        Discs run(std::move(scene));
+        run.settings.sweeps.max_sweeps = 1;
+        run.settings.substeps = n;
+        run.advance(30);
+        steps.push_back(1.0 / n);
+        errors.push_back((run.scene.bodies.position(5) - exact.tip()).norm());
+    }
+    CHECK(errors.back() < 1e-4);
+    INFO(errors[0] << " " << errors[1] << " " << errors[2] << " " << errors[3] << " " << errors[4]);
+    CHECK(std::abs(slope(steps, errors) - 1) < 0.15);
+}
+
+TEST_CASE("projection with beta 1 holds a bead on its wire to the last digits")
+{
+    OneRow run = bead();
+    run.settings.method = Stabilizer::projection;
+    run.settings.beta = 1;
+    run.settings.tolerance = 0;
+    for (int n = 0; n < 1000; ++n) {
+        run.advance();
+        // Newton's method: a few visits reach the rounding of r² - 1.
+        REQUIRE(std::abs(run.bodies.x.norm() - 1) < 1e-15);
+    }
+}
+
+// ---- physics ------------------------------------------------------------------------------------------
+
+TEST_CASE("an overlap that is released leaves at beta C over h and hops by (7.15)")
+{
+    const Real h = 1.0 / 60, C = 0.1, g = 9.81;
+    Discs run(sunken_disc(C));
+    run.settings.h = h;
+    run.settings.stabilizer.beta = 0.2;
+    run.advance();
+    const Real v = run.scene.bodies.u[1];
+    CHECK(v == Approx(1.2).epsilon(1e-12));
+    const Real start = run.scene.bodies.x[1] - h * v;
+    CHECK(start == Approx(0.4).epsilon(1e-14));
+    run.scene.walls.clear();  // what it overlapped is gone
+    Real highest = 0;
+    for (int k = 0; k < 60; ++k) {
+        run.advance();
+        highest = std::max(highest, run.scene.bodies.x[1] - start);
+    }
+    CHECK(highest == Approx(rise(v, g, h)).epsilon(1e-12));
+    CHECK(v * v / (2 * g) == Approx(0.0734).margin(5e-5));  // the reference has three digits
+    // Symplectic Euler rises v h / 2 higher than a parabola, to within the part of the last step.
+    CHECK(std::abs(highest - v * v / (2 * g) - v * h / 2) < g * h * h / 8 + 1e-12);
+}
+
+TEST_CASE("split impulse and projection and relaxation repay an overlap and leave no velocity")
+{
+    for (const Stabilizer method :
+         {Stabilizer::split_impulse, Stabilizer::projection, Stabilizer::relaxation}) {
+        Discs run(sunken_disc(0.1), method);
+        run.settings.gravity.setZero();
+        Real fastest = 0;
+        for (int k = 0; k < 30; ++k) {
+            run.advance();
+            fastest = std::max(fastest, run.scene.bodies.u.norm());
+        }
+        INFO(to_string(method));
+        CHECK(fastest < 1e-14);
+        CHECK(0.5 - run.scene.bodies.x[1] == Approx(0.1 * std::pow(0.8, 30)).epsilon(1e-10));
+        CHECK(run.scene.bodies.x[1] < 0.5 + 1e-12);
+    }
+}
+
+TEST_CASE("a disc that Baumgarte pushes out of the floor jumps and with the other ways it does not")
+{
+    const auto highest = [](Stabilizer method, Real fastest) {
+        Discs run(sunken_disc(0.1), method);
+        run.settings.stabilizer.beta = 0.5;
+        run.settings.stabilizer.fastest = fastest;
+        Real top = 0;
+        for (int k = 0; k < 120; ++k) {
+            run.advance();
+            top = std::max(top, run.scene.bodies.x[1] - 0.5);
+        }
+        return top;
+    };
+    const Real h = 1.0 / 60, v = 0.5 * 0.1 / h;
+    CHECK(highest(Stabilizer::baumgarte, infinity) == Approx(rise(v, 9.81, h) - 0.1).epsilon(1e-12));
+    CHECK(highest(Stabilizer::baumgarte, 0.5) < 0.5 * 0.5 / (2 * 9.81) + 0.5 * h);
+    for (const Stabilizer method :
+         {Stabilizer::split_impulse, Stabilizer::projection, Stabilizer::relaxation})
+        CHECK(highest(method, infinity) < 1e-12);
+}
+
+TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is thrown out")
+{
+    const Real pushing = 0.3;  // [m/s], each contact
+    for (const Stabilizer method :
+         {Stabilizer::baumgarte, Stabilizer::split_impulse, Stabilizer::projection, Stabilizer::relaxation}) {
+        Discs run(crowd(10, 0.2), method);
+        run.settings.stabilizer.fastest = pushing;
+        run.settings.sweeps.max_sweeps = 400;
+        run.settings.stabilizer.repaying_sweeps = 400;
+        Real highest = 0, opening = 0;
+        for (int k = 0; k < 1200; ++k) {
+            const VecX before = run.scene.bodies.x;
+            const Real depth = deepest_penetration(run.scene);
+            run.advance();
+            highest = std::max(highest, run.scene.bodies.position(9).y());
+            if (depth > 0.05)  // while they still overlap: how fast do the gaps open?
+                for (Index i = 0; i < 9; ++i)
+                    opening = std::max(opening, (run.scene.bodies.x[2 * i + 3] - before[2 * i + 3] -
+                                                 run.scene.bodies.x[2 * i + 1] + before[2 * i + 1]) /
+                                                    run.settings.h);
+        }
+        INFO(to_string(method));
+        CHECK(deepest_penetration(run.scene) < 5e-3);
+        // The speeds of ten contacts add up; sweeps that are not converged add up to 2 % on top of it.
+        CHECK(opening < 1.02 * pushing);
+        const Real stacked = 0.25 + 9 * 0.5;  // where the tenth has its place
+        if (method == Stabilizer::baumgarte) CHECK(highest < stacked + rise(10 * pushing, 9.81, 1.0 / 60));
+        else CHECK(highest < stacked + 1e-3);
+    }
+}
+
+TEST_CASE("without a greatest speed Baumgarte throws the tenth of ten overlapping discs metres high")
+{
+    Discs run(crowd(10, 0.2));
+    run.settings.sweeps.max_sweeps = 400;
+    Real highest = 0;
+    for (int k = 0; k < 600; ++k) {
+        run.advance();
+        highest = std::max(highest, run.scene.bodies.position(9).y());
+    }
+    CHECK(highest > 10);
+}
+
+TEST_CASE("a slop leaves an overlap of its size alone and none larger")
+{
+    StabilizerSettings settings;
+    settings.slop = 0.005;
+    settings.bilateral_slop = 0.001;
+    CHECK(position_error(-0.004, false, settings) == 0);
+    CHECK(position_error(0.01, false, settings) == 0);
+    CHECK(position_error(-0.015, false, settings) == Approx(-0.01).epsilon(1e-14));
+    CHECK(position_error(0.0005, true, settings) == 0);
+    CHECK(position_error(-0.003, true, settings) == Approx(-0.002).epsilon(1e-14));
+    CHECK(position_error(0.003, true, settings) == Approx(0.002).epsilon(1e-14));
+    Discs run(sunken_disc(0.1), Stabilizer::split_impulse);
+    run.settings.stabilizer.slop = 0.005;
+    run.advance(300);
+    CHECK(0.5 - run.scene.bodies.x[1] == Approx(0.005).epsilon(1e-10));
+}
+
+TEST_CASE("a gap closes to zero and not beyond under each way")
+{
+    for (const Stabilizer method : all_ways) {
+        DiscScene scene = sunken_disc(0);
+        scene.bodies.x[1] += 0.01;
+        scene.bodies.u[1] = -3;  // it would pass the floor in this step
+        Discs run(std::move(scene), method);
+        run.advance();
+        INFO(to_string(method));
+        CHECK(std::abs(run.scene.bodies.x[1] - 0.5) < 1e-15);
+        if (method == Stabilizer::relaxation) CHECK(std::abs(run.scene.bodies.u[1]) < 1e-15);
+    }
+}
+
+TEST_CASE("a column of ten and a chain of ten stand and hang with each way that repays")
+{
+    for (const Stabilizer method :
+         {Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
+        for (const bool chain : {false, true}) {
+            Discs run(chain ? hanging_chain(10) : column_between_walls(10), method);
+            run.settings.sweeps.max_sweeps = 200;
+            run.settings.stabilizer.repaying_sweeps = 100;
+            run.advance(600);
+            INFO(to_string(method) << (chain ? " chain" : " column"));
+            // 200 sweeps leave cos²(π/20)^200 = 0.7 % of each step's error, (7.12) and (7.18).
+            CHECK(std::max(largest_link_error(run.scene), deepest_penetration(run.scene)) < 1e-3);
+            CHECK(kinetic_energy(run.scene.bodies) < 1e-3);
+        }
+}
+
+TEST_CASE("a puck tows two discs and momentum stays what it was")
+{
+    for (const Stabilizer method : all_ways) {
+        DiscScene scene = towed_discs();
+        scene.bodies.u << 1, 0.5, 0, 0, 0, 0;
+        Discs run(std::move(scene), method);
+        run.settings.sweeps.max_sweeps = 30;
+        const Vec2 before = momentum(run.scene.bodies);
+        run.advance(600);
+        INFO(to_string(method));
+        // 600 steps of rounding, relative to 11 kg m/s.
+        CHECK((momentum(run.scene.bodies) - before).norm() < 1e-12 * before.norm());
+        if (method != Stabilizer::none) CHECK(largest_link_error(run.scene) < 2e-3);
+    }
+}
+
+TEST_CASE("carrying the impulses on is stable while less is forgotten than beta repays and not beyond")
+{
+    const auto worst = [](Real carry) {
+        Discs run(hanging_chain(20));
+        run.settings.sweeps.max_sweeps = 1;
+        run.settings.stabilizer.beta = 0.2;
+        VecX lambda = VecX::Zero(20);
+        Real error = 0;
+        for (int k = 0; k < 8000; ++k) {
+            find_step_contacts(run.scene, run.settings, run.now);
+            run.now.solution.lambda = carry * lambda;
+            advance(run.scene, run.settings, run.now);
+            lambda = run.now.solution.lambda;
+            if (k >= 7500) error = std::max(error, largest_link_error(run.scene));
+        }
+        return error;
+    };
+    const Real cold = worst(0);
+    CHECK(worst(0.5) == Approx(0.5 * cold).epsilon(1e-6));  // (7.21)
+    CHECK(worst(0.75) == Approx(0.25 * cold).epsilon(1e-3));
+    CHECK(worst(0.9) > 3 * 0.1 * cold);  // it should be a tenth, and swings instead
+}
+
+// ---- the ten discs ------------------------------------------------------------------------------------
+
+/// The ten discs under the seeded pointer, as the program runs them.
+struct TenDiscs : Discs {
+    ScriptedPointer pointer{1, {{0, 0}, {0.8, 0.55}}};
+    Real time = 0;
+
+    explicit TenDiscs(Stabilizer method) : Discs(ten_discs(), method)
+    {
+        settings.h = 1.0 / 480;
+        settings.stiffness = 1;
+        settings.damping = 1;
+        settings.sweeps.max_sweeps = 60;
+        settings.stabilizer.repaying_sweeps = 20;
+    }
+    void move(int steps)
+    {
+        for (int k = 0; k < steps; ++k) {
+            const Vec2 tilt = pointer.at(time).cwiseQuotient(scene.half_size);
+            settings.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
+            advance();
+            time += settings.h;
+        }
+    }
+};
+
+TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre under each way that repays")
+{
+    for (const Stabilizer method :
+         {Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection}) {
+        TenDiscs run(method);
+        Real worst = 0;
+        for (int k = 0; k < 600; ++k) {
+            run.move(1);
+            worst = std::max({worst, largest_link_error(run.scene), deepest_penetration(run.scene)});
+        }
+        INFO(to_string(method) << " " << worst);
+        CHECK(worst < 1e-3);
+    }
+}
+
+TEST_CASE("the ten discs are the same bits when run again under each way")
+{
+    for (const Stabilizer method : all_ways) {
+        TenDiscs first(method), second(method);
+        first.settings.substeps = second.settings.substeps = 2;
+        first.move(600);
+        second.move(600);
+        CHECK(first.scene.bodies.x == second.scene.bodies.x);
+        CHECK(first.scene.bodies.u == second.scene.bodies.u);
+    }
+}
+
+TEST_CASE("a steady step allocates nothing under each way")
+{
+    for (const Stabilizer method : all_ways)
+        for (const int substeps : {1, 4}) {
+            Discs run(triangle(5), method);
+            run.settings.substeps = substeps;
+            run.settings.sweeps.max_sweeps = 40;
+            run.advance(200);
+            const auto contacts = run.now.contacts.size();
+            {
+                const NoAllocation guard;
+                run.advance(20);
+            }
+            CHECK(run.now.contacts.size() == contacts);
+            CHECK(NoAllocation::violations() == 0);
+        }
+}
+
+TEST_CASE("the guard against allocations notices them")
+{
+    VecX grows;
+    {
+        const NoAllocation guard;
+        grows.resize(10);
+    }
+    CHECK(NoAllocation::violations() >= 1);
+}
+
+TEST_CASE("repaying sweeps that stop when nothing changes give the same bits as all of them")
+{
+    // A sweep that changed nothing is followed by sweeps that change nothing.
+    for (const Stabilizer method : {Stabilizer::relaxation, Stabilizer::split_impulse}) {
+        Discs stops(column(3), method), goes_on(column(3), method);
+        for (Discs* run : {&stops, &goes_on}) {
+            run->scene.bodies.x *= 0.99;  // some overlap
+            run->settings.sweeps.max_sweeps = 50;
+            run->settings.stabilizer.repaying_sweeps = 2000;
+            run->settings.stabilizer.tolerance = 0;
+        }
+        goes_on.settings.stabilizer.repaying_sweeps = 4000;
+        stops.advance(50);
+        goes_on.advance(50);
+        INFO(to_string(method));
+        CHECK(stops.scene.bodies.x == goes_on.scene.bodies.x);
+        CHECK(stops.now.visits == goes_on.now.visits);
+        CHECK(stops.now.visits < 1000 * static_cast<std::int64_t>(stops.now.rows.size()));
+    }
+    // Where there is nothing to repay one sweep sees it; projection needs its first look alone.
+    for (const Stabilizer method :
+         {Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection}) {
+        Discs free(sunken_disc(-0.01), method);
+        free.settings.gravity.setZero();
+        free.settings.sweeps.max_sweeps = 1;
+        free.advance();
+        CHECK(free.now.visits == 2);
+    }
+}
+
+TEST_CASE("projection that stops early is as near to its goal as the tolerance says")
+{
+    Discs stops(column(3), Stabilizer::projection), goes_on(column(3), Stabilizer::projection);
+    for (Discs* run : {&stops, &goes_on}) {
+        run->scene.bodies.x *= 0.99;
+        run->settings.sweeps.max_sweeps = 200;
+        run->settings.stabilizer.repaying_sweeps = 2000;
+    }
+    goes_on.settings.stabilizer.tolerance = 0;
+    stops.advance(50);
+    goes_on.advance(50);
+    const std::int64_t sweeping = 200 * 3;  // for the velocities
+    CHECK(10 * (stops.now.visits - sweeping) < goes_on.now.visits - sweeping);
+    // Three rows, each within h times the tolerance in each of 50 steps.
+    CHECK((stops.scene.bodies.x - goes_on.scene.bodies.x).lpNorm<Eigen::Infinity>() < 150 * 1e-9 / 60);
+}
+
+// ---- bounces and machines -----------------------------------------------------------------------------
+
+TEST_CASE("a ball bounces as in chapter 6 whatever repays the error")
+{
+    for (const Stabilizer method : all_ways) {
+        DiscScene scene = sunken_disc(-0.5);
+        scene.bodies.u[1] = -2;
+        Discs run(std::move(scene), method);
+        run.settings.restitution = 0.8;
+        run.settings.h = 1.0 / 240;
+        ImpulseStepSettings plain = run.settings;
+        DiscScene other = run.scene;
+        ImpulseStep now;
+        bool bounced = false;
+        for (int k = 0; k < 200; ++k) {
+            run.advance();
+            impulse_step(other, plain, now);
+            bounced = bounced || run.scene.bodies.u[1] > 2;
+            INFO(to_string(method) << " step " << k);
+            REQUIRE(run.scene.bodies.x[1] == Approx(other.bodies.x[1]).epsilon(1e-12));
+        }
+        CHECK(bounced);
+    }
+}
+
+TEST_CASE("a motor keeps its speed whatever repays the error")
+{
+    for (const Stabilizer method : all_ways) {
+        DiscScene scene = sunken_disc(0.02);
+        Discs run(std::move(scene), method);
+        for (int k = 0; k < 60; ++k) {
+            const Constraint<2> along = alignment_constraint<2>(run.scene.bodies.x, world, 0, Vec2(1, 0), 0);
+            run.now.machines = {motor(along, run.scene.bodies.inverse_mass, 0.7, 100, run.settings.h)};
+            run.advance();
+        }
+        INFO(to_string(method));
+        CHECK(run.scene.bodies.u[0] == Approx(0.7).epsilon(1e-12));
+        CHECK(run.scene.bodies.x[0] == Approx(0.7).epsilon(1e-12));
+    }
+}
+
+// ---- properties ---------------------------------------------------------------------------------------
+
+/// Six to ten discs here and there, some of them overlapping, three links that are a little off, two walls.
+static DiscScene random_scene(Random& random)
+{
+    const Index K = 6 + random.index(5);
+    DiscScene scene;
+    scene.bodies = Bodies<2>(K);
+    scene.radius.resize(K);
+    for (Index k = 0; k < K; ++k) {
+        scene.bodies.position(k) = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        scene.bodies.velocity(k) = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.3, 3));
+        scene.radius[k] = random.uniform(0.1, 0.3);
+    }
+    for (Index k = 0; k < 3; ++k) {
+        const Real distance = (scene.bodies.position(2 * k + 1) - scene.bodies.position(2 * k)).norm();
+        scene.links.push_back({2 * k, 2 * k + 1, distance * random.uniform(0.95, 1.05)});
+    }
+    scene.walls = {{{0, 1}, -1}, {{1, 0}, -1}};
+    link_neighbours(scene);
+    return scene;
+}
+
+/// Settings that are not the default ones, for the properties.
+static void choose(Discs& run, Random& random)
+{
+    run.settings.restitution = random.index(2) == 0 ? 0 : 0.5;
+    run.settings.substeps = 1 + static_cast<int>(random.index(3));
+    run.settings.carry = random.uniform(0, 0.5);
+    run.settings.stabilizer.slop = random.uniform(0, 0.01);
+    run.settings.stabilizer.fastest = random.uniform(0.2, 2);
+    run.settings.stabilizer.tolerance = 0;
+}
+
+TEST_CASE("turned or mirrored scenes move turned or mirrored")
+{
+    Random random(70);
+    for (int sample = 0; sample < 100; ++sample) {
+        const Stabilizer method = all_ways[static_cast<std::size_t>(sample) % 5];
+        Discs here(random_scene(random), method);
+        choose(here, random);
+        Discs there = here;
+        const Real angle = random.uniform(0, 2 * pi);
+        Eigen::Matrix<Real, 2, 2> R;
+        R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+        if (sample % 2 == 0) R.col(0) *= -1;
+        for (Index k = 0; k < here.scene.bodies.count(); ++k) {
+            there.scene.bodies.position(k) = R * here.scene.bodies.position(k);
+            there.scene.bodies.velocity(k) = R * here.scene.bodies.velocity(k);
+        }
+        for (HalfSpace& wall : there.scene.walls) wall.normal = R * wall.normal;
+        there.settings.gravity = R * here.settings.gravity;
+        here.advance(20);
+        there.advance(20);
+        Real difference = 0;
+        for (Index k = 0; k < here.scene.bodies.count(); ++k)
+            difference = std::max(
+                difference, (there.scene.bodies.position(k) - R * here.scene.bodies.position(k)).norm());
+        INFO(to_string(method) << " sample " << sample);
+        // Rounding of positions of size 1, grown by 20 steps with impacts between round bodies.
+        CHECK(difference < 1e-9);
+    }
+}
+
+TEST_CASE("other units of mass and length and time give the same motion in those units")
+{
+    Random random(71);
+    for (int sample = 0; sample < 100; ++sample) {
+        const Stabilizer method = all_ways[static_cast<std::size_t>(sample) % 5];
+        Discs here(random_scene(random), method);
+        choose(here, random);
+        Discs there = here;
+        // Powers of two round nothing: the same bits.
+        const Real mass = 0x1.0p9, length = 0x1.0p-5, time = 0x1.0p-2, speed = length / time;
+        there.scene.bodies.x *= length;
+        there.scene.bodies.u *= speed;
+        there.scene.bodies.inverse_mass /= mass;
+        there.scene.radius *= length;
+        for (HalfSpace& wall : there.scene.walls) wall.offset *= length;
+        for (Link& link : there.scene.links) link.length *= length;
+        there.settings.h *= time;
+        there.settings.gravity *= length / (time * time);
+        there.settings.margin *= length;
+        there.settings.stabilizer.slop *= length;
+        there.settings.stabilizer.fastest *= speed;
+        here.advance(30);
+        there.advance(30);
+        INFO(to_string(method) << " sample " << sample);
+        CHECK(there.scene.bodies.x == here.scene.bodies.x * length);
+        CHECK(there.scene.bodies.u == here.scene.bodies.u * speed);
+        CHECK(there.now.solution.lambda == here.now.solution.lambda * (mass * speed));
+    }
+}
+
+TEST_CASE("renumbered bodies whose rows are visited in the old order move as before")
+{
+    Random random(72);
+    int compared = 0;
+    for (int sample = 0; sample < 100; ++sample) {
+        const Stabilizer method = all_ways[static_cast<std::size_t>(sample) % 4];  // projection has no order
+        Discs here(random_scene(random), method);
+        const Index K = here.scene.bodies.count();
+        std::vector<int> name;  // body k is now called name[k]
+        shuffle_rows(static_cast<std::size_t>(K), random, name);
+        const auto called = [&name](Index k) { return k == world ? world : Index(name[std::size_t(k)]); };
+        Discs there = here;
+        for (Index k = 0; k < K; ++k) {
+            there.scene.bodies.position(called(k)) = here.scene.bodies.position(k);
+            there.scene.bodies.velocity(called(k)) = here.scene.bodies.velocity(k);
+            there.scene.bodies.inverse_mass.segment<2>(2 * called(k)) =
+                here.scene.bodies.inverse_mass.segment<2>(2 * k);
+            there.scene.radius[called(k)] = here.scene.radius[k];
+        }
+        for (Link& link : there.scene.links) link = {called(link.a), called(link.b), link.length};
+        link_neighbours(there.scene);
+        for (int step = 0; step < 10; ++step) {
+            for (Discs* run : {&here, &there}) {
+                find_step_contacts(run->scene, run->settings, run->now);
+                substep_rows(run->scene, run->settings, run->settings.h, run->now);
+            }
+            REQUIRE(here.now.rows.size() == there.now.rows.size());
+            there.now.order.clear();
+            for (const Row<2>& row : here.now.rows)
+                for (std::size_t i = 0; i < there.now.rows.size(); ++i) {
+                    const Row<2>& other = there.now.rows[i];
+                    const bool same = other.b == called(row.b) && other.a == called(row.a);
+                    const bool swapped = other.a == called(row.b) && other.b == called(row.a);
+                    const bool direction = row.a != world || other.Jb.isApprox(row.Jb, 1e-6);
+                    if ((same || swapped) && direction) there.now.order.push_back(static_cast<int>(i));
+                }
+            REQUIRE(there.now.order.size() == there.now.rows.size());
+            for (Discs* run : {&here, &there})
+                substep_solve(run->scene, run->settings, run->settings.h, true, run->now);
+        }
+        for (Index k = 0; k < K; ++k, ++compared)
+            CHECK((there.scene.bodies.position(called(k)) - here.scene.bodies.position(k)).norm() < 1e-9);
+    }
+    CHECK(compared > 500);
+}
+
+// ---- bad input ----------------------------------------------------------------------------------------
+
+TEST_CASE("200 bad scenes are refused by a sentence or run without a NaN")
+{
+    Random random(73);
+    int refused = 0, ran = 0;
+    for (int sample = 0; sample < 200; ++sample) {
+        Discs run(random_scene(random), all_ways[static_cast<std::size_t>(sample) % 5]);
+        choose(run, random);
+        DiscScene& scene = run.scene;
+        const Index k = random.index(scene.bodies.count());
+        bool must_refuse = true;
+        switch (sample / 5 % 10) {
+        case 0:
+            scene.radius[k] = 0;
+            break;
+        case 1:
+            scene.bodies.x[2 * k] = std::nan("");
+            break;
+        case 2:
+            scene.links[0].b = scene.links[0].a;
+            break;
+        case 3:
+            scene.links[0].length = 0;
+            break;
+        case 4:
+            scene.bodies.inverse_mass[2 * k] = -1;
+            break;
+        case 5:  // all on one point
+            must_refuse = false;
+            scene.bodies.x.setZero();
+            break;
+        case 6:  // static against static, linked and overlapping
+            must_refuse = false;
+            scene.bodies.inverse_mass.head<8>().setZero();
+            scene.bodies.u.head<8>().setZero();
+            scene.bodies.position(1) = scene.bodies.position(0);
+            break;
+        case 7:  // 1e-12 kg beside 1 kg
+            must_refuse = false;
+            scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1e12);
+            break;
+        case 8:  // ten deep in a wall
+            must_refuse = false;
+            scene.bodies.x.array() -= 5;
+            break;
+        default:  // conflicting links
+            must_refuse = false;
+            scene.links.push_back({scene.links[0].a, scene.links[0].b, 3 * scene.links[0].length});
+            break;
+        }
+        INFO("sample " << sample);
+        bool thrown = false;
+        try {
+            require_valid(scene);
+            run.advance(120);
+        } catch (const std::invalid_argument& sentence) {
+            thrown = true;
+            CHECK(std::string(sentence.what()).size() > 20);
+        }
+        CHECK(thrown == must_refuse);
+        (thrown ? refused : ran) += 1;
+        if (!thrown) {
+            CHECK(scene.bodies.x.allFinite());
+            CHECK(scene.bodies.u.allFinite());
+        }
+    }
+    CHECK(refused == 100);
+    CHECK(ran == 100);
+}
+
+TEST_CASE("settings that make no sense are refused by a sentence that names them")
+{
+    const auto sentence = [](const std::function<void(StabilizedStepSettings&)>& spoil) -> std::string {
+        Discs run(column(2));
+        spoil(run.settings);
+        const VecX before = run.scene.bodies.x;
+        try {
+            run.advance();
+        } catch (const std::invalid_argument& error) {
+            CHECK(run.scene.bodies.x == before);
+            return error.what();
+        }
+        return "";
+    };
+    using Settings = StabilizedStepSettings;
+    CHECK(sentence([](Settings& s) { s.stabilizer.beta = -0.1; }) ==
+          "beta is -0.100000; it must be zero or positive and finite");
+    CHECK(sentence([](Settings& s) { s.stabilizer.beta = std::nan(""); }) ==
+          "beta is nan; it must be zero or positive and finite");
+    CHECK(sentence([](Settings& s) { s.stabilizer.slop = -1; }) ==
+          "slop is -1.000000; it must be zero or positive and finite");
+    CHECK(sentence([](Settings& s) { s.stabilizer.bilateral_slop = infinity; }) ==
+          "bilateral_slop is inf; it must be zero or positive and finite");
+    CHECK(sentence([](Settings& s) { s.stabilizer.fastest = -2; }) ==
+          "fastest is -2.000000; it must be zero or positive");
+    CHECK(sentence([](Settings& s) { s.stabilizer.repaying_sweeps = -3; }) ==
+          "repaying_sweeps is -3; it must be zero or positive");
+    CHECK(sentence([](Settings& s) { s.stabilizer.tolerance = -3; }) ==
+          "the tolerance of the repaying sweeps is -3.000000; it must be zero or positive");
+    CHECK(sentence([](Settings& s) { s.substeps = 0; }) == "substeps is 0; it must be 1 or more");
+    CHECK(sentence([](Settings& s) { s.carry = 1.5; }) == "carry is 1.500000; it must be from 0 to 1");
+    CHECK(sentence([](Settings& s) { s.h = 0; }) ==
+          "the time step h is 0.000000 s; it must be positive and finite");
+    CHECK(sentence([](Settings& s) { s.stabilizer.fastest = infinity; }).empty());
+    CHECK_THROWS_WITH(power(MatX::Identity(2, 2), -1),
+                      "the number of sweeps is -1; it must be zero or positive");
+}
