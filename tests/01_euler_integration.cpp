@@ -1,43 +1,15 @@
 // Chapter 1: what each scheme must give. Reference values have 30 to 40 digits behind them.
+#include "tests/no_allocation.hpp"
+
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/exact.hpp"
 #include "common/random.hpp"
 #include "tests/catch.hpp"
 
-#include <atomic>
-#include <cstdlib>
-#include <memory>
-#include <new>
 #include <vector>
 
 using namespace rigid;
 using Catch::Matchers::Contains;
-
-// ---- every allocation of this program is counted --------------------------------------------------
-// AddressSanitizer has its own operator new and wants to keep it; there nothing is counted.
-#if defined(__SANITIZE_ADDRESS__)
-#define RIGID_COUNTS_ALLOCATIONS 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RIGID_COUNTS_ALLOCATIONS 0
-#endif
-#endif
-#ifndef RIGID_COUNTS_ALLOCATIONS
-#define RIGID_COUNTS_ALLOCATIONS 1
-#endif
-namespace {
-std::atomic<long> allocations{0};
-}
-#if RIGID_COUNTS_ALLOCATIONS
-void* operator new(std::size_t size)
-{
-    ++allocations;
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-#endif
 
 namespace {
 
@@ -642,19 +614,21 @@ TEST_CASE("No step allocates memory")
     State<2> s = kepler_perihelion(kepler, 0.6);
     Adaptive<2> run = start_adaptive(s, kepler, tolerance);
     Adaptive<2> thrown = start_adaptive(State<2>{Vec2(0, 0), Vec2(20, 20)}, ball, tolerance);
-#if RIGID_COUNTS_ALLOCATIONS
-    const long none = allocations;
-    std::vector<Real>(1).swap(*std::make_unique<std::vector<Real>>());
-    CHECK(allocations > none);  // the counter counts
-#endif
-    const long before = allocations;
-    for (Method method : all_methods) s = go(method, s, 1e-3, 100, kepler);
-    const Outcome flown = integrate(run, 10, kepler, tolerance);
-    const Outcome landed = integrate_to_event(thrown, 10, ball, tolerance, height);
-    const long after = allocations;
+    {
+        const NoAllocation guard;
+        VecX::Ones(100).eval();
+    }
+    CHECK(NoAllocation::violations() > 0);  // the counter counts
+    Outcome flown, landed;
+    {
+        const NoAllocation guard;
+        for (Method method : all_methods) s = go(method, s, 1e-3, 100, kepler);
+        flown = integrate(run, 10, kepler, tolerance);
+        landed = integrate_to_event(thrown, 10, ball, tolerance, height);
+    }
     CHECK(flown == Outcome::reached);
     CHECK(landed == Outcome::event);
-    CHECK(after == before);
+    CHECK(NoAllocation::violations() == 0);
 }
 
 // ---- 4. properties --------------------------------------------------------------------------------

@@ -1,4 +1,6 @@
 // Chapter 2: rows, their impulses, several rows together, and the drift that they leave.
+#include "tests/no_allocation.hpp"
+
 #include "chapters/02_velocity_constraints/constraints.hpp"
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
@@ -570,6 +572,28 @@ TEST_CASE("joints without other forces keep momentum and angular momentum")
         // The impulses act along the line of the two centres, and x moves along u: L is exact too.
         REQUIRE(std::abs(angular_momentum(bodies) - L) <= 1e-13 * sum_L);
     }
+}
+
+TEST_CASE("solving as many independent rows again allocates nothing")
+{
+    Random random(10);
+    Bodies<2> bodies = random_bodies(random, 8);
+    RowsSolver<2> solver;
+    std::vector<Row<2>> rows = chain_rows(bodies);
+    const Index rank = solver.solve(rows, bodies.u).rank;
+    REQUIRE(rank == static_cast<Index>(rows.size()));
+    for (Real& velocity : bodies.u) velocity = random.uniform(-1, 1);
+    rows = chain_rows(bodies);
+    {
+        const NoAllocation guard;
+        solver.solve(rows, bodies.u);
+    }
+    CHECK(NoAllocation::violations() == 0);
+    {
+        const NoAllocation guard;
+        RowsSolver<2>().solve(rows, bodies.u);
+    }
+    CHECK(NoAllocation::violations() > 0);  // the counter counts
 }
 
 TEST_CASE("the Atwood machine with a turning pulley has its exact acceleration and tensions in one step")

@@ -1,8 +1,9 @@
 /// Chapter 5: what a walk costs, beside other programs' walks and beside sweeps.
 ///
-///     versus/…     ours, Siconos' and Bullet's Lemke in turns on the same problem: the fastest of each, its
-///     residual error/…      residual against time: sweeps, and the walk tie/…        how many of 24 friction
-///     problems are solved, against the tie tolerance pivots/…     time per pivot against n
+///     versus/…   ours, Siconos' and Bullet's Lemke in turns on the same problem: the fastest of each, its residual
+///     error/…    residual against time: sweeps, and the walk
+///     tie/…      how many of 24 friction problems are solved, against the tie tolerance
+///     pivots/…   time per pivot against n
 ///
 /// A residual of 1e300 stands for: no answer, or not a number.
 
@@ -17,6 +18,7 @@
 #include <BulletDynamics/MLCPSolvers/btLemkeAlgorithm.h>
 #endif
 #ifdef RIGID_HAS_SICONOS
+#include <dlfcn.h>
 extern "C" {
 #include <LCP_Solvers.h>
 #include <LinearComplementarityProblem.h>
@@ -27,7 +29,6 @@ extern "C" {
 #endif
 
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
@@ -252,11 +253,22 @@ void add_all()
     for (int digits = 2; digits <= 16; ++digits) ties->Arg(digits);
 }
 
+/// One thread for everybody: Siconos calls OpenBLAS, which else takes all processors. (Its environment variable is
+/// read when the library is loaded, before main.)
+void single_thread()
+{
+#ifdef RIGID_HAS_SICONOS
+    using SetThreads = void (*)(int);
+    if (void* const found = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
+        reinterpret_cast<SetThreads>(found)(1);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    setenv("OPENBLAS_NUM_THREADS", "1", 1);  // Siconos calls it: one thread for everybody
+    single_thread();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     add_all();

@@ -23,17 +23,22 @@ namespace rigid {
 //! [key]
 /// Who a row is. The number of a row changes whenever a contact comes or goes; this does not.
 struct ImpulseKey {
-    std::int32_t first = 0;    ///< body a, or the world (−1), or `of_a_joint`
-    std::int32_t second = 0;   ///< body b, or the number of the joint
+    std::int32_t first = 0;    ///< body a, or the world (−1), or `of_a_joint`, or `of_a_machine`
+    std::int32_t second = 0;   ///< body b, or the number of the joint or machine
     std::int32_t feature = 0;  ///< which of several rows of this pair or joint
 
-    static constexpr std::int32_t of_a_joint = -2;
+    static constexpr std::int32_t of_a_joint = -3, of_a_machine = -2;
     auto operator<=>(const ImpulseKey&) const = default;
 };
 
 inline ImpulseKey joint_key(std::size_t joint, int row = 0)
 {
     return {ImpulseKey::of_a_joint, static_cast<std::int32_t>(joint), row};
+}
+
+inline ImpulseKey machine_key(std::size_t machine)
+{
+    return {ImpulseKey::of_a_machine, static_cast<std::int32_t>(machine), 0};
 }
 
 inline ImpulseKey contact_key(const Contact& contact)

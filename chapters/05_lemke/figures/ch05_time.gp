@@ -16,7 +16,7 @@ do for [p = 1:4] {
     if (p == 2) { set title 'column of boxes, n = 100' tc rgb '#808080' }
     if (p == 3) { set title '1000 kg on 99 discs of 1 kg' tc rgb '#808080' }
     if (p == 4) { set title 'boxes with friction, n = 80' tc rgb '#808080' }
-    if (p == 1) { set key } else { unset key }
+    if (p == 3) { set key at graph 0.98, graph 0.55 } else { unset key }
     plot data.'/'.problem.'_pgs' with linespoints lw 1.2 pt 7 ps 0.4 lc rgb '#4477AA' title 'sweeps (chapter 4)', \
          data.'/'.problem.'_lemke' with points pt 5 ps 1 lc rgb '#CC3311' title 'Lemke'
 }

@@ -1,0 +1,118 @@
+#!/bin/sh
+# draw.sh BIN OUT [measured]: draws this chapter's figures into the folder OUT with the executables of BIN.
+# Without a third word the figures that come out the same on every run; with `measured` those that show run times.
+set -eu
+bin=$1
+out=$2
+here=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$out"
+program=$bin/08_warm_starting
+data=$(mktemp -d)
+trap 'rm -rf "$data"' EXIT
+
+run() { "$program" --headless "$@"; }
+plot() { gnuplot -e "data='$data'; out='$out/$1.svg'" "$here/$1.gp"; }
+starts="cold yesterday best_multiple"
+
+if [ "${3:-}" = measured ]; then
+    exit
+fi
+
+# Pictures of scenes.
+run --scene column --method cold,yesterday,best_multiple --steps 300 --svg "$out/ch08_column.svg"
+run --scene hanging_chain --method cold,yesterday,best_multiple --steps 300 --svg "$out/ch08_chain.svg"
+run --scene triangle --method cold,yesterday,best_multiple --steps 300 --svg "$out/ch08_triangle.svg"
+
+# A column of 20, ten sweeps a step: how far its top sinks.
+for start in $starts; do
+    run --scene column --method $start --steps 600 --csv "$data/sink_$start"
+done
+plot ch08_sink
+
+# Growth in a step of a chain of 20 under Baumgarte: theory, and the ratio of the greatest speeds in two windows of
+# 70 steps, 140 steps apart. Where it grows, from a start so small that it stays linear.
+growth() { # file, start, settings
+    file=$1 start=$2
+    shift 2
+    for k in 1 2 3 4 6 8 10 12 15 18 21 24 27 30 34 38 42 46 50; do
+        run --scene hanging_chain --method $start --set max_sweeps=$k digits=12 weight=1e-9 "$@" --steps 350 --csv "$data/growth"
+        awk -F, -v k=$k 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+            { n = $column["step"]; u = $column["speed"]; theory = $column["theory"] }
+            n > 20 && n <= 90 && u > a { a = u } n > 90 && n <= 160 && u > b { b = u }
+            n > 210 && n <= 280 && u > c { c = u } n > 280 && u > d { d = u }
+            END { early = (b / a)^(1 / 70); late = (d / c)^(1 / 70)
+                  print k, theory, theory < 0.97 ? early : late }' "$data/growth" >>"$data/$file"
+    done
+}
+growth growth_yesterday yesterday
+growth growth_share yesterday --set share=0.8
+growth growth_none yesterday --set repaid_by=0
+plot ch08_growth
+
+# F1: how far the next disc rises above its place when 100 kg are taken off, for each way to repay.
+for start in yesterday best_multiple; do
+    for way in 0 1 2 3 4; do
+        for k in 2 3 4 5 6 8 10 12 16 20 30 40; do
+            run --scene removed --method $start --set max_sweeps=$k repaid_by=$way --steps 400 --csv "$data/removed"
+            awk -F, -v k=$k 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+                $column["step"] > 120 && $column["last_rise"] > top { top = $column["last_rise"] }
+                END { print k, 1000 * top }' "$data/removed" >>"$data/removed_${start}_$way"
+        done
+    done
+done
+plot ch08_removed
+
+# Sweeps of each step of the ten discs.
+for start in $starts; do
+    run --scene ten_discs --method $start --steps 2400 --csv "$data/discs_$start"
+done
+plot ch08_discs
+
+# The tallest column that stands 600 steps without an overlap of a tenth of a radius.
+stands() { # discs, settings
+    discs=$1
+    shift
+    run --scene column --set discs=$discs "$@" --steps 600 --csv "$data/height" &&
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+            $column["penetration"] > 0.01 { exit 1 }' "$data/height"
+}
+tallest() { # file, settings
+    file=$1
+    shift
+    for k in 1 2 4 8 16 32 64; do
+        low=1 high=201
+        while [ $((high - low)) -gt 1 ]; do
+            middle=$(((low + high) / 2))
+            if stands $middle --set max_sweeps=$k "$@"; then low=$middle; else high=$middle; fi
+        done
+        echo $k $low >>"$data/$file"
+    done
+}
+tallest height_cold --method cold --set repaid_by=1
+tallest height_yesterday --method yesterday --set repaid_by=3 slop=0.001
+tallest height_best_multiple --method best_multiple --set repaid_by=3 slop=0.001
+plot ch08_height
+
+# Error against row visits: the largest error of 600 steps, the mean visits of a step.
+error() { # file, settings
+    file=$1
+    shift
+    run "$@" --steps 600 --csv "$data/error" 2>/dev/null || true
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+        { visits += $column["row_visits"] / $column["rows"]; ++n
+          e = $column["link_error"] > $column["penetration"] ? $column["link_error"] : $column["penetration"] }
+        e > worst { worst = e }
+        END { print visits / n, 1000 * worst }' "$data/error" >>"$data/$file"
+}
+for k in 1 2 3 4 6 8 12 16 24 32 48 64 96 128; do
+    for start in $starts; do
+        error column_$start --scene column --method $start --set max_sweeps=$k repaid_by=3 slop=0.0005
+        error swing_$start --scene swinging_chain --method $start --set max_sweeps=$k end_mass=10
+        error triangle_$start --scene triangle --method $start --set max_sweeps=$k repaid_by=3 slop=0.0005
+    done
+    if [ $k -gt 64 ]; then continue; fi
+    error column_substeps --scene column --method yesterday --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
+    error swing_substeps --scene swinging_chain --method yesterday --set max_sweeps=1 substeps=$k end_mass=10
+    error triangle_substeps --scene triangle --method yesterday --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
+done
+plot ch08_visits

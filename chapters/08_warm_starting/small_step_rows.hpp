@@ -1,0 +1,142 @@
+/// \file small_step_rows.hpp
+/// What small_steps() does once in a step: who the rows are, in which order they are visited, and where λ starts.
+///
+/// Most steps have the rows of the step before. Then there is next to nothing to do.
+#pragma once
+
+#include "chapters/06_sequential_impulse/row_order.hpp"
+#include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/08_warm_starting/impulse_cache.hpp"
+#include "common/scenes.hpp"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+struct SmallStepSettings {
+    Real h = 1.0 / 60;          ///< time step [s]
+    Vec2 gravity = {0, -9.81};  ///< [m/s²]
+    int substeps = 8;           ///< n
+    int sweeps = 1;             ///< in each of them
+    int first_sweeps = 1000;    ///< in the very first, which has no yesterday: at most, while a visit changes
+    Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [m/s]
+    Real margin = 0.02;           ///< a contact gets its row when its gap is below this [m]
+    bool collides = true;         ///< false: nothing ever touches, and nobody looks
+    bool coloured = true;         ///< neighbours in the order of the visits share no body
+    /// What repays the error after the last substep: β, slops, fastest and the number of sweeps are read. An overlap
+    /// of half a millimetre is left alone: moving discs that nearly balance topples them.
+    StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
+};
+
+/// What stays from step to step. All memory is kept.
+struct SmallStep {
+    std::vector<Contact> contacts;
+    std::vector<ImpulseKey> keys, keys_before;
+    ImpulseCache cache;  ///< its h is 0 until there is a yesterday
+    VecX start;          ///< λ by the number of the row [N s]
+    std::vector<SolverRow<2>>
+        rows;                ///< in the order of the visits; a wall's row has its own disc as a, with J = 0
+    std::vector<Real> rest;  ///< distance at which C = 0, in the same order [m]
+    std::vector<int> order, place;  ///< row number of each visit; and where each row number is visited
+    std::vector<Row<2>> bodies;     ///< bodies and M⁻¹ of the rows as given: all that colours depend on
+    Colouring colouring;
+    VecX u;                  ///< [m/s]
+    int sweeps = 0;          ///< of the last step
+    bool same_rows = false;  ///< nothing came or went since the step before
+};
+
+/// The two bodies of a row by its number: links first, then contacts.
+inline std::pair<Index, Index> bodies_of(const DiscScene& scene, const SmallStep& now, std::size_t i)
+{
+    const std::size_t links = scene.links.size();
+    if (i < links) return {scene.links[i].a, scene.links[i].b};
+    return {now.contacts[i - links].a, now.contacts[i - links].b};
+}
+
+/// Yesterday's λ goes to the keys of its rows, and from there to the rows of today. Then their order.
+inline void change_rows(const DiscScene& scene, const SmallStepSettings& settings, Real h, SmallStep& now)
+{
+    const std::size_t m = now.keys.size();
+    now.start.resize(static_cast<Index>(now.rows.size()));
+    for (std::size_t k = 0; k < now.rows.size(); ++k) now.start[now.order[k]] = now.rows[k].lambda;
+    if (now.cache.h > 0) store(now.cache, now.keys_before, now.start, now.cache.h);
+    load(now.cache, now.keys, h, now.start);
+    now.keys_before = now.keys;
+
+    now.bodies.resize(m);
+    for (std::size_t i = 0; i < m; ++i) {
+        const auto [a, b] = bodies_of(scene, now, i);
+        now.bodies[i].a = a;
+        now.bodies[i].b = b;
+        if (a != world) now.bodies[i].Wa = scene.bodies.inverse_mass.segment<2>(2 * a);
+        now.bodies[i].Wb = scene.bodies.inverse_mass.segment<2>(2 * b);
+    }
+    if (settings.coloured) colour_rows(now.bodies, scene.bodies.count(), now.colouring, now.order);
+    else {
+        now.order.resize(m);
+        std::iota(now.order.begin(), now.order.end(), 0);
+    }
+
+    now.rows.resize(m);
+    now.rest.resize(m);
+    now.place.resize(m);
+    for (std::size_t k = 0; k < m; ++k) {
+        const auto i = static_cast<std::size_t>(now.order[k]);
+        const Index a = now.bodies[i].a, b = now.bodies[i].b;
+        SolverRow<2>& row = now.rows[k];
+        now.place[i] = static_cast<int>(k);
+        row.a = static_cast<int>(2 * (a == world ? b : a));
+        row.b = static_cast<int>(2 * b);
+        const Real A = (a == world ? 0 : scene.bodies.inverse_mass[row.a]) + scene.bodies.inverse_mass[row.b];
+        row.mass = A > 0 ? 1 / A : 0;
+        row.lo = i < scene.links.size() ? -infinity : 0;
+        row.hi = infinity;
+        row.lambda = now.start[static_cast<Index>(i)];
+    }
+}
+
+/// Finds the contacts and makes the rows ready for the substeps. Throws std::invalid_argument for a bad setting.
+inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
+{
+    require_step(settings.h);
+    require_valid(settings.repay);
+    if (settings.substeps < 1 || settings.sweeps < 1)
+        throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
+                                    std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
+    const Real h = settings.h / settings.substeps;
+    const std::size_t links = scene.links.size();
+    now.contacts.clear();
+    if (settings.collides)
+        find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
+    now.keys.clear();
+    for (std::size_t i = 0; i < links; ++i) now.keys.push_back(joint_key(i));
+    for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));
+
+    now.same_rows = now.cache.h == h && now.keys == now.keys_before;
+    if (!now.same_rows) change_rows(scene, settings, h, now);
+    now.cache.h = h;
+
+    // At which distance C is zero, and the normals of walls.
+    for (std::size_t i = 0; i < now.keys.size(); ++i) {
+        const auto k = static_cast<std::size_t>(now.place[i]);
+        if (i < links) {
+            now.rest[k] = scene.links[i].length;
+            continue;
+        }
+        const Contact& contact = now.contacts[i - links];
+        if (contact.a != world) {
+            now.rest[k] = scene.radius[contact.a] + scene.radius[contact.b];
+            continue;
+        }
+        SolverRow<2>& row = now.rows[k];
+        row.Ja.setZero();
+        row.Wa.setZero();
+        row.Jb = contact.normal.transpose();
+        row.Wb = scene.bodies.inverse_mass[row.b] * contact.normal;
+        now.rest[k] = contact.normal.dot(scene.bodies.x.segment<2>(row.b)) - contact.gap;
+    }
+}
+
+}  // namespace rigid

@@ -1,0 +1,114 @@
+/// \file small_steps.hpp
+/// Many small steps, one sweep in each, every one warm: this chapter's step without what a scene of discs does not
+/// need.
+///
+///     once:   contacts; who the rows are, their order, mass, bounds, where λ starts
+///     n ×:    u += h g;  C, J, b;  u += M⁻¹ Jᵀ λ;  a sweep;  x += h u         (h: a substep)
+///     once:   projection
+///
+/// The answer is that of warm_step() with n substeps and Stabilizer::none, and of project_positions() after it, to
+/// rounding; a test holds it to that. Left out is what does not change within a step, and the way from Constraint
+/// to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are yesterday's, no key
+/// is looked up and no colour chosen: λ is where it was.
+#pragma once
+
+#include "chapters/08_warm_starting/small_step_rows.hpp"
+
+#include <cmath>
+
+namespace rigid {
+
+/// Eight substeps: what this book proposes for scenes that move.
+inline SmallStepSettings quick_steps() { return {}; }
+
+/// Sixteen, and a first step that knows its impulses: for piles that should not even begin to sink.
+inline SmallStepSettings careful_steps()
+{
+    SmallStepSettings settings;
+    settings.substeps = 16;
+    settings.first_sweeps = 10000;
+    settings.first_tolerance = 1e-6;
+    return settings;
+}
+
+//! [refresh]
+/// J and M⁻¹ Jᵀ of a row where the bodies are now.
+/// \param rest  distance at which C = 0 [m]
+/// \return      C [m]
+inline Real refresh(const VecX& x, const VecX& inverse_mass, Real rest, SolverRow<2>& row)
+{
+    if (row.a == row.b) return row.Jb.dot(x.segment<2>(row.b)) - rest;  // a wall is flat: its normal stays
+    Vec2 n = x.segment<2>(row.b) - x.segment<2>(row.a);
+    const Real distance = n.norm();
+    if (distance > 0) n /= distance;
+    else n = {0, 1};  // two centres in one point have no direction
+    row.Ja = -n.transpose();
+    row.Jb = n.transpose();
+    row.Wa = -inverse_mass[row.a] * n;
+    row.Wb = inverse_mass[row.b] * n;
+    return distance - rest;
+}
+//! [refresh]
+
+/// Sweeps until no visit changes the velocity of its row by more than the tolerance.
+/// \return  sweeps made
+inline int first_sweeps(const SmallStepSettings& settings, SmallStep& now)
+{
+    int sweeps = 0;
+    for (Real change = infinity; sweeps < settings.first_sweeps && change > settings.first_tolerance;
+         ++sweeps) {
+        change = 0;
+        for (SolverRow<2>& row : now.rows) {
+            const Real A = row.Ja.dot(row.Wa) + row.Jb.dot(row.Wb);
+            change = std::max(change, A * std::abs(visit(row, now.u)));
+        }
+    }
+    return sweeps;
+}
+
+//! [small_steps]
+/// One time step. Depends on its arguments alone.
+inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
+{
+    Bodies<2>& bodies = scene.bodies;
+    const bool no_yesterday = now.cache.h == 0;
+    begin_rows(scene, settings, now);
+    const Real h = settings.h / settings.substeps;
+    const Vec2 gain = h * settings.gravity;
+    now.u = bodies.u;
+    now.sweeps = 0;
+
+    for (int n = 0; n < settings.substeps; ++n) {
+        for (Index k = 0; k < now.u.size(); k += 2)
+            if (bodies.inverse_mass[k] > 0) now.u.segment<2>(k) += gain;
+        // C, J and b, and yesterday's impulses along today's J.
+        for (std::size_t k = 0; k < now.rows.size(); ++k) {
+            SolverRow<2>& row = now.rows[k];
+            const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[k], row);
+            row.bias = row.lo == 0 && C > 0 ? C / h : 0;
+            now.u.segment<2>(row.a) += row.Wa * row.lambda;
+            now.u.segment<2>(row.b) += row.Wb * row.lambda;
+        }
+        int sweeps = no_yesterday && n == 0 ? first_sweeps(settings, now) : 0;
+        for (; sweeps < settings.sweeps; ++sweeps)
+            for (SolverRow<2>& row : now.rows) visit(row, now.u);
+        now.sweeps += sweeps;
+        bodies.x += h * now.u;
+    }
+    bodies.u = now.u;
+
+    // The error goes out of x, row by row in the order that they were given: with colours the last one would
+    // leave to its neighbours what the first had repaid.
+    for (int s = 0; s < settings.repay.repaying_sweeps; ++s)
+        for (const int k : now.place) {
+            SolverRow<2>& row = now.rows[static_cast<std::size_t>(k)];
+            const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[static_cast<std::size_t>(k)], row);
+            const Real repaid = settings.h * baumgarte_bias(C, row.lo < 0, settings.repay, settings.h);
+            if (repaid == 0) continue;
+            bodies.x.segment<2>(row.a) -= row.Wa * (row.mass * repaid);
+            bodies.x.segment<2>(row.b) -= row.Wb * (row.mass * repaid);
+        }
+}
+//! [small_steps]
+
+}  // namespace rigid
