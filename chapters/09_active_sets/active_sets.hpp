@@ -3,73 +3,214 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
-/// (Provisional: the signatures are final, the inside is not.)
+/// Guesses (guess.hpp) with a sparse or a dense factor of the active rows; a proximal term where they depend
+/// on each other (proximal.hpp); and only called solved after the residual was computed. What guessing cannot
+/// settle is walked by Lemke's algorithm. \cite judice1994
 #pragma once
 
-#include "chapters/03_mlcp_formulation/cases.hpp"
 #include "chapters/05_lemke/lemke.hpp"
+#include "chapters/09_active_sets/dense_llt.hpp"
+#include "chapters/09_active_sets/general_lu.hpp"
+#include "chapters/09_active_sets/proximal.hpp"
+#include "chapters/09_active_sets/sparse_ldlt.hpp"
 
-#include <span>
+#include <string>
 #include <vector>
 
 namespace rigid {
 
+inline constexpr Index most_walked_rows = 2000;  ///< larger problems are not handed to Lemke's algorithm
+
 struct ActiveSetSettings {
     Real tolerance = 1e-10;  ///< of the natural residual, as a share of the largest |q|
-    int limit = 0;           ///< of factorisations; 0 = 1000 + n
+    int limit = 0;           ///< of guesses; 0 = 500 + n
     int patience = 5;        ///< flips of all wrong rows without progress before one row at a time
 };
 
 /// Memory that is kept from solve to solve, yesterday's guess, and what the last solve cost.
 struct ActiveSetMemory {
-    std::vector<RowCase> cases;  ///< yesterday's answer: which rows are at a bound, and at which
+    std::vector<RowCase> cases;  ///< of the last answer: which rows are at a bound, and at which
+    ActiveSetWork work;          ///< of the last solve
+    bool sparse = false;         ///< which of the two factors was used
+    bool dependent = false;      ///< active rows depended on each other: begin with the proximal term
 
-    int factorisations = 0;  ///< of the active rows, anew
-    int updates = 0;         ///< solves with an older factorisation and a border of changed rows
-    int flips = 0;           ///< rows that changed their case
-    int single_flips = 0;    ///< of these, one at a time
-    int outer_steps = 0;     ///< proximal steps; 0 = A needed none
-    int walks = 0;           ///< times that Lemke's algorithm had to be asked
-    Index entries = 0;       ///< entries of L in the last factorisation
-    bool sparse = false;     ///< which of the two factorisations was used
+    SparseLdlt sparse_factor;
+    DenseLlt dense_factor;
+    GuessedProblem problem;
+    Guess guess;
+    ProximalMemory proximal;
+    std::vector<int> cursor;
 };
 
-/// Warm: starts from the guess in memory if it has the size of the problem.
+/// True if A is symmetric to the bit. One pass: of the entries a_ji, in the order of i, each line's next one
+/// must be there.
+inline bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)
+{
+    const int* const outer = A.outerIndexPtr();
+    const int* const inner = A.innerIndexPtr();
+    const Real* const value = A.valuePtr();
+    const auto n = static_cast<int>(A.rows());
+    next.assign(outer, outer + n);
+    for (int i = 0; i < n; ++i)
+        for (int p = next[static_cast<std::size_t>(i)]; p < outer[i + 1]; ++p) {
+            const int j = inner[p];
+            if (j < i) return false;  // its partner should have been passed
+            int& mirrored = next[static_cast<std::size_t>(j)];
+            if (mirrored >= outer[j + 1] || inner[mirrored] != i || value[mirrored] != value[p]) return false;
+            if (j > i) ++mirrored;
+        }
+    return true;
+}
+
+/// How large a residual may be [m/s]: a share of q, or of 1e-4 of what the bounds add to it.
+inline Real allowed_residual(const Mlcp& mlcp, Real tolerance)
+{
+    Real largest = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real w = mlcp.q[i];
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            w += entry.value() * std::clamp(Real{0}, mlcp.lo[entry.col()], mlcp.hi[entry.col()]);
+        largest = std::max({largest, std::abs(mlcp.q[i]), 1e-4 * std::abs(w)});
+    }
+    return tolerance * largest;
+}
+
+/// Presses the guess into its bounds, computes the residual, and says whether it is an answer.
+inline bool judge(const Mlcp& mlcp, Real allowed, const VecX& lambda, Solution& solution)
+{
+    solution.lambda = lambda;
+    clamp_into_bounds(mlcp, solution.lambda);
+    solution.residual = natural_residual(mlcp, solution.lambda);
+    const bool good = solution.residual <= allowed &&
+                      hidden_by_rounding(mlcp, solution.lambda, 10 * allowed) <= 10 * allowed;
+    solution.status = good ? Status::solved : Status::singular;
+    return good;
+}
+
+inline int guess_limit(const Mlcp& mlcp, const ActiveSetSettings& settings)
+{
+    return settings.limit > 0 ? settings.limit : 500 + static_cast<int>(mlcp.size());
+}
+
+//! [guesses]
+/// Guesses with the plain A, then, if rows depend on each other, with the proximal term. True if that settled
+/// it: solved, or infeasible with a proof.
+template <class Factor>
+bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Real allowed, Factor& factor,
+            ActiveSetMemory& memory, Solution& solution)
+{
+    GuessedProblem& problem = memory.problem;
+    ActiveSetWork& work = memory.work;
+    const int limit = guess_limit(mlcp, settings);
+    if (!memory.dependent) {
+        const GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
+        if (end == GuessEnd::right && judge(mlcp, allowed, memory.guess.lambda, solution)) return true;
+        if (end == GuessEnd::limit) {
+            judge(mlcp, allowed, memory.guess.lambda, solution);
+            solution.status = Status::iteration_limit;
+            return false;
+        }
+    }
+    memory.dependent = true;
+    if (memory.cases.size() != memory.guess.cases.size()) memory.proximal.previous.resize(0);  // cold
+    const ProximalEnd end = proximal_steps(problem, factor, settings.patience, limit, allowed,
+                                           memory.proximal, memory.guess, work);
+    if (judge(mlcp, allowed, memory.guess.lambda, solution) && end == ProximalEnd::right) return true;
+    solution.status = end == ProximalEnd::infeasible ? Status::infeasible
+                      : end == ProximalEnd::limit    ? Status::iteration_limit
+                                                     : Status::singular;
+    return end == ProximalEnd::infeasible;
+}
+//! [guesses]
+
+/// Asks Lemke's algorithm (chapter 5), and takes over its answer if it has one.
+inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
+                 Solution& solution)
+{
+    LemkeSettings lemke_settings;
+    lemke_settings.tolerance = settings.tolerance;
+    ++memory.work.walks;
+    const Solution walked = lemke(mlcp, lemke_settings);
+    if (walked.status != Status::solved && walked.status != Status::infeasible &&
+        solution.residual <= walked.residual)
+        return;  // the last guess is as good, and its status says what is wrong
+    solution = walked;
+    for (Index i = 0; i < mlcp.size(); ++i)
+        memory.guess.cases[static_cast<std::size_t>(i)] = walked.lambda[i] <= mlcp.lo[i]   ? RowCase::at_lo
+                                                          : walked.lambda[i] >= mlcp.hi[i] ? RowCase::at_hi
+                                                                                           : RowCase::between;
+}
+
+//! [active_sets]
+/// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if there are as many as rows.
+///
+/// `solved`: as in chapter 5, the natural residual is at most tolerance·max|q| and rounding can't hide ten
+/// times as much. `infeasible`: with a proof (9.15), or one by Lemke's ray. Else what went wrong, and lambda
+/// is the last guess.
+/// \throws std::invalid_argument  for a malformed problem or settings that make no sense
 inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
                         Solution& solution)
 {
-    solution = lemke(mlcp, {{}, {}, settings.limit, settings.tolerance});
-    memory.walks = 1;
-    memory.cases.assign(static_cast<std::size_t>(mlcp.size()), RowCase::at_lo);
-}
+    require_valid(mlcp);
+    if (!(settings.tolerance > 0) || settings.limit < 0 || settings.patience < 0)
+        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + ", limit " +
+                                    std::to_string(settings.limit) + ", patience " +
+                                    std::to_string(settings.patience) +
+                                    ": the tolerance must be positive, the others not negative");
+    const Index n = mlcp.size();
+    memory.work = {};
+    solution.uniqueness = Uniqueness::not_examined;
+    const Real allowed = allowed_residual(mlcp, settings.tolerance);
+    GuessedProblem& problem = memory.problem;
+    problem.mlcp = &mlcp;
+    problem.tolerance = 0.01 * allowed;
+    problem.diagonal.resize(n);
+    for (Index i = 0; i < n; ++i) {
+        const Real a = mlcp.A.coeff(i, i);
+        problem.diagonal[i] = a > 0 ? a : 1;
+    }
+    Guess& guess = memory.guess;
+    guess.lambda.resize(n);
+    guess.w.resize(n);
+    guess.step.resize(n);
+    problem.shift.resize(0);
+    problem.q = mlcp.q;
 
-/// Cold.
+    bool settled = false;
+    if (!is_symmetric(mlcp.A, memory.cursor)) {
+        GeneralLu factor;
+        factor.look(mlcp);
+        begin(problem, memory.cases, false, guess);
+        const GuessEnd end =
+            correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings), true, guess, memory.work);
+        settled = judge(mlcp, allowed, guess.lambda, solution) && end == GuessEnd::right;
+        if (end == GuessEnd::limit) solution.status = Status::iteration_limit;
+    } else {
+        memory.sparse = n > 32 && 4 * mlcp.A.nonZeros() < n * n;
+        if (memory.sparse) {
+            memory.sparse_factor.look(mlcp);
+            memory.sparse = 6 * memory.sparse_factor.elimination.entries() < n * n;
+        }
+        begin(problem, memory.cases, memory.sparse, guess);
+        if (memory.sparse) settled = settle(mlcp, settings, allowed, memory.sparse_factor, memory, solution);
+        else {
+            memory.dense_factor.look(mlcp);
+            settled = settle(mlcp, settings, allowed, memory.dense_factor, memory, solution);
+        }
+    }
+    if (!settled && settings.limit == 0 && n <= most_walked_rows) walk(mlcp, settings, memory, solution);
+    solution.iterations = memory.work.guesses;
+    memory.cases = guess.cases;
+}
+//! [active_sets]
+
+/// Cold: from a guess that knows nothing.
 inline Solution active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings = {})
 {
     ActiveSetMemory memory;
     Solution solution;
     active_sets(mlcp, settings, memory, solution);
     return solution;
-}
-
-/// One index at a time, with memory for the counters (pivots in solution.iterations).
-inline Solution dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings = {})
-{
-    return lemke(mlcp, {{}, {}, settings.limit, settings.tolerance});
-}
-
-/// Row `row` is bounded by ±mu times the λ of row `normal`.
-struct FrictionBox {
-    Index row = 0, normal = 0;
-    Real mu = 0;
-};
-
-void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes, const ActiveSetSettings& settings,
-                 ActiveSetMemory& memory, Solution& solution);
-inline Solution active_sets(const Mlcp& mlcp, std::span<const FrictionBox>,
-                            const ActiveSetSettings& settings = {})
-{
-    return active_sets(mlcp, settings);
 }
 
 }  // namespace rigid

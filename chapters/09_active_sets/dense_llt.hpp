@@ -1,0 +1,232 @@
+/// \file dense_llt.hpp
+/// The active rows of a dense A as L Lᵀ, and a border for the few rows that have changed since.
+///
+///     [ A₀₀  B ] [ x ]   [ r ]         B has a column a_0j for a row j that came in, and a unit column e_i
+///     [ Bᵀ   D ] [ y ] = [ c ]         for a row i that went out: its equation is left open
+///
+/// (9.10). With Y = L⁻¹B the small matrix is S = D − YᵀY (9.11): a triangular solve for each changed row instead
+/// of a new factorisation. \cite golub2013
+#pragma once
+
+#include "chapters/09_active_sets/guess.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+namespace rigid {
+
+class DenseLlt {
+public:
+    void look(const Mlcp& mlcp)
+    {
+        const Index n = mlcp.size();
+        A_.setZero(n, n);
+        for (Index i = 0; i < n; ++i)
+            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) A_(entry.col(), i) = entry.value();
+        if (L_.rows() != n) L_.resize(n, n);
+        place_.resize(static_cast<std::size_t>(n));
+        x_.resize(n);
+        forget();
+    }
+
+    void forget()
+    {
+        factored_.clear();
+        base_.clear();
+        slots_.clear();
+    }
+
+    /// Factors the rows that are `between`, or borders the last factor. False if they depend on each other.
+    bool factor(const GuessedProblem& problem, const std::vector<RowCase>& cases, ActiveSetWork& work)
+    {
+        if (factored_ == cases) return true;
+        if (!factored_.empty() && border(problem, cases)) ++work.updates;
+        else {
+            ++work.factorisations;
+            factored_.clear();
+            if (!factor_anew(problem, cases)) return false;
+            work.entries = base() * (base() - 1) / 2;
+        }
+        factored_ = cases;
+        return true;
+    }
+
+    /// Solves for the active rows: their entries of x are the right side, then the answer.
+    void solve(VecX& x) const
+    {
+        const Index f = base(), k = size(changed_);
+        auto z = x_.head(f);
+        for (Index r = 0; r < f; ++r) z[r] = x[base_[index(r)]];
+        lower_solve(z);
+        if (k == 0) upper_solve(z);
+        else {
+            //! [bordered]
+            VecX y(k);  // (9.11): S y = c − Yᵀ z, then Lᵀ x = z − Y y
+            for (Index c = 0; c < k; ++c)
+                y[c] = came_in(c) * x[changed_[index(c)]] - Y_.col(column_[index(c)]).head(f).dot(z);
+            y = S_.solve(y);
+            for (Index c = 0; c < k; ++c) z -= y[c] * Y_.col(column_[index(c)]).head(f);
+            upper_solve(z);
+            //! [bordered]
+            for (Index c = 0; c < k; ++c) x[changed_[index(c)]] = came_in(c) * y[c];
+        }
+        for (Index r = 0; r < f; ++r) x[base_[index(r)]] = z[r];
+        for (Index c = 0; c < k; ++c)  // those that went out
+            if (came_in(c) == 0) x[changed_[index(c)]] = 0;
+    }
+
+    void multiply(const Mlcp&, const VecX& x, VecX& product) const
+    {
+        product.setZero(x.size());
+        for (Index j = 0; j < x.size(); ++j)
+            if (x[j] != 0) product += x[j] * A_.col(j);
+    }
+
+private:
+    static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
+    template <class List>
+    static Index size(const List& list)
+    {
+        return static_cast<Index>(list.size());
+    }
+    Index base() const { return size(base_); }
+    /// Scaled to a unit diagonal: 1/√a for a row that came in, 0 for one that went out.
+    Real came_in(Index c) const { return in_[index(c)]; }
+
+    //! [anew]
+    bool factor_anew(const GuessedProblem& problem, const std::vector<RowCase>& cases)
+    {
+        base_.clear();
+        changed_.clear();
+        slots_.clear();
+        std::fill(place_.begin(), place_.end(), -1);
+        for (Index i = 0; i < size(cases); ++i)
+            if (cases[index(i)] == RowCase::between) {
+                place_[index(i)] = base();
+                base_.push_back(i);
+            }
+        const Index f = base();
+        for (Index c = 0; c < f; ++c) {
+            const Real* const column = A_.col(base_[index(c)]).data();
+            for (Index r = c; r < f; ++r) L_(r, c) = column[base_[index(r)]];
+            if (problem.shift.size() > 0) L_(c, c) += problem.shift[base_[index(c)]];
+        }
+        if (f <= small) {
+            if (!small_factor(f)) return false;
+        } else {
+            Eigen::Ref<MatX> block = L_.topLeftCorner(f, f);
+            const Eigen::LLT<Eigen::Ref<MatX>> llt(block);
+            if (llt.info() != Eigen::Success) return false;
+        }
+        for (Index r = 0; r < f; ++r) {
+            const Index i = base_[index(r)];
+            const Real nothing =
+                problem.shift.size() > 0 ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
+            if (!(L_(r, r) * L_(r, r) > nothing)) return false;
+        }
+        return true;
+    }
+    //! [anew]
+
+    //! [border]
+    /// (9.11): the rows that differ from the base as a border; false if there are too many of them.
+    bool border(const GuessedProblem& problem, const std::vector<RowCase>& cases)
+    {
+        const Index f = base(), most = f / 6;
+        changed_.clear();
+        for (Index i = 0; i < size(cases); ++i)
+            if ((cases[index(i)] == RowCase::between) != (place_[index(i)] >= 0)) changed_.push_back(i);
+        const Index k = size(changed_);
+        if (k > most) return false;
+        in_.resize(changed_.size());
+        column_.resize(changed_.size());
+        for (Index c = 0; c < k; ++c) {
+            const Index i = changed_[index(c)];
+            const bool in = place_[index(i)] < 0;
+            in_[index(c)] = in ? 1 / std::sqrt(problem.diagonal[i]) : 0;
+            Index slot = 0;
+            while (slot < size(slots_) && slots_[index(slot)] != i) ++slot;
+            column_[index(c)] = slot;
+            if (slot < size(slots_)) continue;  // it has been solved for already
+            if (slot >= 2 * most) return false;
+            if (Y_.rows() < A_.rows() || Y_.cols() <= slot) Y_.conservativeResize(A_.rows(), 2 * most);
+            auto y = Y_.col(slot).head(f);
+            if (in)
+                for (Index r = 0; r < f; ++r) y[r] = in_[index(c)] * A_(base_[index(r)], i);
+            else {
+                y.setZero();
+                y[place_[index(i)]] = std::sqrt(problem.diagonal[i]);
+            }
+            lower_solve(y);
+            slots_.push_back(i);
+        }
+        MatX S(k, k);  // S = D − Yᵀ Y
+        for (Index c = 0; c < k; ++c)
+            for (Index d = 0; d <= c; ++d) {
+                const Index i = changed_[index(c)], j = changed_[index(d)];
+                Real entry = in_[index(c)] * in_[index(d)] * A_(i, j);
+                if (i == j && problem.shift.size() > 0) entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
+                entry -= Y_.col(column_[index(c)]).head(f).dot(Y_.col(column_[index(d)]).head(f));
+                S(c, d) = S(d, c) = entry;
+            }
+        if (k == 0) return true;
+        S_.compute(S);
+        const auto pivots = S_.matrixLU().diagonal().cwiseAbs();
+        return pivots.minCoeff() > 1e-8 && pivots.maxCoeff() < 1e8;  // else too much is lost: factor anew
+    }
+    //! [border]
+
+    bool small_factor(Index f)
+    {
+        for (Index c = 0; c < f; ++c) {
+            for (Index j = 0; j < c; ++j) {
+                const Real l = L_(c, j);
+                if (l == 0) continue;
+                for (Index r = c; r < f; ++r) L_(r, c) -= l * L_(r, j);
+            }
+            if (!(L_(c, c) > 0)) return false;
+            L_(c, c) = std::sqrt(L_(c, c));
+            const Real inverse = 1 / L_(c, c);
+            for (Index r = c + 1; r < f; ++r) L_(r, c) *= inverse;
+        }
+        return true;
+    }
+
+    template <class Vector>
+    void lower_solve(Vector&& z) const
+    {
+        const Index f = base();
+        if (f > small) L_.topLeftCorner(f, f).triangularView<Eigen::Lower>().solveInPlace(z);
+        else
+            for (Index c = 0; c < f; ++c) {
+                z[c] /= L_(c, c);
+                for (Index r = c + 1; r < f; ++r) z[r] -= L_(r, c) * z[c];
+            }
+    }
+    template <class Vector>
+    void upper_solve(Vector&& z) const
+    {
+        const Index f = base();
+        if (f > small) L_.topLeftCorner(f, f).triangularView<Eigen::Lower>().transpose().solveInPlace(z);
+        else
+            for (Index c = f; c-- > 0;) {
+                for (Index r = c + 1; r < f; ++r) z[c] -= L_(r, c) * z[r];
+                z[c] /= L_(c, c);
+            }
+    }
+
+    static constexpr Index small = 32;               ///< up to here plain loops are faster
+    static constexpr Real rank_tolerance = 1e-11;    ///< share of A_ii that a pivot must keep
+
+    MatX A_, L_, Y_;
+    std::vector<Index> base_, place_;       ///< the rows of the factor; of a row, its place there or -1
+    std::vector<Index> slots_, changed_, column_;  ///< rows that Y has a column for; rows that differ now
+    std::vector<Real> in_;
+    Eigen::PartialPivLU<MatX> S_;
+    mutable VecX x_;
+    std::vector<RowCase> factored_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,70 @@
+/// \file first_guess.hpp
+/// Where the guesses begin: with yesterday's cases; with all rows active; or with what a few sweeps say.
+#pragma once
+
+#include "chapters/09_active_sets/guess.hpp"
+
+#include <algorithm>
+
+namespace rigid {
+
+/// One visit to each row (4.5).
+inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
+{
+    const Mlcp& mlcp = *problem.mlcp;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real w = problem.q[i], a = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            w += entry.value() * lambda[entry.col()];
+            if (entry.col() == i) a = entry.value();
+        }
+        if (problem.shift.size() > 0) {
+            w += problem.shift[i] * lambda[i];
+            a += problem.shift[i];
+        }
+        if (a > 0) lambda[i] = std::clamp(lambda[i] - w / a, mlcp.lo[i], mlcp.hi[i]);
+    }
+}
+
+inline void clamp_into_bounds(const Mlcp& mlcp, VecX& lambda)
+{
+    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
+}
+
+/// The case that each λ is in.
+inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<RowCase>& cases)
+{
+    for (Index i = 0; i < mlcp.size(); ++i)
+        cases[static_cast<std::size_t>(i)] = lambda[i] <= mlcp.lo[i]   ? RowCase::at_lo
+                                             : lambda[i] >= mlcp.hi[i] ? RowCase::at_hi
+                                                                       : RowCase::between;
+}
+
+//! [begin]
+/// Yesterday's cases, where a row can have them. Without a yesterday: every row active where A is sparse,
+/// since piles rest on most of their contacts and a factor is cheap; else what two sweeps from zero say.
+inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& yesterday, bool sparse,
+                  Guess& guess)
+{
+    const Mlcp& mlcp = *problem.mlcp;
+    const auto n = static_cast<std::size_t>(mlcp.size());
+    const bool known = yesterday.size() == n;
+    guess.cases.resize(n);
+    if (!known && !sparse) {
+        guess.lambda.setZero();
+        clamp_into_bounds(mlcp, guess.lambda);
+        visit_rows(problem, guess.lambda);
+        visit_rows(problem, guess.lambda);
+        cases_of(mlcp, guess.lambda, guess.cases);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto i = static_cast<Index>(k);
+        const RowCase wish = known ? yesterday[k] : sparse ? RowCase::between : guess.cases[k];
+        const bool possible = (wish != RowCase::at_lo || mlcp.lo[i] > -infinity) &&
+                              (wish != RowCase::at_hi || mlcp.hi[i] < infinity);
+        guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? RowCase::at_lo : possible ? wish : RowCase::between;
+    }
+}
+//! [begin]
+
+}  // namespace rigid

@@ -1,0 +1,57 @@
+/// \file general_lu.hpp
+/// The active rows of an A that is not symmetric, by LU. For a P-matrix the guesses still end (9.7).
+#pragma once
+
+#include "chapters/09_active_sets/guess.hpp"
+
+#include <Eigen/LU>
+#include <vector>
+
+namespace rigid {
+
+class GeneralLu {
+public:
+    void look(const Mlcp& mlcp)
+    {
+        A_ = mlcp.A;
+        factored_.clear();
+    }
+
+    bool factor(const GuessedProblem& problem, const std::vector<RowCase>& cases, ActiveSetWork& work)
+    {
+        if (factored_ == cases) return true;
+        ++work.factorisations;
+        active_.clear();
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            if (cases[i] == RowCase::between) active_.push_back(static_cast<Index>(i));
+        work.entries = static_cast<Index>(active_.size() * active_.size());
+        factored_ = cases;
+        if (active_.empty()) return true;
+        lu_.compute(A_(active_, active_));
+        const VecX pivots = lu_.matrixLU().diagonal().cwiseAbs();
+        for (Index k = 0; k < pivots.size(); ++k)
+            if (!(pivots[k] > 1e-13 * problem.diagonal[active_[static_cast<std::size_t>(k)]])) {
+                factored_.clear();
+                return false;
+            }
+        return true;
+    }
+
+    void solve(VecX& x) const
+    {
+        if (active_.empty()) return;
+        const VecX right = x(active_);
+        const VecX answer = lu_.solve(right);
+        x(active_) = answer;
+    }
+
+    void multiply(const Mlcp& mlcp, const VecX& x, VecX& product) const { product = mlcp.A * x; }
+
+private:
+    MatX A_;
+    std::vector<Index> active_;
+    std::vector<RowCase> factored_;
+    Eigen::PartialPivLU<MatX> lu_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,170 @@
+/// \file guess.hpp
+/// Guess which rows are active, solve for them, and correct the guess.
+///
+///     A_FF λ_F = −(q_F + A_FB λ_B)     F the active rows, between their bounds; B the others, at a bound
+///
+/// (9.2). All wrong rows change their case at once (9.5); if that makes no progress for a while, one row at a
+/// time, the first that is wrong (9.6), which ends for every P-matrix. \cite murty1997; \cite judice1994
+#pragma once
+
+#include "chapters/03_mlcp_formulation/cases.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace rigid {
+
+/// What a solve cost.
+struct ActiveSetWork {
+    int factorisations = 0;  ///< of the active rows, anew
+    int updates = 0;         ///< solves by an older factorisation and a border of the rows that changed
+    int guesses = 0;         ///< sets that were tried
+    int flips = 0;           ///< rows that changed their case
+    int single_flips = 0;    ///< of these, one at a time
+    int descents = 0;        ///< guesses that were lowest points of faces (descent.hpp)
+    int outer_steps = 0;     ///< proximal steps; 0 = A needed none
+    int walks = 0;           ///< times that Lemke's algorithm had to be asked
+    Index entries = 0;       ///< entries of the last factor
+};
+
+/// The problem as the guesses see it: A + diag(shift), and a q of its own. Rows are measured in m/s.
+struct GuessedProblem {
+    const Mlcp* mlcp = nullptr;
+    VecX q;         ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;     ///< ε A_ii of the proximal step, or zero
+    VecX diagonal;  ///< A_ii; 1 where it is not positive
+    Real tolerance = 0;  ///< a row that is wrong by less than this is right [m/s]
+};
+
+/// Which rows are active, the λ that follows, and its w.
+struct Guess {
+    std::vector<RowCase> cases;
+    VecX lambda, w, step;
+    std::vector<Index> wrong;  ///< rows whose case does not fit what came out
+};
+
+enum class GuessEnd { right, singular, limit };
+
+//! [correct]
+/// (9.4): the case that a row should have, by what its own case led to.
+inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w, Real tolerance)
+{
+    const Mlcp& mlcp = *problem.mlcp;
+    const Real allowed = tolerance / problem.diagonal[i];
+    switch (now) {
+    case RowCase::between:
+        if (lambda < mlcp.lo[i] - allowed) return RowCase::at_lo;
+        if (lambda > mlcp.hi[i] + allowed) return RowCase::at_hi;
+        return now;
+    case RowCase::at_lo:
+        return w < -tolerance && mlcp.lo[i] < mlcp.hi[i] ? RowCase::between : now;
+    case RowCase::at_hi:
+        return w > tolerance && mlcp.lo[i] < mlcp.hi[i] ? RowCase::between : now;
+    }
+    return now;
+}
+//! [correct]
+
+/// w = (A + diag(shift)) λ + q.
+template <class Factor>
+void velocities(const GuessedProblem& problem, const Factor& factor, const VecX& lambda, VecX& w)
+{
+    factor.multiply(*problem.mlcp, lambda, w);
+    w += problem.q;
+    if (problem.shift.size() > 0) w += problem.shift.cwiseProduct(lambda);
+}
+
+/// The largest |w| of the active rows, which should be zero [m/s].
+inline Real active_residual(const Guess& guess)
+{
+    Real largest = 0;
+    for (Index i = 0; i < guess.w.size(); ++i)
+        if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between && !(std::abs(guess.w[i]) <= largest))
+            largest = std::abs(guess.w[i]);
+    return largest;
+}
+
+/// One correction of the active λ by what is left of their w: A_FF Δ = −w_F.
+template <class Factor>
+void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
+{
+    for (Index i = 0; i < guess.w.size(); ++i)
+        guess.step[i] = guess.cases[static_cast<std::size_t>(i)] == RowCase::between ? -guess.w[i] : 0;
+    factor.solve(guess.step);
+    guess.lambda += guess.step;
+    velocities(problem, factor, guess.lambda, guess.w);
+}
+
+//! [solve]
+/// (9.2): λ and w of the guess. The factor must be that of guess.cases.
+template <class Factor>
+void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& guess)
+{
+    const Mlcp& mlcp = *problem.mlcp;
+    bool zero = true;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        const RowCase here = guess.cases[static_cast<std::size_t>(i)];
+        guess.lambda[i] = here == RowCase::at_lo ? mlcp.lo[i] : here == RowCase::at_hi ? mlcp.hi[i] : 0;
+        zero = zero && guess.lambda[i] == 0;
+    }
+    if (zero) guess.w = problem.q;
+    else velocities(problem, factor, guess.lambda, guess.w);
+    improve(problem, factor, guess);
+    // What rounding has left is looked at, and solved for once more where it could turn a sign.
+    if (active_residual(guess) > 0.01 * problem.tolerance) improve(problem, factor, guess);
+}
+//! [solve]
+
+/// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
+inline void find_wrong(const GuessedProblem& problem, Guess& guess)
+{
+    const Index n = guess.w.size();
+    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.diagonal).lpNorm<Eigen::Infinity>() : 0;
+    const Real tolerance =
+        std::max(problem.tolerance, 4 * std::numeric_limits<Real>::epsilon() * largest);
+    guess.wrong.clear();
+    for (Index i = 0; i < n; ++i) {
+        const RowCase now = guess.cases[static_cast<std::size_t>(i)];
+        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now) guess.wrong.push_back(i);
+    }
+}
+
+//! [loop]
+/// Corrects the guess until nothing is wrong. `singular`: the active rows of some guess depend on each other.
+/// \param patience  flips of all wrong rows without fewer of them, before one row at a time
+/// \param limit     of guesses
+template <class Factor>
+GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
+                       Guess& guess, ActiveSetWork& work)
+{
+    std::size_t fewest = guess.cases.size() + 1;
+    int chances = patience;
+    for (int tried = 0; tried < limit; ++tried) {
+        ++work.guesses;
+        if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
+        solve_guess(problem, factor, guess);
+        if (!guess.lambda.allFinite()) return GuessEnd::singular;
+        find_wrong(problem, guess);
+        if (guess.wrong.empty()) return GuessEnd::right;
+
+        bool all = true;
+        if (guess.wrong.size() < fewest) {
+            fewest = guess.wrong.size();
+            chances = patience;
+        } else if (chances > 0) --chances;
+        else if (singly) all = false;
+        else break;
+        const std::size_t count = all ? guess.wrong.size() : 1;
+        for (std::size_t k = 0; k < count; ++k) {  // (9.5), or the first alone (9.6)
+            const Index i = guess.wrong[k];
+            RowCase& here = guess.cases[static_cast<std::size_t>(i)];
+            here = corrected(problem, i, here, guess.lambda[i], guess.w[i], problem.tolerance);
+        }
+        work.flips += static_cast<int>(count);
+        if (!all) ++work.single_flips;
+    }
+    return GuessEnd::limit;
+}
+//! [loop]
+
+}  // namespace rigid
