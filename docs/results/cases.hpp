@@ -22,9 +22,9 @@ inline Registry all_cases()
     Registry registry;
     add_smooth_motion(registry);
     add_lines(registry);
-    // add_heaps
-    // add_bounces
-    // add_runs
+    add_heaps(registry);
+    add_bounces(registry);
+    add_runs(registry);
     return registry;
 }
 

@@ -4,9 +4,8 @@
 #include "docs/results/cases.hpp"
 #include "docs/results/one_step.hpp"
 
+#include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/04_pgs/rates.hpp"
-#include "chapters/06_sequential_impulse/disc_constraints.hpp"
-#include "chapters/08_warm_starting/warm_step.hpp"
 
 namespace rigid::results {
 
@@ -21,7 +20,8 @@ OneStep resting_step(const DiscScene& scene, Real h)
         step.rows.push_back(bilateral(distance_constraint(scene.bodies.x, link), scene.bodies.inverse_mass));
     for (const Contact& contact : contacts)
         step.rows.push_back(unilateral(contact_constraint(contact), scene.bodies.inverse_mass));
-    disc_keys(scene.links.size(), contacts, step.keys);
+    for (std::size_t i = 0; i < scene.links.size(); ++i) step.keys.push_back(joint_key(i));
+    for (const Contact& contact : contacts) step.keys.push_back(contact_key(contact));
     step.u_star = VecX::Zero(scene.bodies.u.size());
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if (scene.bodies.inverse_mass[2 * k] > 0) step.u_star.segment<2>(2 * k) = h * scene.gravity;

@@ -14,7 +14,7 @@ void add_guesses(Registry& registry, const SharedScene& scene, bool warm)
                            solution = Solution()](const OneStep& step, std::size_t k, Solved& out) mutable {
                        if (k == 0 || !warm) memory = {};
                        active_sets(assembled(step), {}, memory, solution);
-                       take(solution, memory.factorisations + memory.updates, out);
+                       take(solution, memory.work.factorisations + memory.work.updates, out);
                    };
                });
 }
@@ -25,8 +25,6 @@ void add_active_sets(Registry& registry, const SharedScene& scene)
 {
     add_guesses(registry, scene, false);
     if (scene->steps.size() > 1) add_guesses(registry, scene, true);
-    if (scene->rows() <= scene->most_exact_rows)
-        add_exact(registry, scene, "9", "dantzig", "pivot", [](const Mlcp& mlcp) { return dantzig(mlcp); });
 }
 
 }  // namespace rigid::results
