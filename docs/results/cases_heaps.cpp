@@ -3,10 +3,9 @@
 // reference of a triangle: at rest, u = 0. Its impulses are not unique, the velocities are.
 // reference of the ten discs: chapter 3's enumeration of all sets of cases; of the enumeration itself, Lemke's walk.
 #include "docs/results/cases.hpp"
+#include "docs/results/exact_solvers.hpp"
 
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
-#include "chapters/03_mlcp_formulation/schur.hpp"
-#include "chapters/05_lemke/lemke.hpp"
 #include "common/program/scripted_pointer.hpp"
 
 namespace rigid::results {
@@ -44,16 +43,7 @@ StepScene tumble(bool by_enumeration)
     for (int k = 0; k < first + count; ++k) {
         const Vec2 tilt = pointer.at(k * settings.h).cwiseQuotient(scene.half_size);
         settings.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
-        const bool enumerated = by_enumeration && k >= first;
-        step(
-            scene, settings,
-            [&](const Mlcp& mlcp) {
-                if (!enumerated) return lemke(mlcp);
-                EnumerationSettings one;
-                one.stop_at_first = true;  // A has full rank here: the first answer is the only one
-                return schur(mlcp, one);
-            },
-            now);
+        step(scene, settings, by_enumeration && k >= first ? solve_by_cases : solve_by_lemke, now);
         if (now.solution.status != Status::solved)
             throw std::logic_error("the reference of the ten discs is not solved in step " +
                                    std::to_string(k));
@@ -74,11 +64,7 @@ void add_heaps(Registry& registry)
     add_solvers(registry, tumble(true));
     // The enumeration is not measured against itself.
     const auto other = std::make_shared<const StepScene>(tumble(false));
-    add_exact(registry, other, "3", "enumeration", "case_set", [](const Mlcp& mlcp) {
-        EnumerationSettings one;
-        one.stop_at_first = true;
-        return schur(mlcp, one);
-    });
+    add_exact(registry, other, "3", "enumeration", "case_set", solve_by_cases);
 }
 
 }  // namespace rigid::results

@@ -3,11 +3,11 @@
 //
 // error: distance from the exact place at the end [m], from the closed forms of chapter 1.
 #include "docs/results/cases.hpp"
+#include "docs/results/exact_solvers.hpp"
 
 #include "chapters/01_euler_integration/adaptive.hpp"
 #include "chapters/01_euler_integration/exact.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
-#include "chapters/03_mlcp_formulation/direct.hpp"
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 
 #include <memory>
@@ -197,8 +197,7 @@ void add_smooth_motion(Registry& registry)
             DiscSettings settings;
             settings.h = h;
             return [settings, now = DiscStep()](DiscScene& scene) mutable {
-                step(
-                    scene, settings, [](const Mlcp& mlcp) { return direct(mlcp); }, now);
+                step(scene, settings, solve_direct, now);
             };
         },
         1);

@@ -1,10 +1,9 @@
 // Chapters 3 to 5 and 9 step a scene: chapter 3's step with their solvers, an error repaid as a whole, b = C/h.
+#include "docs/results/exact_solvers.hpp"
 #include "docs/results/runs.hpp"
 
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/04_pgs/pgs.hpp"
-#include "chapters/05_lemke/lemke.hpp"
-#include "chapters/09_active_sets/active_sets.hpp"
 
 namespace rigid::results {
 namespace {
@@ -52,17 +51,13 @@ void add_matrix_runs(Registry& registry, const SharedRun& run)
     if (run->dense)
         add_solver_run(registry, run, "5", "lemke", "unit=pivot", false, [] {
             return [](const Mlcp& mlcp, Solution& solution) {
-                solution = lemke(mlcp);
+                solution = solve_by_lemke(mlcp);
                 return solution.iterations;
             };
         });
     if (run->exact)
-        add_solver_run(registry, run, "9", "active_sets_warm", "unit=factorisation", run->dense, [] {
-            return [memory = std::make_shared<ActiveSetMemory>()](const Mlcp& mlcp, Solution& solution) {
-                active_sets(mlcp, {}, *memory, solution);
-                return memory->work.factorisations + memory->work.updates;
-            };
-        });
+        add_solver_run(registry, run, "9", "active_sets_warm", "unit=factorisation", run->dense,
+                       new_active_sets);
 }
 
 }  // namespace rigid::results

@@ -1,9 +1,19 @@
 // Chapter 9 on the task "find the impulses of a step".
+#include "docs/results/exact_solvers.hpp"
 #include "docs/results/one_step.hpp"
 
 #include "chapters/09_active_sets/active_sets.hpp"
 
 namespace rigid::results {
+
+ActiveSets new_active_sets()
+{
+    return [memory = std::make_shared<ActiveSetMemory>()](const Mlcp& mlcp, Solution& solution) {
+        active_sets(mlcp, {}, *memory, solution);
+        return memory->work.factorisations + memory->work.updates;
+    };
+}
+
 namespace {
 
 void add_guesses(Registry& registry, const SharedScene& scene, bool warm)
@@ -12,7 +22,7 @@ void add_guesses(Registry& registry, const SharedScene& scene, bool warm)
                scene->rows() <= 60, [=] {
                    return [=, assembled = Assembler(), memory = ActiveSetMemory(),
                            solution = Solution()](const OneStep& step, std::size_t k, Solved& out) mutable {
-                       if (k == 0 || !warm) memory = {};
+                       if (k == 0 || !warm) memory.cases.clear();  // no guess from before; its memory stays
                        active_sets(assembled(step), {}, memory, solution);
                        take(solution, memory.work.factorisations + memory.work.updates, out);
                    };
