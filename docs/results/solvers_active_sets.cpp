@@ -22,7 +22,7 @@ void add_guesses(Registry& registry, const SharedScene& scene, bool warm)
                scene->rows() <= 60, [=] {
                    return [=, assembled = Assembler(), memory = ActiveSetMemory(),
                            solution = Solution()](const OneStep& step, std::size_t k, Solved& out) mutable {
-                       if (k == 0 || !warm) memory.cases.clear();  // no guess from before; its memory stays
+                       if (k == 0 || !warm) memory = {};
                        active_sets(assembled(step), {}, memory, solution);
                        take(solution, memory.work.factorisations + memory.work.updates, out);
                    };
