@@ -5,8 +5,10 @@
 #include "docs/results/cases.hpp"
 #include "docs/results/exact_solvers.hpp"
 
-#include "chapters/01_euler_integration/adaptive.hpp"
-#include "chapters/01_euler_integration/exact.hpp"
+#include "chapters/01_euler_integration/measured.hpp"
+#ifdef RIGID_HAS_ODEINT
+#include "chapters/01_euler_integration/peers_odeint.hpp"
+#endif
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 
@@ -15,23 +17,10 @@
 namespace rigid::results {
 namespace {
 
-const char* const per_force = "unit=force_evaluation reference=closed_form";
-
-/// A motion without constraints. Its place is a point of the plane, so that all scenes have errors in metres.
-template <class A, int N>
-struct Motion {
-    std::string scene, parameters;
-    A a;
-    State<N> start;
-    Real T;
-    Index least;  ///< force evaluations of the coarsest run
-    std::function<Real(const State<N>&)> error;
-};
-
-template <int N, class Run>
-Task fixed_task(const Run& run, Index evaluations, const std::function<Real(const State<N>&)>& error)
+template <class Run, class Error>
+Task place_task(const Run& run, Index evaluations, const Error& error)
 {
-    auto end = std::make_shared<State<N>>();
+    auto end = std::make_shared<decltype(run())>();
     return {[=] { *end = run(); },
             [=] {
                 const Real distance = error(*end);
@@ -41,70 +30,70 @@ Task fixed_task(const Run& run, Index evaluations, const std::function<Real(cons
             {}};
 }
 
-/// The fixed-step methods of chapter 1 under one name each: force evaluations a step, and the march.
-template <class A, int N>
-void add_fixed(Registry& registry, const Motion<A, N>& motion)
+/// The fixed steps of chapter 1, and odeint's where it is installed. An angle of 1 rad is 1 m of the circle.
+template <class Problem>
+void add_fixed(Registry& registry, const std::string& scene, const std::string& parameters,
+               const Problem& problem, Index least)
 {
-    using Run = std::function<State<N>(Real, Index)>;
-    const A a = motion.a;
-    const State<N> s = motion.start;
-    const std::tuple<const char*, Index, Run> methods[] = {
-        {"explicit_euler", 1,
-         [=](Real h, Index n) {
-             return march(s, h, n, [a](const State<N>& y, Real k) { return explicit_euler(y, k, a); });
-         }},
-        {"symplectic_euler", 1,
-         [=](Real h, Index n) {
-             return march(s, h, n, [a](const State<N>& y, Real k) { return symplectic_euler(y, k, a); });
-         }},
-        {"verlet", 1,
-         [=](Real h, Index n) {
-             return march(s, h, n, [a, now = a(s.x)](const State<N>& y, Real k) mutable {
-                 return velocity_verlet(y, now, k, a);
-             });
-         }},
-        {"yoshida4", 3,
-         [=](Real h, Index n) {
-             return march(s, h, n, [a](const State<N>& y, Real k) { return yoshida4(y, k, a); });
-         }},
-        {"rk4", 4, [=](Real h, Index n) {
-             return march(s, h, n, [a](const State<N>& y, Real k) { return rk4(y, k, a); });
-         }}};
-    for (const auto& [name, per_step, run] : methods)
+    const auto error = [exact = problem.exact()](const auto& place) { return (place - exact).norm(); };
+    for (const Method method : all_methods) {
+        if (method == Method::dormand_prince) continue;
         for (int doubling = 0; doubling < 10; ++doubling) {
-            const Index steps = (motion.least << doubling) / per_step;
-            const Real h = motion.T / static_cast<Real>(steps);
-            registry.add({"1", name, motion.scene, motion.parameters + ' ' + per_force, h, doubling == 3,
-                          [=, run = run, evaluations = steps * per_step, error = motion.error] {
-                              return fixed_task<N>([=] { return run(h, steps); }, evaluations, error);
+            const Index steps = (least << doubling) / evaluations_per_step(method);
+            const Index work = steps * evaluations_per_step(method);
+            const Real h = problem.T / static_cast<Real>(steps);
+            const std::string all = parameters + " unit=force_evaluation reference=closed_form";
+            registry.add({"1", name_of(method), scene, all, h, doubling == 3, [=] {
+                              return place_task(
+                                  [=] { return run_fixed(method, problem.start(), h, steps, problem.a); },
+                                  work, [=](const State<Problem::N>& s) { return error(s.x); });
                           }});
+#ifdef RIGID_HAS_ODEINT
+            registry.add(
+                {"peer", std::string("odeint_") + name_of(method), scene, all, h, false, [=] {
+                     return place_task(
+                         [=] { return Odeint<Problem>::run_fixed(method, problem.start(), h, steps); }, work,
+                         error);
+                 }});
+#endif
         }
+    }
 }
 
-template <class A, int N>
-void add_adaptive(Registry& registry, const Motion<A, N>& motion)
+/// The adaptive pair, and odeint's with the same tolerances and the same first step.
+template <class Problem>
+void add_adaptive(Registry& registry, const std::string& scene, const std::string& parameters,
+                  const Problem& problem)
 {
+    constexpr int N = Problem::N;
+    const auto error = [exact = problem.exact()](const auto& place) { return (place - exact).norm(); };
     for (int digits = 2; digits <= 12; ++digits) {
         const Real tolerance = std::pow(10, -digits);
-        registry.add({"1", "dormand_prince", motion.scene,
-                      motion.parameters + " tolerance=1e-" + std::to_string(digits) + ' ' + per_force, 0,
+        const std::string given = parameters + " tolerance=1e-" + std::to_string(digits);
+        registry.add({"1", "dormand_prince", scene, given + " unit=force_evaluation reference=closed_form", 0,
                       digits == 6, [=] {
                           auto run = std::make_shared<Adaptive<N>>();
-                          auto outcome = std::make_shared<Outcome>();
-                          const Tolerance allowed{tolerance, tolerance, tolerance};
-                          return Task{[=] {
-                                          *run = start_adaptive(motion.start, motion.a, allowed);
-                                          *outcome = integrate(*run, motion.T, motion.a, allowed);
-                                      },
-                                      [=] {
-                                          const bool there = *outcome == Outcome::reached;
-                                          return Result{run->evaluations,
-                                                        {},
-                                                        motion.error(run->s),
-                                                        there ? "finished" : to_string(*outcome)};
-                                      },
-                                      {}};
+                          const auto go = [=] {
+                              *run = run_adaptive(problem.start(), problem.T, tolerance, problem.a);
+                          };
+                          const auto judge = [=] {
+                              return Result{run->evaluations, {}, error(run->s.x), "finished"};
+                          };
+                          return Task{go, judge, {}};
                       }});
+#ifdef RIGID_HAS_ODEINT
+        registry.add({"peer", "odeint_dormand_prince", scene, given + " unit=none reference=closed_form", 0,
+                      false, [=] {
+                          const Real first = start_at(problem.start(), tolerance, problem.a).h;
+                          auto end = std::make_shared<Vec<N>>();
+                          const auto go = [=] {
+                              *end =
+                                  Odeint<Problem>::run_adaptive(problem.start(), problem.T, tolerance, first);
+                          };
+                          const auto judge = [=] { return Result{{}, {}, error(*end), "finished"}; };
+                          return Task{go, judge, {}};
+                      }});
+#endif
     }
 }
 
@@ -155,25 +144,12 @@ void add_rod(Registry& registry, const std::string& chapter, const std::string& 
 
 void add_smooth_motion(Registry& registry)
 {
-    const Kepler kepler;
-    const Motion<Kepler, 2> orbit{
-        "kepler", "e=0.6 T=50", kepler, kepler_perihelion(kepler, 0.6), 50, 800, [=](const State<2>& s) {
-            return (s.x - exact_kepler(kepler, 0.6, 50).x).norm();
-        }};
-    add_fixed(registry, orbit);
-    add_adaptive(registry, orbit);
-
-    const Pendulum pendulum;
-    const Motion<Pendulum, 1> swing{
-        "pendulum",
-        "angle=90 T=2",
-        pendulum,
-        {Vec<1>(pi / 2), Vec<1>(0)},
-        swing_time,
-        60,
-        [](const State<1>& s) { return (Vec2(std::sin(s.x[0]), -std::cos(s.x[0])) - exact_place()).norm(); }};
-    add_fixed(registry, swing);
-    add_adaptive(registry, swing);
+    const KeplerProblem orbit{{}, 50};
+    add_fixed(registry, "kepler", "e=0.6 T=50", orbit, 800);
+    add_adaptive(registry, "kepler", "e=0.6 T=50", orbit);
+    const PendulumProblem swing{{}, swing_time};
+    add_fixed(registry, "pendulum", "angle=90 T=2", swing, 60);
+    add_adaptive(registry, "pendulum", "angle=90 T=2", swing);
 
     // Chapter 2: one row, its error of position left alone or asked back.
     for (const bool repay : {false, true})

@@ -75,8 +75,15 @@ void write_table(const std::string& file, const std::vector<Case>& cases,
     std::filesystem::rename(file + ".new", file);
 }
 
-TableRow measure(const Case& one, const Options& options)
+/// A method that gives up by an exception has failed, and says why by its status.
+TableRow failed(const Case& one, const std::exception& fault)
 {
+    std::cerr << "\n" << name_of(one) << ": " << fault.what() << '\n';
+    return row_of(one, {{}, {}, infinity, "gave up"});
+}
+
+TableRow measure(const Case& one, const Options& options)
+try {
     const Task task = one.prepare();
     const auto start = std::chrono::steady_clock::now();
     task.run();
@@ -84,6 +91,8 @@ TableRow measure(const Case& one, const Options& options)
     TableRow row = row_of(one, task.judge());
     if (!options.work_only) row.time_ratio = significant(time_ratio(task, passed.count(), options.quick), 4);
     return row;
+} catch (const std::runtime_error& fault) {
+    return failed(one, fault);
 }
 
 /// Callgrind looks at as many cases at a time as can be lost when it is interrupted.
@@ -172,8 +181,11 @@ int check(const Options& options, const std::vector<Case>& cases, const std::map
 int count_cases(std::size_t first, std::size_t end)
 {
     const Registry registry = all_cases();
-    for (std::size_t i = first; i < end && i < registry.cases().size(); ++i)
-        count_task(registry.cases()[i].prepare(), i);
+    for (std::size_t i = first; i < end && i < registry.cases().size(); ++i) try {
+            count_task(registry.cases()[i].prepare(), i);
+        } catch (const std::runtime_error&) {
+            // It has failed in the table already.
+        }
     return 0;
 }
 
@@ -186,7 +198,9 @@ int run(const std::string& program, const Options& options)
     auto last_write = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < cases.size() && !InterruptGuard::interrupted(); ++i) {
         const auto known = rows.find(name_of(cases[i]));
-        if (known != rows.end() && (options.work_only || !known->second.time_ratio.empty())) continue;
+        if (known != rows.end() &&
+            (options.work_only || !known->second.time_ratio.empty() || known->second.status == "gave up"))
+            continue;
         tell(i + 1, cases.size(), cases[i].method + " on " + cases[i].scene);
         TableRow row = measure(cases[i], options);
         if (known != rows.end()) row.instructions = known->second.instructions;
