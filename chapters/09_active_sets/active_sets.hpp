@@ -8,24 +8,17 @@
 /// settle is walked by Lemke's algorithm. \cite judice1994
 #pragma once
 
-#include "chapters/05_lemke/lemke.hpp"
+#include "chapters/09_active_sets/accept.hpp"
 #include "chapters/09_active_sets/dense_llt.hpp"
 #include "chapters/09_active_sets/general_lu.hpp"
 #include "chapters/09_active_sets/proximal.hpp"
 #include "chapters/09_active_sets/sparse_ldlt.hpp"
 
-#include <string>
 #include <vector>
 
 namespace rigid {
 
 inline constexpr Index most_walked_rows = 2000;  ///< larger problems are not handed to Lemke's algorithm
-
-struct ActiveSetSettings {
-    Real tolerance = 1e-10;  ///< of the natural residual, as a share of the largest |q|
-    int limit = 0;           ///< of guesses; 0 = 500 + n
-    int patience = 5;        ///< flips of all wrong rows without progress before one row at a time
-};
 
 /// Memory that is kept from solve to solve, yesterday's guess, and what the last solve cost.
 struct ActiveSetMemory {
@@ -41,51 +34,6 @@ struct ActiveSetMemory {
     ProximalMemory proximal;
     std::vector<int> cursor;
 };
-
-/// True if A is symmetric to the bit. One pass: of the entries a_ji, in the order of i, each line's next one
-/// must be there.
-inline bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)
-{
-    const int* const outer = A.outerIndexPtr();
-    const int* const inner = A.innerIndexPtr();
-    const Real* const value = A.valuePtr();
-    const auto n = static_cast<int>(A.rows());
-    next.assign(outer, outer + n);
-    for (int i = 0; i < n; ++i)
-        for (int p = next[static_cast<std::size_t>(i)]; p < outer[i + 1]; ++p) {
-            const int j = inner[p];
-            if (j < i) return false;  // its partner should have been passed
-            int& mirrored = next[static_cast<std::size_t>(j)];
-            if (mirrored >= outer[j + 1] || inner[mirrored] != i || value[mirrored] != value[p]) return false;
-            if (j > i) ++mirrored;
-        }
-    return true;
-}
-
-/// How large a residual may be [m/s]: a share of q, or of 1e-4 of what the bounds add to it.
-inline Real allowed_residual(const Mlcp& mlcp, Real tolerance)
-{
-    Real largest = 0;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real w = mlcp.q[i];
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            w += entry.value() * std::clamp(Real{0}, mlcp.lo[entry.col()], mlcp.hi[entry.col()]);
-        largest = std::max({largest, std::abs(mlcp.q[i]), 1e-4 * std::abs(w)});
-    }
-    return tolerance * largest;
-}
-
-/// Presses the guess into its bounds, computes the residual, and says whether it is an answer.
-inline bool judge(const Mlcp& mlcp, Real allowed, const VecX& lambda, Solution& solution)
-{
-    solution.lambda = lambda;
-    clamp_into_bounds(mlcp, solution.lambda);
-    solution.residual = natural_residual(mlcp, solution.lambda);
-    const bool good = solution.residual <= allowed &&
-                      hidden_by_rounding(mlcp, solution.lambda, 10 * allowed) <= 10 * allowed;
-    solution.status = good ? Status::solved : Status::singular;
-    return good;
-}
 
 inline int guess_limit(const Mlcp& mlcp, const ActiveSetSettings& settings)
 {
@@ -152,15 +100,11 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
                         Solution& solution)
 {
     require_valid(mlcp);
-    if (!(settings.tolerance > 0) || settings.limit < 0 || settings.patience < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + ", limit " +
-                                    std::to_string(settings.limit) + ", patience " +
-                                    std::to_string(settings.patience) +
-                                    ": the tolerance must be positive, the others not negative");
+    require_valid(settings);
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;
-    const Real allowed = allowed_residual(mlcp, settings.tolerance);
+    const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
     GuessedProblem& problem = memory.problem;
     problem.mlcp = &mlcp;
     problem.tolerance = 0.01 * allowed;
@@ -181,8 +125,8 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
         GeneralLu factor;
         factor.look(mlcp);
         begin(problem, memory.cases, false, guess);
-        const GuessEnd end =
-            correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings), true, guess, memory.work);
+        const GuessEnd end = correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings),
+                                           true, guess, memory.work);
         settled = judge(mlcp, allowed, guess.lambda, solution) && end == GuessEnd::right;
         if (end == GuessEnd::limit) solution.status = Status::iteration_limit;
     } else {

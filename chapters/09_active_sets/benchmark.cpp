@@ -10,6 +10,7 @@
 
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/peers.hpp"
 #include "chapters/09_active_sets/problems.hpp"
 
@@ -112,12 +113,12 @@ void tell(benchmark::State& state, const Mlcp& mlcp, const Solution& solution, c
     state.counters["n"] = static_cast<Real>(mlcp.size());
     state.counters["residual"] = told(mlcp, solution.lambda);
     state.counters["solved"] = solution.status == Status::solved;
-    state.counters["factorisations"] = memory.factorisations;
-    state.counters["updates"] = memory.updates;
-    state.counters["flips"] = memory.flips;
-    state.counters["single_flips"] = memory.single_flips;
-    state.counters["outer_steps"] = memory.outer_steps;
-    state.counters["entries"] = static_cast<Real>(memory.entries);
+    state.counters["factorisations"] = memory.work.factorisations;
+    state.counters["updates"] = memory.work.updates;
+    state.counters["flips"] = memory.work.flips;
+    state.counters["guesses"] = memory.work.guesses;
+    state.counters["outer_steps"] = memory.work.outer_steps;
+    state.counters["entries"] = static_cast<Real>(memory.work.entries);
 }
 
 /// So many calls of work in a row that the clock does not count, and the time of one [µs].
@@ -245,19 +246,19 @@ void warm(benchmark::State& state, const Problem& problem)
         cold.run(mlcp);
         active_sets(mlcp, {}, memory, solution);
         again.add(time_of_one(calls, [&] { active_sets(mlcp, {}, memory, solution); }));
-        const int factorisations = memory.factorisations;
+        const int factorisations = memory.work.factorisations;
         cold_moved.run(moved);
         memory = yesterday;
         after_move.add(time_of_one(1, [&] { active_sets(moved, {}, memory, solution); }));
         memory = yesterday;
-        memory.factorisations = factorisations;
+        memory.work.factorisations = factorisations;
     }
     no_counters(state);
     tell(state, mlcp, cold.solution, cold.memory);
     state.counters["us"] = cold.fastest.us;
     state.counters["warm_us"] = again.us;
     state.counters["warm_ratio"] = cold.fastest.us / again.us;
-    state.counters["warm_factorisations"] = memory.factorisations;
+    state.counters["warm_factorisations"] = memory.work.factorisations;
     state.counters["moved_us"] = after_move.us;
     state.counters["moved_ratio"] = cold_moved.fastest.us / after_move.us;
 }

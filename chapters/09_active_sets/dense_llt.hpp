@@ -9,8 +9,8 @@
 #pragma once
 
 #include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/small_llt.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 #include <vector>
@@ -24,7 +24,8 @@ public:
         const Index n = mlcp.size();
         A_.setZero(n, n);
         for (Index i = 0; i < n; ++i)
-            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) A_(entry.col(), i) = entry.value();
+            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+                A_(entry.col(), i) = entry.value();
         if (L_.rows() != n) L_.resize(n, n);
         place_.resize(static_cast<std::size_t>(n));
         x_.resize(n);
@@ -59,8 +60,8 @@ public:
         const Index f = base(), k = size(changed_);
         auto z = x_.head(f);
         for (Index r = 0; r < f; ++r) z[r] = x[base_[index(r)]];
-        lower_solve(z);
-        if (k == 0) upper_solve(z);
+        lower_solve(L_, f, z);
+        if (k == 0) upper_solve(L_, f, z);
         else {
             //! [bordered]
             VecX y(k);  // (9.11): S y = c − Yᵀ z, then Lᵀ x = z − Y y
@@ -68,7 +69,7 @@ public:
                 y[c] = came_in(c) * x[changed_[index(c)]] - Y_.col(column_[index(c)]).head(f).dot(z);
             y = S_.solve(y);
             for (Index c = 0; c < k; ++c) z -= y[c] * Y_.col(column_[index(c)]).head(f);
-            upper_solve(z);
+            upper_solve(L_, f, z);
             //! [bordered]
             for (Index c = 0; c < k; ++c) x[changed_[index(c)]] = came_in(c) * y[c];
         }
@@ -113,13 +114,7 @@ private:
             for (Index r = c; r < f; ++r) L_(r, c) = column[base_[index(r)]];
             if (problem.shift.size() > 0) L_(c, c) += problem.shift[base_[index(c)]];
         }
-        if (f <= small) {
-            if (!small_factor(f)) return false;
-        } else {
-            Eigen::Ref<MatX> block = L_.topLeftCorner(f, f);
-            const Eigen::LLT<Eigen::Ref<MatX>> llt(block);
-            if (llt.info() != Eigen::Success) return false;
-        }
+        if (!llt_in_place(L_, f)) return false;
         for (Index r = 0; r < f; ++r) {
             const Index i = base_[index(r)];
             const Real nothing =
@@ -159,15 +154,17 @@ private:
                 y.setZero();
                 y[place_[index(i)]] = std::sqrt(problem.diagonal[i]);
             }
-            lower_solve(y);
+            lower_solve(L_, f, y);
             slots_.push_back(i);
         }
-        MatX S(k, k);  // S = D − Yᵀ Y
+        MatX& S = schur_;
+        S.resize(k, k);  // S = D − Yᵀ Y
         for (Index c = 0; c < k; ++c)
             for (Index d = 0; d <= c; ++d) {
                 const Index i = changed_[index(c)], j = changed_[index(d)];
                 Real entry = in_[index(c)] * in_[index(d)] * A_(i, j);
-                if (i == j && problem.shift.size() > 0) entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
+                if (i == j && problem.shift.size() > 0)
+                    entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
                 entry -= Y_.col(column_[index(c)]).head(f).dot(Y_.col(column_[index(d)]).head(f));
                 S(c, d) = S(d, c) = entry;
             }
@@ -178,50 +175,10 @@ private:
     }
     //! [border]
 
-    bool small_factor(Index f)
-    {
-        for (Index c = 0; c < f; ++c) {
-            for (Index j = 0; j < c; ++j) {
-                const Real l = L_(c, j);
-                if (l == 0) continue;
-                for (Index r = c; r < f; ++r) L_(r, c) -= l * L_(r, j);
-            }
-            if (!(L_(c, c) > 0)) return false;
-            L_(c, c) = std::sqrt(L_(c, c));
-            const Real inverse = 1 / L_(c, c);
-            for (Index r = c + 1; r < f; ++r) L_(r, c) *= inverse;
-        }
-        return true;
-    }
+    static constexpr Real rank_tolerance = 1e-11;  ///< share of A_ii that a pivot must keep
 
-    template <class Vector>
-    void lower_solve(Vector&& z) const
-    {
-        const Index f = base();
-        if (f > small) L_.topLeftCorner(f, f).triangularView<Eigen::Lower>().solveInPlace(z);
-        else
-            for (Index c = 0; c < f; ++c) {
-                z[c] /= L_(c, c);
-                for (Index r = c + 1; r < f; ++r) z[r] -= L_(r, c) * z[c];
-            }
-    }
-    template <class Vector>
-    void upper_solve(Vector&& z) const
-    {
-        const Index f = base();
-        if (f > small) L_.topLeftCorner(f, f).triangularView<Eigen::Lower>().transpose().solveInPlace(z);
-        else
-            for (Index c = f; c-- > 0;) {
-                for (Index r = c + 1; r < f; ++r) z[c] -= L_(r, c) * z[r];
-                z[c] /= L_(c, c);
-            }
-    }
-
-    static constexpr Index small = 32;               ///< up to here plain loops are faster
-    static constexpr Real rank_tolerance = 1e-11;    ///< share of A_ii that a pivot must keep
-
-    MatX A_, L_, Y_;
-    std::vector<Index> base_, place_;       ///< the rows of the factor; of a row, its place there or -1
+    MatX A_, L_, Y_, schur_;
+    std::vector<Index> base_, place_;  ///< the rows of the factor; of a row, its place there or -1
     std::vector<Index> slots_, changed_, column_;  ///< rows that Y has a column for; rows that differ now
     std::vector<Real> in_;
     Eigen::PartialPivLU<MatX> S_;

@@ -28,24 +28,24 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
                  ActiveSetWork& work)
 {
     const Mlcp& mlcp = *problem.mlcp;
-    VecX here = guess.lambda, trial, trial_w;
+    VecX &here = guess.here, &trial = guess.trial, &way = guess.way;
+    here = guess.lambda;
     clamp_into_bounds(mlcp, here);
-    for (int tried = 0; tried < limit;) {
+    while (work.guesses < limit) {
         for (int k = 0; k < visits; ++k) visit_rows(problem, here);
         velocities(problem, factor, here, guess.w);
         Real now = merit(problem, here, guess.w);
-        for (bool arrived = false; !arrived && tried < limit; ++tried) {
+        for (bool arrived = false; !arrived && work.guesses < limit;) {
             cases_of(mlcp, here, guess.cases);
             ++work.guesses;
             ++work.descents;
             if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
             solve_guess(problem, factor, guess);
             if (!guess.lambda.allFinite()) return GuessEnd::singular;
-            find_wrong(problem, guess);
             if (guess.wrong.empty()) return GuessEnd::right;
 
             // The part of the way to the lowest point of the face that no bound interrupts: always downhill.
-            const VecX way = guess.lambda - here;
+            way = guess.lambda - here;
             Real free_way = 1;
             for (const Index i : guess.wrong)
                 if (way[i] < 0) free_way = std::min(free_way, (mlcp.lo[i] - here[i]) / way[i]);
@@ -56,8 +56,8 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
                 if (last) share = free_way;
                 trial = here + share * way;
                 clamp_into_bounds(mlcp, trial);
-                velocities(problem, factor, trial, trial_w);
-                const Real there = merit(problem, trial, trial_w);
+                velocities(problem, factor, trial, guess.w);
+                const Real there = merit(problem, trial, guess.w);
                 if (!last && !(there < now)) continue;
                 now = there;
                 break;

@@ -18,15 +18,15 @@ namespace rigid {
 
 class Elimination {
 public:
-    std::vector<int> order;      ///< order[k]: the row that is eliminated k-th
-    std::vector<int> row_begin;  ///< n + 1: row k of L has its entries in row_columns from here
-    std::vector<int> row_columns;    ///< an order in which no column comes before one that it depends on
-    std::vector<int> column_begin;   ///< n + 1: room for the entries of each column
-    std::vector<int> lower_begin;    ///< n + 1: entries of A left of the diagonal of row k …
-    std::vector<int> lower_column;   ///< … their places in the order …
-    std::vector<int> lower_value;    ///< … and where A has their values
-    std::vector<int> diagonal_value; ///< the same for the diagonal; -1 = A has none
-    bool analysed = false;  ///< whether the last look() had to work
+    std::vector<int> order;           ///< order[k]: the row that is eliminated k-th
+    std::vector<int> row_begin;       ///< n + 1: row k of L has its entries in row_columns from here
+    std::vector<int> row_columns;     ///< an order in which no column comes before one that it depends on
+    std::vector<int> column_begin;    ///< n + 1: room for the entries of each column
+    std::vector<int> lower_begin;     ///< n + 1: entries of A left of the diagonal of row k …
+    std::vector<int> lower_column;    ///< … their places in the order …
+    std::vector<int> lower_value;     ///< … and where A has their values
+    std::vector<int> diagonal_value;  ///< the same for the diagonal; -1 = A has none
+    bool analysed = false;            ///< whether the last look() had to work
 
     Index size() const { return static_cast<Index>(order.size()); }
     Index entries() const { return static_cast<Index>(row_columns.size()); }

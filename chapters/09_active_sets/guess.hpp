@@ -9,6 +9,7 @@
 
 #include "chapters/03_mlcp_formulation/cases.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -30,9 +31,9 @@ struct ActiveSetWork {
 /// The problem as the guesses see it: A + diag(shift), and a q of its own. Rows are measured in m/s.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
-    VecX q;         ///< that of the problem, or of a proximal step (9.12)
-    VecX shift;     ///< ε A_ii of the proximal step, or zero
-    VecX diagonal;  ///< A_ii; 1 where it is not positive
+    VecX q;              ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;          ///< ε A_ii of the proximal step, or zero
+    VecX diagonal;       ///< A_ii; 1 where it is not positive
     Real tolerance = 0;  ///< a row that is wrong by less than this is right [m/s]
 };
 
@@ -40,6 +41,7 @@ struct GuessedProblem {
 struct Guess {
     std::vector<RowCase> cases;
     VecX lambda, w, step;
+    VecX here, trial, way;     ///< room for the descent
     std::vector<Index> wrong;  ///< rows whose case does not fit what came out
 };
 
@@ -47,7 +49,8 @@ enum class GuessEnd { right, singular, limit };
 
 //! [correct]
 /// (9.4): the case that a row should have, by what its own case led to.
-inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w, Real tolerance)
+inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w,
+                         Real tolerance)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const Real allowed = tolerance / problem.diagonal[i];
@@ -79,7 +82,8 @@ inline Real active_residual(const Guess& guess)
 {
     Real largest = 0;
     for (Index i = 0; i < guess.w.size(); ++i)
-        if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between && !(std::abs(guess.w[i]) <= largest))
+        if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between &&
+            !(std::abs(guess.w[i]) <= largest))
             largest = std::abs(guess.w[i]);
     return largest;
 }
@@ -95,8 +99,24 @@ void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
     velocities(problem, factor, guess.lambda, guess.w);
 }
 
+/// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
+/// \param hidden  what is left of the active rows' w: a row that is wrong by less than that may yet be right
+inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
+{
+    const Index n = guess.w.size();
+    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.diagonal).lpNorm<Eigen::Infinity>() : 0;
+    const Real tolerance =
+        std::max({problem.tolerance, 10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest});
+    guess.wrong.clear();
+    for (Index i = 0; i < n; ++i) {
+        const RowCase now = guess.cases[static_cast<std::size_t>(i)];
+        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now)
+            guess.wrong.push_back(i);
+    }
+}
+
 //! [solve]
-/// (9.2): λ and w of the guess. The factor must be that of guess.cases.
+/// (9.2): λ and w of the guess, and which rows they show to be wrong. The factor must be that of guess.cases.
 template <class Factor>
 void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 {
@@ -110,41 +130,34 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
     if (zero) guess.w = problem.q;
     else velocities(problem, factor, guess.lambda, guess.w);
     improve(problem, factor, guess);
-    // What rounding has left is looked at, and solved for once more where it could turn a sign.
-    if (active_residual(guess) > 0.01 * problem.tolerance) improve(problem, factor, guess);
-}
-//! [solve]
-
-/// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
-inline void find_wrong(const GuessedProblem& problem, Guess& guess)
-{
-    const Index n = guess.w.size();
-    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.diagonal).lpNorm<Eigen::Infinity>() : 0;
-    const Real tolerance =
-        std::max(problem.tolerance, 4 * std::numeric_limits<Real>::epsilon() * largest);
-    guess.wrong.clear();
-    for (Index i = 0; i < n; ++i) {
-        const RowCase now = guess.cases[static_cast<std::size_t>(i)];
-        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now) guess.wrong.push_back(i);
+    Real left = active_residual(guess);
+    if (left > 1e4 * problem.tolerance) {
+        improve(problem, factor, guess);
+        left = active_residual(guess);
+    }
+    find_wrong(problem, left, guess);
+    if (guess.wrong.empty() && left > 0.01 * problem.tolerance) {  // nothing large is wrong: look closer
+        improve(problem, factor, guess);
+        find_wrong(problem, 0, guess);
     }
 }
+//! [solve]
 
 //! [loop]
 /// Corrects the guess until nothing is wrong. `singular`: the active rows of some guess depend on each other.
 /// \param patience  flips of all wrong rows without fewer of them, before one row at a time
-/// \param limit     of guesses
+/// \param limit     of work.guesses
 template <class Factor>
 GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
                        Guess& guess, ActiveSetWork& work)
 {
     std::size_t fewest = guess.cases.size() + 1;
     int chances = patience;
-    for (int tried = 0; tried < limit; ++tried) {
+    while (work.guesses < limit) {
         ++work.guesses;
         if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
         solve_guess(problem, factor, guess);
         if (!guess.lambda.allFinite()) return GuessEnd::singular;
-        find_wrong(problem, guess);
         if (guess.wrong.empty()) return GuessEnd::right;
 
         bool all = true;

@@ -12,6 +12,7 @@
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/05_lemke/stewart_trinkle.hpp"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -93,6 +94,15 @@ inline BoxPile box_pyramid(Index levels)
     return pile;
 }
 
+/// The two ends of the line on which a pair touches [m].
+inline std::array<Vec2, 2> ends_of_contact(const BoxPile& pile, const BoxPile::Stands& pair)
+{
+    const Vec2 upper = pile.centre[static_cast<std::size_t>(pair.above)];
+    const Vec2 lower = pair.below == world ? upper : pile.centre[static_cast<std::size_t>(pair.below)];
+    return {Vec2(std::max(lower.x(), upper.x()) - 0.5, upper.y() - 0.5),
+            Vec2(std::min(lower.x(), upper.x()) + 0.5, upper.y() - 0.5)};
+}
+
 /// The row of one direction at one point p of a contact, with the lever arms of p on both boxes.
 inline Row<3> pile_row(const BoxPile& pile, const VecX& inverse_mass, const BoxPile::Stands& pair,
                        const Vec2& direction, const Vec2& p)
@@ -124,13 +134,10 @@ inline RowProblem<3> pile_problem(const BoxPile& pile, const Motion& motion, Rea
         problem.u_star[3 * k + 1] -= motion.fall;
     }
     for (const BoxPile::Stands& pair : pile.stands) {
-        const Vec2 upper = at(pile.centre, pair.above);
-        const Vec2 lower = pair.below == world ? upper : at(pile.centre, pair.below);
-        const Real y = upper.y() - 0.5;
-        for (const Real x : {std::max(lower.x(), upper.x()) - 0.5, std::min(lower.x(), upper.x()) + 0.5}) {
-            problem.rows.push_back(pile_row(pile, inverse_mass, pair, {0, 1}, {x, y}));
+        for (const Vec2& p : ends_of_contact(pile, pair)) {
+            problem.rows.push_back(pile_row(pile, inverse_mass, pair, {0, 1}, p));
             if (!(friction > 0)) continue;
-            Row<3> row = pile_row(pile, inverse_mass, pair, {1, 0}, {x, y});
+            Row<3> row = pile_row(pile, inverse_mass, pair, {1, 0}, p);
             row.hi = friction * above * motion.fall / 2;
             row.lo = -row.hi;
             problem.rows.push_back(row);

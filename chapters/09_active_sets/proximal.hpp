@@ -54,8 +54,8 @@ inline bool proves_infeasible(const Mlcp& mlcp, VecX& v, VecX& image)
 
 /// Corrects the guess; if that makes no progress, descends.
 template <class Factor>
-GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int patience, int limit, Guess& guess,
-                          ActiveSetWork& work)
+GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int patience, int limit,
+                          Guess& guess, ActiveSetWork& work)
 {
     const GuessEnd end = correct_guess(problem, factor, patience, limit, false, guess, work);
     if (end != GuessEnd::limit) return end;
@@ -97,7 +97,8 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
             memory.image.resize(mlcp.size());
             if (proves_infeasible(mlcp, memory.direction, memory.image)) return ProximalEnd::infeasible;
         }
-        if (residual > allowed && !(residual <= 0.01 * last) && share > 1e-11) {  // too slow: a smaller term is gone sooner
+        if (residual > allowed && !(residual <= 0.01 * last) &&
+            share > 1e-11) {  // too slow: a smaller term is gone sooner
             share *= 0.01;
             problem.shift = share * problem.diagonal;
             factor.forget();

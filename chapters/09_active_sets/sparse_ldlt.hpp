@@ -133,7 +133,7 @@ private:
     std::vector<int> row_, filled_, active_;  ///< of the entries of L, column by column
     std::vector<Real> value_;
     VecX pivot_;
-    mutable VecX y_;                ///< all zero between calls
+    mutable VecX y_;                 ///< all zero between calls
     std::vector<RowCase> factored_;  ///< the cases that the factor is of
 };
 

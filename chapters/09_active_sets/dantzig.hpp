@@ -1,0 +1,49 @@
+/// \file dantzig.hpp
+/// Principal pivoting one row at a time: the drive of dantzig_drive.hpp as a solver.
+#pragma once
+
+#include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/09_active_sets/dantzig_drive.hpp"
+
+namespace rigid {
+
+/// Solves an MLCP with a symmetric A, one row at a time. `iterations` counts pivots.
+/// \throws std::invalid_argument  for a malformed problem, settings that make no sense, or an A that is not
+///                                symmetric
+inline void dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
+                    Solution& solution)
+{
+    require_valid(mlcp);
+    require_valid(settings);
+    if (!is_symmetric(mlcp.A, memory.cursor))
+        throw std::invalid_argument("A is not symmetric; Dantzig's method with L D Lᵀ needs A[i,j] = A[j,i]");
+    memory.work = {};
+    memory.guess.step.resize(mlcp.size());
+    const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
+    DantzigDrive drive(mlcp, settings.limit > 0 ? settings.limit : 1000 + 10 * static_cast<int>(mlcp.size()));
+    const DantzigDrive::Place place = drive.run();
+    solution.uniqueness = Uniqueness::not_examined;
+    const bool right = judge(mlcp, allowed, drive.lambda, solution);
+    if (place == DantzigDrive::Place::limit) solution.status = Status::iteration_limit;
+    if (place == DantzigDrive::Place::ray) {
+        VecX v = drive.direction(), image(mlcp.size());
+        solution.status = proves_infeasible(mlcp, v, image) ? Status::infeasible : Status::ray_termination;
+    }
+    if (place == DantzigDrive::Place::right && !right) solution.status = Status::singular;
+    solution.iterations = drive.pivots;
+    memory.work.flips = memory.work.single_flips = drive.pivots;
+    memory.guess.lambda = drive.lambda;
+    memory.guess.w = drive.w;
+    memory.guess.wrong.clear();
+    memory.cases = memory.guess.cases = drive.cases;
+}
+
+inline Solution dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings = {})
+{
+    ActiveSetMemory memory;
+    Solution solution;
+    dantzig(mlcp, settings, memory, solution);
+    return solution;
+}
+
+}  // namespace rigid

@@ -1,0 +1,144 @@
+/// \file friction_boxes.hpp
+/// Friction rows whose bounds follow another row: −μ λ_n ≤ λ_f ≤ μ λ_n.
+///
+/// The bounds are part of the guess. Fix them, solve, read the new λ_n, and again (9.20); when the cases stand
+/// still, one linear system with λ_f = ±μ λ_n put in for the rows that slide gives all of them at once (9.21).
+/// Only called solved if the natural residual with the bounds of the answer itself is small. A is symmetric,
+/// but the whole problem is not an MLCP: it may have several answers or none.
+#pragma once
+
+#include "chapters/09_active_sets/active_sets.hpp"
+
+#include <Eigen/SparseLU>
+#include <span>
+#include <vector>
+
+namespace rigid {
+
+/// Row `row` is bounded by ±mu times the λ of row `normal`.
+struct FrictionBox {
+    Index row = 0, normal = 0;
+    Real mu = 0;
+};
+
+//! [bounds]
+/// The bounds that the λ of the normal rows leave to the others.
+inline void bound_by(std::span<const FrictionBox> boxes, const VecX& lambda, Mlcp& mlcp)
+{
+    for (const FrictionBox& box : boxes) {
+        mlcp.hi[box.row] = box.mu * std::max(lambda[box.normal], Real{0});
+        mlcp.lo[box.row] = -mlcp.hi[box.row];
+    }
+}
+//! [bounds]
+
+/// (9.21): the λ of a guess in which the rows that slide follow their normal rows.
+inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
+                       const std::vector<RowCase>& cases, VecX& lambda)
+{
+    const Index n = mlcp.size();
+    const auto at = [](auto& list, Index i) -> auto& { return list[static_cast<std::size_t>(i)]; };
+    std::vector<Index> place(static_cast<std::size_t>(n), -1), active;
+    for (Index i = 0; i < n; ++i)
+        if (at(cases, i) == RowCase::between) {
+            at(place, i) = static_cast<Index>(active.size());
+            active.push_back(i);
+        }
+    // λ = fixed + T λ_F
+    std::vector<Eigen::Triplet<Real>> tie;
+    VecX fixed = VecX::Zero(n);
+    for (Index i = 0; i < n; ++i) {
+        if (at(place, i) >= 0) tie.emplace_back(static_cast<int>(i), static_cast<int>(at(place, i)), 1);
+        else fixed[i] = at(cases, i) == RowCase::at_lo ? mlcp.lo[i] : mlcp.hi[i];
+    }
+    for (const FrictionBox& box : boxes) {
+        if (at(place, box.row) >= 0 || at(place, box.normal) < 0) continue;
+        fixed[box.row] = 0;
+        tie.emplace_back(static_cast<int>(box.row), static_cast<int>(at(place, box.normal)),
+                         at(cases, box.row) == RowCase::at_lo ? -box.mu : box.mu);
+    }
+    const auto f = static_cast<Index>(active.size());
+    if (f == 0) return false;
+    Eigen::SparseMatrix<Real> T(n, f);
+    T.setFromTriplets(tie.begin(), tie.end());
+    const Eigen::SparseMatrix<Real, Eigen::RowMajor> AT = mlcp.A * T;
+    const VecX w = mlcp.A * fixed + mlcp.q;
+    std::vector<Eigen::Triplet<Real>> entries;
+    VecX right(f);
+    for (Index k = 0; k < f; ++k) {
+        right[k] = -w[at(active, k)];
+        for (Eigen::SparseMatrix<Real, Eigen::RowMajor>::InnerIterator entry(AT, at(active, k)); entry;
+             ++entry)
+            entries.emplace_back(static_cast<int>(k), static_cast<int>(entry.col()), entry.value());
+    }
+    Eigen::SparseMatrix<Real> system(f, f);
+    system.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SparseLU<Eigen::SparseMatrix<Real>> lu(system);
+    if (lu.info() != Eigen::Success) return false;
+    VecX x = lu.solve(right);
+    x += lu.solve(VecX(right - system * x));
+    const VecX tied = fixed + T * x;
+    if (!tied.allFinite()) return false;
+    lambda = tied;
+    return true;
+}
+
+//! [boxes]
+/// Solves a problem with friction boxes; the bounds that mlcp gives for their rows are not looked at.
+/// `iterations` counts the guesses of all rounds.
+/// \param boxes  of rows that exist, each row at most once, mu ≥ 0
+/// \throws std::invalid_argument  for a malformed problem, box or setting
+inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
+                        const ActiveSetSettings& settings, ActiveSetMemory& memory, Solution& solution)
+{
+    const Index n = mlcp.size();
+    for (const FrictionBox& box : boxes)
+        if (box.row < 0 || box.row >= n || box.normal < 0 || box.normal >= n || box.row == box.normal ||
+            !(box.mu >= 0) || !std::isfinite(box.mu))
+            throw std::invalid_argument("a friction box for row " + std::to_string(box.row) + " by row " +
+                                        std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
+                                        "; rows go from 0 to " + std::to_string(n - 1) +
+                                        ", mu is at least 0");
+    Mlcp fixed = mlcp;
+    solution.lambda.setZero(n);
+    bound_by(boxes, solution.lambda, fixed);  // first without friction
+    std::vector<RowCase> last;
+    int guesses = 0;
+    for (int round = 0; round < 200; ++round) {
+        active_sets(fixed, settings, memory, solution);
+        guesses += solution.iterations;
+        solution.iterations = guesses;
+        if (solution.status != Status::solved) return;
+        const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
+        bound_by(boxes, solution.lambda, fixed);
+        solution.residual = natural_residual(fixed, solution.lambda);  // by the bounds of this very λ
+        const bool right = solution.residual <= allowed;
+        VecX tied;
+        if ((right || memory.cases == last) && solve_tied(fixed, boxes, memory.cases, tied)) {
+            Mlcp own = fixed;
+            bound_by(boxes, tied, own);
+            clamp_into_bounds(own, tied);
+            const Real residual = natural_residual(own, tied);
+            if (right && residual < solution.residual) {
+                solution.lambda = tied;
+                solution.residual = residual;
+            }
+            fixed = own;
+        }
+        if (right) return;
+        solution.status = Status::iteration_limit;
+        last = memory.cases;
+    }
+}
+//! [boxes]
+
+inline Solution active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
+                            const ActiveSetSettings& settings = {})
+{
+    ActiveSetMemory memory;
+    Solution solution;
+    active_sets(mlcp, boxes, settings, memory, solution);
+    return solution;
+}
+
+}  // namespace rigid

@@ -1,0 +1,113 @@
+/// \file guess_walk.hpp
+/// A guess on its way, alive: one correction per step of the program.
+#pragma once
+
+#include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
+#include "common/program/program.hpp"
+
+#include <memory>
+
+namespace rigid {
+
+/// A guess on its way: what the solver has after so many corrections. It is asked anew each time, with that
+/// many allowed: a solver depends on its arguments alone, so it comes the same way, one correction further.
+struct GuessWalk {
+    Mlcp problem;
+    std::string method;
+    int allowed = 1;      ///< corrections that the solver may make
+    int corrections = 0;  ///< and did
+    ActiveSetMemory memory;
+    Solution solution;           ///< what the guess led to
+    std::vector<RowCase> cases;  ///< the guess itself
+
+    GuessWalk(Mlcp mlcp, std::string solver) : problem(std::move(mlcp)), method(std::move(solver))
+    {
+        solve(1);
+    }
+
+    bool done() const { return solution.status != Status::iteration_limit; }
+    //! [one_correction]
+    void step()
+    {
+        if (!done()) solve(++allowed);
+    }
+    void to_the_end() { solve(0); }
+    //! [one_correction]
+
+    /// What is guessed of row i: what its present λ was solved with.
+    RowCase guess(Index i) const { return cases[static_cast<std::size_t>(i)]; }
+    Real w(Index i) const
+    {
+        Real sum = problem.q[i];
+        for (SparseMatrix::InnerIterator entry(problem.A, i); entry; ++entry)
+            sum += entry.value() * solution.lambda[entry.col()];
+        return sum;
+    }
+    /// The row contradicts its guess: an active one pulls, or one that was let go is pushed through.
+    bool wrong(Index i) const
+    {
+        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), lambda = solution.lambda[i];
+        const Real a = problem.A.coeff(i, i);
+        if (guess(i) == RowCase::at_lo) return w(i) < -tiny;
+        if (guess(i) == RowCase::at_hi) return w(i) > tiny;
+        return a * (problem.lo[i] - lambda) > tiny || a * (lambda - problem.hi[i]) > tiny;
+    }
+    Index count(RowCase which) const
+    {
+        return static_cast<Index>(std::count(cases.begin(), cases.end(), which));
+    }
+    Index count_wrong() const
+    {
+        Index sum = 0;
+        for (Index i = 0; i < problem.size(); ++i) sum += wrong(i);
+        return sum;
+    }
+
+    static std::vector<Column> columns()
+    {
+        return {{"corrections", "", "corrections of the guess so far", false, false},
+                {"wrong", "", "rows that contradict the guess", true, false},
+                {"active", "", "rows that the guess holds at w = 0", true, false},
+                {"residual", "m/s", "natural residual of the present impulses", true, true},
+                {"factorisations", "", "of the active rows, anew", false, false},
+                {"flips", "", "rows that changed their case, all corrections together", false, false},
+                {"rows", "", "n", false, false},
+                {"status", "", "0 solved, 1 still guessing, 2 … 4 ray, infeasible, singular", false, false}};
+    }
+    std::vector<Real> measure() const
+    {
+        return {static_cast<Real>(corrections),
+                static_cast<Real>(count_wrong()),
+                static_cast<Real>(count(RowCase::between)),
+                std::isfinite(solution.residual) ? solution.residual : 0,
+                static_cast<Real>(memory.work.factorisations),
+                static_cast<Real>(memory.work.flips),
+                static_cast<Real>(problem.size()),
+                static_cast<Real>(solution.status)};
+    }
+    std::string told() const
+    {
+        const std::string name = std::to_string(corrections) + (corrections == 1 ? " solve: " : " solves: ");
+        if (done()) return name + std::string(to_string(solution.status));
+        return name + std::to_string(count_wrong()) + " of " + std::to_string(problem.size()) +
+               " rows are wrong";
+    }
+
+private:
+    void solve(int limit)
+    {
+        // The guess of this correction is what the one before has left behind.
+        if (corrections == 0) begin(problem, {}, cases);
+        else cases = memory.cases;
+        ActiveSetSettings settings;
+        settings.limit = limit;
+        memory = {};
+        if (method == "dantzig") dantzig(problem, settings, memory, solution);
+        else active_sets(problem, settings, memory, solution);
+        if (done()) cases = memory.cases;
+        corrections = solution.iterations;
+    }
+};
+
+}  // namespace rigid
