@@ -1011,3 +1011,5 @@ TEST_CASE("settings that make no sense are refused")
     CHECK(sentence([](auto& s) { s.substeps = 0; }) == "substeps is 0; it must be 1 or more");
     CHECK(sentence([](auto& s) { s.h = 0; }).find("time step") != std::string::npos);
 }
+
+#include "tests/08_small_steps.hpp"

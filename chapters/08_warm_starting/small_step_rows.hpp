@@ -25,26 +25,27 @@ struct SmallStepSettings {
     Real margin = 0.02;           ///< a contact gets its row when its gap is below this [m]
     bool collides = true;         ///< false: nothing ever touches, and nobody looks
     bool coloured = true;         ///< neighbours in the order of the visits share no body
-    /// What repays the error after the last substep: β, slops, fastest and the number of sweeps are read. An overlap
-    /// of half a millimetre is left alone: moving discs that nearly balance topples them.
+    /// What repays the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
+    /// millimetre is left alone: moving discs that nearly balance topples them.
     StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
 };
 
-/// What stays from step to step. All memory is kept.
+/// What stays from step to step. All memory is kept. It belongs to one scene: whoever changes masses or links
+/// sets forget_rows.
 struct SmallStep {
     std::vector<Contact> contacts;
     std::vector<ImpulseKey> keys, keys_before;
-    ImpulseCache cache;  ///< its h is 0 until there is a yesterday
-    VecX start;          ///< λ by the number of the row [N s]
-    std::vector<SolverRow<2>>
-        rows;                ///< in the order of the visits; a wall's row has its own disc as a, with J = 0
-    std::vector<Real> rest;  ///< distance at which C = 0, in the same order [m]
-    std::vector<int> order, place;  ///< row number of each visit; and where each row number is visited
-    std::vector<Row<2>> bodies;     ///< bodies and M⁻¹ of the rows as given: all that colours depend on
+    ImpulseCache cache;              ///< its h is 0 until there is a yesterday
+    VecX start;                      ///< λ by the number of the row [N s]
+    std::vector<SolverRow<2>> rows;  ///< in the order of the visits
+    std::vector<Real> rest;          ///< distance at which C = 0, in the same order [m]
+    std::vector<int> order, place;   ///< row number of each visit; and where each row number is visited
+    std::vector<Row<2>> bodies;      ///< bodies and M⁻¹ of the rows as given: all that colours depend on
     Colouring colouring;
-    VecX u;                  ///< [m/s]
-    int sweeps = 0;          ///< of the last step
-    bool same_rows = false;  ///< nothing came or went since the step before
+    VecX u;                    ///< [m/s]
+    int sweeps = 0;            ///< of the last step
+    bool same_rows = false;    ///< nothing came or went since the step before
+    bool forget_rows = false;  ///< in: make the rows anew though they may be the same; for one step
 };
 
 /// The two bodies of a row by its number: links first, then contacts.
@@ -105,6 +106,9 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     if (settings.substeps < 1 || settings.sweeps < 1)
         throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
                                     std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
+    if (settings.repay.beta != 1)
+        throw std::invalid_argument("beta is " + std::to_string(settings.repay.beta) +
+                                    "; small steps repay the whole error, so it must be 1");
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();
     now.contacts.clear();
@@ -114,7 +118,7 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     for (std::size_t i = 0; i < links; ++i) now.keys.push_back(joint_key(i));
     for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));
 
-    now.same_rows = now.cache.h == h && now.keys == now.keys_before;
+    now.same_rows = !std::exchange(now.forget_rows, false) && now.cache.h == h && now.keys == now.keys_before;
     if (!now.same_rows) change_rows(scene, settings, h, now);
     now.cache.h = h;
 

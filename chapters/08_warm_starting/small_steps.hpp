@@ -6,10 +6,11 @@
 ///     n ×:    u += h g;  C, J, b;  u += M⁻¹ Jᵀ λ;  a sweep;  x += h u         (h: a substep)
 ///     once:   projection
 ///
-/// The answer is that of warm_step() with n substeps and Stabilizer::none, and of project_positions() after it, to
-/// rounding; a test holds it to that. Left out is what does not change within a step, and the way from Constraint
-/// to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are yesterday's, no key
-/// is looked up and no colour chosen: λ is where it was.
+/// The answer is warm_step()'s with the same substeps and sweeps and a projection at the end (`repay_once`, no slop),
+/// to rounding: a test holds it to that. Left out is what does not change within a step, and the way from
+/// Constraint to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are
+/// yesterday's, no key is looked up and no colour chosen: λ is where it was. Bends, restitution, a hand that pulls and
+/// motors are warm_step()'s alone.
 #pragma once
 
 #include "chapters/08_warm_starting/small_step_rows.hpp"

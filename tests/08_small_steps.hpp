@@ -1,0 +1,304 @@
+/// Chapter 8, the second half of 08_warm_starting.cpp: small steps, and how they and other engines are measured.
+
+#pragma once
+
+#include "tests/no_allocation.hpp"
+
+#include "chapters/08_warm_starting/pose_errors.hpp"
+#include "chapters/08_warm_starting/small_steps.hpp"
+#include "chapters/08_warm_starting/warm_step.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+
+#include <bit>
+#include <limits>
+
+namespace rigid::small_steps_tests {
+
+inline EngineScene engine_scene(const std::string& name)
+{
+    for (EngineScene& scene : engine_scenes())
+        if (scene.name == name) return scene;
+    throw std::invalid_argument("there is no scene " + name);
+}
+
+/// Discs that fall over each other between walls; some pairs are linked.
+inline DiscScene heap(Random& random)
+{
+    const Index count = 4 + random.index(8);
+    DiscScene scene;
+    scene.bodies = Bodies<2>(count);
+    scene.radius.resize(count);
+    for (Index k = 0; k < count; ++k) {
+        scene.bodies.position(k) << random.uniform(-0.3, 0.3), 0.15 + 0.17 * static_cast<Real>(k);
+        scene.bodies.velocity(k) << random.uniform(-1, 1), random.uniform(-1, 1);
+        scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.2, 5));
+        scene.radius[k] = random.uniform(0.05, 0.12);
+    }
+    for (Index k = 0; k + 1 < count; k += 3)
+        scene.links.push_back({k, k + 1, (scene.bodies.position(k + 1) - scene.bodies.position(k)).norm()});
+    scene.walls = {{{0, 1}, 0}, {{1, 0}, -0.45}, {{-1, 0}, -0.45}};
+    link_neighbours(scene);
+    return scene;
+}
+
+/// warm_step()'s settings for what small steps do.
+inline WarmStepSettings same_settings(const SmallStepSettings& small)
+{
+    WarmStepSettings warm;
+    warm.h = small.h;
+    warm.gravity = small.gravity;
+    warm.margin = small.margin;
+    warm.substeps = small.substeps;
+    warm.sweeps.max_sweeps = small.sweeps;
+    warm.order = small.coloured ? Order::coloured : Order::given;
+    warm.start = Start::yesterday;
+    warm.stabilizer = small.repay;
+    warm.repay_once = true;
+    return warm;
+}
+
+inline VecX run_small(DiscScene scene, const SmallStepSettings& settings, int steps)
+{
+    SmallStep now;
+    for (int k = 0; k < steps; ++k) small_steps(scene, settings, now);
+    return scene.bodies.x;
+}
+
+inline PoseErrors watched(const EngineScene& from, SmallStepSettings settings, int steps)
+{
+    settings.gravity = from.scene.gravity;
+    settings.collides = from.collides;
+    PoseWatch watch(from, steps, settings.h);
+    SmallStep now;
+    DiscScene scene = from.scene;
+    for (int k = 0; k < steps; ++k) {
+        small_steps(scene, settings, now);
+        watch.look(scene);
+    }
+    return watch.errors;
+}
+
+TEST_CASE("small steps are the warm step with nothing computed twice")
+{
+    Random random(81);
+    int rows_changed = 0;
+    for (int sample = 0; sample < 60; ++sample) {
+        DiscScene small = heap(random), warm = small;
+        SmallStepSettings settings = sample % 2 ? careful_steps() : quick_steps();
+        settings.first_sweeps = 0;  // the warm step has no such thing
+        settings.sweeps = 1 + sample % 3;
+        settings.coloured = sample % 4 < 2;
+        settings.repay.slop = 0;            // what a row inside its slop takes from its neighbours, and
+        settings.repay.fastest = infinity;  // how a limit is shared among visits, is each step's own
+        const WarmStepSettings same = same_settings(settings);
+        SmallStep now;
+        WarmStep other;
+        for (int k = 0; k < 12; ++k) {
+            small_steps(small, settings, now);
+            warm_step(warm, same, other);
+            rows_changed += now.same_rows ? 0 : 1;
+        }
+        CAPTURE(sample);
+        // Rounding errors of 1e-16 grow with each impact of a heap.
+        CHECK((small.bodies.x - warm.bodies.x).lpNorm<Eigen::Infinity>() < 1e-10);
+        CHECK((small.bodies.u - warm.bodies.u).lpNorm<Eigen::Infinity>() < 1e-8);
+    }
+    CHECK(rows_changed > 200);  // contacts came and went
+}
+
+TEST_CASE("rows that are kept because nothing came or went give the same bits as rows made anew")
+{
+    for (const char* name : {"hanging_10_10", "column_10_100", "triangle_10"}) {
+        const EngineScene from = engine_scene(name);
+        SmallStepSettings settings = quick_steps();
+        settings.first_sweeps = 3;
+        DiscScene kept = from.scene, anew = from.scene;
+        SmallStep now, other;
+        int kept_steps = 0;
+        for (int k = 0; k < 60; ++k) {
+            small_steps(kept, settings, now);
+            kept_steps += now.same_rows ? 1 : 0;
+            other.forget_rows = true;
+            small_steps(anew, settings, other);
+            REQUIRE(!other.same_rows);
+        }
+        CAPTURE(name);
+        CHECK(kept_steps > 50);
+        CHECK(kept.bodies.x == anew.bodies.x);
+        CHECK(kept.bodies.u == anew.bodies.u);
+    }
+}
+
+TEST_CASE("a small step asks for no memory once it has seen the scene")
+{
+    for (const char* name : {"swinging_10_10", "column_20_1", "triangle_10"})
+        for (const bool forget : {false, true}) {
+            const EngineScene from = engine_scene(name);
+            SmallStepSettings settings = quick_steps();
+            settings.collides = from.collides;
+            DiscScene scene = from.scene;
+            SmallStep now;
+            for (int k = 0; k < 5; ++k) {
+                now.forget_rows = forget;
+                small_steps(scene, settings, now);
+            }
+            {
+                const NoAllocation guard;
+                for (int k = 0; k < 5; ++k) {
+                    now.forget_rows = forget;
+                    small_steps(scene, settings, now);
+                }
+            }
+            CAPTURE(name, forget);
+            CHECK(NoAllocation::violations() == 0);
+        }
+}
+
+TEST_CASE("a first step that knows its impulses leaves a column where it stands")
+{
+    // 1e-6 m/s of what the sweeps leave in the first step is all that there is to sink by; without them the column
+    // of 20 sinks by millimetres before its impulses have grown.
+    const EngineScene column = engine_scene("column_20_1");
+    const PoseErrors known = watched(column, careful_steps(), 300);
+    CHECK(known.overlap < 1e-5);
+    CHECK(known.drift < 1e-5);
+    CHECK(known.speed < 1e-5);
+    SmallStepSettings cold = careful_steps();
+    cold.first_sweeps = 0;
+    CHECK(watched(column, cold, 300).overlap > 2e-4);
+}
+
+TEST_CASE("a triangle on a base of 20 stands with careful steps")
+{
+    const PoseErrors errors = watched(engine_scene("triangle_20"), careful_steps(), 300);
+    CHECK(errors.in_order);
+    CHECK(errors.position() < 1e-4);  // a five-hundredth of a gap that would let a disc through
+    CHECK(errors.speed < 1e-3);
+}
+
+TEST_CASE("links of a swinging chain are a fifteenth of a link off at most with quick steps")
+{
+    // 16 s of a whip; the largest error is where its end cracks.
+    for (const char* name : {"swinging_10_1", "swinging_10_10"}) {
+        const PoseErrors errors = watched(engine_scene(name), quick_steps(), 1000);
+        CHECK(errors.link < 0.1 / 12);
+        CHECK(errors.drift < 0.06);
+    }
+}
+
+TEST_CASE("small steps with settings that make no sense are refused")
+{
+    const auto sentence = [](auto change) -> std::string {
+        DiscScene scene = engine_scene("column_10_1").scene;
+        SmallStepSettings settings;
+        change(settings);
+        SmallStep now;
+        try {
+            small_steps(scene, settings, now);
+        } catch (const std::invalid_argument& refused) {
+            return refused.what();
+        }
+        return "accepted";
+    };
+    CHECK(sentence([](auto&) {}) == "accepted");
+    CHECK(sentence([](auto& s) { s.substeps = 0; }).find("0 substeps") != std::string::npos);
+    CHECK(sentence([](auto& s) { s.sweeps = 0; }).find("0 sweeps") != std::string::npos);
+    CHECK(sentence([](auto& s) { s.h = -1; }).find("time step") != std::string::npos);
+    CHECK(sentence([](auto& s) { s.repay.slop = -1; }).find("slop") != std::string::npos);
+    CHECK(sentence([](auto& s) { s.repay.beta = 0.5; }).find("beta") != std::string::npos);
+}
+
+TEST_CASE("discs in one point and immovable pairs do not make a number that is none")
+{
+    DiscScene scene = column(4);
+    scene.bodies.position(1) = scene.bodies.position(0);
+    scene.bodies.inverse_mass.segment<2>(4).setZero();
+    scene.bodies.inverse_mass.segment<2>(6).setZero();
+    scene.bodies.position(3) = scene.bodies.position(2);
+    scene.links = {{2, 3, 0.1}};
+    const VecX fixed = scene.bodies.x.tail(4);
+    SmallStep now;
+    for (int k = 0; k < 100; ++k) small_steps(scene, quick_steps(), now);
+    CHECK(scene.bodies.x.allFinite());
+    CHECK(scene.bodies.u.allFinite());
+    CHECK(scene.bodies.x.tail(4) == fixed);
+}
+
+TEST_CASE("every scene of the engines is valid and begins at rest without an error")
+{
+    const std::vector<EngineScene> scenes = engine_scenes();
+    CHECK(scenes.size() == 27);
+    for (const EngineScene& scene : scenes) {
+        CAPTURE(scene.name);
+        require_valid(scene.scene);
+        CHECK(scene.scene.bodies.u.isZero(0));
+        // Coordinates of up to 20 m, to rounding.
+        CHECK(largest_link_error(scene.scene) < 1e-14);
+        CHECK(deepest_penetration(scene.scene) < 1e-14);
+        CHECK((scene.collides || deepest_penetration(scene.scene) == 0));
+    }
+}
+
+TEST_CASE("the chain that engines are compared with converges with order 4 and keeps energy and lengths")
+{
+    const EngineScene from = engine_scene("swinging_10_10");
+    const auto at_one_second = [&](int steps) {
+        ChainReference chain(from.scene);
+        for (int k = 0; k < steps; ++k) chain.step(Real{1} / steps);
+        return chain;
+    };
+    const ChainReference fine = at_one_second(32000);
+    DiscScene then = from.scene;
+    then.bodies.x = fine.x;
+    then.bodies.u = fine.u;
+    const Real energy = kinetic_energy(then.bodies) + potential_energy(then.bodies, then.gravity);
+    CHECK(std::abs(energy) < 1e-7 * kinetic_energy(then.bodies));  // it began with none
+    CHECK(largest_link_error(then) < 1e-9);
+    Real before = 0, order = 0;
+    for (int steps = 500; steps <= 4000; steps *= 2) {
+        const Real error = (at_one_second(steps).x - fine.x).norm();
+        if (before > 0) order = std::log2(before / error);
+        before = error;
+    }
+    CHECK(order == Approx(4).margin(0.15));
+    // What PoseWatch uses: 200 parts of a sixtieth of a second.
+    CHECK((at_one_second(12000).x - fine.x).lpNorm<Eigen::Infinity>() < 1e-8);
+    then.links[3] = {4, 3, 0.1};
+    CHECK_THROWS_AS(ChainReference(then), std::invalid_argument);
+}
+
+TEST_CASE("the measure of errors sees each of them")
+{
+    const EngineScene from = engine_scene("column_10_1");
+    const auto errors_after = [&](auto change) {
+        PoseWatch watch(from, 2, 0.5);
+        DiscScene scene = from.scene;
+        watch.look(scene);
+        change(scene);
+        watch.look(scene);
+        return watch.errors;
+    };
+    const PoseErrors none = errors_after([](DiscScene&) {});
+    CHECK(none.position() < 1e-14);
+    CHECK(none.drift == 0);
+    CHECK(none.speed == 0);
+    CHECK(none.in_order);
+    const PoseErrors up = errors_after(
+        [](DiscScene& scene) { scene.bodies.x[19] += 0.1; });  // the uppermost, by 0.1 m in half a second
+    CHECK(up.drift == Approx(0.01));
+    CHECK(up.speed == Approx(0.2));
+    CHECK(up.overlap < 1e-14);
+    const PoseErrors down = errors_after([](DiscScene& scene) { scene.bodies.x[19] -= 0.03; });
+    CHECK(down.overlap == Approx(0.03));
+    CHECK(down.late == Approx(0.03));
+    CHECK(down.in_order);
+    CHECK(!errors_after([](DiscScene& scene) { std::swap(scene.bodies.x[1], scene.bodies.x[3]); }).in_order);
+    const PoseErrors lost =
+        errors_after([](DiscScene& scene) { scene.bodies.x[0] = std::numeric_limits<Real>::quiet_NaN(); });
+    CHECK(!lost.in_order);
+    CHECK(lost.position() == infinity);
+}
+
+}  // namespace rigid::small_steps_tests
