@@ -424,7 +424,7 @@ TEST_CASE("a disc at rest in a groove stays or jitters by how one clamps")
     }
 }
 
-TEST_CASE("after n sweeps the first row of two is violated by c to the 2n as (6.13) says")
+TEST_CASE("after n sweeps the first row of two is off by what (6.13) says")
 {
     for (const Real angle : {0.1, 0.4, 0.7, 1.0, 1.3}) {
         const SceneRows here(groove(angle));
@@ -434,11 +434,41 @@ TEST_CASE("after n sweeps the first row of two is violated by c to the 2n as (6.
         const Real c = std::cos(2 * angle), speed = 9.81 / 60 * std::cos(angle);
         for (int n = 1; n <= 8; ++n) {
             sweep(memory.rows, memory.u, 0);
-            // Where c < 0 the rows hinder each other, and the first one is left approaching just the same.
-            CHECK(here.rows[0].velocity(memory.u) == Approx(-speed * std::pow(c, 2 * n)).margin(1e-15));
+            // Roundings of numbers of size speed.
+            CHECK(here.rows[0].velocity(memory.u) ==
+                  Approx(speed * (1 - c) * std::pow(c, 2 * n - 1)).margin(1e-15));
             CHECK(std::abs(here.rows[1].velocity(memory.u)) < 1e-15);
         }
     }
+}
+
+TEST_CASE("a disc in a steep groove creeps to the side of the row that is visited first")
+{
+    const Real angle = pi / 3, h = 1.0 / 60;
+    const int sweeps = 3, steps = 300;
+    Real x[4], speed_given = 0;
+    for (const Order order : all_orders) {
+        DiscScene scene = groove(angle);
+        ImpulseStepSettings settings;
+        settings.order = order;
+        settings.sweeps.max_sweeps = sweeps;
+        ImpulseStep now;
+        for (int k = 0; k < steps; ++k) impulse_step(scene, settings, now);
+        x[static_cast<int>(order)] = scene.bodies.x[0];
+        if (order == Order::given) speed_given = scene.bodies.u.norm();
+    }
+    // Along the side that is visited last, with the speed of (6.14): each step begins with that of the last one.
+    const Real c = std::cos(2 * angle);
+    const Real along =
+        9.81 * h * std::sin(angle) * std::pow(c, 2 * sweeps - 1) / (1 - std::pow(c, 2 * sweeps));
+    CHECK(speed_given == Approx(std::abs(along)).epsilon(1e-10));
+    CHECK(x[0] == Approx(steps * h * along * std::cos(angle)).epsilon(1e-3));  // the first steps are slower
+    CHECK(x[0] < -1e-3);
+    // Two rows of one disc have two colours. Three sweeps, the second one backwards, end as they began, but it
+    // is a waste: what the backward sweep visits first is what the last one has just solved.
+    CHECK(x[3] == Approx(x[0]).epsilon(1e-10));
+    CHECK(std::abs(x[1]) > std::abs(x[0]));
+    CHECK(std::abs(x[2]) < 0.3 * std::abs(x[0]));  // a random walk of 300 steps: a part of 1/√300 or so
 }
 
 // ---- what a bias and two bounds can say --------------------------------------------------------------------
@@ -499,30 +529,33 @@ TEST_CASE("twelve bounces with e = 1 from 5 m peak at 5 m within a thousandth an
     }
 }
 
-TEST_CASE("a ball comes to rest at the time of the closed form to first order in h and its logarithm")
+TEST_CASE("a ball comes to rest at the time of the closed form to order one in h times its logarithm")
 {
-    // Each impact is up to a step off, and there are about log(v/gh)/log(1/e) of them: h times that.
-    for (const auto& [e, reference] :
-         {std::pair{0.5, 1.354570922957193}, {0.8, 4.063712768871578}, {0.9, 8.579}}) {
-        const Real wanted = std::sqrt(2 / 9.81) * (1 + e) / (1 - e);
-        CHECK(wanted == Approx(reference).epsilon(1e-4));
-        std::vector<Real> x, y;
-        for (int n = 60; n <= 3840; n *= 2) {
+    CHECK(std::sqrt(2 / 9.81) * 9 == Approx(4.063712768871578).epsilon(1e-14));
+    // Each impact is up to some steps off, and there are log(v/gh)/log(1/e) of them. Single errors jump about with
+    // the phase of the impacts: the mean of some heights.
+    for (const Real e : {0.5, 0.8, 0.9}) {
+        std::vector<Real> expected, measured;
+        for (int n = 960; n <= 15360; n *= 2) {
             const Real h = 1.0 / n;
-            Bouncing ball(1, e, h);
-            int rest = 0, k = 0;
-            while (k < rest + n) {
-                ball.step();
-                ++k;
-                if (std::abs(ball.speed()) > 1e-9) rest = k;
+            Real sum = 0;
+            for (const Real height : {0.93, 0.96, 0.98, 1.0, 1.03, 1.07}) {
+                Bouncing ball(height, e, h);
+                const Real wanted = std::sqrt(2 * height / 9.81) * (1 + e) / (1 - e);
+                int rest = 0;
+                for (int k = 1; k <= rest + n / 2; ++k) {
+                    ball.step();
+                    if (std::abs(ball.speed()) > 1e-9) rest = k;
+                }
+                sum += std::abs(rest * h - wanted) / 6;
             }
-            const Real bounces = std::log(std::sqrt(2 * 9.81) / (9.81 * h)) / std::log(1 / e);
-            const Real error = std::abs(rest * h - wanted);
-            CHECK(error < 2 * h * bounces);  // two steps an impact
-            x.push_back(h);
-            y.push_back(error);
+            expected.push_back(h * std::log(std::sqrt(2 * 9.81) / (9.81 * h)) / std::log(1 / e));
+            measured.push_back(sum);
+            CHECK(sum < 3 * expected.back());
         }
-        CHECK(y.back() < 0.1 * y.front());  // 64 times as fine
+        const Real order =
+            std::log(measured.front() / measured.back()) / std::log(expected.front() / expected.back());
+        CHECK(order == Approx(1).margin(0.15));
     }
 }
 
@@ -565,7 +598,7 @@ TEST_CASE("without the threshold a ball that hardly bounces hops on and with it 
     for (const Real e : {0.2, 0.5, 0.8}) {
         Real last[2];
         for (const bool threshold : {false, true}) {
-            Bouncing ball(0.2, e, 1.0 / 60);
+            Bouncing ball(1, e, 1.0 / 60);
             if (!threshold) ball.settings.threshold = 0;
             last[threshold] = 0;
             for (int k = 0; k < 600; ++k) {
@@ -626,7 +659,7 @@ TEST_CASE("a lift stops at its stop and the stop carries what the motor still pu
         REQUIRE(scene.bodies.x[1] <= 1 + 1e-14);
     }
     CHECK(scene.bodies.x[1] == Approx(1).epsilon(1e-14));
-    CHECK(now.solution.lambda[1] == h * 3 * m * g);
+    CHECK(now.solution.lambda[1] == h * lift.force);
     CHECK(now.solution.lambda[3] == Approx(h * 2 * m * g).epsilon(1e-12));
     CHECK(sentence_of([&] {
               const Constraint<2> up = alignment_constraint<2>(scene.bodies.x, world, 0, Vec2(0, 1), 0);
@@ -811,7 +844,8 @@ TEST_CASE("the period of a pendulum through a distance row converges with order 
                                9.81 * (3 - 2 * std::cos(degrees * pi / 180)));
         }
         CHECK(order_of(errors) == Approx(1).margin(0.15));
-        CHECK(order_of(tensions) == Approx(1).margin(0.15));  // 3mg at the bottom from 90°
+        if (degrees == 90) CHECK(order_of(tensions) == Approx(1).margin(0.15));  // 3mg at the bottom
+        CHECK(std::abs(tensions.back()) < 0.05);                                 // of 10 to 39 N
     }
 }
 

@@ -6,7 +6,7 @@
 ///     rope     C = L − distance,  0 ≤ λ    pull, never push
 ///     stop     C = n·(x_b − x_a) − c,  0 ≤ λ   push, never pull
 ///
-/// (6.14) to (6.19). λ is an impulse: a force F acts during h, so its bound is hF.
+/// (6.16), (6.18) and (6.19). λ is an impulse: a force F acts during h, so its bound is hF.
 #pragma once
 
 #include "chapters/02_velocity_constraints/geometry.hpp"
