@@ -38,6 +38,12 @@ inline Real rise(Real v, Real g, Real h)
 }
 //! [hop]
 
+/// (7.11): the error of link k of N, from the anchor, that hang with one sweep a step, first link first [m].
+inline Real one_sweep_sag(Index k, Index N, Real g, Real beta, Real h)
+{
+    return static_cast<Real>(N - k) * g * h * h / beta;
+}
+
 /// The matrix that one sweep multiplies the error of λ by, rows visited from first to last: (4.10).
 inline MatX gauss_seidel_matrix(const MatX& A)
 {
@@ -70,7 +76,7 @@ inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h
 }
 //! [sag]
 
-/// (7.18): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
+/// (7.19): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
 inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int repaying_sweeps, Real beta, Real h)
 {
     const MatX one = MatX::Identity(A.rows(), A.cols());

@@ -4,7 +4,7 @@
 ///
 ///     x ← x + M⁻¹ Jᵀ Λ,   Λ = (goal − C(x)) / (J M⁻¹ Jᵀ),   goal = (1 − β) C at the start
 ///
-/// (7.19). No velocity is touched. C and J are computed anew at each visit, so the rows see the curve and not its
+/// (7.18). No velocity is touched. C and J are computed anew at each visit, so the rows see the curve and not its
 /// tangent. The goal keeps β's meaning: the part that one step repays, however many sweeps it makes.
 #pragma once
 
@@ -50,7 +50,7 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, std:
             const Row<Dof> row = bilateral(c, inverse_mass);
             const Real A = row.compliance();
             if (!(A > 0)) continue;
-            row.apply(missing / A, x);  // (7.19)
+            row.apply(missing / A, x);  // (7.18)
             done = false;
         }
     }

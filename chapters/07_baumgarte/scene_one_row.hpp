@@ -94,7 +94,7 @@ inline Scene one_row_scene(bool circle)
     scene.name = circle ? "bead" : "rail";
     scene.summary = circle ? "A bead on a wire of radius 1 m: it drifts off, or settles beside it"
                            : "A disc 1 m beside its rail: the error shrinks by 1 − beta in each step";
-    scene.view = circle ? View{{0, 0}, {1.7, 1.5}} : View{{0, 0}, {1.7, 1.3}};
+    scene.view = circle ? View{{0, 0}, {2, 1.9}} : View{{0, 0}, {1.7, 1.3}};
     scene.h = circle ? 0.01 : 1.0 / 60;
     scene.h_low = 1e-4;
     scene.h_high = 0.5;

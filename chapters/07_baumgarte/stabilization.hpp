@@ -70,7 +70,7 @@ inline void require_valid(const StabilizerSettings& settings)
 }
 
 //! [error]
-/// The part of C that is to be repaid [m]: what lies beyond the slop; of a contact only an overlap, C < 0.
+/// (7.16): the part of C that is to be repaid [m]: what lies beyond the slop; of a contact only an overlap, C < 0.
 inline Real position_error(Real C, bool bilateral, const StabilizerSettings& settings)
 {
     if (!bilateral) return std::min(Real{0}, C + settings.slop);
@@ -90,6 +90,7 @@ inline Real baumgarte_bias(Real C, bool bilateral, const StabilizerSettings& set
 }
 //! [baumgarte]
 
+//! [velocity_bias]
 /// The bias of a row in the sweeps that find the velocity.
 inline Real velocity_bias(Real C, bool bilateral, const StabilizerSettings& settings, Real h)
 {
@@ -97,6 +98,7 @@ inline Real velocity_bias(Real C, bool bilateral, const StabilizerSettings& sett
     const bool repays = settings.method == Stabilizer::baumgarte || settings.method == Stabilizer::relaxation;
     return repays ? baumgarte_bias(C, bilateral, settings, h) : 0;
 }
+//! [velocity_bias]
 
 /// The rows of these constraints, the first `links` of them bilateral, the others unilateral.
 /// \param h  time step [s]
@@ -140,6 +142,7 @@ void read_impulses(const ImpulseMemory<Dof>& memory, std::span<const int> order,
         lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
 }
 
+//! [relax]
 /// Takes back the velocity that was only there to repay: the rows go on from their λ, now with b = 0, or with
 /// what is left of a gap.
 /// \param memory  as sequential_impulse() left it; its rows and its u change
@@ -159,8 +162,10 @@ std::int64_t relax(std::span<const Constraint<Dof>> constraints, std::span<const
     }
     return sweep_on(memory.rows, settings, memory.u);
 }
+//! [relax]
 
-/// Pseudo-velocities v that repay the part β of the error that the step will leave, C' = C + h J u. They are
+//! [split]
+/// (7.17): pseudo-velocities v that repay the part β of the error that the step will leave, C' = C + h J u. They are
 /// found by the same sweeps over the same rows, and only ever added to x.
 /// \param memory  as sequential_impulse() left it. Its rows' λ are those of v afterwards
 /// \param v       out: Dof·K [m/s]
@@ -184,5 +189,6 @@ std::int64_t split_impulse(std::span<const Constraint<Dof>> constraints, std::sp
     v.setZero(memory.u.size());
     return sweep_on(memory.rows, settings, v);
 }
+//! [split]
 
 }  // namespace rigid

@@ -33,7 +33,7 @@ inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
         {"beta", "", "part of an error that is repaid in a step", 0.2, 0, 2.5, false, false, true},
         {"sweeps", "", "sweeps of a step in all; substeps and repaying share them", sweeps, 1, 512, true,
          false, false},
-        {"substeps", "", "small steps in a step", 1, 1, 64, true, false, false},
+        {"substeps", "", "small steps in a step", 1, 1, 128, true, false, false},
         {"carry", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false, false},
         {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
         {"fastest", "m/s", "an error is repaid at this speed at most", 1000, 0.01, 1000, false, false, false},

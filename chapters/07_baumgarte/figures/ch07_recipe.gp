@@ -5,8 +5,8 @@ set multiplot layout 1,2
 set xlabel 'β' tc rgb '#808080'
 set logscale y
 set xrange [0:2.6]
-set arrow 1 from 2, graph 0 to 2, graph 1 nohead dt 2 lc rgb '#808080'
-set arrow 2 from 1, graph 0 to 1, graph 1 nohead dt 3 lc rgb '#808080'
+set arrow 1 from 2, graph 0 to 2, graph 1 nohead dt (4,6) lw 0.8 lc rgb '#808080'
+set arrow 2 from 1, graph 0 to 1, graph 1 nohead dt (4,6) lw 0.8 lc rgb '#808080'
 set ylabel 'largest error of position [mm]' tc rgb '#808080'
 set yrange [0.05:1200]
 set format y '10^{%L}'
@@ -22,8 +22,8 @@ set ylabel 'height above rest [m]' tc rgb '#808080'
 set yrange [0:8]
 set format y '%g'
 unset key
-set label 1 'Baumgarte' at 1.75,4.6 right tc rgb '#EE7733'
-set label 2 'the other ways' at 1.5,0.35 left tc rgb '#4477AA'
+set label 1 'Baumgarte' at 1.45,4.2 right tc rgb '#EE7733'
+set label 2 'the other ways' at 1.06,0.4 left tc rgb '#4477AA'
 plot data.'/hop_baumgarte' using 1:3 with lines lc rgb '#808080', \
      data.'/hop_baumgarte' using 1:2 with points pt 7 ps 0.6 lc rgb '#EE7733', \
      for [way in "relaxation split_impulse projection"] data.'/hop_'.way using 1:2 with points pt 7 ps 0.5 lc rgb '#4477AA'
