@@ -3,6 +3,7 @@
 #include "docs/results/one_step.hpp"
 
 #include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
 
 namespace rigid::results {
 
@@ -35,6 +36,8 @@ void add_active_sets(Registry& registry, const SharedScene& scene)
 {
     add_guesses(registry, scene, false);
     if (scene->steps.size() > 1) add_guesses(registry, scene, true);
+    if (scene->rows() <= scene->most_exact_rows)
+        add_exact(registry, scene, "9", "dantzig", "pivot", [](const Mlcp& mlcp) { return dantzig(mlcp); });
 }
 
 }  // namespace rigid::results
