@@ -50,7 +50,7 @@ def chapter_link(number, root):
 
 
 def times(ratio):
-    return f"{amount(ratio)} times"
+    return "as long" if ratio < 1.05 else f"{amount(ratio)} times as long"
 
 
 # ---- the answers at the top -----------------------------------------------------------------------------------------
@@ -77,7 +77,7 @@ def verdict(table, scene, target, others, root):
             best = best_error(curves[other])
             never.append(f"{words(other)} ({power(best)})" if best < FAILED else f"{words(other)} (falls)")
         elif need[other] >= least:
-            slower.append(f"{words(other)} {times(need[other] / least)} as long")
+            slower.append(f"{words(other)} {times(need[other] / least)}")
         else:
             faster.append(f"{words(other)} {amount(100 * need[other] / least)} % of that")
     because = f"error {power(target)} in {amount(least)} time units"

@@ -2,6 +2,9 @@
 #include "docs/results/one_step.hpp"
 
 #include "chapters/09_active_sets/peers.hpp"
+#ifdef RIGID_HAS_BULLET
+#include "chapters/04_pgs/peers_bullet.hpp"
+#endif
 
 namespace rigid::results {
 namespace {
@@ -26,15 +29,40 @@ void add_peer(Registry& registry, const SharedScene& scene, const std::string& m
         true);
 }
 
+#ifdef RIGID_HAS_BULLET
+/// Bullet's sweeps, from its dense matrix: each visit costs n multiplications, whatever is zero.
+void add_bullet_sweeps(Registry& registry, const SharedScene& scene, int sweeps)
+{
+    const std::string parameters = "sweeps=" + std::to_string(sweeps) + " unit=row_visit";
+    add_solver(registry, scene, "peer", "bullet_gauss_seidel", parameters, false, [=] {
+        auto problems = std::make_shared<std::vector<BulletProblem>>();
+        for (const OneStep& step : scene->steps) problems->emplace_back(assemble(step.rows, step.u_star));
+        return [=](const OneStep& step, std::size_t k, Solved& out) {
+            BulletProblem& problem = (*problems)[k];
+            problem.solve(sweeps);
+            const auto n = static_cast<Index>(step.rows.size());
+            out.lambda.resize(n);
+            for (Index i = 0; i < n; ++i) out.lambda[i] = problem.x[static_cast<int>(i)];
+            out.work = n * sweeps;
+            out.sweeps = sweeps;
+            out.status = Status::iteration_limit;
+        };
+    });
+}
+#endif
+
 }  // namespace
 
 void add_exact_peers([[maybe_unused]] Registry& registry, [[maybe_unused]] const SharedScene& scene)
 {
+    peers::single_thread();
 #ifdef RIGID_HAS_ODE
     add_peer(registry, scene, "ode_dantzig",
              [](const peers::FreeFirst& problem) { return peers::ode(problem); });
 #endif
 #ifdef RIGID_HAS_BULLET
+    for (int sweeps = 1; sweeps <= 4096 && sweeps * scene->rows() * scene->rows() < 40'000'000; sweeps *= 4)
+        if (sweeps <= scene->most_sweeps) add_bullet_sweeps(registry, scene, sweeps);
     add_peer(registry, scene, "bullet_dantzig",
              [](const peers::FreeFirst& problem) { return peers::bullet(problem); });
 #endif

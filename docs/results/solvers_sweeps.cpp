@@ -4,6 +4,7 @@
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"
+#include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 
 namespace rigid::results {
@@ -58,23 +59,31 @@ void add_conjugate_gradients(Registry& registry, const SharedScene& scene, int i
 }
 
 void add_impulses(Registry& registry, const SharedScene& scene, const std::string& method, int sweeps,
-                  bool alternate, bool warm)
+                  Order order, bool warm = false)
 {
     const std::string parameters = "sweeps=" + std::to_string(sweeps) + " unit=row_visit";
     add_solver(registry, scene, warm ? "8" : "6", method, parameters, sweeps == 16, [=] {
         ImpulseSettings settings;
         settings.max_sweeps = sweeps;
-        settings.alternate = alternate;
-        return [=, memory = ImpulseMemory<2>(), solution = Solution(), cache = ImpulseCache(),
-                u = VecX()](const OneStep& step, std::size_t k, Solved& out) mutable {
-            if (k == 0) cache = {};
-            if (warm) load(cache, step.keys, 1, solution.lambda);
-            else solution.lambda.setZero(static_cast<Index>(step.rows.size()));
-            u = step.u_star;
-            sequential_impulse<2>(step.rows, {}, settings, memory, u, solution);
-            if (warm) store(cache, step.keys, solution.lambda, 1);
-            take(solution, memory.visits, out);
-            out.sweeps = solution.iterations;
+        struct Memory {
+            ImpulseMemory<2> sweeps;
+            Solution solution;
+            ImpulseCache cache;
+            Random random{1};
+            Colouring colouring;
+            std::vector<int> order;
+            VecX u;
+        };
+        return [=, now = Memory()](const OneStep& step, std::size_t k, Solved& out) mutable {
+            if (k == 0) now.cache = {};
+            if (warm) load(now.cache, step.keys, 1, now.solution.lambda);
+            else now.solution.lambda.setZero(static_cast<Index>(step.rows.size()));
+            now.u = step.u_star;
+            order_rows(step.rows, now.u.size() / 2, order, now.random, now.colouring, now.order);
+            sequential_impulse<2>(step.rows, now.order, settings, now.sweeps, now.u, now.solution);
+            if (warm) store(now.cache, step.keys, now.solution.lambda, 1);
+            take(now.solution, now.sweeps.visits, out);
+            out.sweeps = now.solution.iterations;
         };
     });
 }
@@ -95,11 +104,12 @@ void add_sweeps(Registry& registry, const SharedScene& scene)
     if (scene->bilateral)
         for (const int sweeps : points)
             if (sweeps <= 4 * scene->rows()) add_conjugate_gradients(registry, scene, sweeps);
-    for (const int sweeps : points) add_impulses(registry, scene, "sequential_impulse", sweeps, false, false);
+    for (const int sweeps : points) add_impulses(registry, scene, "sequential_impulse", sweeps, Order::given);
     for (const int sweeps : points)
-        add_impulses(registry, scene, "sequential_impulse_alternating", sweeps, true, false);
+        add_impulses(registry, scene, "sequential_impulse_coloured", sweeps, Order::coloured);
     if (scene->steps.size() > 1)
-        for (const int sweeps : points) add_impulses(registry, scene, "warm_impulses", sweeps, false, true);
+        for (const int sweeps : points)
+            add_impulses(registry, scene, "warm_impulses", sweeps, Order::given, true);
 }
 
 }  // namespace rigid::results

@@ -20,7 +20,7 @@ NAMES = {"rk4": "RK4", "yoshida4": "Yoshida 4", "verlet": "Verlet", "explicit_eu
          "direct": "sparse factorisation", "one_row_repaid": "one row, error repaid",
          "warm_impulses": "warm impulses", "warm": "warm sweeps", "warm_best_multiple": "warm, best multiple",
          "active_sets_warm": "active sets, warm", "baumgarte": "Baumgarte", "ode_dantzig": "ODE (Dantzig)",
-         "bullet_dantzig": "Bullet (Dantzig)", "siconos_lemke": "Siconos (Lemke)", "box2d": "Box2D",
+         "bullet_dantzig": "Bullet (Dantzig)", "bullet_gauss_seidel": "Bullet (Gauss-Seidel)", "siconos_lemke": "Siconos (Lemke)", "box2d": "Box2D",
          "chipmunk": "Chipmunk"}
 
 
@@ -106,8 +106,15 @@ def front(points, axis="time"):
 
 
 def to_reach(curve, target, axis="time"):
-    """The cost at which a method's error falls below the target for good, or None. Between two points of the
-    curve it is read off the straight line through their logarithms."""
+    """The cost at which a method's error falls below the target, or None.
+
+    Where the points are a ladder (steps, sweeps, tolerances): for good, and read off the straight line through
+    the logarithms of the points around it. Where a method runs a scene for seconds, more work need not be better:
+    the cheapest run that is good enough.
+    """
+    if curve and curve[0].scene.split()[0].endswith("_run"):
+        enough = [cost(point, axis) for point in curve if point.error <= target and cost(point, axis) is not None]
+        return min(enough, default=None)
     points = [point for point in curve if cost(point, axis) is not None]
     points.sort(key=lambda p: cost(p, axis))
     first = len(points)
