@@ -243,7 +243,8 @@ TEST_CASE("the iterates are those of projected Gauss-Seidel sweep by sweep as (6
 
 TEST_CASE("a column takes the sweeps that chapter 4 needs for six digits")
 {
-    for (const auto& [N, wanted] : {std::pair<Index, int>{2, 20}, {5, 136}, {10, 550}, {20, 2204}}) {
+    for (const auto& [count, wanted] : {std::pair<Index, int>{2, 20}, {5, 136}, {10, 550}, {20, 2204}}) {
+        const Index N = count;  // a lambda may not capture the binding itself
         const SceneRows here(column(N));
         std::vector<int> order(static_cast<std::size_t>(N));  // the floor's row comes last: bottom-up is
         std::iota(order.begin(), order.end(), -1);
@@ -398,30 +399,38 @@ TEST_CASE("a disc that falls into a groove of 30 degrees stops or hops by how on
     }
 }
 
-TEST_CASE("a disc at rest in a groove stays or jitters by how one clamps")
+TEST_CASE("a disc at rest in a groove stays or jitters or hangs askew by how one clamps")
 {
-    for (const bool wrong : {false, true}) {
-        DiscScene scene = groove(pi / 6);
-        const Vec2 start = scene.bodies.position(0);
-        ImpulseStepSettings settings;
-        settings.sweeps = {30, 0, false};  // the error falls by 4 a sweep: rounding is reached
-        ImpulseStep now;
-        Real farthest = 0, fastest = 0;
-        for (int k = 0; k < 600; ++k) {
-            if (wrong) impulse_step(scene, settings, impulse_clamping_corrections<2>, now);
-            else impulse_step(scene, settings, now);
-            farthest = std::max(farthest, (scene.bodies.position(0) - start).norm());
-            fastest = std::max(fastest, scene.bodies.u.norm());
+    const Real gh = 9.81 / 60;
+    for (const bool wrong : {false, true})
+        for (const Real margin : {0.02, 1e-9}) {  // contacts known before they close, or when they touch
+            DiscScene scene = groove(pi / 6);
+            const Vec2 start = scene.bodies.position(0);
+            ImpulseStepSettings settings;
+            settings.sweeps = {30, 0, false};  // the error falls by 4 a sweep: rounding is reached
+            settings.margin = margin;
+            ImpulseStep now;
+            Real farthest = 0, first = 0, late = 0;
+            for (int k = 0; k < 600; ++k) {
+                if (wrong) impulse_step(scene, settings, impulse_clamping_corrections<2>, now);
+                else impulse_step(scene, settings, now);
+                const Real speed = scene.bodies.u.norm();
+                if (k == 0) first = speed;
+                if (k >= 300) {
+                    late = std::max(late, speed);
+                    farthest = std::max(farthest, (scene.bodies.position(0) - start).norm());
+                }
+            }
+            if (!wrong) {
+                CHECK(late < 1e-13);
+                CHECK(farthest < 1e-13);
+                continue;
+            }
+            CHECK(first == Approx(gh / 4).epsilon(1e-12));  // ‖(√3, 1)‖/8 of g h
+            CHECK(farthest > 5e-4);                     // some of the first hop of 0.68 mm is never undone
+            if (margin < 1e-6) CHECK(late > 0.5 * gh);  // it never comes to rest
+            else CHECK(late < 1e-12);                   // it does, in the air
         }
-        const Real gh = 9.81 / 60;
-        if (wrong) {
-            CHECK(fastest == Approx(gh / 4).epsilon(1e-9));  // ‖(√3, 1)‖/8 of g h, in the first step
-            CHECK(farthest > 1e-3);
-        } else {
-            CHECK(fastest < 1e-13);
-            CHECK(farthest < 1e-13);
-        }
-    }
 }
 
 TEST_CASE("after n sweeps the first row of two is off by what (6.13) says")
@@ -1275,15 +1284,32 @@ TEST_CASE("200 bad scenes are refused with a sentence or run without a NaN")
     CHECK(ran >= 80);
 }
 
-TEST_CASE("a step of no length or a NaN is refused")
+TEST_CASE("bad settings of a step are refused by a sentence and the scene stands where it stood")
 {
     DiscScene scene = column(2);
-    ImpulseStepSettings settings;
+    const VecX before = scene.bodies.x;
     ImpulseStep now;
-    for (const Real h : {0.0, -1.0, std::nan("")}) {
-        settings.h = h;
-        CHECK(sentence_of([&] { impulse_step(scene, settings, now); }) != "accepted");
-    }
+    const auto said = [&](const std::function<void(ImpulseStepSettings&)>& change) {
+        ImpulseStepSettings settings;
+        change(settings);
+        return sentence_of([&] { impulse_step(scene, settings, now); });
+    };
+    for (const Real h : {0.0, -1.0, std::nan("")})
+        CHECK(said([h](auto& s) { s.h = h; }).find("the time step h is") == 0);
+    CHECK(said([](auto& s) { s.restitution = 1.5; }) ==
+          "the restitution is 1.500000; it must be from 0 to 1");
+    CHECK(said([](auto& s) { s.restitution = std::nan(""); }) != "accepted");
+    CHECK(said([](auto& s) { s.threshold = -1; }) ==
+          "the threshold of bounces is -1.000000; it must be zero or positive");
+    CHECK(said([](auto& s) { s.margin = -0.1; }) ==
+          "the margin of contacts is -0.100000; it must be zero or positive");
+    CHECK(said([](auto& s) { s.sweeps.tolerance = std::nan(""); }) ==
+          "the tolerance of the sweeps is nan; it must be zero or positive");
+    CHECK(said([](auto& s) { s.sweeps.max_sweeps = -1; }) ==
+          "the number of sweeps is -1.000000; it must be zero or positive");
+    CHECK(said([](auto& s) { s.gravity = {0, infinity}; }) == "gravity is not finite");
+    CHECK(scene.bodies.x == before);
+    CHECK(said([](auto&) {}) == "accepted");
 }
 
 TEST_CASE("nothing that is called solved contains a NaN")

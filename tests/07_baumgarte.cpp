@@ -19,7 +19,7 @@ int forbidden_allocations = 0;
 
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "chapters/03_mlcp_formulation/assembly.hpp"
-#include "chapters/07_baumgarte/chain_reference.hpp"
+#include "chapters/07_baumgarte/chain_in_angles.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/07_baumgarte/one_row_step.hpp"
 #include "chapters/07_baumgarte/overlaps.hpp"
@@ -335,22 +335,22 @@ TEST_CASE("a pendulum on a distance row converges with order 1 under each way to
 
 TEST_CASE("the reference of a swinging chain keeps its energy and is the pendulum where it has one link")
 {
-    ChainReference pendulum(VecX::Ones(1), 1, pi / 2, 9.81);
+    ChainInAngles pendulum(VecX::Ones(1), 1, pi / 2, 9.81);
     for (int k = 0; k < 10000; ++k) pendulum.step(1e-4);
     // A4: the angle after 1 s. Order 4 at h = 1e-4 leaves rounding.
     CHECK(std::atan2(pendulum.tip().x(), -pendulum.tip().y()) == Approx(-1.405027311524799).epsilon(1e-11));
     VecX mass = VecX::Ones(10);
     mass[9] = 5;
-    ChainReference chain(mass, 0.1, pi / 2, 9.81);
+    ChainInAngles chain(mass, 0.1, pi / 2, 9.81);
     const Real before = chain.energy();
     for (int k = 0; k < 1000; ++k) chain.step(1e-3);
     CHECK(std::abs(chain.energy() - before) < 1e-6);  // it moves some 40 J; order 4
-    CHECK_THROWS_AS(ChainReference(VecX::Ones(2), 0, 0, 9.81), std::invalid_argument);
+    CHECK_THROWS_AS(ChainInAngles(VecX::Ones(2), 0, 0, 9.81), std::invalid_argument);
 }
 
 TEST_CASE("a swinging chain in small steps of one sweep converges to its equations without constraints")
 {
-    ChainReference exact(VecX::Ones(5), 0.1, pi / 2, 9.81);
+    ChainInAngles exact(VecX::Ones(5), 0.1, pi / 2, 9.81);
     for (int k = 0; k < 5000; ++k) exact.step(1e-4);
     std::vector<Real> steps, errors;
     for (const int n : {128, 256, 512, 1024, 2048}) {
@@ -517,6 +517,56 @@ TEST_CASE("a gap closes to zero and not beyond under each way")
         CHECK(std::abs(run.scene.bodies.x[1] - 0.5) < 1e-15);
         if (method == Stabilizer::relaxation) CHECK(std::abs(run.scene.bodies.u[1]) < 1e-15);
     }
+}
+
+TEST_CASE("a disc that does not reach the floor in a step is not slowed down by its row")
+{
+    for (const Stabilizer method : all_ways) {
+        DiscScene scene = sunken_disc(-0.019);
+        scene.bodies.u[1] = -0.5;
+        Discs run(std::move(scene), method);
+        run.settings.gravity.setZero();
+        run.advance();
+        INFO(to_string(method));
+        REQUIRE(run.now.rows.size() == 1);
+        CHECK(run.scene.bodies.u[1] == -0.5);
+        CHECK(run.scene.bodies.x[1] == Approx(0.519 - 0.5 / 60).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("contacts move with their bodies within a step: n substeps repay n times")
+{
+    // Two discs and a wall: C of a pair, and of the wall.
+    for (const Stabilizer method :
+         {Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection}) {
+        Discs wall(sunken_disc(0.1), method);
+        DiscScene two = column(2);
+        two.walls.clear();
+        two.bodies.position(1).y() -= 0.05;
+        Discs pair(std::move(two), method);
+        for (Discs* run : {&wall, &pair}) {
+            run->settings.gravity.setZero();
+            run->settings.substeps = 4;
+            run->settings.stabilizer.tolerance = 0;
+            run->advance();
+        }
+        INFO(to_string(method));
+        CHECK(deepest_penetration(wall.scene) == Approx(0.1 * std::pow(0.8, 4)).epsilon(1e-12));
+        CHECK(deepest_penetration(pair.scene) == Approx(0.05 * std::pow(0.8, 4)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("projection once in a step repays what one step may and no faster than the greatest speed")
+{
+    Discs run(sunken_disc(0.1), Stabilizer::projection);
+    run.settings.gravity.setZero();
+    run.settings.substeps = 4;
+    run.settings.repay_once = true;
+    run.advance();
+    CHECK(deepest_penetration(run.scene) == Approx(0.1 * 0.8).epsilon(1e-12));
+    run.settings.stabilizer.fastest = 0.3;
+    run.advance();
+    CHECK(deepest_penetration(run.scene) == Approx(0.08 - 0.3 / 60).epsilon(1e-12));
 }
 
 TEST_CASE("a column of ten and a chain of ten stand and hang with each way that repays")

@@ -63,13 +63,13 @@ int chapter_of(const std::string& path)
 bool starts_with(const std::string& text, const std::string& head) { return text.rfind(head, 0) == 0; }
 
 /// Physics: every file of common/ and the chapters but programs with their scenes (`scene_x.hpp`, `x_scene.hpp`,
-/// `x_run.hpp`) and problem files, benchmarks and what draws.
+/// `x_run.hpp`) and problem files, benchmarks (`benchmark_x.hpp`) and what draws.
 bool is_physics(const std::string& path)
 {
     if (starts_with(path, "common/program/") || path.find("canvas") != std::string::npos) return false;
     for (const char* end : {"main.cpp", "benchmark.cpp", "_scene.hpp", "_run.hpp"})
         if (path.ends_with(end)) return false;
-    for (const char* part : {"draw", "picture", "/scene_", "/problem_file"})
+    for (const char* part : {"draw", "picture", "/scene_", "/problem_file", "/benchmark_"})
         if (path.find(part) != std::string::npos) return false;
     return true;
 }

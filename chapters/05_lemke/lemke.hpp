@@ -7,6 +7,7 @@
 /// residual of the answer was computed. \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
 #pragma once
 
+#include "chapters/05_lemke/infeasibility.hpp"
 #include "chapters/05_lemke/standard_form.hpp"
 #include "chapters/05_lemke/walk.hpp"
 
@@ -80,7 +81,7 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
         if (walk.place == LemkeWalk::Place::on_the_way)
             return report(Status::iteration_limit, solution.lambda);
         if (walk.place == LemkeWalk::Place::ray) {
-            const bool proof = walk.proves_infeasibility(form.A, form.q);
+            const bool proof = proves_infeasibility(mlcp, form.direction(walk.ray()));
             solution.status = proof ? Status::infeasible : Status::ray_termination;
             if (proof) return solution;
             continue;

@@ -85,6 +85,23 @@ public:
         return eliminated_ ? schur_.whole(mlcp_, lambda) : lambda;
     }
 
+    /// A direction of z as weights of the rows of the MLCP, for (5.15). Eliminated rows get the weights that
+    /// make (Aᵀv)_B zero: A_BB v_B = −(Aᵀ v_N)_B.
+    VecX direction(const VecX& y) const
+    {
+        VecX v = VecX::Zero(fixed_.size());
+        for (std::size_t k = 0; k < row_.size(); ++k) v[row_[k]] += sign_[k] * y[static_cast<Index>(k)];
+        if (!eliminated_) return v;
+        VecX whole = VecX::Zero(mlcp_.size());
+        for (std::size_t k = 0; k < schur_.others.size(); ++k)
+            whole[schur_.others[k]] = v[static_cast<Index>(k)];
+        const VecX image = mlcp_.A.transpose() * whole;
+        const VecX bilateral = schur_.block.solve(-image(schur_.bilateral));
+        for (std::size_t k = 0; k < schur_.bilateral.size(); ++k)
+            whole[schur_.bilateral[k]] = bilateral[static_cast<Index>(k)];
+        return whole;
+    }
+
 private:
     void add(Index row, Real sign)
     {

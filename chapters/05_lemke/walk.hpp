@@ -82,19 +82,15 @@ struct LemkeWalk {
     }
 
     //! [ray]
-    /// At a ray: does its direction y ≥ 0 prove that there is no answer (5.15)? For every z ≥ 0 with
-    /// A z + q ≥ 0 we have 0 ≤ yᵀ(A z + q) = (Aᵀy)ᵀz + qᵀy. If Aᵀy ≤ 0 and qᵀy < 0, there is none.
-    /// Rounding leaves Aᵀy ≤ δ: then an answer would have Σz ≥ -qᵀy/δ, and we want that to be absurd.
-    bool proves_infeasibility(const MatX& A, const VecX& q) const
+    /// At a ray: its direction, how fast each z grows along it. It may prove that there is no answer (5.15).
+    VecX ray() const
     {
-        const Index c = tableau.column_of(entering);
-        const VecX direction = tableau.column(c);
+        const VecX direction = tableau.column(tableau.column_of(entering));
         VecX y = VecX::Zero(tableau.n);
         for (Index i = 0; i < tableau.n; ++i)
             if (tableau.is_basic(i)) y[i] = std::max(Real{0}, direction[tableau.row_of(i)]);
         if (entering < tableau.n) y[entering] = 1;
-        const Real delta = std::max(Real{0}, (A.transpose() * y).maxCoeff());
-        return -q.dot(y) * A.cwiseAbs().maxCoeff() > 1e13 * delta * q.cwiseAbs().maxCoeff();
+        return y;
     }
     //! [ray]
 };

@@ -14,7 +14,6 @@
 
 namespace rigid {
 
-//! [newton]
 /// The biases of the simultaneous law: each row that hits, J u + b < 0, is to leave with e times its own approach.
 /// \param rows  contacts, with b = 0 where they touch and b = C/h where a gap C is left
 /// \param e     restitution, 0 … 1
@@ -27,9 +26,7 @@ void newton_biases(std::vector<Row<Dof>>& rows, Real e, const VecX& u)
         if (w < 0) row.bias = e * (w - row.bias);
     }
 }
-//! [newton]
 
-//! [sequential]
 /// The sequential law: whichever row hits, J u + b < 0, in the order of the rows, gets the impulse of an impact of
 /// its two bodies alone. λ sums up all of its impacts.
 ///
@@ -45,6 +42,7 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
     solution.lambda.setZero(static_cast<Index>(rows.size()));
     solution.status = Status::iteration_limit;
     solution.iterations = 0;
+    //! [sequential]
     for (bool any = true; any && solution.iterations < max_sweeps; ++solution.iterations) {
         any = false;
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -58,10 +56,10 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
         }
         if (!any) solution.status = Status::solved;
     }
+    //! [sequential]
     solution.residual = 0;
     for (const Row<Dof>& row : rows)
         if (row.compliance() > 0) solution.residual = std::max(solution.residual, -row.velocity(u));
 }
-//! [sequential]
 
 }  // namespace rigid

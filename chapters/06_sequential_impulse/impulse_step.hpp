@@ -30,6 +30,25 @@ struct ImpulseStepSettings {
     Order order = Order::given;
 };
 
+/// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
+inline void require_valid(const ImpulseStepSettings& settings)
+{
+    require_step(settings.h);
+    const auto refuse = [](const std::string& what, Real value, const std::string& wanted) {
+        throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
+    };
+    if (!settings.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    if (!(settings.restitution >= 0 && settings.restitution <= 1))
+        refuse("the restitution", settings.restitution, "from 0 to 1");
+    if (!(settings.threshold >= 0))
+        refuse("the threshold of bounces", settings.threshold, "zero or positive");
+    if (!(settings.margin >= 0)) refuse("the margin of contacts", settings.margin, "zero or positive");
+    if (!(settings.sweeps.tolerance >= 0))
+        refuse("the tolerance of the sweeps", settings.sweeps.tolerance, "zero or positive");
+    if (settings.sweeps.max_sweeps < 0)
+        refuse("the number of sweeps", settings.sweeps.max_sweeps, "zero or positive");
+}
+
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
 struct ImpulseStep {
     VecX u_star;                    ///< velocities after the forces, before the impulses [m/s]
@@ -45,7 +64,7 @@ struct ImpulseStep {
 };
 
 //! [restitution]
-/// The bias of contacts that bounce, (6.16). `rows` begins with those of the links.
+/// The bias of contacts that bounce, (6.17). `rows` begins with those of the links.
 inline void add_restitution(const DiscScene& scene, const ImpulseStepSettings& settings, ImpulseStep& now)
 {
     if (!(settings.restitution > 0)) return;
@@ -67,7 +86,7 @@ void impulse_step(DiscScene& scene, const ImpulseStepSettings& settings, const S
 {
     Bodies<2>& bodies = scene.bodies;
     const Real h = settings.h;
-    require_step(h);
+    require_valid(settings);
 
     // Forces, and the velocity u* that they alone would lead to (3.4).
     bodies.f.setZero();

@@ -10,7 +10,6 @@
 
 namespace rigid {
 
-//! [lift]
 struct Lift {
     Index body = 0;
     Real shaft = 0;          ///< x of the shaft [m]
@@ -22,6 +21,7 @@ struct Lift {
 /// A body in a vertical shaft with a motor between two stops: four rows that chapter 2 has all the geometry for.
 inline void add_lift(const Bodies<2>& bodies, const Lift& lift, Real h, std::vector<Row<2>>& rows)
 {
+    //! [lift]
     const auto along = [&](Vec2 n, Real offset) {
         return alignment_constraint<2>(bodies.x, world, lift.body, n, offset);
     };
@@ -30,10 +30,9 @@ inline void add_lift(const Bodies<2>& bodies, const Lift& lift, Real h, std::vec
     rows.push_back(motor(along({0, 1}, 0), inverse_mass, lift.speed, lift.force, h));
     rows.push_back(one_sided(along({0, 1}, lift.low), inverse_mass, h));     // the stop below: y ≥ low
     rows.push_back(one_sided(along({0, -1}, -lift.high), inverse_mass, h));  // the stop above: −y ≥ −high
+    //! [lift]
 }
-//! [lift]
 
-//! [belt]
 /// A belt that drags a body along x, with no more than a force: what lies on it is not glued to it.
 inline void add_belt(const Bodies<2>& bodies, Index body, Real speed, Real force, Real h,
                      std::vector<Row<2>>& rows)
@@ -41,7 +40,6 @@ inline void add_belt(const Bodies<2>& bodies, Index body, Real speed, Real force
     const Constraint<2> along = alignment_constraint<2>(bodies.x, world, body, Vec2(1, 0), 0);
     rows.push_back(motor(along, bodies.inverse_mass, speed, force, h));
 }
-//! [belt]
 
 /// A rope between two bodies, at most as long as the link.
 inline void add_rope(const Bodies<2>& bodies, const Link& link, Real h, std::vector<Row<2>>& rows)

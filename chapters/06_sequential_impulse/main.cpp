@@ -44,7 +44,7 @@ Scene column_scene()
 Scene chain_scene()
 {
     Scene scene =
-        impulse_scene("hanging_chain", "A chain with a heavy end: pull it, and see it stretch", 20, 0);
+        impulse_scene("hanging_chain", "A chain with a heavy end: pull it, and see it stretch", 100, 0);
     scene.view = {{0, -1.05}, {1, 1.45}};
     scene.tunables.insert(scene.tunables.begin(),
                           {{"links", "", "N, links of 0.1 m", 20, 1, 60, true, true, true},

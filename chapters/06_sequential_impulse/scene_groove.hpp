@@ -22,6 +22,7 @@ public:
     {
         ImpulseStepSettings step;
         step.h = settings.h;
+        step.margin = settings["margin"];
         step.sweeps = sweeps_of(settings);
         step.order = order_of_method(settings.method);
         solver_.choose(settings.method);
@@ -45,9 +46,9 @@ public:
     {
         for (const Real side : {-1.0, 1.0})
             canvas.segment({0, 0}, 0.55 * Vec2(side * std::cos(angle_), std::sin(angle_)), paint::wall);
-        canvas.polyline(trail_, {Colour::blue, 1.5, 0.7, false, false});
         canvas.disc(rest_, 0.1, {Colour::faint, 1, 1, false, true});
         canvas.disc(scene_.bodies.position(0), 0.1, paint::body);
+        canvas.polyline(trail_, {Colour::blue, 1.5, 0.7, false, false});
         for (std::size_t i = 0; i < now_.rows.size(); ++i) {
             const Vec2 n = now_.rows[i].Jb.transpose(), touch = scene_.bodies.position(0) - 0.1 * n;
             const Real force = now_.solution.lambda[static_cast<Index>(i)] / h_;
@@ -82,6 +83,8 @@ inline Scene groove_scene()
     scene.tunables = sweep_tunables(10, 0);
     scene.tunables.push_back({"angle", "°", "of the sides of the groove", 30, 1, 85, false, true, true});
     scene.tunables.push_back({"drop", "m", "height to fall from", 0.2, 0, 0.3, false, true, false});
+    scene.tunables.push_back({"margin", "m", "a contact gets its row when its gap is below this", 0.02, 1e-9,
+                              0.1, false, false, false});
     scene.columns = {{"x", "m", "off its place of rest", true, false},
                      {"y", "m", "off its place of rest", true, false},
                      {"u_x", "m/s", "velocity", false, false},

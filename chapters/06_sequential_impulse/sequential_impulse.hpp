@@ -52,13 +52,10 @@ template <int Dof>
 int sweep(std::vector<SolverRow<Dof>>& rows, VecX& u, Real tolerance, bool backwards = false)
 {
     int changed = 0;
-    const auto visit_and_see = [&](SolverRow<Dof>& row) {
-        changed += !(std::abs(visit(row, u)) <= tolerance * row.mass);  // a NaN counts
-    };
-    if (backwards)
-        for (std::size_t k = rows.size(); k-- > 0;) visit_and_see(rows[k]);
-    else
-        for (SolverRow<Dof>& row : rows) visit_and_see(row);
+    const std::ptrdiff_t step = backwards ? -1 : 1;
+    SolverRow<Dof>* row = rows.data() + (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
+    for (std::size_t k = rows.size(); k > 0; --k, row += step)
+        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);  // a NaN counts
     return changed;
 }
 //! [sweep]
@@ -110,7 +107,7 @@ void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory, Ve
     u = memory.u;
 }
 
-//! [solve]
+//! [until]
 /// Sweeps of any kind, until there is nothing left to do.
 /// \param one_sweep  int(int number): visits each row of memory.rows once and tells how many of them it found off
 ///                   by more than the tolerance
@@ -134,6 +131,7 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
         if (solution.status == Status::solved) return;
     }
 }
+//! [until]
 
 /// Sweeps over the rows, starting from solution.lambda; solution.iterations counts the sweeps.
 ///
@@ -157,6 +155,5 @@ void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> 
     sweep_until(settings, hopeless, one_sweep, memory, solution);
     end_sweeps(order, memory, u, solution);
 }
-//! [solve]
 
 }  // namespace rigid

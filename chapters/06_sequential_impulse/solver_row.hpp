@@ -18,7 +18,6 @@
 
 namespace rigid {
 
-//! [solver_row]
 template <int Dof>
 struct SolverRow {
     RowVec<Dof> Ja, Jb;  ///< blocks of J
@@ -29,9 +28,7 @@ struct SolverRow {
     Real lambda;         ///< accumulated impulse [N s]
     int a, b;  ///< where the velocities of the bodies begin; a row of the world has a = b and Ja = 0
 };
-//! [solver_row]
 
-//! [prepare]
 /// The rows in the order of the visits.
 ///
 /// The world never moves, so its velocity is a constant zero and has no place in memory: if it had one, each row
@@ -52,6 +49,7 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, cons
         visited.Jb = row.Jb;
         visited.Wb = row.Wb;
         visited.b = static_cast<int>(Dof * row.b);
+        //! [world]
         if (row.a == world) {
             visited.Ja.setZero();
             visited.Wa.setZero();
@@ -61,6 +59,7 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, cons
             visited.Wa = row.Wa;
             visited.a = static_cast<int>(Dof * row.a);
         }
+        //! [world]
         const Real A = visited.Ja.dot(visited.Wa) + visited.Jb.dot(visited.Wb);
         visited.mass = A > 0 ? 1 / A : 0;
         visited.bias = row.bias;
@@ -69,7 +68,6 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, cons
         visited.lambda = lambda[static_cast<Index>(i)];
     }
 }
-//! [prepare]
 
 /// Throws std::invalid_argument unless the order is empty or names each of m rows once.
 /// \param seen  memory
@@ -90,7 +88,7 @@ inline void require_order(std::span<const int> order, std::size_t m, std::vector
 
 /// \f$J u + b\f$ [m/s]. The sums of both bodies are made side by side.
 template <int Dof>
-Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
+inline Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
 {
     return row.bias + (row.Ja.transpose().cwiseProduct(ua) + row.Jb.transpose().cwiseProduct(ub)).sum();
 }
@@ -100,7 +98,7 @@ Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
 /// \param u  Dof·K [m/s]
 /// \return   Δλ [N s]
 template <int Dof>
-Real visit(SolverRow<Dof>& row, VecX& u)
+inline Real visit(SolverRow<Dof>& row, VecX& u)
 {
     const Vec<Dof> ua = u.template segment<Dof>(row.a);
     const Vec<Dof> ub = u.template segment<Dof>(row.b);

@@ -4,10 +4,10 @@
 ///
 /// Scenes: a hanging chain of 20 with 10 kg at its end, a column of 20, the ten discs (error: the largest of any
 /// link or contact in the second half of the run), and a swinging chain of 10 (error: where its end is after 1 s,
-/// against chain_reference.hpp).
+/// against chain_in_angles.hpp).
 
 #include "chapters/03_mlcp_formulation/ten_disc_scene.hpp"
-#include "chapters/07_baumgarte/chain_reference.hpp"
+#include "chapters/07_baumgarte/chain_in_angles.hpp"
 #include "chapters/07_baumgarte/stabilized_step.hpp"
 #include "common/measure.hpp"
 #include "common/program/scripted_pointer.hpp"
@@ -46,7 +46,7 @@ DiscScene free_chain(DiscScene chain)
 Vec2 swung_end()
 {
     static const Vec2 end = [] {
-        ChainReference chain(VecX::Ones(10), 0.1, pi / 2, 9.81);
+        ChainInAngles chain(VecX::Ones(10), 0.1, pi / 2, 9.81);
         for (int k = 0; k < 10000; ++k) chain.step(1e-4);
         return chain.tip();
     }();

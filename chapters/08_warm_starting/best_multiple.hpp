@@ -58,8 +58,13 @@ struct MultipleScratch {
     VecX change;     ///< 2K or 3K: Δu that yesterday's λ makes [m/s]
     VecX slope;      ///< qᵀλ [J]
     VecX curvature;  ///< λᵀAλ [J]
+    VecX apart;      ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
     VecX multiple;   ///< s
 };
+
+/// Where λᵀAλ is below this part of Σ A_ii λ_i², nearly all impulses cancel: rows in conflict, which would like to
+/// grow for ever. A thousand equal discs in a column have 1e-6, 1e6 kg on four discs 1e-7.
+inline constexpr Real cancelled = 1e-8;
 
 //! [best_multiple]
 /// (8.14): scales the impulses of each group by the multiple that lowers the merit most, at least zero.
@@ -77,19 +82,23 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, con
     scratch.change.setZero(u_star.size());
     scratch.slope.setZero(count);
     scratch.curvature.setZero(count);
+    scratch.apart.setZero(count);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Real impulse = lambda[static_cast<Index>(i)];
         rows[i].apply(impulse, scratch.change);
         scratch.slope[groups.of_row[i]] += rows[i].velocity(u_star) * impulse;
+        scratch.apart[groups.of_row[i]] += rows[i].compliance() * impulse * impulse;
     }
     for (Index i = 0; i < u_star.size(); ++i)
         if (inverse_mass[i] > 0)
             scratch.curvature[groups.of[static_cast<std::size_t>(i / Dof)]] +=
                 scratch.change[i] * scratch.change[i] / inverse_mass[i];
     scratch.multiple.setOnes(count);
-    for (Index g = 0; g < count; ++g)
-        if (scratch.curvature[g] > 0)
-            scratch.multiple[g] = std::max(Real{0}, -scratch.slope[g] / scratch.curvature[g]);
+    for (Index g = 0; g < count; ++g) {
+        if (!(scratch.curvature[g] > 0)) continue;
+        const Real most = scratch.curvature[g] < cancelled * scratch.apart[g] ? 1 : infinity;
+        scratch.multiple[g] = std::clamp(-scratch.slope[g] / scratch.curvature[g], Real{0}, most);
+    }
     for (std::size_t i = 0; i < rows.size(); ++i)
         lambda[static_cast<Index>(i)] *= scratch.multiple[groups.of_row[i]];
 }

@@ -62,7 +62,13 @@ public:
         }
     }
 
-    void step(Real h) { world_.Step(static_cast<float>(h), 8, 3); }
+    /// One step, or several small ones with one iteration of each kind, as this book takes them.
+    void step(Real h, int substeps)
+    {
+        if (substeps == 1) world_.Step(static_cast<float>(h), 8, 3);
+        else
+            for (int k = 0; k < substeps; ++k) world_.Step(static_cast<float>(h / substeps), 1, 1);
+    }
 
     /// Writes the positions into the scene.
     void poses(DiscScene& scene) const
@@ -71,15 +77,6 @@ public:
             const b2Vec2& p = bodies_[k]->GetPosition();
             scene.bodies.position(static_cast<Index>(k)) << static_cast<Real>(p.x), static_cast<Real>(p.y);
         }
-    }
-
-    /// Joints and touching contacts: what this book calls rows.
-    int rows() const
-    {
-        int count = world_.GetJointCount();
-        for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext())
-            count += contact->IsTouching() ? 1 : 0;
-        return count;
     }
 
 private:

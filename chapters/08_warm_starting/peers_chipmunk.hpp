@@ -3,6 +3,7 @@
 ///
 /// 10 iterations, its own choice; slop 0.005 m, as Box2D's; circles of infinite moment, pin joints; a tenth of an
 /// error is repaid in a sixtieth of a second, its own choice for contacts and joints. Its numbers are doubles.
+/// Debian builds it with its assertions on.
 #pragma once
 
 #include "chapters/08_warm_starting/engine_scenes.hpp"
@@ -19,7 +20,6 @@ public:
     explicit ChipmunkSpace(const EngineScene& from) : space_(cpSpaceNew())
     {
         const DiscScene& scene = from.scene;
-        cpSpaceSetIterations(space_, 10);
         cpSpaceSetGravity(space_, vector(scene.gravity));
         cpSpaceSetDamping(space_, 1);  // what is left of a velocity after a second: all
         cpSpaceSetCollisionSlop(space_, 0.005);
@@ -68,7 +68,12 @@ public:
     ChipmunkSpace(const ChipmunkSpace&) = delete;
     ChipmunkSpace& operator=(const ChipmunkSpace&) = delete;
 
-    void step(Real h) { cpSpaceStep(space_, h); }
+    /// One step, or several small ones with one iteration in each, as this book takes them.
+    void step(Real h, int substeps)
+    {
+        cpSpaceSetIterations(space_, substeps == 1 ? 10 : 1);
+        for (int k = 0; k < substeps; ++k) cpSpaceStep(space_, h / substeps);
+    }
 
     /// Writes the positions into the scene.
     void poses(DiscScene& scene) const

@@ -117,7 +117,7 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     guess.lambda.resize(n);
     guess.w.resize(n);
     guess.step.resize(n);
-    problem.shift.resize(0);
+    problem.shifted = false;
     problem.q = mlcp.q;
 
     bool settled = false;
@@ -135,7 +135,7 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
             memory.sparse_factor.look(mlcp);
             memory.sparse = 6 * memory.sparse_factor.elimination.entries() < n * n;
         }
-        begin(problem, memory.cases, memory.sparse, guess);
+        begin(problem, memory.cases, memory.sparse || n <= 32, guess);
         if (memory.sparse) settled = settle(mlcp, settings, allowed, memory.sparse_factor, memory, solution);
         else {
             memory.dense_factor.look(mlcp);

@@ -112,13 +112,13 @@ private:
         for (Index c = 0; c < f; ++c) {
             const Real* const column = A_.col(base_[index(c)]).data();
             for (Index r = c; r < f; ++r) L_(r, c) = column[base_[index(r)]];
-            if (problem.shift.size() > 0) L_(c, c) += problem.shift[base_[index(c)]];
+            if (problem.shifted) L_(c, c) += problem.shift[base_[index(c)]];
         }
         if (!llt_in_place(L_, f)) return false;
         for (Index r = 0; r < f; ++r) {
             const Index i = base_[index(r)];
             const Real nothing =
-                problem.shift.size() > 0 ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
+                problem.shifted ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
             if (!(L_(r, r) * L_(r, r) > nothing)) return false;
         }
         return true;
@@ -163,8 +163,7 @@ private:
             for (Index d = 0; d <= c; ++d) {
                 const Index i = changed_[index(c)], j = changed_[index(d)];
                 Real entry = in_[index(c)] * in_[index(d)] * A_(i, j);
-                if (i == j && problem.shift.size() > 0)
-                    entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
+                if (i == j && problem.shifted) entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
                 entry -= Y_.col(column_[index(c)]).head(f).dot(Y_.col(column_[index(d)]).head(f));
                 S(c, d) = S(d, c) = entry;
             }

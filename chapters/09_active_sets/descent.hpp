@@ -4,7 +4,7 @@
 ///     φ(λ) = ½ λᵀ A λ + qᵀ λ,   lo ≤ λ ≤ hi       least exactly at the answer
 ///
 /// A few visits of all rows as in chapter 4 let go of bounds; then straight to the lowest point of the face on
-/// which that ended, or as far towards it as the bounds and φ allow (9.7). Each lowest point of a face is lower
+/// which that ended, or as far towards it as the bounds and φ allow (9.7b). Each lowest point of a face is lower
 /// than the one before, so none is met twice: this ends. \cite more1991
 #pragma once
 

@@ -18,7 +18,7 @@ inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
             w += entry.value() * lambda[entry.col()];
             if (entry.col() == i) a = entry.value();
         }
-        if (problem.shift.size() > 0) {
+        if (problem.shifted) {
             w += problem.shift[i] * lambda[i];
             a += problem.shift[i];
         }
@@ -41,16 +41,17 @@ inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<RowCase>&
 }
 
 //! [begin]
-/// Yesterday's cases, where a row can have them. Without a yesterday: every row active where A is sparse,
-/// since piles rest on most of their contacts and a factor is cheap; else what two sweeps from zero say.
-inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& yesterday, bool sparse,
+/// Yesterday's cases, where a row can have them. Without a yesterday: every row active where a factor is cheap,
+/// since piles rest on most of their contacts; else what two sweeps from zero say.
+/// \param cheap  whether A is sparse or small
+inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& yesterday, bool cheap,
                   Guess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const auto n = static_cast<std::size_t>(mlcp.size());
     const bool known = yesterday.size() == n;
     guess.cases.resize(n);
-    if (!known && !sparse) {
+    if (!known && !cheap) {
         guess.lambda.setZero();
         clamp_into_bounds(mlcp, guess.lambda);
         visit_rows(problem, guess.lambda);
@@ -59,7 +60,7 @@ inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& yes
     }
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<Index>(k);
-        const RowCase wish = known ? yesterday[k] : sparse ? RowCase::between : guess.cases[k];
+        const RowCase wish = known ? yesterday[k] : cheap ? RowCase::between : guess.cases[k];
         const bool possible = (wish != RowCase::at_lo || mlcp.lo[i] > -infinity) &&
                               (wish != RowCase::at_hi || mlcp.hi[i] < infinity);
         guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? RowCase::at_lo : possible ? wish : RowCase::between;

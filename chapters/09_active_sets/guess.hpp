@@ -31,10 +31,11 @@ struct ActiveSetWork {
 /// The problem as the guesses see it: A + diag(shift), and a q of its own. Rows are measured in m/s.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
-    VecX q;              ///< that of the problem, or of a proximal step (9.12)
-    VecX shift;          ///< ε A_ii of the proximal step, or zero
-    VecX diagonal;       ///< A_ii; 1 where it is not positive
-    Real tolerance = 0;  ///< a row that is wrong by less than this is right [m/s]
+    VecX q;                ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;            ///< ε A_ii of the proximal step, or zero
+    bool shifted = false;  ///< whether shift is used
+    VecX diagonal;         ///< A_ii; 1 where it is not positive
+    Real tolerance = 0;    ///< a row that is wrong by less than this is right [m/s]
 };
 
 /// Which rows are active, the λ that follows, and its w.
@@ -74,7 +75,7 @@ void velocities(const GuessedProblem& problem, const Factor& factor, const VecX&
 {
     factor.multiply(*problem.mlcp, lambda, w);
     w += problem.q;
-    if (problem.shift.size() > 0) w += problem.shift.cwiseProduct(lambda);
+    if (problem.shifted) w += problem.shift.cwiseProduct(lambda);
 }
 
 /// The largest |w| of the active rows, which should be zero [m/s].

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
-#include "chapters/09_active_sets/stopwatch.hpp"
+#include "chapters/09_active_sets/benchmark_stopwatch.hpp"
 
 #include <cstdlib>
 #include <numeric>

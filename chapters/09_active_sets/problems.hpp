@@ -55,15 +55,18 @@ struct BoxPile {
     }
 };
 
-/// Boxes of 1 kg one on the other, each moved sideways by up to a tenth of its side; the topmost has
-/// `top_mass` [kg], and so has every second one below it if `alternate`.
-inline BoxPile box_column(Index boxes, Real top_mass = 1, bool alternate = false, std::uint64_t seed = 1)
+/// Boxes of 1 kg one on the other, each moved sideways by up to a tenth of its side against the one below; the
+/// topmost has `top_mass` [kg], and so has every second one below it if `alternate`. A high column strays from
+/// the upright so far that it topples: parts of it open. If `upright`, each is moved by up to a twentieth from
+/// the axis instead, and at rest it stands.
+inline BoxPile box_column(Index boxes, Real top_mass = 1, bool alternate = false, bool upright = false,
+                          std::uint64_t seed = 1)
 {
     Random random(seed);
     BoxPile pile;
     Real x = 0;
     for (Index k = 0; k < boxes; ++k) {
-        x += random.uniform(-0.1, 0.1);
+        x = upright ? random.uniform(-0.05, 0.05) : x + random.uniform(-0.1, 0.1);
         const Index below_top = boxes - 1 - k;
         const bool heavy = below_top == 0 || (alternate && below_top % 2 == 0);
         pile.add({x, static_cast<Real>(k) + 0.5}, heavy ? top_mass : 1);

@@ -66,7 +66,8 @@ enum class ProximalEnd { right, infeasible, singular, limit };
 
 //! [outer]
 /// Outer steps until the residual of the original problem is small and falls no more; guess.lambda, pressed
-/// into its bounds, is the answer.
+/// into its bounds, is the answer. Where rows depend on each other flipping all at once goes round more
+/// often, so the patience with it is a quarter.
 /// \param memory   memory.previous: λ⁰, zero unless it has the size of the problem
 /// \param allowed  the natural residual at which an answer is good enough [m/s]
 template <class Factor>
@@ -76,6 +77,7 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
     const Mlcp& mlcp = *problem.mlcp;
     Real share = proximal_share;
     problem.shift = share * problem.diagonal;
+    problem.shifted = true;
     factor.forget();
     if (memory.previous.size() != mlcp.size()) memory.previous.setZero(mlcp.size());
     clamp_into_bounds(mlcp, memory.previous);
@@ -85,7 +87,7 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
     for (int outer = 0; outer < 50; ++outer) {
         ++work.outer_steps;
         problem.q = mlcp.q - problem.shift.cwiseProduct(memory.previous);  // (9.12)
-        const GuessEnd inner = guess_or_descend(problem, factor, patience, limit, guess, work);
+        const GuessEnd inner = guess_or_descend(problem, factor, patience / 4, limit, guess, work);
         if (inner != GuessEnd::right)
             return inner == GuessEnd::limit ? ProximalEnd::limit : ProximalEnd::singular;
         clamp_into_bounds(mlcp, guess.lambda);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/09_active_sets/drawing.hpp"
-#include "chapters/09_active_sets/guess_walk.hpp"
+#include "chapters/09_active_sets/guess_run.hpp"
 #include "chapters/09_active_sets/problems.hpp"
 
 #include <memory>
@@ -33,7 +33,7 @@ public:
             style.opacity = pile_.mass[k] > 1 ? 0.6 : 0.2;
             canvas.box(shown(pile_.centre[k]), zoom * Vec2(0.49, 0.49), 0, style);
         }
-        const VecX& lambda = walk_.solution.lambda;
+        const VecX& lambda = walk_.lambda;
         const Real largest = std::max(lambda.size() ? lambda.cwiseAbs().maxCoeff() : 0, 1e-12);
         const Real dot = std::min(0.09 * zoom, 0.022);
         Index i = 0;
@@ -68,8 +68,8 @@ inline Scene guess_scene()
     scene.h = 0.5;  // half a second for each correction when it plays by itself
     scene.h_low = 0.02;
     scene.h_high = 2;
-    scene.methods = {"active_sets", "dantzig"};
-    scene.side_by_side = scene.methods;
+    scene.methods = {"active_sets", "dantzig", "lemke"};
+    scene.side_by_side = {"active_sets", "dantzig"};
     scene.tunables = {
         {"pile", "", "0 a column, 1 a column of 1 kg and 1000 kg in turns, 2 a pyramid", 2, 0, 2, true, true,
          false},

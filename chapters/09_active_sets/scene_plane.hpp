@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/05_lemke/families.hpp"
-#include "chapters/09_active_sets/guess_walk.hpp"
+#include "chapters/09_active_sets/guess_run.hpp"
 
 #include <array>
 
@@ -11,7 +11,8 @@ namespace rigid {
 
 class PlaneRun : public Run {
 public:
-    explicit PlaneRun(const Settings& settings) : walk_(problem(settings), settings.method)
+    explicit PlaneRun(const Settings& settings)
+        : walk_(problem(settings), settings.method, set_of(static_cast<int>(settings["start"])))
     {
         const MatX A(walk_.problem.A);
         const VecX& q = walk_.problem.q;
@@ -46,7 +47,7 @@ public:
         canvas.arrow({-corner.x(), zero.y()}, {corner.x() + 0.03, zero.y()}, paint::axis);
         canvas.arrow({zero.x(), -corner.y()}, {zero.x(), corner.y() + 0.03}, paint::axis);
         canvas.text({corner.x() + 0.02, zero.y() - 0.09}, "λ₁ [N s]", 13, paint::label, Align::right);
-        canvas.text({zero.x() + 0.03, corner.y()}, "λ₂ [N s]", 13, paint::label);
+        canvas.text({zero.x() - 0.04, corner.y()}, "λ₂ [N s]", 13, paint::label, Align::right);
         draw_line(canvas, 0, {Colour::purple, 1.5, 1, false, false}, "w₁ = 0");
         draw_line(canvas, 1, {Colour::green, 1.5, 1, false, false}, "w₂ = 0");
 
@@ -57,8 +58,9 @@ public:
             const Vec2 p = shown(answers_[k]);
             const bool here = k == visited_.back();
             canvas.disc(p, here ? 0.035 : 0.02, {here ? Colour::red : Colour::ink, 1.5, 1, here, false});
-            const bool left = p.x() < zero.x() - 0.01;
-            canvas.text(p + Vec2(left ? -0.05 : 0.05, 0.045), names[k] + complaint(k), 13,
+            const bool left = k == 0 || p.x() < zero.x() - 0.01;
+            const Vec2 beside(left ? -0.05 : 0.05, k == 0 ? -0.09 : 0.045);
+            canvas.text(p + beside, names[k] + complaint(k), 13,
                         {here ? Colour::red : Colour::ink, 1, 1, false, false},
                         left ? Align::right : Align::left);
         }
@@ -76,6 +78,14 @@ private:
             throw std::invalid_argument("a11 a22 - a12^2 is " + std::to_string(A.determinant()) +
                                         "; it must be positive, else A is not positive definite");
         return plain_lcp(A, q);
+    }
+
+    static std::vector<RowCase> set_of(int number)
+    {
+        const auto active = [number](int row) {
+            return (number >> row) % 2 == 1 ? RowCase::between : RowCase::at_lo;
+        };
+        return {active(0), active(1)};
     }
 
     /// 0 none, 1 row one, 2 row two, 3 both.
@@ -115,8 +125,8 @@ private:
         }
         if (from >= to) return;
         canvas.segment(middle + from * along, middle + to * along, style);
-        const Vec2 low = along.y() > 0 ? Vec2(middle + from * along) : Vec2(middle + to * along);
-        canvas.text(low + Vec2(0, -0.075), name, 13, style, Align::centre);
+        const Vec2 high = along.y() > 0 ? Vec2(middle + to * along) : Vec2(middle + from * along);
+        canvas.text(high + Vec2(0, 0.03), name, 13, style, Align::centre);
     }
 
     GuessWalk walk_;
@@ -131,16 +141,18 @@ inline Scene plane_scene()
     Scene scene;
     scene.name = "plane";
     scene.summary = "Two rows and their four guesses in the plane of λ: what each gets wrong, and the way";
-    scene.view = {{0, -0.03}, {1.1, 1.12}};
+    scene.view = {{-0.12, -0.03}, {1.25, 1.12}};
     scene.h = 1;
     scene.h_low = 0.02;
     scene.h_high = 2;
-    scene.methods = {"active_sets", "dantzig"};
-    scene.tunables = {{"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
-                      {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
-                      {"a12", "1/kg", "of A, off its diagonal", 1.5, -3, 3, false, true, false},
-                      {"q1", "m/s", "of q, row 1", -3, -4, 4, false, true, false},
-                      {"q2", "m/s", "of q, row 2", -1, -4, 4, false, true, false}};
+    scene.methods = {"active_sets"};
+    scene.tunables = {
+        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 2, 0, 3, true, true, false},
+        {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
+        {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
+        {"a12", "1/kg", "of A, off its diagonal", 1.5, -3, 3, false, true, false},
+        {"q1", "m/s", "of q, row 1", -3, -4, 4, false, true, false},
+        {"q2", "m/s", "of q, row 2", -1, -4, 4, false, true, false}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) { return std::make_unique<PlaneRun>(settings); };
     return scene;

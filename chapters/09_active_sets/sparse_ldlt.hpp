@@ -45,7 +45,7 @@ public:
         const Elimination& e = elimination;
         const auto n = static_cast<int>(cases.size());
         const Real* const A = problem.mlcp->A.valuePtr();
-        const bool shifted = problem.shift.size() > 0;
+        const bool shifted = problem.shifted;
         const int* const begin = e.column_begin.data();
         int* const end = filled_.data();
         int* const row = row_.data();

@@ -1,7 +1,7 @@
 # Error against what it costs, for every way on four problems. `column` and `cost` say which cost.
 load style
 set terminal svg size 820,820 dynamic enhanced font 'DejaVu Sans,14' linewidth 1.2
-set multiplot layout 2,2 margins 0.1,0.98,0.23,0.95 spacing 0.13,0.16
+set multiplot layout 2,2 margins 0.1,0.98,0.23,0.94 spacing 0.13,0.16
 set logscale xy
 unset key
 set datafile separator whitespace

@@ -1,4 +1,4 @@
-/// \file stopwatch.hpp
+/// \file benchmark_stopwatch.hpp
 /// Run times for benchmark.cpp: the fastest of several repetitions. Physics never reads a clock.
 #pragma once
 

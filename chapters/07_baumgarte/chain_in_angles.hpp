@@ -1,4 +1,4 @@
-/// \file chain_reference.hpp
+/// \file chain_in_angles.hpp
 /// A swinging chain without constraints: N angles in place of 2N coordinates and N rows, so no C can be off.
 ///
 ///     Σ_k M_jk cos(θ_j − θ_k) θ̈_k = −Σ_k M_jk sin(θ_j − θ_k) θ̇_k² − (g/L) M_jj sin θ_j,   M_jk = Σ_{i ≥ max(j,k)} m_i
@@ -16,13 +16,13 @@
 
 namespace rigid {
 
-class ChainReference {
+class ChainInAngles {
 public:
     /// Straight, at one angle from straight down, at rest.
     /// \param mass    [kg], one for each disc from the anchor on
     /// \param length  of each link [m]
     /// \param angle   [rad], counterclockwise
-    ChainReference(const VecX& mass, Real length, Real angle, Real g)
+    ChainInAngles(const VecX& mass, Real length, Real angle, Real g)
         : length_(length), g_(g), below_(mass), theta_(VecX::Constant(mass.size(), angle)),
           omega_(VecX::Zero(mass.size()))
     {

@@ -1,4 +1,4 @@
-/// \file guess_walk.hpp
+/// \file guess_run.hpp
 /// A guess on its way, alive: one correction per step of the program.
 #pragma once
 
@@ -15,15 +15,19 @@ namespace rigid {
 struct GuessWalk {
     Mlcp problem;
     std::string method;
+    std::vector<RowCase> first;
     int allowed = 1;      ///< corrections that the solver may make
     int corrections = 0;  ///< and did
     ActiveSetMemory memory;
-    Solution solution;           ///< what the guess led to
+    Solution solution;           ///< what the solver says of it
+    VecX lambda;                 ///< what the guess led to, within its bounds or not [N s]
     std::vector<RowCase> cases;  ///< the guess itself
 
-    GuessWalk(Mlcp mlcp, std::string solver) : problem(std::move(mlcp)), method(std::move(solver))
+    /// \param start  yesterday's set; empty = the solver's own first guess
+    GuessWalk(Mlcp mlcp, std::string solver, std::vector<RowCase> start = {})
+        : problem(std::move(mlcp)), method(std::move(solver)), first(std::move(start))
     {
-        solve(1);
+        solve(allowed);
     }
 
     bool done() const { return solution.status != Status::iteration_limit; }
@@ -41,17 +45,17 @@ struct GuessWalk {
     {
         Real sum = problem.q[i];
         for (SparseMatrix::InnerIterator entry(problem.A, i); entry; ++entry)
-            sum += entry.value() * solution.lambda[entry.col()];
+            sum += entry.value() * lambda[entry.col()];
         return sum;
     }
     /// The row contradicts its guess: an active one pulls, or one that was let go is pushed through.
     bool wrong(Index i) const
     {
-        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), lambda = solution.lambda[i];
+        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), now = lambda[i];
         const Real a = problem.A.coeff(i, i);
         if (guess(i) == RowCase::at_lo) return w(i) < -tiny;
         if (guess(i) == RowCase::at_hi) return w(i) > tiny;
-        return a * (problem.lo[i] - lambda) > tiny || a * (lambda - problem.hi[i]) > tiny;
+        return a * (problem.lo[i] - now) > tiny || a * (now - problem.hi[i]) > tiny;
     }
     Index count(RowCase which) const
     {
@@ -66,7 +70,7 @@ struct GuessWalk {
 
     static std::vector<Column> columns()
     {
-        return {{"corrections", "", "corrections of the guess so far", false, false},
+        return {{"corrections", "", "guesses, or pivots, so far", false, false},
                 {"wrong", "", "rows that contradict the guess", true, false},
                 {"active", "", "rows that the guess holds at w = 0", true, false},
                 {"residual", "m/s", "natural residual of the present impulses", true, true},
@@ -88,8 +92,11 @@ struct GuessWalk {
     }
     std::string told() const
     {
-        const std::string name = std::to_string(corrections) + (corrections == 1 ? " solve: " : " solves: ");
+        const std::string what = method == "active_sets" ? "guess" : "pivot";
+        const std::string many = method == "active_sets" ? "guesses" : "pivots";
+        const std::string name = std::to_string(corrections) + " " + (corrections == 1 ? what : many) + ": ";
         if (done()) return name + std::string(to_string(solution.status));
+        if (memory.dependent && lambda.isZero()) return name + "its active rows depend on each other";
         return name + std::to_string(count_wrong()) + " of " + std::to_string(problem.size()) +
                " rows are wrong";
     }
@@ -97,16 +104,21 @@ struct GuessWalk {
 private:
     void solve(int limit)
     {
-        // The guess of this correction is what the one before has left behind.
-        if (corrections == 0) begin(problem, {}, cases);
-        else cases = memory.cases;
         ActiveSetSettings settings;
         settings.limit = limit;
         memory = {};
-        if (method == "dantzig") dantzig(problem, settings, memory, solution);
-        else active_sets(problem, settings, memory, solution);
-        if (done()) cases = memory.cases;
+        memory.cases = first;
+        if (method == "active_sets") active_sets(problem, settings, memory, solution);
+        else if (method == "dantzig") dantzig(problem, settings, memory, solution);
+        else solution = lemke(problem, {{}, {}, limit, settings.tolerance});  // chapter 5's walk, to compare
         corrections = solution.iterations;
+        lambda = method == "lemke" ? solution.lambda : memory.guess.lambda;
+        // A row that is not active rests at its bound to the bit: λ tells what was guessed.
+        cases.resize(static_cast<std::size_t>(problem.size()));
+        for (Index i = 0; i < problem.size(); ++i)
+            cases[static_cast<std::size_t>(i)] = lambda[i] == problem.lo[i]   ? RowCase::at_lo
+                                                 : lambda[i] == problem.hi[i] ? RowCase::at_hi
+                                                                              : RowCase::between;
     }
 };
 

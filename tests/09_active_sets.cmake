@@ -1,0 +1,47 @@
+# The program as a reader runs it.
+foreach(scene plane guess ten_discs long_chain)
+  add_program_test(ch09 09_active_sets "runs scene ${scene}" --headless --scene ${scene} --steps 300 --csv -)
+endforeach()
+foreach(method dantzig lemke)
+  add_program_test(ch09 09_active_sets "guesses by ${method}" --headless --scene guess --method ${method} --steps 100 --csv -)
+  set_tests_properties("ch09: 09_active_sets guesses by ${method}" PROPERTIES  # the last column is the status: solved
+    PASS_REGULAR_EXPRESSION "\n100,[^\n]*,0\n")
+endforeach()
+add_program_test(ch09 09_active_sets "refuses a pyramid that is too high" --headless --scene guess --set levels=40 --steps 1)
+set_tests_properties("ch09: 09_active_sets refuses a pyramid that is too high" PROPERTIES
+  PASS_REGULAR_EXPRESSION "the pyramid has 40 levels")
+foreach(problem spd_s5 column_rest_s3 mass1000_rest_s5 pyramid_impact_s3 disc_chain_s2 fric_boxed_s4 blcp_spd_s10)
+  foreach(method active_sets dantzig)
+    add_program_test(ch09 09_active_sets "solves ${problem} by ${method}" --headless --problem
+                     ${PROJECT_SOURCE_DIR}/tests/problems/${problem}.mlcp --method ${method})
+    set_tests_properties("ch09: 09_active_sets solves ${problem} by ${method}" PROPERTIES
+      PASS_REGULAR_EXPRESSION "status solved")
+  endforeach()
+endforeach()
+# A is not symmetric: Dantzig's method is not for these.
+foreach(problem nonsym_pd_s6 fric_st_s2 murty_exp_s6 murty_q1_s16 circulant_ties_12)
+  add_program_test(ch09 09_active_sets "solves ${problem} by active_sets" --headless --problem
+                   ${PROJECT_SOURCE_DIR}/tests/problems/${problem}.mlcp --method active_sets)
+  set_tests_properties("ch09: 09_active_sets solves ${problem} by active_sets" PROPERTIES
+    PASS_REGULAR_EXPRESSION "status solved")
+endforeach()
+foreach(method active_sets dantzig)
+  add_program_test(ch09 09_active_sets "says by ${method} that a problem has no answer" --headless --problem
+                   ${PROJECT_SOURCE_DIR}/tests/problems/infeasible_psd2.mlcp --method ${method})
+  set_tests_properties("ch09: 09_active_sets says by ${method} that a problem has no answer" PROPERTIES
+    PASS_REGULAR_EXPRESSION "status infeasible")
+endforeach()
+
+# The same bits without and with optimisation. Every source is compiled anew: nothing optimised is linked in.
+if(NOT MSVC)
+  foreach(level 0 2)
+    add_executable(09_active_sets_trace_O${level} tests/09_active_sets_trace.cpp common/contact.cpp common/measure.cpp
+                                                  common/scenes.cpp)
+    target_link_libraries(09_active_sets_trace_O${level} PRIVATE rigid_options)
+    target_compile_options(09_active_sets_trace_O${level} PRIVATE -O${level})
+  endforeach()
+  set(name "ch09: ten discs, a column and a pyramid are the same bits without and with optimisation")
+  add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -DFIRST=$<TARGET_FILE:09_active_sets_trace_O0>
+           -DSECOND=$<TARGET_FILE:09_active_sets_trace_O2> -P ${PROJECT_SOURCE_DIR}/tests/04_pgs_same_output.cmake)
+  set_tests_properties(${name} PROPERTIES LABELS ch09 TIMEOUT 300)
+endif()

@@ -1,0 +1,956 @@
+/// Chapter 9: active sets. The guesses of the text, the factors against fresh ones, the answers against chapter
+/// 3's enumeration and closed forms, and a search for problems that any exact solver gets wrong.
+
+#include "tests/no_allocation.hpp"
+
+#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/exact.hpp"
+#include "chapters/03_mlcp_formulation/problem_file.hpp"
+#include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/rates.hpp"
+#include "chapters/05_lemke/families.hpp"
+#include "chapters/05_lemke/stewart_trinkle.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
+#include "chapters/09_active_sets/friction_boxes.hpp"
+#include "chapters/09_active_sets/problems.hpp"
+
+#include "tests/catch.hpp"
+
+#include <functional>
+#include <set>
+
+using namespace rigid;
+
+namespace {
+
+constexpr Real identity = 1e-12;  // rounding of a few pivots on numbers of size one
+
+VecX vector(std::initializer_list<Real> numbers)
+{
+    VecX v(static_cast<Index>(numbers.size()));
+    std::copy(numbers.begin(), numbers.end(), v.begin());
+    return v;
+}
+
+MatX matrix2(Real a, Real b, Real c, Real d)
+{
+    MatX A(2, 2);
+    A << a, b, c, d;
+    return A;
+}
+
+/// The natural residual in long double: the judge does not share the arithmetic of the judged.
+long double judged_residual(const Mlcp& mlcp, const VecX& lambda)
+{
+    long double largest = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        long double w = mlcp.q[i], a = 0;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            w += static_cast<long double>(entry.value()) * lambda[entry.col()];
+            if (entry.col() == i) a = entry.value();
+        }
+        if (!(a > 0)) a = 1;
+        const long double x = a * lambda[i];
+        const long double r =
+            std::abs(x - std::max(a * mlcp.lo[i], std::min(a * static_cast<long double>(mlcp.hi[i]), x - w)));
+        if (!(r <= largest)) largest = r;
+    }
+    return largest;
+}
+
+MatX gaussian(Index rows, Index columns, Random& random)
+{
+    MatX G(rows, columns);
+    for (Real& entry : G.reshaped()) entry = random.normal();
+    return G;
+}
+
+/// The kinds of matrices of this chapter's random problems.
+enum class Kind { spd, psd, p_matrix, positive_real, bounded, bilateral };
+constexpr Kind all_kinds[] = {Kind::spd,           Kind::psd,     Kind::p_matrix,
+                              Kind::positive_real, Kind::bounded, Kind::bilateral};
+
+MatX random_matrix(Kind kind, Index n, Random& random)
+{
+    const auto size = static_cast<Real>(n);
+    if (kind == Kind::psd) {
+        const MatX G = gaussian(n, (n + 1) / 2, random);
+        return G * G.transpose() / size;
+    }
+    if (kind == Kind::p_matrix) {  // a dominant positive diagonal makes all principal minors positive
+        MatX A = gaussian(n, n, random);
+        for (Index i = 0; i < n; ++i) A(i, i) = 0.1 + A.row(i).cwiseAbs().sum();
+        return A;
+    }
+    const MatX G = gaussian(n, n, random);
+    MatX A = G * G.transpose() / size + 0.05 * MatX::Identity(n, n);
+    if (kind == Kind::positive_real) {  // not symmetric, and yet zᵀAz > 0
+        const MatX S = gaussian(n, n, random);
+        A += S - S.transpose();
+    }
+    return A;
+}
+
+/// A problem with a planted answer: each row has λ at a bound and w of the right sign, or λ between and w =
+/// 0.
+Mlcp planted(Kind kind, Index n, Random& random, VecX& lambda)
+{
+    Mlcp mlcp = plain_lcp(random_matrix(kind, n, random), VecX::Zero(n));
+    lambda = VecX::Zero(n);
+    VecX w = VecX::Zero(n);
+    for (Index i = 0; i < n; ++i) {
+        if (kind == Kind::bilateral && random.uniform() < 0.4) {
+            mlcp.lo[i] = -infinity;
+            lambda[i] = random.normal();
+            continue;
+        }
+        if (kind == Kind::bounded) {
+            mlcp.lo[i] = random.uniform() < 0.2 ? -infinity : -random.uniform();
+            mlcp.hi[i] = mlcp.lo[i] > -infinity && random.uniform() < 0.3 ? infinity : random.uniform();
+        }
+        const bool below = mlcp.lo[i] > -infinity, above = mlcp.hi[i] < infinity;
+        const Real where = random.uniform();
+        if (below && where < 0.4) {
+            lambda[i] = mlcp.lo[i];
+            w[i] = random.uniform();
+        } else if (above && where > 0.6) {
+            lambda[i] = mlcp.hi[i];
+            w[i] = -random.uniform();
+        } else {
+            const Real lo = below ? mlcp.lo[i] : mlcp.hi[i] - 1, hi = above ? mlcp.hi[i] : lo + 1;
+            lambda[i] = lo + (hi - lo) * random.uniform();
+        }
+    }
+    mlcp.q = w - mlcp.A * lambda;
+    return mlcp;
+}
+
+std::string refused(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const std::invalid_argument& sentence) {
+        return sentence.what();
+    }
+    return "accepted";
+}
+
+MatX matrix3(std::initializer_list<Real> rows)
+{
+    MatX A(3, 3);
+    Index k = 0;
+    for (const Real entry : rows) {
+        A(k / 3, k % 3) = entry;
+        ++k;
+    }
+    return A;
+}
+
+/// What a factor is asked for.
+GuessedProblem guessed(const Mlcp& mlcp)
+{
+    GuessedProblem problem;
+    problem.mlcp = &mlcp;
+    problem.q = mlcp.q;
+    problem.diagonal = MatX(mlcp.A).diagonal();
+    problem.tolerance = 1e-12;
+    return problem;
+}
+
+std::vector<RowCase> random_cases(Index n, Real share, Random& random)
+{
+    std::vector<RowCase> cases(static_cast<std::size_t>(n), RowCase::at_lo);
+    for (RowCase& here : cases)
+        if (random.uniform() < share) here = RowCase::between;
+    return cases;
+}
+
+/// The answer of a dense system of the active rows alone, by another library's route.
+VecX active_answer(const MatX& A, const std::vector<RowCase>& cases, const VecX& right)
+{
+    std::vector<Index> active;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (cases[i] == RowCase::between) active.push_back(static_cast<Index>(i));
+    VecX x = VecX::Zero(right.size());
+    if (active.empty()) return x;
+    const VecX part = A(active, active).fullPivLu().solve(VecX(right(active)));
+    for (std::size_t k = 0; k < active.size(); ++k) x[active[k]] = part[static_cast<Index>(k)];
+    return x;
+}
+
+/// The slope of log y over log x, by least squares.
+Real fitted_slope(const std::vector<Real>& x, const std::vector<Real>& y)
+{
+    Real sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const Real u = std::log(x[k]), v = std::log(y[k]);
+        sx += u, sy += v, sxx += u * u, sxy += u * v;
+    }
+    const auto n = static_cast<Real>(x.size());
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+std::vector<FrictionBox> boxes_of(const Mlcp& mlcp, Real mu)
+{
+    std::vector<FrictionBox> boxes;
+    for (Index i = 1; i < mlcp.size(); i += 2) boxes.push_back({i, i - 1, mu});
+    return boxes;
+}
+
+}  // namespace
+
+// ---- the guesses of the text ----------------------------------------------------------------------------
+
+TEST_CASE("the two contacts of the text take two guesses")
+{
+    const Mlcp problem = plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -1}));
+    ActiveSetSettings settings;
+    settings.limit = 1;
+    ActiveSetMemory memory;
+    memory.cases = {RowCase::between, RowCase::between};
+    Solution solution;
+    active_sets(problem, settings, memory, solution);
+    CHECK(solution.status == Status::iteration_limit);
+    CHECK((memory.guess.lambda - vector({3, -1})).cwiseAbs().maxCoeff() <= identity);
+    CHECK(memory.guess.wrong == std::vector<Index>{1});
+    settings.limit = 2;
+    memory.cases = {RowCase::between, RowCase::between};
+    active_sets(problem, settings, memory, solution);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.iterations == 2);
+    CHECK((solution.lambda - vector({2.5, 0})).cwiseAbs().maxCoeff() <= identity);
+    CHECK(memory.cases == std::vector<RowCase>{RowCase::between, RowCase::at_lo});
+}
+
+TEST_CASE("flipping all wrong rows goes round in the example of the text and the fallback ends it")
+{
+    const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
+    const GuessedProblem asked = guessed(problem);
+    const auto fresh = [] {
+        Guess guess;
+        guess.cases.assign(3, RowCase::between);
+        guess.lambda = guess.w = guess.step = VecX::Zero(3);
+        return guess;
+    };
+    DenseLlt factor;
+    factor.look(problem);
+    SECTION("with endless patience it never ends")
+    {
+        Guess guess = fresh();
+        ActiveSetWork work;
+        CHECK(correct_guess(asked, factor, 1'000'000, 500, true, guess, work) == GuessEnd::limit);
+        CHECK(work.guesses == 500);
+    }
+    SECTION("one row at a time ends")
+    {
+        Guess guess = fresh();
+        ActiveSetWork work;
+        CHECK(correct_guess(asked, factor, 2, 500, true, guess, work) == GuessEnd::right);
+        CHECK(work.single_flips > 0);
+        CHECK(natural_residual(problem, guess.lambda) <= identity * 10);
+    }
+    SECTION("downhill ends")
+    {
+        Guess guess = fresh();
+        ActiveSetWork work;
+        CHECK(guess_or_descend(asked, factor, 2, 500, guess, work) == GuessEnd::right);
+        CHECK(work.descents > 0);
+    }
+    SECTION("so the solver solves it")
+    {
+        ActiveSetMemory memory;
+        memory.cases.assign(3, RowCase::between);
+        Solution solution;
+        active_sets(problem, {}, memory, solution);
+        CHECK(solution.status == Status::solved);
+        CHECK(memory.work.walks == 0);
+    }
+}
+
+TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sides")
+{
+    // Each level of the argument visits a row's three cases at most once: no more than 3^n guesses.
+    Random random(11);
+    for (int sample = 0; sample < 500; ++sample) {
+        const Index n = 1 + random.index(5);
+        VecX lambda;
+        Mlcp problem = planted(Kind::p_matrix, n, random, lambda);
+        for (Index i = 0; i < n; ++i)
+            if (random.uniform() < 0.5) problem.hi[i] = problem.lo[i] + random.uniform(0.1, 2);
+        const GuessedProblem asked = guessed(problem);
+        GeneralLu factor;
+        factor.look(problem);
+        Guess guess;
+        guess.cases.assign(static_cast<std::size_t>(n), RowCase::between);
+        guess.lambda = guess.w = guess.step = VecX::Zero(n);
+        ActiveSetWork work;
+        // With no patience at all: one row at a time from the second guess on.
+        const int most = static_cast<int>(std::pow(3, n)) + 2 * static_cast<int>(n) + 2;
+        REQUIRE(correct_guess(asked, factor, 0, most, true, guess, work) == GuessEnd::right);
+        CHECK(judged_residual(problem, guess.lambda) <= 1e-9 * (1 + problem.q.cwiseAbs().maxCoeff()));
+    }
+}
+
+TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
+{
+    // (9.13), an identity: solve with A + shift and q - shift lambda0 as one set of active rows.
+    Random random(12);
+    for (int sample = 0; sample < 100; ++sample) {
+        const Index n = 2 + random.index(10);
+        const MatX G = gaussian(n, n, random);
+        const Mlcp problem = plain_lcp(G * G.transpose(), VecX::Constant(n, -1));
+        VecX before(n);
+        for (Real& entry : before) entry = random.uniform();
+        GuessedProblem asked = guessed(problem);
+        asked.shift = 0.5 * asked.diagonal;
+        asked.shifted = true;
+        asked.q = problem.q - asked.shift.cwiseProduct(before);
+        DenseLlt factor;
+        factor.look(problem);
+        Guess guess;
+        guess.cases.assign(static_cast<std::size_t>(n), RowCase::between);
+        guess.lambda = guess.w = guess.step = VecX::Zero(n);
+        ActiveSetWork work;
+        REQUIRE(factor.factor(asked, guess.cases, work));
+        solve_guess(asked, factor, guess);
+        const VecX left = problem.A * guess.lambda + problem.q;
+        const VecX term = asked.shift.cwiseProduct(before - guess.lambda);
+        // Both sides are rounded at the size of A lambda.
+        CHECK((left - term).cwiseAbs().maxCoeff() <= identity * (1 + term.cwiseAbs().maxCoeff()) * 10);
+    }
+}
+
+// ---- the factors ----------------------------------------------------------------------------------------
+
+TEST_CASE("a factor that gained and lost rows one at a time is that of the rows it has")
+{
+    Random random(20);
+    for (int sample = 0; sample < 50; ++sample) {
+        const Index n = 2 + random.index(20);
+        const MatX A = random_matrix(Kind::spd, n, random);
+        IncrementalLdlt factor(n);
+        for (int change = 0; change < 60; ++change) {
+            const Index row = random.index(n);
+            const auto found = std::find(factor.rows.begin(), factor.rows.end(), row);
+            if (found != factor.rows.end()) factor.lose(found - factor.rows.begin());
+            else {
+                const VecX couplings = A(factor.rows, std::vector<Index>{row}).reshaped();
+                REQUIRE(factor.gain(row, couplings, A(row, row), 0));
+            }
+            VecX x(factor.size());
+            for (Real& entry : x) entry = random.normal();
+            const VecX right = x;
+            factor.solve(x);
+            // The condition of these matrices is below 1e3, and sixty changes add their rounding.
+            if (x.size() > 0) CHECK((A(factor.rows, factor.rows) * x - right).cwiseAbs().maxCoeff() <= 1e-11);
+        }
+    }
+}
+
+TEST_CASE("a border of changed rows solves as a new factorisation does")
+{
+    Random random(21);
+    int borders = 0;
+    for (int sample = 0; sample < 40; ++sample) {
+        const Index n = 40 + random.index(60);
+        VecX unused;
+        const Mlcp problem = planted(Kind::spd, n, random, unused);
+        const MatX A = problem.A;
+        const GuessedProblem asked = guessed(problem);
+        DenseLlt factor;
+        factor.look(problem);
+        std::vector<RowCase> cases = random_cases(n, 0.7, random);
+        ActiveSetWork work;
+        for (int change = 0; change < 8; ++change) {
+            REQUIRE(factor.factor(asked, cases, work));
+            VecX x(n);
+            for (Real& entry : x) entry = random.normal();
+            VecX right = x;
+            for (Index i = 0; i < n; ++i)
+                if (cases[static_cast<std::size_t>(i)] != RowCase::between) x[i] = right[i] = 0;
+            const VecX truth = active_answer(A, cases, right);
+            factor.solve(x);
+            CHECK((x - truth).cwiseAbs().maxCoeff() <= 1e-9 * (1 + truth.cwiseAbs().maxCoeff()));
+            for (int k = 0; k < 2; ++k) {
+                RowCase& here = cases[static_cast<std::size_t>(random.index(n))];
+                here = here == RowCase::between ? RowCase::at_lo : RowCase::between;
+            }
+        }
+        borders += work.updates;
+    }
+    CHECK(borders > 100);  // that way was taken
+}
+
+TEST_CASE("the sparse factor of any active rows solves their system in the pattern of the whole")
+{
+    Random random(22);
+    for (const Mlcp& problem : {chain_on_hills(40).mlcp(), pile_problem(box_column(20), nudged).mlcp(),
+                                line_problem(50, 1, 0.1), chain_on_hills(8).mlcp()}) {
+        const MatX A = problem.A;
+        GuessedProblem asked = guessed(problem);
+        SparseLdlt factor;
+        factor.look(problem);
+        for (int sample = 0; sample < 20; ++sample) {
+            const std::vector<RowCase> cases = random_cases(problem.size(), sample / 20.0, random);
+            ActiveSetWork work;
+            if (!factor.factor(asked, cases, work)) continue;
+            VecX x(problem.size());
+            for (Real& entry : x) entry = random.normal();
+            for (Index i = 0; i < x.size(); ++i)
+                if (cases[static_cast<std::size_t>(i)] != RowCase::between) x[i] = 0;
+            const VecX truth = active_answer(A, cases, x);
+            factor.solve(x);
+            CHECK((x - truth).cwiseAbs().maxCoeff() <= 1e-10 * (1 + truth.cwiseAbs().maxCoeff()));
+            CHECK(work.entries <= factor.elimination.entries());
+        }
+    }
+}
+
+TEST_CASE("the pattern is looked for once for a structure")
+{
+    Mlcp problem = chain_on_hills(50).mlcp();
+    SparseLdlt factor;
+    factor.look(problem);
+    CHECK(factor.elimination.analysed);
+    problem.A *= 2;
+    factor.look(problem);
+    CHECK_FALSE(factor.elimination.analysed);
+    factor.look(chain_on_hills(51).mlcp());
+    CHECK(factor.elimination.analysed);
+}
+
+// ---- physics: closed forms ------------------------------------------------------------------------------
+
+TEST_CASE("each contact of a column carries what is above it")
+{
+    for (const Index count : {3, 10, 100, 1000})
+        for (const Real end_mass : {1.0, 1000.0}) {
+            const Mlcp problem = line_problem(count, end_mass, 9.81 / 60);
+            const VecX truth = line_answer(count, end_mass, 9.81 / 60);
+            const Solution solution = active_sets(problem);
+            REQUIRE(solution.status == Status::solved);
+            CHECK(solution.iterations == 1);
+            // The condition of the matrix grows with count²; rounding is multiplied by no more than that.
+            CHECK((solution.lambda - truth).cwiseAbs().maxCoeff() <= identity * truth.maxCoeff());
+        }
+}
+
+TEST_CASE("the ten discs of chapter 3 move as by its exact solver")
+{
+    DiscScene one = ten_discs(), two = one;
+    DiscSettings settings;
+    settings.h = 1.0 / 480;
+    DiscStep first, second;
+    ActiveSetMemory memory;
+    const auto guess = [&](const Mlcp& mlcp, Solution& solution) { active_sets(mlcp, {}, memory, solution); };
+    const auto walk_ = [](const Mlcp& mlcp) { return lemke(mlcp); };
+    int warm = 0;
+    for (int n = 0; n < 480; ++n) {
+        step(one, settings, guess, first);
+        step(two, settings, walk_, second);
+        REQUIRE(first.solution.status == Status::solved);
+        warm += memory.work.guesses == 1;
+        // Rounding grows by what the impacts multiply it; after a second it is still far below a nanometre.
+        CHECK((one.bodies.x - two.bodies.x).cwiseAbs().maxCoeff() <= 1e-9);
+    }
+    CHECK(warm > 300);  // yesterday's guess is right most of the time
+}
+
+TEST_CASE("a box on redundant contacts is carried whole")
+{
+    // The sum of the impulses under a pyramid is its weight times h, however they share it.
+    for (const Index levels : {2, 5, 12}) {
+        const BoxPile pile = box_pyramid(levels);
+        const Mlcp problem = pile_problem(pile, at_rest).mlcp();
+        ActiveSetMemory memory;
+        Solution solution;
+        active_sets(problem, {}, memory, solution);
+        REQUIRE(solution.status == Status::solved);
+        CHECK(memory.work.outer_steps > 0);
+        const Real weight = static_cast<Real>(levels * (levels + 1) / 2) * at_rest.fall;
+        CHECK(std::abs(solution.lambda.head(2 * levels).sum() - weight) <= identity * 100 * weight);
+        CHECK((problem.A * solution.lambda + problem.q).minCoeff() >= -1e-12);
+    }
+}
+
+TEST_CASE("pyramids are solved at rest and in impact by guessing alone")
+{
+    for (const Index levels : {3, 8, 16, 22})
+        for (const Motion& motion : {at_rest, nudged, in_impact}) {
+            const Mlcp problem = pile_problem(box_pyramid(levels), motion).mlcp();
+            ActiveSetMemory memory;
+            Solution solution;
+            active_sets(problem, {}, memory, solution);
+            INFO("levels " << levels);
+            CHECK(solution.status == Status::solved);
+            CHECK(memory.work.walks == 0);
+            CHECK(judged_residual(problem, solution.lambda) <= 1e-10);
+            if (levels > 16) continue;
+            const Solution driven = dantzig(problem);
+            CHECK(driven.status == Status::solved);
+            CHECK((problem.A * (solution.lambda - driven.lambda)).cwiseAbs().maxCoeff() <= 1e-7);
+        }
+}
+
+// ---- order: how the work grows --------------------------------------------------------------------------
+
+TEST_CASE("the entries of the factor grow in proportion to the rows of columns and chains")
+{
+    std::vector<Real> rows, column, chain;
+    for (const Index n : {50, 100, 200, 400, 800}) {
+        ActiveSetMemory memory;
+        Solution solution;
+        active_sets(pile_problem(box_column(n), nudged).mlcp(), {}, memory, solution);
+        REQUIRE(solution.status == Status::solved);
+        column.push_back(static_cast<Real>(memory.work.entries));
+        active_sets(chain_on_hills(n).mlcp(), {}, memory, solution);
+        REQUIRE(solution.status == Status::solved);
+        chain.push_back(static_cast<Real>(memory.work.entries));
+        rows.push_back(static_cast<Real>(n));
+    }
+    CHECK(std::abs(fitted_slope(rows, column) - 1) <= 0.15);
+    CHECK(std::abs(fitted_slope(rows, chain) - 1) <= 0.15);
+}
+
+TEST_CASE("a step is of first order in h whoever solves its rows")
+{
+    // A chain of links alone, swinging from rest: symplectic Euler with exact constraint impulses.
+    std::vector<Real> h, error;
+    const auto swing = [](int steps) {
+        DiscScene scene = swinging_chain(8);
+        DiscSettings settings;
+        settings.h = 0.25 / steps;
+        DiscStep now;
+        ActiveSetMemory memory;
+        const auto guess = [&](const Mlcp& mlcp, Solution& out) { active_sets(mlcp, {}, memory, out); };
+        for (int n = 0; n < steps; ++n) step(scene, settings, guess, now);
+        return scene.bodies.x;
+    };
+    const VecX a = swing(200), b = swing(400), c = swing(800), d = swing(1600);
+    h = {1, 0.5, 0.25};
+    error = {(a - b).norm(), (b - c).norm(), (c - d).norm()};
+    CHECK(std::abs(fitted_slope(h, error) - 1) <= 0.15);
+}
+
+// ---- warm starts ----------------------------------------------------------------------------------------
+
+TEST_CASE("an unchanged active set costs one factorisation and gives the same answer")
+{
+    for (const Mlcp& problem : {pile_problem(box_column(60), in_impact).mlcp(), chain_on_hills(100).mlcp(),
+                                pile_problem(box_pyramid(10), in_impact).mlcp(),
+                                pile_problem(box_column(40), nudged, 0.5).mlcp()}) {
+        ActiveSetMemory memory;
+        Solution cold, warm;
+        active_sets(problem, {}, memory, cold);
+        REQUIRE(cold.status == Status::solved);
+        REQUIRE(memory.work.factorisations > 1);
+        active_sets(problem, {}, memory, warm);
+        REQUIRE(warm.status == Status::solved);
+        CHECK(memory.work.factorisations == 1);
+        CHECK(memory.work.flips == 0);
+        CHECK((problem.A * (cold.lambda - warm.lambda)).cwiseAbs().maxCoeff() <= 1e-11);
+    }
+}
+
+TEST_CASE("yesterday's set of another problem does no harm")
+{
+    Random random(40);
+    ActiveSetMemory memory;
+    Solution warm;
+    for (int sample = 0; sample < 500; ++sample) {
+        VecX unused;
+        const Kind kind = all_kinds[random.index(6)];
+        const Mlcp problem = planted(kind, 6, random, unused);
+        active_sets(problem, {}, memory, warm);
+        INFO("sample " << sample << " kind " << static_cast<int>(kind));
+        CHECK(warm.status == Status::solved);
+        CHECK(judged_residual(problem, warm.lambda) <= 1e-10 * (1 + problem.q.cwiseAbs().maxCoeff()));
+    }
+}
+
+TEST_CASE("a warm step on a sparse problem allocates nothing")
+{
+    for (const Motion& motion : {at_rest, in_impact}) {
+        const Mlcp column = pile_problem(box_column(40), motion).mlcp();
+        const Mlcp pyramid = pile_problem(box_pyramid(8), motion).mlcp();
+        for (const Mlcp* problem : {&column, &pyramid}) {
+            ActiveSetMemory memory;
+            Solution solution;
+            for (int k = 0; k < 2; ++k) active_sets(*problem, {}, memory, solution);
+            int violations = 0;
+            {
+                const NoAllocation guard;
+                active_sets(*problem, {}, memory, solution);
+                violations = NoAllocation::violations();
+            }
+            CHECK(violations == 0);
+            CHECK(solution.status == Status::solved);
+        }
+    }
+}
+
+// ---- against the truth ----------------------------------------------------------------------------------
+
+TEST_CASE("the small problems come out right to the uniqueness that their files state")
+{
+    for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2",
+                             "fric_boxed_s4", "fric_st_s2", "infeasible_psd2", "mass1000_rest_s5",
+                             "murty_exp_s6", "murty_q1_s16", "nonsym_pd_s6", "pyramid_impact_s3", "spd_s5"}) {
+        const Problem problem =
+            read_problem(std::string(RIGID_SOURCE_DIR) + "/tests/problems/" + name + ".mlcp");
+        std::vector<Solution> solutions{active_sets(problem.mlcp)};
+        std::vector<int> cursor;
+        if (is_symmetric(problem.mlcp.A, cursor)) solutions.push_back(dantzig(problem.mlcp));
+        for (const Solution& solution : solutions) {
+            INFO(name);
+            if (problem.kind == Uniqueness::none) {
+                CHECK(solution.status == Status::infeasible);
+                continue;
+            }
+            REQUIRE(solution.status == Status::solved);
+            CHECK(solution.residual <= 1e-12);
+            // Answers are as good as the residual times the condition, 1e4 for the masses 1 : 1000.
+            const VecX w = problem.mlcp.A * solution.lambda + problem.mlcp.q;
+            if (problem.kind == Uniqueness::unique)
+                CHECK((solution.lambda - problem.z).cwiseAbs().maxCoeff() <=
+                      1e-10 * (1 + problem.z.cwiseAbs().maxCoeff()));
+            if (problem.kind != Uniqueness::any) CHECK((w - problem.w).cwiseAbs().maxCoeff() <= 1e-10);
+        }
+    }
+}
+
+TEST_CASE("a thousand random problems of each kind agree with the enumeration of chapter 3")
+{
+    for (const Kind kind : all_kinds) {
+        Random random(100 + static_cast<std::uint64_t>(kind));
+        const bool symmetric = kind != Kind::p_matrix && kind != Kind::positive_real;
+        int unique = 0;
+        for (int sample = 0; sample < 1000; ++sample) {
+            const bool large = sample % 100 == 0;  // 3^12 cases take a while
+            const Index n = large ? (kind == Kind::bounded ? 8 : 12) : 1 + random.index(5);
+            VecX lambda;
+            Mlcp problem = planted(kind, n, random, lambda);
+            if (sample % 3 == 0)  // without a planted answer: some of these have none
+                for (Real& entry : problem.q) entry = random.normal();
+            const Solution truth = enumerate(problem);
+            std::vector<Solution> solutions{active_sets(problem)};
+            if (symmetric) solutions.push_back(dantzig(problem));
+            for (const Solution& solution : solutions) {
+                INFO("kind " << static_cast<int>(kind) << ", sample " << sample << ", n = " << n);
+                if (truth.uniqueness == Uniqueness::none) {
+                    CHECK((solution.status == Status::infeasible ||
+                           solution.status == Status::ray_termination));
+                    continue;
+                }
+                REQUIRE(solution.status == Status::solved);
+                CHECK(judged_residual(problem, solution.lambda) <=
+                      1e-10 * (1 + problem.q.cwiseAbs().maxCoeff()));
+                // All are accurate to their residual times the condition of the active block, up to 1e4 here.
+                const Real size = 1 + truth.lambda.cwiseAbs().maxCoeff();
+                const VecX dw = problem.A * (solution.lambda - truth.lambda);
+                if (truth.uniqueness == Uniqueness::unique) {
+                    ++unique;
+                    CHECK((solution.lambda - truth.lambda).cwiseAbs().maxCoeff() <= 1e-7 * size);
+                }
+                if (truth.uniqueness != Uniqueness::any) CHECK(dw.cwiseAbs().maxCoeff() <= 1e-8 * size);
+            }
+        }
+        CHECK(unique >= (kind == Kind::psd ? 600 : 900));
+    }
+}
+
+TEST_CASE("planted answers of up to two hundred rows are found and agree with Lemke and with sweeps")
+{
+    for (const Kind kind : all_kinds) {
+        Random random(200 + static_cast<std::uint64_t>(kind));
+        for (int sample = 0; sample < 60; ++sample) {
+            const Index n = sample == 0 ? 200 : 1 + random.index(60);
+            VecX lambda;
+            const Mlcp problem = planted(kind, n, random, lambda);
+            const Solution solution = active_sets(problem), walked = lemke(problem);
+            INFO("kind " << static_cast<int>(kind) << ", sample " << sample << ", n = " << n);
+            REQUIRE(solution.status == Status::solved);
+            const Real size = 1 + problem.q.cwiseAbs().maxCoeff();
+            CHECK(judged_residual(problem, solution.lambda) <= 1e-10 * size);
+            CHECK((problem.A * (solution.lambda - lambda)).cwiseAbs().maxCoeff() <= 1e-7 * size);
+            CHECK((problem.A * (solution.lambda - walked.lambda)).cwiseAbs().maxCoeff() <= 1e-7 * size);
+            if (kind == Kind::p_matrix || kind == Kind::positive_real) continue;
+            const Solution driven = dantzig(problem);
+            REQUIRE(driven.status == Status::solved);
+            CHECK((problem.A * (driven.lambda - lambda)).cwiseAbs().maxCoeff() <= 1e-7 * size);
+            if (kind != Kind::spd || sample > 20) continue;
+            PgsSettings sweeps;
+            sweeps.tolerance = 1e-11;
+            const Solution swept = pgs(problem, sweeps);
+            if (swept.status == Status::solved)
+                CHECK((swept.lambda - solution.lambda).cwiseAbs().maxCoeff() <= 1e-8 * size);
+        }
+    }
+}
+
+TEST_CASE("infeasible semidefinite problems are recognised")
+{
+    // y ≥ 0 with A y = 0 and qᵀy < 0 is planted: no z has A z + q ≥ 0.
+    Random random(300);
+    int proved = 0, driven = 0;
+    for (int sample = 0; sample < 300; ++sample) {
+        const Index n = 2 + random.index(10);
+        VecX y(n), q(n);
+        for (Real& entry : y) entry = random.uniform(0.1, 1);
+        MatX G = gaussian(n, std::max<Index>(1, n / 2), random);
+        G -= y * (y.transpose() * G) / y.squaredNorm();
+        for (Real& entry : q) entry = random.normal();
+        q -= y * (q.dot(y) + random.uniform(0.1, 1)) / y.squaredNorm();
+        const Mlcp problem = plain_lcp(G * G.transpose(), q);
+        const Status guessed_status = active_sets(problem).status, driven_status = dantzig(problem).status;
+        CHECK(guessed_status != Status::solved);
+        CHECK(driven_status != Status::solved);
+        proved += guessed_status == Status::infeasible;
+        driven += driven_status == Status::infeasible;
+    }
+    CHECK(proved >= 290);  // a few are too blurred by rounding to prove anything
+    CHECK(driven >= 290);
+}
+
+TEST_CASE("a contact that pushes into two fixed walls has no answer and that is said")
+{
+    // A disc of 1 kg between two walls that both move towards it: u ≥ 1 and -u ≥ 1.
+    const Mlcp problem = plain_lcp(matrix2(1, -1, -1, 1), vector({-1, -1}));
+    CHECK(active_sets(problem).status == Status::infeasible);
+    CHECK(dantzig(problem).status == Status::infeasible);
+}
+
+namespace {
+
+/// Problems that are meant to go wrong: ties, zeros, nearly equal rows, masses from grams to kilotons.
+Mlcp nasty(int sample, Random& random)
+{
+    const Index n = 1 + random.index(sample % 50 == 0 ? 30 : 8);
+    MatX A(n, n);
+    VecX q(n);
+    const Index shape = random.index(8);
+    for (Real& entry : A.reshaped())
+        entry = shape < 2 || shape == 7 ? std::floor(random.uniform(-2, 3)) : random.normal();
+    for (Real& entry : q)
+        entry = random.uniform() < 0.5 ? std::floor(random.uniform(-2, 2)) : random.normal();
+    if (shape == 1 || shape == 2) A = (A * A.transpose()).eval();
+    if (shape == 3) A = (A * A.transpose() + 1e-9 * MatX::Identity(n, n)).eval();
+    if (shape == 4) {  // nearly the same row twice
+        A = (A * A.transpose()).eval();
+        const Index i = random.index(n), j = random.index(n);
+        const Real near = std::pow(10.0, random.uniform(-16, -6));
+        A.row(j) = A.row(i) * (1 + near);
+        A.col(j) = A.col(i) * (1 + near);
+    }
+    if (shape == 5) {
+        A = (A * A.transpose() + 0.01 * MatX::Identity(n, n)).eval();
+        VecX scale(n);
+        for (Real& entry : scale) entry = std::pow(10.0, random.uniform(-3, 3));
+        A = (scale.asDiagonal() * A * scale.asDiagonal()).eval();
+    }
+    if (shape == 6) A = (A - A.transpose()).eval();
+    if (shape == 7) A = (A + A.transpose()).eval();  // symmetric, of any definiteness
+    Mlcp problem = plain_lcp(A, q);
+    if (random.uniform() < 0.4)
+        for (Index i = 0; i < n; ++i) {
+            const Real which = random.uniform();
+            if (which < 0.3) problem.lo[i] = -infinity;
+            else if (which < 0.5) problem.hi[i] = random.uniform();
+            else if (which < 0.6) problem.hi[i] = problem.lo[i];
+            else if (which < 0.7) problem.hi[i] = 1e-12;
+        }
+    return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a random search finds no exact solver that says solved with a residual above 1e-8 or that loops")
+{
+    Random random(400);
+    int solved = 0, differ = 0;
+    constexpr int budget = 40000;
+    for (int sample = 0; sample < budget; ++sample) {
+        const Mlcp problem = nasty(sample, random);
+        ActiveSetSettings settings;
+        settings.limit = sample % 4 == 0 ? 300 : 0;
+        std::vector<std::pair<const char*, Solution>> solutions;
+        solutions.emplace_back("active_sets", active_sets(problem, settings));
+        CHECK(solutions.back().second.iterations <= 600);
+        std::vector<int> cursor;
+        if (is_symmetric(problem.A, cursor)) {
+            settings.limit = 2000;
+            solutions.emplace_back("dantzig", dantzig(problem, settings));
+            CHECK(solutions.back().second.iterations <= 2000);
+        }
+        LemkeSettings walk_settings;
+        walk_settings.pivot_limit = 2000;
+        solutions.emplace_back("lemke", lemke(problem, walk_settings));
+        bool bilateral = problem.size() > 0, small = problem.size() <= 5;
+        for (Index i = 0; i < problem.size(); ++i) bilateral = bilateral && is_bilateral(problem, i);
+        try {
+            if (small && sample % 5 == 0) solutions.emplace_back("schur", schur(problem));
+            if (bilateral) solutions.emplace_back("direct", direct(problem));
+        } catch (const std::invalid_argument&) {  // a bilateral block that is not symmetric
+        }
+        bool any = false, none = false;
+        for (const auto& [name, solution] : solutions) {
+            CHECK(solution.lambda.size() == problem.size());
+            if (solution.status == Status::solved && !(judged_residual(problem, solution.lambda) <= 1e-8))
+                FAIL_CHECK(name << ", sample " << sample);
+            if (name[0] != 'a' && name[0] != 'd') continue;  // the solvers of this chapter
+            any = any || solution.status == Status::solved;
+            none = none || solution.status == Status::infeasible;
+        }
+        solved += any;
+        differ += any && none;
+    }
+    CHECK(solved > budget / 3);  // the search also looks at problems that have answers
+    CHECK(differ == 0);          // no proof of this chapter is contradicted by an answer
+}
+
+// ---- friction boxes -------------------------------------------------------------------------------------
+
+TEST_CASE("a block on a slope sticks up to the angle of friction and slides beyond it")
+{
+    // 2 kg; the normal row and the tangential one do not couple: λ_n = m g cos θ h, λ_f = -clamp(m g sin θ h).
+    const Real g = 9.81, h = 1.0 / 60, mu = 0.3;
+    for (const Real theta : {0.1, 0.29, 0.2914, 0.2915, 0.5}) {
+        Mlcp problem =
+            plain_lcp(matrix2(0.5, 0, 0, 0.5), vector({-g * h * std::cos(theta), -g * h * std::sin(theta)}));
+        problem.lo[1] = -infinity;
+        const std::vector<FrictionBox> boxes{{1, 0, mu}};
+        const Solution solution = active_sets(problem, boxes);
+        REQUIRE(solution.status == Status::solved);
+        const Real normal = 2 * g * h * std::cos(theta);
+        CHECK(std::abs(solution.lambda[0] - normal) <= identity);
+        CHECK(std::abs(solution.lambda[1] - std::min(2 * g * h * std::sin(theta), mu * normal)) <= identity);
+        const bool slides = theta > std::atan(mu);
+        CHECK((solution.lambda[1] >= mu * normal - identity) == slides);
+    }
+}
+
+TEST_CASE("columns with friction boxes are solved by the bounds of their own answer")
+{
+    for (const Real mu : {0.0, 0.1, 0.5, 1.0})
+        for (const Index count : {5, 50, 150})
+            for (const Motion& motion : {nudged, in_impact}) {
+                const Mlcp problem = pile_problem(box_column(count), motion, 0.5).mlcp();
+                const std::vector<FrictionBox> boxes = boxes_of(problem, mu);
+                const Solution solution = active_sets(problem, boxes);
+                INFO("mu " << mu << ", boxes " << count);
+                REQUIRE(solution.status == Status::solved);
+                Mlcp own = problem;
+                bound_by(boxes, solution.lambda, own);
+                CHECK(judged_residual(own, solution.lambda) <= 1e-10 * own.q.cwiseAbs().maxCoeff() * 1.01);
+            }
+}
+
+// ---- properties -----------------------------------------------------------------------------------------
+
+TEST_CASE("masses and lengths in other units and rows in another order give the same impulses")
+{
+    Random random(500);
+    for (int sample = 0; sample < 200; ++sample) {
+        const Index n = 1 + random.index(20);
+        VecX lambda;
+        const Mlcp problem = planted(all_kinds[sample % 6 == 1 ? 0 : sample % 6], n, random, lambda);
+        const Solution solution = active_sets(problem);
+        REQUIRE(solution.status == Status::solved);
+        const Real size = 1 + solution.lambda.cwiseAbs().maxCoeff();
+
+        const Real mass = std::pow(10.0, random.uniform(-6, 6)),
+                   length = std::pow(10.0, random.uniform(-6, 6));
+        Mlcp scaled = problem;
+        scaled.A /= mass;
+        scaled.q *= length;
+        scaled.lo *= mass * length;
+        scaled.hi *= mass * length;
+        const Solution same = active_sets(scaled);
+        REQUIRE(same.status == Status::solved);
+        CHECK((same.lambda / (mass * length) - solution.lambda).cwiseAbs().maxCoeff() <= 1e-8 * size);
+
+        Eigen::PermutationMatrix<Eigen::Dynamic> order(static_cast<int>(n));
+        order.setIdentity();
+        for (Index i = n - 1; i > 0; --i) std::swap(order.indices()[i], order.indices()[random.index(i + 1)]);
+        Mlcp shuffled = problem;
+        shuffled.A = MatX(order * MatX(problem.A) * order.transpose()).sparseView();
+        shuffled.q = order * problem.q;
+        shuffled.lo = order * problem.lo;
+        shuffled.hi = order * problem.hi;
+        const Solution also = active_sets(shuffled);
+        REQUIRE(also.status == Status::solved);
+        CHECK((also.lambda - order * solution.lambda).cwiseAbs().maxCoeff() <= 1e-8 * size);
+
+        Mlcp mirrored = problem;  // λ → -λ: the bounds change places
+        mirrored.q = -problem.q;
+        mirrored.lo = -problem.hi;
+        mirrored.hi = -problem.lo;
+        const Solution image = active_sets(mirrored);
+        REQUIRE(image.status == Status::solved);
+        CHECK((image.lambda + solution.lambda).cwiseAbs().maxCoeff() <= 1e-8 * size);
+    }
+}
+
+TEST_CASE("the same problem gives the same bits twice")
+{
+    const Mlcp problem = pile_problem(box_pyramid(12), in_impact).mlcp();
+    const Solution first = active_sets(problem), second = active_sets(problem);
+    CHECK(first.lambda == second.lambda);
+    CHECK(first.iterations == second.iterations);
+}
+
+TEST_CASE("a problem without rows and rows without room are solved")
+{
+    Mlcp problem = plain_lcp(MatX(0, 0), VecX(0));
+    CHECK(active_sets(problem).status == Status::solved);
+    CHECK(dantzig(problem).status == Status::solved);
+    problem = plain_lcp(matrix2(2, 1, 1, 2), vector({-1, -1}));
+    problem.lo = problem.hi = vector({0.25, 0.75});
+    for (const Solution& solution : {active_sets(problem), dantzig(problem)}) {
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.lambda == problem.lo);
+    }
+}
+
+TEST_CASE("a problem that makes no sense is refused with a sentence")
+{
+    Mlcp problem = plain_lcp(MatX::Identity(2, 2), vector({-1, -1}));
+    ActiveSetSettings settings;
+    SECTION("NaN in q")
+    {
+        problem.q[1] = std::nan("");
+        CHECK(refused([&] { active_sets(problem); }) == "q[1] is nan; it must be finite");
+        CHECK(refused([&] { dantzig(problem); }) == "q[1] is nan; it must be finite");
+    }
+    SECTION("lo above hi")
+    {
+        problem.lo[0] = 2;
+        problem.hi[0] = 1;
+        CHECK(refused([&] { active_sets(problem); }) != "accepted");
+    }
+    SECTION("a tolerance of zero")
+    {
+        settings.tolerance = 0;
+        CHECK(refused([&] { active_sets(problem, settings); }) ==
+              "tolerance 0, limit 0, patience 5: the tolerance must be positive, the others not negative");
+    }
+    SECTION("an A that is not symmetric, one row at a time")
+    {
+        CHECK(refused([&] { dantzig(plain_lcp(matrix2(2, 1, 0, 2), vector({-1, -1}))); }) != "accepted");
+    }
+    SECTION("a friction box for a row that is not there")
+    {
+        const std::vector<FrictionBox> boxes{{2, 0, 0.5}};
+        CHECK(refused([&] { active_sets(problem, boxes); }) ==
+              "a friction box for row 2 by row 0 with mu = 0.5; rows go from 0 to 1, mu is at least 0");
+    }
+}
+
+TEST_CASE("numbers too large for doubles end with an honest status")
+{
+    for (const Mlcp& problem : {plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})),
+                                plain_lcp(matrix2(1e-300, 0, 0, 1e300), vector({-1, -1}))})
+        for (const Solution& solution : {active_sets(problem), dantzig(problem)})
+            if (solution.status == Status::solved)
+                CHECK(solution.residual <= 1e-10 * problem.q.cwiseAbs().maxCoeff());
+}
