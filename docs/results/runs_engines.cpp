@@ -14,17 +14,19 @@ namespace rigid::results {
 namespace {
 
 template <class World>
-[[maybe_unused]] void add_engine(Registry& registry, const SharedRun& run, const std::string& method)
+[[maybe_unused]] void add_engine(Registry& registry, const SharedRun& run, const std::string& method,
+                                 int substeps)
 {
     registry.add({"peer", method, run->engine.name,
-                  run->parameters + " unit=none reference=" + (run->engine.rests ? "rest" : "exact_tensions"),
+                  run->parameters + " substeps=" + std::to_string(substeps) +
+                      " unit=none reference=" + (run->engine.rests ? "rest" : "exact_tensions"),
                   run->h(), false, [=] {
                       const auto seconds = std::make_shared<Real>();
                       Task task;
                       task.run = [=] {
                           World world(run->engine);
                           const std::clock_t start = std::clock();
-                          for (int k = 0; k < run->steps; ++k) world.step(run->h());
+                          for (int k = 0; k < run->steps; ++k) world.step(run->h(), substeps);
                           *seconds = static_cast<Real>(std::clock() - start) / CLOCKS_PER_SEC;
                       };
                       task.judge = [=] {
@@ -32,7 +34,7 @@ template <class World>
                           DiscScene scene = run->engine.scene;
                           PoseWatch watch(run->engine, run->steps, run->h());
                           for (int k = 0; k < run->steps; ++k) {
-                              world.step(run->h());
+                              world.step(run->h(), substeps);
                               world.poses(scene);
                               watch.look(scene);
                           }
@@ -51,10 +53,10 @@ template <class World>
 void add_engine_runs([[maybe_unused]] Registry& registry, [[maybe_unused]] const SharedRun& run)
 {
 #ifdef RIGID_HAS_BOX2D
-    add_engine<Box2dWorld>(registry, run, "box2d");
+    for (const int substeps : {1, 4, 8}) add_engine<Box2dWorld>(registry, run, "box2d", substeps);
 #endif
 #ifdef RIGID_HAS_CHIPMUNK
-    add_engine<ChipmunkSpace>(registry, run, "chipmunk");
+    for (const int substeps : {1, 4, 8}) add_engine<ChipmunkSpace>(registry, run, "chipmunk", substeps);
 #endif
 }
 
