@@ -36,9 +36,10 @@ inline Real bend_angle(const VecX& x, const Bend& bend)
 /// The torque on a joint is \f$\tau = -L F\f$ with \f$F = 10\, g\, k\, m \sin\varphi\f$ (held at its
 /// greatest beyond 90°), plus a damper on \f$\dot\varphi\f$. It acts as a force of size
 /// \f$\lvert\tau\rvert / \lvert d\rvert\f$ across each link on the neighbour at its end, the opposite sum on
-/// the disc in the middle, so that linear and angular momentum balance whatever the link lengths. \param
-/// stiffness  k, a pure number \param damping    [1/s]; the damper's torque is damping·m·L²·dφ/dt \param
-/// weight     g [m/s²], the size of gravity that the spring is measured in
+/// the disc in the middle, so that linear and angular momentum balance whatever the link lengths.
+/// \param stiffness  k, a pure number
+/// \param damping    [1/s]; the damper's torque is damping·m·L²·dφ/dt
+/// \param weight     g [m/s²], the size of gravity that the spring is measured in
 inline void add_bend_springs(Bodies<2>& bodies, const std::vector<Bend>& bends, Real stiffness, Real damping,
                              Real weight = 9.81)
 {
