@@ -1,0 +1,98 @@
+/// \file exact_island.hpp
+/// A small island solved exactly from where its λ stand: one or two rows in closed form, more by chapter 9.
+///
+///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
+///
+/// (10.6): the problem of the correction Δ, whose answer is near zero when yesterday's λ still fits. Memory is kept for
+/// each number of rows, so that islands of different sizes don't take it from each other.
+#pragma once
+
+#include "chapters/06_sequential_impulse/block.hpp"
+#include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/10_skipping_work/island_solver.hpp"
+
+#include <utility>
+
+namespace rigid {
+
+/// What is kept for islands of one number of rows.
+struct ExactScratch {
+    Mlcp mlcp;  ///< A is stored full: n columns in each line
+    ActiveSetMemory memory;
+    Solution solution;
+};
+
+//! [closed_form]
+/// One row is solved by one visit, two rows by chapter 6's block (6.22). False where the two are so nearly the same
+/// row that rounding would spoil the answer.
+template <int Dof>
+bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
+{
+    if (rows.size() == 1) {
+        visit(rows[0], u);
+        return true;
+    }
+    const Real A12 = coupling(rows[0], rows[1]);
+    if (!(A12 * A12 * rows[0].mass * rows[1].mass < 1 - 1e-8)) return false;
+    visit_block(rows[0], rows[1], A12, 0, u);
+    return true;
+}
+//! [closed_form]
+
+/// Solves these rows exactly. Where chapter 9 cannot, λ and u are left as they are. `sweeps` counts guesses.
+/// \param enough   if the natural residual is below this as it is, there is nothing to solve [m/s]
+/// \param scratch  one for each number of rows; grows
+template <int Dof>
+IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vector<ExactScratch>& scratch,
+                           VecX& u)
+{
+    const std::span<const SolverRow<Dof>> const_rows = rows;
+    IslandAnswer answer;
+    answer.residual = natural_residual(const_rows, u);
+    answer.visits = static_cast<std::int64_t>(rows.size());
+    if (answer.residual <= enough) {
+        answer.status = Status::solved;
+        return answer;
+    }
+    if (rows.size() <= 2 && solve_in_closed_form(rows, u)) {
+        const Real before = std::exchange(answer.residual, natural_residual(const_rows, u));
+        answer.visits += 2 * static_cast<std::int64_t>(rows.size());
+        answer.sweeps = 1;
+        if (answer.residual <= std::max(enough, 1e-10 * before)) {
+            answer.status = Status::solved;
+            return answer;
+        }
+    }
+    if (scratch.size() <= rows.size()) scratch.resize(rows.size() + 1);
+    auto& [mlcp, memory, solution] = scratch[rows.size()];
+    const auto n = static_cast<Index>(rows.size());
+    if (mlcp.size() != n) {
+        mlcp.A = MatX::Ones(n, n).sparseView();
+        mlcp.q = mlcp.lo = mlcp.hi = VecX::Zero(n);
+    }
+    //! [correction]
+    for (Index i = 0; i < n; ++i) {
+        const SolverRow<Dof>& row = rows[static_cast<std::size_t>(i)];
+        for (Index j = 0; j <= i; ++j)
+            mlcp.A.valuePtr()[i * n + j] = mlcp.A.valuePtr()[j * n + i] =
+                coupling(row, rows[static_cast<std::size_t>(j)]);
+        mlcp.q[i] = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
+        mlcp.lo[i] = row.lo - row.lambda;
+        mlcp.hi[i] = row.hi - row.lambda;
+    }
+    active_sets(mlcp, {}, memory, solution);
+    //! [correction]
+    answer.status = solution.status;
+    answer.residual = solution.residual;
+    answer.sweeps = solution.iterations;
+    if (answer.status != Status::solved) return answer;
+    for (Index i = 0; i < n; ++i) {
+        SolverRow<Dof>& row = rows[static_cast<std::size_t>(i)];
+        row.lambda = std::clamp(row.lambda + solution.lambda[i], row.lo, row.hi);
+        u.template segment<Dof>(row.a) += row.Wa * solution.lambda[i];
+        u.template segment<Dof>(row.b) += row.Wb * solution.lambda[i];
+    }
+    return answer;
+}
+
+}  // namespace rigid
