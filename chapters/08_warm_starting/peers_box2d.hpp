@@ -58,7 +58,7 @@ public:
             // An edge has a skin of its own; it is set back by it, so that the wall is where the scene says.
             b2EdgeShape edge;
             const Vec2 foot = (wall.offset - static_cast<Real>(edge.m_radius)) * wall.normal;
-            const Vec2 along = 1000 * perpendicular(wall.normal);
+            const Vec2 along = from.reach * perpendicular(wall.normal);
             edge.SetTwoSided(vector(foot - along), vector(foot + along));
             add(*ground, edge);
         }

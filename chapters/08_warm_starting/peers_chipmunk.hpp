@@ -45,7 +45,7 @@ public:
         }
         if (!from.collides) return;
         for (const HalfSpace& wall : scene.walls) {
-            const Vec2 foot = wall.offset * wall.normal, along = 1000 * perpendicular(wall.normal);
+            const Vec2 foot = wall.offset * wall.normal, along = from.reach * perpendicular(wall.normal);
             add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_), vector(foot - along), vector(foot + along),
                                   0));
         }
