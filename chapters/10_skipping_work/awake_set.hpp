@@ -26,7 +26,7 @@ struct AwakeSet {
     std::vector<Activity> activity;  ///< K
     std::vector<int> awake;          ///< ascending after tidy()
     std::vector<int> ring;           ///< K: of a sleeper, the next of its island; else itself
-    std::vector<int> woken;          ///< by wake(), since the caller last cleared it
+    std::vector<int> woken;          ///< since the caller last cleared it; may name one twice before tidy()
 
     bool is_awake(Index k) const { return activity[static_cast<std::size_t>(k)] == Activity::awake; }
     bool is_asleep(Index k) const { return activity[static_cast<std::size_t>(k)] == Activity::asleep; }
@@ -55,11 +55,14 @@ struct AwakeSet {
         }
     }
 
-    /// Makes the list right again: only who is awake, ascending. Linear in the list where that is nearly so.
+    /// Makes the lists right again: only who is awake, ascending, none twice. Linear where that is nearly so.
     void tidy()
     {
         std::erase_if(awake, [this](int k) { return !is_awake(k); });
-        if (!std::is_sorted(awake.begin(), awake.end())) std::sort(awake.begin(), awake.end());
+        for (std::vector<int>* const list : {&awake, &woken}) {
+            if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
+            list->erase(std::unique(list->begin(), list->end()), list->end());
+        }
     }
 };
 

@@ -32,6 +32,9 @@ struct BroadPhase {
     std::int64_t tested = 0;           ///< distances of two discs that were computed in this step
     std::int64_t asked = 0;            ///< discs that asked the grid
 
+    /// How far from its centre a disc looks for the surfaces of others [m]: the right side of (10.4).
+    Real reach_of(Real radius) const { return radius + margin + 2 * skin; }
+
     /// \param scene  its discs are put in; its table of linked pairs is not looked at, see filter_of()
     void reset(const DiscScene& scene, CollisionFilter by)
     {
@@ -53,6 +56,10 @@ inline std::uint64_t pair_code(int a, int b)
 }
 inline int first_of(std::uint64_t pair) { return static_cast<int>(pair >> 32); }
 inline int second_of(std::uint64_t pair) { return static_cast<int>(pair & 0xffffffffu); }
+inline int other_of(std::uint64_t pair, int k)
+{
+    return first_of(pair) == k ? second_of(pair) : first_of(pair);
+}
 
 //! [touches]
 /// The contact of two discs, if their gap is below the margin: the test of find_contacts() for one pair.
@@ -111,25 +118,28 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
         if (set.is_asleep(b)) wake_if_close(a, b);
         else if (set.is_asleep(a)) wake_if_close(b, a);
     }
-
     //! [kept]
+
     //! [ask]
-    // Ask the grid. The list of those who ask may grow on the way.
+    // Ask the grid. The list of those who ask may grow on the way: who is found close by and asleep is woken.
     broad.fresh.clear();
     broad.grid.tested = broad.grid.cells = 0;
-    const Real around = (broad.margin + 2 * broad.skin) * (1 + 1e-9);  // rounding must not lose a pair
+    const std::size_t before_asking = broad.renewed.size();
     for (std::size_t i = 0; i < broad.renewed.size(); ++i) {
         const int k = broad.renewed[i];
         if (!may_ask(k)) continue;
         const std::uint64_t groups = at(broad.filter.meets, broad.filter.group_of(k));
-        broad.grid.near(x.segment<2>(2 * k), scene.radius[k] * (1 + 1e-9) + around, groups, [&](int b) {
-            if (b == k || (at(broad.renews, b) && b < k && may_ask(b))) return;  // b finds k
+        const std::size_t found = broad.fresh.size();
+        broad.grid.near(x.segment<2>(2 * k), broad.reach_of(scene.radius[k]), groups, [&](int b) {
+            // Of two who ask, the lower one finds the other; but it may have asked before k was woken and moved.
+            if (b == k || (i < before_asking && b < k && at(broad.renews, b) && may_ask(b))) return;
             if (!movable(k) && !movable(b)) return;
             if (!set.is_awake(k) && !set.is_awake(b)) return;
             if (broad.filter.forbids(std::min(b, k), std::max(b, k))) return;
             broad.fresh.push_back(pair_code(b, k));
-            if (set.is_asleep(b)) wake_if_close(k, b);
         });
+        for (std::size_t j = found; j < broad.fresh.size(); ++j)  // the grid may change again
+            if (const int b = other_of(broad.fresh[j], k); set.is_asleep(b)) wake_if_close(k, b);
     }
     //! [ask]
     broad.asked = static_cast<std::int64_t>(broad.renewed.size());

@@ -31,11 +31,16 @@ struct CollisionFilter {
 
     int group_of(Index k) const { return group.empty() ? 0 : group[static_cast<std::size_t>(k)]; }
 
+    /// Says whether bodies of the groups f and g collide. \throws std::invalid_argument  if there is no such group
     void set_meets(int f, int g, bool yes)
     {
+        if (f < 0 || g < 0 || f >= most_groups || g >= most_groups)
+            throw std::invalid_argument("groups " + std::to_string(f) + " and " + std::to_string(g) +
+                                        " cannot be told apart; they go from 0 to " +
+                                        std::to_string(most_groups - 1));
         const auto bit = [](int i) { return std::uint64_t{1} << i; };
-        auto& of_f = meets.at(static_cast<std::size_t>(f));
-        auto& of_g = meets.at(static_cast<std::size_t>(g));
+        auto& of_f = meets[static_cast<std::size_t>(f)];
+        auto& of_g = meets[static_cast<std::size_t>(g)];
         of_f = yes ? of_f | bit(g) : of_f & ~bit(g);
         of_g = yes ? of_g | bit(f) : of_g & ~bit(f);
     }

@@ -4,9 +4,9 @@
 ///     cell of a layer c = 2^l ≥ 2 r + extra,   disc k stands in the cell (⌊x/c⌋, ⌊y/c⌋) of its own layer
 ///
 /// (10.3). A disc whose surface is within reach R of a point can only stand in the cells from ⌊(x − R − r)/c⌋ to
-/// ⌊(x + R + r)/c⌋, for r the largest radius of the layer: at most three by three for two of one size. Cells are not stored: a hash puts them on a table of 2K or more lists
-/// \cite teschner2003. Putting in, taking out and moving cost the same however many discs there are, so whoever
-/// sleeps stays where it is for nothing.
+/// ⌊(x + R + r)/c⌋, for r the largest radius of the layer: at most three by three for two of one size. Cells are not
+/// stored: a hash puts them on a table of 2K or more lists \cite teschner2003. Putting in, taking out and moving cost
+/// the same however many discs there are, so whoever sleeps stays where it is for nothing.
 #pragma once
 
 #include "common/math.hpp"
@@ -75,18 +75,21 @@ public:
     }
 
     //! [near]
-    /// Calls visit(b) for each disc b whose surface is less than `reach` away from x, in no particular order.
+    /// Calls visit(b) for each disc b whose surface is less than `reach` away from x, or a billionth more, so that
+    /// rounding loses nobody; in no particular order.
     /// \param groups  bit g: discs of group g are looked for
+    /// \param visit   must not change the grid
     template <class Visit>
     void near(const Vec2& x, Real reach, std::uint64_t groups, const Visit& visit)
     {
         for (std::size_t l = 0; l < layers_.size(); ++l) {
             const Layer& layer = layers_[l];
             if (layer.members.empty() || (groups >> layer.group & 1) == 0) continue;
-            const Real around = reach + layer.largest;
+            const Real around = (reach + layer.largest) * (1 + 1e-9);
             const auto test = [&](int b, const Place& place) {
                 ++tested;
-                if ((place.x - x).squaredNorm() < (reach + place.radius) * (reach + place.radius)) visit(b);
+                const Real close = (reach + place.radius) * (1 + 1e-9);
+                if ((place.x - x).squaredNorm() < close * close) visit(b);
             };
             const int left = cell(x.x() - around, layer), right = cell(x.x() + around, layer);
             const int low = cell(x.y() - around, layer), high = cell(x.y() + around, layer);

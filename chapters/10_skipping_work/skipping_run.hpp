@@ -3,6 +3,7 @@
 /// disc under the pointer, and so wakes its island.
 #pragma once
 
+#include "chapters/10_skipping_work/doors.hpp"
 #include "chapters/10_skipping_work/skipping_step.hpp"
 #include "common/program/program.hpp"
 #include "common/text.hpp"

@@ -2,13 +2,15 @@
 /// Chapter 8's step without what needs nothing: who sleeps is not looked at, pairs that are far apart are not tested,
 /// and each island is solved by itself for as long as it needs.
 ///
-///     who is awake → contacts → u* → rows → islands → λ start → λ → u → x → who sleeps
+///     who is awake → contacts → u* → rows → islands → λ start → λ → u → who sleeps → x
 ///
 /// Without sleeping and with the same sweeps its bits are those of chapter 8's warm_step().
 #pragma once
 
 #include "chapters/10_skipping_work/awake_rows.hpp"
 #include "chapters/10_skipping_work/island_solver.hpp"
+
+#include <initializer_list>
 
 namespace rigid {
 
@@ -54,28 +56,6 @@ inline void solve_islands(SkippingWorld& now, const SkippingSettings& settings)
     store(now.cache, now.keys, now.lambda, settings.h);
 }
 
-/// Who belongs together, and the order of the rows. While the rows are those of yesterday, so are the islands.
-inline void find_islands(SkippingWorld& now, Order order, bool same_bodies)
-{
-    if (same_bodies && order == now.ordered && now.keys == now.arranged) return;
-    const std::span<const int> bodies(now.set.awake);
-    separate(now.scene.bodies.count(), bodies, now.islands);
-    // A torsional spring acts on three discs at once: they are of one island, whatever rows they have.
-    for (const Bend& bend : now.active_bends) {
-        const std::array<Index, 3> discs = {bend.left, bend.middle, bend.right};
-        for (const Index a : discs)
-            for (const Index b : discs)
-                if (now.scene.bodies.inverse_mass[2 * a] > 0 && now.scene.bodies.inverse_mass[2 * b] > 0)
-                    now.islands.unite(static_cast<int>(a), static_cast<int>(b));
-    }
-    now.order.clear();
-    if (order == Order::coloured)
-        colour_rows_of<2>(bodies, now.scene.bodies.count(), now.rows, now.colouring, now.order);
-    join_by_rows<2>(bodies, now.rows, now.order, now.islands);
-    now.arranged = now.keys;
-    now.ordered = order;
-}
-
 /// The contacts of those who are awake; true if they are those of the step before and may have kept their rows.
 inline bool step_contacts(SkippingWorld& now, Real slack)
 {
@@ -88,19 +68,36 @@ inline bool step_contacts(SkippingWorld& now, Real slack)
     return false;
 }
 
-/// How long each body that is awake has been at rest, its velocity, and its new position.
-inline void move_on(SkippingWorld& now, const SkippingSettings& settings)
+/// What moves and can't be stopped keeps awake whom it carries, pulls or bends, however slowly it goes.
+inline void stay_with_drivers(SkippingWorld& now)
+{
+    const auto drives = [&](Index k) {
+        return k != world && now.set.is_awake(k) && !(now.scene.bodies.inverse_mass[2 * k] > 0);
+    };
+    for (const int k : now.set.awake)
+        if (drives(k)) now.rests[static_cast<std::size_t>(k)] = {};
+    const auto together = [&](std::initializer_list<Index> bodies) {
+        if (std::none_of(bodies.begin(), bodies.end(), drives)) return;
+        for (const Index k : bodies)
+            if (k != world) now.rests[static_cast<std::size_t>(k)] = {};
+    };
+    for (const Row<2>& row : now.rows) together({row.a, row.b});
+    for (const Bend& bend : now.active_bends) together({bend.left, bend.middle, bend.right});
+}
+
+/// The new velocity, and how long it has been at rest, for each body that is awake.
+inline void new_velocities(SkippingWorld& now, const SkippingSettings& settings)
 {
     Bodies<2>& bodies = now.scene.bodies;
+    bool driven = false;
     for (const int k : now.set.awake) {
         const Vec2 u = now.memory.u.segment<2>(2 * k), before = bodies.velocity(k);
-        Real& rested = now.rested[static_cast<std::size_t>(k)];
-        rested = time_at_rest<2>(rested, u, before, settings.rest, settings.h);
-        // What nothing can stop does not rest while it moves, however slowly.
-        if (!(bodies.inverse_mass[2 * k] > 0) && u.squaredNorm() > 0) rested = 0;
+        Rest& rest = now.rests[static_cast<std::size_t>(k)];
+        rest = still_at_rest<2>(rest, u, before, settings.rest, settings.h);
+        driven = driven || !(bodies.inverse_mass[2 * k] > 0);
         bodies.velocity(k) = u;
-        bodies.position(k) += settings.h * u;
     }
+    if (driven) stay_with_drivers(now);
 }
 
 /// What the step looked at.
@@ -115,27 +112,22 @@ inline void count_work(SkippingWorld& now, bool same_rows)
     now.counters.tested = now.broad.tested;
 }
 
-/// Islands that have been at rest for long enough fall asleep (10.8); their forces are kept for the morning.
+/// Islands that have been at rest for long enough fall asleep (10.8); their forces are kept for the morning. They
+/// stop before they move: who sleeps stands where its contacts were found.
 inline void fall_asleep(SkippingWorld& now, const SkippingSettings& settings)
 {
     for (int i = 0; settings.sleep && i < now.islands.count(); ++i) {
         const std::span<const int> members = now.islands.bodies_of(i), rows = now.islands.rows_of(i);
-        Real shortest = infinity;
-        for (const int k : members) shortest = std::min(shortest, now.rested[static_cast<std::size_t>(k)]);
-        if (shortest < settings.rest.time) continue;
+        const auto restless = [&](int k) {
+            return !may_sleep(now.rests[static_cast<std::size_t>(k)], now.scene.bodies.velocity(k).norm(),
+                              settings.rest, settings.sweeps.tolerance);
+        };
+        if (std::any_of(members.begin(), members.end(), restless)) continue;
 
-        // Rest is only proved by an answer that is one; and what moves by itself keeps awake what it touches.
+        // Rest is only proved by an answer that is one.
         const std::span<const SolverRow<2>> solved(
             now.memory.rows.data() + now.islands.first_row[static_cast<std::size_t>(i)], rows.size());
-        const bool carried = std::any_of(rows.begin(), rows.end(), [&](int row) {
-            const auto moves = [&](Index k) {
-                return k != world && now.set.is_awake(k) && !(now.scene.bodies.inverse_mass[2 * k] > 0);
-            };
-            return moves(now.rows[static_cast<std::size_t>(row)].a) ||
-                   moves(now.rows[static_cast<std::size_t>(row)].b);
-        });
-        if (carried || !(natural_residual(solved, now.memory.u) <= settings.rest.acceleration * settings.h))
-            continue;
+        if (!(natural_residual(solved, now.memory.u) <= settings.rest.acceleration * settings.h)) continue;
 
         //! [fall_asleep]
         now.set.sleep(members);
@@ -173,11 +165,13 @@ inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
     awake_rows(now, settings, same_rows);
     find_islands(now, settings.order, same_bodies);
 
-    // Each island by itself; then new velocities and positions.
+    // Each island by itself; who has been at rest for long enough sleeps, the others move on.
     solve_islands(now, settings);
-    move_on(now, settings);
+    new_velocities(now, settings);
     count_work(now, same_rows);
     fall_asleep(now, settings);
+    for (const int k : now.set.awake)
+        now.scene.bodies.position(k) += settings.h * now.scene.bodies.velocity(k);
 }
 //! [step]
 

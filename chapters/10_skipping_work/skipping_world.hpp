@@ -1,6 +1,6 @@
 /// \file skipping_world.hpp
-/// A scene of discs with all that is remembered from step to step, so that a step can leave out what needs nothing;
-/// and the only doors through which a scene may be changed from outside, for each of them wakes whom it concerns.
+/// A scene of discs with all that is remembered from step to step, so that a step can leave out what needs nothing.
+/// What is remembered is only true while nobody changes the scene behind the step's back: see doors.hpp.
 #pragma once
 
 #include "chapters/06_sequential_impulse/row_order.hpp"
@@ -57,11 +57,11 @@ struct SkippingCounters {
 
 //! [world]
 struct SkippingWorld {
-    DiscScene scene;  ///< read it; to change it, see below
+    DiscScene scene;  ///< read it; to change it, see doors.hpp
     AwakeSet set;
     BroadPhase broad;
     Incidence links_on, bends_on;  ///< by body
-    std::vector<Real> rested;      ///< K: how long each body has been at rest [s]
+    std::vector<Rest> rests;       ///< K: how long each body has been at rest
     ImpulseCache cache;            ///< of those who are awake
     SleepingForces forces;         ///< of those who are asleep
 
@@ -82,8 +82,7 @@ struct SkippingWorld {
     std::vector<ExactScratch> exact;
     VecX lambda;  ///< one for each row [N s]
     SkippingCounters counters;
-    Vec2 gravity = {0, 0};  ///< of the last step, and so on
-    Real stiffness = 0, damping = 0;
+    SkippingSettings last;  ///< settings of the last step
 };
 //! [world]
 
@@ -126,75 +125,10 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
         visit(now.scene.bends[i].middle);
         visit(now.scene.bends[i].right);
     });
-    now.rested.assign(K, 0);
+    now.rests.assign(K, {});
     now.forces.head.assign(K, -1);
     now.memory.u = now.scene.bodies.u;
     return now;
 }
-
-inline void require_disc(const SkippingWorld& now, Index k)
-{
-    if (k < 0 || k >= now.scene.bodies.count())
-        throw std::invalid_argument("there is no disc " + std::to_string(k) + "; they go from 0 to " +
-                                    std::to_string(now.scene.bodies.count() - 1));
-}
-
-//! [doors]
-/// Everybody within the margin of disc k, and who hangs on a link or a bend with it, wakes.
-inline void wake_neighbours(SkippingWorld& now, Index k)
-{
-    const auto i = static_cast<int>(k);
-    if (now.broad.grid.contains(i))
-        now.broad.grid.near(now.broad.grid.position(i),
-                            now.scene.radius[k] + now.broad.margin + 2 * now.broad.skin, ~std::uint64_t{0},
-                            [&](int b) { now.set.wake(b); });
-    for (const int l : now.links_on.of(i)) {
-        const Link& link = now.scene.links[static_cast<std::size_t>(l)];
-        now.set.wake(link.a == k ? link.b : link.a);
-    }
-    for (const int l : now.bends_on.of(i)) {
-        const Bend& bend = now.scene.bends[static_cast<std::size_t>(l)];
-        for (const Index b : {bend.left, bend.middle, bend.right}) now.set.wake(b);
-    }
-}
-
-/// Gives a disc another place, velocity and mass, and wakes whom that concerns, where it was and where it is.
-/// \param inverse_mass  [1/kg]; 0 makes it a fixed disc, or, with a velocity, one that moves and is not moved
-inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& u, Real inverse_mass)
-{
-    require_disc(now, k);
-    if (!x.allFinite() || !u.allFinite() || !(inverse_mass >= 0) || !std::isfinite(inverse_mass))
-        throw std::invalid_argument(
-            "disc " + std::to_string(k) +
-            " is to get a place, a velocity or a mass that is not finite or negative");
-    now.set.wake(k);
-    wake_neighbours(now, k);
-    const auto i = static_cast<std::size_t>(k);
-    if (now.set.activity[i] == Activity::gone) return;
-    now.scene.bodies.position(k) = x;
-    now.scene.bodies.velocity(k) = u;
-    now.memory.u.segment<2>(2 * k) = u;
-    now.scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(inverse_mass);
-    now.broad.grid.move(static_cast<int>(k), x);
-    wake_neighbours(now, k);
-    const bool moves = inverse_mass > 0 || u.squaredNorm() > 0;
-    if (moves && !now.set.is_awake(k)) now.set.awake.push_back(static_cast<int>(k));
-    now.set.activity[i] = moves ? Activity::awake : Activity::fixed;
-    now.set.woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found anew
-}
-
-/// Takes a disc out of the scene, with its links. What stood on it wakes.
-inline void take_away(SkippingWorld& now, Index k)
-{
-    require_disc(now, k);
-    now.set.wake(k);
-    wake_neighbours(now, k);
-    const auto i = static_cast<std::size_t>(k);
-    if (now.set.activity[i] == Activity::gone) return;
-    now.broad.grid.remove(static_cast<int>(k));
-    now.set.activity[i] = Activity::gone;
-    now.set.woken.push_back(static_cast<int>(k));
-}
-//! [doors]
 
 }  // namespace rigid

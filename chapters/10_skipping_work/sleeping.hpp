@@ -2,15 +2,17 @@
 /// When an island may sleep: it has been at rest for a time, and at rest means more than slow.
 ///
 ///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ a_rest h   for each of its bodies, in each step, for the time t_rest,
+///     ‖u‖ ≤ max(½ fastest, ε)   in the last step, for the greatest speed in that time: the motion dies out,
 ///     and the step's answer was solved
 ///
-/// (10.8). A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g. What
-/// sleep costs in accuracy is bounded by the two numbers: see (10.9).
+/// (10.8). A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g; a disc
+/// that begins to topple has little of either, but more and more. What sleep costs in accuracy: see (10.9).
 #pragma once
 
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "chapters/10_skipping_work/awake_set.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,6 +23,8 @@ struct RestSettings {
     Real speed = 1e-3;         ///< v_rest [m/s]
     Real acceleration = 0.02;  ///< a_rest [m/s²]
     Real time = 0.5;           ///< t_rest [s]
+
+    bool operator==(const RestSettings&) const = default;
 };
 
 inline void require_valid(const RestSettings& rest)
@@ -35,18 +39,34 @@ inline void require_valid(const RestSettings& rest)
     if (!(rest.time > 0) || !std::isfinite(rest.time)) refuse("the time of rest", rest.time);
 }
 
+/// How long a body has been at rest without a break, and its greatest speed in that time.
+struct Rest {
+    Real time = 0;     ///< [s]
+    Real fastest = 0;  ///< [m/s]
+};
+
 //! [rests]
-/// (10.8) for one body: how long it has been at rest [s].
-/// \param rested  until now [s]
+/// (10.8) for one body and one step: is it slow, and is its velocity steady?
+/// \param rest    what was so until now
 /// \param u       velocity after the step [m/s]
 /// \param before  and before it [m/s]
 template <int Dof>
-Real time_at_rest(Real rested, const Vec<Dof>& u, const Vec<Dof>& before, const RestSettings& rest, Real h)
+Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, const RestSettings& settings,
+                   Real h)
 {
-    const bool slow = u.squaredNorm() <= rest.speed * rest.speed;
-    const Real change = rest.acceleration * h;
+    const bool slow = u.squaredNorm() <= settings.speed * settings.speed;
+    const Real change = settings.acceleration * h;
     const bool steady = (u - before).squaredNorm() <= change * change;
-    return slow && steady ? rested + h : 0;
+    if (!slow || !steady) return {};
+    return {rest.time + h, std::max(rest.fastest, u.norm())};
+}
+
+/// And once it has lasted for long enough: does what is left of the motion die out? What glides on does not, nor
+/// what has begun to topple: that is faster than ever.
+/// \param noise  slower than this it can't be told from the error of the answers [m/s]
+inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings, Real noise)
+{
+    return rest.time >= settings.time && speed <= std::max(rest.fastest / 2, noise);
 }
 //! [rests]
 
