@@ -1,18 +1,18 @@
 /// Chapter 10: what is left out, and what that saves.
 ///
 ///     broad/METHOD/SCENE/N   contacts of N discs: all pairs, sort and sweep, the grid anew, the pairs kept; the
-///                            discs take a small step each time
+///                            discs take a small step each time. Numbered line by line; `shuffled`: at random
 ///     sleepers/WHO/K         a step when K discs sleep and nobody is awake
 ///     beside/WHO/K           a step of one pendulum beside K sleepers
 ///     awake/WHO/K            a step of the same discs when nobody may sleep; chapter 8's step beside ours
 ///     pile/WHO/N             a step of N discs that lie in valleys, when nobody may sleep
 ///     rain/WHO/N             ten seconds of N discs that rain and fall asleep: time of a step on average
-///     kept/SLACK             the pile of 2,000, one sweep; contacts keep their normal for so many micrometres
-///     small/EXACT/HIT        a hundred islands of seven rows, at rest or hit, swept or solved exactly
+///     kept/SLACK             the pile of 2,000; contacts keep their normal for so many micrometres
+///     small/ROWS/EXACT/HIT   a hundred columns of so many rows, at rest or hit, swept or solved exactly
 ///     early/SCENE/SWEEPS     a scene at rest: visits of a step and how far it is off; 0 sweeps = until 1e-6 m/s
 ///     islands/APART          one column that settles beside a hundred discs: visits
 ///     net/GROUPS             a net of 10,000 linked discs, kept apart by pairs or by groups: distances computed
-///     bounce/WAY/N           a ball that bounces, N fixed steps or adaptive ones to 10^-N: error and steps
+///     bounce/WAY/N           a ball that bounces, in air or in none, N fixed steps or adaptive ones to 10^-N
 ///     factor/N               the factor of a chain of N: its products, and those of a dense one
 ///
 /// WHO is `ours`, or another engine where it is installed, or chapter 8. Each time is the least of several rounds.
@@ -24,7 +24,6 @@
 #include "chapters/10_skipping_work/skipping_scenes.hpp"
 #include "chapters/10_skipping_work/skipping_step.hpp"
 #include "chapters/10_skipping_work/sort_and_sweep.hpp"
-#include "common/measure.hpp"
 #ifdef RIGID_HAS_BOX2D
 #include "chapters/08_warm_starting/peers_box2d.hpp"
 #endif
@@ -37,6 +36,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <string>
 
 using namespace rigid;
@@ -95,20 +95,43 @@ Thing& once(std::map<Key, Thing>& all, const Key& key, const std::function<Thing
 
 constexpr Real margin = 0.02;
 
-DiscScene scattered_by(const std::string& name, Index N)
+/// Numbers the discs line by line, as whoever builds a scene mostly does: neighbours in place are then neighbours in
+/// memory.
+void number_by_place(DiscScene& scene)
 {
-    if (name == "sparse") return scattered(N, 0.1, 1, 1);
-    if (name == "dense") return scattered(N, 0.7, 1, 1);
-    if (name == "sizes") return scattered(N, 0.3, 100, 1);
-    return scattered(N, 0.3, 1, 1, std::sqrt(0.3 * static_cast<Real>(N)));  // line: one disc high
+    const DiscScene old = scene;
+    std::vector<Index> order(static_cast<std::size_t>(scene.bodies.count()));
+    std::iota(order.begin(), order.end(), Index{0});
+    const auto key = [&](Index k) {
+        return std::pair(std::floor(old.bodies.x[2 * k + 1] / 0.5), old.bodies.x[2 * k]);
+    };
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        const Index from = order[static_cast<std::size_t>(k)];
+        set_disc(scene, k, old.bodies.x.segment<2>(2 * from), old.radius[from]);
+    }
 }
 
-/// A breath of wind: each disc goes round on a small circle, 2 mm a step. It has left a skin of 10 mm after six steps.
-/// Each begins somewhere else and at another time, so that in each step a sixth of them ask the grid.
+DiscScene scattered_by(const std::string& name, Index N)
+{
+    if (name == "shuffled") return scattered(N, 0.1, 1, 1);
+    DiscScene scene = name == "sparse"  ? scattered(N, 0.1, 1, 1)
+                      : name == "dense" ? scattered(N, 0.7, 1, 1)
+                      : name == "sizes" ? scattered(N, 0.3, 100, 1)
+                                        : scattered(N, 0.3, 1, 1, std::sqrt(0.3 * static_cast<Real>(N)));
+    number_by_place(scene);
+    return scene;
+}
+
+/// A breath of wind: each disc goes round on a small circle, by 0, 2 or 4 mm a step, drawn by lot: 2 mm on average. It
+/// leaves a skin of 10 mm after about six steps, so in each step about a sixth of them ask the grid, and nobody can
+/// foretell which.
 struct Breath {
     static constexpr unsigned places = 64;
     std::vector<Vec2> circle;
     VecX middle;
+    std::vector<unsigned> place;
+    std::uint64_t lot = 1;
 
     explicit Breath(const DiscScene& scene) : middle(scene.bodies.x)
     {
@@ -116,13 +139,15 @@ struct Breath {
             const Real angle = 2 * pi * i / places;
             circle.push_back(0.002 * places / (2 * pi) * Vec2(std::cos(angle), std::sin(angle)));
         }
+        for (Index k = 0; k < scene.bodies.count(); ++k) place.push_back(29 * static_cast<unsigned>(k));
     }
-    void move(unsigned step, VecX& x) const
+    void move(VecX& x)
     {
-        for (Index k = 0; k < middle.size() / 2; ++k) {
-            const auto number = static_cast<unsigned>(k);
-            const unsigned gone = step - std::min(step, number % 12);
-            x.segment<2>(2 * k) = middle.segment<2>(2 * k) + circle[(29 * number + gone) % places];
+        for (std::size_t k = 0; k < place.size(); ++k) {
+            lot = lot * 6364136223846793005u + 1442695040888963407u;
+            place[k] += static_cast<unsigned>(lot >> 40) % 3;
+            const auto i = static_cast<Index>(2 * k);
+            x.segment<2>(i) = middle.segment<2>(i) + circle[place[k] % places];
         }
     }
 };
@@ -172,16 +197,15 @@ void broad(benchmark::State& state, const std::string& method, const std::string
         counted.contacts += static_cast<Real>(contacts.size());
         ++rounds;
     };
-    const Breath breath(scene);
-    unsigned step = 0;
+    Breath breath(scene);
     for (int i = 0; i < 12; ++i) {
-        breath.move(step++, scene.bodies.x);
+        breath.move(scene.bodies.x);
         one_round();
     }
     counted = {};
     rounds = 0;
     for (auto _ : state) {
-        breath.move(step++, scene.bodies.x);
+        breath.move(scene.bodies.x);
         one_round();
     }
     counted.tested /= rounds;
@@ -345,6 +369,18 @@ DiscScene wide_rain(Index N) { return rain_on_hills(N, 1, 0.018 * static_cast<Re
 
 constexpr Real rain_margin = 0.03, rain_h = 1.0 / 120;
 
+/// Of any two bodies, one of which can move [m]: the stones of the ground overlap on purpose.
+Real deepest_overlap(const DiscScene& scene)
+{
+    std::vector<Contact> contacts;
+    find_contacts(scene.bodies.x, scene.radius, scene.walls, {}, 0, contacts);
+    Real deepest = 0;
+    const auto movable = [&](Index k) { return k != world && scene.bodies.inverse_mass[2 * k] > 0; };
+    for (const Contact& contact : contacts)
+        if (movable(contact.a) || movable(contact.b)) deepest = std::max(deepest, -contact.gap);
+    return deepest;
+}
+
 /// The rain when it has come to rest, kept awake.
 Stepper& pile_of(const std::string& who, Index N)
 {
@@ -361,18 +397,17 @@ void pile(benchmark::State& state, const std::string& who)
     Stepper& now = pile_of(who, static_cast<Index>(state.range(0)));
     for (auto _ : state) now.step();
     Counted counted = now.counted();
-    counted.error = deepest_penetration(now.poses());
+    counted.error = deepest_overlap(now.poses());
     report(state, counted);
 }
 
-/// The pile of 2,000 with normals that are kept, one sweep a step.
+/// The pile of 2,000 with normals that are kept.
 void kept(benchmark::State& state)
 {
     const auto* const at_rest = dynamic_cast<const Ours*>(&pile_of("ours", 2000));
     SkippingWorld now = at_rest->now;
     SkippingSettings settings = at_rest->settings;
     settings.row_slack = 1e-6 * static_cast<Real>(state.range(0));
-    settings.sweeps.max_sweeps = 1;
     for (int i = 0; i < 20; ++i) skipping_step(now, settings);
     for (auto _ : state) skipping_step(now, settings);
     report(state, counted_in(now));
@@ -399,31 +434,33 @@ void rain(benchmark::State& state, const std::string& who)
         }
     }
     all.awake = now->counted().awake;
-    DiscScene& end = now->poses();
-    for (Index k = 0; k < end.bodies.count(); ++k)  // the ground overlaps itself on purpose
-        if (!(end.bodies.inverse_mass[2 * k] > 0)) end.bodies.position(k).y() -= 1e6 + 10 * static_cast<Real>(k);
-    all.error = deepest_penetration(end);
+    all.error = deepest_overlap(now->poses());
     report(state, all);
 }
 
 // ---- islands and sweeps ----------------------------------------------------------------------------
 
+/// A hundred columns of so many rows each, at rest or hit from above in each step.
 void small(benchmark::State& state)
 {
-    const DiscScene scene = pockets(100);
+    const Index height = state.range(0);
+    DiscScene scene = empty_scene(100 * height);
+    for (Index k = 0; k < scene.bodies.count(); ++k)
+        set_disc(scene, k, {static_cast<Real>(k / height), 0.1 + 0.2 * static_cast<Real>(k % height)}, 0.1);
+    scene.walls = {{{0, 1}, 0}};
     SkippingSettings settings = early_out(1.0 / 60, false);
     settings.sweeps.tolerance = 1e-8;
-    settings.sweeps.max_sweeps = 1000;
-    settings.exact_rows = static_cast<int>(state.range(0));
+    settings.sweeps.max_sweeps = 10000;
+    settings.exact_rows = state.range(1) != 0 ? 100 : 0;
     SkippingWorld now = make_world(scene, {});
     for (int i = 0; i < 10; ++i) skipping_step(now, settings);
     Real round = 0;
     for (auto _ : state) {
-        if (state.range(1) != 0) {
+        if (state.range(2) != 0) {
             now.scene.bodies.x = scene.bodies.x;
             for (Index i = 0; i < 100; ++i)
-                now.scene.bodies.velocity(5 * i + 4) =
-                    Vec2(std::sin(static_cast<Real>(i) + round), -2 + std::cos(1.7 * round));
+                now.scene.bodies.velocity(height * i + height - 1) =
+                    Vec2(0, -2 + std::cos(static_cast<Real>(i) + 1.7 * round));
         }
         skipping_step(now, settings);
         ++round;
@@ -466,6 +503,7 @@ void apart(benchmark::State& state)
     SkippingSettings settings = early_out(1.0 / 60, false);
     settings.warm = false;
     settings.islands = state.range(0) != 0;
+    settings.exact_rows = 0;
     settings.sweeps.max_sweeps = 20000;
     settings.sweeps.tolerance = 1e-6;
     Counted counted;
@@ -479,52 +517,76 @@ void apart(benchmark::State& state)
 
 // ---- time, and a factor ----------------------------------------------------------------------------
 
-constexpr Real bounce_end = 2, bounce_height = 0.260741728327057;
+/// A ball that falls from 1 m, in air that would let it fall at 10 m/s at most, or in none, and bounces with e = 0.8.
+struct Ball {
+    static constexpr Real g = 9.81, e = 0.8, end = 2;
+    Real drag;  ///< 1/m
+    explicit Ball(bool in_air) : drag(in_air ? g / 100 : 0) {}
 
-/// Symplectic Euler; a ball that would end a step below the floor has its speed turned round.
-void bounce_fixed(benchmark::State& state)
+    Real acceleration(Real u) const { return -g - drag * u * std::abs(u); }
+
+    /// Its height after two seconds, flight by flight, in closed form [m].
+    Real height() const
+    {
+        if (drag == 0) return 0.260741728327057;
+        const Real rate = std::sqrt(g * drag), fastest = std::sqrt(g / drag);
+        const auto dropped = [&](Real t) { return std::log(std::cosh(rate * t)) / drag; };
+        Real top = 1, left = end;
+        for (;;) {
+            const Real fall = std::acosh(std::exp(drag * top)) / rate;
+            if (left <= fall) return top - dropped(left);
+            const Real up = e * fastest * std::tanh(rate * fall), rise = std::atan(up / fastest) / rate;
+            left -= fall;
+            top = std::log1p(up * up / (fastest * fastest)) / (2 * drag);
+            if (left <= rise) return top + std::log(std::cos(rate * (rise - left))) / drag;
+            left -= rise;
+        }
+    }
+};
+
+/// Symplectic Euler; a ball that would end a step below the floor has its speed turned round. Sweeps: steps.
+void bounce_fixed(benchmark::State& state, const Ball& ball)
 {
     const auto steps = state.range(0);
-    const Real h = bounce_end / static_cast<Real>(steps);
+    const Real h = Ball::end / static_cast<Real>(steps);
     Real y = 1;
     for (auto _ : state) {
         Real u = 0;
         y = 1;
         for (long n = 0; n < steps; ++n) {
-            u -= h * 9.81;
-            if (y + h * u < 0 && u < 0) u = -0.8 * u;
+            u += h * ball.acceleration(u);
+            if (y + h * u < 0 && u < 0) u = -Ball::e * u;
             y += h * u;
         }
         benchmark::DoNotOptimize(y);
     }
     Counted counted;
-    counted.sweeps = static_cast<Real>(steps);
-    counted.visits = static_cast<Real>(steps);
-    counted.error = std::abs(y - bounce_height);
+    counted.sweeps = counted.visits = static_cast<Real>(steps);
+    counted.error = std::abs(y - ball.height());
     report(state, counted);
 }
 
-/// Chapter 1's adaptive steps, which end at the bounces.
-void bounce_adaptive(benchmark::State& state)
+/// Chapter 1's adaptive steps, which end at the bounces. Sweeps: steps; visits: evaluations of the acceleration.
+void bounce_adaptive(benchmark::State& state, const Ball& ball)
 {
     const Real allowed = std::pow(10, -static_cast<Real>(state.range(0)));
     const Tolerance tolerance{allowed, allowed, allowed};
-    const auto gravity = [](const Vec<1>&, const Vec<1>&) { return Vec<1>(-9.81); };
+    const auto a = [&](const Vec<1>&, const Vec<1>& u) { return Vec<1>(ball.acceleration(u[0])); };
     Counted counted;
     for (auto _ : state) {
         counted = {};
-        Adaptive<1> run = start_adaptive<1>({Vec<1>(1.0), Vec<1>(0.0)}, gravity, tolerance);
-        while (run.t < bounce_end) {
+        Adaptive<1> run = start_adaptive<1>({Vec<1>(1.0), Vec<1>(0.0)}, a, tolerance);
+        while (run.t < Ball::end) {
             ++counted.sweeps;
-            if (advance_to_event(run, bounce_end, gravity, tolerance,
-                                 [](const State<1>& s) { return s.x[0]; }) != Outcome::event)
+            if (advance_to_event(run, Ball::end, a, tolerance, [](const State<1>& s) { return s.x[0]; }) !=
+                Outcome::event)
                 continue;
-            run.s.u = -0.8 * run.s.u;
+            run.s.u = -Ball::e * run.s.u;
             run.s.x[0] = std::max(run.s.x[0], 1e-15);
-            run.a = gravity(run.s.x, run.s.u);
+            run.a = a(run.s.x, run.s.u);
         }
         counted.visits = static_cast<Real>(run.evaluations);
-        counted.error = std::abs(run.s.x[0] - bounce_height);
+        counted.error = std::abs(run.s.x[0] - ball.height());
     }
     report(state, counted);
 }
@@ -552,7 +614,7 @@ void factor(benchmark::State& state)
 
 void add_all()
 {
-    for (const std::string name : {"sparse", "dense", "sizes", "line"})
+    for (const std::string name : {"sparse", "dense", "sizes", "line", "shuffled"})
         for (const std::string method : {"all", "sweep", "grid", "kept"}) {
             auto* const one = add("broad/" + method + "/" + name,
                                   [method, name](benchmark::State& state) { broad(state, method, name); });
@@ -587,8 +649,9 @@ void add_all()
     auto* const slacks = add("kept", kept)->MinTime(0.05)->Repetitions(5);
     for (const int micrometres : {0, 1, 10, 100, 1000}) slacks->Arg(micrometres);
     auto* const few = add("small", small)->MinTime(0.05)->Repetitions(3);
-    for (const int exact : {0, 12})
-        for (const int hit : {0, 1}) few->Args({exact, hit});
+    for (const int count : {1, 2, 3, 4, 6, 8, 16})
+        for (const int exact : {0, 1})
+            for (const int hit : {0, 1}) few->Args({count, exact, hit});
     for (const std::string name : {"column", "triangle"}) {
         const DiscScene scene = name == "column" ? column(20) : triangle(8);
         auto* const one = add("early/" + name, [scene](benchmark::State& state) { early(state, scene); });
@@ -599,10 +662,17 @@ void add_all()
     for (const bool groups : {false, true})
         add(groups ? "net/groups" : "net/pairs", [groups](benchmark::State& state) { net_step(state, groups); })
             ->Iterations(5);
-    auto* const fixed = add("bounce/fixed", bounce_fixed)->MinTime(0.01);
-    for (const int steps : {30, 100, 1000, 10000, 100000, 1000000, 10000000}) fixed->Arg(steps);
-    auto* const adaptive = add("bounce/adaptive", bounce_adaptive)->MinTime(0.01);
-    for (const int digits : {3, 6, 9, 12}) adaptive->Arg(digits);
+    for (const bool in_air : {false, true}) {
+        const Ball ball(in_air);
+        const std::string name = in_air ? "bounce/air_" : "bounce/";
+        auto* const fixed =
+            add(name + "fixed", [ball](benchmark::State& state) { bounce_fixed(state, ball); })->MinTime(0.01);
+        for (const int steps : {10, 100, 1000, 10000, 100000, 1000000, 10000000}) fixed->Arg(steps);
+        auto* const adaptive =
+            add(name + "adaptive", [ball](benchmark::State& state) { bounce_adaptive(state, ball); })
+                ->MinTime(0.01);
+        for (const int digits : {3, 5, 7, 9, 11}) adaptive->Arg(digits);
+    }
     auto* const chain = add("factor", factor)->MinTime(0.01);
     for (const int N : {10, 100, 1000, 10000}) chain->Arg(N);
 }
