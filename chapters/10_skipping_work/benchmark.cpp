@@ -232,7 +232,7 @@ SkippingSettings early_out(Real h, bool may_sleep)
     SkippingSettings settings;
     settings.h = h;
     settings.sleep = may_sleep;
-    settings.sweeps.max_sweeps = 20;
+    settings.sweeps.max_sweeps = 40;
     settings.sweeps.tolerance = 1e-5;
     settings.stabilizer.slop = 5e-4;
     settings.stabilizer.fastest = 1;

@@ -48,7 +48,7 @@ Scene skipping_scene(const std::string& name, const std::string& summary, Real h
 Scene rain_scene()
 {
     Scene scene = skipping_scene(
-        "rain", "Discs rain on hills, come to rest and sleep; pull one to wake its island", 1.0 / 120, 20);
+        "rain", "Discs rain on hills, come to rest and sleep; pull one to wake its island", 1.0 / 120, 40);
     scene.view = {{0, 1.2}, {18.2, 5}};
     scene.tunables.push_back({"discs", "", "how many", 2000, 1, 20000, true, true, false});
     scene.start = [view = scene.view](const Settings& settings) {
