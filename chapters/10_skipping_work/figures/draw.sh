@@ -19,14 +19,14 @@ if [ -n "$table" ]; then
     done
     tr / ' ' <"$data/least" | awk -v dir="$data" '
         $1 == "broad" { print $4, $5 > (dir "/broad_" $3 "_" $2); next }
-        { print ($3 < 1 ? 0.5 : $3), $4 > (dir "/" $1 "_" $2) }'
+        { print ($3 < 1 ? 0.2 : $3), $4 > (dir "/" $1 "_" $2) }'
     plot ch10_broad
     plot ch10_sleepers
     exit
 fi
 
 # Pictures of scenes.
-run --scene rain --set discs=2000 --steps 720 --svg "$out/ch10_asleep.svg"
+run --scene rain --set discs=2000 --steps 528 --svg "$out/ch10_asleep.svg"
 run --scene columns --steps 410 --svg "$out/ch10_columns.svg"
 
 # The counters of the rain, step by step, with sleep and without.
