@@ -18,6 +18,7 @@ struct EngineScene {
     DiscScene scene;
     bool collides = true;  ///< false: no disc ever touches anything, so no engine has to look
     bool rests = true;     ///< where it stands is where it stays; else it swings
+    Real reach = 1000;     ///< walls are made as long as this to both sides [m]
 };
 
 /// What a chain of N links is, hanging or swinging, once nothing of it collides.

@@ -17,10 +17,12 @@ namespace rigid {
 
 class Box2dWorld {
 public:
-    explicit Box2dWorld(const EngineScene& from) : world_(vector(from.scene.gravity))
+    /// \param may_sleep  its own rules of sleep: slower than 1 cm/s for half a second
+    explicit Box2dWorld(const EngineScene& from, bool may_sleep = false)
+        : world_(vector(from.scene.gravity))
     {
         const DiscScene& scene = from.scene;
-        world_.SetAllowSleeping(false);
+        world_.SetAllowSleeping(may_sleep);
         world_.SetContinuousPhysics(false);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];
@@ -56,7 +58,7 @@ public:
             // An edge has a skin of its own; it is set back by it, so that the wall is where the scene says.
             b2EdgeShape edge;
             const Vec2 foot = (wall.offset - static_cast<Real>(edge.m_radius)) * wall.normal;
-            const Vec2 along = 1000 * perpendicular(wall.normal);
+            const Vec2 along = from.reach * perpendicular(wall.normal);
             edge.SetTwoSided(vector(foot - along), vector(foot + along));
             add(*ground, edge);
         }
@@ -68,6 +70,15 @@ public:
         if (substeps == 1) world_.Step(static_cast<float>(h), 8, 3);
         else
             for (int k = 0; k < substeps; ++k) world_.Step(static_cast<float>(h / substeps), 1, 1);
+    }
+
+    /// How many bodies that can move are awake.
+    int awake() const
+    {
+        int count = 0;
+        for (const b2Body* const body : bodies_)
+            count += body->GetType() == b2_dynamicBody && body->IsAwake();
+        return count;
     }
 
     /// Writes the positions into the scene.

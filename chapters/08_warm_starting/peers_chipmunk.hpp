@@ -17,13 +17,15 @@ namespace rigid {
 
 class ChipmunkSpace {
 public:
-    explicit ChipmunkSpace(const EngineScene& from) : space_(cpSpaceNew())
+    /// \param may_sleep  its own rule of sleep: slower than g h, for half a second
+    explicit ChipmunkSpace(const EngineScene& from, bool may_sleep = false) : space_(cpSpaceNew())
     {
         const DiscScene& scene = from.scene;
         cpSpaceSetGravity(space_, vector(scene.gravity));
         cpSpaceSetDamping(space_, 1);  // what is left of a velocity after a second: all
         cpSpaceSetCollisionSlop(space_, 0.005);
-        cpSpaceSetSleepTimeThreshold(space_, std::numeric_limits<cpFloat>::infinity());
+        cpSpaceSetSleepTimeThreshold(space_,
+                                     may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];
             cpBody* const body = inverse_mass > 0 ? cpBodyNew(1 / inverse_mass, infinity) : cpBodyNewStatic();
@@ -43,7 +45,7 @@ public:
         }
         if (!from.collides) return;
         for (const HalfSpace& wall : scene.walls) {
-            const Vec2 foot = wall.offset * wall.normal, along = 1000 * perpendicular(wall.normal);
+            const Vec2 foot = wall.offset * wall.normal, along = from.reach * perpendicular(wall.normal);
             add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_), vector(foot - along), vector(foot + along),
                                   0));
         }
@@ -73,6 +75,15 @@ public:
     {
         cpSpaceSetIterations(space_, substeps == 1 ? 10 : 1);
         for (int k = 0; k < substeps; ++k) cpSpaceStep(space_, h / substeps);
+    }
+
+    /// How many bodies that can move are awake.
+    int awake() const
+    {
+        int count = 0;
+        for (cpBody* const body : bodies_)
+            count += cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC && !cpBodyIsSleeping(body);
+        return count;
     }
 
     /// Writes the positions into the scene.

@@ -8,7 +8,7 @@ set logscale xy
 set format x '10^{%L}'; set format y '10^{%L}'
 set xlabel 'discs N' tc rgb '#808080'
 set ylabel 'time [µs]' tc rgb '#808080'
-set xrange [20:2e5]; set yrange [0.5:3e5]
+set xrange [20:2e5]; set yrange [0.1:3e5]
 set key tc rgb '#808080' samplen 1 font ',12' Left reverse top left
 do for [p = 1:4] {
     scene = word("sparse dense sizes line", p)

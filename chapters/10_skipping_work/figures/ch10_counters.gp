@@ -14,6 +14,7 @@ plot data.'/rain_no_sleep.csv' every 4::1 using 2:3 with lines lw 1.5 lc rgb '#E
      data.'/rain_skipping.csv' every 4::1 using 2:4 with lines lw 1.5 lc rgb '#228833' title 'islands'
 set logscale y
 set yrange [1:3e5]
+set key at graph 0.99,0.45 right top
 set format y '10^{%L}'
 set xlabel 'time [s]' tc rgb '#808080'
 set ylabel 'in each step' tc rgb '#808080'
