@@ -1,0 +1,75 @@
+// Other programs' exact solvers on the task "find the impulses of a step".
+#include "docs/results/one_step.hpp"
+
+#include "chapters/09_active_sets/peers.hpp"
+#ifdef RIGID_HAS_BULLET
+#include "chapters/04_pgs/peers_bullet.hpp"
+#endif
+
+namespace rigid::results {
+namespace {
+
+/// A peer: from its own dense matrix, filled before, to λ; timed by itself.
+template <class Solve>
+void add_peer(Registry& registry, const SharedScene& scene, const std::string& method, const Solve& solve)
+{
+    const auto problems = std::make_shared<std::vector<peers::FreeFirst>>();
+    add_solver(
+        registry, scene, "peer", method, "unit=none", false,
+        [=] {
+            problems->clear();
+            for (const OneStep& step : scene->steps) problems->emplace_back(assemble(step.rows, step.u_star));
+            return [=](const OneStep&, std::size_t k, Solved& out) {
+                const peers::Answer answer = solve((*problems)[k]);
+                out.lambda = answer.lambda;
+                out.seconds = answer.us * 1e-6;
+                out.status = answer.lambda.allFinite() ? Status::solved : Status::singular;
+            };
+        },
+        true);
+}
+
+#ifdef RIGID_HAS_BULLET
+/// Bullet's sweeps, from its dense matrix: each visit costs n multiplications, whatever is zero.
+void add_bullet_sweeps(Registry& registry, const SharedScene& scene, int sweeps)
+{
+    const std::string parameters = "sweeps=" + std::to_string(sweeps) + " unit=row_visit";
+    add_solver(registry, scene, "peer", "bullet_gauss_seidel", parameters, false, [=] {
+        auto problems = std::make_shared<std::vector<BulletProblem>>();
+        for (const OneStep& step : scene->steps) problems->emplace_back(assemble(step.rows, step.u_star));
+        return [=](const OneStep& step, std::size_t k, Solved& out) {
+            BulletProblem& problem = (*problems)[k];
+            problem.solve(sweeps);
+            const auto n = static_cast<Index>(step.rows.size());
+            out.lambda.resize(n);
+            for (Index i = 0; i < n; ++i) out.lambda[i] = problem.x[static_cast<int>(i)];
+            out.work = n * sweeps;
+            out.sweeps = sweeps;
+            out.status = Status::iteration_limit;
+        };
+    });
+}
+#endif
+
+}  // namespace
+
+void add_exact_peers([[maybe_unused]] Registry& registry, [[maybe_unused]] const SharedScene& scene)
+{
+    peers::single_thread();
+#ifdef RIGID_HAS_ODE
+    add_peer(registry, scene, "ode_dantzig",
+             [](const peers::FreeFirst& problem) { return peers::ode(problem); });
+#endif
+#ifdef RIGID_HAS_BULLET
+    for (int sweeps = 1; sweeps <= 4096 && sweeps * scene->rows() * scene->rows() < 40'000'000; sweeps *= 4)
+        if (sweeps <= scene->most_sweeps) add_bullet_sweeps(registry, scene, sweeps);
+    add_peer(registry, scene, "bullet_dantzig",
+             [](const peers::FreeFirst& problem) { return peers::bullet(problem); });
+#endif
+#ifdef RIGID_HAS_SICONOS
+    add_peer(registry, scene, "siconos_lemke",
+             [](const peers::FreeFirst& problem) { return peers::siconos(problem); });
+#endif
+}
+
+}  // namespace rigid::results
