@@ -298,6 +298,17 @@ TEST_CASE("the natural residual of the disc on the floor is what the text works 
     CHECK(natural_residual(leaving, VecX::Ones(1)) == 0.5);
 }
 
+TEST_CASE("a large impulse does not hide what is left of the velocity")
+{
+    // 1e20 - (1e20 - 1) is 0 in sixteen digits; the row is off by 1 m/s whatever its impulse is.
+    for (const Real lambda : {1.0, 1e20, -1e20, 1e300})
+        CHECK(natural_residual_row(1, lambda, 1, -infinity, infinity) == 1);
+    CHECK(natural_residual_row(2, 1e20, -3, 0, infinity) == 3);
+    CHECK(natural_residual_row(2, 1e20, -3, 0, 1e20) == 0);  // at its upper bound, pressed against it
+    CHECK(std::isnan(natural_residual_row(1, infinity, 0, 0, infinity)));
+    CHECK(std::isnan(natural_residual_row(1, std::nan(""), 0, 0, infinity)));
+}
+
 TEST_CASE("the natural residual is zero for answers and for nothing else")
 {
     Random random(3);

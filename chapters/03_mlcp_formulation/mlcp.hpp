@@ -12,6 +12,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -88,10 +89,13 @@ struct Solution {
 //! [residual]
 /// (3.15), row i of the natural residual [m/s]: how far λ_i is from its own best answer.
 /// \param a  the diagonal entry A_ii [1/kg]; a row without one (a ≤ 0) is measured with 1
+/// \return   NaN if λ_i is not finite
 inline Real natural_residual_row(Real a, Real lambda, Real w, Real lo, Real hi)
 {
+    if (!std::isfinite(lambda)) return std::numeric_limits<Real>::quiet_NaN();
     const Real scale = a > 0 ? a : 1;
-    return std::abs(scale * lambda - std::clamp(scale * lambda - w, scale * lo, scale * hi));
+    // (3.15) with scale λ inside the clamp: outside, a λ of 1e20 would swallow w.
+    return std::abs(std::clamp(w, scale * (lambda - hi), scale * (lambda - lo)));
 }
 
 /// The natural residual of λ [m/s], the one definition of error in this book; 0 for the solution.
