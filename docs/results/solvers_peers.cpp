@@ -67,8 +67,10 @@ void add_exact_peers([[maybe_unused]] Registry& registry, [[maybe_unused]] const
              [](const peers::FreeFirst& problem) { return peers::bullet(problem); });
 #endif
 #ifdef RIGID_HAS_SICONOS
-    add_peer(registry, scene, "siconos_lemke",
-             [](const peers::FreeFirst& problem) { return peers::siconos(problem); });
+    // A problem without a single bound is not of its kind: its elimination of the free rows leaves an empty one.
+    if (!scene->bilateral)
+        add_peer(registry, scene, "siconos_lemke",
+                 [](const peers::FreeFirst& problem) { return peers::siconos(problem); });
 #endif
 }
 
