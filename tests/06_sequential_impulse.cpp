@@ -1,21 +1,6 @@
 /// Chapter 6: sequential impulses, what rows can say, blocks, impacts, orders.
 
-// Memory that is asked for while a NoAllocation lives is counted: operator new below, Eigen's own by its
-// check.
-#include <cstdlib>
-#include <new>
-namespace {
-bool allocation_forbidden = false;
-int forbidden_allocations = 0;
-}  // namespace
-#define EIGEN_RUNTIME_NO_MALLOC
-#define eigen_assert(condition)                                                                              \
-    do {                                                                                                     \
-        if (!(condition)) {                                                                                  \
-            if (!allocation_forbidden) std::abort();                                                         \
-            ++forbidden_allocations;                                                                         \
-        }                                                                                                    \
-    } while (false)
+#include "tests/no_allocation.hpp"
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
@@ -38,45 +23,9 @@ int forbidden_allocations = 0;
 #include <numeric>
 #include <set>
 
-// AddressSanitizer has its own operator new; there only Eigen's allocations are counted.
-#if defined(__SANITIZE_ADDRESS__)
-#define RIGID_ADDRESS_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RIGID_ADDRESS_SANITIZER
-#endif
-#endif
-#ifndef RIGID_ADDRESS_SANITIZER
-// Not inlined: else the compiler sees malloc() and delete meet and warns.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-    if (allocation_forbidden) ++forbidden_allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-#endif
-
 using namespace rigid;
 
 namespace {
-
-/// While it lives, every allocation of this thread is counted.
-struct NoAllocation {
-    NoAllocation()
-    {
-        forbidden_allocations = 0;
-        allocation_forbidden = true;
-        Eigen::internal::set_is_malloc_allowed(false);
-    }
-    ~NoAllocation()
-    {
-        Eigen::internal::set_is_malloc_allowed(true);
-        allocation_forbidden = false;
-    }
-    static int violations() { return forbidden_allocations; }
-};
 
 std::string sentence_of(const std::function<void()>& act)
 {

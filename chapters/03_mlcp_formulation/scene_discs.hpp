@@ -20,9 +20,7 @@ public:
     void step(const Settings& settings, const Input& input) override
     {
         DiscSettings step = ten_discs_settings(settings, input, view_);
-        step.pulled = pulled_ = !input.pressed     ? world
-                                : pulled_ != world ? pulled_
-                                                   : disc_under(scene_, input.pointer);
+        step.pulled = pulled_ = held_disc(scene_, input.pressed, input.pointer, pulled_);
         gravity_ = step.gravity;
 
         // Which contacts are at work is seldom news: begin with those of the last step.

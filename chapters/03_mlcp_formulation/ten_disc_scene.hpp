@@ -27,6 +27,18 @@ inline std::vector<Tunable> ten_discs_tunables()
              false}};
 }
 
+/// What a scene of the ten discs has in every chapter: its view, its time step, the pointer and what can be tuned.
+inline void set_up_ten_discs(Scene& scene)
+{
+    scene.view = {{0, 0.03}, {0.8, 0.58}};
+    scene.h = ten_discs_h;
+    scene.h_low = ten_discs_h_low;
+    scene.h_high = ten_discs_h_high;
+    scene.steered = true;
+    const std::vector<Tunable> shared = ten_discs_tunables();
+    scene.tunables.insert(scene.tunables.begin(), shared.begin(), shared.end());
+}
+
 /// Gravity towards the pointer: its place relative to the middle of the picture, in halves of the picture's
 /// size, at most 1 long, times `size`. Without a pointer it points down.
 inline Vec2 steered_gravity(const Input& input, const View& view, Real size)
@@ -54,6 +66,14 @@ inline Index disc_under(const DiscScene& scene, const Vec2& point)
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if ((scene.bodies.position(k) - point).norm() <= scene.radius[k]) return k;
     return world;
+}
+
+/// The disc that the reader's hand holds: the one that lay under it when the button went down; `world` for none.
+/// \param before  what it held until now
+inline Index held_disc(const DiscScene& scene, bool pressed, const Vec2& hand, Index before)
+{
+    if (!pressed) return world;
+    return before != world ? before : disc_under(scene, hand);
 }
 
 }  // namespace rigid

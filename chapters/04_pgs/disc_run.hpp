@@ -59,7 +59,8 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        draw_walls(canvas);
+        for (const HalfSpace& wall : scene_.walls)
+            paint::draw_wall(canvas, wall, scene_.walls, zoom_, 1 / zoom_);
         for (const Link& link : scene_.links)
             canvas.segment(shown(scene_.bodies.position(link.a)), shown(scene_.bodies.position(link.b)),
                            paint::link);
@@ -85,9 +86,7 @@ protected:
         if (steered_) disc_settings_ = ten_discs_settings(settings, input, view_);
         disc_settings_.h = settings.h;
         disc_settings_.hand = input.pointer / zoom_;
-        disc_settings_.pulled = !input.pressed        ? world
-                                : was_pulled != world ? was_pulled
-                                                      : disc_under(scene_, disc_settings_.hand);
+        disc_settings_.pulled = held_disc(scene_, input.pressed, disc_settings_.hand, was_pulled);
         pgs_settings_.tolerance = std::pow(10, -settings["digits"]);
         pgs_settings_.max_sweeps = static_cast<int>(settings["max_sweeps"]);
         pgs_settings_.omega = settings.method == "sor" ? settings["omega"] : 1;
@@ -121,22 +120,6 @@ protected:
         Index k = 0;
         while (k + 1 < scene_.bodies.count() && scene_.bodies.position(k).allFinite()) ++k;
         return "the position of body " + std::to_string(k) + " is not finite";
-    }
-
-    void draw_walls(Canvas& canvas) const
-    {
-        for (const HalfSpace& wall : scene_.walls) {
-            const Vec2 along = perpendicular(wall.normal), middle = wall.normal * wall.offset;
-            // A wall ends where the walls across it stand; a lone floor is as wide as the picture.
-            Real from = -1 / zoom_, to = 1 / zoom_;
-            for (const HalfSpace& other : scene_.walls) {
-                const Real slope = other.normal.dot(along);
-                if (std::abs(slope) < 0.5) continue;
-                const Real end = (other.offset - other.normal.dot(middle)) / slope;
-                (slope > 0 ? from : to) = end;
-            }
-            canvas.segment(shown(middle + from * along), shown(middle + to * along), paint::wall);
-        }
     }
 
     /// Each row's force |λ|/h, to scale with the weight of all: arrows at contacts, or bars across the

@@ -1,8 +1,9 @@
 /// \file drawing.hpp
-/// What this chapter's pictures share: a chart with a logarithmic axis, and its colours.
+/// What this chapter's pictures share: a chart with a logarithmic axis, walls, and colours.
 #pragma once
 
 #include "common/canvas.hpp"
+#include "common/shapes.hpp"
 #include "common/text.hpp"
 
 #include <algorithm>
@@ -24,6 +25,21 @@ inline constexpr Style link = {Colour::ink, 3, 1, false, false};
 inline constexpr Style error = {Colour::blue, 2, 1, false, false};
 inline constexpr Style residual = {Colour::orange, 2, 1, false, false};
 inline constexpr Style theory = {Colour::ink, 1.5, 1, false, true};
+
+/// A wall of a scene: it ends where the walls across it stand; a lone one goes `reach` to either side [m].
+/// \param zoom  from metres to the units of the picture
+inline void draw_wall(Canvas& canvas, const HalfSpace& plane, const std::vector<HalfSpace>& all, Real zoom,
+                      Real reach)
+{
+    const Vec2 along = perpendicular(plane.normal), middle = plane.normal * plane.offset;
+    Real from = -reach, to = reach;
+    for (const HalfSpace& other : all) {
+        const Real slope = other.normal.dot(along);
+        if (std::abs(slope) < 0.5) continue;
+        (slope > 0 ? from : to) = (other.offset - other.normal.dot(middle)) / slope;
+    }
+    canvas.segment(zoom * (middle + from * along), zoom * (middle + to * along), wall);
+}
 
 /// A chart of positive numbers against sweeps 0 … last, on decades low … high, in a box of the picture.
 class LogChart {

@@ -61,13 +61,7 @@ Scene ten_discs_scene()
 {
     Scene scene =
         disc_scene("ten_discs", "Seven discs on a chain and three free ones, each step solved exactly");
-    scene.view = {{0, 0.03}, {0.8, 0.58}};
-    scene.h = ten_discs_h;
-    scene.h_low = ten_discs_h_low;
-    scene.h_high = ten_discs_h_high;
-    scene.steered = true;
-    const std::vector<Tunable> shared = ten_discs_tunables();
-    scene.tunables.insert(scene.tunables.begin(), shared.begin(), shared.end());
+    set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings&) {
         return std::make_unique<ExactDiscRun>(ten_discs(), 1, view, true);
     };

@@ -113,9 +113,7 @@ private:
         if (steered_) disc_settings_ = ten_discs_settings(settings, input, view_);
         disc_settings_.h = settings.h;
         disc_settings_.hand = input.pointer / zoom_;
-        disc_settings_.pulled = !input.pressed        ? world
-                                : was_pulled != world ? was_pulled
-                                                      : disc_under(scene_, disc_settings_.hand);
+        disc_settings_.pulled = held_disc(scene_, input.pressed, disc_settings_.hand, was_pulled);
         impulse_settings_.h = settings.h;
         impulse_settings_.gravity = disc_settings_.gravity;
         impulse_settings_.stiffness = disc_settings_.stiffness;

@@ -64,13 +64,7 @@ Scene chain_scene()
 Scene ten_discs_scene()
 {
     Scene scene = impulse_scene("ten_discs", "The ten discs, whose links nobody repairs yet", 200, 6);
-    scene.view = {{0, 0.03}, {0.8, 0.58}};
-    scene.h = ten_discs_h;
-    scene.h_low = ten_discs_h_low;
-    scene.h_high = ten_discs_h_high;
-    scene.steered = true;
-    const std::vector<Tunable> shared = ten_discs_tunables();
-    scene.tunables.insert(scene.tunables.begin(), shared.begin(), shared.end());
+    set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings& settings) {
         return std::make_unique<ImpulseRun>(settings, ten_discs(), 1, view, true);
     };

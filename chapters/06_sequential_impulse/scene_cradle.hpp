@@ -26,7 +26,7 @@ public:
         step.restitution = settings["restitution"];
         step.sweeps = sweeps_of(settings);
         step.hand = input.pointer;
-        held_ = !input.pressed ? world : held_ != world ? held_ : disc_under(scene_, step.hand);
+        held_ = held_disc(scene_, input.pressed, step.hand, held_);
         step.pulled = held_;
         const ImpactLaw law =
             settings.method == "sequential" ? ImpactLaw::sequential : ImpactLaw::simultaneous;

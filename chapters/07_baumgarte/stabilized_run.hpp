@@ -41,9 +41,7 @@ public:
             step_.damping = settings["damping"];
         }
         step_.hand = input.pointer / zoom_;
-        step_.pulled = !input.pressed        ? world
-                       : was_pulled != world ? was_pulled
-                                             : disc_under(scene_, step_.hand);
+        step_.pulled = held_disc(scene_, input.pressed, step_.hand, was_pulled);
         stabilized_step(scene_, step_, now_);
         for (Index k = 0; k < scene_.bodies.count(); ++k)
             if (!scene_.bodies.position(k).allFinite())
@@ -68,7 +66,9 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        for (const HalfSpace& wall : scene_.walls) draw_wall(canvas, wall);
+        const Real across = 4 * view_.half_size.maxCoeff() / zoom_;
+        for (const HalfSpace& wall : scene_.walls)
+            paint::draw_wall(canvas, wall, scene_.walls, zoom_, across);
         for (const Link& link : scene_.links) {
             const Vec2 a = shown(link.a), b = shown(link.b);
             const Real off = std::abs((b - a).norm() / zoom_ - link.length);
@@ -103,19 +103,6 @@ private:
     Real energy(const Vec2& gravity) const
     {
         return kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, gravity);
-    }
-
-    /// Across the picture, but not beyond other walls.
-    void draw_wall(Canvas& canvas, const HalfSpace& wall) const
-    {
-        const Vec2 along = perpendicular(wall.normal), middle = wall.normal * wall.offset;
-        Real from = -4 * view_.half_size.maxCoeff() / zoom_, to = -from;
-        for (const HalfSpace& other : scene_.walls) {
-            const Real slope = other.normal.dot(along);
-            if (std::abs(slope) < 0.5) continue;
-            (slope > 0 ? from : to) = (other.offset - other.normal.dot(middle)) / slope;
-        }
-        canvas.segment(zoom_ * (middle + from * along), zoom_ * (middle + to * along), paint::wall);
     }
 
     /// A red bar where two discs, or a disc and a wall, overlap: as long as the part that they share is wide.

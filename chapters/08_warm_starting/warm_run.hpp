@@ -144,9 +144,7 @@ private:
             step_.damping = settings["damping"];
         }
         step_.hand = input.pointer / zoom_;
-        step_.pulled = !input.pressed        ? world
-                       : was_pulled != world ? was_pulled
-                                             : disc_under(scene_, step_.hand);
+        step_.pulled = held_disc(scene_, input.pressed, step_.hand, was_pulled);
         disc_settings_ = {step_.h,      step_.gravity, step_.stiffness, step_.damping,
                           step_.margin, step_.pulled,  step_.hand};
     }

@@ -2,6 +2,7 @@
 /// Scenes of discs whose every step is solved exactly, beginning with yesterday's set; sweeps to compare.
 #pragma once
 
+#include "chapters/02_velocity_constraints/scene_hand.hpp"
 #include "chapters/04_pgs/disc_run.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
@@ -90,7 +91,7 @@ private:
         const Index before = led_;
         if (!input.present) led_ = world;
         else if (!input.pressed) led_ = held_;
-        else if (!pressed_) led_ = nearest(input.pointer / zoom_);
+        else if (!pressed_) led_ = nearest_body(scene_.bodies, input.pointer / zoom_);
         pressed_ = input.pressed;
         if (led_ != world) {
             if (led_ != before) hand_ = scene_.bodies.position(led_);
@@ -99,14 +100,6 @@ private:
         }
         disc_settings_.pulled = led_;
         disc_settings_.hand = hand_;
-    }
-    Index nearest(const Vec2& point) const
-    {
-        Index best = 0;
-        for (Index k = 1; k < scene_.bodies.count(); ++k)
-            if ((scene_.bodies.position(k) - point).norm() < (scene_.bodies.position(best) - point).norm())
-                best = k;
-        return best;
     }
 
     ActiveSetMemory set_;
@@ -150,12 +143,7 @@ inline Scene exact_scene(const std::string& name, const std::string& summary)
 inline Scene ten_discs_exactly_scene()
 {
     Scene scene = exact_scene("ten_discs", "The ten discs, each step solved exactly from yesterday's set");
-    scene.view = {{0, 0.03}, {0.8, 0.58}};
-    scene.h = ten_discs_h;
-    scene.h_low = ten_discs_h_low;
-    scene.h_high = ten_discs_h_high;
-    const std::vector<Tunable> shared = ten_discs_tunables();
-    scene.tunables.insert(scene.tunables.begin(), shared.begin(), shared.end());
+    set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings&) {
         return std::make_unique<ActiveSetRun>(ten_discs(), 1, view, true);
     };

@@ -1,24 +1,8 @@
 #!/bin/sh
-# draw.sh BIN OUT [measured]: draws this chapter's figures into the folder OUT with the executables of BIN.
-# Without a third word the figures that come out the same on every run; with `measured` those that
-# show run times, from OUT/benchmark.csv, which `./book bench 2` leaves there (or from a run of its own).
-set -eu
-bin=$1
-out=$2
-here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$out"
-program=$bin/02_velocity_constraints
-data=$(mktemp -d)
-trap 'rm -rf "$data"' EXIT
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
 
-run() { "$program" --headless "$@"; }
-plot() { gnuplot -e "data='$data'; out='$out/$1.svg'" "$here/$1.gp"; }
-
-if [ "${3:-}" = measured ]; then
-    table=$out/benchmark.csv
-    if [ ! -f "$table" ]; then
-        "${program}_benchmark" --benchmark_out="$table" --benchmark_out_format=csv >&2
-    fi
+if [ -n "$table" ]; then
     # name,iterations,real_time,cpu_time,unit,… and the counters, in a fixed order: nanoseconds, error
     tr -d '"' <"$table" | awk -F, '/^name,/ { on = 1; next } on {
         scale = $5 == "us" ? 1000 : $5 == "ms" ? 1e6 : 1

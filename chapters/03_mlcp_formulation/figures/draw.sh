@@ -1,18 +1,6 @@
 #!/bin/sh
-# draw.sh BIN OUT [measured]: draws this chapter's figures into the folder OUT with the executables of BIN.
-# Without a third word the figures that come out the same on every run; with `measured` those that
-# show run times, from OUT/benchmark.csv, which `./book bench 3` leaves there (or from a run of its own).
-set -eu
-bin=$1
-out=$2
-here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$out"
-program=$bin/03_mlcp_formulation
-data=$(mktemp -d)
-trap 'rm -rf "$data"' EXIT
-
-run() { "$program" --headless "$@"; }
-plot() { gnuplot -e "folder='$here'; data='$data'; out='$out/$1.svg'" "$here/$1.gp"; }
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
 
 # One file for each case of the benchmark: n, work, nanoseconds, error (1e-16 where there is none).
 split_table() {
@@ -27,11 +15,7 @@ split_table() {
         }'
 }
 
-if [ "${3:-}" = measured ]; then
-    table=$out/benchmark.csv
-    if [ ! -f "$table" ]; then
-        "${program}_benchmark" --benchmark_out="$table" --benchmark_out_format=csv >&2
-    fi
+if [ -n "$table" ]; then
     split_table "$table"
     plot ch03_assembly_time
     plot ch03_exact_time

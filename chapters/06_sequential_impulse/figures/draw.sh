@@ -1,21 +1,9 @@
 #!/bin/sh
-# draw.sh BIN OUT [measured]: draws this chapter's figures into the folder OUT with the executables of BIN.
-# Without a third word the figures that come out the same on every run; with `measured` those that
-# show run times, from OUT/benchmark.csv, which `./book bench 6` leaves there (or from a run of its own).
-set -eu
-bin=$1
-out=$2
-here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$out"
-program=$bin/06_sequential_impulse
-data=$(mktemp -d)
-trap 'rm -rf "$data"' EXIT
-
-run() { "$program" --headless "$@"; }
-plot() { gnuplot -e "data='$data'; out='$out/$1.svg'" "$here/$1.gp"; }
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
 
 # Lines of a benchmark's table that begin with a word, as chosen columns in one file for each name.
-table() { # FILE WORD COLUMNS: the file is WORD_second part_third part
+columns_of() { # FILE WORD COLUMNS: the file is WORD_second part_third part
     tr -d '"' <"$1" | awk -F, -v dir="$data" -v word="$2" -v wanted="$3" '
         /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
         index($1, word "/") == 1 {
@@ -28,16 +16,12 @@ table() { # FILE WORD COLUMNS: the file is WORD_second part_third part
         }'
 }
 
-if [ "${3:-}" = measured ]; then
-    csv=$out/benchmark.csv
-    if [ ! -f "$csv" ]; then
-        "${program}_benchmark" --benchmark_out="$csv" --benchmark_out_format=csv >&2
-    fi
-    table "$csv" visit "rows given_ns alternating_ns shuffled_ns coloured_ns blocks_ns world_in_memory_ns"
+if [ -n "$table" ]; then
+    columns_of "$table" visit "rows given_ns alternating_ns shuffled_ns coloured_ns blocks_ns world_in_memory_ns"
     plot ch06_visits
-    table "$csv" size "rows ours_us pgs_us ours_bytes pgs_bytes"
+    columns_of "$table" size "rows ours_us pgs_us ours_bytes pgs_bytes"
     plot ch06_size
-    table "$csv" error "row_visits residual time_us"
+    columns_of "$table" error "row_visits residual time_us"
     plot ch06_error
     exit
 fi

@@ -1,18 +1,6 @@
 #!/bin/sh
-# draw.sh BIN OUT [measured]: draws this chapter's figures into the folder OUT with the executables of BIN.
-# Without a third word the figures that come out the same on every run; with `measured` the one that
-# shows run times, from OUT/benchmark.csv, which `./book bench 7` leaves there (or from a run of its own).
-set -eu
-bin=$1
-out=$2
-here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$out"
-program=$bin/07_baumgarte
-data=$(mktemp -d)
-trap 'rm -rf "$data"' EXIT
-
-run() { "$program" --headless "$@"; }
-plot() { gnuplot -e "style='$here/style.gp'; data='$data'; out='$out/$1.svg'; ${3:-}" "$here/${2:-$1}.gp"; }
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
 
 # A benchmark's table as: budget visits error step_us, one file for each problem and way.
 errors() {
@@ -24,11 +12,7 @@ errors() {
         }'
 }
 
-if [ "${3:-}" = measured ]; then
-    table=$out/benchmark.csv
-    if [ ! -f "$table" ]; then
-        "${program}_benchmark" --benchmark_out="$table" --benchmark_out_format=csv >&2
-    fi
+if [ -n "$table" ]; then
     errors "$table"
     plot ch07_time errors "column=4; cost='time of a step [µs]'"
     exit

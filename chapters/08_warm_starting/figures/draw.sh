@@ -1,24 +1,9 @@
 #!/bin/sh
-# draw.sh BIN OUT [measured]: draws this chapter's figures into the folder OUT with the executables of BIN.
-# Without a third word the figures that come out the same on every run; with `measured` those that show run times.
-set -eu
-bin=$1
-out=$2
-here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$out"
-program=$bin/08_warm_starting
-data=$(mktemp -d)
-trap 'rm -rf "$data"' EXIT
-
-run() { "$program" --headless "$@"; }
-plot() { gnuplot -e "data='$data'; out='$out/$1.svg'" "$here/$1.gp"; }
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
 starts="cold yesterday best_multiple"
 
-if [ "${3:-}" = measured ]; then
-    table=$out/benchmark.csv
-    if [ ! -f "$table" ]; then
-        "${program}_benchmark" --benchmark_out="$table" --benchmark_out_format=csv >&2
-    fi
+if [ -n "$table" ]; then
     # engines/SCENE/WHO: time [us], error [mm]; held at the edges of the plot.
     for kind in hanging swinging column triangle; do
         for who in quick careful box2d chipmunk disorder; do echo 1e-9 1e-9 >"$data/engines_${kind}_$who"; done
