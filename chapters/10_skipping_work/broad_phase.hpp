@@ -1,0 +1,182 @@
+/// \file broad_phase.hpp
+/// The pairs of discs that may touch, kept from step to step.
+///
+///     ‖x_a − x̄_a‖ ≤ skin,  ‖x_b − x̄_b‖ ≤ skin,  ‖x_b − x_a‖ < r_a + r_b + margin
+///         ⟹  ‖x̄_b − x̄_a‖ < r_a + r_b + margin + 2 skin
+///
+/// (10.4). The grid holds each disc at x̄, where it stood when it was last put in. The pairs on the right are listed;
+/// while nobody has left its skin, no pair on the left can be missing from the list, so only who has left it asks
+/// the grid again \cite verlet1967. The contacts that come out are those of all K²/2 tests, in their order, to the bit.
+#pragma once
+
+#include "chapters/10_skipping_work/awake_set.hpp"
+#include "chapters/10_skipping_work/collision_filter.hpp"
+#include "chapters/10_skipping_work/disc_grid.hpp"
+#include "common/contact.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rigid {
+
+struct BroadPhase {
+    DiscGrid grid;
+    CollisionFilter filter;
+    Real margin = 0.02;  ///< a contact is told of when its gap is below this [m]
+    Real skin = 0.01;    ///< how far a disc may move before it asks the grid again [m]
+
+    std::vector<std::uint64_t> pairs;  ///< a · 2³² + b, a < b, ascending
+    std::vector<std::uint64_t> kept, fresh;
+    std::vector<int> renewed;          ///< who asks the grid in this step
+    std::vector<std::uint8_t> renews;  ///< K: is in that list
+    std::int64_t tested = 0;           ///< distances of two discs that were computed in this step
+    std::int64_t asked = 0;            ///< discs that asked the grid
+
+    /// How far from its centre a disc looks for the surfaces of others [m]: the right side of (10.4).
+    Real reach_of(Real radius) const { return radius + margin + 2 * skin; }
+
+    /// \param scene  its discs are put in; its table of linked pairs is not looked at, see filter_of()
+    void reset(const DiscScene& scene, CollisionFilter by)
+    {
+        filter = std::move(by);
+        const Index K = scene.bodies.count();
+        grid.reset(K, margin + 2 * skin);
+        for (Index k = 0; k < K; ++k)
+            grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k], filter.group_of(k));
+        pairs.clear();
+        renews.assign(static_cast<std::size_t>(K), 1);  // nobody has asked yet
+        renewed.clear();
+        for (int k = 0; k < static_cast<int>(K); ++k) renewed.push_back(k);
+    }
+};
+
+inline std::uint64_t pair_code(int a, int b)
+{
+    return static_cast<std::uint64_t>(a < b ? a : b) << 32 | static_cast<std::uint64_t>(a < b ? b : a);
+}
+inline int first_of(std::uint64_t pair) { return static_cast<int>(pair >> 32); }
+inline int second_of(std::uint64_t pair) { return static_cast<int>(pair & 0xffffffffu); }
+inline int other_of(std::uint64_t pair, int k)
+{
+    return first_of(pair) == k ? second_of(pair) : first_of(pair);
+}
+
+//! [touches]
+/// The contact of two discs, if their gap is below the margin: the test of find_contacts() for one pair.
+inline bool disc_contact(const VecX& x, const VecX& radius, Index a, Index b, Real margin, Contact& contact)
+{
+    const Vec2 d = x.segment<2>(2 * b) - x.segment<2>(2 * a);
+    const Real reach = radius[a] + radius[b] + margin;
+    if (d.squaredNorm() >= reach * reach) return false;
+    const Real distance = d.norm();
+    contact = {a, b, distance > 0 ? Vec2(d / distance) : Vec2(0, 1), distance - radius[a] - radius[b], 0};
+    return true;
+}
+//! [touches]
+
+/// Brings the list of pairs up to date with x. Who is asleep and within the margin of somebody who is awake is
+/// woken, with its island, and asks as well. Afterwards no pair that is missing can have a gap below the margin,
+/// unless neither of the two is awake.
+/// \param scene  positions, radii, masses
+/// \param set    who is awake; may gain members
+inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broad)
+{
+    const VecX& x = scene.bodies.x;
+    const auto at = [](auto& list, int i) -> auto& { return list[static_cast<std::size_t>(i)]; };
+    const auto movable = [&](int k) { return scene.bodies.inverse_mass[2 * k] > 0; };
+    const auto is = [&](int k, Activity activity) { return at(set.activity, k) == activity; };
+    const auto may_ask = [&](int k) { return !is(k, Activity::asleep) && !is(k, Activity::gone); };
+    const auto renew = [&](int k) {  // all move before the first one asks
+        if (std::exchange(at(broad.renews, k), std::uint8_t{1}) == 0) broad.renewed.push_back(k);
+        if (!is(k, Activity::gone)) broad.grid.move(k, x.segment<2>(2 * k));
+    };
+    const auto wake_if_close = [&](int a, int b) {
+        ++broad.tested;
+        Contact contact;
+        if (!disc_contact(x, scene.radius, a, b, broad.margin, contact)) return;
+        const std::size_t before = set.woken.size();
+        set.wake(b);
+        for (std::size_t i = before; i < set.woken.size(); ++i) renew(set.woken[i]);
+    };
+
+    broad.tested = 0;
+
+    //! [kept]
+    // (10.4): who has left its skin? (Who was woken since the last step asks too: nobody kept its pairs.)
+    const Real allowed = broad.skin * broad.skin;
+    for (const int k : set.woken) renew(k);
+    for (const int k : set.awake)
+        if (!((x.segment<2>(2 * k) - broad.grid.position(k)).squaredNorm() <= allowed)) renew(k);
+
+    // What is still true of the old list.
+    broad.kept.clear();
+    for (const std::uint64_t pair : broad.pairs) {
+        const int a = first_of(pair), b = second_of(pair);
+        if (at(broad.renews, a) || at(broad.renews, b) || !(set.is_awake(a) || set.is_awake(b))) continue;
+        if (is(a, Activity::gone) || is(b, Activity::gone)) continue;
+        broad.kept.push_back(pair);
+        if (set.is_asleep(b)) wake_if_close(a, b);
+        else if (set.is_asleep(a)) wake_if_close(b, a);
+    }
+    //! [kept]
+
+    //! [ask]
+    // Ask the grid. The list of those who ask may grow on the way: who is found close by and asleep is woken.
+    broad.fresh.clear();
+    broad.grid.tested = broad.grid.cells = 0;
+    const std::size_t before_asking = broad.renewed.size();
+    for (std::size_t i = 0; i < broad.renewed.size(); ++i) {
+        const int k = broad.renewed[i];
+        if (!may_ask(k)) continue;
+        const std::uint64_t groups = at(broad.filter.meets, broad.filter.group_of(k));
+        const std::size_t found = broad.fresh.size();
+        broad.grid.near(x.segment<2>(2 * k), broad.reach_of(scene.radius[k]), groups, [&](int b) {
+            // Of two who ask, the lower one finds the other; but it may have asked before k was woken and moved.
+            if (b == k || (i < before_asking && b < k && at(broad.renews, b) && may_ask(b))) return;
+            if (!movable(k) && !movable(b)) return;
+            if (!set.is_awake(k) && !set.is_awake(b)) return;
+            if (broad.filter.forbids(std::min(b, k), std::max(b, k))) return;
+            broad.fresh.push_back(pair_code(b, k));
+        });
+        for (std::size_t j = found; j < broad.fresh.size(); ++j)  // the grid may change again
+            if (const int b = other_of(broad.fresh[j], k); set.is_asleep(b)) wake_if_close(k, b);
+    }
+    //! [ask]
+    broad.asked = static_cast<std::int64_t>(broad.renewed.size());
+    for (const int k : broad.renewed) at(broad.renews, k) = 0;
+    broad.renewed.clear();
+    broad.tested += broad.grid.tested;
+
+    // Old and new, in order, none twice.
+    if (!std::is_sorted(broad.fresh.begin(), broad.fresh.end()))
+        std::sort(broad.fresh.begin(), broad.fresh.end());
+    broad.pairs.resize(broad.kept.size() + broad.fresh.size());
+    std::merge(broad.kept.begin(), broad.kept.end(), broad.fresh.begin(), broad.fresh.end(),
+               broad.pairs.begin());
+    broad.pairs.erase(std::unique(broad.pairs.begin(), broad.pairs.end()), broad.pairs.end());
+}
+
+/// The contacts of those who are awake, with each other, with what is fixed and with the walls: what
+/// find_contacts() says of them, in the same order.
+inline void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhase& broad,
+                           std::vector<Contact>& contacts)
+{
+    contacts.clear();
+    Contact contact;
+    broad.tested += static_cast<std::int64_t>(broad.pairs.size());
+    for (const std::uint64_t pair : broad.pairs)
+        if (disc_contact(scene.bodies.x, scene.radius, first_of(pair), second_of(pair), broad.margin,
+                         contact))
+            contacts.push_back(contact);
+    for (const int b : set.awake) {
+        if (!(scene.bodies.inverse_mass[2 * b] > 0)) continue;
+        for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+            const HalfSpace& wall = scene.walls[i];
+            const Real gap =
+                wall.normal.dot(scene.bodies.x.segment<2>(2 * b)) - wall.offset - scene.radius[b];
+            if (gap < broad.margin) contacts.push_back({world, b, wall.normal, gap, static_cast<Index>(i)});
+        }
+    }
+}
+
+}  // namespace rigid

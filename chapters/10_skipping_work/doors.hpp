@@ -1,0 +1,99 @@
+/// \file doors.hpp
+/// The only ways to change a scene from outside while it runs: each of them wakes whom the change concerns.
+///
+/// Nobody touches those who stood on a disc that is gone, so no step could notice by itself that they must fall.
+#pragma once
+
+#include "chapters/10_skipping_work/skipping_world.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+/// Throws std::invalid_argument unless there is a disc k, and still is.
+inline void require_disc(const SkippingWorld& now, Index k)
+{
+    if (k < 0 || k >= now.scene.bodies.count())
+        throw std::invalid_argument("there is no disc " + std::to_string(k) + " among " +
+                                    std::to_string(now.scene.bodies.count()));
+    if (now.set.activity[static_cast<std::size_t>(k)] == Activity::gone)
+        throw std::invalid_argument("disc " + std::to_string(k) + " was taken away");
+}
+
+//! [doors]
+/// Disc k wakes, and everybody within the margin of it, and who hangs on a link or a bend with it.
+inline void wake_around(SkippingWorld& now, Index k)
+{
+    const auto i = static_cast<int>(k);
+    now.set.wake(k);
+    now.broad.grid.near(now.broad.grid.position(i), now.broad.reach_of(now.scene.radius[k]),
+                        ~std::uint64_t{0}, [&](int b) { now.set.wake(b); });
+    for (const int l : now.links_on.of(i)) {
+        const Link& link = now.scene.links[static_cast<std::size_t>(l)];
+        now.set.wake(link.a == k ? link.b : link.a);
+    }
+    for (const int l : now.bends_on.of(i)) {
+        const Bend& bend = now.scene.bends[static_cast<std::size_t>(l)];
+        for (const Index b : {bend.left, bend.middle, bend.right}) now.set.wake(b);
+    }
+}
+
+/// Gives a disc another place, velocity and mass, and wakes whom that concerns, where it was and where it is.
+/// \param x             [m]
+/// \param u             [m/s]
+/// \param inverse_mass  [1/kg]; 0 makes it a fixed disc, or, with a velocity, one that moves and is not moved
+/// \throws std::invalid_argument  for a disc that is not there, or a number that makes no sense
+inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& u, Real inverse_mass)
+{
+    require_disc(now, k);
+    const auto refuse = [k](const std::string& what) {
+        throw std::invalid_argument("disc " + std::to_string(k) + " is to get the " + what);
+    };
+    const auto check = [&](const std::string& name, const Vec2& v) {
+        if (!v.allFinite())
+            refuse(name + ' ' + std::to_string(v.x()) + ", " + std::to_string(v.y()) + "; it must be finite");
+    };
+    check("place", x);
+    check("velocity", u);
+    if (!(inverse_mass >= 0) || !std::isfinite(inverse_mass))
+        refuse("inverse mass " + std::to_string(inverse_mass) +
+               " 1/kg; it must be zero or positive and finite");
+    wake_around(now, k);
+    now.scene.bodies.position(k) = x;
+    now.scene.bodies.velocity(k) = u;
+    now.memory.u.segment<2>(2 * k) = u;
+    now.scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(inverse_mass);
+    now.broad.grid.move(static_cast<int>(k), x);
+    wake_around(now, k);
+    const bool moves = inverse_mass > 0 || u.squaredNorm() > 0;
+    if (moves && !now.set.is_awake(k)) now.set.awake.push_back(static_cast<int>(k));
+    now.set.activity[static_cast<std::size_t>(k)] = moves ? Activity::awake : Activity::fixed;
+    now.set.woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found anew
+}
+
+/// Takes a disc out of the scene, with its links and bends. What stood on it wakes.
+inline void take_away(SkippingWorld& now, Index k)
+{
+    require_disc(now, k);
+    wake_around(now, k);
+    now.broad.grid.remove(static_cast<int>(k));
+    now.set.activity[static_cast<std::size_t>(k)] = Activity::gone;
+    now.set.woken.push_back(static_cast<int>(k));
+}
+
+/// Puts other walls in the place of those that are there, and wakes everybody.
+/// \throws std::invalid_argument  for a wall that makes no sense
+inline void change_walls(SkippingWorld& now, std::vector<HalfSpace> walls)
+{
+    DiscScene only;  // a scene of nothing but these walls
+    only.walls = std::move(walls);
+    require_valid(only);
+    now.scene.walls = std::move(only.walls);
+    for (Index k = 0; k < now.scene.bodies.count(); ++k) now.set.wake(k);
+    now.changed = true;
+}
+//! [doors]
+
+}  // namespace rigid

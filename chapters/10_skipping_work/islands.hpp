@@ -1,0 +1,157 @@
+/// \file islands.hpp
+/// Bodies that push each other, directly or through others, are an island; different islands know nothing of each
+/// other, so their rows are separate problems.
+///
+///     A_ij = J_i M⁻¹ J_jᵀ = 0   for rows i, j of different islands:   A is block diagonal
+///
+/// (10.5). What cannot move passes nothing on, so it joins nobody. Found by union-find \cite tarjan1975, in time that
+/// is linear in the rows and bodies that are awake. An island is numbered by its lowest body; rows keep their order.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/06_sequential_impulse/row_order.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+#include <vector>
+
+namespace rigid {
+
+struct Islands {
+    std::vector<int> rows;        ///< row numbers, island after island
+    std::vector<int> first_row;   ///< count() + 1: where the rows of each island begin
+    std::vector<int> bodies;      ///< island after island, ascending in each
+    std::vector<int> first_body;  ///< count() + 1
+    std::vector<int> parent;      ///< K: a step on the way to the lowest body of the island
+    std::vector<int> number;      ///< K: of the island, of who was asked about last
+    std::vector<int> next;        ///< where the next row or body goes
+
+    int count() const { return static_cast<int>(first_body.size()) - 1; }
+    std::span<const int> bodies_of(int i) const { return part(bodies, first_body, i); }
+    std::span<const int> rows_of(int i) const { return part(rows, first_row, i); }
+
+    //! [find]
+    /// The lowest body of k's island. On the way each body is pointed one farther: the next walk is shorter.
+    int find(int k)
+    {
+        while (at(parent, k) != k) {
+            at(parent, k) = at(parent, at(parent, k));
+            k = at(parent, k);
+        }
+        return k;
+    }
+    /// From now on a and b are of one island.
+    void unite(int a, int b)
+    {
+        a = find(a);
+        b = find(b);
+        if (a < b) at(parent, b) = a;
+        else at(parent, a) = b;
+    }
+    //! [find]
+
+    static int& at(std::vector<int>& list, int i) { return list[static_cast<std::size_t>(i)]; }
+
+private:
+    static std::span<const int> part(const std::vector<int>& list, const std::vector<int>& first, int i)
+    {
+        const int begin = first[static_cast<std::size_t>(i)], end = first[static_cast<std::size_t>(i) + 1];
+        return {list.data() + begin, static_cast<std::size_t>(end - begin)};
+    }
+};
+
+/// Each of these bodies is an island of its own.
+/// \param count   K
+/// \param bodies  those who may be joined, ascending
+inline void separate(Index count, std::span<const int> bodies, Islands& islands)
+{
+    islands.parent.resize(static_cast<std::size_t>(count));
+    islands.number.resize(static_cast<std::size_t>(count));
+    for (const int k : bodies) Islands::at(islands.parent, k) = k;
+}
+
+//! [islands]
+/// Joins the islands by rows and lists what is in each of them.
+/// \param bodies   as given to separate(); between the two calls unite() may have joined some of them
+/// \param rows     m rows; a row that moves nobody is left out of `islands.rows`
+/// \param order    row numbers in the order that they are to have in their island; empty = as they are
+/// \param islands  out; memory is kept
+template <int Dof>
+void join_by_rows(std::span<const int> bodies, const std::vector<Row<Dof>>& rows, std::span<const int> order,
+                  Islands& islands)
+{
+    const auto mover = [](const Row<Dof>& row) {
+        return static_cast<int>(moves_a(row) ? row.a : moves_b(row) ? row.b : Index{-1});
+    };
+    for (const Row<Dof>& row : rows)
+        if (moves_a(row) && moves_b(row)) islands.unite(static_cast<int>(row.a), static_cast<int>(row.b));
+
+    // Number them: the lowest body comes first.
+    int count = 0;
+    for (const int k : bodies) {
+        const int root = islands.find(k);
+        Islands::at(islands.number, k) = root == k ? count++ : Islands::at(islands.number, root);
+    }
+
+    // Count, add up, fill in: first bodies, then rows.
+    const auto sort_by_island = [&](std::size_t total, const auto& island_of, std::vector<int>& first,
+                                    std::vector<int>& list) {
+        first.assign(static_cast<std::size_t>(count) + 1, 0);
+        for (std::size_t i = 0; i < total; ++i)
+            if (const int island = island_of(i); island >= 0) ++Islands::at(first, island + 1);
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        islands.next.assign(first.begin(), first.end());
+        list.resize(static_cast<std::size_t>(first.back()));
+        for (std::size_t i = 0; i < total; ++i)
+            if (const int island = island_of(i); island >= 0)
+                Islands::at(list, Islands::at(islands.next, island)++) = static_cast<int>(i);
+    };
+    sort_by_island(
+        bodies.size(), [&](std::size_t i) { return Islands::at(islands.number, bodies[i]); },
+        islands.first_body, islands.bodies);
+    for (int& i : islands.bodies) i = bodies[static_cast<std::size_t>(i)];
+    const auto row_at = [&](std::size_t i) { return order.empty() ? i : static_cast<std::size_t>(order[i]); };
+    sort_by_island(
+        rows.size(),
+        [&](std::size_t i) {
+            const int k = mover(rows[row_at(i)]);
+            return k < 0 ? -1 : Islands::at(islands.number, k);
+        },
+        islands.first_row, islands.rows);
+    for (int& i : islands.rows) i = static_cast<int>(row_at(static_cast<std::size_t>(i)));
+}
+//! [islands]
+
+//! [colours]
+/// Chapter 6's colours, for those who are awake alone: rows of one colour share no body that can move.
+/// \param bodies  those whom the rows may move; only their places in memory.used are looked at
+/// \param order   becomes the row numbers, colour by colour, those of one colour as they came
+template <int Dof>
+void colour_rows_of(std::span<const int> bodies, Index count, const std::vector<Row<Dof>>& rows,
+                    Colouring& memory, std::vector<int>& order)
+{
+    constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
+    const auto size = [](Index i) { return static_cast<std::size_t>(i); };
+    memory.used.resize(size(count));
+    for (const int k : bodies) memory.used[size(k)] = 0;
+    memory.colour.resize(rows.size());
+    memory.start.assign(Colouring::most + 1, 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row<Dof>& row = rows[i];
+        std::uint64_t* const a = moves_a(row) ? &memory.used[size(row.a)] : nullptr;
+        std::uint64_t* const b = moves_b(row) ? &memory.used[size(row.b)] : nullptr;
+        const int colour = std::countr_one(((a ? *a : 0) | (b ? *b : 0)) & ~last);
+        for (std::uint64_t* const used : {a, b})
+            if (used) *used |= std::uint64_t{1} << colour;
+        memory.colour[i] = colour;
+        ++memory.start[size(colour) + 1];
+    }
+    for (std::size_t c = 1; c < memory.start.size(); ++c) memory.start[c] += memory.start[c - 1];
+    order.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        order[size(memory.start[size(memory.colour[i])]++)] = static_cast<int>(i);
+}
+//! [colours]
+
+}  // namespace rigid

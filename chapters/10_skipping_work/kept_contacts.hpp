@@ -1,0 +1,94 @@
+/// \file kept_contacts.hpp
+/// Contacts that keep their normal while their two discs have hardly moved to each other.
+///
+///     d = x_b − x_a,  d0 as it was when the normal n was found:   while ‖d − d0‖ ≤ slack keep n, and
+///     C_kept = C0 + nᵀ (d − d0),   0 ≤ C − C_kept ≤ slack² / (2 (‖d0‖ − slack)),   sin ∠ ≤ slack / ‖d0‖
+///
+/// (10.10). The error does not grow with time, and is on the safe side: a distance is never shorter than its tangent
+/// says. Which contacts there are is decided by the exact test; only normal and gap are approximate.
+#pragma once
+
+#include "chapters/10_skipping_work/broad_phase.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rigid {
+
+struct KeptContacts {
+    struct Found {
+        std::uint64_t pair = 0;
+        Vec2 d = {0, 0};       ///< d0 [m]
+        Vec2 normal = {0, 1};  ///< then
+        Real gap = 0;          ///< C0 [m]
+    };
+    std::vector<Found> now, before;  ///< of two discs, in their order
+    std::vector<std::uint8_t> kept;  ///< of each contact: normal and bodies are those of the step before
+    std::size_t walls = 0;           ///< contacts with walls in the step before
+    bool same = false;               ///< the contacts are those of the step before, one for one
+    std::int64_t reused = 0;         ///< normals of two discs that were kept in this step
+};
+
+//! [keep]
+/// awake_contacts() with normals that may be kept.
+/// \param slack  how far two discs may have moved to each other [m]; positive
+inline void keep_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhase& broad, Real slack,
+                          KeptContacts& memory, std::vector<Contact>& contacts)
+{
+    const auto wall_key = [](const Contact& c) { return std::pair(c.b, c.feature); };
+    std::swap(memory.now, memory.before);
+    memory.now.clear();
+    memory.kept.clear();
+    memory.reused = 0;
+    const std::size_t last_discs = memory.before.size();
+    memory.same = contacts.size() == last_discs + memory.walls;
+    std::size_t old = 0, count = 0;
+    broad.tested += static_cast<std::int64_t>(broad.pairs.size());
+    for (const std::uint64_t pair : broad.pairs) {
+        const Index a = first_of(pair), b = second_of(pair);
+        const Vec2 d = scene.bodies.x.segment<2>(2 * b) - scene.bodies.x.segment<2>(2 * a);
+        const Real reach = scene.radius[a] + scene.radius[b] + broad.margin;
+        if (d.squaredNorm() >= reach * reach) continue;
+        while (old < last_discs && memory.before[old].pair < pair) ++old;
+        const bool known = old < last_discs && memory.before[old].pair == pair;
+        const bool keep = known && (d - memory.before[old].d).squaredNorm() <= slack * slack;
+        memory.same = memory.same && known && old == count;
+        if (keep) {
+            memory.now.push_back(memory.before[old]);
+            ++memory.reused;
+        } else {
+            const Real distance = d.norm();
+            memory.now.push_back({pair, d, distance > 0 ? Vec2(d / distance) : Vec2(0, 1),
+                                  distance - scene.radius[a] - scene.radius[b]});
+        }
+        memory.kept.push_back(keep);
+        const KeptContacts::Found& found = memory.now.back();
+        const Contact contact = {a, b, found.normal, found.gap + found.normal.dot(d - found.d), 0};
+        if (count < contacts.size()) contacts[count] = contact;
+        else contacts.push_back(contact);
+        ++count;
+    }
+    // Walls are flat: their normals are always those of the step before.
+    for (const int b : set.awake) {
+        if (!(scene.bodies.inverse_mass[2 * b] > 0)) continue;
+        for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+            const HalfSpace& wall = scene.walls[i];
+            const Real gap =
+                wall.normal.dot(scene.bodies.x.segment<2>(2 * b)) - wall.offset - scene.radius[b];
+            if (!(gap < broad.margin)) continue;
+            const Contact contact = {world, b, wall.normal, gap, static_cast<Index>(i)};
+            memory.same = memory.same && count < contacts.size() && contacts[count].a == world &&
+                          wall_key(contacts[count]) == wall_key(contact);
+            if (count < contacts.size()) contacts[count] = contact;
+            else contacts.push_back(contact);
+            memory.kept.push_back(1);
+            ++count;
+        }
+    }
+    memory.same = memory.same && count == last_discs + memory.walls;
+    memory.walls = count - memory.now.size();
+    contacts.resize(count);
+}
+//! [keep]
+
+}  // namespace rigid

@@ -1,0 +1,126 @@
+/// \file sleeping.hpp
+/// When an island may sleep: it has been at rest for a time, and at rest means more than slow.
+///
+///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ a_rest h   for each of its bodies, in each step, for the time t_rest,
+///     ‖u‖ ≤ max(½ fastest, ε)   in the last step, for the greatest speed in that time: the motion dies out,
+///     and the step's answer was solved
+///
+/// (10.8). A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g; a disc
+/// that begins to topple has little of either, but more and more. What sleep costs in accuracy: see (10.9).
+#pragma once
+
+#include "chapters/08_warm_starting/impulse_cache.hpp"
+#include "chapters/10_skipping_work/awake_set.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+struct RestSettings {
+    Real speed = 1e-3;         ///< v_rest [m/s]
+    Real acceleration = 0.02;  ///< a_rest [m/s²]
+    Real time = 0.5;           ///< t_rest [s]
+
+    bool operator==(const RestSettings&) const = default;
+};
+
+inline void require_valid(const RestSettings& rest)
+{
+    const auto refuse = [](const char* name, Real value) {
+        throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                                    "; it must be positive and finite");
+    };
+    if (!(rest.speed > 0) || !std::isfinite(rest.speed)) refuse("the speed of rest", rest.speed);
+    if (!(rest.acceleration > 0) || !std::isfinite(rest.acceleration))
+        refuse("the acceleration of rest", rest.acceleration);
+    if (!(rest.time > 0) || !std::isfinite(rest.time)) refuse("the time of rest", rest.time);
+}
+
+/// How long a body has been at rest without a break, and its greatest speed in that time.
+struct Rest {
+    Real time = 0;     ///< [s]
+    Real fastest = 0;  ///< [m/s]
+};
+
+//! [rests]
+/// (10.8) for one body and one step: is it slow, and is its velocity steady?
+/// \param rest    what was so until now
+/// \param u       velocity after the step [m/s]
+/// \param before  and before it [m/s]
+template <int Dof>
+Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, const RestSettings& settings,
+                   Real h)
+{
+    const bool slow = u.squaredNorm() <= settings.speed * settings.speed;
+    const Real change = settings.acceleration * h;
+    const bool steady = (u - before).squaredNorm() <= change * change;
+    if (!slow || !steady) return {};
+    return {rest.time + h, std::max(rest.fastest, u.norm())};
+}
+
+/// And once it has lasted for long enough: does what is left of the motion die out? What glides on does not, nor
+/// what has begun to topple: that is faster than ever.
+/// \param noise  slower than this it can't be told from the error of the answers [m/s]
+inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings, Real noise)
+{
+    return rest.time >= settings.time && speed <= std::max(rest.fastest / 2, noise);
+}
+//! [rests]
+
+/// The impulses of sleeping islands, as forces λ/h, so that waking up is a warm start.
+struct SleepingForces {
+    struct Entry {
+        ImpulseKey key;
+        Real force = 0;  ///< λ/h [N]
+        int next = -1;   ///< of the same island, or of the free places
+    };
+    std::vector<Entry> entries;
+    std::vector<int> head;  ///< K: first entry of the island whose first body this is
+    int free = -1;
+
+    void put(int body, const ImpulseKey& key, Real force)
+    {
+        int place = free;
+        if (place < 0) {
+            place = static_cast<int>(entries.size());
+            entries.emplace_back();
+        } else {
+            free = entries[static_cast<std::size_t>(place)].next;
+        }
+        int& first = head[static_cast<std::size_t>(body)];
+        entries[static_cast<std::size_t>(place)] = {key, force, first};
+        first = place;
+    }
+
+    /// Calls take(key, force) for what was put there, and forgets it.
+    template <class Take>
+    void take_all(int body, const Take& take)
+    {
+        int place = std::exchange(head[static_cast<std::size_t>(body)], -1);
+        while (place >= 0) {
+            Entry& entry = entries[static_cast<std::size_t>(place)];
+            take(entry.key, entry.force);
+            const int next = std::exchange(entry.next, free);
+            free = place;
+            place = next;
+        }
+    }
+};
+
+/// The impulses of those who were woken go back to the cache from which the next sweeps start.
+inline void remember_woken(SleepingForces& forces, std::span<const int> woken, ImpulseCache& cache)
+{
+    const std::size_t before = cache.entries.size();
+    for (const int k : woken)
+        forces.take_all(k, [&cache](const ImpulseKey& key, Real force) {
+            cache.entries.push_back({key, 0, force * cache.h});
+        });
+    if (cache.entries.size() > before)
+        std::sort(cache.entries.begin(), cache.entries.end(),
+                  [](const auto& a, const auto& b) { return a.key < b.key; });
+}
+
+}  // namespace rigid
