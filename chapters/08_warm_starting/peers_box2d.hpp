@@ -17,10 +17,12 @@ namespace rigid {
 
 class Box2dWorld {
 public:
-    explicit Box2dWorld(const EngineScene& from) : world_(vector(from.scene.gravity))
+    /// \param sleeping  bodies at rest may fall asleep, by its own rules
+    explicit Box2dWorld(const EngineScene& from, bool sleeping = false)
+        : world_(vector(from.scene.gravity))
     {
         const DiscScene& scene = from.scene;
-        world_.SetAllowSleeping(false);
+        world_.SetAllowSleeping(sleeping);
         world_.SetContinuousPhysics(false);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];

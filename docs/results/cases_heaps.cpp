@@ -19,6 +19,7 @@ void add_triangle(Registry& registry, Index base)
     heap.parameters = "base=" + std::to_string(base) + " discs=" + std::to_string(scene.bodies.count());
     heap.reference = "rest";
     heap.most_sweeps = 4096;
+    heap.all_ways = base == 10;
     heap.steps.push_back(resting_step(scene, heap.fall / 9.81));
     add_solvers(registry, heap);
 }
@@ -39,6 +40,7 @@ StepScene tumble(bool by_enumeration)
     result.reference = by_enumeration ? "enumeration" : "lemke";
     result.fall = 9.81 * settings.h;
     result.most_sweeps = 4096;
+    result.all_ways = true;
     constexpr int first = 1200, count = 60;
     for (int k = 0; k < first + count; ++k) {
         const Vec2 tilt = pointer.at(k * settings.h).cwiseQuotient(scene.half_size);

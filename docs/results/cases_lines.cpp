@@ -46,6 +46,7 @@ void add_line(Registry& registry, const std::string& name, const DiscScene& scen
     line.omega = best_omega(rate);
     line.most_sweeps = sweeps_needed(rate);
     line.enumerable = !line.bilateral && rows <= 10;
+    line.all_ways = rows == 20 || rows == 40;
     line.steps.push_back(resting_step(scene, line.fall / 9.81));
     add_solvers(registry, line);
 }

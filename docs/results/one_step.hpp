@@ -34,6 +34,7 @@ struct StepScene {
     long most_sweeps = 16384;     ///< after which nothing is left to gain
     Index most_exact_rows = 400;  ///< dense exact solvers are left out above this
     bool enumerable = false;      ///< chapter 3's enumeration ends within a second
+    bool all_ways = false;        ///< chapter 6's orders and blocks too, and chapter 9's nets by themselves
 
     Index rows() const
     {
@@ -49,8 +50,8 @@ using SharedScene = std::shared_ptr<const StepScene>;
 struct Solved {
     VecX lambda;
     std::optional<std::int64_t> work, sweeps;
-    Status status = Status::solved;
-    Real seconds = 0;  ///< of a program that times itself
+    std::string_view status = to_string(Status::solved);  ///< or how a peer's answer was judged
+    Real seconds = 0;                                     ///< of a program that times itself
 };
 
 /// Chapters 3 to 5 and 9 want A.
@@ -98,7 +99,7 @@ void add_solver(Registry& registry, const SharedScene& scene, const std::string&
                      else result.work.reset();
                      if (answer.sweeps && result.sweeps) *result.sweeps += *answer.sweeps;
                      else result.sweeps.reset();
-                     if (answer.status != Status::solved) result.status = to_string(answer.status);
+                     if (answer.status != to_string(Status::solved)) result.status = answer.status;
                  }
                  return result;
              };
@@ -116,7 +117,7 @@ inline void take(const Solution& solution, std::int64_t work, Solved& out)
 {
     out.lambda = solution.lambda;
     out.work = work;
-    out.status = solution.status;
+    out.status = to_string(solution.status);
 }
 
 /// One that takes an Mlcp and counts in solution.iterations.

@@ -21,10 +21,21 @@ struct RunScene {
     int steps = 300;
     bool exact = true;   ///< exact solvers end in time
     bool dense = false;  ///< those with dense matrices too
+    bool resting =
+        false;  ///< it is about who sleeps: chapter 10 with and without it, and the engines' own sleep
 
     Real h() const { return 1.0 / 60; }
 };
 using SharedRun = std::shared_ptr<const RunScene>;
+
+/// What a watch has seen, as a row of the table. \param status  of a run whose discs kept their order
+inline Result judged(const PoseWatch& watch, std::optional<std::int64_t> work, const char* status)
+{
+    const PoseErrors& errors = watch.errors;
+    const Real error = std::max(errors.position(), errors.drift) / 0.1;
+    if (!errors.in_order || !std::isfinite(error)) return {work, {}, infinity, "fell"};
+    return {work, {}, error, status};
+}
 
 /// Adds a way to step.
 /// \param make  make() gives step(DiscScene&, std::int64_t& work, bool& solved): a new one knows no yesterday
@@ -54,17 +65,15 @@ void add_run(Registry& registry, const SharedRun& run, const std::string& chapte
              task.judge = [=] {
                  PoseWatch watch(run->engine, run->steps, run->h());
                  go([&] { watch.look(*scene); });
-                 const PoseErrors& errors = watch.errors;
-                 const Real error = std::max(errors.position(), errors.drift) / 0.1;
-                 if (!errors.in_order || !std::isfinite(error)) return Result{*work, {}, infinity, "fell"};
-                 return Result{*work, {}, error, *solved ? "finished" : "not solved"};
+                 return judged(watch, *work, *solved ? "finished" : "not solved");
              };
              return task;
          }});
 }
 
-void add_matrix_runs(Registry& registry, const SharedRun& run);   ///< chapters 3 to 5 and 9
-void add_impulse_runs(Registry& registry, const SharedRun& run);  ///< chapters 6 to 8
-void add_engine_runs(Registry& registry, const SharedRun& run);   ///< Box2D, Chipmunk
+void add_matrix_runs(Registry& registry, const SharedRun& run);    ///< chapters 3 to 5 and 9
+void add_impulse_runs(Registry& registry, const SharedRun& run);   ///< chapters 6 to 8
+void add_skipping_runs(Registry& registry, const SharedRun& run);  ///< chapter 10
+void add_engine_runs(Registry& registry, const SharedRun& run);    ///< Box2D, Chipmunk
 
 }  // namespace rigid::results

@@ -15,7 +15,7 @@ namespace {
 
 template <class World>
 [[maybe_unused]] void add_engine(Registry& registry, const SharedRun& run, const std::string& method,
-                                 int substeps)
+                                 int substeps, bool sleeping = false)
 {
     registry.add({"peer", method, run->engine.name,
                   run->parameters + " substeps=" + std::to_string(substeps) +
@@ -24,13 +24,13 @@ template <class World>
                       const auto seconds = std::make_shared<Real>();
                       Task task;
                       task.run = [=] {
-                          World world(run->engine);
+                          World world(run->engine, sleeping);
                           const std::clock_t start = std::clock();
                           for (int k = 0; k < run->steps; ++k) world.step(run->h(), substeps);
                           *seconds = static_cast<Real>(std::clock() - start) / CLOCKS_PER_SEC;
                       };
                       task.judge = [=] {
-                          World world(run->engine);
+                          World world(run->engine, sleeping);
                           DiscScene scene = run->engine.scene;
                           PoseWatch watch(run->engine, run->steps, run->h());
                           for (int k = 0; k < run->steps; ++k) {
@@ -38,10 +38,7 @@ template <class World>
                               world.poses(scene);
                               watch.look(scene);
                           }
-                          const PoseErrors& errors = watch.errors;
-                          const Real error = std::max(errors.position(), errors.drift) / 0.1;
-                          const bool fell = !errors.in_order || !std::isfinite(error);
-                          return Result{{}, {}, fell ? infinity : error, fell ? "fell" : "finished"};
+                          return judged(watch, {}, "finished");
                       };
                       task.seconds = [=] { return *seconds; };
                       return task;
@@ -54,9 +51,11 @@ void add_engine_runs([[maybe_unused]] Registry& registry, [[maybe_unused]] const
 {
 #ifdef RIGID_HAS_BOX2D
     for (const int substeps : {1, 4, 8}) add_engine<Box2dWorld>(registry, run, "box2d", substeps);
+    if (run->resting) add_engine<Box2dWorld>(registry, run, "box2d_sleeping", 1, true);
 #endif
 #ifdef RIGID_HAS_CHIPMUNK
     for (const int substeps : {1, 4, 8}) add_engine<ChipmunkSpace>(registry, run, "chipmunk", substeps);
+    if (run->resting) add_engine<ChipmunkSpace>(registry, run, "chipmunk_sleeping", 1, true);
 #endif
 }
 

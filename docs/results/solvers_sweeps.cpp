@@ -4,6 +4,7 @@
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"
+#include "chapters/06_sequential_impulse/block.hpp"
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 
@@ -58,13 +59,17 @@ void add_conjugate_gradients(Registry& registry, const SharedScene& scene, int i
     });
 }
 
+enum class Kind { cold, warm, blocks };
+
 void add_impulses(Registry& registry, const SharedScene& scene, const std::string& method, int sweeps,
-                  Order order, bool warm = false)
+                  Order order, Kind kind = Kind::cold)
 {
     const std::string parameters = "sweeps=" + std::to_string(sweeps) + " unit=row_visit";
+    const bool warm = kind == Kind::warm;
     add_solver(registry, scene, warm ? "8" : "6", method, parameters, sweeps == 16, [=] {
         ImpulseSettings settings;
         settings.max_sweeps = sweeps;
+        settings.alternate = order == Order::alternating;
         struct Memory {
             ImpulseMemory<2> sweeps;
             Solution solution;
@@ -72,15 +77,21 @@ void add_impulses(Registry& registry, const SharedScene& scene, const std::strin
             Random random{1};
             Colouring colouring;
             std::vector<int> order;
+            std::vector<Block> blocks;
             VecX u;
         };
         return [=, now = Memory()](const OneStep& step, std::size_t k, Solved& out) mutable {
-            if (k == 0) now.cache = {};
+            if (k == 0) {
+                now.cache = {};
+                now.random = Random(1);
+            }
             if (warm) load(now.cache, step.keys, 1, now.solution.lambda);
             else now.solution.lambda.setZero(static_cast<Index>(step.rows.size()));
             now.u = step.u_star;
             order_rows(step.rows, now.u.size() / 2, order, now.random, now.colouring, now.order);
-            sequential_impulse<2>(step.rows, now.order, settings, now.sweeps, now.u, now.solution);
+            if (kind == Kind::blocks)
+                block_impulse<2>(step.rows, now.order, settings, now.sweeps, now.blocks, now.u, now.solution);
+            else sequential_impulse<2>(step.rows, now.order, settings, now.sweeps, now.u, now.solution);
             if (warm) store(now.cache, step.keys, now.solution.lambda, 1);
             take(now.solution, now.sweeps.visits, out);
             out.sweeps = now.solution.iterations;
@@ -109,7 +120,13 @@ void add_sweeps(Registry& registry, const SharedScene& scene)
         add_impulses(registry, scene, "sequential_impulse_coloured", sweeps, Order::coloured);
     if (scene->steps.size() > 1)
         for (const int sweeps : points)
-            add_impulses(registry, scene, "warm_impulses", sweeps, Order::given, true);
+            add_impulses(registry, scene, "warm_impulses", sweeps, Order::given, Kind::warm);
+    if (!scene->all_ways) return;
+    for (const int sweeps : points) {
+        add_impulses(registry, scene, "sequential_impulse_alternating", sweeps, Order::alternating);
+        add_impulses(registry, scene, "sequential_impulse_shuffled", sweeps, Order::shuffled);
+        add_impulses(registry, scene, "block_impulse", sweeps, Order::given, Kind::blocks);
+    }
 }
 
 }  // namespace rigid::results
