@@ -57,7 +57,7 @@ void add_runs(Registry& registry)
             add({engine_pile("column_run", column_between_walls(discs, mass)), parameters, 300, true, true});
         }
     add({engine_pile("triangle_run", triangle(10)), "base=10 discs=55 steps=300", 300, true});
-    add({engine_pile("triangle_run", triangle(44)), "base=44 discs=990 steps=300", 300, false, false, true});
+    add({engine_pile("triangle_run", triangle(44)), "base=44 discs=990 steps=60", 60, true, false, true});
     add({engine_pile("bins_run", bins()), "bins=100 discs=1000 steps=300", 300, true, false, true});
 }
 

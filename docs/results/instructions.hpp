@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <span>
+#include <string>
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -63,17 +65,18 @@ inline std::map<std::size_t, std::string> read_counts(const std::filesystem::pat
     return counts;
 }
 
-/// Starts this program under callgrind for the cases `first` … `end` - 1.
+/// Starts this program under callgrind for the cases of these numbers.
 /// \param folder  for its files: it is emptied
 /// \return  false if that failed
-inline bool run_under_callgrind(const std::string& program, std::size_t first, std::size_t end,
+inline bool run_under_callgrind(const std::string& program, std::span<const std::size_t> numbers,
                                 const std::filesystem::path& folder)
 {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    const std::string command = "valgrind -q --tool=callgrind --instr-atstart=no --callgrind-out-file='" +
-                                (folder / "count").string() + "' '" + program + "' --count-under-callgrind " +
-                                std::to_string(first) + ' ' + std::to_string(end) + " >/dev/null";
+    std::string command = "valgrind -q --tool=callgrind --instr-atstart=no --callgrind-out-file='" +
+                                (folder / "count").string() + "' '" + program + "' --count-under-callgrind";
+    for (const std::size_t number : numbers) command += ' ' + std::to_string(number);
+    command += " >/dev/null 2>&1";
     return std::system(command.c_str()) == 0;
 }
 

@@ -95,6 +95,18 @@ try {
     return failed(one, fault);
 }
 
+/// Callgrind takes fifty times as long: longer runs than this are left to the clock [time units].
+constexpr Real longest_counted = 3000;
+
+/// Is measured, short enough, and not counted yet?
+bool wants_count(const std::map<std::string, TableRow>& rows, const Case& one)
+{
+    const auto row = rows.find(name_of(one));
+    if (row == rows.end() || !row->second.instructions.empty()) return false;
+    const auto time = parse_real(row->second.time_ratio);
+    return time && *time <= longest_counted;
+}
+
 /// Callgrind looks at as many cases at a time as can be lost when it is interrupted.
 bool count_instructions(const std::string& program, const Options& options, const std::vector<Case>& cases,
                         std::map<std::string, TableRow>& rows)
@@ -107,22 +119,14 @@ bool count_instructions(const std::string& program, const Options& options, cons
     std::map<std::string, std::size_t> number;
     for (std::size_t i = 0; i < registry.cases().size(); ++i) number[name_of(registry.cases()[i])] = i;
     const auto folder = std::filesystem::path(options.csv + ".callgrind");
-    std::size_t done = 0;
-    constexpr std::size_t at_a_time = 40;
-    for (std::size_t i = 0; i < cases.size() && !InterruptGuard::interrupted(); i += at_a_time) {
-        const std::size_t end = std::min(i + at_a_time, cases.size());
-        const bool missing =
-            std::any_of(cases.begin() + static_cast<std::ptrdiff_t>(i),
-                        cases.begin() + static_cast<std::ptrdiff_t>(end), [&](const Case& one) {
-                            const auto row = rows.find(name_of(one));
-                            return row != rows.end() && row->second.instructions.empty();
-                        });
-        done = end;
-        if (!missing) continue;
-        tell(done, cases.size(), "counting instructions");
-        if (!run_under_callgrind(program, number.at(name_of(cases[i])),
-                                 number.at(name_of(cases[end - 1])) + 1, folder))
-            return false;
+    constexpr std::size_t at_a_time = 100;
+    std::vector<std::size_t> wanted;
+    for (const Case& one : cases)
+        if (wants_count(rows, one)) wanted.push_back(number.at(name_of(one)));
+    for (std::size_t i = 0; i < wanted.size() && !InterruptGuard::interrupted(); i += at_a_time) {
+        const std::size_t end = std::min(i + at_a_time, wanted.size());
+        tell(i, wanted.size(), "counting instructions");
+        if (!run_under_callgrind(program, {wanted.data() + i, end - i}, folder)) return false;
         for (const auto& [which, count] : read_counts(folder))
             if (const auto row = rows.find(name_of(registry.cases()[which])); row != rows.end())
                 row->second.instructions = count;
@@ -178,11 +182,11 @@ int check(const Options& options, const std::vector<Case>& cases, const std::map
 }
 
 /// The other side of --instructions: this process runs under callgrind.
-int count_cases(std::size_t first, std::size_t end)
+int count_cases(const std::vector<std::size_t>& numbers)
 {
     const Registry registry = all_cases();
-    for (std::size_t i = first; i < end && i < registry.cases().size(); ++i) try {
-            count_task(registry.cases()[i].prepare(), i);
+    for (const std::size_t i : numbers) try {
+            count_task(registry.cases().at(i).prepare(), i);
         } catch (const std::runtime_error&) {
             // It has failed in the table already.
         }
@@ -235,11 +239,11 @@ int main(int argc, char** argv)
     app.add_flag("--again", options.again, "measure anew what the table has");
     app.add_option("--check", options.check, "hold the counted work against this table's");
     app.add_option("--count-under-callgrind", under_callgrind, "used by --instructions")
-        ->expected(2)
+        ->expected(-1)
         ->group("");
     CLI11_PARSE(app, argc, argv);
     try {
-        if (!under_callgrind.empty()) return count_cases(under_callgrind[0], under_callgrind[1]);
+        if (!under_callgrind.empty()) return count_cases(under_callgrind);
         return run(std::filesystem::read_symlink("/proc/self/exe").string(), options);
     } catch (const std::exception& fault) {
         std::cerr << "results: " << fault.what() << '\n';
