@@ -13,8 +13,8 @@ INK = "#808080"
 FRONT = "#B8808080"
 #         chapter of the method: colour
 COLOURS = {"1": "#AA3377", "2": "#CCBB44", "3": "#AA3377", "4": "#4477AA", "5": "#CC3311", "6": "#EE7733",
-           "7": "#AA3377", "8": "#4477AA", "9": "#228833", "peer": INK}
-MARKS = [7, 9, 5, 13, 11, 3, 2, 1, 15]
+           "7": "#AA3377", "8": "#22AACC", "9": "#228833", "10": "#BBAA22", "peer": INK}
+MARKS = [7, 9, 5, 13, 11, 6, 8, 4, 12, 10, 3, 2, 1, 15]
 #         method: (colour or None, point type)
 SMOOTH = {"explicit_euler": ("#EE7733", 1), "symplectic_euler": ("#4477AA", 7), "verlet": ("#228833", 9),
           "yoshida4": ("#AA3377", 5), "rk4": ("#CCBB44", 11), "dormand_prince": ("#CC3311", 13),
@@ -47,21 +47,35 @@ GROUPS = {
         "swinging_chain_run links=40 end_mass=1 steps=60": "40 links swing for 1 s"}),
     "heap_runs": (None, "error / 0.1 m", {
         "column_run discs=20 top_mass=1 steps=300": "20 discs, 5 s",
+        "column_run discs=20 top_mass=100 steps=300": "20 discs, 100 kg on top, 5 s",
         "column_run discs=20 top_mass=10000 steps=300": "20 discs, 10,000 kg on top, 5 s",
-        "triangle_run base=10 discs=55 steps=300": "triangle of 55 discs, 5 s",
-        "triangle_run base=44 discs=990 steps=60": "triangle of 990 discs, 1 s"}),
+        "triangle_run base=10 discs=55 steps=300": "triangle of 55 discs, 5 s"}),
+    "rest_runs": (None, "error / 0.1 m", {
+        "bins_run bins=100 discs=1000 steps=300": "1,000 discs in 100 bins, 5 s",
+        "triangle_run base=44 discs=990 steps=60": "one triangle of 990 discs, 1 s"}),
 }
+# The same runs by what was counted: only methods that count in this unit.
+BY_WORK = {
+    "kepler e=0.6 T=50": ("Kepler", "force evaluation", "error [m]"),
+    "chain links=40 end_mass=1": ("chain of 40", "row visit", "error / g h"),
+    "column discs=20 top_mass=1": ("column of 20", "row visit", "error / g h"),
+    "triangle base=10 discs=55": ("triangle of 55", "row visit", "error / g h")}
 
 
-def styles(table, scenes, given):
-    """(chapter, method) → (colour, point type), the same in all panels of a figure."""
+def styles(table, scenes, given, only=None):
+    """(chapter, method) → (colour, point type), the same in all panels of a figure.
+
+    `only`: scene → unit; methods that count something else are left out of the key.
+    """
     found = {}
     used = {}
     for scene in scenes:
-        for chapter, method in table.curves(scene):
+        for (chapter, method), curve in table.curves(scene).items():
+            if only and (chapter == "peer" or not any(p.unit == only[scene] and p.work for p in curve)):
+                continue
             if (chapter, method) in found:
                 continue
-            if given and method in given:
+            if given and method in given and not (only and only[scene] == "row visit"):
                 found[chapter, method] = given[method]
             else:
                 number = used[chapter] = used.get(chapter, -1) + 1
@@ -69,7 +83,7 @@ def styles(table, scenes, given):
     return found
 
 
-def panel(table, scene, title, looks, top, bottom, label):
+def panel(table, scene, title, looks, top, bottom, label, axis="time", unit=None):
     """The gnuplot lines of one panel."""
     lines, plots = [], []
 
@@ -78,22 +92,27 @@ def panel(table, scene, title, looks, top, bottom, label):
         lines.extend(f"{x:g} {y:g}" for x, y in rows)
         lines.append("END")
 
-    points = [point for curve in table.curves(scene).values() for point in curve if point.time is not None]
+    def cost(point):
+        return tables.cost(point, axis) if unit in (None, point.unit) else None
+
+    curves = {key: curve for key, curve in table.curves(scene).items() if key in looks}
+    points = [point for curve in curves.values() for point in curve if cost(point) is not None]
     if not points:
-        raise SystemExit(f"no times on '{scene}': make the table without --work-only")
-    ahead = tables.front(points)
+        raise SystemExit(f"no {axis} on '{scene}': make the table without --work-only")
+    ahead = tables.front(points, axis)
     corners = []
     for before, after in zip(ahead, ahead[1:]):
-        corners += [(before.time, before.error), (after.time, before.error)]
+        corners += [(cost(before), before.error), (cost(after), before.error)]
     if ahead:
-        corners.append((ahead[-1].time, max(ahead[-1].error, bottom)))
+        corners.append((cost(ahead[-1]), max(ahead[-1].error, bottom)))
         corners = [(x, max(y, bottom)) for x, y in corners]
         block("front", corners)
         plots.append(f"$front using 1:2 with lines lw 5 lc rgb '{FRONT}' notitle")
-    for number, ((chapter, method), curve) in enumerate(table.curves(scene).items()):
+    for number, ((chapter, method), curve) in enumerate(curves.items()):
         colour, mark = looks[chapter, method]
-        fine = sorted((p.time, max(p.error, bottom)) for p in curve if p.time is not None and p.error <= top)
-        failed = [(p.time, top) for p in curve if p.time is not None and not p.error <= top]
+        able = [point for point in curve if cost(point) is not None]
+        fine = sorted((cost(p), max(p.error, bottom)) for p in able if p.error <= top)
+        failed = [(cost(p), top) for p in able if not p.error <= top]
         if fine:
             block(f"curve{number}", fine)
             plots.append(f"$curve{number} using 1:2 with linespoints lw 1 pt {mark} ps 0.6 lc rgb '{colour}' notitle")
@@ -108,26 +127,39 @@ def panel(table, scene, title, looks, top, bottom, label):
 
 
 def draw(table, name, out):
-    given, label, scenes = GROUPS[name]
-    there = [scene for scene in scenes if scene in table.scenes()]
-    looks = styles(table, there, given)
+    if name == "work":
+        given, label, axis = None, None, "work"
+        titles = BY_WORK
+        there = [scene for scene in titles if scene in table.scenes()]
+        looks = styles(table, there, SMOOTH, only={scene: titles[scene][1] for scene in there})
+        xlabels = {scene: titles[scene][1] + "s" for scene in there}
+        panels = {scene: (titles[scene][0], titles[scene][2], titles[scene][1]) for scene in there}
+    else:
+        given, label, scenes = GROUPS[name]
+        axis = "time"
+        there = [scene for scene in scenes if scene in table.scenes()]
+        looks = styles(table, there, given)
+        xlabels = {scene: "time [thousand row visits]" if number >= len(there) - 2 else ""
+                   for number, scene in enumerate(there)}
+        panels = {scene: (scenes[scene], label, None) for scene in there}
     rows = (len(there) + 1) // 2
     keys = 3
     key_lines = -(-(len(looks) + 1) // keys)
-    height = 340 * rows + 18 * key_lines + 40
-    low = (18 * key_lines + 62) / height
+    height = 340 * rows + 18 * key_lines + 50
+    low = (18 * key_lines + 74) / height
     top, bottom = (10, 1e-13)
+    between = 96 if axis == "work" else 72
     script = [f"set terminal svg size 860,{height} dynamic enhanced font 'DejaVu Sans,13' linewidth 1",
               f"set output '{out / ('results_' + name + '.svg')}'",
               f"set border 3 lc rgb '{INK}'", f"set tics nomirror out tc rgb '{INK}'",
               f"set grid lc rgb '{INK}' lt 1 lw 0.2", "set logscale xy",
               "set format x '10^{%L}'; set format y '10^{%L}'; set ytics 1e2",
               "unset key",
-              f"set multiplot layout {rows},2 margins 0.09,0.98,{low:.3f},{1 - 30 / height:.3f} spacing 0.10,{72 / height:.3f}"]
-    for number, scene in enumerate(there):
-        below = number >= len(there) - 2
-        script.append(f"set xlabel '{'time [thousand row visits]' if below else ''}' tc rgb '{INK}'")
-        script += panel(table, scene, scenes[scene], looks, top, bottom, label)
+              f"set multiplot layout {rows},2 margins 0.09,0.98,{low:.3f},{1 - 30 / height:.3f} spacing 0.10,{between / height:.3f}"]
+    for scene in there:
+        title, label, unit = panels[scene]
+        script.append(f"set xlabel '{xlabels[scene]}' tc rgb '{INK}'")
+        script += panel(table, scene, title, looks, top, bottom, label, axis, unit)
     # The key of all panels, below them: a panel of its own, so that it comes out the same everywhere.
     entries = [(("" if chapter == "peer" else chapter + ": ") + tables.words(method), colour, mark)
                for (chapter, method), (colour, mark) in looks.items()] + [("nothing is better in both", FRONT, None)]
@@ -156,6 +188,8 @@ def main():
     for name, (_, _, scenes) in GROUPS.items():
         if any(scene in table.scenes() for scene in scenes):
             draw(table, name, out)
+    if any(scene in table.scenes() for scene in BY_WORK):
+        draw(table, "work", out)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,13 @@ NAMES = {"rk4": "RK4", "yoshida4": "Yoshida 4", "verlet": "Verlet", "explicit_eu
          "warm_impulses": "warm impulses", "warm": "warm sweeps", "warm_best_multiple": "warm, best multiple",
          "active_sets_warm": "active sets, warm", "baumgarte": "Baumgarte", "ode_dantzig": "ODE (Dantzig)",
          "bullet_dantzig": "Bullet (Dantzig)", "bullet_gauss_seidel": "Bullet (Gauss-Seidel)", "siconos_lemke": "Siconos (Lemke)", "box2d": "Box2D",
-         "chipmunk": "Chipmunk"}
+         "box2d_sleeping": "Box2D, with its sleep", "chipmunk": "Chipmunk",
+         "chipmunk_sleeping": "Chipmunk, with its sleep", "block_impulse": "impulses two by two",
+         "sequential_impulse_alternating": "sequential impulses, to and fro",
+         "sequential_impulse_shuffled": "sequential impulses, shuffled",
+         "active_sets_descent": "active sets, descent", "active_sets_proximal": "active sets, proximal",
+         "skipping": "skipping step", "skipping_without_sleep": "skipping step, nobody sleeps",
+         "skipping_exact_islands": "skipping step, exact islands"}
 
 
 def words(method):
