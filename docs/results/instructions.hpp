@@ -74,7 +74,7 @@ inline bool run_under_callgrind(const std::string& program, std::span<const std:
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     std::string command = "valgrind -q --tool=callgrind --instr-atstart=no --callgrind-out-file='" +
-                                (folder / "count").string() + "' '" + program + "' --count-under-callgrind";
+                          (folder / "count").string() + "' '" + program + "' --count-under-callgrind";
     for (const std::size_t number : numbers) command += ' ' + std::to_string(number);
     command += " >/dev/null 2>&1";
     return std::system(command.c_str()) == 0;

@@ -303,7 +303,8 @@ def page(table, root):
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "
               "`./book bench` from [its table](results/results.csv); no number on this page was typed in.", "",
               "## Which method, when", "", *chosen, "",
-              "One time unit is a thousand row visits, measured in the same process (`docs/results/baseline.hpp`). A column, a chain "
+              "One time unit is a thousand row visits, measured in the same process (`docs/results/baseline.hpp`)" +
+              (f"; on the machine of this table {table.microseconds} µs" if table.microseconds else "") + ". A column, a chain "
               "or a heap runs for five seconds (the one heap for one) in steps of 1/60 s, and its error is a share of 0.1 m, the "
               "length of a link and the radius of a disc. *Never*: not within what was tried; the best error is in parentheses. *Falls*: discs have changed places.",
               "", "## Where the book loses", ""]
@@ -311,8 +312,8 @@ def page(table, root):
         pieces += [f"Other programs were measured in the same run on the same problems: {compared} times a scene and an error of 0.01, 0.0001 or "
                    f"0.000001 that somebody reaches. In {lost} of these another program is faster, by 5 % or more, than everything in this book:", ""]
         pieces += lines_lost if lost else []
-        pieces += ["", "The exact solvers of others are timed from their own dense matrix, filled before the clock starts; the book's are timed with the "
-                   "assembly of $A$ from the rows. Their engines are timed without the building of a world. All are what the distribution ships.", ""]
+        pieces += ["", "Solvers are timed from the rows to the impulses, the book's and the others' alike: with the assembly of $A$ and the filling of "
+                   "their own matrix. Engines are timed without the building of a world, chapter 10's step too. All are what the distribution ships.", ""]
     else:
         pieces += ["No other program was installed where this table was made.", ""]
     pieces += ["## How to read the figures", "",

@@ -58,6 +58,11 @@ class TableTest(unittest.TestCase):
         made = made_of(row("a", 1, 1, 1e-3, scene="line_run"), row("a", 2, 2, 1e-1, scene="line_run"))
         self.assertEqual(table.to_reach(made.curves("line_run links=4")["4", "a"], 1e-2), 1)
 
+    def test_the_line_of_the_yardstick_is_no_run(self):
+        made = made_of(row("a", 1, 1, 0.5), "0,baseline,baseline,microseconds=2.3 unit=row_visit reference=none,,,1000,,1,0,finished")
+        self.assertEqual((made.microseconds, len(made.points)), ("2.3", 1))
+        self.assertIsNone(made_of(row("a", 1, 1, 0.5)).microseconds)
+
     def test_failures_reach_nothing(self):
         made = made_of(row("a", 1, 1, "inf", status="fell"))
         self.assertIsNone(table.to_reach(made.curves("line links=4")["4", "a"], 1e9))
