@@ -1,5 +1,5 @@
 /// \file exact_island.hpp
-/// A small island solved exactly, by chapter 9, from where its λ stand.
+/// A small island solved exactly from where its λ stand: one or two rows in closed form, more by chapter 9.
 ///
 ///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
 ///
@@ -7,8 +7,11 @@
 /// each number of rows, so that islands of different sizes don't take it from each other.
 #pragma once
 
+#include "chapters/06_sequential_impulse/block.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
 #include "chapters/10_skipping_work/island_solver.hpp"
+
+#include <utility>
 
 namespace rigid {
 
@@ -19,31 +22,46 @@ struct ExactScratch {
     Solution solution;
 };
 
-/// J_i M⁻¹ J_jᵀ of two rows of bodies that both may share.
+//! [closed_form]
+/// One row is solved by one visit, two rows by chapter 6's block (6.22). False where the two are so nearly the same
+/// row that rounding would spoil the answer.
 template <int Dof>
-Real coupling(const SolverRow<Dof>& i, const SolverRow<Dof>& j)
+bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
 {
-    Real sum = 0;
-    if (i.a == j.a) sum += i.Ja.dot(j.Wa);
-    if (i.a == j.b) sum += i.Ja.dot(j.Wb);
-    if (i.b == j.a) sum += i.Jb.dot(j.Wa);
-    if (i.b == j.b) sum += i.Jb.dot(j.Wb);
-    return sum;
+    if (rows.size() == 1) {
+        visit(rows[0], u);
+        return true;
+    }
+    const Real A12 = coupling(rows[0], rows[1]);
+    if (!(A12 * A12 * rows[0].mass * rows[1].mass < 1 - 1e-8)) return false;
+    visit_block(rows[0], rows[1], A12, 0, u);
+    return true;
 }
+//! [closed_form]
 
-/// Solves these rows exactly; λ and u are changed only if that is `solved`. `sweeps` counts guesses.
+/// Solves these rows exactly. Where chapter 9 cannot, λ and u are left as they are. `sweeps` counts guesses.
 /// \param enough   if the natural residual is below this as it is, there is nothing to solve [m/s]
 /// \param scratch  one for each number of rows; grows
 template <int Dof>
 IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vector<ExactScratch>& scratch,
                            VecX& u)
 {
+    const std::span<const SolverRow<Dof>> const_rows = rows;
     IslandAnswer answer;
-    answer.residual = natural_residual(std::span<const SolverRow<Dof>>(rows), u);
+    answer.residual = natural_residual(const_rows, u);
     answer.visits = static_cast<std::int64_t>(rows.size());
     if (answer.residual <= enough) {
         answer.status = Status::solved;
         return answer;
+    }
+    if (rows.size() <= 2 && solve_in_closed_form(rows, u)) {
+        const Real before = std::exchange(answer.residual, natural_residual(const_rows, u));
+        answer.visits += 2 * static_cast<std::int64_t>(rows.size());
+        answer.sweeps = 1;
+        if (answer.residual <= std::max(enough, 1e-10 * before)) {
+            answer.status = Status::solved;
+            return answer;
+        }
     }
     if (scratch.size() <= rows.size()) scratch.resize(rows.size() + 1);
     auto& [mlcp, memory, solution] = scratch[rows.size()];

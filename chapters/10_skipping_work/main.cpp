@@ -21,6 +21,7 @@ Scene skipping_scene(const std::string& name, const std::string& summary, Real h
         {"gravity", "m/s²", "size of gravity; changing it wakes everybody", 9.81, 0, 20, false, false, false},
         {"max_sweeps", "", "after so many sweeps an island makes do with what it has",
          static_cast<Real>(max_sweeps), 1, 500, true, false, false},
+        {"exact_rows", "", "islands of up to so many rows are solved exactly", 8, 0, 32, true, false, false},
         {"digits", "", "the residual of an island is to be below 10^-digits m/s", 5, 2, 12, false, false,
          false},
         {"rest_speed", "m/s", "a body that is slower for rest_time is at rest", 1e-3, 1e-6, 0.1, false, false,

@@ -89,6 +89,7 @@ private:
         settings_.gravity = {0, -settings["gravity"]};
         settings_.sweeps.max_sweeps = static_cast<int>(settings["max_sweeps"]);
         settings_.sweeps.tolerance = std::pow(10, -settings["digits"]);
+        settings_.exact_rows = static_cast<int>(settings["exact_rows"]);
         settings_.rest.speed = settings["rest_speed"];
         settings_.rest.time = settings["rest_time"];
         settings_.sleep = settings.method != "no_sleep";

@@ -32,7 +32,7 @@ struct SkippingSettings {
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
     Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]
-    int exact_rows = 0;             ///< islands of up to so many rows are solved exactly
+    int exact_rows = 8;             ///< islands of up to so many rows are solved exactly
     bool warm = true;               ///< the sweeps start from yesterday's answer
     bool islands = true;            ///< false: all rows are one problem
     bool sleep = true;              ///< false: nobody falls asleep
