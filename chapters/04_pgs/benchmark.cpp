@@ -14,7 +14,7 @@
 #include <benchmark/benchmark.h>
 
 #ifdef RIGID_HAS_BULLET
-#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
+#include "chapters/04_pgs/peers_bullet.hpp"
 #endif
 
 #include <chrono>
@@ -121,39 +121,6 @@ PgsSettings ten_sweeps_settings()
     settings.max_sweeps = 10;
     return settings;
 }
-
-#ifdef RIGID_HAS_BULLET
-struct BulletProblem {
-    btMatrixXu A;
-    btVectorXu b, x, lo, hi;
-    btAlignedObjectArray<int> dependency;
-    btSolveProjectedGaussSeidel solver;
-
-    explicit BulletProblem(const Mlcp& mlcp)
-    {
-        const int n = static_cast<int>(mlcp.size());
-        A.resize(n, n);
-        A.setZero();
-        b.resize(n);
-        x.resize(n);
-        lo.resize(n);
-        hi.resize(n);
-        dependency.resize(n, -1);
-        for (int i = 0; i < n; ++i) {
-            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-                A.setElem(i, static_cast<int>(entry.col()), entry.value());
-            b[i] = -mlcp.q[i];
-            lo[i] = mlcp.lo[i];
-            hi[i] = mlcp.hi[i];
-        }
-    }
-    void solve(int sweeps)
-    {
-        x.setZero();
-        solver.solveMLCP(A, b, x, lo, hi, dependency, sweeps);
-    }
-};
-#endif
 
 /// Both in turns in one loop, so that neither has the quieter minute. Ours: from Mlcp to Solution with its
 /// checks, preparation and final residual. Bullet's: from its own dense matrix, filled before, to x.

@@ -1,0 +1,374 @@
+"""Writes docs/results.md from the table. Every number in its sentences is looked up here.
+
+    docs/results/make_page.py TABLE PAGE
+    docs/results/make_page.py --check TABLE PAGE     only says whether the page is that of the table
+"""
+
+import pathlib
+import sys
+
+import table as tables
+from table import FAILED, words
+
+BOOK = tuple("123456789") + ("10",)
+CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
+            "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
+            "9": "09_active_sets", "10": "10_skipping_work"}
+
+
+# ---- numbers and names as a reader wants them ---------------------------------------------------------------------
+
+def amount(value):
+    """Two significant digits, in plain figures: 0.27, 3.1, 120, 15,000."""
+    if value is None:
+        return "–"
+    rounded = float(f"{value:.2g}")
+    if rounded >= 10:
+        return f"{rounded:,.0f}"
+    return f"{rounded:.2g}"
+
+
+def power(value):
+    """1e-06 → $10^{-6}$; 2.3e-5 → $2.3 \\cdot 10^{-5}$; 0.02 as it is."""
+    if value == 0:
+        return "0"
+    if not value < FAILED:
+        return "∞"
+    mantissa, exponent = f"{value:.1e}".split("e")
+    if -3 <= int(exponent) <= 3:
+        return f"{float(f'{value:.2g}'):g}"
+    if mantissa == "1.0":
+        return f"$10^{{{int(exponent)}}}$"
+    return f"${mantissa} \\cdot 10^{{{int(exponent)}}}$"
+
+
+def chapter_link(number, root):
+    if number == "peer":
+        return "another program"
+    if not (root / "chapters" / CHAPTERS[number] / "README.md").exists():
+        return f"chapter {number}"
+    return f"[chapter {number}](../chapters/{CHAPTERS[number]}/README.md)"
+
+
+# ---- the answers at the top -----------------------------------------------------------------------------------------
+
+def best_error(curve):
+    return min(point.error for point in curve)
+
+
+def verdict(table, scene, target, others, root):
+    """Three cells: what to take, what it costs, and what the others need for the same error."""
+    ranking = [entry for entry in tables.cheapest(table, scene, target) if entry[1] in BOOK]
+    curves = {key[1]: curve for key, curve in table.curves(scene).items()}
+    if not ranking:
+        nearest = min(((best_error(curve), key) for key, curve in table.curves(scene).items() if key[0] in BOOK))
+        return (f"nothing; nearest: {words(nearest[1][1])}, {chapter_link(nearest[1][0], root)}",
+                f"error {power(nearest[0])}", "")
+    least, chapter, method = ranking[0]
+    need = {entry[2]: entry[0] for entry in tables.cheapest(table, scene, target)}
+    reach, never = [], []
+    for other in others:
+        if other == method or other not in curves:
+            continue
+        if other in need:
+            reach.append((need[other] / least, words(other)))
+        else:
+            best = best_error(curves[other])
+            never.append(f"{words(other)} ({'at best ' + power(best) if best < FAILED else 'falls'})")
+    beside = ", ".join(f"{name} ×{amount(ratio)}" for ratio, name in sorted(reach))
+    if never:
+        beside += ("; " if beside else "") + "never: " + ", ".join(never)
+    return (f"**{words(method)}**, {chapter_link(chapter, root)}", amount(least), beside)
+
+
+WHEN = [
+    # what a reader has, scene, error wanted, with what to compare
+    ("a smooth motion, nothing touches: Kepler's orbit", "kepler e=0.6 T=50", 1e-6,
+     ("symplectic_euler", "verlet", "yoshida4", "rk4", "odeint_dormand_prince")),
+    ("a ball that bounces", "bouncing_ball drop=1 e=0.8 T=2", 1e-4, ("sequential_impulse",)),
+    ("a tall column: 20 discs", "column_run discs=20 top_mass=1 steps=300", 1e-2,
+     ("gauss_seidel", "baumgarte", "warm", "small_steps", "lemke", "active_sets_warm", "box2d", "chipmunk")),
+    ("a long chain: 200 links", "hanging_chain_run links=200 end_mass=1 steps=300", 1e-2,
+     ("gauss_seidel", "baumgarte", "warm", "small_steps", "active_sets_warm", "box2d", "chipmunk")),
+    ("a chain that swings: 40 links, 1 s", "swinging_chain_run links=40 end_mass=1 steps=60", 0.5,
+     ("gauss_seidel", "baumgarte", "warm", "small_steps", "active_sets_warm", "box2d", "chipmunk")),
+    ("a heavy load: 1000 kg on a chain of 40", "hanging_chain_run links=40 end_mass=1000 steps=300", 1e-2,
+     ("gauss_seidel", "warm", "small_steps", "active_sets_warm", "box2d", "chipmunk")),
+    ("a heavy load: 10,000 kg on a column of 20", "column_run discs=20 top_mass=10000 steps=300", 1e-2,
+     ("gauss_seidel", "warm", "small_steps", "lemke", "active_sets_warm", "box2d", "chipmunk")),
+    ("a thousand resting bodies in many piles", "bins_run bins=100 discs=1000 steps=300", 1e-2,
+     ("gauss_seidel", "warm", "small_steps", "active_sets_warm", "skipping", "skipping_without_sleep",
+      "box2d", "box2d_sleeping", "chipmunk", "chipmunk_sleeping")),
+    ("a thousand resting bodies in one heap", "triangle_run base=44 discs=990 steps=60", 1e-2,
+     ("gauss_seidel", "warm", "small_steps", "careful_small_steps", "active_sets_warm", "skipping", "box2d", "chipmunk")),
+    ("one step, exact: 200 links, 1000 kg", "chain links=200 end_mass=1000", 1e-6,
+     ("one_shot", "gauss_seidel", "sor", "conjugate_gradients", "active_sets", "ode_dantzig", "bullet_dantzig")),
+    ("one step, exact: 20 discs, 10,000 kg", "column discs=20 top_mass=10000", 1e-6,
+     ("gauss_seidel", "sor", "lemke", "active_sets", "ode_dantzig", "bullet_dantzig", "siconos_lemke")),
+]
+
+
+def when(table, root):
+    lines = ["| you have | want an error of | take | time | the others, in times of that |", "|---|---|---|---:|---|"]
+    for have, scene, target, others in WHEN:
+        if scene not in table.scenes():
+            continue
+        take, cost, beside = verdict(table, scene, target, others, root)
+        lines.append(f"| {have} | {power(target)} | {take} | {cost} | {beside} |")
+    return lines
+
+
+def best_of(entries, able):
+    """The cheapest entry of tables.cheapest() whose chapter is one of `able`, or None."""
+    return next((entry for entry in entries if entry[1] in able), None)
+
+
+def losses(table, targets=(1e-2, 1e-4, 1e-6)):
+    """Where another program is cheaper than everything in the book, or reaches what nothing in the book reaches.
+
+    A scene has one line, for the error at which the book loses most. Less than 5 % is no loss: clocks do that.
+    """
+    lines = ["| scene | errors | most at | best of the book | time | best elsewhere | time | the book takes |",
+             "|---|---:|---:|---|---:|---|---:|---:|"]
+    compared = lost = 0
+    for scene in table.scenes():
+        if not any(key[0] == "peer" for key in table.curves(scene)):
+            continue
+        here = []
+        for target in targets:
+            entries = tables.cheapest(table, scene, target)
+            ours, theirs = best_of(entries, BOOK), best_of(entries, ("peer",))
+            if not ours and not theirs:
+                continue
+            compared += 1
+            factor = (ours[0] if ours else FAILED) / theirs[0] if theirs else 0
+            if factor >= 1.05:
+                here.append((factor, target, ours, theirs))
+        if not here:
+            continue
+        lost += len(here)
+        factor, target, ours, theirs = max(here, key=lambda entry: entry[0])
+        lines.append(f"| `{scene}` | {', '.join(power(entry[1]) for entry in here)} | {power(target)} | "
+                     f"{words(ours[2]) if ours else 'nothing'} | {amount(ours[0]) if ours else '–'} | {words(theirs[2])} | "
+                     f"{amount(theirs[0])} | {'×' + amount(factor) if ours else 'never'} |")
+    return lost, compared, lines
+
+
+# ---- the tables -----------------------------------------------------------------------------------------------------
+
+def reach_table(table, scenes, target, axis="time"):
+    """Rows are methods, columns scenes: what it costs to reach an error. Instructions are told in thousands."""
+    scale = 1000 if axis == "instructions" else 1
+    there = {scene: title for scene, title in scenes.items() if scene in table.scenes()}
+    methods = list(dict.fromkeys(key for scene in there for key in table.curves(scene)))
+    lines = ["| chapter | method | " + " | ".join(there.values()) + " |", "|---|---|" + "---:|" * len(there)]
+    best = {scene: (tables.cheapest(table, scene, target, axis=axis) or [(None,)])[0][0] for scene in there}
+    for key in methods:
+        cells = []
+        for scene in there:
+            curve = table.curves(scene).get(key)
+            value = tables.to_reach(curve, target, axis) if curve else None
+            if not curve:
+                cells.append("")
+            elif value is None:
+                cells.append("–" if any(tables.cost(point, axis) is None for point in curve) else "never")
+            else:
+                cells.append(f"**{amount(value / scale)}**" if value == best[scene] else amount(value / scale))
+        lines.append(f"| {'' if key[0] == 'peer' else key[0]} | {words(key[1])} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def order_table(table, scenes):
+    there = {scene: title for scene, title in scenes.items() if scene in table.scenes()}
+    methods = list(dict.fromkeys(key for scene in there for key in table.curves(scene)))
+    lines = ["| chapter | method | " + " | ".join(there.values()) + " |", "|---|---|" + "---:|" * len(there)]
+    for key in methods:
+        cells = []
+        for scene in there:
+            fitted = tables.order(table.curves(scene).get(key, []))
+            cells.append("" if fitted is None else f"{-fitted:.2f}")
+        if any(cells):
+            lines.append(f"| {'' if key[0] == 'peer' else key[0]} | {words(key[1])} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def growth_table(table, name, parameter, sizes, rest, target, letter="N"):
+    """How the time to reach an error grows with the size of a scene."""
+    scenes = [" ".join(f"{name} {parameter}={size} {rest}".split()) for size in sizes]
+    if any(scene not in table.scenes() for scene in scenes):
+        return []
+    lines = ["| chapter | method | " + " | ".join(f"{parameter} {size}".replace("_", " ") for size in sizes) + " | grows like |",
+             "|---|---|" + "---:|" * (len(sizes) + 1)]
+    for key in table.curves(scenes[0]):
+        values = [tables.to_reach(table.curves(scene).get(key, []), target) for scene in scenes]
+        if all(value is None for value in values):
+            continue
+        fitted = tables.slope([(size, value) for size, value in zip(sizes, values) if value])
+        cells = [amount(value) if value else "never" for value in values]
+        lines.append(f"| {'' if key[0] == 'peer' else key[0]} | {words(key[1])} | " + " | ".join(cells) +
+                     (f" | ${letter}^{{{fitted:.1f}}}$ |" if fitted is not None else " | |"))
+    return lines
+
+
+def failures(table):
+    """Who failed where: no answer, or one that is off by all there is."""
+    found = {}
+    for point in table.points:
+        if point.error > 1 and point.given.get("sweeps") not in ("1", "4"):
+            found.setdefault((point.chapter, point.method, point.scene), []).append(point)
+    lines = ["| chapter | method | scene | runs | smallest error among them | how they ended |", "|---|---|---|---:|---:|---|"]
+    for (chapter, method, scene), points in found.items():
+        ends = ", ".join(sorted({point.status for point in points}))
+        lines.append(f"| {'' if chapter == 'peer' else chapter} | {words(method)} | `{scene}` | {len(points)} | "
+                     f"{power(min(p.error for p in points))} | {ends} |")
+    return lines
+
+
+def details(summary, lines):
+    return ["<details>", f"<summary>{summary}</summary>", "", *lines, "", "</details>", ""]
+
+
+GROUPS = [
+    ("smooth", "Smooth motion", "Kepler's orbit, a pendulum as an angle, the same pendulum as a disc on a rod, and a ball "
+     "that bounces."),
+    ("chains", "One step: hanging chains", "Rows and velocities after gravity are given, impulses are "
+     "wanted: what is left of the velocities when everything should rest."),
+    ("columns", "One step: columns", "The same for discs that stand on each other. A contact can only "
+     "push; conjugate gradients and the plain factorisations cannot take it."),
+    ("heaps", "One step: heaps", "Triangles of discs, where more contacts touch than motions are there to "
+     "be stopped, and sixty steps of the ten discs in the middle of their tumble."),
+    ("chain_runs", "Seconds of a chain", "Steps of 1/60 s, as an engine takes them, from rest."),
+    ("heap_runs", "Seconds of columns and heaps", "The same for columns between two walls and for a triangle of discs. A heap "
+     "whose discs change places has failed, whatever its overlaps are."),
+    ("rest_runs", "A thousand resting bodies", "Nothing has to happen. In the bins, a hundred small piles, chapter 8's step is set beside "
+     "chapter 10's: which lets whoever rests sleep, which does not, and which solves the small islands exactly."),
+]
+
+#      scene: (what its error is, where the reference comes from)
+ERRORS = {
+    "kepler": ("distance from the exact place after 50 s [m]", "Kepler's equation, in closed form"),
+    "pendulum": ("distance along the circle of 1 m after 2 s [m]", "Jacobi's elliptic functions, in closed form"),
+    "pendulum_on_a_rod": ("distance from the exact place after 2 s [m]", "Jacobi's elliptic functions, in closed form"),
+    "bouncing_ball": ("distance from the exact height after 2 s [m]", "parabolas from bounce to bounce, in closed form"),
+    "chain": ("largest velocity of a disc after the step, over $gh$", "everything stays at rest, $u = 0$"),
+    "column": ("largest velocity of a disc after the step, over $gh$", "everything stays at rest, $u = 0$"),
+    "triangle": ("largest velocity of a disc after the step, over $gh$", "everything stays at rest, $u = 0$"),
+    "ten_discs": ("largest difference of a velocity from the reference, over all 60 steps, over $gh$",
+                  "chapter 3's enumeration of all cases; of the enumeration itself, Lemke's walk"),
+    "hanging_chain_run": ("largest error of a link's length, and way of the centre of mass, in all steps, over 0.1 m",
+                          "everything stays at rest"),
+    "swinging_chain_run": ("largest error of a link's length, and way of the centre of mass from its exact path, over 0.1 m",
+                           "RK4 with the exact tensions, 200 substeps a step"),
+    "column_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest"),
+    "triangle_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest"),
+    "bins_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest"),
+}
+UNITS = {
+    "row visit": "one row solved for its own impulse, once; a check of the residual visits each row once too; in chapter 4 and in "
+                 "conjugate gradients a visit multiplies one line of $A$",
+    "force evaluation": "the acceleration at one place, once",
+    "pivot": "one exchange of a basic variable, $O(n^2)$; for Dantzig a row that changes sides",
+    "factorisation": "the active rows factored anew, or an older factor corrected by a border",
+    "case set": "one set of cases tried and solved",
+    "none": "not counted: another program that does not tell, or one that chooses its own steps",
+}
+
+
+def picture(name, titles):
+    alt = f"Error against {'work' if name == 'work' else 'time'} on log-log axes, {len(titles)} panels: {'; '.join(titles)}."
+    return [f"![{alt}](results/figures/results_{name}.svg)", ""]
+
+
+def group(table, name, title, text):
+    import draw
+    scenes = draw.GROUPS[name][2]
+    there = [scene for scene in scenes if scene in table.scenes()]
+    if not there:
+        return []
+    pieces = [f"## {title}", "", text, ""] + picture(name, [scenes[scene] for scene in there])
+    main = 1e-2 if name.endswith("runs") else 1e-4
+    pieces += [f"Time to reach an error of {power(main)} (least in bold):", ""] + reach_table(table, scenes, main) + [""]
+    for target in ((1e-1,) if name.endswith("runs") else ()) + (1e-2, 1e-4, 1e-6):
+        if target != main:
+            pieces += details(f"The same for an error of {target:g}", reach_table(table, scenes, target))
+    if any(point.instructions for scene in there for curve in table.curves(scene).values() for point in curve):
+        pieces += details(f"Thousand instructions to reach an error of {main:g}",
+                          reach_table(table, scenes, main, "instructions"))
+    return pieces
+
+
+def page(table, root):
+    import draw
+    chosen = when(table, root)
+    lost, compared, lines_lost = losses(table)
+    pieces = ["# Run time against error", "",
+              "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "
+              "`./book bench` from [its table](results/results.csv); no number on this page was typed in.", "",
+              "## Which method, when", "", *chosen, "",
+              "One time unit is a thousand row visits, measured in the same process (`docs/results/baseline.hpp`)" +
+              (f"; on the machine of this table {table.microseconds} µs" if table.microseconds else "") + ". A column, a chain "
+              "or a heap runs for five seconds (the one heap and the swinging chain for one) in steps of 1/60 s, and its error is a share of 0.1 m, the "
+              "length of a link and the radius of a disc. *Never*: not within what was tried; the best error is in parentheses. *Falls*: discs have changed places.",
+              "", "## Where the book loses", ""]
+    if compared:
+        pieces += [f"Other programs were measured in the same run on the same problems: {compared} times a scene and an error of 0.01, 0.0001 or "
+                   f"0.000001 that somebody reaches. In {lost} of these another program is faster, by 5 % or more, than everything in this book:", ""]
+        pieces += lines_lost if lost else []
+        pieces += ["", "Solvers are timed from the rows to the impulses, the book's and the others' alike: with the assembly of $A$ and the filling of "
+                   "their own matrix. Engines are timed without the building of a world, chapter 10's step too. "
+                   "Box2D and Chipmunk leave an overlap of 5 mm alone on purpose, an error of 0.05 here. All are what the distribution ships.", ""]
+    else:
+        pieces += ["No other program was installed where this table was made.", ""]
+    pieces += ["## How to read the figures", "",
+               "Each dot is a run: below is more accurate, left is faster, both axes are logarithmic. Dots of one method are joined as it is given more sweeps, "
+               "smaller steps or a smaller tolerance. The grey staircase joins the runs that no other beats in both. Errors below "
+               f"{power(1e-13)} are drawn at the lower edge. Runs at the upper edge have failed; they are there because a method that fails is an answer too.", ""]
+    for name, title, text in GROUPS:
+        pieces += group(table, name, title, text)
+        if name == "smooth":
+            pieces += ["How the error falls with the work: the fitted exponents, which are the orders of the methods. 2 means: twice the work, a quarter of the error.", ""]
+            pieces += order_table(table, draw.GROUPS[name][2]) + [""]
+        if name == "chains":
+            pieces += [f"How the time to reach {power(1e-2)} grows with the number of links, end mass 1 kg:", ""]
+            pieces += growth_table(table, "chain", "links", (10, 40, 200), "end_mass=1", 1e-2) + [""]
+            pieces += [f"And with the end mass $R$, 40 links:", ""]
+            pieces += growth_table(table, "chain links=40", "end_mass", (1, 10, 100, 1000), "", 1e-2, "R") + [""]
+    there = [draw.BY_WORK[scene][0] for scene in draw.BY_WORK if scene in table.scenes()]
+    pieces += ["## By counted work", "", "Time belongs to a machine, counted work does not. Methods of one unit side by side, which is where it can be compared:", ""]
+    pieces += picture("work", there)
+    pieces += ["## What failed", "", "All runs with an error above 1 that had more than four sweeps: an answer that is as wrong as none.", ""]
+    pieces += details("Failures", failures(table))
+    pieces += ["## What was counted, and against what", "", "No error is measured against the method itself.", "",
+               "| scene | error | reference |", "|---|---|---|"]
+    pieces += [f"| `{scene}` | {what} | {against} |" for scene, (what, against) in ERRORS.items()
+               if any(point.scene.split()[0] == scene for point in table.points)]
+    units = {}
+    for point in table.points:
+        units.setdefault(point.unit, set()).add(words(point.method))
+    pieces += ["", "The work of each run is counted in the unit of its kind; across kinds compare instructions or time.", "",
+               "| unit | what it is | methods |", "|---|---|---|"]
+    pieces += [f"| {unit} | {UNITS[unit]} | {', '.join(sorted(methods))} |" for unit, methods in sorted(units.items())]
+    instructions = sum(1 for point in table.points if point.instructions)
+    pieces += ["", f"The table has {len(table.points)} runs on {len(table.scenes())} scenes. Of {instructions} of them callgrind counted the instructions; "
+               "runs that take more than 3000 time units are left to the clock. Everything was made by the release build, portable code, so that work, "
+               "instructions and time belong to the same program. Columns of the table: `chapter, method, scene, parameters, h, sweeps, work, instructions, "
+               "time_ratio, error, status`; what was not measured is empty.", "",
+               "## Make it yourself", "",
+               "```sh", "./book bench            # some minutes; goes on where it was stopped",
+               "./book bench --quick    # some seconds", "ctest --preset release -L results   # is the counted work what it was?", "```", ""]
+    return "\n".join(pieces)
+
+
+def main():
+    if len(sys.argv) not in (3, 4) or len(sys.argv) == 4 and sys.argv[1] != "--check":
+        raise SystemExit(__doc__)
+    root = pathlib.Path(__file__).resolve().parent.parent.parent
+    text, file = page(tables.Table(sys.argv[-2]), root), pathlib.Path(sys.argv[-1])
+    if len(sys.argv) == 3:
+        file.write_text(text, encoding="utf-8")
+    elif text != file.read_text(encoding="utf-8"):
+        raise SystemExit(f"{file} is not what {sys.argv[-2]} makes: ./book bench --publish writes both")
+
+
+if __name__ == "__main__":
+    main()

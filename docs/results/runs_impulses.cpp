@@ -1,0 +1,102 @@
+// Chapters 6 to 8 step a scene: sweeps on the velocities, five ways to repay an error, yesterday's impulses.
+#include "docs/results/runs.hpp"
+
+#include "chapters/06_sequential_impulse/impulse_step.hpp"
+#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "chapters/08_warm_starting/small_steps.hpp"
+#include "chapters/08_warm_starting/warm_step.hpp"
+
+namespace rigid::results {
+namespace {
+
+std::string sweeps_text(int sweeps, int substeps = 1)
+{
+    return "sweeps=" + std::to_string(sweeps) +
+           (substeps > 1 ? " substeps=" + std::to_string(substeps) : "") + " unit=row_visit";
+}
+
+template <class Settings>
+Settings settings_for(const RunScene& run, int sweeps)
+{
+    Settings settings;
+    settings.h = run.h();
+    settings.gravity = run.engine.scene.gravity;
+    settings.order = Order::coloured;
+    settings.sweeps.max_sweeps = sweeps;
+    return settings;
+}
+
+void add_plain(Registry& registry, const SharedRun& run, int sweeps)
+{
+    add_run(registry, run, "6", "sequential_impulse", sweeps_text(sweeps), sweeps == 10 && run->dense, [=] {
+        return [settings = settings_for<ImpulseStepSettings>(*run, sweeps),
+                now = ImpulseStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
+            impulse_step(scene, settings, now);
+            work += now.memory.visits;
+        };
+    });
+}
+
+/// One of chapter 7's ways, from a cold start in each step.
+void add_stabilized(Registry& registry, const SharedRun& run, Stabilizer stabilizer, int sweeps)
+{
+    add_run(registry, run, "7", std::string(to_string(stabilizer)), sweeps_text(sweeps),
+            sweeps == 10 && run->dense, [=] {
+                auto settings = settings_for<StabilizedStepSettings>(*run, sweeps);
+                settings.stabilizer.method = stabilizer;
+                return
+                    [settings, now = StabilizedStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
+                        stabilized_step(scene, settings, now);
+                        work += now.visits;
+                    };
+            });
+}
+
+/// Yesterday's impulses; the error is repaid on the positions, which chapter 8 shows to be safe.
+void add_warm(Registry& registry, const SharedRun& run, Start start, int sweeps)
+{
+    add_run(registry, run, "8", start == Start::yesterday ? "warm" : "warm_best_multiple",
+            sweeps_text(sweeps), sweeps == 10 && run->dense, [=] {
+                auto settings = settings_for<WarmStepSettings>(*run, sweeps);
+                settings.stabilizer.method = Stabilizer::projection;
+                settings.start = start;
+                return [settings, now = WarmStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
+                    warm_step(scene, settings, now);
+                    work += now.visits;
+                };
+            });
+}
+
+void add_small(Registry& registry, const SharedRun& run, const SmallStepSettings& preset,
+               const std::string& method, int substeps, bool quick)
+{
+    add_run(registry, run, "8", method, sweeps_text(1, substeps), quick, [=] {
+        SmallStepSettings settings = preset;
+        settings.h = run->h();
+        settings.gravity = run->engine.scene.gravity;
+        settings.substeps = substeps;
+        settings.collides = run->engine.collides;
+        return [settings, now = SmallStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
+            small_steps(scene, settings, now);
+            work +=
+                static_cast<std::int64_t>(now.rows.size()) * (now.sweeps + settings.repay.repaying_sweeps);
+        };
+    });
+}
+
+}  // namespace
+
+void add_impulse_runs(Registry& registry, const SharedRun& run)
+{
+    for (const int sweeps : {10, 40}) add_plain(registry, run, sweeps);
+    for (const Stabilizer stabilizer :
+         {Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
+        for (const int sweeps : {10, 40}) add_stabilized(registry, run, stabilizer, sweeps);
+    for (const Start start : {Start::yesterday, Start::best_multiple})
+        for (const int sweeps : {10, 40}) add_warm(registry, run, start, sweeps);
+    for (const int substeps : {4, 8, 16, 32})
+        add_small(registry, run, quick_steps(), "small_steps", substeps, substeps == 8 && run->dense);
+    add_small(registry, run, careful_steps(), "careful_small_steps", careful_steps().substeps, run->dense);
+}
+
+}  // namespace rigid::results
