@@ -110,6 +110,20 @@ void require_one_of(const std::string& name, const std::string& what, const std:
     throw std::invalid_argument(sentence);
 }
 
+/// A table that was gone on with has its cells in the order of the runs: puts them where a single run has them. Cells
+/// of stresses and methods that are no more go.
+void write_in_order(const std::string& file, const std::vector<Row>& table, const std::vector<Stress>& all,
+                    const std::vector<Method>& columns)
+{
+    std::ofstream out(file);
+    out << header << '\n';
+    for (const Stress& stress : all)
+        for (int level = 0; level < levels; ++level)
+            for (const Method& method : columns)
+                if (const Row* row = find_row(table, stress.name, level + 1, method.name)) out << to_line(*row);
+    if (!out) throw std::runtime_error("the table could not be written");
+}
+
 int run(const Options& options)
 {
     const std::vector<Stress> all = stresses();
@@ -149,6 +163,8 @@ int run(const Options& options)
     }
     progress.clear();
     if (!out) throw std::runtime_error("the table could not be written");
+    file.close();
+    if (!options.file.empty()) write_in_order(options.file, table, all, columns);
 
     int faults = complain_of_silence(table, std::cerr);
     if (!options.check.empty()) faults += complain_of_differences(table, options.check, std::cerr);
