@@ -8,9 +8,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace rigid {
+
+/// Throws std::invalid_argument, naming the setting and its value, unless what the forces of a step depend on is finite.
+inline void require_forces(const Vec2& gravity, Real stiffness, Real damping, const Vec2& hand)
+{
+    const auto require_number = [](const char* name, Real value) {
+        if (!std::isfinite(value))
+            throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                                        "; it must be finite");
+    };
+    if (!gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    require_number("the stiffness of the bends", stiffness);
+    require_number("the damping of the bends", damping);
+    require_number("the x of the hand", hand.x());
+    require_number("the y of the hand", hand.y());
+}
+
+/// Throws std::invalid_argument unless the margin within which contacts get their rows makes sense.
+inline void require_margin(Real margin)
+{
+    if (!(margin >= 0))
+        throw std::invalid_argument("the margin of contacts is " + std::to_string(margin) +
+                                    "; it must be zero or positive");
+}
 
 /// Adds the weight \f$m g\f$ of each body that can move.
 /// \param gravity  [m/s²]

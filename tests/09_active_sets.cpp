@@ -11,8 +11,10 @@
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/05_lemke/stewart_trinkle.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
+#include "chapters/09_active_sets/exact_step.hpp"
 #include "chapters/09_active_sets/friction_boxes.hpp"
 #include "chapters/09_active_sets/problems.hpp"
+#include "common/measure.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/random_problems.hpp"
@@ -844,4 +846,75 @@ TEST_CASE("numbers too large for doubles end with an honest status")
         for (const Solution& solution : {active_sets(problem), dantzig(problem)})
             if (solution.status == Status::solved)
                 CHECK(solution.residual <= 1e-10 * problem.q.cwiseAbs().maxCoeff());
+}
+
+namespace {
+
+/// How far a chain of 20 links with 10,000 kg at its end strays sideways, in 300 exact steps of `share` times the
+/// greatest step of (9.22), when neighbours begin a micrometre to the left and to the right [m].
+Real strays(Real share)
+{
+    const Index count = 20;
+    const Real end_mass = 10000, length = 0.1;
+    DiscScene scene = hanging_chain(count, end_mass);
+    scene.linked.assign(scene.linked.size(), true);
+    for (Index k = 1; k < count; ++k) scene.bodies.position(k).x() = k % 2 == 0 ? 1e-6 : -1e-6;
+    StabilizedStepSettings settings = exact_step_settings();
+    settings.substeps = 1;
+    settings.h = share * std::sqrt(length / (end_mass * 9.81));  // m = 1 kg, T = 10,000 g
+    ExactStep now;
+    Real farthest = 0;
+    for (int n = 0; n < 300; ++n) {
+        exact_step(scene, settings, {}, now);
+        for (Index k = 1; k <= count; ++k)
+            farthest = std::max(farthest, std::abs(scene.bodies.position(k).x()));
+    }
+    return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("a chain whose rows are exact stays straight while h is below (9.22) and not beyond")
+{
+    // The tension is that of the end mass to 0.2 %, and 19 beads between fixed ends reach cos(pi/40) = 0.997 of the
+    // greatest frequency: 2 % on either side of the border is enough. The least that 300 steps of 1.02 would grow
+    // by, (1.17) with h omega = 2.03, is a factor of e^100; below the border it is bounded by (1.11).
+    CHECK(strays(0.98) < 1e-4);
+    CHECK(strays(1.02) > 1e-2);
+}
+
+TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 16 exact small steps")
+{
+    DiscScene scene = hanging_chain(1000);
+    scene.linked.assign(scene.linked.size(), true);
+    for (Index k = 1; k <= 1000; ++k)
+        scene.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(0.5, -std::sqrt(0.75));
+    StabilizedStepSettings settings = exact_step_settings();
+    settings.substeps = 16;
+    const auto energy = [&scene] {
+        return kinetic_energy(scene.bodies) + potential_energy(scene.bodies, scene.gravity);
+    };
+    const Real start = energy();
+    ExactStep now;
+    for (int n = 0; n < 60; ++n) {
+        exact_step(scene, settings, {}, now);
+        REQUIRE(now.solution.status == Status::solved);
+        REQUIRE(now.repaying.status == Status::solved);
+    }
+    CHECK(largest_link_error(scene) < 1e-5);  // of 0.1 m: what is left is of second order in h
+    // 1000 kg fall by some metres; the energy of a symplectic step is off by about h u m g / 2, (1.21).
+    CHECK(std::abs(energy() - start) < 0.01 * 1000 * 9.81 * 100);
+}
+
+TEST_CASE("an exact step leaves an overlap as chapter 7 says and no velocity")
+{
+    DiscScene scene = column(1);
+    scene.bodies.position(0).y() -= 0.05;
+    StabilizedStepSettings settings = exact_step_settings();
+    settings.stabilizer.beta = 0.25;
+    settings.substeps = 2;
+    ExactStep now;
+    exact_step(scene, settings, {}, now);
+    CHECK(scene.bodies.position(0).y() == Approx(0.1 - 0.05 * 0.75 * 0.75).margin(identity));  // (7.5)
+    CHECK(scene.bodies.u.cwiseAbs().maxCoeff() < identity);
 }

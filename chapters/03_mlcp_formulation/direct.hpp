@@ -109,6 +109,9 @@ inline void conclude(const Mlcp& mlcp, Solution& solution, Real tolerance, Statu
 inline Solution direct(const Mlcp& mlcp, Real tolerance = 1e-10)
 {
     require_valid(mlcp);
+    if (!(tolerance >= 0))
+        throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
+                                    "; it must be zero or positive");
     std::vector<Index> rows;
     for (Index i = 0; i < mlcp.size(); ++i) {
         if (!is_bilateral(mlcp, i))

@@ -29,6 +29,14 @@ struct DiscSettings {
     Vec2 hand = {0, 0};         ///< where to [m]
 };
 
+/// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
+inline void require_valid(const DiscSettings& settings)
+{
+    require_step(settings.h);
+    require_forces(settings.gravity, settings.stiffness, settings.damping, settings.hand);
+    require_margin(settings.margin);
+}
+
 /// What the step finds on its way, kept for the reader to look at and for the next step to reuse.
 struct DiscStep {
     VecX u_star;                    ///< velocities after the forces, before the impulses [m/s]
@@ -79,7 +87,7 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
 {
     Bodies<2>& bodies = scene.bodies;
     const Real h = settings.h;
-    require_step(h);
+    require_valid(settings);
 
     // Forces, and the velocity u* that they alone would lead to (3.4).
     bodies.f.setZero();

@@ -38,6 +38,10 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
                                 Solution& solution)
 {
     require_valid(mlcp);
+    if (!(tolerance >= 0) || max_iterations < 0)
+        throw std::invalid_argument("tolerance " + std::to_string(tolerance) + " m/s and limit of " +
+                                    std::to_string(max_iterations) +
+                                    " iterations: both must be zero or positive");
     const Index n = mlcp.size();
     for (Index i = 0; i < n; ++i)
         if (mlcp.lo[i] > -infinity || mlcp.hi[i] < infinity)

@@ -37,12 +37,12 @@ inline void require_valid(const ImpulseStepSettings& settings)
     const auto refuse = [](const std::string& what, Real value, const std::string& wanted) {
         throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
     };
-    if (!settings.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    require_forces(settings.gravity, settings.stiffness, settings.damping, settings.hand);
+    require_margin(settings.margin);
     if (!(settings.restitution >= 0 && settings.restitution <= 1))
         refuse("the restitution", settings.restitution, "from 0 to 1");
     if (!(settings.threshold >= 0))
         refuse("the threshold of bounces", settings.threshold, "zero or positive");
-    if (!(settings.margin >= 0)) refuse("the margin of contacts", settings.margin, "zero or positive");
     if (!(settings.sweeps.tolerance >= 0))
         refuse("the tolerance of the sweeps", settings.sweeps.tolerance, "zero or positive");
     if (settings.sweeps.max_sweeps < 0)

@@ -62,7 +62,7 @@ struct DiscConstraintAt {
 inline void find_step_contacts(const DiscScene& scene, const StabilizedStepSettings& settings,
                                StabilizedStep& now)
 {
-    require_step(settings.h);
+    require_valid(static_cast<const ImpulseStepSettings&>(settings));
     require_valid(settings.stabilizer);
     if (settings.substeps < 1)
         throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +

@@ -7,6 +7,7 @@
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
+#include "common/forces.hpp"
 #include "common/scenes.hpp"
 
 #include <numeric>
@@ -102,7 +103,12 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
 inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
 {
     require_step(settings.h);
+    require_forces(settings.gravity, 0, 0, {0, 0});
+    require_margin(settings.margin);
     require_valid(settings.repay);
+    if (!(settings.first_tolerance >= 0))
+        throw std::invalid_argument("first_tolerance is " + std::to_string(settings.first_tolerance) +
+                                    "; it must be zero or positive");
     if (settings.substeps < 1 || settings.sweeps < 1)
         throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
                                     std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");

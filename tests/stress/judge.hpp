@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace rigid::stress {
 
@@ -22,10 +21,17 @@ struct Task {
     Real size = 0.2;       ///< of a disc or a link: gaps are measured by it [m]
     bool rests = true;     ///< it is to come to rest: no disc faster than 1 cm/s in the second half
     bool upright = false;  ///< the discs stand above each other in the order of their numbers
-    Real energy = 1;       ///< by which a gain of energy is measured [J]
+    Real energy = 0;       ///< by which a gain of energy is measured [J]; 0 = lifting()
     Real gap = 0;          ///< a gap that the scene itself makes unavoidable [m]
 };
 
+struct Verdict {
+    int score = accurate;
+    std::string why = "";  ///< why it is not more
+    Real gap = 0;          ///< the largest one of the second half [m]
+};
+
+inline constexpr const char* silent = "silent error";
 inline constexpr Real accurate_gap = 0.005, held_gap = 0.05;  ///< shares of the size
 inline constexpr Real resting_speed = 0.01;  ///< [m/s]: a centimetre a second is seen as rest
 inline constexpr Real energy_gain = 0.01;
@@ -33,6 +39,20 @@ inline constexpr Real energy_gain = 0.01;
 inline Real total_energy(const DiscScene& scene)
 {
     return kinetic_energy(scene.bodies) + potential_energy(scene.bodies, scene.gravity);
+}
+
+/// m g times the height of the scene, summed: what the whole scene gains when it is lifted by its own size [J]. An
+/// energy has no zero, so a gain of one per cent needs something to be a per cent of.
+inline Real lifting(const DiscScene& scene)
+{
+    Real weight = 0, low = infinity, high = -infinity;
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        low = std::min(low, scene.bodies.position(k).y() - scene.radius[k]);
+        high = std::max(high, scene.bodies.position(k).y() + scene.radius[k]);
+        const Real inverse = scene.bodies.inverse_mass[2 * k];
+        if (inverse > 0) weight += scene.gravity.norm() / inverse;
+    }
+    return weight * (high - low);
 }
 
 /// How far links and contacts are off [m].
@@ -49,29 +69,36 @@ inline bool stands_in_order(const DiscScene& scene)
 }
 
 /// Runs a method on a scene. The second half of the run is what is judged; finiteness and energy, all of it.
-inline int judge(DiscScene scene, const Task& task, const Step& step)
+inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
 {
     const Real start = total_energy(scene);
-    Real gap = 0, speed = 0, energy = start;
+    const Real scale = task.energy > 0 ? task.energy : lifting(scene);
+    Verdict verdict;
+    Real speed = 0, energy = start;
     // A look at the gaps tests all pairs; thirty looks are enough.
     const long look_every = std::max(1L, task.steps / 60);
     for (long n = 0; n < task.steps; ++n) {
         try {
             step(scene, task.h);
-        } catch (const std::runtime_error&) {
-            return lost;
+        } catch (const SilentError&) {
+            return {lost, silent, infinity};
+        } catch (const std::invalid_argument&) {  // the state is not finite: the door says so
+            return {lost, "not finite", infinity};
         }
-        if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite()) return lost;
+        if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite())
+            return {lost, "not finite", infinity};
         energy = std::max(energy, total_energy(scene));
-        if (!(energy - start <= energy_gain * task.energy)) return lost;
+        if (!(energy - start <= energy_gain * scale)) return {lost, "energy", infinity};
         if (2 * n < task.steps) continue;
         speed = std::max(speed, scene.bodies.u.cwiseAbs().maxCoeff());
-        if (n % look_every == 0 || n + 1 == task.steps) gap = std::max(gap, largest_gap(scene));
+        if (n % look_every == 0 || n + 1 == task.steps)
+            verdict.gap = std::max(verdict.gap, largest_gap(scene));
     }
-    if (task.upright && !stands_in_order(scene)) return failed;
-    gap = std::max(Real{0}, gap - task.gap);
-    if (gap <= accurate_gap * task.size && (!task.rests || speed <= resting_speed)) return accurate;
-    return gap <= held_gap * task.size ? held : failed;
+    const Real gap = std::max(Real{0}, verdict.gap - task.gap);
+    verdict.why = gap > accurate_gap * task.size ? "gap" : task.rests && speed > resting_speed ? "unrest" : "";
+    verdict.score = verdict.why.empty() ? accurate : gap <= held_gap * task.size ? held : failed;
+    if (task.upright && !stands_in_order(scene)) verdict.score = failed, verdict.why = "order";
+    return verdict;
 }
 
 }  // namespace rigid::stress

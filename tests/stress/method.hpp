@@ -5,31 +5,50 @@
 #include "common/scenes.hpp"
 
 #include <functional>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace rigid::stress {
 
-/// What a stress may ask a method for. A method that has no such thing is not asked.
+/// What a stress may ask a method for, before or in the middle of a run. A method that has no such thing is not asked.
 struct Wish {
     Real beta = -1;         ///< share of the position error that a step repays; below zero = the method's own
     Real restitution = -1;  ///< below zero = none
+    int setting = -1;       ///< the number of one of the method's own settings that is to be spoilt
+    Real spoilt = 0;        ///< what is written there
 };
 
-/// Takes one step of h seconds. Throws std::invalid_argument for bad input and std::runtime_error for an answer
-/// that calls itself solved and isn't.
+/// Takes one step of h seconds. Throws std::invalid_argument for bad input and SilentError for an answer that calls
+/// itself solved and isn't.
 using Step = std::function<void(DiscScene&, Real h)>;
+
+/// An answer that says it is right and isn't.
+struct SilentError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A number that a method lets its caller set.
+struct Setting {
+    std::string name;
+    Real* value = nullptr;
+    bool may_be_infinite = false;  ///< +∞ means something: no limit
+};
 
 struct Method {
     int chapter = 0;
     std::string name;    ///< as in a table
     std::string budget;  ///< what it may spend in a step, for the reader
     bool has_beta = false, has_restitution = false;
+    bool links_only = false;      ///< it knows no contacts
     Index most_rows = 1'000'000;  ///< beyond that a step would take seconds: the cell stays empty
-    std::function<Step(const Wish&)> start;
+    std::vector<Setting> settings;  ///< their values point nowhere: only names
+    std::function<Step(std::shared_ptr<const Wish>)> start;
 };
 
 /// Every method of every chapter that advances a scene, with the switches that its chapter teaches.
-std::vector<Method> methods();
+/// \param sweeps  that a step of those which sweep may make: 10 in the matrix
+std::vector<Method> methods(int sweeps = 10);
 
 }  // namespace rigid::stress

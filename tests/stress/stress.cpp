@@ -1,97 +1,203 @@
 /// The stability matrix: each stress at five levels, each method, sixteen perturbations a cell.
 ///
-///     stress [--quick] [--csv FILE] [--only STRESS] [--method NAME]
+///     stress [--quick] [--csv FILE] [--only STRESS] [--method NAME] [--threads N] [--check FILE]
+///     stress --mark [--csv FILE]
 ///
-/// Writes a table as it goes; a table that is there already is gone on with, so an interrupted run loses nothing.
+/// Writes a table as it goes; a table that is there already is gone on with, so an interrupted run loses nothing. The
+/// table is the same for any number of threads.
 
 #include "common/program/interrupt.hpp"
 #include "common/program/progress.hpp"
 #include "common/text.hpp"
 #include "tests/stress/stresses.hpp"
+#include "tests/stress/table.hpp"
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <condition_variable>
 #include <fstream>
 #include <iostream>
-#include <set>
+#include <mutex>
+#include <thread>
 
 using namespace rigid;
 using namespace rigid::stress;
 
 namespace {
 
-/// A cell of the table: the first three columns name it.
-std::string cell_name(const Stress& stress, int level, const Method& method)
-{
-    return stress.name + "," + std::to_string(level + 1) + "," + method.name;
-}
+struct Options {
+    std::string file, only, method, check;
+    bool quick = false, mark = false;
+    int threads = 0;
+};
 
-constexpr const char* header = "stress,level,method,chapter,value,score,lowest,seeds";
+struct Cell {
+    const Stress* stress;
+    int level;
+    const Method* method;
+};
 
-/// The names of the cells that a table already has. Throws if it is not such a table.
-std::set<std::string> done_cells(const std::string& file)
+Row row_of(const Cell& cell, bool quick)
 {
-    std::set<std::string> names;
-    std::ifstream table(file);
-    std::string line;
-    if (!table || !std::getline(table, line)) return names;
-    if (line != header)
-        throw std::invalid_argument("\"" + file + "\" begins with \"" + line +
-                                    "\"; a table of this program begins with \"" + header + "\"");
-    while (std::getline(table, line)) {
-        std::size_t end = 0;
-        for (int commas = 0; commas < 3 && end != std::string::npos; ++commas) end = line.find(',', end + 1);
-        names.insert(line.substr(0, end));
-    }
-    return names;
-}
-
-/// The row of a cell, or nothing where the stress does not apply to the method.
-std::string cell(const Stress& stress, int level, const Method& method, int seeds)
-{
-    int sum = 0, lowest = accurate;
+    const int seeds = quick ? 2 : cell.stress->seeds[static_cast<std::size_t>(cell.level)];
+    Row row{cell.stress->name, cell.level + 1, cell.method->name, cell.method->chapter,
+            cell.stress->values[static_cast<std::size_t>(cell.level)]};
+    int sum = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
-        const std::optional<int> score = stress.run(method, level, static_cast<std::uint64_t>(seed));
-        if (!score)
-            return cell_name(stress, level, method) + "," + std::to_string(method.chapter) + ",\"" +
-                   stress.values[static_cast<std::size_t>(level)] + "\",,,0\n";
-        sum += *score;
-        lowest = std::min(lowest, *score);
+        const std::optional<Verdict> verdict =
+            cell.stress->run(*cell.method, cell.level, static_cast<std::uint64_t>(seed));
+        if (!verdict) return row;
+        sum += verdict->score;
+        if (seed == 1 || verdict->score < row.lowest) row.lowest = verdict->score, row.why = verdict->why;
     }
-    return cell_name(stress, level, method) + "," + std::to_string(method.chapter) + ",\"" +
-           stress.values[static_cast<std::size_t>(level)] + "\"," +
-           fixed(static_cast<Real>(sum) / (3 * seeds), 3) + "," + std::to_string(lowest) + "," +
-           std::to_string(seeds) + "\n";
+    row.seeds = seeds;
+    row.score = static_cast<Real>(sum) / (accurate * seeds);
+    return row;
 }
 
-int run(const std::string& file, bool quick, const std::string& only, const std::string& one_method)
-{
-    const int seeds = quick ? 2 : 16;
-    const std::set<std::string> done = done_cells(file);
-    std::ofstream table;
-    if (!file.empty()) table.open(file, std::ios::app);
-    std::ostream& out = file.empty() ? std::cout : table;
-    if (done.empty()) out << header << '\n';
+/// Fills rows with the cells in their order; whoever is free takes the next one. Stops early when interrupted.
+class Workers {
+public:
+    Workers(const std::vector<Cell>& cells, const Options& options) : rows_(cells.size()), done_(cells.size())
+    {
+        const int count =
+            options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+        for (int n = 0; n < count; ++n)
+            threads_.emplace_back([this, &cells, quick = options.quick] {
+                for (std::size_t i = next_++; i < cells.size() && !stop_; i = next_++) {
+                    Row row = row_of(cells[i], quick);
+                    const std::lock_guard lock(mutex_);
+                    rows_[i] = std::move(row);
+                    done_[i] = true;
+                    changed_.notify_one();
+                }
+            });
+    }
+    ~Workers()
+    {
+        stop_ = true;
+        for (std::thread& thread : threads_) thread.join();
+    }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
 
-    std::vector<std::pair<const Stress*, int>> rows;
-    const std::vector<Stress> all = stresses();
-    const std::vector<Method> columns = methods();
+    /// Waits for cell i; nothing if the run is interrupted first.
+    const Row* wait_for(std::size_t i)
+    {
+        std::unique_lock lock(mutex_);
+        while (!done_[i]) {
+            changed_.wait_for(lock, std::chrono::milliseconds(200));
+            if (!done_[i] && InterruptGuard::interrupted()) return nullptr;
+        }
+        return &rows_[i];
+    }
+
+private:
+    std::vector<Row> rows_;
+    std::vector<bool> done_;
+    std::atomic<std::size_t> next_ = 0;
+    std::atomic<bool> stop_ = false;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<std::thread> threads_;
+};
+
+void require_one_of(const std::string& name, const std::string& what, const std::vector<std::string>& names)
+{
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
+    std::string sentence = "there is no " + what + " \"" + name + "\"; there are";
+    for (const std::string& known : names) sentence += " \"" + known + "\"";
+    throw std::invalid_argument(sentence);
+}
+
+/// A table that was gone on with has its cells in the order of the runs: puts them where a single run has them. Cells
+/// of stresses and methods that are no more go.
+void write_in_order(const std::string& file, const std::vector<Row>& table, const std::vector<Stress>& all,
+                    const std::vector<Method>& columns)
+{
+    std::ofstream out(file);
+    out << header << '\n';
     for (const Stress& stress : all)
         for (int level = 0; level < levels; ++level)
-            if ((only.empty() || stress.name == only) && (!quick || stress.quick))
-                rows.emplace_back(&stress, level);
+            for (const Method& method : columns)
+                if (const Row* row = find_row(table, stress.name, level + 1, method.name)) out << to_line(*row);
+    if (!out) throw std::runtime_error("the table could not be written");
+}
+
+int run(const Options& options)
+{
+    const std::vector<Stress> all = stresses();
+    const std::vector<Method> columns = methods();
+    std::vector<std::string> names;
+    for (const Stress& stress : all) names.push_back(stress.name);
+    require_one_of(options.only, "stress", names);
+    names.clear();
+    for (const Method& method : columns) names.push_back(method.name);
+    require_one_of(options.method, "method", names);
+
+    std::vector<Row> table = read_table(options.file);
+    std::vector<Cell> cells;
+    for (const Stress& stress : all)
+        for (int level = 0; level < levels; ++level)
+            for (const Method& method : columns)
+                if ((options.only.empty() || stress.name == options.only) &&
+                    (options.method.empty() || method.name == options.method) &&
+                    (!options.quick || stress.quick) &&
+                    !find_row(table, stress.name, level + 1, method.name))
+                    cells.push_back({&stress, level, &method});
+
+    std::ofstream file;
+    if (!options.file.empty()) file.open(options.file, std::ios::app);
+    std::ostream& out = options.file.empty() ? std::cout : file;
+    if (table.empty()) out << header << '\n';
 
     InterruptGuard guard;
-    Progress progress(static_cast<long>(rows.size() * columns.size()));
-    long count = 0;
-    for (const auto& [stress, level] : rows)
-        for (const Method& method : columns) {
-            progress.show(count++);
-            if (InterruptGuard::interrupted()) return 130;
-            if (!one_method.empty() && method.name != one_method) continue;
-            if (done.count(cell_name(*stress, level, method))) continue;
-            out << cell(*stress, level, method, seeds) << std::flush;
+    Progress progress(static_cast<long>(cells.size()));
+    Workers workers(cells, options);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        progress.show(static_cast<long>(i));
+        const Row* row = workers.wait_for(i);
+        if (!row) return 130;
+        out << to_line(*row) << std::flush;
+        table.push_back(*row);
+    }
+    progress.clear();
+    if (!out) throw std::runtime_error("the table could not be written");
+    file.close();
+    if (!options.file.empty()) write_in_order(options.file, table, all, columns);
+
+    int faults = complain_of_silence(table, std::cerr);
+    if (!options.check.empty()) faults += complain_of_differences(table, options.check, std::cerr);
+    return faults > 0 ? 3 : 0;
+}
+
+/// The two scenes of a well-known comparison, with four sweeps a step: gaps in metres.
+int mark(const Options& options)
+{
+    std::ofstream file;
+    if (!options.file.empty()) file.open(options.file);
+    std::ostream& out = options.file.empty() ? std::cout : file;
+    out << "method,chapter,budget,column score,column gap,chain score,chain gap\n";
+    const auto wish = std::make_shared<const Wish>();
+    const auto worst_of_16 = [&](const Method& method, const DiscScene& start, const Task& task) {
+        Verdict worst;
+        for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+            DiscScene scene = start;
+            perturb(scene, seed);
+            const Verdict verdict = judge(scene, task, method.start(wish));
+            worst.score = std::min(worst.score, verdict.score);
+            worst.gap = std::max(worst.gap, verdict.gap);
         }
-    return out ? 0 : 3;
+        return std::to_string(worst.score) + "," + (std::isfinite(worst.gap) ? significant(worst.gap, 3) : "");
+    };
+    for (const Method& method : methods(4)) {
+        if (method.most_rows < 1000 && !method.links_only) continue;
+        out << method.name << "," << method.chapter << ",\"" << method.budget << "\","
+            << (method.links_only ? "," : worst_of_16(method, loaded_column(), standing())) << ","
+            << worst_of_16(method, slanted_chain(40, 1000), swinging()) << "\n";
+    }
+    if (!out) throw std::runtime_error("the table could not be written");
+    return 0;
 }
 
 }  // namespace
@@ -99,15 +205,17 @@ int run(const std::string& file, bool quick, const std::string& only, const std:
 int main(int argc, char** argv)
 {
     CLI::App app("The stability matrix of the book");
-    std::string file, only, method;
-    bool quick = false;
-    app.add_option("--csv", file, "the table; it is gone on with if it exists");
-    app.add_option("--only", only, "one stress");
-    app.add_option("--method", method, "one method");
-    app.add_flag("--quick", quick, "two perturbations a cell instead of sixteen, and no long runs");
+    Options options;
+    app.add_option("--csv", options.file, "the table; it is gone on with if it exists");
+    app.add_option("--only", options.only, "one stress");
+    app.add_option("--method", options.method, "one method");
+    app.add_option("--threads", options.threads, "how many; as many as the machine has, if not said");
+    app.add_option("--check", options.check, "a table that this one must agree with, cell by cell");
+    app.add_flag("--quick", options.quick, "two perturbations a cell instead of sixteen, and no long runs");
+    app.add_flag("--mark", options.mark, "two hard scenes with four sweeps a step: gaps in metres");
     CLI11_PARSE(app, argc, argv);
     try {
-        return run(file, quick, only, method);
+        return options.mark ? mark(options) : run(options);
     } catch (const std::exception& error) {
         std::cerr << "stress: " << error.what() << '\n';
         return 2;

@@ -4,19 +4,6 @@
 
 namespace rigid::stress {
 
-namespace {
-
-using Values = std::array<Real, levels>;
-
-std::array<std::string, levels> with_units(const Values& values, const std::string& unit)
-{
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
-    return words;
-}
-
-/// What one seed changes: masses by up to 5 %, velocities by up to 1 mm/s. One run without it misleads: symmetry
-/// hides what a breath would topple.
 void perturb(DiscScene& scene, std::uint64_t seed)
 {
     Random random(seed);
@@ -26,32 +13,6 @@ void perturb(DiscScene& scene, std::uint64_t seed)
         scene.bodies.velocity(k) = Vec2(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3));
     }
 }
-
-/// m g times the height of the scene, summed: what the whole scene gains when it is lifted by its own size.
-Real lifting(const DiscScene& scene)
-{
-    Real weight = 0, low = infinity, high = -infinity;
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        low = std::min(low, scene.bodies.position(k).y() - scene.radius[k]);
-        high = std::max(high, scene.bodies.position(k).y() + scene.radius[k]);
-        const Real inverse = scene.bodies.inverse_mass[2 * k];
-        if (inverse > 0) weight += scene.gravity.norm() / inverse;
-    }
-    return weight * (high - low);
-}
-
-/// A run of a scene that a method can hold, unless it has too many rows for it.
-std::optional<int> run(const Method& method, const Wish& wish, DiscScene scene, Task task, std::uint64_t seed)
-{
-    if (static_cast<Index>(scene.links.size()) + 2 * scene.bodies.count() > method.most_rows)
-        return std::nullopt;
-    perturb(scene, seed);
-    if (task.energy == 0) task.energy = lifting(scene);
-    return judge(std::move(scene), task, method.start(wish));
-}
-
-/// A column between walls that leave it a hundredth of a radius of play.
-DiscScene held_column(Index count, Real top_mass = 1) { return column_between_walls(count, top_mass, 0.001); }
 
 Task standing()
 {
@@ -77,6 +38,40 @@ Task swinging()
     task.size = 0.1;
     return task;
 }
+
+DiscScene loaded_column() { return column_between_walls(5, 1000, 0.001); }
+
+namespace {
+
+using Values = std::array<Real, levels>;
+
+std::array<std::string, levels> with_units(const Values& values, const std::string& unit)
+{
+    std::array<std::string, levels> words;
+    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
+    return words;
+}
+
+/// No two discs collide and there is no wall.
+bool links_alone(const DiscScene& scene)
+{
+    return scene.walls.empty() && !scene.linked.empty() &&
+           std::find(scene.linked.begin(), scene.linked.end(), false) == scene.linked.end();
+}
+
+/// A run of a scene that a method can hold, unless it has too many rows for it.
+std::optional<Verdict> run(const Method& method, const Wish& wish, DiscScene scene, const Task& task,
+                           std::uint64_t seed)
+{
+    if (static_cast<Index>(scene.links.size()) + 2 * scene.bodies.count() > method.most_rows)
+        return std::nullopt;
+    if (method.links_only && !links_alone(scene)) return std::nullopt;
+    perturb(scene, seed);
+    return judge(std::move(scene), task, method.start(std::make_shared<const Wish>(wish)));
+}
+
+/// A column between walls that leave it a hundredth of a radius of play.
+DiscScene held_column(Index count, Real top_mass = 1) { return column_between_walls(count, top_mass, 0.001); }
 
 Stress heavy_top()
 {
@@ -150,7 +145,7 @@ Stress beta()
     const Values share = {0.1, 0.5, 1, 1.5, 1.9};
     return {"eager repair", "a triangle of base 4 between walls; a step repays the share β of an error",
             with_units(share, ""),
-            [share](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+            [share](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
                 if (!method.has_beta) return std::nullopt;
                 Wish wish;
                 wish.beta = share[static_cast<std::size_t>(level)];
@@ -163,7 +158,7 @@ Stress restitution()
     const Values N = {1, 2, 3, 5, 10};
     return {"bouncing", "N discs above each other, dropped half a metre apart, restitution 1: two seconds",
             with_units(N, "discs"),
-            [N](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+            [N](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
                 if (!method.has_restitution) return std::nullopt;
                 Wish wish;
                 wish.restitution = 1;
@@ -220,7 +215,7 @@ Stress far_away()
             "a column of 5 between walls and off the origin by this much in x and y; also compared with the "
             "origin",
             with_units(metres, "m"),
-            [metres](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+            [metres](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
                 DiscScene near = held_column(5, 10);
                 for (Index k = 0; k < 5; ++k) near.bodies.position(k).y() += 0.5;  // it falls first
                 perturb(near, seed);
@@ -231,13 +226,16 @@ Stress far_away()
                 Task task = standing();
                 task.rests = false;
                 task.energy = lifting(near);
-                const int score = judge(far, task, method.start({}));
+                if (method.links_only) return std::nullopt;
+                const auto own = std::make_shared<const Wish>();
+                Verdict verdict = judge(far, task, method.start(own));
                 // A position that froze would look perfect. While both fall, 0.3 s, their velocities are to agree
                 // to a millimetre a second: a millionth of a metre lies between two numbers at 1e6 m / 1e-10.
-                const Step here = method.start({}), there = method.start({});
+                const Step here = method.start(own), there = method.start(own);
                 for (int n = 0; n < 18; ++n) here(near, task.h), there(far, task.h);
-                return (near.bodies.u - far.bodies.u).cwiseAbs().maxCoeff() < 1e-3 ? score
-                                                                                   : std::min(score, failed);
+                if (verdict.score > failed && !((near.bodies.u - far.bodies.u).cwiseAbs().maxCoeff() < 1e-3))
+                    verdict = {failed, "velocity", verdict.gap};
+                return verdict;
             }};
 }
 
@@ -259,7 +257,7 @@ Stress coincident()
     return {"coincident",
             "N discs in one point of a box without gravity: they are to part within two seconds",
             with_units(N, "discs"),
-            [N](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
+            [N](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
                 const auto count = static_cast<Index>(N[static_cast<std::size_t>(level)]);
                 DiscScene scene;
                 scene.bodies = Bodies<2>(count);
@@ -271,50 +269,8 @@ Stress coincident()
                 task.rests = false;
                 // Parting a whole diameter within a step, each disc gets 2r/h; more than that would be an explosion.
                 task.energy = 100 * static_cast<Real>(count) * 0.5 * std::pow(0.2 / task.h, 2);
-                return judge(scene, task, method.start({}));
-            }};
-}
-
-/// Every number of a scene and of a step that a caller sets, in five groups.
-Stress bad_input()
-{
-    return {"bad input",
-            "one number of the scene or the step is NaN or infinite: it is to be refused",
-            {"positions, velocities", "masses, radii", "walls", "links", "gravity, h"},
-            [](const Method& method, int level, std::uint64_t seed) -> std::optional<int> {
-                DiscScene scene = ten_discs();
-                Real h = 1.0 / 60;
-                Random random(seed);
-                const Real bad =
-                    std::array{std::nan(""), infinity, -infinity}[static_cast<std::size_t>(seed % 3)];
-                const auto one_of = [&random](VecX& v) -> Real& { return v[random.index(v.size())]; };
-                const bool first = random.uniform() < 0.5;
-                HalfSpace& wall = scene.walls[static_cast<std::size_t>(random.index(4))];
-                switch (level) {
-                case 0:
-                    (first ? one_of(scene.bodies.x) : one_of(scene.bodies.u)) = bad;
-                    break;
-                case 1:
-                    (first ? one_of(scene.bodies.inverse_mass) : one_of(scene.radius)) = bad;
-                    break;
-                case 2:
-                    (first ? wall.normal.x() : wall.offset) = bad;
-                    break;
-                case 3:
-                    (first ? scene.links[0].length : scene.bends[0].length) = bad;
-                    break;
-                default:
-                    (first ? scene.gravity.x() : h) = bad;
-                    break;
-                }
-                try {
-                    method.start({})(scene, h);
-                } catch (const std::invalid_argument&) {
-                    return accurate;
-                } catch (const std::exception&) {
-                    return failed;
-                }
-                return lost;
+                if (method.links_only) return std::nullopt;
+                return judge(scene, task, method.start(std::make_shared<const Wish>()));
             }};
 }
 
@@ -328,6 +284,7 @@ Stress long_run()
                       return run(method, {}, held_column(5), task, seed);
                   }};
     stress.quick = false;
+    stress.seeds = {16, 16, 16, 4, 1};  // an exact method needs minutes for a million steps
     return stress;
 }
 

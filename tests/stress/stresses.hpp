@@ -16,11 +16,25 @@ struct Stress {
     std::string name;                        ///< as in a table
     std::string what;                        ///< the scene and what is raised, in a sentence
     std::array<std::string, levels> values;  ///< what is raised, level by level, with unit
-    /// The score of a method at a level under a perturbation; nothing where it does not apply.
-    std::function<std::optional<int>(const Method&, int level, std::uint64_t seed)> run;
-    bool quick = true;  ///< part of --quick
+    /// What becomes of a method at a level under a perturbation; nothing where it does not apply.
+    std::function<std::optional<Verdict>(const Method&, int level, std::uint64_t seed)> run;
+    std::array<int, levels> seeds = {16, 16, 16, 16, 16};  ///< perturbations a cell
+    bool quick = true;  ///< part of --quick, with two of them
 };
 
 std::vector<Stress> stresses();
+
+/// The last of them but one: NaN and infinity in every number that a caller sets.
+Stress bad_input();
+
+/// What one seed changes: masses by up to 5 %, velocities by up to 1 mm/s. One run without it misleads: symmetry
+/// hides what a breath would topple.
+void perturb(DiscScene& scene, std::uint64_t seed);
+
+/// The two scenes of a well-known comparison, at four sweeps: a box of 1000 times the mass, and a chain.
+DiscScene loaded_column();
+Task standing();
+DiscScene slanted_chain(Index count, Real end_mass);
+Task swinging();
 
 }  // namespace rigid::stress

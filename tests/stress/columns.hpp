@@ -1,0 +1,81 @@
+/// \file columns.hpp
+/// What the columns of the stability matrix have in common: the door, the check of honesty, and settings to spoil.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "tests/stress/method.hpp"
+
+namespace rigid::stress {
+
+std::vector<Method> matrix_methods(int sweeps);    ///< chapters 3 to 5
+std::vector<Method> impulse_methods(int sweeps);   ///< chapters 6 to 8
+std::vector<Method> exact_methods(int sweeps);     ///< chapter 9
+
+/// The door. Steps don't look at a whole scene each time, whoever hands them one does: here, before every step, since
+/// a stress may change the scene in the middle of a run.
+template <class Advance>
+Step checked(Advance advance)
+{
+    return [advance = std::move(advance)](DiscScene& scene, Real h) {
+        require_valid(scene);
+        require_step(h);
+        advance(scene, h);
+    };
+}
+
+/// Throws if an answer calls itself solved and its residual, computed here, says that it isn't.
+inline void require_honest(const Mlcp& mlcp, const Solution& solution)
+{
+    if (solution.status != Status::solved) return;
+    // 1e-6 of the numbers in the problem: a thousand times what the solvers themselves ask for.
+    const Real residual = natural_residual(mlcp, solution.lambda);
+    if (!(residual <= 1e-6 * std::max(Real{1}, size_of_numbers(mlcp, solution.lambda))))
+        throw SilentError("an answer with the residual " + std::to_string(residual) +
+                          " m/s is called solved");
+}
+
+/// The same for rows that were swept without a matrix. Looks at one step of sixteen: the matrix costs more than
+/// the step.
+class HonestRows {
+public:
+    template <class Now>
+    void look(const Now& now, bool lambda_is_of_these_rows)
+    {
+        if (!lambda_is_of_these_rows || now.solution.status != Status::solved || steps_++ % 16 != 0) return;
+        assemble(now.rows, now.u_star, scratch_, mlcp_);
+        require_honest(mlcp_, now.solution);
+    }
+
+private:
+    long steps_ = 0;
+    AssemblyScratch scratch_;
+    Mlcp mlcp_;
+};
+
+/// The settings that steps of chapters 3 and 6 to 9 share.
+template <class Settings>
+std::vector<Setting> step_settings(Settings& s)
+{
+    return {{"gravity x", &s.gravity.x(), false}, {"gravity y", &s.gravity.y(), false},
+            {"stiffness", &s.stiffness, false},   {"damping", &s.damping, false},
+            {"margin", &s.margin, true},          {"hand x", &s.hand.x(), false},
+            {"hand y", &s.hand.y(), false}};
+}
+
+/// Writes what the wish wants spoilt. A hand is looked at only if it pulls.
+template <class Settings>
+void spoil(const Wish& wish, const std::vector<Setting>& all, Settings& settings)
+{
+    if (wish.setting < 0) return;
+    if constexpr (requires { settings.pulled; }) settings.pulled = 0;
+    *all.at(static_cast<std::size_t>(wish.setting)).value = wish.spoilt;
+}
+
+/// The names alone.
+inline std::vector<Setting> names_of(std::vector<Setting> settings)
+{
+    for (Setting& setting : settings) setting.value = nullptr;
+    return settings;
+}
+
+}  // namespace rigid::stress
