@@ -55,8 +55,8 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
 /// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to zero or
 /// below on the way, the run goes back to that moment and the outcome is `event`. Whoever
 /// then changes run.s (a bounce) sets run.a to its acceleration too. A run that starts at
-/// gap ≤ 0 has no event before it was above zero. \param gap  gap(s): a number with the
-/// sign of the distance, continuous in the state
+/// gap ≤ 0 has no event before it was above zero.
+/// \param gap  gap(s): a number with the sign of the distance, continuous in the state
 template <int N, Acceleration<N> A, class Gap>
 Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a,
                          const Tolerance& tolerance, const Gap& gap)

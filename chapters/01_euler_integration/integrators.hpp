@@ -93,9 +93,9 @@ State<N> implicit_euler_spring(State<N> s, Real h, Real omega)
 //! [implicit]
 
 //! [verlet]
-/// (1.24): velocity Verlet. Order 2; one evaluation, because the acceleration at the end of
-/// a step is the one at the start of the next. \cite verlet1967 \param now  a(x) at the
-/// state going in; at the state that comes out on return [m/s²]
+/// (1.24): velocity Verlet \cite verlet1967. Order 2; one evaluation, because the acceleration
+/// at the end of a step is the one at the start of the next.
+/// \param now  a(x) at the state going in; at the state that comes out on return [m/s²]
 template <int N, PositionAcceleration<N> A>
 State<N> velocity_verlet(State<N> s, Vec<N>& now, Real h, const A& a)
 {

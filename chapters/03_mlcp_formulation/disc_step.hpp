@@ -104,7 +104,7 @@ void step(DiscScene& scene, const DiscSettings& settings, const Solve& solve, Di
     assemble(now.rows, now.u_star, now.scratch, now.mlcp);
     hand_over(solve, now.mlcp, now.solution);
 
-    // u = u* + M⁻¹ Jᵀ λ (3.9), and with the new velocity the new position (1.7).
+    // u = u* + M⁻¹ Jᵀ λ (3.9), and with the new velocity the new position (1.10).
     bodies.u = now.u_star;
     apply(now.rows, now.solution.lambda, bodies.u);
     bodies.x += h * bodies.u;

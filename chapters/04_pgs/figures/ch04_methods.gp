@@ -11,9 +11,9 @@ set ylabel 'largest error / largest λ' tc rgb '#808080'
 set xrange [0:600]; set yrange [1e-10:2]
 set label 1 'Jacobi' at 560,0.4 right tc rgb '#AA3377'
 set label 2 'Gauss-Seidel' at 470,0.012 right tc rgb '#4477AA'
-set label 3 'symmetric' at 595,0.055 right tc rgb '#228833'
+set label 3 'symmetric' at 595,0.078 right tc rgb '#228833'
 set label 4 'SOR, ω = 1.8545' at 165,3e-8 left tc rgb '#EE7733'
-set label 5 'conjugate gradients: exact after 20' at 28,1.5e-3 left tc rgb '#CC3311'
+set label 5 'conjugate gradients: exact after 20' at 85,2e-3 left tc rgb '#CC3311'
 unset key
 N = 20.; c = cos(pi / (2 * N)); weight = 2 / (N * N * sin(pi / (2 * N))**2)
 plot weight * c**x with lines lw 1.5 lc rgb '#AA3377', \

@@ -16,7 +16,7 @@ f(N, R, lo, hi, k) = k == 0 ? (lo + hi) / 2 : tan((lo + hi) / 2) * tan((N - 1) *
 theta(N, R) = f(N, R, 0., pi / (2 * (N - 1)), 60)
 digits(N, R) = -log(10) / (2 * log(cos(theta(N, R))))
 set label 1 'R = 1' at 6,9 left tc rgb '#4477AA'
-set label 2 'R = 10' at 6,48 left tc rgb '#228833'
+set label 2 'R = 10' at 3.1,110 left tc rgb '#228833'
 set label 3 'R = 100' at 6,450 left tc rgb '#EE7733'
 set label 4 'R = 1000' at 6,4.5e3 left tc rgb '#CC3311'
 plot digits(x, 1) with lines lw 1.5 lc rgb '#4477AA', digits(x, 10) with lines lw 1.5 lc rgb '#228833', \
