@@ -550,7 +550,7 @@ TEST_CASE("a puck tows two discs and momentum stays what it was")
     }
 }
 
-TEST_CASE("carrying the impulses on is stable while less is forgotten than beta repays and not beyond")
+TEST_CASE("carrying the impulses on is stable while enough of them is forgotten and not beyond")
 {
     const auto worst = [](Real carry) {
         Discs run(hanging_chain(20));

@@ -3,7 +3,7 @@
 ///
 ///     row k of L has an entry in column j  ⇔  k is reached from some j' with A_kj' ≠ 0 along parent(·)
 ///
-/// (9.8): the elimination tree. The pattern is that of the whole A. The factor of any set of active rows has
+/// (9.9): the elimination tree. The pattern is that of the whole A. The factor of any set of active rows has
 /// no entry outside it, so this is computed once for a structure, however often the guess changes.
 /// \cite davis2006, ch. 4
 #pragma once

@@ -3,7 +3,7 @@
 ///
 ///     l_kj = (a_kj − Σ l_ki d_i l_ji) / d_j,   d_k = a_kk − Σ l_kj² d_j       over active rows alone
 ///
-/// (9.9). A row that is not active is stepped over: it has neither entries nor a pivot. In a column or a chain
+/// (9.8). A row that is not active is stepped over: it has neither entries nor a pivot. In a column or a chain
 /// a row has one entry, so a guess costs O(n). \cite davis2006, ch. 4
 #pragma once
 
@@ -63,7 +63,7 @@ public:
             const int place = at(e.diagonal_value, k);
             Real d = (place < 0 ? 0 : A[place]) + (shifted ? problem.shift[i] : 0);
             const Real nothing = shifted ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
-            for (int p = at(e.row_begin, k); p < at(e.row_begin, k + 1); ++p) {  // (9.9)
+            for (int p = at(e.row_begin, k); p < at(e.row_begin, k + 1); ++p) {  // (9.8)
                 const int j = at(e.row_columns, p);
                 const Real y_j = y[j];
                 y[j] = 0;
