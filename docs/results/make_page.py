@@ -206,7 +206,7 @@ def growth_table(table, name, parameter, sizes, rest, target, letter="N"):
         fitted = tables.slope([(size, value) for size, value in zip(sizes, values) if value])
         cells = [amount(value) if value else "never" for value in values]
         lines.append(f"| {'' if key[0] == 'peer' else key[0]} | {words(key[1])} | " + " | ".join(cells) +
-                     (f" | ${letter}^{{{fitted:.1f}}}$ |" if fitted is not None else " | |"))
+                     (f" | ${letter}^{{{round(fitted, 1) + 0.0:.1f}}}$ |" if fitted is not None else " | |"))
     return lines
 
 
@@ -326,7 +326,7 @@ def page(table, root):
     for name, title, text in GROUPS:
         pieces += group(table, name, title, text)
         if name == "smooth":
-            pieces += ["How the error falls with the work: the fitted exponents, which are the orders of the methods. 2 means: twice the work, a quarter of the error.", ""]
+            pieces += ["How the error falls with the work: the fitted exponents. For fixed steps that are small enough they are the orders of the methods. 2 means: twice the work, a quarter of the error.", ""]
             pieces += order_table(table, draw.GROUPS[name][2]) + [""]
         if name == "chains":
             pieces += [f"How the time to reach {power(1e-2)} grows with the number of links, end mass 1 kg:", ""]
