@@ -10,7 +10,7 @@ namespace rigid::results {
 namespace {
 
 void add_skipping(Registry& registry, const SharedRun& run, const std::string& method, int sweeps, bool quick,
-                  bool sleep, int exact_rows = 0)
+                  bool sleep, int exact_rows = SkippingSettings{}.exact_rows)
 {
     SkippingSettings settings;
     settings.h = run->h();
