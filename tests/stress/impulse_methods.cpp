@@ -180,7 +180,7 @@ std::vector<Method> impulse_methods(int sweeps)
             warm("best projection", projection, Start::best_multiple),
             warm("best small steps", small, Start::best_multiple, 1, true),
             preset("quick steps", with_substeps(quick_steps(), sweeps < 8 ? sweeps : 8, sweeps >= 8)),
-            preset("careful steps", with_substeps(careful_steps(), sweeps < 8 ? sweeps : 16, sweeps >= 8))};
+            preset("careful steps", with_substeps(careful_steps(), sweeps < 8 ? 2 * sweeps : 16, sweeps >= 8))};
 }
 
 }  // namespace rigid::stress

@@ -1,0 +1,127 @@
+"""Writes docs/stability.md from page.txt, the matrix and the mark. Every number of the page is looked up here.
+
+    docs/stability/make_page.py MATRIX MARK PAGE
+
+In page.txt stands, between « and »:
+
+    total METHOD                     mean of all stresses, in per cent
+    row METHOD / STRESS              mean of the five levels, in per cent, and the lowest score
+    cell METHOD / STRESS / VALUE     mean of the perturbations of a cell, in per cent, and the lowest score
+    worst METHOD                     the stresses with a cell of score 0
+    gap METHOD / column              gap at four sweeps, in metres; also: chain
+    zeros STRESS, cells STRESS       how many cells of a stress are ever 0, and how many there are
+    far                              how many methods score the same at 1e6 m and at 100 m
+    best                             the table of methods, best first
+    mark                             the table of the mark
+    methods                          the list of columns
+    seeds                            how many runs the whole table is
+"""
+
+import csv
+import pathlib
+import re
+import sys
+
+from matrix_table import Table
+
+CHAPTERS = {3: "03_mlcp_formulation", 4: "04_pgs", 5: "05_lemke", 6: "06_sequential_impulse", 7: "07_baumgarte",
+            8: "08_warm_starting", 9: "09_active_sets", 10: "10_skipping_work"}
+
+
+def chapter(number):
+    return f"[{number}](../chapters/{CHAPTERS[number]}/README.md)"
+
+
+def percent(found):
+    return f"{100 * found[0]:.0f} ({found[1]})" if found else "does not apply"
+
+
+class Page:
+    def __init__(self, matrix, mark):
+        self.table = Table(matrix)
+        with open(mark, encoding="utf-8") as file:
+            self.marks = list(csv.DictReader(file))
+
+    def level_of(self, stress, value):
+        for level, words in self.table.values[stress].items():
+            if words == value:
+                return level
+        raise SystemExit(f"'{stress}' has no level '{value}'; it has {', '.join(self.table.values[stress].values())}")
+
+    def fill(self, question):
+        word, _, rest = question.partition(" ")
+        parts = [part.strip() for part in rest.split(" / ")] if rest else []
+        return str(getattr(self, word)(*parts))
+
+    def total(self, method):
+        return f"{100 * self.table.total(method)[0]:.0f} %"
+
+    def row(self, method, stress):
+        return percent(self.table.row(stress, method))
+
+    def cell(self, method, stress, value):
+        return percent(self.table.cell(stress, self.level_of(stress, value), method))
+
+    def worst(self, method):
+        found = [stress for stress in self.table.stresses
+                 if any((self.table.cell(stress, level, method) or (1, 3))[1] == 0
+                        for level in self.table.values[stress])]
+        return ", ".join(found) if found else "none"
+
+    def gap(self, method, scene):
+        found = [row for row in self.marks if row["method"] == method]
+        if not found:
+            raise SystemExit(f"the mark knows no method '{method}'")
+        return self.metres(found[0], scene)
+
+    @staticmethod
+    def metres(row, scene):
+        if not row[f"{scene} score"]:
+            return "–"
+        if row[f"{scene} score"] == "0":
+            return "explodes"
+        value = float(row[f"{scene} gap"])
+        words = f"{value:.2g} m" if value >= 5e-4 else "below 0.5 mm"
+        return words + (", falls through" if scene == "column" and row["column score"] == "1" and value >= 0.19 else "")
+
+    def zeros(self, stress):
+        return sum(lowest == 0 for (name, _, _), (_, lowest) in self.table.cells.items() if name == stress)
+
+    def cells(self, stress):
+        return sum(name == stress for name, _, _ in self.table.cells)
+
+    def far(self):
+        """How many methods score at the farthest place what they score at the nearest."""
+        there = [method for method in self.table.methods if self.table.cell("far away", 1, method)]
+        same = [m for m in there if self.table.cell("far away", 1, m) == self.table.cell("far away", 5, m)]
+        return f"{len(same)} of {len(there)}"
+
+    def seeds(self):
+        return f"{self.table.runs:,}"
+
+    def best(self):
+        lines = ["| method | chapter | mean | cells | of these always 3 | of these ever 0 |", "|---|---|---:|---:|---:|---:|"]
+        ranking = sorted(self.table.methods, key=lambda method: -self.table.total(method)[0])
+        for method in ranking:
+            mean, count, zero, full = self.table.total(method)
+            lines.append(f"| {method} | {chapter(self.table.chapters[method])} | {100 * mean:.0f} % | {count} | {full} | {zero} |")
+        return "\n".join(lines)
+
+    def mark(self):
+        lines = ["| method | chapter | it may spend | 1000 kg on four discs | 40 links with 1000 kg |", "|---|---|---|---:|---:|"]
+        for row in self.marks:
+            lines.append(f"| {row['method']} | {chapter(int(row['chapter']))} | {row['budget']} | "
+                         f"{self.metres(row, 'column')} | {self.metres(row, 'chain')} |")
+        return "\n".join(lines)
+
+
+def main():
+    if len(sys.argv) != 4:
+        raise SystemExit(__doc__)
+    page = Page(sys.argv[1], sys.argv[2])
+    words = (pathlib.Path(__file__).parent / "page.txt").read_text(encoding="utf-8")
+    words = re.sub("«([^»]*)»", lambda found: page.fill(found.group(1)), words)
+    pathlib.Path(sys.argv[3]).write_text(words, encoding="utf-8")
+
+
+main()
