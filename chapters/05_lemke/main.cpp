@@ -72,7 +72,7 @@ Scene heavy_top_scene()
 {
     Scene scene = disc_scene("heavy_top",
                              "A column with a heavy disc on top: exact impulses hold what sweeps let sink");
-    scene.view = {{0, 0.95}, {0.9, 1.1}};
+    scene.view = {{0, 1.1}, {0.9, 1.25}};
     scene.tunables.insert(scene.tunables.begin(),
                           {{"rows", "", "discs in the column", 10, 1, 100, true, true, false},
                            {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1000, 0.01,

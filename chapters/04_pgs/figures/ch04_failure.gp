@@ -9,7 +9,7 @@ set xlabel 'R, mass of the upper disc / mass of the lower' tc rgb '#808080'
 set ylabel 'overlap after 20 s [mm]' tc rgb '#808080'
 set xrange [0.9:1.2e4]; set yrange [1e-3:1200]
 unset key
-set label 1 '5 sweeps a step' at 12,2 left tc rgb '#CC3311'
+set label 1 '5 sweeps a step' at 1.3,14 left tc rgb '#CC3311'
 set label 2 '20' at 42,13 right tc rgb '#EE7733'
 set label 3 '100' at 250,2 left tc rgb '#4477AA'
 set label 4 'one radius: it falls through, upper edge' at 1,150 left tc rgb '#808080'
