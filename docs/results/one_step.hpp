@@ -123,7 +123,7 @@ inline void take(const Solution& solution, std::int64_t work, Solved& out)
 /// One that takes an Mlcp and counts in solution.iterations.
 template <class Solve>
 void add_exact(Registry& registry, const SharedScene& scene, const std::string& chapter,
-               const std::string& method, const std::string& unit, const Solve& solve)
+               const std::string& method, const std::string& unit, Solve solve)
 {
     add_solver(registry, scene, chapter, method, "unit=" + unit, scene->rows() <= 60, [=] {
         return [=, assembled = Assembler()](const OneStep& step, std::size_t, Solved& out) mutable {
