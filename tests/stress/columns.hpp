@@ -10,6 +10,7 @@ namespace rigid::stress {
 std::vector<Method> matrix_methods(int sweeps);    ///< chapters 3 to 5
 std::vector<Method> impulse_methods(int sweeps);   ///< chapters 6 to 8
 std::vector<Method> exact_methods(int sweeps);     ///< chapter 9
+std::vector<Method> skipping_methods(int sweeps);  ///< chapter 10
 
 /// The door. Steps don't look at a whole scene each time, whoever hands them one does: here, before every step, since
 /// a stress may change the scene in the middle of a run.

@@ -1,0 +1,67 @@
+#include "chapters/10_skipping_work/skipping_step.hpp"
+#include "tests/stress/columns.hpp"
+
+#include <optional>
+
+namespace rigid::stress {
+
+namespace {
+
+std::vector<Setting> skipping_settings(SkippingSettings& s)
+{
+    return {{"gravity x", &s.gravity.x(), false},
+            {"gravity y", &s.gravity.y(), false},
+            {"stiffness", &s.stiffness, false},
+            {"damping", &s.damping, false},
+            {"hand x", &s.hand.x(), false},
+            {"hand y", &s.hand.y(), false},
+            {"tolerance", &s.sweeps.tolerance, false},
+            {"beta", &s.stabilizer.beta, false},
+            {"slop", &s.stabilizer.slop, false},
+            {"bilateral_slop", &s.stabilizer.bilateral_slop, false},
+            {"fastest", &s.stabilizer.fastest, true},
+            {"rest speed", &s.rest.speed, false},
+            {"rest acceleration", &s.rest.acceleration, false},
+            {"rest time", &s.rest.time, false},
+            {"row_slack", &s.row_slack, false}};
+}
+
+/// Chapter 10's step. Its world is made of the scene that the first step is given; who changes the scene afterwards
+/// does so by a door, so here nobody does but by bad input, which is refused before the world sees it.
+Method skipping(const std::string& name, int sweeps)
+{
+    Method method;
+    method.chapter = 10;
+    method.name = name;
+    method.budget = std::to_string(sweeps) + " sweeps an island at most, up to eight rows exactly";
+    method.has_beta = true;
+    SkippingSettings names;
+    method.settings = names_of(skipping_settings(names));
+    method.start = [=](const std::shared_ptr<const Wish>& wish) {
+        const auto now = std::make_shared<std::optional<SkippingWorld>>();
+        return checked([=](DiscScene& scene, Real h) {
+            SkippingSettings settings;
+            settings.h = h;
+            settings.gravity = scene.gravity;
+            settings.sweeps.max_sweeps = sweeps;
+            settings.sweeps.tolerance = 1e-6;
+            settings.stabilizer.method = Stabilizer::baumgarte;
+            if (wish->beta >= 0) settings.stabilizer.beta = wish->beta;
+            spoil(*wish, skipping_settings(settings), settings);
+            if (!*now) {
+                require_valid(settings, scene.bodies.count());  // a world of a refused step would wait here
+                *now = make_world(scene, filter_of(scene));
+            }
+            skipping_step(**now, settings);
+            scene.bodies.x = (*now)->scene.bodies.x;
+            scene.bodies.u = (*now)->scene.bodies.u;
+        });
+    };
+    return method;
+}
+
+}  // namespace
+
+std::vector<Method> skipping_methods(int sweeps) { return {skipping("skipping", sweeps)}; }
+
+}  // namespace rigid::stress
