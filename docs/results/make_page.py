@@ -128,7 +128,7 @@ def losses(table, targets=(1e-2, 1e-4, 1e-6)):
 
     A scene has one line, for the error at which the book loses most. Less than 5 % is no loss: clocks do that.
     """
-    lines = ["| scene | errors | most at | best of the book | time | best elsewhere | time | the book takes |",
+    lines = ["| scene | errors | most at | best here | time | best elsewhere | time | ratio |",
              "|---|---:|---:|---|---:|---|---:|---:|"]
     compared = lost = 0
     for scene in table.scenes():
@@ -148,7 +148,7 @@ def losses(table, targets=(1e-2, 1e-4, 1e-6)):
             continue
         lost += len(here)
         factor, target, ours, theirs = max(here, key=lambda entry: entry[0])
-        lines.append(f"| `{scene}` | {', '.join(power(entry[1]) for entry in here)} | {power(target)} | "
+        lines.append(f"| {scene.replace('_', ' ')} | {', '.join(power(entry[1]) for entry in here)} | {power(target)} | "
                      f"{words(ours[2]) if ours else 'nothing'} | {amount(ours[0]) if ours else '–'} | {words(theirs[2])} | "
                      f"{amount(theirs[0])} | {'×' + amount(factor) if ours else 'never'} |")
     return lost, compared, lines
