@@ -124,23 +124,6 @@ inline DiscScene field(Index sleepers)
     return scene;
 }
 
-/// `count` pockets, a metre apart on a floor: between two fixed discs lie two, and a third one on them. Five bodies and
-/// seven rows each; the upper one comes last.
-inline DiscScene pockets(Index count)
-{
-    DiscScene scene = empty_scene(5 * count);
-    for (Index i = 0; i < count; ++i) {
-        const auto x = static_cast<Real>(i);
-        set_disc(scene, 5 * i, {x - 0.3, 0.1}, 0.1, true);
-        set_disc(scene, 5 * i + 1, {x + 0.3, 0.1}, 0.1, true);
-        set_disc(scene, 5 * i + 2, {x - 0.1, 0.1}, 0.1);
-        set_disc(scene, 5 * i + 3, {x + 0.1, 0.1}, 0.1);
-        set_disc(scene, 5 * i + 4, {x, 0.1 + std::sqrt(0.03)}, 0.1);
-    }
-    scene.walls = {{{0, 1}, 0}};
-    return scene;
-}
-
 /// `count` columns of `height` discs on a floor, a metre apart, and a ball far above to the left, fixed until it is let
 /// go. The ball is body 0.
 inline DiscScene columns_and_ball(Index count, Index height)
