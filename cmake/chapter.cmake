@@ -6,6 +6,7 @@ if(RIGID_BENCHMARKS)
     message(STATUS "Google Benchmark not found: the benchmarks are not built")
   endif()
 endif()
+include(cmake/peers.cmake)   # measure_beside(): programs to compare with, where they are installed
 
 function(add_chapter chapter)
   string(SUBSTRING ${chapter} 0 2 number)
@@ -20,7 +21,7 @@ function(add_chapter chapter)
   if(benchmark_FOUND AND EXISTS ${folder}/benchmark.cpp)
     add_executable(${chapter}_benchmark ${folder}/benchmark.cpp)
     target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
-    if(EXISTS ${folder}/peers.cmake)   # libraries to compare with, where they are installed
+    if(EXISTS ${folder}/peers.cmake)   # the programs that it measures beside the book
       include(${folder}/peers.cmake)
     endif()
   endif()

@@ -1,25 +1,2 @@
-# Siconos' and Bullet's Lemke (in doubles), where the libraries are installed.
-find_path(SICONOS_INCLUDE_DIR LinearComplementarityProblem.h PATH_SUFFIXES siconos/numerics)
-find_path(SICONOS_TOOLS_INCLUDE_DIR SiconosConfig.h PATH_SUFFIXES siconos siconos/externals)
-find_library(SICONOS_NUMERICS siconos_numerics)
-if(SICONOS_INCLUDE_DIR AND SICONOS_TOOLS_INCLUDE_DIR AND SICONOS_NUMERICS)
-  target_include_directories(05_lemke_benchmark SYSTEM PRIVATE ${SICONOS_INCLUDE_DIR} ${SICONOS_TOOLS_INCLUDE_DIR}
-                             ${SICONOS_INCLUDE_DIR}/../externals ${SICONOS_INCLUDE_DIR}/..)
-  target_link_libraries(05_lemke_benchmark PRIVATE ${SICONOS_NUMERICS})
-  target_compile_definitions(05_lemke_benchmark PRIVATE RIGID_HAS_SICONOS)
-else()
-  message(STATUS "Siconos (libsiconos-numerics-dev) not found: chapter 5's benchmark runs without it")
-endif()
-
-find_package(PkgConfig QUIET)
-if(PkgConfig_FOUND)
-  pkg_check_modules(BULLET64 QUIET IMPORTED_TARGET bullet-float64)
-endif()
-if(TARGET PkgConfig::BULLET64)
-  # Its own copy of the include folder as a SYSTEM one: its headers are not ours to warn about.
-  target_include_directories(05_lemke_benchmark SYSTEM PRIVATE ${BULLET64_INCLUDE_DIRS})
-  target_link_libraries(05_lemke_benchmark PRIVATE PkgConfig::BULLET64)
-  target_compile_definitions(05_lemke_benchmark PRIVATE RIGID_HAS_BULLET BT_USE_DOUBLE_PRECISION)
-else()
-  message(STATUS "Bullet (bullet-float64) not found: chapter 5's benchmark runs without it")
-endif()
+# Siconos' and Bullet's Lemke.
+measure_beside(05_lemke_benchmark siconos bullet)

@@ -1,20 +1,2 @@
-# Box2D 2.4 and Chipmunk 7, where the libraries are installed.
-find_path(BOX2D_INCLUDE_DIR box2d/box2d.h)
-find_library(BOX2D_LIBRARY box2d)
-if(BOX2D_INCLUDE_DIR AND BOX2D_LIBRARY)
-  target_include_directories(08_warm_starting_benchmark SYSTEM PRIVATE ${BOX2D_INCLUDE_DIR})
-  target_link_libraries(08_warm_starting_benchmark PRIVATE ${BOX2D_LIBRARY})
-  target_compile_definitions(08_warm_starting_benchmark PRIVATE RIGID_HAS_BOX2D)
-else()
-  message(STATUS "Box2D (libbox2d-dev) not found: chapter 8's benchmark runs without it")
-endif()
-
-find_path(CHIPMUNK_INCLUDE_DIR chipmunk/chipmunk.h)
-find_library(CHIPMUNK_LIBRARY chipmunk)
-if(CHIPMUNK_INCLUDE_DIR AND CHIPMUNK_LIBRARY)
-  target_include_directories(08_warm_starting_benchmark SYSTEM PRIVATE ${CHIPMUNK_INCLUDE_DIR})
-  target_link_libraries(08_warm_starting_benchmark PRIVATE ${CHIPMUNK_LIBRARY})
-  target_compile_definitions(08_warm_starting_benchmark PRIVATE RIGID_HAS_CHIPMUNK)
-else()
-  message(STATUS "Chipmunk (libchipmunk-dev) not found: chapter 8's benchmark runs without it")
-endif()
+# The whole step of two engines.
+measure_beside(08_warm_starting_benchmark box2d chipmunk)

@@ -1,20 +1,2 @@
-# Box2D 2.4 and Chipmunk 7, where the libraries are installed.
-find_path(BOX2D_INCLUDE_DIR box2d/box2d.h)
-find_library(BOX2D_LIBRARY box2d)
-if(BOX2D_INCLUDE_DIR AND BOX2D_LIBRARY)
-  target_include_directories(10_skipping_work_benchmark SYSTEM PRIVATE ${BOX2D_INCLUDE_DIR})
-  target_link_libraries(10_skipping_work_benchmark PRIVATE ${BOX2D_LIBRARY})
-  target_compile_definitions(10_skipping_work_benchmark PRIVATE RIGID_HAS_BOX2D)
-else()
-  message(STATUS "Box2D (libbox2d-dev) not found: chapter 10's benchmark runs without it")
-endif()
-
-find_path(CHIPMUNK_INCLUDE_DIR chipmunk/chipmunk.h)
-find_library(CHIPMUNK_LIBRARY chipmunk)
-if(CHIPMUNK_INCLUDE_DIR AND CHIPMUNK_LIBRARY)
-  target_include_directories(10_skipping_work_benchmark SYSTEM PRIVATE ${CHIPMUNK_INCLUDE_DIR})
-  target_link_libraries(10_skipping_work_benchmark PRIVATE ${CHIPMUNK_LIBRARY})
-  target_compile_definitions(10_skipping_work_benchmark PRIVATE RIGID_HAS_CHIPMUNK)
-else()
-  message(STATUS "Chipmunk (libchipmunk-dev) not found: chapter 10's benchmark runs without it")
-endif()
+# Two engines, with their own broad phases and their own sleep.
+measure_beside(10_skipping_work_benchmark box2d chipmunk)
