@@ -1,5 +1,7 @@
 #include "common/scenes.hpp"
 
+#include "common/text.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what, Real value, const std::string& wanted)
 {
-    throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
+    throw std::invalid_argument(what + " is " + shortest(value) + "; it must be " + wanted);
 }
 
 void require_body(const std::string& what, Index k, Index count)

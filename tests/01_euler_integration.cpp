@@ -729,7 +729,7 @@ TEST_CASE("Bad input is refused with a sentence that names it")
     const auto step = [&](const State<1>& s, Real h) { return symplectic_euler(s, h, spring); };
     const State<1> good = state(1, 0);
     CHECK_THROWS_WITH(march(good, 0, 10, step),
-                      Contains("the time step h is 0.000000 s; it must be positive and finite"));
+                      Contains("the time step h is 0 s; it must be positive and finite"));
     CHECK_THROWS_WITH(march(good, -0.1, 10, step), Contains("the time step h is -0.1"));
     CHECK_THROWS_WITH(march(good, nan, 10, step), Contains("the time step h is") && Contains("nan"));
     CHECK_THROWS_WITH(march(good, infinity, 10, step), Contains("the time step h is inf"));
@@ -741,18 +741,18 @@ TEST_CASE("Bad input is refused with a sentence that names it")
     CHECK_THROWS_WITH(march(good, 3, 2000, step), Contains("no longer finite after 2000 steps of 3.0"));
 
     CHECK_THROWS_WITH(start_adaptive(good, spring, {0, 1, 1}),
-                      Contains("the relative tolerance is 0.000000; it must be"));
+                      Contains("the relative tolerance is 0; it must be"));
     CHECK_THROWS_WITH(start_adaptive(good, spring, {1, -1, 1}),
-                      Contains("the position tolerance is -1.000000 m; it"));
+                      Contains("the position tolerance is -1 m; it"));
     CHECK_THROWS_WITH(start_adaptive(good, spring, {1, 1, nan}),
                       Contains("the velocity tolerance is") && Contains("nan"));
     CHECK_THROWS_WITH(start_adaptive(state(nan, 0), spring, {}), Contains("the position x[0] is"));
     Adaptive<1> run = start_adaptive(good, spring, {});
-    CHECK_THROWS_WITH(integrate(run, -1, spring, {}), Contains("the end time is -1.000000 s"));
+    CHECK_THROWS_WITH(integrate(run, -1, spring, {}), Contains("the end time is -1 s"));
     CHECK_THROWS_WITH(integrate(run, nan, spring, {}), Contains("the end time is"));
     CHECK_THROWS_WITH(integrate_to_event(run, infinity, spring, {}, [](const State<1>& s) { return s.x[0]; }),
                       Contains("the end time is inf"));
-    CHECK_THROWS_WITH(kepler_perihelion({}, 1), Contains("the eccentricity is 1.000000"));
+    CHECK_THROWS_WITH(kepler_perihelion({}, 1), Contains("the eccentricity is 1"));
     CHECK_THROWS_AS(march(good, 0, 10, step), std::invalid_argument);
     CHECK_THROWS_AS(start_adaptive(good, spring, {0, 1, 1}), std::invalid_argument);
     CHECK_THROWS_AS(march(good, 3, 2000, step), std::runtime_error);

@@ -927,7 +927,7 @@ TEST_CASE("bad input of PGS is refused by a sentence")
     SECTION("relaxation")
     {
         settings.omega = 2;
-        CHECK(said() == "the relaxation omega is 2.000000; it must lie between 0 and 2");
+        CHECK(said() == "the relaxation omega is 2; it must lie between 0 and 2");
         settings.omega = std::nan("");
         CHECK(said() == "the relaxation omega is nan; it must lie between 0 and 2");
     }

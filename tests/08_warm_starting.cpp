@@ -1129,7 +1129,7 @@ TEST_CASE("settings that make no sense are refused")
         WarmStep now;
         return sentence_of([&] { warm_step(scene, settings, now); });
     };
-    CHECK(sentence([](auto& s) { s.share = 1.5; }) == "share is 1.500000; it must be from 0 to 1");
+    CHECK(sentence([](auto& s) { s.share = 1.5; }) == "share is 1.5; it must be from 0 to 1");
     CHECK(sentence([](auto& s) { s.share = std::nan(""); }) == "share is nan; it must be from 0 to 1");
     CHECK(sentence([](auto& s) { s.keep = -1; }) == "keep is -1; it must be zero or positive");
     CHECK(sentence([](auto& s) { s.substeps = 0; }) == "substeps is 0; it must be 1 or more");

@@ -1752,11 +1752,7 @@ TEST_CASE("bad input is refused by a sentence")
     settings = early_out();
     settings.stiffness = std::nan("");
     says([&] { skipping_step(now, settings); }, "the stiffness is nan");
-    says(
-        [&] {
-            change_disc(now, 0, {0, std::nan("")}, {0, 0}, 1);
-        },
-        "disc 0 is to get the place 0.000000, nan");
+    says([&] { change_disc(now, 0, {0, std::nan("")}, {0, 0}, 1); }, "disc 0 is to get the place 0, nan");
     says([&] { change_disc(now, 0, {0, 0}, {infinity, 0}, 1); }, "the velocity inf");
     says([&] { change_disc(now, 0, {0, 0}, {0, 0}, -1); }, "the inverse mass -1.0");
     says([&] { take_away(now, 9); }, "no disc 9 among 4");

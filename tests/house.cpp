@@ -3,6 +3,7 @@
 #include "tests/catch.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -93,7 +94,50 @@ std::vector<std::string> broken_rules(const Source& source)
     return broken;
 }
 
+/// The names under which std::to_string(float, double, long double) stands in an object file of libstdc++ and of
+/// libc++. std::to_string prints six digits behind the point: a step of 1e-9 s becomes "0.000000".
+bool prints_a_real_by_to_string(const std::string& object)
+{
+    // In halves: this file is among those that are looked through.
+    const std::string gnu = "__to_", clang = "9to_string";
+    for (const std::string& name : {gnu + "xstring", clang + "Ef", clang + "Ed", clang + "Ee"})
+        if (object.find(name) != std::string::npos) return true;
+    return false;
+}
+
 }  // namespace
+
+TEST_CASE("no source prints a Real by std::to_string")
+{
+    // Whether `n` in std::to_string(n) is a Real is seen by the compiler alone: so what it made is looked through.
+    std::istringstream list(read(RIGID_OBJECTS));
+    int looked_through = 0;
+    for (std::string path; std::getline(list, path);) {
+        if (!fs::exists(path)) continue;  // not built
+        ++looked_through;
+        if (prints_a_real_by_to_string(read(path)))
+            FAIL_CHECK(path + " prints a Real by std::to_string; shortest() of common/text.hpp is the way");
+    }
+    CHECK(looked_through >= 3);  // this one, and what it stands on
+}
+
+TEST_CASE("an object file that prints a Real by std::to_string is noticed")
+{
+    const fs::path folder = fs::temp_directory_path() / "rigid_to_string";
+    fs::create_directories(folder);
+    const auto compiled = [&](const std::string& name, const std::string& type) {
+        const fs::path source = folder / (name + ".cpp"), object = folder / (name + ".o");
+        std::ofstream(source) << "#include <string>\nstd::string f(" << type
+                              << " x) { return std::to_string(x); }\n";
+        const std::string command =
+            RIGID_COMPILER " -O2 -c \"" + source.string() + "\" -o \"" + object.string() + "\"";
+        REQUIRE(std::system(command.c_str()) == 0);
+        return read(object);
+    };
+    CHECK(prints_a_real_by_to_string(compiled("real", "double")));
+    CHECK_FALSE(prints_a_real_by_to_string(compiled("whole", "long")));
+    fs::remove_all(folder);
+}
 
 TEST_CASE("no source breaks a rule of the house")
 {

@@ -12,6 +12,7 @@
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 #include "common/contact.hpp"
 #include "common/forces.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
 
@@ -35,7 +36,7 @@ inline void require_valid(const ImpulseStepSettings& settings)
 {
     require_step(settings.h);
     const auto refuse = [](const std::string& what, Real value, const std::string& wanted) {
-        throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
+        throw std::invalid_argument(what + " is " + shortest(value) + "; it must be " + wanted);
     };
     require_forces(settings.gravity, settings.stiffness, settings.damping, settings.hand);
     require_margin(settings.margin);

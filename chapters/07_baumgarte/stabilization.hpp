@@ -12,6 +12,7 @@
 #pragma once
 
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
+#include "common/text.hpp"
 
 #include <span>
 #include <stdexcept>
@@ -56,7 +57,7 @@ inline void require_valid(const StabilizerSettings& settings)
 {
     const auto at_least_zero = [](Real value, const char* name, bool finite) {
         if (!(value >= 0) || (finite && !std::isfinite(value)))
-            throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+            throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
                                         "; it must be zero or positive" + (finite ? " and finite" : ""));
     };
     at_least_zero(settings.beta, "beta", true);

@@ -10,6 +10,7 @@
 #include "chapters/06_sequential_impulse/impulse_step.hpp"
 #include "chapters/07_baumgarte/projection.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
 
@@ -68,8 +69,7 @@ inline void find_step_contacts(const DiscScene& scene, const StabilizedStepSetti
         throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +
                                     "; it must be 1 or more");
     if (!(settings.carry >= 0 && settings.carry <= 1))
-        throw std::invalid_argument("carry is " + std::to_string(settings.carry) +
-                                    "; it must be from 0 to 1");
+        throw std::invalid_argument("carry is " + shortest(settings.carry) + "; it must be from 0 to 1");
     find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
     now.x_found = scene.bodies.x;
     now.ordered = false;

@@ -11,6 +11,7 @@
 #include "chapters/07_baumgarte/stabilized_step.hpp"
 #include "chapters/08_warm_starting/best_multiple.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
+#include "common/text.hpp"
 
 #include <string_view>
 
@@ -57,11 +58,9 @@ struct WarmStep : StabilizedStep {
 inline void require_valid(const WarmStepSettings& settings)
 {
     if (!(settings.share >= 0 && settings.share <= 1))
-        throw std::invalid_argument("share is " + std::to_string(settings.share) +
-                                    "; it must be from 0 to 1");
+        throw std::invalid_argument("share is " + shortest(settings.share) + "; it must be from 0 to 1");
     if (settings.keep < 0)
-        throw std::invalid_argument("keep is " + std::to_string(settings.keep) +
-                                    "; it must be zero or positive");
+        throw std::invalid_argument("keep is " + shortest(settings.keep) + "; it must be zero or positive");
 }
 
 /// Who the rows of a scene of discs are, in their order: links, contacts, machines.

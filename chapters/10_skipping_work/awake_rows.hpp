@@ -5,6 +5,7 @@
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/10_skipping_work/skipping_world.hpp"
 #include "common/forces.hpp"
+#include "common/text.hpp"
 
 #include <array>
 #include <tuple>
@@ -17,8 +18,7 @@ inline void require_valid(const SkippingSettings& settings, Index discs)
     const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
     const auto at_least_zero = [&](const char* name, Real value) {
         if (!(value >= 0) || !std::isfinite(value))
-            refuse(std::string(name) + " is " + std::to_string(value) +
-                   "; it must be zero or positive and finite");
+            refuse(std::string(name) + " is " + shortest(value) + "; it must be zero or positive and finite");
     };
     require_step(settings.h);
     require_valid(settings.stabilizer);

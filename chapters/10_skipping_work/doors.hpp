@@ -5,6 +5,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/skipping_world.hpp"
+#include "common/text.hpp"
 
 #include <string>
 #include <utility>
@@ -53,13 +54,12 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
     };
     const auto check = [&](const std::string& name, const Vec2& v) {
         if (!v.allFinite())
-            refuse(name + ' ' + std::to_string(v.x()) + ", " + std::to_string(v.y()) + "; it must be finite");
+            refuse(name + ' ' + shortest(v.x()) + ", " + shortest(v.y()) + "; it must be finite");
     };
     check("place", x);
     check("velocity", u);
     if (!(inverse_mass >= 0) || !std::isfinite(inverse_mass))
-        refuse("inverse mass " + std::to_string(inverse_mass) +
-               " 1/kg; it must be zero or positive and finite");
+        refuse("inverse mass " + shortest(inverse_mass) + " 1/kg; it must be zero or positive and finite");
     wake_around(now, k);
     now.scene.bodies.position(k) = x;
     now.scene.bodies.velocity(k) = u;

@@ -13,6 +13,7 @@
 #include "chapters/10_skipping_work/kept_contacts.hpp"
 #include "chapters/10_skipping_work/sleeping.hpp"
 #include "common/scenes.hpp"
+#include "common/text.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -96,9 +97,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
     if (!(margin >= 0) || !std::isfinite(margin))
-        refuse("the margin is " + std::to_string(margin) + " m; it must be zero or positive and finite");
+        refuse("the margin is " + shortest(margin) + " m; it must be zero or positive and finite");
     if (!(skin >= 0) || !std::isfinite(skin))
-        refuse("the skin is " + std::to_string(skin) + " m; it must be zero or positive and finite");
+        refuse("the skin is " + shortest(skin) + " m; it must be zero or positive and finite");
     if (!filter.group.empty() && filter.group.size() != K)
         refuse("there are " + std::to_string(filter.group.size()) + " groups for " + std::to_string(K) +
                " discs");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "common/text.hpp"
 #include "tests/stress/method.hpp"
 
 namespace rigid::stress {
@@ -31,8 +32,7 @@ inline void require_honest(const Mlcp& mlcp, const Solution& solution)
     // 1e-6 of the numbers in the problem: a thousand times what the solvers themselves ask for.
     const Real residual = natural_residual(mlcp, solution.lambda);
     if (!(residual <= 1e-6 * std::max(Real{1}, size_of_numbers(mlcp, solution.lambda))))
-        throw SilentError("an answer with the residual " + std::to_string(residual) +
-                          " m/s is called solved");
+        throw SilentError("an answer with the residual " + shortest(residual) + " m/s is called solved");
 }
 
 /// The same for rows that were swept without a matrix. Looks at one step of sixteen: the matrix costs more than
