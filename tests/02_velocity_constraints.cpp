@@ -946,7 +946,7 @@ TEST_CASE("rows that make no sense are refused with a sentence")
     u[3] = std::nan("");
     CHECK(contains(message(good, u), "u[3] is nan"));
 
-    CHECK(contains(refusal([&] { circle_constraint(bodies.x, 0, 0); }), "radius of the wire is 0.0"));
+    CHECK(contains(refusal([&] { circle_constraint(bodies.x, 0, 0); }), "radius of the wire is 0 m"));
     CHECK(contains(refusal([&] {
                        ellipse_constraint(bodies.x, 0, {1, -2});
                    }),
