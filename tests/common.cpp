@@ -147,8 +147,8 @@ TEST_CASE("torsional springs and dampers balance linear and angular momentum in 
     Random random(1);
     for (int sample = 0; sample < 1000; ++sample) {
         Bodies<2> bodies = random_triple(random);
-        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, random.uniform(0, 5),
-                         random.uniform(0, 20));
+        const Real damping = random.uniform(0, 20), stiffness = random.uniform(0, 5);
+        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, stiffness, damping);
         const Vec2 sum = bodies.force(0) + bodies.force(1) + bodies.force(2);
         const Real size = bodies.f.lpNorm<1>();
         // Rounding of sums of forces of this size; lever arms are at most 1.5 m.
@@ -248,6 +248,23 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
     {
         CHECK_THROWS_WITH(require_step(0), "the time step h is 0 s; it must be positive and finite");
     }
+}
+
+TEST_CASE("a scene of no discs or of less than none is refused by a sentence")
+{
+    CHECK_THROWS_WITH(column(0), "the number of discs in a column is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(column(-2), "the number of discs in a column is -2; it must be 1 or more");
+    CHECK_THROWS_WITH(column_between_walls(0), "the number of discs in a column is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(triangle(0),
+                      "the number of discs at the base of a triangle is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(hanging_chain(-1), "the number of links in a chain is -1; it must be 1 or more");
+    CHECK_THROWS_WITH(swinging_chain(0), "the number of links in a chain is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(column(3, 0), "the mass of disc 2 is 0; it must be positive");
+    CHECK_THROWS_WITH(hanging_chain(3, std::nan("")), "the mass of disc 3 is nan; it must be positive");
+    CHECK_THROWS_WITH(column_between_walls(2, 1, infinity),
+                      "the clearance beside a column is inf; it must be a finite number of metres");
+    CHECK(column_between_walls(1).bodies.count() == 1);
+    CHECK(hanging_chain(1).bodies.count() == 2);
 }
 
 TEST_CASE("a message has the number itself and not its first six digits")

@@ -29,6 +29,7 @@ inline DiscScene groove(Real angle)
 /// \param angle   by so much [rad]
 inline DiscScene cradle(Index count, Index lifted, Real angle)
 {
+    require_count("balls of a cradle", count);
     constexpr Real radius = 0.1, length = 1;
     DiscScene scene;
     scene.bodies = Bodies<2>(2 * count);

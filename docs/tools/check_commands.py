@@ -14,7 +14,6 @@ import re
 import shlex
 import shutil
 import subprocess
-import sys
 import tempfile
 
 from booktext import ROOT, TextError, book_folder, run_tool

@@ -496,6 +496,33 @@ class Commands(Folder):
         self.assertNotIn("Traceback", err)
 
 
+    def test_limits_that_a_program_prints_and_refuses(self):
+        self.write("bin/01_euler", """#!/bin/sh
+case "$*" in
+*--help) cat <<'END'
+  fall: A bead that falls.
+    --h 0.01 s, between 0.001 and 0.01666666667 s
+    --set g=8 m/s²                Gravity; between 0 and 16 m/s²
+    --set beads=1                 How many; whole number between 1 and 20; restarts the scene
+END
+;;
+*0.01666666667*) echo "the time step --h is too long" >&2; exit 2 ;;
+*beads=20*) echo "the tunable beads is 20" >&2; exit 2 ;;
+*g=16*) echo "g does not go with beads" >&2; exit 2 ;;
+*beads=1) exit 139 ;;
+esac
+""")
+        tools = pathlib.Path(__file__).resolve().parent
+        done = subprocess.run([sys.executable, "-B", str(tools / "check_limits.py"), str(self.root / "bin"), "01_euler"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertEqual(done.stdout.splitlines(), [
+            "01_euler --scene fall --h 0.01666666667: exit code 2: the time step --h is too long",
+            "01_euler --scene fall --set beads=1: exit code 139: ",
+            "01_euler --scene fall --set beads=20: exit code 2: the tunable beads is 20",
+            "6 limits tried, 3 of them refused"])
+
+
 class OddCalls(Folder):
     """Each tool ends with a sentence and not with a traceback, and what is not there does not pass."""
 
@@ -521,7 +548,7 @@ class OddCalls(Folder):
         self.refused("check_commands.py", ".", "--root", "nowhere")
 
     def test_arguments_that_are_missing_or_too_many(self):
-        for tool in ("check_html.py", "finish_html.py", "doxygen_filter.py", "check_commands.py"):
+        for tool in ("check_html.py", "finish_html.py", "doxygen_filter.py", "check_commands.py", "check_limits.py"):
             self.refused(tool)
             self.refused(tool, "a", "b", "c")
         for tool in ("check_text.py", "sync_snippets.py"):
@@ -534,6 +561,7 @@ class OddCalls(Folder):
         for call in (("check_html.py", "nowhere"), ("check_html.py", "README.md"), ("finish_html.py", "nowhere", "tags"),
                      ("finish_html.py", "site", "nowhere"), ("finish_html.py", "site", "tags"),
                      ("doxygen_filter.py", "nowhere"), ("doxygen_filter.py", "site"), ("doxygen_filter.py", "README.md"),
+                     ("check_limits.py", "nowhere"), ("check_limits.py", ".", "README"),
                      ("check_commands.py", "nowhere"), ("check_commands.py", "README.md")):
             self.refused(*call)
 
