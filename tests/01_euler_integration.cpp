@@ -273,7 +273,10 @@ TEST_CASE("The polynomial between two steps meets position and velocity and acce
 {
     Random random(7);
     for (int i = 0; i < 100; ++i) {
-        const auto any = [&] { return Vec2(random.normal(), random.normal()); };
+        const auto any = [&] {
+            const Real y = random.normal(), x = random.normal();
+            return Vec2(x, y);
+        };
         const Hermite<2> p{{any(), any()}, {any(), any()}, any(), any(), random.uniform(0.1, 2)};
         CHECK((p.at(0).x - p.s0.x).norm() + (p.at(0).u - p.s0.u).norm() == 0);
         CHECK((p.at(1).x - p.s1.x).norm() < 1e-12);  // sums of six terms below 1000
@@ -694,15 +697,17 @@ TEST_CASE("Random motions stay finite and bounded")
     const Pendulum pendulum;
     const Tolerance tolerance;
     for (int i = 0; i < 100; ++i) {
-        const State<1> s = state(random.uniform(-pi, pi), random.uniform(-10, 10));
+        const Real u = random.uniform(-10, 10), x = random.uniform(-pi, pi);
+        const State<1> s = state(x, u);
         for (Method method : {Method::symplectic_euler, Method::verlet, Method::yoshida4, Method::rk4}) {
             const State<1> end = go(method, s, 0.01, 1000, pendulum);
             // The energy of the worst of them, symplectic Euler, is off by h/2 times |u a| < 0.5 J/kg.
             REQUIRE(std::abs(pendulum.energy(end) - pendulum.energy(s)) < 1.5);
         }
         const Projectile projectile{random.uniform(0, 1)};
-        const State<2> thrown{Vec2(0, random.uniform(0.1, 10)),
-                              Vec2(random.normal() * 20, random.normal() * 20)};
+        const Real height_at_first = random.uniform(0.1, 10), uy = 20 * random.normal(),
+                   ux = 20 * random.normal();
+        const State<2> thrown{Vec2(0, height_at_first), Vec2(ux, uy)};
         Adaptive<2> run = start_adaptive(thrown, projectile, tolerance);
         REQUIRE(integrate_to_event(run, 1000, projectile, tolerance, height) == Outcome::event);
         REQUIRE(run.s.x.allFinite());

@@ -91,7 +91,8 @@ TEST_CASE("a pivot undoes itself")
 {
     Random random(2);
     const Index n = 7;
-    const Tableau start(random_matrix(Kind::spd, n, random), gaussian(n, 1, random), VecX::Ones(n));
+    const VecX q = gaussian(n, 1, random);
+    const Tableau start(random_matrix(Kind::spd, n, random), q, VecX::Ones(n));
     Tableau tableau = start;
     for (Index p = 0; p < n; ++p)
         for (Index c = 0; c <= n; ++c) {

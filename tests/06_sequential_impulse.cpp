@@ -66,9 +66,11 @@ struct RandomRows {
             case 0:
                 rows.push_back(unilateral(c, inverse_mass, b));
                 break;
-            case 1:
-                rows.push_back(make_row(c, inverse_mass, b, -random.uniform(), random.uniform()));
+            case 1: {
+                const Real hi = random.uniform(), lo = -random.uniform();
+                rows.push_back(make_row(c, inverse_mass, b, lo, hi));
                 break;
+            }
             default:
                 rows.push_back(bilateral(c, inverse_mass, b));
             }
@@ -843,7 +845,8 @@ TEST_CASE("a block of two rows has the answer of the enumeration")
         const Mat2 A = B * B.transpose() + 0.01 * Mat2::Identity();
         Mlcp mlcp;
         mlcp.A = MatX(A).sparseView();
-        mlcp.q = VecX(Vec2(random.normal(), random.normal()));
+        mlcp.q.resize(2);
+        for (const Index i : {1, 0}) mlcp.q[i] = random.normal();
         mlcp.lo.resize(2);
         mlcp.hi.resize(2);
         for (Index i = 0; i < 2; ++i) {
@@ -1036,8 +1039,10 @@ DiscScene random_heap(Random& random)
     scene.bodies = Bodies<2>(K);
     scene.radius.resize(K);
     for (Index k = 0; k < K; ++k) {
-        scene.bodies.position(k) = Vec2(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
-        scene.bodies.velocity(k) = Vec2(random.normal(), random.normal());
+        const Real y = random.uniform(-0.4, 0.4), x = random.uniform(-0.4, 0.4);
+        const Real uy = random.normal(), ux = random.normal();
+        scene.bodies.position(k) = Vec2(x, y);
+        scene.bodies.velocity(k) = Vec2(ux, uy);
         scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(random.uniform(0.2, 5));
         scene.radius[k] = random.uniform(0.05, 0.15);
     }

@@ -752,8 +752,10 @@ static DiscScene random_scene(Random& random)
     scene.bodies = Bodies<2>(K);
     scene.radius.resize(K);
     for (Index k = 0; k < K; ++k) {
-        scene.bodies.position(k) = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
-        scene.bodies.velocity(k) = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        const Real y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+        const Real uy = random.uniform(-1, 1), ux = random.uniform(-1, 1);
+        scene.bodies.position(k) = Vec2(x, y);
+        scene.bodies.velocity(k) = Vec2(ux, uy);
         scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.3, 3));
         scene.radius[k] = random.uniform(0.1, 0.3);
     }

@@ -943,8 +943,10 @@ DiscScene random_heap(Random& random, Index count = 12)
     for (Index k = 0; k < count; ++k) {
         scene.radius[k] = random.uniform(0.05, 0.15);
         scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(std::exp(random.uniform(-2, 2)));
-        scene.bodies.position(k) = Vec2(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8));
-        scene.bodies.velocity(k) = Vec2(random.normal(), random.normal());
+        const Real y = random.uniform(-0.8, 0.8), x = random.uniform(-0.8, 0.8);
+        const Real uy = random.normal(), ux = random.normal();
+        scene.bodies.position(k) = Vec2(x, y);
+        scene.bodies.velocity(k) = Vec2(ux, uy);
     }
     for (Index k = 0; k + 2 < count; k += 4)
         scene.links.push_back({k, k + 1, (scene.bodies.position(k + 1) - scene.bodies.position(k)).norm()});
@@ -955,8 +957,10 @@ DiscScene random_heap(Random& random, Index count = 12)
 
 WarmStepSettings any_settings(Random& random)
 {
-    WarmStepSettings settings = settings_for(all_starts[random.index(3)], all_stabilizers[random.index(5)],
-                                             1 + static_cast<int>(random.index(15)));
+    const int sweeps = 1 + static_cast<int>(random.index(15));
+    const auto stabilizer = all_stabilizers[random.index(5)];
+    const auto start = all_starts[random.index(3)];
+    WarmStepSettings settings = settings_for(start, stabilizer, sweeps);
     settings.sweeps.tolerance = 0;  // whether a tolerance is met must not hang on rounding here
     settings.stabilizer.fastest = 3;
     settings.stabilizer.slop = 1e-3;

@@ -68,7 +68,8 @@ void wander(DiscScene& scene, Random& random, Real far)
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (scene.bodies.inverse_mass[2 * k] == 0) continue;
         const Real reach = random.uniform() < 0.02 ? 50 * far : far;
-        scene.bodies.position(k) += reach * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        const Real y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+        scene.bodies.position(k) += reach * Vec2(x, y);
     }
 }
 
@@ -242,7 +243,8 @@ TEST_CASE("a pair at the very edge of the margin is found as all pairs find it")
                    margin = random.uniform(0, 0.1);
         const Real distance = (ra + rb + margin) * (1 + 1e-16 * random.uniform(-8, 8));
         const Real angle = random.uniform(0, 2 * pi);
-        const Vec2 from = std::pow(10, random.uniform(-3, 6)) * Vec2(random.normal(), random.normal());
+        const Real y = random.normal(), x = random.normal();
+        const Vec2 from = std::pow(10, random.uniform(-3, 6)) * Vec2(x, y);
         set_disc(scene, 0, from, ra);
         set_disc(scene, 1, from + distance * Vec2(std::cos(angle), std::sin(angle)), rb);
         Finder finder(scene, margin, trial % 2 == 0 ? 0 : 0.01);
@@ -636,8 +638,8 @@ TEST_CASE("one row and two rows have in closed form the answer of chapter 9")
             c.b = i + 1;
             c.Jb = RowVec<2>(std::cos(angle), std::sin(angle));
             if (c.a != world) c.Ja = -c.Jb;
-            rows.push_back(make_row(c, inverse_mass, random.normal(), trial % 8 < 4 ? 0.0 : -infinity,
-                                    trial % 16 < 8 ? infinity : random.uniform(0.1, 2)));
+            const Real hi = trial % 16 < 8 ? infinity : random.uniform(0.1, 2), b = random.normal();
+            rows.push_back(make_row(c, inverse_mass, b, trial % 8 < 4 ? 0.0 : -infinity, hi));
         }
         const Solution wanted = active_sets(assemble(rows, u));
         REQUIRE(wanted.status == Status::solved);
@@ -951,7 +953,8 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
     int slept = 0, woken = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random(seed);
-        const DiscScene scene = scattered(60, random.uniform(0.1, 0.6), random.uniform(1, 4), seed);
+        const Real ratio = random.uniform(1, 4), share = random.uniform(0.1, 0.6);
+        const DiscScene scene = scattered(60, share, ratio, seed);
         SkippingSettings settings = early_out();
         settings.gravity = {0, 0};
         settings.sweeps.max_sweeps = 30;
@@ -960,7 +963,8 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
         for (int step = 0; step < 300; ++step) {
             for (Index n = random.uniform() < 0.3 ? 1 + random.index(3) : 0; n > 0; --n) {
                 const Index k = random.index(60);
-                const Vec2 u = 2 * Vec2(random.normal(), random.normal());
+                const Real uy = random.normal(), ux = random.normal();
+                const Vec2 u = 2 * Vec2(ux, uy);
                 const Real inverse_mass = k < 4 && n > 1 ? 0 : scene.bodies.inverse_mass[2 * k];
                 change_disc(now, k, now.scene.bodies.position(k), n > 2 ? Vec2(0, 0) : u, inverse_mass);
             }
@@ -1398,8 +1402,10 @@ TEST_CASE("a kept contact is at most slack squared over twice the distance too n
             REQUIRE(off <= slack * slack / (2 * (distance - 2 * slack)));
             REQUIRE(std::abs(cross2(kept.normal, found.normal)) <= slack / (distance - slack));
         }
-        for (Index k = 0; k < 200; ++k)
-            scene.bodies.position(k) += 0.0005 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        for (Index k = 0; k < 200; ++k) {
+            const Real y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+            scene.bodies.position(k) += 0.0005 * Vec2(x, y);
+        }
     }
     CHECK(reused > 5000);
     CHECK(largest > 1e-6);  // the bound is put to the test
@@ -1654,7 +1660,8 @@ TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed);
-        DiscScene scene = scattered(80, random.uniform(0.2, 2), std::pow(10, random.uniform(0, 2)), seed);
+        const Real ratio = std::pow(10, random.uniform(0, 2)), share = random.uniform(0.2, 2);
+        DiscScene scene = scattered(80, share, ratio, seed);
         if (seed % 4 == 0) scene.bodies.position(3) = scene.bodies.position(4);
         scene.walls = {{{0, 1}, -scene.half_size.y()}};
         for (int i = 0; i < 10; ++i) {
@@ -1664,15 +1671,18 @@ TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
         }
         SkippingSettings settings = early_out(random.uniform(1e-3, 0.05));
         settings.sweeps.max_sweeps = 10;
-        SkippingWorld now = world_of(scene, random.uniform(0, 0.05), random.uniform(0, 0.05));
+        const Real skin = random.uniform(0, 0.05), margin = random.uniform(0, 0.05);
+        SkippingWorld now = world_of(scene, margin, skin);
         for (int step = 0; step < 200; ++step) {
             skipping_step(now, settings);
             const Index k = random.index(80);
             if (now.set.activity[static_cast<std::size_t>(k)] == Activity::gone) continue;
             if (step % 20 == 7) take_away(now, k);
-            if (step % 20 == 13)
-                change_disc(now, k, Vec2(random.normal(), random.normal()), {0, 0},
-                            random.uniform() < 0.3 ? 0 : 1);
+            if (step % 20 == 13) {
+                const Real inverse_mass = random.uniform() < 0.3 ? 0 : 1;
+                const Real y = random.normal(), x = random.normal();
+                change_disc(now, k, Vec2(x, y), {0, 0}, inverse_mass);
+            }
         }
         CHECK(now.scene.bodies.x.allFinite());
         CHECK(now.scene.bodies.u.allFinite());
