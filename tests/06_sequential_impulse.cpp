@@ -1250,6 +1250,8 @@ TEST_CASE("bad settings of a step are refused by a sentence and the scene stands
     };
     for (const Real h : {0.0, -1.0, std::nan("")})
         CHECK(said([h](auto& s) { s.h = h; }).find("the time step h is") == 0);
+    CHECK(sentence_of([] { cradle(0, 0, 0); }) ==
+          "the number of balls of a cradle is 0; it must be 1 or more");
     CHECK(said([](auto& s) { s.restitution = 1.5; }) == "the restitution is 1.5; it must be from 0 to 1");
     CHECK(said([](auto& s) { s.restitution = std::nan(""); }) != "accepted");
     CHECK(said([](auto& s) { s.threshold = -1; }) ==

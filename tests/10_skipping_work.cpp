@@ -1711,8 +1711,11 @@ TEST_CASE("bad input is refused by a sentence")
         FAIL_CHECK("not refused: " << words);
     };
     const DiscScene scene = columns(2, 2);
-    says([&] { make_world(scene, {}, -1); }, "the margin is -1.0");
+    says([&] { make_world(scene, {}, -1); }, "the margin is -1 m");
     says([&] { make_world(scene, {}, 0.02, std::nan("")); }, "the skin is nan");
+    says([] { scattered(-1, 0.5, 2, 1); }, "the number of discs is -1");
+    says([] { net(0); }, "the number of discs along a side of a net is 0");
+    says([] { field(-1); }, "the number of sleepers in a field is -1");
     says([&] { forbid_pairs(4, {{0, 4}}); }, "bodies 0 and 4");
     says([&] { forbid_pairs(4, {{2, 2}}); }, "bodies 2 and 2");
     CollisionFilter filter;
@@ -1737,7 +1740,7 @@ TEST_CASE("bad input is refused by a sentence")
     says([&] { skipping_step(now, settings); }, "the speed of rest");
     settings = early_out();
     settings.row_slack = -1;
-    says([&] { skipping_step(now, settings); }, "row_slack is -1.0");
+    says([&] { skipping_step(now, settings); }, "row_slack is -1;");
     settings = early_out();
     settings.rest.time = infinity;
     says([&] { skipping_step(now, settings); }, "the time of rest");
@@ -1764,7 +1767,7 @@ TEST_CASE("bad input is refused by a sentence")
     says([&] { skipping_step(now, settings); }, "the stiffness is nan");
     says([&] { change_disc(now, 0, {0, std::nan("")}, {0, 0}, 1); }, "disc 0 is to get the place 0, nan");
     says([&] { change_disc(now, 0, {0, 0}, {infinity, 0}, 1); }, "the velocity inf");
-    says([&] { change_disc(now, 0, {0, 0}, {0, 0}, -1); }, "the inverse mass -1.0");
+    says([&] { change_disc(now, 0, {0, 0}, {0, 0}, -1); }, "the inverse mass -1 1/kg");
     says([&] { take_away(now, 9); }, "no disc 9 among 4");
     says([&] { change_walls(now, {{{0, 2}, 0}}); }, "wall 0");
     says([&] { filter.set_meets(1, 64, false); }, "groups 1 and 64");

@@ -21,9 +21,12 @@ inline void set_disc(DiscScene& scene, Index k, const Vec2& x, Real radius, bool
     scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(fixed ? 0 : 1 / (100 * pi * radius * radius));
 }
 
+/// So many discs, still to be placed; none is a scene as well.
 inline DiscScene empty_scene(Index count)
 {
-    require_count("discs", count);
+    if (count < 0)
+        throw std::invalid_argument("the number of discs is " + std::to_string(count) +
+                                    "; it must be 0 or more");
     DiscScene scene;
     scene.bodies = Bodies<2>(count);
     scene.radius = VecX::Ones(count);
