@@ -6,6 +6,7 @@
 #pragma once
 
 #include "common/math.hpp"
+#include "common/text.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -44,7 +45,7 @@ inline void require_finite(const VecX& v, const std::string& name)
 {
     for (Index i = 0; i < v.size(); ++i)
         if (!std::isfinite(v[i]))
-            throw std::invalid_argument(name + "[" + std::to_string(i) + "] is " + std::to_string(v[i]) +
+            throw std::invalid_argument(name + "[" + std::to_string(i) + "] is " + shortest(v[i]) +
                                         "; it must be a finite number");
 }
 
@@ -52,7 +53,7 @@ inline void require_finite(const VecX& v, const std::string& name)
 inline void require_step(Real h)
 {
     if (!(h > 0) || !std::isfinite(h))
-        throw std::invalid_argument("the time step h is " + std::to_string(h) +
+        throw std::invalid_argument("the time step h is " + shortest(h) +
                                     " s; it must be positive and finite");
 }
 
@@ -78,7 +79,7 @@ void require_valid(const Bodies<Dof>& bodies)
     for (Index i = 0; i < n; ++i)
         if (bodies.inverse_mass[i] < 0)
             throw std::invalid_argument("inverse_mass[" + std::to_string(i) + "] is " +
-                                        std::to_string(bodies.inverse_mass[i]) +
+                                        shortest(bodies.inverse_mass[i]) +
                                         " 1/kg; it must be zero (cannot move) or positive");
 }
 

@@ -5,6 +5,7 @@
 
 #include "common/bodies.hpp"
 #include "common/shapes.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,7 @@ inline void require_forces(const Vec2& gravity, Real stiffness, Real damping, co
 {
     const auto require_number = [](const char* name, Real value) {
         if (!std::isfinite(value))
-            throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                        "; it must be finite");
+            throw std::invalid_argument(std::string(name) + " is " + shortest(value) + "; it must be finite");
     };
     if (!gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
     require_number("the stiffness of the bends", stiffness);
@@ -34,7 +34,7 @@ inline void require_forces(const Vec2& gravity, Real stiffness, Real damping, co
 inline void require_margin(Real margin)
 {
     if (!(margin >= 0))
-        throw std::invalid_argument("the margin of contacts is " + std::to_string(margin) +
+        throw std::invalid_argument("the margin of contacts is " + shortest(margin) +
                                     "; it must be zero or positive");
 }
 

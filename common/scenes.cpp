@@ -1,5 +1,7 @@
 #include "common/scenes.hpp"
 
+#include "common/text.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what, Real value, const std::string& wanted)
 {
-    throw std::invalid_argument(what + " is " + std::to_string(value) + "; it must be " + wanted);
+    throw std::invalid_argument(what + " is " + shortest(value) + "; it must be " + wanted);
 }
 
 void require_body(const std::string& what, Index k, Index count)
@@ -22,12 +24,19 @@ void require_body(const std::string& what, Index k, Index count)
 
 void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
 {
+    if (!(mass > 0))  // an infinite one cannot move
+        refuse("the mass of disc " + std::to_string(k), mass, "positive");
     scene.bodies.position(k) = position;
     scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / mass);
     scene.radius[k] = radius;
 }
 
 }  // namespace
+
+void require_count(const std::string& what, Index count)
+{
+    if (count < 1) refuse("the number of " + what, static_cast<Real>(count), "1 or more");
+}
 
 void link_neighbours(DiscScene& scene)
 {
@@ -122,6 +131,7 @@ DiscScene ten_discs()
 
 DiscScene column(Index count, Real top_mass)
 {
+    require_count("discs in a column", count);
     constexpr Real radius = 0.1;
     DiscScene scene;
     scene.bodies = Bodies<2>(count);
@@ -136,6 +146,8 @@ DiscScene column(Index count, Real top_mass)
 DiscScene column_between_walls(Index count, Real top_mass, Real clearance)
 {
     DiscScene scene = column(count, top_mass);
+    if (!std::isfinite(clearance))
+        refuse("the clearance beside a column", clearance, "a finite number of metres");
     const Real from_middle = scene.radius[0] + clearance;
     scene.walls.push_back({{1, 0}, -from_middle});
     scene.walls.push_back({{-1, 0}, -from_middle});
@@ -144,6 +156,7 @@ DiscScene column_between_walls(Index count, Real top_mass, Real clearance)
 
 DiscScene triangle(Index base)
 {
+    require_count("discs at the base of a triangle", base);
     constexpr Real radius = 0.1;
     const Index count = base * (base + 1) / 2;
     const Real row_height = std::sqrt(3.0) * radius;
@@ -165,6 +178,7 @@ DiscScene triangle(Index base)
 
 DiscScene hanging_chain(Index count, Real end_mass)
 {
+    require_count("links in a chain", count);
     constexpr Real length = 0.1;
     DiscScene scene;
     scene.bodies = Bodies<2>(count + 1);

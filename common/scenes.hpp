@@ -7,6 +7,7 @@
 #include "common/bodies.hpp"
 #include "common/shapes.hpp"
 
+#include <string>
 #include <vector>
 
 namespace rigid {
@@ -32,6 +33,10 @@ void link_neighbours(DiscScene& scene);
 /// finite numbers, masses not negative, radii positive, unit normals, body indices that exist,
 /// no link of a body to itself, no rest length of zero or less.
 void require_valid(const DiscScene& scene);
+
+/// Throws std::invalid_argument, "the number of discs in a column is 0; …", unless there is one at least. For those
+/// who build scenes by number.
+void require_count(const std::string& what, Index count);
 
 /// The scene that this book grew from: a chain of seven discs of 0.1 kg and three free discs
 /// in a box of 1.5 m × 1.0 m. Links and torsional springs join the seven.

@@ -168,7 +168,8 @@ void write_svg(const std::string& file, const std::vector<Pane>& panes)
     std::ofstream stream(file, std::ios::binary | std::ios::trunc);
     stream << to_svg(panes);
     stream.close();
-    if (!stream) throw std::runtime_error("the picture could not be written to \"" + file + '"');
+    if (!stream)
+        throw std::runtime_error("the picture could not be written to \"" + file + "\"; is the disk full?");
 }
 
 }  // namespace rigid

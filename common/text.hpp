@@ -16,9 +16,11 @@
 
 namespace rigid {
 
-/// The shortest text that reads back as exactly this number: 0.1, 1e-05, 0.30000000000000004.
+/// The shortest text that reads back as exactly this number: 0.1, 1e-05, 0.30000000000000004. The one way to
+/// print a number in a message: std::to_string makes "-0.000000" of -1e-9.
 inline std::string shortest(Real value)
 {
+    if (std::isnan(value)) return "nan";  // its sign means nothing and differs between compilers
     char text[64];
     const auto end = std::to_chars(text, text + sizeof text, value + 0.0).ptr;  // + 0.0: never "-0"
     return {text, end};

@@ -273,7 +273,10 @@ TEST_CASE("The polynomial between two steps meets position and velocity and acce
 {
     Random random(7);
     for (int i = 0; i < 100; ++i) {
-        const auto any = [&] { return Vec2(random.normal(), random.normal()); };
+        const auto any = [&] {
+            const Real y = random.normal(), x = random.normal();
+            return Vec2(x, y);
+        };
         const Hermite<2> p{{any(), any()}, {any(), any()}, any(), any(), random.uniform(0.1, 2)};
         CHECK((p.at(0).x - p.s0.x).norm() + (p.at(0).u - p.s0.u).norm() == 0);
         CHECK((p.at(1).x - p.s1.x).norm() < 1e-12);  // sums of six terms below 1000
@@ -694,15 +697,17 @@ TEST_CASE("Random motions stay finite and bounded")
     const Pendulum pendulum;
     const Tolerance tolerance;
     for (int i = 0; i < 100; ++i) {
-        const State<1> s = state(random.uniform(-pi, pi), random.uniform(-10, 10));
+        const Real u = random.uniform(-10, 10), x = random.uniform(-pi, pi);
+        const State<1> s = state(x, u);
         for (Method method : {Method::symplectic_euler, Method::verlet, Method::yoshida4, Method::rk4}) {
             const State<1> end = go(method, s, 0.01, 1000, pendulum);
             // The energy of the worst of them, symplectic Euler, is off by h/2 times |u a| < 0.5 J/kg.
             REQUIRE(std::abs(pendulum.energy(end) - pendulum.energy(s)) < 1.5);
         }
         const Projectile projectile{random.uniform(0, 1)};
-        const State<2> thrown{Vec2(0, random.uniform(0.1, 10)),
-                              Vec2(random.normal() * 20, random.normal() * 20)};
+        const Real height_at_first = random.uniform(0.1, 10), uy = 20 * random.normal(),
+                   ux = 20 * random.normal();
+        const State<2> thrown{Vec2(0, height_at_first), Vec2(ux, uy)};
         Adaptive<2> run = start_adaptive(thrown, projectile, tolerance);
         REQUIRE(integrate_to_event(run, 1000, projectile, tolerance, height) == Outcome::event);
         REQUIRE(run.s.x.allFinite());
@@ -729,7 +734,7 @@ TEST_CASE("Bad input is refused with a sentence that names it")
     const auto step = [&](const State<1>& s, Real h) { return symplectic_euler(s, h, spring); };
     const State<1> good = state(1, 0);
     CHECK_THROWS_WITH(march(good, 0, 10, step),
-                      Contains("the time step h is 0.000000 s; it must be positive and finite"));
+                      Contains("the time step h is 0 s; it must be positive and finite"));
     CHECK_THROWS_WITH(march(good, -0.1, 10, step), Contains("the time step h is -0.1"));
     CHECK_THROWS_WITH(march(good, nan, 10, step), Contains("the time step h is") && Contains("nan"));
     CHECK_THROWS_WITH(march(good, infinity, 10, step), Contains("the time step h is inf"));
@@ -738,21 +743,21 @@ TEST_CASE("Bad input is refused with a sentence that names it")
     CHECK_THROWS_WITH(march(state(nan, 0), 0.1, 10, step),
                       Contains("the position x[0] is") && Contains("nan"));
     CHECK_THROWS_WITH(march(state(0, infinity), 0.1, 10, step), Contains("the velocity u[0] is inf"));
-    CHECK_THROWS_WITH(march(good, 3, 2000, step), Contains("no longer finite after 2000 steps of 3.0"));
+    CHECK_THROWS_WITH(march(good, 3, 2000, step), Contains("no longer finite after 2000 steps of 3 s"));
 
     CHECK_THROWS_WITH(start_adaptive(good, spring, {0, 1, 1}),
-                      Contains("the relative tolerance is 0.000000; it must be"));
+                      Contains("the relative tolerance is 0; it must be"));
     CHECK_THROWS_WITH(start_adaptive(good, spring, {1, -1, 1}),
-                      Contains("the position tolerance is -1.000000 m; it"));
+                      Contains("the position tolerance is -1 m; it"));
     CHECK_THROWS_WITH(start_adaptive(good, spring, {1, 1, nan}),
                       Contains("the velocity tolerance is") && Contains("nan"));
     CHECK_THROWS_WITH(start_adaptive(state(nan, 0), spring, {}), Contains("the position x[0] is"));
     Adaptive<1> run = start_adaptive(good, spring, {});
-    CHECK_THROWS_WITH(integrate(run, -1, spring, {}), Contains("the end time is -1.000000 s"));
+    CHECK_THROWS_WITH(integrate(run, -1, spring, {}), Contains("the end time is -1 s"));
     CHECK_THROWS_WITH(integrate(run, nan, spring, {}), Contains("the end time is"));
     CHECK_THROWS_WITH(integrate_to_event(run, infinity, spring, {}, [](const State<1>& s) { return s.x[0]; }),
                       Contains("the end time is inf"));
-    CHECK_THROWS_WITH(kepler_perihelion({}, 1), Contains("the eccentricity is 1.000000"));
+    CHECK_THROWS_WITH(kepler_perihelion({}, 1), Contains("the eccentricity is 1"));
     CHECK_THROWS_AS(march(good, 0, 10, step), std::invalid_argument);
     CHECK_THROWS_AS(start_adaptive(good, spring, {0, 1, 1}), std::invalid_argument);
     CHECK_THROWS_AS(march(good, 3, 2000, step), std::runtime_error);

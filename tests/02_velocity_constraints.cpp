@@ -765,7 +765,7 @@ TEST_CASE("rows that contradict each other are named and never answered in silen
     CHECK(std::abs(answer.w[0]) <= exact);
     for (int i = 1; i < 4; ++i) CHECK(answer.w[i] == Approx(-0.1).margin(exact));
     CHECK(sentence(answer) == "4 rows of rank 3: no velocity meets row(s) 1, 2, 3 together; "
-                              "the best compromise misses by 0.100000 m/s");
+                              "the best compromise misses by 0.1 m/s");
     // (2.28): what is left is out of reach of every impulse, A w = 0 for rows of unit compliance
     const MatX J = dense_J(rows, 4);
     CHECK((J * J.transpose() * answer.w).norm() <= exact);
@@ -946,9 +946,9 @@ TEST_CASE("rows that make no sense are refused with a sentence")
     u[3] = std::nan("");
     CHECK(contains(message(good, u), "u[3] is nan"));
 
-    CHECK(contains(refusal([&] { circle_constraint(bodies.x, 0, 0); }), "radius of the wire is 0.0"));
+    CHECK(contains(refusal([&] { circle_constraint(bodies.x, 0, 0); }), "radius of the wire is 0 m"));
     CHECK(contains(refusal([&] {
                        ellipse_constraint(bodies.x, 0, {1, -2});
                    }),
-                   "-2.000000 m; both must be positive"));
+                   "-2 m; both must be positive"));
 }

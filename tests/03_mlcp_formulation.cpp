@@ -1,10 +1,10 @@
 /// Chapter 3: contact is either/or. Assembly, the measure of error, the exact ways, and the whole step.
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
-#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/measure.hpp"
 #include "common/program/scripted_pointer.hpp"
 #include "common/random.hpp"
@@ -34,8 +34,8 @@ std::vector<Row<Dof>> random_rows(Random& random, Index m, Index K, VecX& invers
         while (c.b == c.a);
         for (Index d = 0; d < Dof; ++d)
             c.Ja[d] = c.a == world ? 0 : random.normal(), c.Jb[d] = random.normal();
-        rows.push_back(
-            make_row(c, inverse_mass, random.normal(), random.uniform() < 0.5 ? 0 : -infinity, infinity));
+        const Real lo = random.uniform() < 0.5 ? 0 : -infinity, b = random.normal();
+        rows.push_back(make_row(c, inverse_mass, b, lo, infinity));
     }
     return rows;
 }
@@ -876,6 +876,27 @@ TEST_CASE("a malformed problem gets one sentence with its line")
           "the problem /no/such/file can't be read; it must be a file");
 }
 
+TEST_CASE("a line of a problem that does not end is refused")
+{
+    const auto sentence = [](const std::string& text) {
+        std::istringstream in(text);
+        try {
+            read_problem(in);
+        } catch (const std::invalid_argument& refused) {
+            return std::string(refused.what());
+        }
+        return std::string("accepted");
+    };
+    CHECK(sentence("n 1\n" + std::string(longest_line + 1, '0')) ==
+          "line 2: the line has more than 1000000 characters; a row of the largest problem has fewer");
+    CHECK(sentence("n 1\nA\n1\nq\n1\n#" + std::string(longest_line - 1, 'x')) == "accepted");
+    CHECK(sentence("n 1\nA\n1\nq\n1") == "accepted");
+#ifdef __linux__
+    std::ifstream endless("/dev/zero");  // reading it whole would take all memory
+    CHECK_THROWS_WITH(read_problem(endless), Catch::Matchers::Contains("line 1: the line has more than"));
+#endif
+}
+
 TEST_CASE("random text is refused and nothing else happens")
 {
     Random random(10);
@@ -956,7 +977,8 @@ TEST_CASE("momentum and angular momentum stay as they are without outer forces")
     Random random(11);
     for (Index k = 0; k < 10; ++k) {
         scene.bodies.velocity(k) = -3 * scene.bodies.position(k);
-        scene.bodies.velocity(k) += 0.3 * Vec2(random.normal(), random.normal());
+        const Real uy = random.normal(), ux = random.normal();
+        scene.bodies.velocity(k) += 0.3 * Vec2(ux, uy);
     }
     const Vec2 before = momentum(scene.bodies);
     const Real turning = angular_momentum(scene.bodies);
@@ -1045,7 +1067,9 @@ TEST_CASE("a step of zero or of NaN seconds is refused")
     StepData<2> now;
     for (const Real h : {Real{0}, Real{-1}, Real{std::nan("")}, Real{infinity}}) {
         settings.h = h;
-        CHECK(sentence_of([&] { step(scene, settings, by_matrix(exact_solve), now); }).find("the time step h is") == 0);
+        CHECK(sentence_of([&] {
+                  step(scene, settings, by_matrix(exact_solve), now);
+              }).find("the time step h is") == 0);
     }
 }
 

@@ -25,3 +25,6 @@ if(NOT MSVC)
   set_tests_properties("ch04: 600 steps of the ten discs are the same bits without and with optimisation"
                        PROPERTIES LABELS ch04 TIMEOUT 300)
 endif()
+# Without --method a problem with contacts is solved too: the default is the chapter's own method.
+add_program_test(ch04 04_pgs "solves a problem with bounds without being told how" --headless --problem
+                 ${PROJECT_SOURCE_DIR}/tests/problems/fric_boxed_s4.mlcp)

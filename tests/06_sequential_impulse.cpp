@@ -66,9 +66,11 @@ struct RandomRows {
             case 0:
                 rows.push_back(unilateral(c, inverse_mass, b));
                 break;
-            case 1:
-                rows.push_back(make_row(c, inverse_mass, b, -random.uniform(), random.uniform()));
+            case 1: {
+                const Real hi = random.uniform(), lo = -random.uniform();
+                rows.push_back(make_row(c, inverse_mass, b, lo, hi));
                 break;
+            }
             default:
                 rows.push_back(bilateral(c, inverse_mass, b));
             }
@@ -843,7 +845,8 @@ TEST_CASE("a block of two rows has the answer of the enumeration")
         const Mat2 A = B * B.transpose() + 0.01 * Mat2::Identity();
         Mlcp mlcp;
         mlcp.A = MatX(A).sparseView();
-        mlcp.q = VecX(Vec2(random.normal(), random.normal()));
+        mlcp.q.resize(2);
+        for (const Index i : {1, 0}) mlcp.q[i] = random.normal();
         mlcp.lo.resize(2);
         mlcp.hi.resize(2);
         for (Index i = 0; i < 2; ++i) {
@@ -1036,8 +1039,10 @@ DiscScene random_heap(Random& random)
     scene.bodies = Bodies<2>(K);
     scene.radius.resize(K);
     for (Index k = 0; k < K; ++k) {
-        scene.bodies.position(k) = Vec2(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
-        scene.bodies.velocity(k) = Vec2(random.normal(), random.normal());
+        const Real y = random.uniform(-0.4, 0.4), x = random.uniform(-0.4, 0.4);
+        const Real uy = random.normal(), ux = random.normal();
+        scene.bodies.position(k) = Vec2(x, y);
+        scene.bodies.velocity(k) = Vec2(ux, uy);
         scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(random.uniform(0.2, 5));
         scene.radius[k] = random.uniform(0.05, 0.15);
     }
@@ -1101,7 +1106,8 @@ TEST_CASE("a scene that is turned or seen in a mirror moves as before, turned or
         }
         for (HalfSpace& wall : other.walls) wall.normal = turn * wall.normal;
         other.gravity = turn * scene.gravity;
-        const VecX here = after_steps(scene, settings, method, 5), there = after_steps(other, settings, method, 5);
+        const VecX here = after_steps(scene, settings, method, 5),
+                   there = after_steps(other, settings, method, 5);
         // Roundings of the turned numbers, grown over five steps of impacts.
         for (Index k = 0; k < scene.bodies.count(); ++k)
             CHECK((turn * here.segment<2>(2 * k) - there.segment<2>(2 * k)).norm() < 1e-11);
@@ -1249,13 +1255,15 @@ TEST_CASE("bad settings of a step are refused by a sentence and the scene stands
     };
     for (const Real h : {0.0, -1.0, std::nan("")})
         CHECK(said([h](auto& s, auto&) { s.h = h; }).find("the time step h is") == 0);
+    CHECK(sentence_of([] { cradle(0, 0, 0); }) ==
+          "the number of balls of a cradle is 0; it must be 1 or more");
     CHECK(said([](auto&, auto& m) { m.correction.restitution = 1.5; }) ==
-          "the restitution is 1.500000; it must be from 0 to 1");
+          "the restitution is 1.5; it must be from 0 to 1");
     CHECK(said([](auto&, auto& m) { m.correction.restitution = std::nan(""); }) != "accepted");
     CHECK(said([](auto&, auto& m) { m.correction.threshold = -1; }) ==
-          "the threshold of bounces is -1.000000; it must be zero or positive");
+          "the threshold of bounces is -1; it must be zero or positive");
     CHECK(said([](auto& s, auto&) { s.margin = -0.1; }) ==
-          "the margin of contacts is -0.100000; it must be zero or positive");
+          "the margin of contacts is -0.1; it must be zero or positive");
     CHECK(said([](auto&, auto& m) { m.solver.sweeps.tolerance = std::nan(""); }) ==
           "the tolerance of the sweeps is nan; it must be zero or positive");
     CHECK(said([](auto&, auto& m) { m.solver.sweeps.max_sweeps = -1; }) ==

@@ -779,8 +779,10 @@ static DiscScene random_scene(Random& random)
     scene.bodies = Bodies<2>(K);
     scene.radius.resize(K);
     for (Index k = 0; k < K; ++k) {
-        scene.bodies.position(k) = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
-        scene.bodies.velocity(k) = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        const Real y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+        const Real uy = random.uniform(-1, 1), ux = random.uniform(-1, 1);
+        scene.bodies.position(k) = Vec2(x, y);
+        scene.bodies.velocity(k) = Vec2(ux, uy);
         scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / random.uniform(0.3, 3));
         scene.radius[k] = random.uniform(0.1, 0.3);
     }
@@ -1016,24 +1018,24 @@ TEST_CASE("settings that make no sense are refused by a sentence that names them
         return "";
     };
     CHECK(sentence([](Discs& run) { run.method.correction.beta = -0.1; }) ==
-          "beta is -0.100000; it must be zero or positive and finite");
+          "beta is -0.1; it must be zero or positive and finite");
     CHECK(sentence([](Discs& run) { run.method.correction.beta = std::nan(""); }) ==
           "beta is nan; it must be zero or positive and finite");
     CHECK(sentence([](Discs& run) { run.method.correction.slop = -1; }) ==
-          "slop is -1.000000; it must be zero or positive and finite");
+          "slop is -1; it must be zero or positive and finite");
     CHECK(sentence([](Discs& run) { run.method.correction.bilateral_slop = infinity; }) ==
           "bilateral_slop is inf; it must be zero or positive and finite");
     CHECK(sentence([](Discs& run) { run.method.correction.fastest = -2; }) ==
-          "fastest is -2.000000; it must be zero or positive");
+          "fastest is -2; it must be zero or positive");
     CHECK(sentence([](Discs& run) { run.method.correction.repaying_sweeps = -3; }) ==
           "repaying_sweeps is -3; it must be zero or positive");
     CHECK(sentence([](Discs& run) { run.method.correction.tolerance = -3; }) ==
-          "the tolerance of the repaying sweeps is -3.000000; it must be zero or positive");
+          "the tolerance of the repaying sweeps is -3; it must be zero or positive");
     CHECK(sentence([](Discs& run) { run.settings.substeps = 0; }) == "substeps is 0; it must be 1 or more");
     CHECK(sentence([](Discs& run) { run.method.start.carry = 1.5; }) ==
-          "carry is 1.500000; it must be from 0 to 1");
+          "carry is 1.5; it must be from 0 to 1");
     CHECK(sentence([](Discs& run) { run.settings.h = 0; }) ==
-          "the time step h is 0.000000 s; it must be positive and finite");
+          "the time step h is 0 s; it must be positive and finite");
     CHECK(sentence([](Discs& run) { run.method.correction.fastest = infinity; }).empty());
     CHECK_THROWS_WITH(power(MatX::Identity(2, 2), -1),
                       "the number of sweeps is -1; it must be zero or positive");

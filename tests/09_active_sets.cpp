@@ -3,17 +3,17 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/05_lemke/stewart_trinkle.hpp"
+#include "chapters/09_active_sets/benchmark/problems.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/exact_method.hpp"
 #include "chapters/09_active_sets/friction_boxes.hpp"
-#include "chapters/09_active_sets/benchmark/problems.hpp"
 #include "common/measure.hpp"
 
 #include "tests/catch.hpp"
@@ -925,15 +925,16 @@ TEST_CASE("an exact step leaves an overlap as chapter 7 says and no velocity")
     CHECK(scene.bodies.u.cwiseAbs().maxCoeff() < identity);
 }
 
-TEST_CASE("small steps stay out of each other if the margin is the way that a step goes and not if it is less")
+TEST_CASE(
+    "small steps stay out of each other if the margin is the way that a step goes and not if it is less")
 {
     // Ten discs fall in a box with steps of 1/10 s. They reach 4 m/s, so a step goes 0.4 m, and contacts are found
     // once in it.
     const auto largest_gap = [](Real margin) {
         DiscScene scene = ten_discs();
         ExactMethod method;
-    method.correction = exact_correction();
-    StepSettings settings{.substeps = 4};
+        method.correction = exact_correction();
+        StepSettings settings{.substeps = 4};
         settings.h = 0.1;
         settings.substeps = 16;
         settings.margin = margin;
@@ -946,5 +947,6 @@ TEST_CASE("small steps stay out of each other if the margin is the way that a st
         return gap;
     };
     CHECK(largest_gap(0.02) > 0.01);
-    CHECK(largest_gap(0.5) < 5e-4);  // links turn within a small step: second order in h, half a per cent of 0.1 m
+    CHECK(largest_gap(0.5) <
+          5e-4);  // links turn within a small step: second order in h, half a per cent of 0.1 m
 }

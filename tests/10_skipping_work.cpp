@@ -68,7 +68,8 @@ void wander(DiscScene& scene, Random& random, Real far)
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (scene.bodies.inverse_mass[2 * k] == 0) continue;
         const Real reach = random.uniform() < 0.02 ? 50 * far : far;
-        scene.bodies.position(k) += reach * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        const Real y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+        scene.bodies.position(k) += reach * Vec2(x, y);
     }
 }
 
@@ -247,7 +248,8 @@ TEST_CASE("a pair at the very edge of the margin is found as all pairs find it")
                    margin = random.uniform(0, 0.1);
         const Real distance = (ra + rb + margin) * (1 + 1e-16 * random.uniform(-8, 8));
         const Real angle = random.uniform(0, 2 * pi);
-        const Vec2 from = std::pow(10, random.uniform(-3, 6)) * Vec2(random.normal(), random.normal());
+        const Real y = random.normal(), x = random.normal();
+        const Vec2 from = std::pow(10, random.uniform(-3, 6)) * Vec2(x, y);
         set_disc(scene, 0, from, ra);
         set_disc(scene, 1, from + distance * Vec2(std::cos(angle), std::sin(angle)), rb);
         Finder finder(scene, margin, trial % 2 == 0 ? 0 : 0.01);
@@ -638,8 +640,8 @@ TEST_CASE("one row and two rows have in closed form the answer of chapter 9")
             c.b = i + 1;
             c.Jb = RowVec<2>(std::cos(angle), std::sin(angle));
             if (c.a != world) c.Ja = -c.Jb;
-            rows.push_back(make_row(c, inverse_mass, random.normal(), trial % 8 < 4 ? 0.0 : -infinity,
-                                    trial % 16 < 8 ? infinity : random.uniform(0.1, 2)));
+            const Real hi = trial % 16 < 8 ? infinity : random.uniform(0.1, 2), b = random.normal();
+            rows.push_back(make_row(c, inverse_mass, b, trial % 8 < 4 ? 0.0 : -infinity, hi));
         }
         const Solution wanted = active_sets(assemble(rows, u));
         REQUIRE(wanted.status == Status::solved);
@@ -792,7 +794,8 @@ TEST_CASE("a disc that stands beside the edge of its balance topples and does no
         set_disc(scene, 0, {0, 0}, 0.1, true);
         set_disc(scene, 1, {off, std::sqrt(0.04 - off * off)}, 0.1);
         SkippingWorld now = world_of(scene);
-        for (int step = 0; step < 300 && now.method.contacts.set.is_awake(1); ++step) skipping_step(now, early_out());
+        for (int step = 0; step < 300 && now.method.contacts.set.is_awake(1); ++step)
+            skipping_step(now, early_out());
         CHECK(now.method.contacts.set.is_asleep(1) == (off == 0));  // the balance itself is one
         if (off > 0) CHECK(now.scene.bodies.position(1).y() < -1);
     }
@@ -953,7 +956,8 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
     int slept = 0, woken = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random(seed);
-        const DiscScene scene = scattered(60, random.uniform(0.1, 0.6), random.uniform(1, 4), seed);
+        const Real ratio = random.uniform(1, 4), share = random.uniform(0.1, 0.6);
+        const DiscScene scene = scattered(60, share, ratio, seed);
         SkippingSettings settings = early_out();
         settings.sweeps.max_sweeps = 30;
         settings.rest = {0.5, 20, 0.05};
@@ -962,7 +966,8 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
         for (int step = 0; step < 300; ++step) {
             for (Index n = random.uniform() < 0.3 ? 1 + random.index(3) : 0; n > 0; --n) {
                 const Index k = random.index(60);
-                const Vec2 u = 2 * Vec2(random.normal(), random.normal());
+                const Real uy = random.normal(), ux = random.normal();
+                const Vec2 u = 2 * Vec2(ux, uy);
                 const Real inverse_mass = k < 4 && n > 1 ? 0 : scene.bodies.inverse_mass[2 * k];
                 change_disc(now, k, now.scene.bodies.position(k), n > 2 ? Vec2(0, 0) : u, inverse_mass);
             }
@@ -971,7 +976,8 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
             slept += now.counters.fell_asleep;
             woken += now.counters.woken;
             if (now.counters.awake == 0) continue;
-            const std::set<Index> awake(now.method.solver.islands.bodies.begin(), now.method.solver.islands.bodies.end());
+            const std::set<Index> awake(now.method.solver.islands.bodies.begin(),
+                                        now.method.solver.islands.bodies.end());
             REQUIRE(awake.size() == now.method.solver.islands.bodies.size());  // nobody twice
             std::vector<Contact> wanted;
             for (const Contact& contact : by_brute_force(before, 0.02)) {
@@ -1400,8 +1406,10 @@ TEST_CASE("a kept contact is at most slack squared over twice the distance too n
             REQUIRE(off <= slack * slack / (2 * (distance - 2 * slack)));
             REQUIRE(std::abs(cross2(kept.normal, found.normal)) <= slack / (distance - slack));
         }
-        for (Index k = 0; k < 200; ++k)
-            scene.bodies.position(k) += 0.0005 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+        for (Index k = 0; k < 200; ++k) {
+            const Real y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+            scene.bodies.position(k) += 0.0005 * Vec2(x, y);
+        }
     }
     CHECK(reused > 5000);
     CHECK(largest > 1e-6);  // the bound is put to the test
@@ -1656,7 +1664,8 @@ TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed);
-        DiscScene scene = scattered(80, random.uniform(0.2, 2), std::pow(10, random.uniform(0, 2)), seed);
+        const Real ratio = std::pow(10, random.uniform(0, 2)), share = random.uniform(0.2, 2);
+        DiscScene scene = scattered(80, share, ratio, seed);
         if (seed % 4 == 0) scene.bodies.position(3) = scene.bodies.position(4);
         scene.walls = {{{0, 1}, -scene.half_size.y()}};
         for (int i = 0; i < 10; ++i) {
@@ -1666,15 +1675,18 @@ TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
         }
         SkippingSettings settings = early_out(random.uniform(1e-3, 0.05));
         settings.sweeps.max_sweeps = 10;
-        SkippingWorld now = world_of(scene, random.uniform(0, 0.05), random.uniform(0, 0.05));
+        const Real skin = random.uniform(0, 0.05), margin = random.uniform(0, 0.05);
+        SkippingWorld now = world_of(scene, margin, skin);
         for (int step = 0; step < 200; ++step) {
             skipping_step(now, settings);
             const Index k = random.index(80);
             if (now.method.contacts.set.activity[static_cast<std::size_t>(k)] == Activity::gone) continue;
             if (step % 20 == 7) take_away(now, k);
-            if (step % 20 == 13)
-                change_disc(now, k, Vec2(random.normal(), random.normal()), {0, 0},
-                            random.uniform() < 0.3 ? 0 : 1);
+            if (step % 20 == 13) {
+                const Real inverse_mass = random.uniform() < 0.3 ? 0 : 1;
+                const Real y = random.normal(), x = random.normal();
+                change_disc(now, k, Vec2(x, y), {0, 0}, inverse_mass);
+            }
         }
         CHECK(now.scene.bodies.x.allFinite());
         CHECK(now.scene.bodies.u.allFinite());
@@ -1702,8 +1714,11 @@ TEST_CASE("bad input is refused by a sentence")
         FAIL_CHECK("not refused: " << words);
     };
     const DiscScene scene = columns(2, 2);
-    says([&] { make_world(scene, {}, -1); }, "the margin is -1.0");
+    says([&] { make_world(scene, {}, -1); }, "the margin is -1 m");
     says([&] { make_world(scene, {}, 0.02, std::nan("")); }, "the skin is nan");
+    says([] { scattered(-1, 0.5, 2, 1); }, "the number of discs is -1");
+    says([] { net(0); }, "the number of discs along a side of a net is 0");
+    says([] { field(-1); }, "the number of sleepers in a field is -1");
     says([&] { forbid_pairs(4, {{0, 4}}); }, "bodies 0 and 4");
     says([&] { forbid_pairs(4, {{2, 2}}); }, "bodies 2 and 2");
     CollisionFilter filter;
@@ -1728,7 +1743,7 @@ TEST_CASE("bad input is refused by a sentence")
     says([&] { skipping_step(now, settings); }, "the speed of rest");
     settings = early_out();
     settings.row_slack = -1;
-    says([&] { skipping_step(now, settings); }, "row_slack is -1.0");
+    says([&] { skipping_step(now, settings); }, "row_slack is -1;");
     settings = early_out();
     settings.rest.time = infinity;
     says([&] { skipping_step(now, settings); }, "the time of rest");
@@ -1750,17 +1765,13 @@ TEST_CASE("bad input is refused by a sentence")
     says([&] { skipping_step(now, settings); }, "the tolerance of the sweeps is nan");
     settings = early_out();
     settings.sweeps.max_sweeps = -1;
-    says([&] { skipping_step(now, settings); }, "max_sweeps is -1");
+    says([&] { skipping_step(now, settings); }, "the number of sweeps is -1");
     settings = early_out();
     settings.stiffness = std::nan("");
-    says([&] { skipping_step(now, settings); }, "the stiffness is nan");
-    says(
-        [&] {
-            change_disc(now, 0, {0, std::nan("")}, {0, 0}, 1);
-        },
-        "disc 0 is to get the place 0.000000, nan");
+    says([&] { skipping_step(now, settings); }, "the stiffness of the bends is nan");
+    says([&] { change_disc(now, 0, {0, std::nan("")}, {0, 0}, 1); }, "disc 0 is to get the place 0, nan");
     says([&] { change_disc(now, 0, {0, 0}, {infinity, 0}, 1); }, "the velocity inf");
-    says([&] { change_disc(now, 0, {0, 0}, {0, 0}, -1); }, "the inverse mass -1.0");
+    says([&] { change_disc(now, 0, {0, 0}, {0, 0}, -1); }, "the inverse mass -1 1/kg");
     says([&] { take_away(now, 9); }, "no disc 9 among 4");
     says([&] { change_walls(now, {{{0, 2}, 0}}); }, "wall 0");
     says([&] { filter.set_meets(1, 64, false); }, "groups 1 and 64");

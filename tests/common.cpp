@@ -7,6 +7,7 @@
 #include "common/measure.hpp"
 #include "common/random.hpp"
 #include "common/scenes.hpp"
+#include "common/text.hpp"
 
 using namespace rigid;
 
@@ -146,8 +147,8 @@ TEST_CASE("torsional springs and dampers balance linear and angular momentum in 
     Random random(1);
     for (int sample = 0; sample < 1000; ++sample) {
         Bodies<2> bodies = random_triple(random);
-        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, random.uniform(0, 5),
-                         random.uniform(0, 20));
+        const Real damping = random.uniform(0, 20), stiffness = random.uniform(0, 5);
+        add_bend_springs(bodies, {{0, 1, 2, random.uniform(0.05, 2)}}, stiffness, damping);
         const Vec2 sum = bodies.force(0) + bodies.force(1) + bodies.force(2);
         const Real size = bodies.f.lpNorm<1>();
         // Rounding of sums of forces of this size; lever arms are at most 1.5 m.
@@ -211,8 +212,7 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
     SECTION("a negative mass")
     {
         scene.bodies.inverse_mass[4] = -2;
-        CHECK(sentence_of(scene) ==
-              "inverse_mass[4] is -2.000000 1/kg; it must be zero (cannot move) or positive");
+        CHECK(sentence_of(scene) == "inverse_mass[4] is -2 1/kg; it must be zero (cannot move) or positive");
     }
     SECTION("a velocity too few")
     {
@@ -222,13 +222,12 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
     SECTION("a radius of zero")
     {
         scene.radius[2] = 0;
-        CHECK(sentence_of(scene) ==
-              "the radius of disc 2 is 0.000000; it must be a positive number of metres");
+        CHECK(sentence_of(scene) == "the radius of disc 2 is 0; it must be a positive number of metres");
     }
     SECTION("a normal that is not a unit vector")
     {
         scene.walls[1].normal = {-2, 0};
-        CHECK(sentence_of(scene) == "the length of the normal of wall 1 is 2.000000; it must be 1");
+        CHECK(sentence_of(scene) == "the length of the normal of wall 1 is 2; it must be 1");
     }
     SECTION("a link to a body that does not exist")
     {
@@ -243,13 +242,40 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
     SECTION("a link of no length")
     {
         scene.links[1].length = 0;
-        CHECK(sentence_of(scene) ==
-              "the length of link 1 is 0.000000; it must be a positive number of metres");
+        CHECK(sentence_of(scene) == "the length of link 1 is 0; it must be a positive number of metres");
     }
     SECTION("a step of zero")
     {
-        CHECK_THROWS_WITH(require_step(0), "the time step h is 0.000000 s; it must be positive and finite");
+        CHECK_THROWS_WITH(require_step(0), "the time step h is 0 s; it must be positive and finite");
     }
+}
+
+TEST_CASE("a scene of no discs or of less than none is refused by a sentence")
+{
+    CHECK_THROWS_WITH(column(0), "the number of discs in a column is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(column(-2), "the number of discs in a column is -2; it must be 1 or more");
+    CHECK_THROWS_WITH(column_between_walls(0), "the number of discs in a column is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(triangle(0),
+                      "the number of discs at the base of a triangle is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(hanging_chain(-1), "the number of links in a chain is -1; it must be 1 or more");
+    CHECK_THROWS_WITH(swinging_chain(0), "the number of links in a chain is 0; it must be 1 or more");
+    CHECK_THROWS_WITH(column(3, 0), "the mass of disc 2 is 0; it must be positive");
+    CHECK_THROWS_WITH(hanging_chain(3, std::nan("")), "the mass of disc 3 is nan; it must be positive");
+    CHECK_THROWS_WITH(column_between_walls(2, 1, infinity),
+                      "the clearance beside a column is inf; it must be a finite number of metres");
+    CHECK(column_between_walls(1).bodies.count() == 1);
+    CHECK(hanging_chain(1).bodies.count() == 2);
+}
+
+TEST_CASE("a message has the number itself and not its first six digits")
+{
+    CHECK_THROWS_WITH(require_step(-1e-9), "the time step h is -1e-09 s; it must be positive and finite");
+    CHECK_THROWS_WITH(require_step(std::nan("")), "the time step h is nan s; it must be positive and finite");
+    DiscScene scene = ten_discs();
+    scene.bodies.inverse_mass[4] = -1e-12;
+    CHECK(sentence_of(scene) == "inverse_mass[4] is -1e-12 1/kg; it must be zero (cannot move) or positive");
+    for (const Real value : {1e-9, 0.1, 1.0 / 3, -1e300, 5e-324, 123456.789})
+        CHECK(parse_real(shortest(value)) == value);
 }
 
 TEST_CASE("random numbers are the same on every machine")

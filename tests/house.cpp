@@ -1,8 +1,10 @@
 /// The rules of the house: who may include whom, what physics must not know, what each chapter has.
 
 #include "tests/catch.hpp"
+#include "tests/draws.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -11,6 +13,7 @@
 #include <vector>
 
 namespace fs = std::filesystem;
+namespace draws = rigid::draws;
 
 namespace {
 
@@ -93,7 +96,106 @@ std::vector<std::string> broken_rules(const Source& source)
     return broken;
 }
 
+/// The names under which std::to_string(float, double, long double) stands in an object file of libstdc++ and of
+/// libc++. std::to_string prints six digits behind the point: a step of 1e-9 s becomes "0.000000".
+bool prints_a_real_by_to_string(const std::string& object)
+{
+    // In halves: this file is among those that are looked through.
+    const std::string gnu = "__to_", clang = "9to_string";
+    for (const std::string& name : {gnu + "xstring", clang + "Ef", clang + "Ed", clang + "Ee"})
+        if (object.find(name) != std::string::npos) return true;
+    return false;
+}
+
 }  // namespace
+
+TEST_CASE("no source prints a Real by std::to_string")
+{
+    // Whether `n` in std::to_string(n) is a Real is seen by the compiler alone: so what it made is looked through.
+    std::istringstream list(read(RIGID_OBJECTS));
+    int looked_through = 0;
+    for (std::string path; std::getline(list, path);) {
+        if (!fs::exists(path)) continue;                             // not built
+        const auto is = [&path](const char* end) { return path.ends_with(end); };
+        if (is("program/command_line.cpp.o") || is("stress/stress.cpp.o") || is("run_time_against_error.cpp.o"))
+            continue;  // CLI11 does so within
+        ++looked_through;
+        if (prints_a_real_by_to_string(read(path)))
+            FAIL_CHECK(path + " prints a Real by std::to_string; shortest() of common/text.hpp is the way");
+    }
+    CHECK(looked_through >= 3);  // this one, and what it stands on
+}
+
+TEST_CASE("an object file that prints a Real by std::to_string is noticed")
+{
+    const fs::path folder = fs::temp_directory_path() / "rigid_to_string";
+    fs::create_directories(folder);
+    const auto compiled = [&](const std::string& name, const std::string& type) {
+        const fs::path source = folder / (name + ".cpp"), object = folder / (name + ".o");
+        std::ofstream(source) << "#include <string>\nstd::string f(" << type
+                              << " x) { return std::to_string(x); }\n";
+        const std::string command =
+            RIGID_COMPILER " -O2 -c \"" + source.string() + "\" -o \"" + object.string() + "\"";
+        REQUIRE(std::system(command.c_str()) == 0);
+        return read(object);
+    };
+    CHECK(prints_a_real_by_to_string(compiled("real", "double")));
+    CHECK_FALSE(prints_a_real_by_to_string(compiled("whole", "long")));
+    fs::remove_all(folder);
+}
+
+TEST_CASE("no source has two random draws in one argument list")
+{
+    // g++ draws the last argument first, clang++ the first: they would build different scenes.
+    const fs::path root = RIGID_SOURCE_DIR;
+    int files = 0, with_draws = 0;
+    for (const char* folder : {"common", "chapters", "tests", "docs/results"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".hpp" && extension != ".cpp") continue;
+            const std::string text = read(entry.path());
+            ++files;
+            if (text.find("random.uniform(") != std::string::npos) ++with_draws;
+            for (const int line : draws::unordered(text))
+                FAIL_CHECK(fs::relative(entry.path(), root).generic_string()
+                           << ":" << line
+                           << " leaves the order of two draws to the compiler; name them first");
+        }
+    CHECK(files > 100);
+    CHECK(with_draws > 10);
+}
+
+TEST_CASE("two random draws whose order is open are noticed and those in order are not")
+{
+    const auto found = [](const std::string& line) {
+        return draws::unordered("void f(Random& r)\n{\n" + line + "\n}\n").size();
+    };
+    for (const char* line :
+         {"Vec2 p(random.uniform(-1, 1), random.uniform());", "v = Vec2(r.normal(), r.normal());",
+          "return make(1, {x + random.uniform(), y}, random.uniform());",
+          "x = random.normal() * random.uniform();",
+          "x = random.normal() * std::pow(10, random.uniform(-3, 3));", "f(g(random), h(random));",
+          "f(draw(n, r), r.index(3) < 2 ? 0 : 1);",
+          "const auto any = [&] { return random.normal(); };\nh(any(), any());",
+          "Vec2 p = s * Vec2(random.uniform(-a, a) * b,\n  random.uniform(-b, b) / a);",
+          "g(random->index(2), random->index(2));"}) {
+        CAPTURE(line);
+        CHECK(found(line) >= 1);
+    }
+    for (const char* line :
+         {"const Real y = random.uniform(), x = random.uniform();",
+          "Vec2 p{random.uniform(), random.uniform()};", "x = random.uniform() < 0.5 ? 0 : random.normal();",
+          "if (random.uniform() < 0.5 && random.index(2) == 0) g();",
+          "B << random.normal(), random.normal();", "f(random, n, 1 + random.index(n));",
+          "for (Index n = random.index(3); n < random.index(9); ++n) g(random);",
+          "f([&] { return random.normal(); }, [&] { return random.normal(); });",
+          "f(random.uniform(low, high), x); g(random.uniform());", "// f(random.normal(), random.normal())",
+          "f(\"random.normal(), random.normal()\");",
+          "wave = {a, random.uniform(0.85, 1.15) / b, random.uniform(0, 2 * pi)};"}) {
+        CAPTURE(line);
+        CHECK(found(line) == 0);
+    }
+}
 
 TEST_CASE("no source breaks a rule of the house")
 {

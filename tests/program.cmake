@@ -22,6 +22,15 @@ add_picture_test(program "a picture without a window is not blank" program_toy -
 add_picture_test(program "panes side by side without a window are not blank" program_toy
   --headless --steps 2 --method symplectic,explicit)
 
+# The script `book` with a small book in place of this one.
+find_program(SH_PROGRAM sh)
+if(SH_PROGRAM AND UNIX)
+  add_test(NAME "program: the script finds its book by a link and leaves files where the reader stands"
+           COMMAND ${SH_PROGRAM} ${PROJECT_SOURCE_DIR}/tests/book_script.sh ${PROJECT_SOURCE_DIR}/book)
+  set_tests_properties("program: the script finds its book by a link and leaves files where the reader stands"
+                       PROPERTIES LABELS program TIMEOUT 60)
+endif()
+
 # The window itself, where an X server without a screen is at hand.
 find_program(XVFB_RUN xvfb-run)
 if(XVFB_RUN AND TARGET picture_check)

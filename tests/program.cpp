@@ -2,6 +2,7 @@
 // the window shows (without opening one).
 #include "common/picture.hpp"
 #include "common/program/command_line.hpp"
+#include "common/program/outputs.hpp"
 #include "common/program/scripted_pointer.hpp"
 #include "common/program/show.hpp"
 #include "common/svg_canvas.hpp"
@@ -39,7 +40,7 @@ Said run(const std::vector<std::string>& words, const Program& program = toy::pr
     std::streambuf* const cout_before = std::cout.rdbuf(out.rdbuf());
     std::streambuf* const cerr_before = std::cerr.rdbuf(err.rdbuf());
     Said said;
-    said.code = run_program(program, static_cast<int>(copies.size()), argv.data());
+    said.code = run_program([&] { return program; }, static_cast<int>(copies.size()), argv.data());
     std::cout.rdbuf(cout_before);
     std::cerr.rdbuf(cerr_before);
     said.out = out.str();
@@ -174,6 +175,10 @@ TEST_CASE("options that lack something or contradict each other are refused")
     require_refused({"--every", "5"}, {"--every", "--record"});
     require_refused({"--method", "explicit,explicit"}, {"\"explicit\" twice"});
     require_refused({"--csv", ""}, {"--csv", "file name"});
+    require_refused({"--problem", ""}, {"--problem", "file name"});
+    require_refused({"--problem="}, {"--problem", "has no value"});
+    require_refused({"--set", "g=4", "--set", "g=5"}, {"g is set twice", "\"g=5\""});
+    require_refused({"--set", "g=4", "beads=2", "g=4"}, {"g is set twice"});
     require_refused({"--problem", "x.mlcp", "--scene", "fall"}, {"--scene", "--problem"});
     require_refused({"--problem", "x.mlcp", "--method", "magic"}, {"\"magic\"", "enumerate, schur"});
 }
@@ -188,6 +193,67 @@ TEST_CASE("a file that cannot be written is refused before the first step")
     require_refused({"--headless", "--svg", "folder"}, {"\"folder\"", "can't be written"});
     std::ofstream("file") << "x";
     require_refused({"--headless", "--record", "file/frames"}, {"file/frames", "--record"});
+}
+
+TEST_CASE("two outputs are never one file")
+{
+    const Folder folder;
+    std::ofstream("there") << "kept";
+    fs::create_symlink("there", "link");
+    fs::create_directories("folder");
+    require_refused({"--headless", "--csv", "there", "--svg", "there"}, {"--csv and --svg", "\"there\""});
+    require_refused({"--csv", "there", "--svg", "there"}, {"--csv and --svg", "\"there\""});
+    require_refused({"--headless", "--csv", "new", "--svg", "folder/../new"}, {"--csv and --svg"});
+    require_refused({"--headless", "--svg", "there", "--png", "link"}, {"--svg and --png", "\"link\""});
+    CHECK(content("there") == "kept");
+    CHECK_FALSE(fs::exists("new"));
+    CHECK(run({"--headless", "--steps", "2", "--csv", "-", "--svg", "-"}).code == 0);  // a picture called "-"
+#ifdef __linux__
+    CHECK(run({"--headless", "--steps", "2", "--csv", "/dev/null", "--svg", "/dev/null"}).code == 0);
+#endif
+}
+
+TEST_CASE("what a recording finds in its folder is still there afterwards")
+{
+    const Folder folder;
+    fs::create_directories("frames");
+    std::ofstream("frames/.writable") << "mine";
+    require_folder("frames");
+    CHECK(content("frames/.writable") == "mine");
+    CHECK(std::distance(fs::directory_iterator("frames"), fs::directory_iterator()) == 1);
+    fs::create_symlink("nowhere", "link");  // a link to nothing is not removed either
+    require_writable("the picture", "link");
+    CHECK(fs::is_symlink("link"));
+}
+
+TEST_CASE("the limits that a program prints are taken")
+{
+    Program program = toy::program();
+    program.scenes[0].h = 1.0 / 240;
+    program.scenes[0].h_low = 1.0 / 700;  // 0.001428571429 is above it
+    program.scenes[0].h_high = 1.0 / 60;  // 0.01666666667 is above it
+    program.scenes[0].tunables[0].high = 2.0 / 3 * 24;
+    program.scenes[0].tunables[0].low = 2.0 / 3;
+    for (const Real limit : {1.0 / 700, 1.0 / 60}) {
+        const Options options = parsed(program, {"--h", readable(limit).c_str()});
+        CHECK(options.settings.h == limit);
+        CHECK(parsed(program, {"--h", shortest(limit).c_str()}).settings.h == limit);
+    }
+    CHECK(parsed(program, {"--set", ("g=" + readable(2.0 / 3)).c_str()}).settings["g"] == 2.0 / 3);
+    CHECK_THROWS_WITH(parsed(program, {"--h", "0.0166666667"}), Catch::Matchers::Contains("0.01666666667"));
+    CHECK(parsed(program, {"--h", "0.005"}).settings.h == 0.005);
+}
+
+TEST_CASE("more methods than a window has panes are refused with a window and without a display")
+{
+    Program program = toy::program();
+    const char* five = "symplectic,explicit,failing,exploding,interrupting";
+    require_refused({"--method", five}, {"names 5 methods", "4 at most", "--headless"});
+    CHECK(parsed(program, {"--headless", "--method", five}).methods.size() == 5);
+    program.scenes[0].side_by_side = {"symplectic", "explicit", "failing", "exploding", "interrupting"};
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("side_by_side names 5 methods"));
+    program.scenes[0].side_by_side.pop_back();
+    CHECK_NOTHROW(require_consistent(program));
 }
 
 TEST_CASE("settings that the scene refuses end with its own sentence")
@@ -274,13 +340,14 @@ TEST_CASE("the table has the numbers of the run to the last digit")
     CHECK(said.out == "step,t,height,speed\n0,0,0,0\n1,0.5,-2,-4\n2,1,-6,-8\n3,1.5,-12,-12\n");
 }
 
-TEST_CASE("with several methods the rows of each stand together and name it")
+TEST_CASE("with several methods each step has a row of each that names it")
 {
     const Said said = run({"--headless", "--csv", "-", "--steps", "2", "--method", "symplectic,explicit"});
     CHECK(said.code == 0);
     CHECK(said.out == "step,t,method,height,speed\n"
-                      "0,0,symplectic,0,0\n1,0.5,symplectic,-2,-4\n2,1,symplectic,-6,-8\n"
-                      "0,0,explicit,0,0\n1,0.5,explicit,0,-4\n2,1,explicit,-2,-8\n");
+                      "0,0,symplectic,0,0\n0,0,explicit,0,0\n"
+                      "1,0.5,symplectic,-2,-4\n1,0.5,explicit,0,-4\n"
+                      "2,1,symplectic,-6,-8\n2,1,explicit,-2,-8\n");
 }
 
 TEST_CASE("the table has decimal points whatever the locale says")
@@ -303,7 +370,7 @@ TEST_CASE("numbers in the table read back as the same bits")
 {
     Random random(7);
     for (int i = 0; i < 1000; ++i) {
-        const Real value = random.normal() * std::pow(10.0, random.uniform(-300, 300));
+        const Real size = std::pow(10.0, random.uniform(-300, 300)), value = size * random.normal();
         CHECK(parse_real(shortest(value)) == value);
     }
     CHECK(shortest(-0.0) == "0");
@@ -345,12 +412,93 @@ TEST_CASE("a measured number that is not finite ends the run")
     CHECK_FALSE(contains(said.out, "inf"));
 }
 
+/// Takes so many bytes, then its disk is full.
+class FullDisk : public std::streambuf {
+public:
+    explicit FullDisk(std::streamsize room) : room_(room) {}
+
+private:
+    int_type overflow(int_type c) override { return room_-- > 0 ? c : traits_type::eof(); }
+    std::streamsize room_;
+};
+
+TEST_CASE("a standard output that takes no more ends with exit code 3 and a sentence")
+{
+    const Folder folder;
+    std::ofstream("good.mlcp") << "good\n";
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                  {"--list-scenes"},
+                                                  {"--problem", "good.mlcp"},
+                                                  {"--headless", "--steps", "2"},
+                                                  {"--headless", "--steps", "2", "--csv", "-"}}) {
+        FullDisk disk(5);
+        std::ostringstream err;
+        std::streambuf* const cout_before = std::cout.rdbuf(&disk);
+        std::streambuf* const cerr_before = std::cerr.rdbuf(err.rdbuf());
+        std::vector<std::string> copies = {"00_toy"};
+        copies.insert(copies.end(), words.begin(), words.end());
+        std::vector<char*> argv;
+        for (std::string& word : copies) argv.push_back(word.data());
+        const int code = run_program(toy::program, static_cast<int>(argv.size()), argv.data());
+        std::cout.rdbuf(cout_before);
+        std::cerr.rdbuf(cerr_before);
+        std::cout.clear();
+        CAPTURE(words, err.str());
+        CHECK(code == 3);
+        CHECK(contains(err.str(), "standard output can't be written"));
+        CHECK(lines_in(err.str()) == 1);
+    }
+}
+
+#ifdef __linux__
+TEST_CASE("a file on a full disk ends with exit code 3 and a sentence that names it")
+{
+    const Folder folder;
+    fs::create_directories("frames");
+    fs::create_symlink("/dev/full", "frames/frame_000001.svg");
+    fs::create_symlink("/dev/full", "frames/frame_000001.png");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"--csv", "/dev/full"}, {"--svg", "/dev/full"}, {"--record", "frames"}}) {
+        std::vector<std::string> all = {"--headless", "--steps", "3"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Said said = run(all);
+        CAPTURE(words, said.err);
+        CHECK(said.code == 3);
+        CHECK(contains(said.err, words[1]));
+        CHECK(contains(said.err, "disk full"));
+    }
+    const Said png = run({"--headless", "--steps", "3", "--png", "/dev/full"});
+    CAPTURE(png.err);
+    if (!contains(png.err, "needs OpenGL without a window")) CHECK(png.code == 3);
+}
+#endif
+
+TEST_CASE("missing memory is told by a sentence wherever it is missed")
+{
+    const Said starting = run({"--headless", "--set", "beads=17"});
+    CHECK(starting.code == 3);
+    CHECK(starting.err == "there is not enough memory for this\n");
+    const Said stepping = run({"--headless", "--csv", "-", "--method", "hungry"});
+    CHECK(stepping.code == 3);
+    CHECK(stepping.err == "step 5: there is not enough memory for this\n");
+    char name[] = "00_toy";
+    char* argv[] = {name, nullptr};
+    std::ostringstream err;
+    std::streambuf* const cerr_before = std::cerr.rdbuf(err.rdbuf());
+    const int unmade = run_program([]() -> Program { throw std::bad_alloc(); }, 1, argv);
+    const int bad = run_program([]() -> Program { throw std::invalid_argument("n is 0"); }, 1, argv);
+    std::cerr.rdbuf(cerr_before);
+    CHECK(unmade == 3);
+    CHECK(bad == 2);
+    CHECK(err.str() == "there is not enough memory for this\nn is 0\n");
+}
+
 TEST_CASE("where one method fails the others go on")
 {
     const Said said = run({"--headless", "--csv", "-", "--steps", "8", "--method", "failing,symplectic"});
     CHECK(said.code == 3);
     CHECK(said.err == "step 5: method failing: the bead 0 has left the wire\n");
-    CHECK(contains(said.out, "\n4,2,failing,-20,-16\n0,0,symplectic,0,0\n"));
+    CHECK(contains(said.out, "\n4,2,failing,-20,-16\n4,2,symplectic,-20,-16\n5,2.5,symplectic,"));
     CHECK(contains(said.out, "\n8,4,symplectic,-72,-32\n"));
 }
 
@@ -363,6 +511,29 @@ TEST_CASE("an interrupted run finishes its row and closes its files")
     CHECK(contains(said.err, "after step 5"));
     CHECK(lines_in(content("table.csv")) == 1 + 2 * 6);
     CHECK(is_well_formed(content("last.svg")));
+}
+
+TEST_CASE("SIGTERM loses no row of any method")
+{
+    const Folder folder;
+    const Said said =
+        run({"--headless", "--csv", "table.csv", "--method", "explicit,terminating", "--steps", "1000"});
+    CHECK(said.code == 143);
+    CHECK(contains(said.err, "after step 5"));
+    CHECK(lines_in(content("table.csv")) == 1 + 2 * 6);
+}
+
+TEST_CASE("a row is in the file before the next step begins")
+{
+    const Folder folder;
+    const Program program = toy::program();
+    Playback playback(program.scenes[0], parsed(program, {}).settings, {"symplectic", "explicit"});
+    Table table("table.csv", program.scenes[0], 2);
+    for (long n = 0; n < 4; ++n) {
+        table.add(playback.tracks());
+        CHECK(lines_in(content("table.csv")) == 1 + 2 * (n + 1));
+        playback.step({});
+    }
 }
 
 #ifdef __linux__
@@ -643,7 +814,6 @@ TEST_CASE("the table of a window begins anew with the scene")
     show.single_step({});
     show.restart();
     show.single_step({});
-    show.finish();
     CHECK(content("table.csv") == "step,t,height,speed\n0,0,0,0\n1,0.5,-2,-4\n");
 }
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ public:
     explicit Bead(const Settings& settings) : method_(settings.method), steered_(settings.scene == "steered")
     {
         if (settings["beads"] == 13) throw std::invalid_argument("beads is 13; it must be a luckier number");
+        if (settings["beads"] == 17) throw std::bad_alloc();
     }
 
     void step(const Settings& settings, const Input& input) override
@@ -27,6 +29,8 @@ public:
         ++steps_;
         if (method_ == "failing" && steps_ == 5) throw StepFailure("the bead 0 has left the wire");
         if (method_ == "interrupting" && steps_ == 5) std::raise(SIGINT);
+        if (method_ == "terminating" && steps_ == 5) std::raise(SIGTERM);
+        if (method_ == "hungry" && steps_ == 5) throw std::bad_alloc();
         if (method_ == "exploding") speed_ = steps_ < 5 ? std::pow(10.0, 75 * steps_) : infinity;
         if (steered_) {
             place_ = input.pointer;
@@ -65,7 +69,8 @@ inline Program program()
     fall.h = 0.5;
     fall.h_low = 0.001;
     fall.h_high = 1;
-    fall.methods = {"symplectic", "explicit", "failing", "exploding", "interrupting"};
+    fall.methods = {"symplectic",   "explicit",    "failing", "exploding",
+                    "interrupting", "terminating", "hungry"};
     fall.tunables = {{"g", "m/s²", "Gravity", 8, 0, 16, false, false, true},
                      {"beads", "", "How many beads", 1, 1, 20, true, true, false}};
     fall.columns = {{"height", "m", "Where it is", true, false},

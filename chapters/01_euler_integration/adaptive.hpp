@@ -11,6 +11,7 @@
 
 #include "chapters/01_euler_integration/dormand_prince.hpp"
 #include "chapters/01_euler_integration/hermite.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ Adaptive<N> start_adaptive(const State<N>& s, const A& a, const Tolerance& toler
     const auto require_positive = [](Real value, const char* name, const char* unit) {
         if (!(value > 0) || !std::isfinite(value))
             throw std::invalid_argument(std::string("the ") + name + " tolerance is " +
-                                        std::to_string(value) + unit +
+                                        shortest(value) + unit +
                                         "; it must be positive and finite");
     };
     require_positive(tolerance.relative, "relative", "");
@@ -113,9 +114,9 @@ template <int N>
 void require_end(const Adaptive<N>& run, Real t_end)
 {
     if (!(t_end >= run.t) || !std::isfinite(t_end))
-        throw std::invalid_argument("the end time is " + std::to_string(t_end) +
+        throw std::invalid_argument("the end time is " + shortest(t_end) +
                                     " s; it must be finite and at least " +
-                                    std::to_string(run.t) + " s, where the run is");
+                                    shortest(run.t) + " s, where the run is");
 }
 
 //! [advance]

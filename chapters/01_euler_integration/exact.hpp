@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chapters/01_euler_integration/systems.hpp"
+#include "common/text.hpp"
 
 #include <array>
 #include <cmath>
@@ -74,7 +75,7 @@ inline State<1> exact_pendulum(const Pendulum& pendulum, Real theta0, Real t)
 inline State<2> kepler_perihelion(const Kepler& kepler, Real e)
 {
     if (!(e >= 0 && e < 1))
-        throw std::invalid_argument("the eccentricity is " + std::to_string(e) +
+        throw std::invalid_argument("the eccentricity is " + shortest(e) +
                                     "; it must be at least 0 and less than 1");
     return {Vec2(1 - e, 0), Vec2(0, std::sqrt(kepler.GM * (1 + e) / (1 - e)))};
 }

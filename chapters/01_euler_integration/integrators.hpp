@@ -12,6 +12,7 @@
 #pragma once
 
 #include "common/bodies.hpp"
+#include "common/text.hpp"
 
 #include <cmath>
 #include <concepts>
@@ -152,12 +153,10 @@ void require_finite(const State<N>& s)
     for (Index i = 0; i < N; ++i) {
         if (!std::isfinite(s.x[i]))
             throw std::invalid_argument("the position x[" + std::to_string(i) + "] is " +
-                                        std::to_string(s.x[i]) +
-                                        "; it must be a finite number");
+                                        shortest(s.x[i]) + "; it must be a finite number");
         if (!std::isfinite(s.u[i]))
             throw std::invalid_argument("the velocity u[" + std::to_string(i) + "] is " +
-                                        std::to_string(s.u[i]) +
-                                        "; it must be a finite number");
+                                        shortest(s.u[i]) + "; it must be a finite number");
     }
 }
 
@@ -165,7 +164,7 @@ void require_finite(const State<N>& s)
 [[noreturn]] inline void throw_not_finite(Index steps, Real h)
 {
     throw std::runtime_error("the state is no longer finite after " +
-                             std::to_string(steps) + " steps of " + std::to_string(h) +
+                             std::to_string(steps) + " steps of " + shortest(h) +
                              " s; a smaller step may help");
 }
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "common/bodies.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -182,10 +183,9 @@ void require_valid(const Row<Dof>& row, const std::string& name, Index count)
     if (!row.Ja.allFinite() || !row.Jb.allFinite()) refuse("has an entry of J that is not finite");
     if (!row.Wa.allFinite() || !row.Wb.allFinite())
         refuse("has an entry of the inverse mass times J that is not finite");
-    if (!std::isfinite(row.bias))
-        refuse("has the bias " + std::to_string(row.bias) + " m/s; it must be finite");
+    if (!std::isfinite(row.bias)) refuse("has the bias " + shortest(row.bias) + " m/s; it must be finite");
     if (!(row.lo <= row.hi))
-        refuse("has the bounds lo = " + std::to_string(row.lo) + " and hi = " + std::to_string(row.hi) +
+        refuse("has the bounds lo = " + shortest(row.lo) + " and hi = " + shortest(row.hi) +
                " N s; lo must not be above hi");
 }
 

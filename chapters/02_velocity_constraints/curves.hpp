@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "common/text.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -50,7 +51,7 @@ Constraint<2> curve_constraint(const VecX& x, Index k, const G& g)
 inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 {
     if (!(radius > 0))
-        throw std::invalid_argument("the radius of the wire is " + std::to_string(radius) +
+        throw std::invalid_argument("the radius of the wire is " + shortest(radius) +
                                     " m; it must be positive");
     const Vec2 p = x.segment<2>(2 * k);
     return {world, k, (p.squaredNorm() - radius * radius) / (2 * radius), RowVec<2>::Zero(),
@@ -64,8 +65,8 @@ inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 inline Constraint<2> ellipse_constraint(const VecX& x, Index k, const Vec2& half_axes)
 {
     if (!(half_axes.minCoeff() > 0))
-        throw std::invalid_argument("the shorter half axis of the wire is " +
-                                    std::to_string(half_axes.minCoeff()) + " m; both must be positive");
+        throw std::invalid_argument("the shorter half axis of the wire is " + shortest(half_axes.minCoeff()) +
+                                    " m; both must be positive");
     const Vec2 p = x.segment<2>(2 * k);
     const Vec2 gradient = p.cwiseQuotient(half_axes.cwiseAbs2());
     return {world, k, (gradient.dot(p) - 1) / 2, RowVec<2>::Zero(), gradient.transpose()};

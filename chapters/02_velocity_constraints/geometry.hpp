@@ -79,7 +79,12 @@ inline Constraint<2> rope_constraint(const VecX& x, Index a, const Vec2& p, Inde
 {
     const Direction da(x.segment<2>(2 * a) - p);
     const Direction db(x.segment<2>(2 * b) - q);
-    return {a, b, length - da.length - db.length, -da.n.transpose(), -db.n.transpose(), ConstraintKind::unilateral};
+    return {a,
+            b,
+            length - da.length - db.length,
+            -da.n.transpose(),
+            -db.n.transpose(),
+            ConstraintKind::unilateral};
 }
 
 //! [contact]

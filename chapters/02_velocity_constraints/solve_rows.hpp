@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "common/text.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
@@ -40,7 +41,7 @@ inline std::string sentence(const RowsAnswer& answer)
         names += (i ? ", " : "") + std::to_string(answer.at_odds[i]);
     if (answer.at_odds.size() > 8) names += ", ...";
     return rows + ": no velocity meets row(s) " + names + " together; the best compromise misses by " +
-           std::to_string(answer.residual) + " m/s";
+           readable(answer.residual) + " m/s";
 }
 
 /// How much smaller than the largest pivot one must be to count as zero. The rows are scaled to

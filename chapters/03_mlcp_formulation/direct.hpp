@@ -110,7 +110,7 @@ inline Solution direct(const Mlcp& mlcp, Real tolerance = 1e-10)
 {
     require_valid(mlcp);
     if (!(tolerance >= 0))
-        throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
+        throw std::invalid_argument("the tolerance is " + shortest(tolerance) +
                                     "; it must be zero or positive");
     std::vector<Index> rows;
     for (Index i = 0; i < mlcp.size(); ++i) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "common/math.hpp"
+#include "common/text.hpp"
 
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -150,12 +151,12 @@ inline void require_valid(const Mlcp& mlcp)
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
             if (!std::isfinite(entry.value()))
                 refuse("A[" + std::to_string(i) + "," + std::to_string(entry.col()) + "] is " +
-                       std::to_string(entry.value()) + "; it must be finite");
+                       shortest(entry.value()) + "; it must be finite");
         if (!std::isfinite(mlcp.q[i]))
-            refuse("q[" + std::to_string(i) + "] is " + std::to_string(mlcp.q[i]) + "; it must be finite");
+            refuse("q[" + std::to_string(i) + "] is " + shortest(mlcp.q[i]) + "; it must be finite");
         if (!(mlcp.lo[i] <= mlcp.hi[i]))
-            refuse("row " + std::to_string(i) + " has lo = " + std::to_string(mlcp.lo[i]) +
-                   " > hi = " + std::to_string(mlcp.hi[i]));
+            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
+                   " > hi = " + shortest(mlcp.hi[i]));
     }
 }
 

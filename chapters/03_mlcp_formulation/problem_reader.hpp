@@ -21,6 +21,8 @@ struct Problem {
     VecX z, w;                                   ///< the known answer; empty if there is none
 };
 
+inline constexpr std::size_t longest_line =
+    1'000'000;                                   ///< characters; 10000 numbers of 25 take a quarter of it
 inline constexpr Index largest_problem = 10000;  ///< rows; a file of so many is dense and has 200 MB or more
 
 /// Reads a problem line by line and remembers where it is, so that each refusal names the line.
@@ -54,14 +56,31 @@ private:
     bool next_line()
     {
         std::string text;
-        while (std::getline(in_, text)) {
-            ++line_;
+        while (next_text(text)) {
             std::istringstream stream(text.substr(0, text.find('#')));
             words_.clear();
             for (std::string word; stream >> word;) words_.push_back(word);
             if (!words_.empty()) return true;
         }
         return false;
+    }
+
+    /// std::getline with a limit: a file that is no problem may have no end of a line at all.
+    bool next_text(std::string& text)
+    {
+        text.clear();
+        std::streambuf& bytes = *in_.rdbuf();
+        constexpr int end = std::char_traits<char>::eof();
+        int c = bytes.sbumpc();
+        if (c == end) return false;
+        ++line_;
+        for (; c != end && c != '\n'; c = bytes.sbumpc()) {
+            if (text.size() == longest_line)
+                refuse("the line has more than " + std::to_string(longest_line) +
+                       " characters; a row of the largest problem has fewer");
+            text.push_back(static_cast<char>(c));
+        }
+        return true;
     }
 
     void read_key(const std::string& key)

@@ -15,6 +15,7 @@
 #include "chapters/03_mlcp_formulation/disc_constraints.hpp"
 #include "chapters/03_mlcp_formulation/matrix_solver.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
 
@@ -46,7 +47,7 @@ struct ColdStart {
     void recall(const StepSettings&, StepData<Dof>& now) const
     {
         if (!(carry >= 0 && carry <= 1))
-            throw std::invalid_argument("carry is " + std::to_string(carry) + "; it must be from 0 to 1");
+            throw std::invalid_argument("carry is " + shortest(carry) + "; it must be from 0 to 1");
         now.solution.lambda.setZero(static_cast<Index>(now.sources.size()));
         now.same_rows = false;
     }
@@ -77,11 +78,11 @@ void step(Scene& scene, const StepSettings& settings, Method&& method, StepData<
     method.start.recall(settings, now);
 
     for (now.substep = 0; now.substep < settings.substeps; ++now.substep) {
-        free_velocities(scene, settings, now);                // forces, and u* that they alone lead to (3.4)
-        evaluate_constraints(scene, now);                     // C and J where the bodies are now
+        free_velocities(scene, settings, now);         // forces, and u* that they alone lead to (3.4)
+        evaluate_constraints(scene, now);              // C and J where the bodies are now
         method.correction.rows(scene, settings, now);  // w = J u + b with the bounds of λ
-        method.start.choose(scene.bodies, now);               // where λ starts
-        method.solver.solve(scene.bodies, now);               // λ, and u = u* + M⁻¹ Jᵀ λ (3.9)
+        method.start.choose(scene.bodies, now);        // where λ starts
+        method.solver.solve(scene.bodies, now);        // λ, and u = u* + M⁻¹ Jᵀ λ (3.9)
         method.correction.move(scene, settings, method.solver, now);  // x
     }
 

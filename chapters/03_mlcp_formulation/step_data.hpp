@@ -40,8 +40,8 @@ inline void require_valid(const StepSettings& settings, const Vec2& gravity, Ind
         throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +
                                     "; it must be 1 or more");
     if (settings.pulled < world || settings.pulled >= bodies)
-        throw std::invalid_argument("the hand pulls disc " + std::to_string(settings.pulled) + "; the scene has discs 0 to " +
-                                    std::to_string(bodies - 1));
+        throw std::invalid_argument("the hand pulls disc " + std::to_string(settings.pulled) + " among " +
+                                    std::to_string(bodies));
 }
 
 /// Where a constraint of a step comes from.

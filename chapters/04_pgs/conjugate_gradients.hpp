@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
 
@@ -39,7 +40,7 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
 {
     require_valid(mlcp);
     if (!(tolerance >= 0) || max_iterations < 0)
-        throw std::invalid_argument("tolerance " + std::to_string(tolerance) + " m/s and limit of " +
+        throw std::invalid_argument("tolerance " + shortest(tolerance) + " m/s and limit of " +
                                     std::to_string(max_iterations) +
                                     " iterations: both must be zero or positive");
     const Index n = mlcp.size();

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "chapters/04_pgs/sweeps.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
 
@@ -62,7 +63,7 @@ inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory
 {
     require_valid(mlcp);
     if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
-        throw std::invalid_argument("tolerance " + std::to_string(settings.tolerance) + " m/s and limit of " +
+        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + " m/s and limit of " +
                                     std::to_string(settings.max_sweeps) + " sweeps: neither may be negative");
     if (solution.lambda.size() != mlcp.size() || !solution.lambda.allFinite())
         throw std::invalid_argument("the start has " + std::to_string(solution.lambda.size()) +

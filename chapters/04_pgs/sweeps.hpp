@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ inline bool is_empty(const SweepRows& sweep, std::size_t k)
 inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, SweepRows& sweep)
 {
     if (!(omega > 0 && omega < 2))
-        throw std::invalid_argument("the relaxation omega is " + std::to_string(omega) +
+        throw std::invalid_argument("the relaxation omega is " + shortest(omega) +
                                     "; it must lie between 0 and 2");
     const auto n = static_cast<std::size_t>(mlcp.size());
     if (!order.empty() && order.size() != n)

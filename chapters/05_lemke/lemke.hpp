@@ -10,6 +10,7 @@
 #include "chapters/05_lemke/infeasibility.hpp"
 #include "chapters/05_lemke/standard_form.hpp"
 #include "chapters/05_lemke/walk.hpp"
+#include "common/text.hpp"
 
 #include <limits>
 #include <string>
@@ -55,7 +56,7 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
 {
     require_valid(mlcp);
     if (!(settings.tolerance > 0) || settings.pivot_limit < 0)
-        throw std::invalid_argument("the tolerance is " + std::to_string(settings.tolerance) +
+        throw std::invalid_argument("the tolerance is " + shortest(settings.tolerance) +
                                     " and the pivot limit " + std::to_string(settings.pivot_limit) +
                                     "; the tolerance must be positive, the limit not negative");
     Solution solution;

@@ -12,6 +12,7 @@
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "common/random.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -56,7 +57,7 @@ inline Row<3> contact_row(Index a, Index b, const Vec2& n, const Vec2& ra, const
 inline ContactRows contact_rows(const BoxStack& stack)
 {
     const auto refuse = [](const std::string& thing, Real value, const std::string& right) {
-        throw std::invalid_argument(thing + " is " + std::to_string(value) + "; " + right);
+        throw std::invalid_argument(thing + " is " + shortest(value) + "; " + right);
     };
     if (stack.boxes < 1)
         refuse("the number of boxes", static_cast<Real>(stack.boxes), "it must be at least 1");

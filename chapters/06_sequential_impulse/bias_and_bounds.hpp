@@ -10,6 +10,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/joints.hpp"
+#include "common/text.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -46,7 +47,7 @@ template <int Dof>
 Row<Dof> motor(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real speed, Real force, Real h)
 {
     if (!(force >= 0))
-        throw std::invalid_argument("the force of a motor is " + std::to_string(force) +
+        throw std::invalid_argument("the force of a motor is " + shortest(force) +
                                     " N; it must be zero or positive");
     return make_row(constraint, inverse_mass, -speed, -h * force, h * force);
 }

@@ -6,6 +6,7 @@
 #include "chapters/06_sequential_impulse/block.hpp"
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
 
@@ -26,7 +27,7 @@ std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, int max_sweeps, Real to
 inline void require_valid(const ImpulseSettings& sweeps)
 {
     if (!(sweeps.tolerance >= 0))
-        throw std::invalid_argument("the tolerance of the sweeps is " + std::to_string(sweeps.tolerance) +
+        throw std::invalid_argument("the tolerance of the sweeps is " + shortest(sweeps.tolerance) +
                                     "; it must be zero or positive");
     if (sweeps.max_sweeps < 0)
         throw std::invalid_argument("the number of sweeps is " + std::to_string(sweeps.max_sweeps) +

@@ -4,6 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/disc_constraints.hpp"
 #include "chapters/06_sequential_impulse/bias_and_bounds.hpp"
+#include "common/text.hpp"
 
 #include <utility>
 
@@ -18,10 +19,10 @@ struct Restitution {
 inline void require_valid(const Restitution& settings)
 {
     if (!(settings.restitution >= 0 && settings.restitution <= 1))
-        throw std::invalid_argument("the restitution is " + std::to_string(settings.restitution) +
+        throw std::invalid_argument("the restitution is " + shortest(settings.restitution) +
                                     "; it must be from 0 to 1");
     if (!(settings.threshold >= 0))
-        throw std::invalid_argument("the threshold of bounces is " + std::to_string(settings.threshold) +
+        throw std::invalid_argument("the threshold of bounces is " + shortest(settings.threshold) +
                                     "; it must be zero or positive");
 }
 

@@ -29,6 +29,7 @@ inline DiscScene groove(Real angle)
 /// \param angle   by so much [rad]
 inline DiscScene cradle(Index count, Index lifted, Real angle)
 {
+    require_count("balls of a cradle", count);
     constexpr Real radius = 0.1, length = 1;
     DiscScene scene;
     scene.bodies = Bodies<2>(2 * count);
@@ -51,7 +52,7 @@ enum class ImpactLaw { simultaneous, sequential };
 
 /// What a step of impacts depends on and what it needs, kept from step to step.
 struct ImpactStep {
-    Real restitution = 0;   ///< e of every contact, 0 … 1
+    Real restitution = 0;    ///< e of every contact, 0 … 1
     ImpulseSettings sweeps;  ///< of the step after the impacts
 
     std::vector<Contact> contacts;

@@ -22,8 +22,7 @@ void free_velocities(OneRowScene<ConstraintAt>& scene, const StepSettings& setti
 {
     scene.bodies.f.setZero();
     add_gravity(scene.bodies, scene.gravity);
-    now.u_star =
-        scene.bodies.u + settings.part() * scene.bodies.inverse_mass.cwiseProduct(scene.bodies.f);
+    now.u_star = scene.bodies.u + settings.part() * scene.bodies.inverse_mass.cwiseProduct(scene.bodies.f);
 }
 
 template <class ConstraintAt>

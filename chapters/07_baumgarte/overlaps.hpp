@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/scenes.hpp"
+#include "common/text.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -28,7 +29,7 @@ inline DiscScene crowd(Index count, Real depth)
 {
     constexpr Real radius = 0.25;
     if (!(depth < radius))
-        throw std::invalid_argument("the discs of the crowd overlap by " + std::to_string(depth) +
+        throw std::invalid_argument("the discs of the crowd overlap by " + shortest(depth) +
                                     " m; it must be less than their radius of 0.25 m");
     DiscScene scene = column_between_walls(count);
     scene.radius.setConstant(radius);

@@ -43,7 +43,8 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, cons
             const Constraint<Dof> c = evaluate(i, x);
             if (c.kind == ConstraintKind::motor) continue;  // it has no error
             const Real missing = goal[i] - c.C;
-            if (c.kind == ConstraintKind::bilateral ? std::abs(missing) <= h * settings.tolerance : missing <= h * settings.tolerance)
+            if (c.kind == ConstraintKind::bilateral ? std::abs(missing) <= h * settings.tolerance
+                                                    : missing <= h * settings.tolerance)
                 continue;
             const Row<Dof> row = bilateral(c, inverse_mass);
             const Real A = row.compliance();

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "common/text.hpp"
 
 #include <span>
 #include <stdexcept>
@@ -56,7 +57,7 @@ inline void require_valid(const StabilizerSettings& settings)
 {
     const auto at_least_zero = [](Real value, const char* name, bool finite) {
         if (!(value >= 0) || (finite && !std::isfinite(value)))
-            throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+            throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
                                         "; it must be zero or positive" + (finite ? " and finite" : ""));
     };
     at_least_zero(settings.beta, "beta", true);
@@ -139,7 +140,7 @@ void pose_relaxation(const StepData<Dof>& now, const StabilizerSettings& setting
         const Constraint<Dof>& c = now.constraints[i];
         const Row<Dof>& row = now.rows[i];
         second.bias[i] = row.bias;
-        if (c.kind == ConstraintKind::motor) continue;                        // its speed is wanted
+        if (c.kind == ConstraintKind::motor) continue;           // its speed is wanted
         if (row.bias < velocity_bias(c, settings, h)) continue;  // it bounces
         const Real C = c.kind == ConstraintKind::bilateral ? 0 : predicted(row, c.C, u, h);
         second.bias[i] = std::max(Real{0}, C) / h;
@@ -160,7 +161,8 @@ void pose_split_impulse(const StepData<Dof>& now, const StabilizerSettings& sett
         second.left_out[i] = c.kind == ConstraintKind::motor;  // it has no error to correct
         if (second.left_out[i]) continue;
         const Real C = predicted(now.rows[i], c.C, u, h);
-        second.bias[i] = c.kind == ConstraintKind::unilateral && C > 0 ? C / h : baumgarte_bias(C, c.kind, settings, h);
+        second.bias[i] =
+            c.kind == ConstraintKind::unilateral && C > 0 ? C / h : baumgarte_bias(C, c.kind, settings, h);
     }
 }
 //! [split]

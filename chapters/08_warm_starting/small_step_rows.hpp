@@ -10,6 +10,7 @@
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "common/forces.hpp"
 #include "common/scenes.hpp"
+#include "common/text.hpp"
 
 #include <numeric>
 #include <utility>
@@ -108,13 +109,13 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     require_margin(settings.margin);
     require_valid(settings.repay);
     if (!(settings.first_tolerance >= 0))
-        throw std::invalid_argument("first_tolerance is " + std::to_string(settings.first_tolerance) +
+        throw std::invalid_argument("first_tolerance is " + shortest(settings.first_tolerance) +
                                     "; it must be zero or positive");
     if (settings.substeps < 1 || settings.sweeps < 1)
         throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
                                     std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
     if (settings.repay.beta != 1)
-        throw std::invalid_argument("beta is " + std::to_string(settings.repay.beta) +
+        throw std::invalid_argument("beta is " + shortest(settings.repay.beta) +
                                     "; small steps repay the whole error, so it must be 1");
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();

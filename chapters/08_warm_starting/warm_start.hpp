@@ -7,6 +7,7 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/08_warm_starting/best_multiple.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
+#include "common/text.hpp"
 
 #include <string_view>
 
@@ -51,7 +52,7 @@ struct WarmStart {
     ImpulseCache cache;
     std::vector<ImpulseKey> keys;      ///< of the rows
     std::vector<ImpulseKey> arranged;  ///< of those of the step before
-    Start started = Start::cold;  ///< how the last step started
+    Start started = Start::cold;       ///< how the last step started
     BodyGroups groups;
     MultipleScratch multiple;
 
@@ -93,7 +94,7 @@ struct WarmStart {
     void require_valid() const
     {
         if (!(factor >= 0 && factor <= 1))
-            throw std::invalid_argument("the warm start factor is " + std::to_string(factor) +
+            throw std::invalid_argument("the warm start factor is " + shortest(factor) +
                                         "; it must be from 0 to 1");
         if (keep < 0)
             throw std::invalid_argument("keep is " + std::to_string(keep) + "; it must be zero or positive");

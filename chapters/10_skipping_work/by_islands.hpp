@@ -25,9 +25,9 @@ struct IslandSolver {
     std::vector<ExactScratch> exact;
 
     // Of the last step.
-    int most_sweeps = 0;   ///< of the island that needed the most
-    int exact_count = 0;   ///< islands that were solved exactly
-    int unsolved = 0;      ///< islands whose residual did not meet the tolerance
+    int most_sweeps = 0;  ///< of the island that needed the most
+    int exact_count = 0;  ///< islands that were solved exactly
+    int unsolved = 0;     ///< islands whose residual did not meet the tolerance
 
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<2>& bodies, StepData<2>& now)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/skipping_world.hpp"
+#include "common/text.hpp"
 
 #include <string>
 #include <utility>
@@ -28,8 +29,9 @@ inline void wake_around(SkippingWorld& now, Index k)
 {
     const auto i = static_cast<int>(k);
     now.method.contacts.set.wake(k);
-    now.method.contacts.broad.grid.near(now.method.contacts.broad.grid.position(i), now.method.contacts.broad.reach_of(now.scene.radius[k]),
-                        ~std::uint64_t{0}, [&](int b) { now.method.contacts.set.wake(b); });
+    now.method.contacts.broad.grid.near(now.method.contacts.broad.grid.position(i),
+                                        now.method.contacts.broad.reach_of(now.scene.radius[k]),
+                                        ~std::uint64_t{0}, [&](int b) { now.method.contacts.set.wake(b); });
     for (const int l : now.method.contacts.links_on.of(i)) {
         const Link& link = now.scene.links[static_cast<std::size_t>(l)];
         now.method.contacts.set.wake(link.a == k ? link.b : link.a);
@@ -58,13 +60,12 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
     };
     const auto check = [&](const std::string& name, const Vec2& v) {
         if (!v.allFinite())
-            refuse(name + ' ' + std::to_string(v.x()) + ", " + std::to_string(v.y()) + "; it must be finite");
+            refuse(name + ' ' + shortest(v.x()) + ", " + shortest(v.y()) + "; it must be finite");
     };
     check("place", x);
     check("velocity", u);
     if (!(inverse_mass >= 0) || !std::isfinite(inverse_mass))
-        refuse("inverse mass " + std::to_string(inverse_mass) +
-               " 1/kg; it must be zero or positive and finite");
+        refuse("inverse mass " + shortest(inverse_mass) + " 1/kg; it must be zero or positive and finite");
     wake_around(now, k);
     now.scene.bodies.position(k) = x;
     now.scene.bodies.velocity(k) = u;
@@ -72,9 +73,11 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
     now.method.contacts.broad.grid.move(static_cast<int>(k), x);
     wake_around(now, k);
     const bool moves = inverse_mass > 0 || u.squaredNorm() > 0;
-    if (moves && !now.method.contacts.set.is_awake(k)) now.method.contacts.set.awake.push_back(static_cast<int>(k));
+    if (moves && !now.method.contacts.set.is_awake(k))
+        now.method.contacts.set.awake.push_back(static_cast<int>(k));
     now.method.contacts.set.activity[static_cast<std::size_t>(k)] = moves ? Activity::awake : Activity::fixed;
-    now.method.contacts.set.woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found anew
+    now.method.contacts.set.woken.push_back(
+        static_cast<int>(k));  // as if it had just woken: its pairs are found anew
 }
 
 /// Takes a disc out of the scene, with its links and bends. What stood on it wakes.

@@ -12,6 +12,8 @@
 #include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/10_skipping_work/awake_bodies.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
+#include "chapters/10_skipping_work/fall_asleep.hpp"
+#include "common/text.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -66,7 +68,7 @@ struct SkippingCounters {
 
 //! [world]
 struct SkippingWorld {
-    DiscScene scene;  ///< read it; to change it, see doors.hpp
+    DiscScene scene;     ///< read it; to change it, see doors.hpp
     Real margin = 0.02;  ///< a contact gets its row when its gap is below this [m]
     SkippingMethod method;
     StepData<2> found;  ///< by the last step, on its way
@@ -84,9 +86,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
     if (!(margin >= 0) || !std::isfinite(margin))
-        refuse("the margin is " + std::to_string(margin) + " m; it must be zero or positive and finite");
+        refuse("the margin is " + shortest(margin) + " m; it must be zero or positive and finite");
     if (!(skin >= 0) || !std::isfinite(skin))
-        refuse("the skin is " + std::to_string(skin) + " m; it must be zero or positive and finite");
+        refuse("the skin is " + shortest(skin) + " m; it must be zero or positive and finite");
     if (!filter.group.empty() && filter.group.size() != K)
         refuse("there are " + std::to_string(filter.group.size()) + " groups for " + std::to_string(K) +
                " discs");

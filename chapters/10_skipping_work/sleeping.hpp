@@ -11,6 +11,7 @@
 
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "chapters/10_skipping_work/awake_set.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <span>
@@ -30,7 +31,7 @@ struct RestSettings {
 inline void require_valid(const RestSettings& rest)
 {
     const auto refuse = [](const char* name, Real value) {
-        throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+        throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
                                     "; it must be positive and finite");
     };
     if (!(rest.speed > 0) || !std::isfinite(rest.speed)) refuse("the speed of rest", rest.speed);

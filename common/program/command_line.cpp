@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -51,9 +52,18 @@ std::uint64_t whole(const std::string& option, const std::string& text, std::uin
     return *value;
 }
 
+/// Limits are shown with ten digits, 0.01666666667 for 1/60: who types what is shown means the limit itself.
+std::optional<Real> parse_within(const std::string& text, Real low, Real high)
+{
+    const auto value = parse_real(text);
+    for (const Real limit : {low, high})
+        if (value && *value == parse_real(readable(limit))) return limit;
+    return value;
+}
+
 Real time_step(const Scene& scene, const std::string& text)
 {
-    const auto h = parse_real(text);
+    const auto h = parse_within(text, scene.h_low, scene.h_high);
     const std::string right =
         "it must be a number " + range(scene.h_low, scene.h_high, "s") + " in scene " + scene.name;
     if (!h) refuse("the time step --h is " + in_quotes(text) + "; " + right);
@@ -75,7 +85,7 @@ void set_tunable(const Scene& scene, Settings& settings, const std::string& assi
                (scene.tunables.empty() ? "; it has none" : "; it has: " + joined(names_of(scene.tunables))));
     const std::string right = std::string("it must be a ") + (tunable->whole ? "whole " : "") + "number " +
                               range(tunable->low, tunable->high, tunable->unit);
-    const auto value = parse_real(text);
+    const auto value = parse_within(text, tunable->low, tunable->high);
     if (!value) refuse("the tunable " + name + " is " + in_quotes(text) + "; " + right);
     if (*value < tunable->low || *value > tunable->high || (tunable->whole && *value != std::round(*value)))
         refuse("the tunable " + name + " is " + with_unit(text, tunable->unit) + "; " + right);
@@ -147,7 +157,9 @@ std::string help_of_scenes(const Program& program)
                     padded(column.name + (column.unit.empty() ? "" : " [" + column.unit + ']'), 23) + "  " +
                     column.help + '\n';
     }
-    if (program.solve_problem) text += "\nMethods for --problem: " + joined(program.problem_methods) + '\n';
+    if (program.solve_problem)
+        text += "\nMethods for --problem: " + joined(program.problem_methods) + " (default " +
+                program.problem_methods.front() + ")\n";
     return text;
 }
 
@@ -183,6 +195,8 @@ void require_consistent(const Program& program)
 {
     if (program.scenes.empty() && !program.solve_problem)
         refuse("the program " + in_quotes(program.name) + " has 0 scenes; it must have at least one");
+    if (program.solve_problem && program.problem_methods.empty())
+        refuse("the program " + in_quotes(program.name) + " has 0 methods for problems; it must have one");
     std::set<std::string> scenes;
     for (const Scene& scene : program.scenes) {
         const std::string where = "scene " + in_quotes(scene.name) + ": ";
@@ -204,6 +218,9 @@ void require_consistent(const Program& program)
             if (!names.insert(method).second)
                 refuse(where + "it lists the method " + in_quotes(method) + " twice");
         }
+        if (scene.side_by_side.size() > most_panes)
+            refuse(where + "side_by_side names " + std::to_string(scene.side_by_side.size()) +
+                   " methods; a window shows " + std::to_string(most_panes) + " at most");
         for (const std::string& method : scene.side_by_side)
             if (!is_among(method, scene.methods))
                 refuse(where + "side_by_side names " + in_quotes(method) +
@@ -290,7 +307,8 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
         options.answer = list_of_scenes(program);
         return options;
     }
-    if (!options.problem.empty()) {
+    if (program.solve_problem && app.count("--problem") > 0) {
+        if (options.problem.empty()) refuse("--problem is \"\"; it must be a file name");
         for (const auto& [name, given] : {std::pair{"--scene", !scene_name.empty()},
                                           {"--set", !assignments.empty()},
                                           {"--steps", !steps_text.empty()},
@@ -309,7 +327,7 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
             refuse("--problem has no method " + in_quotes(words.front()) +
                    "; it has: " + joined(program.problem_methods));
         if (!words.empty()) options.problem_method = words.front();
-        else if (!program.problem_methods.empty()) options.problem_method = program.problem_methods.front();
+        else options.problem_method = program.problem_methods.front();
         return options;
     }
     if (program.scenes.empty()) refuse("--problem is missing; this program has no scenes and solves a file");
@@ -325,7 +343,13 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
     }
     const Scene& scene = *options.scene;
     options.settings = default_settings(scene);
-    for (const std::string& assignment : assignments) set_tunable(scene, options.settings, assignment);
+    std::set<std::string> assigned;
+    for (const std::string& assignment : assignments) {
+        set_tunable(scene, options.settings, assignment);
+        const std::string name = assignment.substr(0, assignment.find('='));
+        if (!assigned.insert(name).second)
+            refuse("the tunable " + name + " is set twice, the second time by " + in_quotes(assignment));
+    }
     if (app.count("--h") > 0) options.settings.h = time_step(scene, h_text);
     if (app.count("--seed") > 0) options.settings.seed = whole("--seed", seed_text, 0, UINT64_MAX);
     if (app.count("--steps") > 0)
@@ -342,6 +366,9 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
 
     options.methods_given = !methods.empty();
     options.methods = checked_methods(scene, methods);
+    if (!options.headless && options.methods.size() > most_panes)
+        refuse("--method names " + std::to_string(options.methods.size()) + " methods; a window shows " +
+               std::to_string(most_panes) + " at most (--headless takes any number)");
     if (options.methods.empty()) options.methods = {options.settings.method};
     options.settings.method = options.methods.front();
     return options;

@@ -22,6 +22,7 @@ int run_headless(const Program& program, const Options& options)
     InterruptGuard guard;
 
     // Everything that can be refused is refused before the first step.
+    require_different_files(options);
     Playback playback(scene, options.settings, options.methods);
     if (!options.svg.empty()) require_writable("the picture", options.svg);
     if (!options.png.empty()) require_writable("the picture", options.png);
@@ -60,7 +61,6 @@ int run_headless(const Program& program, const Options& options)
             progress.show(playback.steps());
         }
     }
-    if (table) table->finish();
     if (!options.svg.empty()) write_svg(options.svg, playback.draw());
     if (!options.png.empty()) painter->write_png(options.png, playback.draw());
     if (options.csv.empty() && options.svg.empty() && options.png.empty() && options.record.empty())
@@ -70,7 +70,7 @@ int run_headless(const Program& program, const Options& options)
     if (InterruptGuard::interrupted()) {
         std::cerr << "Interrupted after step " << playback.steps()
                   << "; what was written is complete up to there.\n";
-        return 130;
+        return 128 + InterruptGuard::signal();
     }
     return playback.failures().empty() ? 0 : 3;
 }

@@ -1,24 +1,32 @@
 /// \file interrupt.hpp
-/// Ctrl-C asks a run to end: it finishes its row and closes its files. A second Ctrl-C ends it at once.
+/// Ctrl-C asks a run to end, and so does SIGTERM: it finishes its row and closes its files. A second one ends it at
+/// once.
 #pragma once
 
 #include <csignal>
 
 namespace rigid {
 
-/// While it lives, Ctrl-C (SIGINT) only sets a flag.
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM only set a flag.
 class InterruptGuard {
 public:
     InterruptGuard()
     {
         flag() = 0;
-        before_ = std::signal(SIGINT, &InterruptGuard::note);
+        interrupt_before_ = std::signal(SIGINT, &InterruptGuard::note);
+        terminate_before_ = std::signal(SIGTERM, &InterruptGuard::note);
     }
-    ~InterruptGuard() { std::signal(SIGINT, before_ == SIG_ERR ? SIG_DFL : before_); }
+    ~InterruptGuard()
+    {
+        std::signal(SIGINT, interrupt_before_ == SIG_ERR ? SIG_DFL : interrupt_before_);
+        std::signal(SIGTERM, terminate_before_ == SIG_ERR ? SIG_DFL : terminate_before_);
+    }
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
     static bool interrupted() { return flag() != 0; }
+    /// Which signal it was; a program that ends by it returns 128 more, as shells do. 0 = none.
+    static int signal() { return flag(); }
 
 private:
     // A signal handler has no other way to speak than a static flag.
@@ -27,12 +35,13 @@ private:
         static volatile std::sig_atomic_t value = 0;
         return value;
     }
-    static void note(int)
+    static void note(int signal)
     {
-        flag() = 1;
-        std::signal(SIGINT, SIG_DFL);
+        flag() = signal;
+        std::signal(signal, SIG_DFL);
     }
-    void (*before_)(int) = SIG_DFL;
+    void (*interrupt_before_)(int) = SIG_DFL;
+    void (*terminate_before_)(int) = SIG_DFL;
 };
 
 }  // namespace rigid

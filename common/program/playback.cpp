@@ -44,7 +44,7 @@ void Playback::step(const Input& input)
             track.time = time();
         } catch (const std::exception& failure) {
             // StepFailure, or bad input found within the run: neither can be mended by going on.
-            track.failure = failure.what();
+            track.failure = sentence_of(failure);
         }
     }
 }

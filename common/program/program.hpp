@@ -85,23 +85,29 @@ struct Scene {
     std::vector<Tunable> tunables;
     std::vector<Column> columns;
     bool steered = false;  ///< the pointer steers it all the time (not only while pressed)
-    std::vector<std::string>
-        side_by_side;  ///< methods that the window shows at first; empty = the default one
+    /// Methods that the window shows at first, most_panes of them at most; empty = the default one.
+    std::vector<std::string> side_by_side;
     /// Throws std::invalid_argument with a sentence for settings that make no sense.
     std::function<std::unique_ptr<Run>(const Settings&)> start;
 };
+
+inline constexpr std::size_t most_panes = 4;  ///< methods side by side in a window
 
 struct Program {
     std::string name;           ///< of the executable, 01_euler_integration
     std::string title;          ///< "Chapter 1. Euler integration"
     std::vector<Scene> scenes;  ///< the first is the default
     /// For chapters that solve a problem from a file (--problem FILE --method NAME): does it, prints
-    /// the answer and returns the exit code. `problem_methods` are the names that it takes.
+    /// the answer and returns the exit code. `problem_methods` are the names that it takes, the default one first.
     std::function<int(const std::string& file, const std::string& method)> solve_problem;
     std::vector<std::string> problem_methods;
 };
 
-/// The whole of main(): returns the exit code (0 well, 2 bad input, 3 a run that couldn't go on).
-int run_program(const Program& program, int argc, char** argv);
+/// The whole of main(): returns the exit code (0 well, 2 bad input, 3 a run that couldn't go on, or an output that
+/// couldn't be written). The program is made inside, so that what is thrown on the way becomes a sentence too.
+int run_program(const std::function<Program()>& make, int argc, char** argv);
+
+/// What an exception says to the reader: its own sentence, or one about memory where it has none.
+std::string sentence_of(const std::exception& error);
 
 }  // namespace rigid

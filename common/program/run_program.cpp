@@ -1,5 +1,6 @@
 #include "common/program/command_line.hpp"
 #include "common/program/headless.hpp"
+#include "common/program/outputs.hpp"
 #include "common/program/program.hpp"
 #ifdef RIGID_HAS_WINDOW
 #include "common/program/window.hpp"
@@ -10,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
+#include <stdexcept>
 
 namespace rigid {
 namespace {
@@ -50,7 +53,8 @@ int run_in_place_of_window(const Program& program, Options options, const std::s
 
 int solve(const Program& program, const Options& options)
 {
-    if (!std::ifstream(options.problem))
+    std::error_code ignored;
+    if (std::filesystem::is_directory(options.problem, ignored) || !std::ifstream(options.problem))
         throw std::invalid_argument("the problem \"" + options.problem +
                                     "\" can't be read; it must be a file");
     return program.solve_problem(options.problem, options.problem_method);
@@ -63,6 +67,7 @@ int run(const Program& program, const Options& options)
         return 0;
     }
     if (!options.problem.empty()) return solve(program, options);
+    require_different_files(options);
     if (options.headless) return run_headless(program, options);
     std::string reason = no_window_reason();
 #ifdef RIGID_HAS_WINDOW
@@ -72,18 +77,36 @@ int run(const Program& program, const Options& options)
     return run_in_place_of_window(program, options, reason);
 }
 
+/// What was printed may wait in a buffer: a full disk shows here at the latest.
+void require_printed()
+{
+    if (!std::cout.flush())
+        throw std::runtime_error("the standard output can't be written to; is the disk full?");
+}
+
 }  // namespace
 
-int run_program(const Program& program, int argc, char** argv)
+std::string sentence_of(const std::exception& error)
+{
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+        dynamic_cast<const std::length_error*>(&error) != nullptr)
+        return "there is not enough memory for this";
+    return error.what();
+}
+
+int run_program(const std::function<Program()>& make, int argc, char** argv)
 {
     try {
+        const Program program = make();
         require_consistent(program);
-        return run(program, parse_command_line(program, argc, argv));
+        const int code = run(program, parse_command_line(program, argc, argv));
+        require_printed();
+        return code;
     } catch (const std::invalid_argument& error) {
         std::cerr << error.what() << '\n';
         return 2;
     } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
+        std::cerr << sentence_of(error) << '\n';
         return 3;
     }
 }

@@ -181,9 +181,4 @@ void Show::remember()
     if (table_) table_->add(playback_->tracks());
 }
 
-void Show::finish()
-{
-    if (table_) table_->finish();
-}
-
 }  // namespace rigid

@@ -38,8 +38,6 @@ private:
 
 class Show {
 public:
-    static constexpr std::size_t most_panes = 4;
-
     /// Throws std::invalid_argument if the scene refuses what was typed.
     Show(const Program& program, const Options& options);
 
@@ -77,9 +75,6 @@ public:
     /// how long one is. Ends early where the step's number is a multiple of `stop_every` (0 = never).
     void advance(Real seconds, const Input& hand, long stop_every);
     void single_step(const Input& hand);
-
-    /// Completes the table.
-    void finish();
 
 private:
     void start();

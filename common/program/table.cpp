@@ -9,7 +9,7 @@
 namespace rigid {
 
 Table::Table(const std::string& file, const Scene& scene, std::size_t methods)
-    : file_(file), last_step_(methods, -1), waiting_(methods)
+    : file_(file), last_step_(methods, -1)
 {
     if (file_ != "-") {
         stream_.open(file_, std::ios::binary | std::ios::trunc);
@@ -29,8 +29,9 @@ void Table::check()
 {
     out().flush();
     if (!out())
-        throw std::runtime_error("the table \"" + file_ +
-                                 "\" can't be written any further; is the disk full?");
+        throw std::runtime_error("the table " +
+                                 (file_ == "-" ? "on the standard output" : '"' + file_ + '"') +
+                                 " can't be written any further; is the disk full?");
 }
 
 void Table::add(const std::vector<Track>& tracks)
@@ -42,20 +43,9 @@ void Table::add(const std::vector<Track>& tracks)
         std::string row = std::to_string(track.steps) + ',' + shortest(track.time);
         if (tracks.size() > 1) row += ',' + track.method;
         for (const Real value : track.measured) row += ',' + shortest(value);
-        row += '\n';
-        if (i == 0) out() << row;
-        else waiting_[i] += row;
+        out() << row << '\n';
     }
     check();  // row by row, so that what is there stays there whatever happens next
-}
-
-void Table::finish()
-{
-    for (std::string& rows : waiting_) {
-        out() << rows;
-        rows.clear();
-    }
-    check();
 }
 
 std::string summary(const Program& program, const Playback& playback)

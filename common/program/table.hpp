@@ -2,11 +2,12 @@
 /// The table of a run: CSV, one row for each step and method.
 ///
 ///     step,t,energy,drift                    or, with several methods,   step,t,method,energy,drift
-///     0,0,9.81,0
-///     1,0.016666666666666666,9.8087,1.2e-09
+///     0,0,9.81,0                             0,0,rk4,9.81,0
+///     1,0.016666666666666666,9.8087,1.2e-09  0,0,verlet,9.81,0
 ///
 /// Each number is the shortest text that reads back as the same bits, with a decimal point whatever
-/// the locale. With several methods the rows of one stand together, those of the first come first.
+/// the locale. With several methods each step has a row for each of them. A row is in the file as soon as it was
+/// measured: nothing waits in memory, and nothing is lost however a run ends.
 /// Units are in --help: a CSV column is a name and numbers.
 #pragma once
 
@@ -29,17 +30,13 @@ public:
     /// std::runtime_error if it can't be written.
     void add(const std::vector<Track>& tracks);
 
-    /// Writes the rows of the second and later methods, which wait for the first one's.
-    void finish();
-
 private:
     std::ostream& out();
     void check();
 
     std::string file_;
     std::ofstream stream_;
-    std::vector<long> last_step_;       ///< of each method, -1 = none yet
-    std::vector<std::string> waiting_;  ///< rows of each method but the first
+    std::vector<long> last_step_;  ///< of each method, -1 = none yet
 };
 
 /// The last row of each track, with units, for a reader.

@@ -163,10 +163,13 @@ public:
         }
         if (!options_.png.empty()) save_window(options_.png);  // before the buffers are swapped
         if (!options_.svg.empty() && show_.playback()) write_svg(options_.svg, show_.playback()->draw());
-        show_.finish();
         if (show_.playback())
             for (const std::string& sentence : show_.playback()->failures()) std::cerr << sentence << '\n';
-        if (InterruptGuard::interrupted()) return 130;
+        if (InterruptGuard::interrupted()) return 128 + InterruptGuard::signal();
+        if (!record_failure_.empty()) {
+            std::cerr << record_failure_ << '\n';
+            return 3;
+        }
         return show_.playback() && !show_.playback()->failures().empty() ? 3 : 0;
     }
 
@@ -447,6 +450,7 @@ private:
         } catch (const std::runtime_error& error) {
             state_.recording = false;
             say(error.what());
+            if (!options_.record.empty()) record_failure_ = error.what();  // what was asked for is not there
         }
     }
 
@@ -467,6 +471,7 @@ private:
     std::vector<Projection> projections_;
     long every_ = 1;
     bool frame_due_ = false;
+    std::string record_failure_;
     std::chrono::steady_clock::time_point message_until_;
 };
 

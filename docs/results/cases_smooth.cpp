@@ -170,10 +170,8 @@ void add_smooth_motion(Registry& registry)
     add_rod(
         registry, "3", "direct", "unit=factorisation ",
         [](Real h) {
-            return [settings = StepSettings{.h = h}, now = StepData<2>(),
-                    method = by_matrix(solve_direct)](DiscScene& scene) mutable {
-                step(scene, settings, method, now);
-            };
+            return [settings = StepSettings{.h = h}, now = StepData<2>(), method = by_matrix(solve_direct)](
+                       DiscScene& scene) mutable { step(scene, settings, method, now); };
         },
         1);
 }

@@ -28,8 +28,8 @@ Method coloured(int sweeps)
 template <class Method>
 auto stepping(const RunScene& run, Method method)
 {
-    return [settings = StepSettings{.h = run.h()}, method = std::move(method), now = StepData<2>()](
-               DiscScene& scene, std::int64_t& work, bool&) mutable {
+    return [settings = StepSettings{.h = run.h()}, method = std::move(method),
+            now = StepData<2>()](DiscScene& scene, std::int64_t& work, bool&) mutable {
         step(scene, settings, method, now);
         work += now.visits;
     };
@@ -37,9 +37,8 @@ auto stepping(const RunScene& run, Method method)
 
 void add_plain(Registry& registry, const SharedRun& run, int sweeps)
 {
-    add_run(registry, run, "6", "sequential_impulse", sweeps_text(sweeps), sweeps == 10 && run->dense, [=] {
-        return stepping(*run, coloured<ImpulseMethod>(sweeps));
-    });
+    add_run(registry, run, "6", "sequential_impulse", sweeps_text(sweeps), sweeps == 10 && run->dense,
+            [=] { return stepping(*run, coloured<ImpulseMethod>(sweeps)); });
 }
 
 /// One of chapter 7's ways, from a cold start in each step.
@@ -56,8 +55,8 @@ void add_stabilized(Registry& registry, const SharedRun& run, Stabilizer stabili
 /// Yesterday's impulses; the error is repaid on the positions, which chapter 8 shows to be safe.
 void add_warm(Registry& registry, const SharedRun& run, Start start, int sweeps)
 {
-    add_run(registry, run, "8", start == Start::previous ? "warm" : "warm_best_multiple",
-            sweeps_text(sweeps), sweeps == 10 && run->dense, [=] {
+    add_run(registry, run, "8", start == Start::previous ? "warm" : "warm_best_multiple", sweeps_text(sweeps),
+            sweeps == 10 && run->dense, [=] {
                 auto method = coloured<WarmMethod>(sweeps);
                 method.correction.method = Stabilizer::projection;
                 method.start.from = start;

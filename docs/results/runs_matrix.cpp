@@ -15,8 +15,8 @@ void add_solver_run(Registry& registry, const SharedRun& run, const std::string&
                     const MakeSolve& make_solve)
 {
     add_run(registry, run, chapter, method, parameters, quick, [=] {
-        return [settings = StepSettings{.h = run->h()}, now = StepData<2>(), solve = make_solve()](
-                   DiscScene& scene, std::int64_t& work, bool& solved) mutable {
+        return [settings = StepSettings{.h = run->h()}, now = StepData<2>(),
+                solve = make_solve()](DiscScene& scene, std::int64_t& work, bool& solved) mutable {
             const auto count = [&](const Mlcp& mlcp, Solution& solution) { work += solve(mlcp, solution); };
             step(scene, settings, by_matrix(count), now);
             solved = solved && now.solution.status == Status::solved;

@@ -5,8 +5,11 @@ into TOKENS (code span, inline maths, image, citation, link, plain words). The
 checks and the Doxygen filter work on the same tokens, so what is checked is
 what is rendered.
 """
+import os
 import pathlib
 import re
+import sys
+import xml.etree.ElementTree as xml
 from dataclasses import dataclass, field
 
 
@@ -15,6 +18,35 @@ class TextError(Exception):
 
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def book_folder(path):
+    """The book's folder that was named, or a TextError: what is not there has no faults, and must not pass."""
+    path = pathlib.Path(path).resolve()
+    if not (path / "README.md").is_file() or not chapters(path):
+        raise TextError(f"{path} is no folder of the book: it must have a README.md and chapters/01_…")
+    return path
+
+
+def run_tool(main):
+    """Runs a tool's main() and ends with its exit code; what goes wrong is one sentence and exit code 2."""
+    name = pathlib.Path(sys.argv[0]).name
+    try:
+        code = main()
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        code = 130
+    except (TextError, OSError, UnicodeError, xml.ParseError) as fault:
+        what = " ".join(str(fault).split())
+        if isinstance(fault, UnicodeError):
+            what = f"a text is not UTF-8: {what}"
+        if isinstance(fault, xml.ParseError):
+            what = f"the tag file is not XML: {what}"
+        print(f"{name}: {what}", file=sys.stderr)
+        code = 2
+        if isinstance(fault, OSError):  # a full disk or a closed pipe: no second complaint at the end
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    sys.exit(code)
 
 
 # ------------------------------------------------------------------ the files

@@ -7,11 +7,14 @@ Faults: a link or an anchor that leads nowhere, a missing picture, script or sty
 sheet, anything that a browser would fetch from another place, and raw \\f[, $…$,
 \\cite and the like in the words of a page. Exit code 1 if there is any.
 """
+import argparse
 import html.parser
 import pathlib
 import re
 import sys
 import urllib.parse
+
+from booktext import TextError, run_tool
 
 FETCHED = {("script", "src"), ("img", "src"), ("iframe", "src"), ("source", "src"), ("video", "src"),
            ("audio", "src"), ("object", "data"), ("embed", "src"), ("image", "href")}
@@ -117,10 +120,19 @@ def check(folder):
     return faults
 
 
-if __name__ == "__main__":
-    found = check(pathlib.Path(sys.argv[1]).resolve())
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("html_folder", type=pathlib.Path, help="the site")
+    folder = parser.parse_args().html_folder.resolve()
+    if not folder.is_dir():
+        raise TextError(f"{folder} is no folder")
+    found = check(folder)
     for fault in found:
         print(fault, file=sys.stderr)
     if found:
         print(f"{len(found)} fault{'s' if len(found) > 1 else ''} in the site.", file=sys.stderr)
-    sys.exit(1 if found else 0)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    run_tool(main)

@@ -30,9 +30,9 @@ import re
 import sys
 import urllib.parse
 
-from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors,
+from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
-                      figure_captions, markdown_files, source_files, test_names, tokens)
+                      figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
 
 PICTURES = {".svg", ".png", ".gif", ".jpg", ".jpeg", ".webp"}
 
@@ -431,7 +431,7 @@ def shorten(tex):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the book's folder")
-    faults = Checker(parser.parse_args().root.resolve()).run()
+    faults = Checker(book_folder(parser.parse_args().root)).run()
     for sentence in faults:
         print(sentence, file=sys.stderr)
     if faults:
@@ -440,4 +440,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tool(main)

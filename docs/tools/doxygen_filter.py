@@ -8,13 +8,14 @@ code, figures, links and citations become Doxygen's own. A C++ source: an equati
 number in a doc comment becomes a link; the number of lines stays what it is.
 A test: each test becomes a documented function that bears its name.
 """
+import argparse
 import html
 import pathlib
 import re
 import sys
 
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
-                      blocks, chapters, comments, equation_tags, figure_captions, page_id, slug,
+                      blocks, chapters, comments, equation_tags, figure_captions, page_id, run_tool, slug,
                       snippet_code, test_names, tokens)
 
 
@@ -310,7 +311,13 @@ def test_text(book, path, source):
 
 
 def main():
-    path = pathlib.Path(sys.argv[1]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("file", type=pathlib.Path, help="a text or a source of the book")
+    path = parser.parse_args().file.resolve()
+    if not path.is_file():
+        raise TextError(f"{path} is no file")
+    if not path.is_relative_to(ROOT):
+        raise TextError(f"{path} is not in the book, which is {ROOT}")
     book = Book(ROOT)
     if path.suffix == ".md":
         sys.stdout.write(Page(book, path).text())
@@ -321,7 +328,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except TextError as fault:
-        sys.exit(f"doxygen_filter.py: {fault}")
+    run_tool(main)

@@ -12,15 +12,15 @@
   Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
                               whose variable starts with a digit, as 01_euler_integration.cpp does
 """
+import argparse
 import html
 import os
 import pathlib
 import re
 import shutil
-import sys
 import xml.etree.ElementTree as xml
 
-from booktext import EQUATION, ROOT, chapters, equation_tags, page_id
+from booktext import EQUATION, ROOT, TextError, chapters, equation_tags, page_id, run_tool
 from doxygen_filter import label, unpacked
 
 
@@ -106,5 +106,15 @@ def finish(folder, tag_file, root):
             shutil.copyfile(root / picture, folder / "pictures" / picture)
 
 
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("html_folder", type=pathlib.Path, help="what Doxygen wrote")
+    parser.add_argument("tag_file", type=pathlib.Path, help="Doxygen's list of pages")
+    options = parser.parse_args()
+    if not (options.html_folder / "index.html").is_file():
+        raise TextError(f"{options.html_folder} is no site: it has no index.html")
+    finish(options.html_folder, options.tag_file, ROOT)
+
+
 if __name__ == "__main__":
-    finish(pathlib.Path(sys.argv[1]), sys.argv[2], ROOT)
+    run_tool(main)

@@ -12,7 +12,7 @@ import argparse
 import pathlib
 import sys
 
-from booktext import ROOT, TextError, blocks, markdown_files, snippet_code
+from booktext import ROOT, TextError, blocks, book_folder, markdown_files, run_tool, snippet_code
 
 
 def filled(root, path):
@@ -69,11 +69,11 @@ def main():
     parser.add_argument("--check", action="store_true", help="change nothing, fail if any is stale")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the book's folder")
     options = parser.parse_args()
-    said, well = run(options.root.resolve(), options.check)
+    said, well = run(book_folder(options.root), options.check)
     for sentence in said:
         print(sentence, file=sys.stdout if well else sys.stderr)
     return 0 if well else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tool(main)

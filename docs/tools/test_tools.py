@@ -4,6 +4,7 @@
     docs/build.sh test
 """
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -436,6 +437,147 @@ class Site(unittest.TestCase):
     def test_raw_marks(self):
         for raw in ("\\f[ x \\f]", "let $x$ be", "see \\cite key", "[x](y.md)", "packq2020q"):
             self.assertIn("raw" if "$" not in raw else "not turned into", self.check(f"<p>{raw}</p>"), raw)
+
+
+class Commands(Folder):
+    """A program of the book is a script here: what it is called with, where, and how it ends."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("bin/01_euler", "#!/bin/sh\n"
+                   'echo "$PWD $DISPLAY $*" >>"$(dirname "$0")/calls"\n'
+                   'case "$*" in *"--scene five --steps 1"*) echo "five methods; a window shows 4" >&2; exit 2 ;; esac\n'
+                   'case "$*" in *"--scene fails"*) echo "step 1: it fell over" >&2; exit 3 ;; esac\n'
+                   "touch left_behind\n")
+        (self.root / "bin/01_euler").chmod(0o755)
+
+    def run_with(self, *arguments):
+        tools = pathlib.Path(__file__).resolve().parent
+        done = subprocess.run([sys.executable, "-B", str(tools / "check_commands.py"), *arguments],
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout, done.stderr
+
+    def checked(self, *lines):
+        self.add("\n".join(["```sh", *lines, "```"]))
+        return self.run_with(str(self.root / "bin"), "--root", str(self.root))
+
+    def test_a_command_is_run_for_one_step_as_it_stands_and_without_a_window(self):
+        code, out, err = self.checked("./book run 1 --scene fall --steps 900 --csv a.csv   # a comment")
+        self.assertEqual((code, err), (0, ""))
+        calls = [line.split(" ", 2) for line in self.read("bin/calls").splitlines()]
+        self.assertEqual([c[2] for c in calls if not c[1]],
+                         ["--scene fall --csv a.csv --steps 1", "--scene fall --headless --steps 1"])
+        self.assertFalse((self.root / "left_behind").exists())
+        self.assertTrue(all(not c[0].startswith(str(self.root)) for c in calls))
+
+    def test_a_command_that_only_a_window_refuses(self):
+        code, out, _ = self.checked("./book run 1 --scene five")
+        self.assertEqual(code, 1)
+        self.assertIn("README.md", out)
+        self.assertIn("exit code 2: five methods; a window shows 4", out)
+
+    def test_a_command_that_cannot_go_on(self):
+        code, out, _ = self.checked("./book run 1 --scene fails")
+        self.assertEqual(code, 1)
+        self.assertIn("exit code 3: step 1: it fell over", out)
+
+    def test_a_list_is_run_once_and_an_ellipsis_not_at_all(self):
+        code, out, _ = self.checked("./book run 1 --list-scenes", "./book run 1 --scene NAME")
+        self.assertEqual(code, 0)
+        self.assertEqual(self.read("bin/calls").count("\n"), 1)
+
+    def test_a_program_or_a_chapter_that_is_not_there(self):
+        code, out, _ = self.checked("./book run 2")
+        self.assertEqual(code, 1)
+        self.assertIn("02_constraints", out)
+        code, _, err = self.checked("./book run 7")
+        self.assertEqual(code, 2)
+        self.assertIn("there is no chapter 7", err)
+        self.assertNotIn("Traceback", err)
+
+
+    def test_limits_that_a_program_prints_and_refuses(self):
+        self.write("bin/01_euler", """#!/bin/sh
+case "$*" in
+*--help) cat <<'END'
+  fall: A bead that falls.
+    --h 0.01 s, between 0.001 and 0.01666666667 s
+    --set g=8 m/s²                Gravity; between 0 and 16 m/s²
+    --set beads=1                 How many; whole number between 1 and 20; restarts the scene
+END
+;;
+*0.01666666667*) echo "the time step --h is too long" >&2; exit 2 ;;
+*beads=20*) echo "the tunable beads is 20" >&2; exit 2 ;;
+*g=16*) echo "g does not go with beads" >&2; exit 2 ;;
+*beads=1) exit 139 ;;
+esac
+""")
+        tools = pathlib.Path(__file__).resolve().parent
+        done = subprocess.run([sys.executable, "-B", str(tools / "check_limits.py"), str(self.root / "bin"), "01_euler"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertEqual(done.stdout.splitlines(), [
+            "01_euler --scene fall --h 0.01666666667: exit code 2: the time step --h is too long",
+            "01_euler --scene fall --set beads=1: exit code 139: ",
+            "01_euler --scene fall --set beads=20: exit code 2: the tunable beads is 20",
+            "6 limits tried, 3 of them refused"])
+
+
+class OddCalls(Folder):
+    """Each tool ends with a sentence and not with a traceback, and what is not there does not pass."""
+
+    def called(self, tool, *arguments, out=subprocess.PIPE):
+        tools = pathlib.Path(__file__).resolve().parent
+        done = subprocess.run([sys.executable, "-B", str(tools / tool), *arguments], stdout=out,
+                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, cwd=self.root)
+        self.assertNotIn("Traceback", done.stderr, (tool, arguments))
+        self.assertNotIn("Exception", done.stderr, (tool, arguments))
+        return done.returncode, done.stderr
+
+    def refused(self, tool, *arguments, **more):
+        code, said = self.called(tool, *arguments, **more)
+        self.assertNotEqual(code, 0, (tool, arguments))
+        self.assertNotEqual(said.strip(), "", (tool, arguments))
+
+    def test_a_root_that_is_missing_or_no_book(self):
+        self.write("empty/file", "")
+        for tool in ("check_text.py", "sync_snippets.py"):
+            for root in ("nowhere", "empty", "README.md"):
+                self.refused(tool, "--root", root)
+        self.refused("sync_snippets.py", "--check", "--root", "nowhere")
+        self.refused("check_commands.py", ".", "--root", "nowhere")
+
+    def test_arguments_that_are_missing_or_too_many(self):
+        for tool in ("check_html.py", "finish_html.py", "doxygen_filter.py", "check_commands.py", "check_limits.py"):
+            self.refused(tool)
+            self.refused(tool, "a", "b", "c")
+        for tool in ("check_text.py", "sync_snippets.py"):
+            self.refused(tool, "a")
+            self.refused(tool, "--root")
+
+    def test_files_and_folders_that_are_not_what_they_should_be(self):
+        self.write("site/index.html", "")
+        self.write("tags", "no tags")
+        for call in (("check_html.py", "nowhere"), ("check_html.py", "README.md"), ("finish_html.py", "nowhere", "tags"),
+                     ("finish_html.py", "site", "nowhere"), ("finish_html.py", "site", "tags"),
+                     ("doxygen_filter.py", "nowhere"), ("doxygen_filter.py", "site"), ("doxygen_filter.py", "README.md"),
+                     ("check_limits.py", "nowhere"), ("check_limits.py", ".", "README"),
+                     ("check_commands.py", "nowhere"), ("check_commands.py", "README.md")):
+            self.refused(*call)
+
+    def test_a_text_that_is_no_text(self):
+        (self.root / "chapters/01_euler/README.md").write_bytes(b"# Chapter 1. \xff\xfe\n")
+        self.refused("check_text.py", "--root", str(self.root))
+        self.refused("sync_snippets.py", "--root", str(self.root))
+        self.refused("check_commands.py", str(self.root), "--root", str(self.root))
+
+    @unittest.skipUnless(pathlib.Path("/dev/full").exists(), "needs /dev/full")
+    def test_a_full_disk(self):
+        book = pathlib.Path(__file__).resolve().parents[2]
+        self.write("chapters/01_euler/step.hpp", STEP.replace("x", "y"))
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            self.refused("doxygen_filter.py", str(book / "README.md"), out=full)
+            self.refused("sync_snippets.py", "--root", str(self.root), out=full)
 
 
 class Reading(unittest.TestCase):

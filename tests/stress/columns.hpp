@@ -4,6 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "common/text.hpp"
 #include "tests/stress/method.hpp"
 
 namespace rigid::stress {
@@ -32,8 +33,7 @@ inline void require_honest(const Mlcp& mlcp, const Solution& solution)
     // 1e-6 of the numbers in the problem: a thousand times what the solvers themselves ask for.
     const Real residual = natural_residual(mlcp, solution.lambda);
     if (!(residual <= 1e-6 * std::max(Real{1}, size_of_numbers(mlcp, solution.lambda))))
-        throw SilentError("an answer with the residual " + std::to_string(residual) +
-                          " m/s is called solved");
+        throw SilentError("an answer with the residual " + shortest(residual) + " m/s is called solved");
 }
 
 /// The same for rows that were swept without a matrix. Looks at one step of sixteen: the matrix costs more than
@@ -57,9 +57,12 @@ private:
 /// The settings of the one step. Gravity is the scene's.
 inline std::vector<Setting> step_settings(DiscScene& scene, StepSettings& s)
 {
-    return {{"gravity x", &scene.gravity.x(), false}, {"gravity y", &scene.gravity.y(), false},
-            {"stiffness", &s.stiffness, false},       {"damping", &s.damping, false},
-            {"margin", &s.margin, true},              {"hand x", &s.hand.x(), false},
+    return {{"gravity x", &scene.gravity.x(), false},
+            {"gravity y", &scene.gravity.y(), false},
+            {"stiffness", &s.stiffness, false},
+            {"damping", &s.damping, false},
+            {"margin", &s.margin, true},
+            {"hand x", &s.hand.x(), false},
             {"hand y", &s.hand.y(), false}};
 }
 

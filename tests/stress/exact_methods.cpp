@@ -21,8 +21,9 @@ Method on_the_matrix(const std::string& name, bool one_at_a_time)
             else active_sets(mlcp, settings, memory, solution);
         }
     };
-    Method method = matrix_method(9, name, "exact", {{"tolerance", nullptr, true}},
-                                  [one_at_a_time] { return Solve{one_at_a_time, {}}; });
+    Method method = matrix_method(9, name, "exact", {{"tolerance", nullptr, true}}, [one_at_a_time] {
+        return Solve{one_at_a_time, {}};
+    });
     if (one_at_a_time) method.most_rows = 100;
     return method;
 }
@@ -32,7 +33,8 @@ struct HonestExact {
     template <class Solving>
     void operator()(Solving& by, const StepData<2>& now) const
     {
-        if (by.correction.method != Stabilizer::split_impulse) return require_honest(by.solver.mlcp, now.solution);
+        if (by.correction.method != Stabilizer::split_impulse)
+            return require_honest(by.solver.mlcp, now.solution);
         require_honest(by.solver.mlcp, by.correction.second.solution);
     }
 };
@@ -43,7 +45,8 @@ Method on_small_steps(const std::string& name, const Spending& spending)
     ExactMethod by;
     by.correction = correction_of(spending);
     return stepping(9, name,
-                    "exact, " + std::to_string(spending.substeps) + (spending.substeps > 1 ? " substeps" : " step"),
+                    "exact, " + std::to_string(spending.substeps) +
+                        (spending.substeps > 1 ? " substeps" : " step"),
                     by, spending.substeps, HonestExact{});
 }
 
@@ -55,10 +58,12 @@ std::vector<Method> exact_methods(int sweeps)
     return {on_the_matrix("active sets", false),
             on_the_matrix("dantzig", true),
             on_small_steps("exact baumgarte", {Stabilizer::baumgarte, 1, 0, 1, infinity, 0.2}),
-            on_small_steps("exact substeps", {Stabilizer::baumgarte, 1, 0, sweeps < 8 ? sweeps : 16, infinity, 0.05}),
+            on_small_steps("exact substeps",
+                           {Stabilizer::baumgarte, 1, 0, sweeps < 8 ? sweeps : 16, infinity, 0.05}),
             on_small_steps("exact projection", {Stabilizer::projection, 1, 5, few, infinity, 0.5}),
             on_small_steps("exact split", {Stabilizer::split_impulse, 1, 0, 1, infinity, 1}),
-            on_small_steps("exact split substeps", {Stabilizer::split_impulse, 1, 0, sweeps < 8 ? sweeps : 16, infinity, 1})};
+            on_small_steps("exact split substeps",
+                           {Stabilizer::split_impulse, 1, 0, sweeps < 8 ? sweeps : 16, infinity, 1})};
 }
 
 }  // namespace rigid::stress

@@ -103,7 +103,7 @@ SmallStepSettings with_substeps(SmallStepSettings settings, int substeps, bool l
 
 std::vector<Method> impulse_methods(int sweeps)
 {
-    const int half = sweeps / 2;           // of those that share their sweeps between velocities and positions
+    const int half = sweeps / 2;  // of those that share their sweeps between velocities and positions
     const int most = sweeps - 2 * sweeps / 5;  // relaxation: six with the bias, four without
     const Real unlimited = infinity;
     const Spending baumgarte{Stabilizer::baumgarte, sweeps, 0, 1, unlimited};
@@ -115,27 +115,28 @@ std::vector<Method> impulse_methods(int sweeps)
     bounded.fastest = 0.3;
     Spending small{Stabilizer::projection, 1, 1, std::max(1, sweeps - 2), unlimited};
     small.beta = 1;
-    return {impulses("impulses", sweeps, Order::given),
-            impulses("coloured impulses", sweeps, Order::coloured),
-            impulses("shuffled impulses", sweeps, Order::shuffled),
-            impulses("paired impulses", sweeps, Order::given, true),
-            cold("baumgarte", baumgarte),
-            cold("baumgarte 0.3 m/s", bounded),
-            cold("relaxation", relaxation),
-            cold("split impulse", split),
-            cold("projection", projection),
-            cold("substeps", substeps),
-            warm("warm baumgarte", baumgarte),
-            warm("warm baumgarte 0.8", baumgarte, Start::previous, 0.8),
-            warm("warm relaxation", relaxation),
-            warm("warm split impulse", split),
-            warm("warm projection", projection),
-            warm("warm substeps", substeps),
-            warm("best baumgarte", baumgarte, Start::best_multiple),
-            warm("best projection", projection, Start::best_multiple),
-            warm("best small steps", small, Start::best_multiple, 1, true),
-            preset("quick steps", with_substeps(quick_steps(), sweeps < 8 ? sweeps : 8, sweeps >= 8)),
-            preset("careful steps", with_substeps(careful_steps(), sweeps < 8 ? 2 * sweeps : 16, sweeps >= 8))};
+    return {
+        impulses("impulses", sweeps, Order::given),
+        impulses("coloured impulses", sweeps, Order::coloured),
+        impulses("shuffled impulses", sweeps, Order::shuffled),
+        impulses("paired impulses", sweeps, Order::given, true),
+        cold("baumgarte", baumgarte),
+        cold("baumgarte 0.3 m/s", bounded),
+        cold("relaxation", relaxation),
+        cold("split impulse", split),
+        cold("projection", projection),
+        cold("substeps", substeps),
+        warm("warm baumgarte", baumgarte),
+        warm("warm baumgarte 0.8", baumgarte, Start::previous, 0.8),
+        warm("warm relaxation", relaxation),
+        warm("warm split impulse", split),
+        warm("warm projection", projection),
+        warm("warm substeps", substeps),
+        warm("best baumgarte", baumgarte, Start::best_multiple),
+        warm("best projection", projection, Start::best_multiple),
+        warm("best small steps", small, Start::best_multiple, 1, true),
+        preset("quick steps", with_substeps(quick_steps(), sweeps < 8 ? sweeps : 8, sweeps >= 8)),
+        preset("careful steps", with_substeps(careful_steps(), sweeps < 8 ? 2 * sweeps : 16, sweeps >= 8))};
 }
 
 }  // namespace rigid::stress

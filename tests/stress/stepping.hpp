@@ -31,7 +31,8 @@ std::vector<Setting> settings_of(DiscScene& scene, StepSettings& settings, Solvi
     std::vector<Setting> all = step_settings(scene, settings);
     add_settings(all, by.correction);
     if constexpr (requires { by.start.carry; }) all.push_back({"carry", &by.start.carry, false});
-    if constexpr (requires { by.start.factor; }) all.push_back({"warm start factor", &by.start.factor, false});
+    if constexpr (requires { by.start.factor; })
+        all.push_back({"warm start factor", &by.start.factor, false});
     if constexpr (requires { by.solver.sweeps; })
         all.push_back({"tolerance", &by.solver.sweeps.tolerance, true});
     if constexpr (requires { by.solver.find.settings.tolerance; })

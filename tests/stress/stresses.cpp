@@ -10,7 +10,8 @@ void perturb(DiscScene& scene, std::uint64_t seed)
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (scene.bodies.inverse_mass[2 * k] <= 0) continue;
         scene.bodies.inverse_mass.segment<2>(2 * k) *= random.uniform(0.95, 1.05);
-        scene.bodies.velocity(k) = Vec2(random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3));
+        const Real vy = random.uniform(-1e-3, 1e-3), vx = random.uniform(-1e-3, 1e-3);
+        scene.bodies.velocity(k) = Vec2(vx, vy);
     }
 }
 

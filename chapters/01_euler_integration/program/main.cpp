@@ -609,4 +609,4 @@ Program program()
 }  // namespace
 }  // namespace rigid
 
-int main(int argc, char** argv) { return rigid::run_program(rigid::program(), argc, argv); }
+int main(int argc, char** argv) { return rigid::run_program(rigid::program, argc, argv); }

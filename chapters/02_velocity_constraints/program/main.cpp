@@ -26,21 +26,24 @@ Scene ellipse_scene()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "02_velocity_constraints";
-    program.title = "Chapter 2. Velocity constraints";
-    program.scenes = {bead_scene("circle", "A bead on a circular wire leaves it, by a closed form", 0,
-                                 [](const Settings&) { return circle_wire(); }),
-                      ellipse_scene(),
-                      bead_scene("own_curve",
-                                 "A bead on a curve of your own, its gradient found by the machine", 9.81,
-                                 [](const Settings&) { return own_wire(); }),
-                      pendulum_scene(),
-                      plane_scene(),
-                      discs_scene(),
-                      chain_scene(),
-                      conflict_scene(),
-                      atwood_scene(),
-                      wedge_scene()};
-    return run_program(program, argc, argv);
+    const auto make = [] {
+        Program program;
+        program.name = "02_velocity_constraints";
+        program.title = "Chapter 2. Velocity constraints";
+        program.scenes = {bead_scene("circle", "A bead on a circular wire leaves it, by a closed form", 0,
+                                     [](const Settings&) { return circle_wire(); }),
+                          ellipse_scene(),
+                          bead_scene("own_curve",
+                                     "A bead on a curve of your own, its gradient found by the machine", 9.81,
+                                     [](const Settings&) { return own_wire(); }),
+                          pendulum_scene(),
+                          plane_scene(),
+                          discs_scene(),
+                          chain_scene(),
+                          conflict_scene(),
+                          atwood_scene(),
+                          wedge_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
 }

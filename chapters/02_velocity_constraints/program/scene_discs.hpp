@@ -2,8 +2,8 @@
 /// Discs that meet each other and the walls of a box, one row for each contact.
 #pragma once
 
-#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/program/scene_hand.hpp"
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
 #include "common/forces.hpp"
@@ -120,7 +120,8 @@ private:
     void place_freely(Index k, Random& random)
     {
         for (int attempt = 0; attempt < 1000; ++attempt) {
-            const Vec2 p(random.uniform(-1.25, 1.25), random.uniform(-0.75, 0.75));
+            const Real y = random.uniform(-0.75, 0.75), x = random.uniform(-1.25, 1.25);
+            const Vec2 p(x, y);
             bool free = true;
             for (Index j = 0; j < k && free; ++j)
                 free = (scene_.bodies.position(j) - p).norm() > scene_.radius[j] + scene_.radius[k];

@@ -11,8 +11,8 @@
 //
 // error: for assembly the largest difference from the dense product over the largest entry of A; for solvers
 // the natural residual over the largest |q|. work: multiplications for assembly, sets for enumeration.
-#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/scenes.hpp"
 
 #include <benchmark/benchmark.h>

@@ -17,11 +17,12 @@
 
 #include "chapters/03_mlcp_formulation/problem_reader.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigid {
@@ -57,8 +58,8 @@ inline void write_solution(std::ostream& out, const Problem& problem, const Solu
     section("w", problem.mlcp.A * solution.lambda + problem.mlcp.q);
 }
 
-/// The ways that a program can solve a problem, by name.
-using ProblemMethods = std::map<std::string, std::function<Solution(const Mlcp&)>>;
+/// The ways that a program can solve a problem, by name; the first is the default.
+using ProblemMethods = std::vector<std::pair<std::string, std::function<Solution(const Mlcp&)>>>;
 
 inline std::vector<std::string> names_of(const ProblemMethods& methods)
 {
@@ -73,7 +74,8 @@ inline std::vector<std::string> names_of(const ProblemMethods& methods)
 inline int solve_problem_file(const std::string& file, const std::string& method,
                               const ProblemMethods& methods)
 {
-    const auto solve = methods.find(method);
+    const auto solve =
+        std::find_if(methods.begin(), methods.end(), [&](const auto& one) { return one.first == method; });
     if (solve == methods.end())
         throw std::invalid_argument("there is no method \"" + method +
                                     "\"; there are: " + joined(names_of(methods)));

@@ -3,9 +3,9 @@
 /// them that changes the momentum least.
 #pragma once
 
-#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/impact_drawing.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/measure.hpp"
 #include "common/program/program.hpp"
 

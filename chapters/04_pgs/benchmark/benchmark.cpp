@@ -4,8 +4,8 @@
 ///     ten_sweeps/…  a whole solve of ten sweeps, ours and Bullet's, in turns
 ///     error/…       error against row visits and time, for every method on four problems
 
-#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"

@@ -4,10 +4,10 @@
 
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
-#include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/pgs.hpp"
-#include "chapters/04_pgs/rates.hpp"
+#include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/program/scene_sweeps.hpp"
+#include "chapters/04_pgs/rates.hpp"
 #include "common/measure.hpp"
 #include "common/program/program.hpp"
 

@@ -144,14 +144,17 @@ ProblemMethods problem_methods()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "04_pgs";
-    program.title = "Chapter 4. Projected Gauss-Seidel";
-    program.scenes = {ten_discs_scene(),  column_scene(), chain_scene(),
-                      mass_ratio_scene(), sweeps_scene(), zigzag_scene()};
-    program.problem_methods = names_of(problem_methods());
-    program.solve_problem = [](const std::string& file, const std::string& method) {
-        return solve_problem_file(file, method, problem_methods());
+    const auto make = [] {
+        Program program;
+        program.name = "04_pgs";
+        program.title = "Chapter 4. Projected Gauss-Seidel";
+        program.scenes = {ten_discs_scene(),  column_scene(), chain_scene(),
+                          mass_ratio_scene(), sweeps_scene(), zigzag_scene()};
+        program.problem_methods = names_of(problem_methods());
+        program.solve_problem = [](const std::string& file, const std::string& method) {
+            return solve_problem_file(file, method, problem_methods());
+        };
+        return program;
     };
-    return run_program(program, argc, argv);
+    return run_program(make, argc, argv);
 }

@@ -104,13 +104,17 @@ ProblemMethods problem_methods()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "05_lemke";
-    program.title = "Chapter 5. Lemke's algorithm";
-    program.scenes = {plane_scene(), tableau_scene(), stack_scene(), ten_discs_scene(), heavy_top_scene()};
-    program.problem_methods = names_of(problem_methods());
-    program.solve_problem = [](const std::string& file, const std::string& method) {
-        return solve_problem_file(file, method, problem_methods());
+    const auto make = [] {
+        Program program;
+        program.name = "05_lemke";
+        program.title = "Chapter 5. Lemke's algorithm";
+        program.scenes = {plane_scene(), tableau_scene(), stack_scene(), ten_discs_scene(),
+                          heavy_top_scene()};
+        program.problem_methods = names_of(problem_methods());
+        program.solve_problem = [](const std::string& file, const std::string& method) {
+            return solve_problem_file(file, method, problem_methods());
+        };
+        return program;
     };
-    return run_program(program, argc, argv);
+    return run_program(make, argc, argv);
 }

@@ -75,11 +75,14 @@ Scene ten_discs_scene()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "06_sequential_impulse";
-    program.title = "Chapter 6. Sequential impulse";
-    program.scenes = {groove_scene(), bounce_scene(), cradle_scene(),    lift_scene(),
-                      belt_scene(),   rope_scene(),   one_sweep_scene(), triangle_scene(),
-                      column_scene(), chain_scene(),  ten_discs_scene()};
-    return run_program(program, argc, argv);
+    const auto make = [] {
+        Program program;
+        program.name = "06_sequential_impulse";
+        program.title = "Chapter 6. Sequential impulse";
+        program.scenes = {groove_scene(), bounce_scene(), cradle_scene(),    lift_scene(),
+                          belt_scene(),   rope_scene(),   one_sweep_scene(), triangle_scene(),
+                          column_scene(), chain_scene(),  ten_discs_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
 }

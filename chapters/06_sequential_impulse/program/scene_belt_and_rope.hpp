@@ -45,8 +45,7 @@ private:
     {
         speed_ = settings["speed"];
         for (Index k = 0; k < 3; ++k)
-            scene_.joints.push_back(
-                {Joint::Kind::motor, world, k, Vec2(1, 0), 0, speed_, settings["force"]});
+            scene_.joints.push_back({Joint::Kind::motor, world, k, Vec2(1, 0), 0, speed_, settings["force"]});
     }
     Real speed_ = 0;
 };

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "chapters/04_pgs/program/drawing.hpp"
-#include "chapters/06_sequential_impulse/program/impulse_run.hpp"
 #include "chapters/06_sequential_impulse/lift.hpp"
+#include "chapters/06_sequential_impulse/program/impulse_run.hpp"
 #include "common/program/program.hpp"
 
 #include <memory>

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "common/math.hpp"
+#include "common/text.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -29,7 +30,7 @@ public:
         if (!(length > 0) || mass.size() == 0 || !(mass.minCoeff() > 0))
             throw std::invalid_argument("a chain needs at least one disc of positive mass and links of "
                                         "positive length; the length is " +
-                                        std::to_string(length) + " m");
+                                        shortest(length) + " m");
         for (Index k = mass.size() - 1; k-- > 0;) below_[k] += below_[k + 1];
     }
 

@@ -181,10 +181,13 @@ Scene swing_scene()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "08_warm_starting";
-    program.title = "Chapter 8. Warm starting";
-    program.scenes = {column_scene(), ten_discs_scene(), removed_scene(),
-                      chain_scene(),  swing_scene(),     triangle_scene()};
-    return run_program(program, argc, argv);
+    const auto make = [] {
+        Program program;
+        program.name = "08_warm_starting";
+        program.title = "Chapter 8. Warm starting";
+        program.scenes = {column_scene(), ten_discs_scene(), removed_scene(),
+                          chain_scene(),  swing_scene(),     triangle_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
 }

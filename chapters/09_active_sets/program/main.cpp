@@ -21,13 +21,16 @@ ProblemMethods problem_methods()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "09_active_sets";
-    program.title = "Chapter 9. Active sets";
-    program.scenes = {plane_scene(), guess_scene(), ten_discs_exactly_scene(), long_chain_scene()};
-    program.problem_methods = names_of(problem_methods());
-    program.solve_problem = [](const std::string& file, const std::string& method) {
-        return solve_problem_file(file, method, problem_methods());
+    const auto make = [] {
+        Program program;
+        program.name = "09_active_sets";
+        program.title = "Chapter 9. Active sets";
+        program.scenes = {plane_scene(), guess_scene(), ten_discs_exactly_scene(), long_chain_scene()};
+        program.problem_methods = names_of(problem_methods());
+        program.solve_problem = [](const std::string& file, const std::string& method) {
+            return solve_problem_file(file, method, problem_methods());
+        };
+        return program;
     };
-    return run_program(program, argc, argv);
+    return run_program(make, argc, argv);
 }

@@ -4,6 +4,7 @@
 
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/09_active_sets/program/guess_run.hpp"
+#include "common/text.hpp"
 
 #include <array>
 
@@ -75,7 +76,7 @@ private:
         VecX q(2);
         q << settings["q1"], settings["q2"];
         if (!(A.determinant() > 0))
-            throw std::invalid_argument("a11 a22 - a12^2 is " + std::to_string(A.determinant()) +
+            throw std::invalid_argument("a11 a22 - a12^2 is " + shortest(A.determinant()) +
                                         "; it must be positive, else A is not positive definite");
         return plain_lcp(A, q);
     }

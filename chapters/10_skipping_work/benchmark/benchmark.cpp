@@ -216,8 +216,8 @@ void broad(benchmark::State& state, const std::string& method, const std::string
 void net_step(benchmark::State& state, bool groups)
 {
     const DiscScene scene = net(100);
-    SkippingWorld now = make_world(
-        scene, groups ? net_filter(scene) : filter_of_links(scene.bodies.count(), scene.links));
+    SkippingWorld now =
+        make_world(scene, groups ? net_filter(scene) : filter_of_links(scene.bodies.count(), scene.links));
     SkippingSettings settings;
     settings.h = 1.0 / 240;
     settings.sweeps.max_sweeps = 2;
@@ -350,13 +350,12 @@ void field_step(benchmark::State& state, const std::string& kind, const std::str
 {
     static Steppers all;
     const auto K = static_cast<Index>(state.range(0));
-    Stepper& now =
-        *once<std::string, std::unique_ptr<Stepper>>(all, kind + who + std::to_string(K), [&] {
-            auto made = stepper(who, field_with(K, kind != "sleepers"), margin,
-                                early_out(1.0 / 60, kind != "awake"));
-            for (int i = 0; i < 120; ++i) made->step();
-            return made;
-        });
+    Stepper& now = *once<std::string, std::unique_ptr<Stepper>>(all, kind + who + std::to_string(K), [&] {
+        auto made =
+            stepper(who, field_with(K, kind != "sleepers"), margin, early_out(1.0 / 60, kind != "awake"));
+        for (int i = 0; i < 120; ++i) made->step();
+        return made;
+    });
     for (auto _ : state) now.step();
     const Counted counted = now.counted();
     report(state, counted);
@@ -671,17 +670,19 @@ void add_all()
     }
     add("islands", apart)->Iterations(1)->Arg(0)->Arg(1);
     for (const bool groups : {false, true})
-        add(groups ? "net/groups" : "net/pairs", [groups](benchmark::State& state) { net_step(state, groups); })
-            ->Iterations(5);
+        add(groups ? "net/groups" : "net/pairs", [groups](benchmark::State& state) {
+            net_step(state, groups);
+        })->Iterations(5);
     for (const bool in_air : {false, true}) {
         const Ball ball(in_air);
         const std::string name = in_air ? "bounce/air_" : "bounce/";
-        auto* const fixed =
-            add(name + "fixed", [ball](benchmark::State& state) { bounce_fixed(state, ball); })->MinTime(0.01);
+        auto* const fixed = add(name + "fixed", [ball](benchmark::State& state) {
+                                bounce_fixed(state, ball);
+                            })->MinTime(0.01);
         for (const int steps : {10, 100, 1000, 10000, 100000, 1000000, 10000000}) fixed->Arg(steps);
-        auto* const adaptive =
-            add(name + "adaptive", [ball](benchmark::State& state) { bounce_adaptive(state, ball); })
-                ->MinTime(0.01);
+        auto* const adaptive = add(name + "adaptive", [ball](benchmark::State& state) {
+                                   bounce_adaptive(state, ball);
+                               })->MinTime(0.01);
         for (const int digits : {3, 5, 7, 9, 11}) adaptive->Arg(digits);
     }
     auto* const chain = add("factor", factor)->MinTime(0.01);

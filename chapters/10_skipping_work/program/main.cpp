@@ -106,9 +106,12 @@ Scene net_scene()
 
 int main(int argc, char** argv)
 {
-    Program program;
-    program.name = "10_skipping_work";
-    program.title = "Chapter 10. Skipping work";
-    program.scenes = {rain_scene(), columns_scene(), field_scene(), net_scene()};
-    return run_program(program, argc, argv);
+    const auto make = [] {
+        Program program;
+        program.name = "10_skipping_work";
+        program.title = "Chapter 10. Skipping work";
+        program.scenes = {rain_scene(), columns_scene(), field_scene(), net_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
 }

@@ -35,8 +35,9 @@ public:
                 throw StepFailure("the position of body " + std::to_string(k) + " is not finite");
         for (int i = 0; now_.counters.awake > 0 && i < now_.method.solver.islands.count(); ++i)
             for (const int k : now_.method.solver.islands.bodies_of(i))
-                group_[static_cast<std::size_t>(k)] =
-                    now_.method.solver.islands.rows_of(i).empty() ? -1 : now_.method.solver.islands.bodies_of(i)[0];
+                group_[static_cast<std::size_t>(k)] = now_.method.solver.islands.rows_of(i).empty()
+                                                          ? -1
+                                                          : now_.method.solver.islands.bodies_of(i)[0];
     }
 
     std::vector<Real> measure() const override

@@ -7,6 +7,8 @@
 #include "common/scenes.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace rigid {
@@ -19,8 +21,12 @@ inline void set_disc(DiscScene& scene, Index k, const Vec2& x, Real radius, bool
     scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(fixed ? 0 : 1 / (100 * pi * radius * radius));
 }
 
+/// So many discs, still to be placed; none is a scene as well.
 inline DiscScene empty_scene(Index count)
 {
+    if (count < 0)
+        throw std::invalid_argument("the number of discs is " + std::to_string(count) +
+                                    "; it must be 0 or more");
     DiscScene scene;
     scene.bodies = Bodies<2>(count);
     scene.radius = VecX::Ones(count);
@@ -42,9 +48,10 @@ inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t se
         area += pi * radius * radius;
     }
     const Real side = std::sqrt(area / share);
-    for (Index k = 0; k < count; ++k)
-        scene.bodies.position(k) =
-            Vec2(random.uniform(-0.5, 0.5) * side * stretch, random.uniform(-0.5, 0.5) * side / stretch);
+    for (Index k = 0; k < count; ++k) {
+        const Real y = random.uniform(-0.5, 0.5), x = random.uniform(-0.5, 0.5);
+        scene.bodies.position(k) = Vec2(x * side * stretch, y * side / stretch);
+    }
     scene.half_size = Vec2(0.5 * side * stretch, 0.5 * side / stretch);
     return scene;
 }
@@ -74,7 +81,8 @@ inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 36)
     for (Index i = 0; i < count; ++i) {
         const Real x = between * (static_cast<Real>(i % in_line) - 0.5 * static_cast<Real>(in_line - 1));
         const Real y = 2.2 + between * static_cast<Real>(i / in_line);
-        set_disc(scene, fixed + i, {x + random.uniform(-0.015, 0.015), y}, random.uniform(0.05, 0.1));
+        const Real radius = random.uniform(0.05, 0.1), aside = random.uniform(-0.015, 0.015);
+        set_disc(scene, fixed + i, {x + aside, y}, radius);
     }
     // Nothing gets through: behind the stones there is a wall.
     scene.walls = {{{0, 1}, -2.6}, {{1, 0}, -width / 2}, {{-1, 0}, -width / 2}};
@@ -86,6 +94,7 @@ inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 36)
 /// group 1, which does not meet itself: see net_filter().
 inline DiscScene net(Index side)
 {
+    require_count("discs along a side of a net", side);
     constexpr Real length = 0.1;
     DiscScene scene = empty_scene(side * side);
     const auto at = [side](Index line, Index column) { return line * side + column; };
@@ -113,6 +122,9 @@ inline CollisionFilter net_filter(const DiscScene& scene)
 /// never rests. Its anchor is body 0, its bob body 1.
 inline DiscScene field(Index sleepers)
 {
+    if (sleepers < 0)
+        throw std::invalid_argument("the number of sleepers in a field is " + std::to_string(sleepers) +
+                                    "; it must be 0 or more");
     DiscScene scene = empty_scene(2 + sleepers);
     set_disc(scene, 0, {0, 5}, 0.05, true);
     set_disc(scene, 1, {1, 5}, 0.1);

@@ -1,0 +1,96 @@
+/// \file fall_asleep.hpp
+/// The end of the contacts stage: how long each body has been at rest, and which islands fall asleep (10.8).
+#pragma once
+
+#include "chapters/10_skipping_work/awake_bodies.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace rigid {
+
+/// A body that moves and can't be stopped keeps awake what it carries, pulls or bends, however slowly it goes.
+inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepData<2>& now)
+{
+    const auto kinematic = [&](Index k) {
+        return k != world && set.is_awake(k) && !(scene.bodies.inverse_mass[2 * k] > 0);
+    };
+    for (const int k : set.awake)
+        if (kinematic(k)) rests[static_cast<std::size_t>(k)] = {};
+    const auto together = [&](std::initializer_list<Index> bodies) {
+        if (std::none_of(bodies.begin(), bodies.end(), kinematic)) return;
+        for (const Index k : bodies)
+            if (k != world) rests[static_cast<std::size_t>(k)] = {};
+    };
+    for (const Row<2>& row : now.rows) together({row.a, row.b});
+    for (const Bend& bend : active_bends) together({bend.left, bend.middle, bend.right});
+}
+
+/// How long each body that is awake has been at rest.
+inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& settings,
+                                    const StepData<2>& now)
+{
+    bool any_kinematic = false;
+    for (const int k : set.awake) {
+        Rest& so_far = rests[static_cast<std::size_t>(k)];
+        so_far =
+            still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), rest, settings.h);
+        any_kinematic = any_kinematic || !(scene.bodies.inverse_mass[2 * k] > 0);
+    }
+    if (any_kinematic) stay_with_kinematic(scene, now);
+}
+
+/// (10.8). An island that falls asleep stands where its contacts were found.
+/// The natural residual of some rows of a step at the velocities u [m/s].
+inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, const VecX& u)
+{
+    Real largest = 0;
+    for (const int i : rows) {
+        const Row<2>& row = now.rows[static_cast<std::size_t>(i)];
+        const Real r =
+            natural_residual_row(row.compliance(), now.solution.lambda[i], row.velocity(u), row.lo, row.hi);
+        if (!(r <= largest)) largest = r;  // also takes over a NaN
+    }
+    return largest;
+}
+
+template <class Method>
+void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now)
+{
+    watch_rest(scene, settings, now);
+    if (!sleep) return;
+    Real noise = 0;
+    if constexpr (requires { method.solver.sweeps; }) noise = method.solver.sweeps.tolerance;
+    const auto restless = [&](int k) {
+        return !may_sleep(rests[static_cast<std::size_t>(k)], scene.bodies.velocity(k).norm(), rest, noise);
+    };
+    if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
+
+    const Islands* known = &islands;
+    if constexpr (requires { method.solver.islands; }) known = &method.solver.islands;
+    else find_islands(scene.bodies, now, {}, islands);
+    for (int i = 0; i < known->count(); ++i) {
+        const std::span<const int> members = known->bodies_of(i), rows = known->rows_of(i);
+        if (std::any_of(members.begin(), members.end(), restless)) continue;
+
+        // Rest is only proved by an answer that is one.
+        if (!(natural_residual(now, rows, scene.bodies.u) <= rest.acceleration * settings.h)) continue;
+
+        //! [fall_asleep]
+        set.sleep(members);
+        for (const int row : rows)
+            forces.put(members[0], key_of(now.sources[static_cast<std::size_t>(row)], now.contacts),
+                       now.solution.lambda[row] / settings.part());
+        for (const int k : members) {
+            scene.bodies.velocity(k).setZero();
+            scene.bodies.position(k) = now.x_found.segment<2>(2 * k);
+        }
+        //! [fall_asleep]
+        fell_asleep += static_cast<int>(members.size());
+    }
+    if (fell_asleep == 0) return;
+    set.tidy();
+    changed = true;
+}
+
+}  // namespace rigid

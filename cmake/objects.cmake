@@ -1,0 +1,21 @@
+# objects.txt: the object files of every target of the book, for the house's own test: what was compiled says more
+# surely than what is written which functions are called.
+function(targets_below folder result)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(one ${folders})
+    targets_below(${one} more)
+    list(APPEND targets ${more})
+  endforeach()
+  set(${result} ${targets} PARENT_SCOPE)
+endfunction()
+
+targets_below(${PROJECT_SOURCE_DIR} targets)
+set(objects)
+foreach(target ${targets})
+  get_target_property(type ${target} TYPE)
+  if(type MATCHES "^(EXECUTABLE|STATIC_LIBRARY|OBJECT_LIBRARY)$")
+    string(APPEND objects "$<JOIN:$<TARGET_OBJECTS:${target}>,\n>\n")
+  endif()
+endforeach()
+file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/$<CONFIG>/objects.txt CONTENT "${objects}")

@@ -1,0 +1,72 @@
+#!/bin/sh
+# Tests of the script `book`: where it finds the book, where files land, how many chapters it takes. A book of two
+# chapters stands in for this one, and a cmake that builds nothing for the real one.
+#
+#     tests/book_script.sh BOOK     the script to be tested
+set -eu
+script=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+faults=0
+
+wants() { # WHAT SAID WANTED
+    case "$2" in
+    *"$3"*) ;;
+    *)
+        echo "$1: wanted \"$3\", got \"$2\"" >&2
+        faults=$((faults + 1))
+        ;;
+    esac
+}
+
+book=$scratch/book_folder
+mkdir -p "$book" "$scratch/tools" "$scratch/reader" "$scratch/links" "$book/build/release/bin"
+cp "$script" "$book/book"
+for name in 01_one 02_two; do
+    mkdir -p "$book/chapters/$name/program" "$book/chapters/$name/figures"
+    : >"$book/chapters/$name/program/main.cpp"
+    echo "<svg/>" >"$book/chapters/$name/figures/ch_$name.svg"
+    printf '#!/bin/sh\necho "<svg>new</svg>" >"$2/ch_%s.svg"\n' "$name" >"$book/chapters/$name/figures/draw.sh"
+    printf '#!/bin/sh\necho "rows of $*" >rel.csv\n' >"$book/build/release/bin/$name"
+    chmod +x "$book/chapters/$name/figures/draw.sh" "$book/build/release/bin/$name"
+done
+printf '#!/bin/sh\nexit 0\n' >"$scratch/tools/cmake"
+printf '#!/bin/sh\necho "ctest $*"\n' >"$scratch/tools/ctest"
+chmod +x "$scratch/tools/cmake" "$scratch/tools/ctest"
+PATH=$scratch/tools:$PATH
+BOOK_NO_INSTALL=1
+export PATH BOOK_NO_INSTALL
+unset CDPATH
+
+# A file that the reader names lies where the reader stands.
+cd "$scratch/reader"
+"$book/book" run 1 --csv rel.csv 2>/dev/null
+wants "the table" "$(cat rel.csv 2>&1)" "rows of --csv rel.csv"
+[ ! -e "$book/rel.csv" ] || wants "the table" "beside the book" "beside the reader"
+
+# By a symlink, and by a symlink to a symlink, one of them relative.
+ln -s "$book/book" "$scratch/links/first"
+ln -s first "$scratch/links/second"
+for link in first second; do
+    rm -f rel.csv
+    said=$("$scratch/links/$link" run 2 --x 2>&1 || true)
+    wants "book by the link $link ($said)" "$(cat rel.csv 2>&1)" "rows of --x"
+done
+wants "a relative path" "$(../book_folder/book run 1 2>&1; cat rel.csv)" "rows of"
+
+# Several chapters at once.
+said=$("$book/book" figures 1 2 --check 2>&1) && wants "figures" "code 0" "code 1"
+wants "figures --check" "$said" "ch_01_one.svg"
+wants "figures --check" "$said" "ch_02_two.svg"
+"$book/book" figures 1 2 2>/dev/null
+wants "figure of chapter 1" "$(cat "$book/chapters/01_one/figures/ch_01_one.svg")" "new"
+wants "figure of chapter 2" "$(cat "$book/chapters/02_two/figures/ch_02_two.svg")" "new"
+wants "tests of two chapters" "$("$book/book" test 1 2 2>/dev/null)" "-L ^(ch01|ch02)\$"
+wants "tests of one chapter" "$("$book/book" test 2 2>/dev/null)" "-L ^(ch02)\$"
+for command in "figures 1 9" "test 9 1" "figures 1 x"; do
+    # shellcheck disable=SC2086
+    said=$("$book/book" $command 2>&1) && wants "$command" "code 0" "a refusal"
+    wants "$command" "$said" "there are: 1 2"
+done
+
+[ $faults = 0 ] && echo "book: all is well"
