@@ -1,6 +1,6 @@
 //! [program]
 // Twenty-four discs fall into a box and come to rest: the physics of this book in a program of its own.
-#include "chapters/08_warm_starting/warm_step.hpp"
+#include "chapters/08_warm_starting/warm_method.hpp"
 #include "common/measure.hpp"
 #include "common/scenes.hpp"
 
@@ -22,14 +22,15 @@ try {
     }
     link_neighbours(scene);
     require_valid(scene);  // throws a sentence about what makes no sense
-    WarmStepSettings settings;
-    settings.h = 1.0 / 60;             // [s]
-    settings.gravity = scene.gravity;  // [m/s²]
+    StepSettings settings;
+    settings.h = 1.0 / 60;  // [s]
     settings.substeps = 4;
-    settings.stabilizer = {.method = Stabilizer::split_impulse, .slop = 0.0005};
-    WarmStep now;  // what the step remembers
+    WarmMethod method;  // chapter 8's: sweeps that start from the impulses of the previous step
+    method.correction.method = Stabilizer::split_impulse;
+    method.correction.slop = 0.0005;  // [m]
+    StepData<2> now;                  // what the step finds on its way
     for (int n = 0; n < 300; ++n) {
-        warm_step(scene, settings, now);
+        step(scene, settings, method, now);
         if ((n + 1) % 60 == 0)
             std::printf("%d s: %zu contacts, %.6f J, overlap %.6f m\n", (n + 1) / 60, now.contacts.size(),
                         kinetic_energy(scene.bodies), deepest_penetration(scene));
