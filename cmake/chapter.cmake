@@ -1,11 +1,13 @@
 # add_chapter(NN_name): the program, the benchmark and the tests of one chapter.
-# Executables: bin/NN_name, bin/NN_name_benchmark; tests: label chNN.
+# Executables: bin/NN_name, bin/NN_name_benchmark; tests: label chNN. No test needs the benchmarks of the chapters: they
+# are built by name (./book bench, ./book figures) or all together as the target `benchmarks`.
 if(RIGID_BENCHMARKS)
   find_package(benchmark QUIET)
   if(NOT benchmark_FOUND)
     message(STATUS "Google Benchmark not found: the benchmarks are not built")
   endif()
 endif()
+add_custom_target(benchmarks)
 include(cmake/peers.cmake)   # measure_beside(): programs to compare with, where they are installed
 
 function(add_chapter chapter)
@@ -17,10 +19,13 @@ function(add_chapter chapter)
 
   add_executable(${chapter} ${folder}/program/main.cpp)
   target_link_libraries(${chapter} PRIVATE rigid_program)
+  precompile(${chapter})
 
   if(benchmark_FOUND AND EXISTS ${folder}/benchmark/benchmark.cpp)
-    add_executable(${chapter}_benchmark ${folder}/benchmark/benchmark.cpp)
+    add_executable(${chapter}_benchmark EXCLUDE_FROM_ALL ${folder}/benchmark/benchmark.cpp)
     target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
+    precompile(${chapter}_benchmark)
+    add_dependencies(benchmarks ${chapter}_benchmark)
     if(EXISTS ${folder}/benchmark/peers.cmake)   # the programs that it measures beside the book
       include(${folder}/benchmark/peers.cmake)
     endif()

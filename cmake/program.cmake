@@ -17,6 +17,7 @@ if(cli11_include)
   target_include_directories(rigid_program SYSTEM PRIVATE ${cli11_include})
 endif()
 target_link_libraries(rigid_program PUBLIC rigid_common PRIVATE CLI11::CLI11)
+precompile(rigid_program)
 
 set(RIGID_HAS_WINDOW OFF)
 if(RIGID_WINDOW)

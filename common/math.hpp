@@ -5,6 +5,13 @@
 #include <Eigen/Core>
 #include <limits>
 
+#ifdef RIGID_ALIGN_BYTES  // as rigid::physics was compiled
+static_assert(
+    EIGEN_MAX_ALIGN_BYTES == RIGID_ALIGN_BYTES,
+    "Eigen aligns memory otherwise here than where rigid::physics was compiled, and each would free what the "
+    "other allocated: compile both for the same instruction set (-march=native for both or for none)");
+#endif
+
 namespace rigid {
 
 using Real = double;

@@ -12,19 +12,8 @@ add_program_test(ch04 04_pgs "refuses a bounded problem for conjugate gradients"
                  ${PROJECT_SOURCE_DIR}/tests/problems/spd_s5.mlcp --method cg)
 set_tests_properties("ch04: 04_pgs refuses a bounded problem for conjugate gradients" PROPERTIES WILL_FAIL ON)
 
-# The same bits without and with optimisation. Every source is compiled anew: nothing optimised is linked in.
-if(NOT MSVC)
-  foreach(level 0 2)
-    add_executable(04_pgs_trace_O${level} tests/04_pgs_trace.cpp common/contact.cpp common/measure.cpp common/scenes.cpp)
-    target_link_libraries(04_pgs_trace_O${level} PRIVATE rigid_options)
-    target_compile_options(04_pgs_trace_O${level} PRIVATE -O${level})
-  endforeach()
-  add_test(NAME "ch04: 600 steps of the ten discs are the same bits without and with optimisation"
-           COMMAND ${CMAKE_COMMAND} -DFIRST=$<TARGET_FILE:04_pgs_trace_O0> -DSECOND=$<TARGET_FILE:04_pgs_trace_O2>
-                   -P ${PROJECT_SOURCE_DIR}/tests/04_pgs_same_output.cmake)
-  set_tests_properties("ch04: 600 steps of the ten discs are the same bits without and with optimisation"
-                       PROPERTIES LABELS ch04 TIMEOUT 300)
-endif()
+add_same_bits_test(ch04 04_pgs "600 steps of the ten discs are the same bits without and with optimisation")
+
 # Without --method a problem with contacts is solved too: the default is the chapter's own method.
 add_program_test(ch04 04_pgs "solves a problem with bounds without being told how" --headless --problem
                  ${PROJECT_SOURCE_DIR}/tests/problems/fric_boxed_s4.mlcp)

@@ -9,20 +9,7 @@ add_program_test(ch07 07_baumgarte "gives up where beta makes the error grow for
                  --method baumgarte --set beta=2.5 --steps 3000)
 set_tests_properties("ch07: 07_baumgarte gives up where beta makes the error grow for ever" PROPERTIES WILL_FAIL ON)
 
-# The same bits without and with optimisation. Every source is compiled anew: nothing optimised is linked in.
-if(NOT MSVC)
-  foreach(level 0 2)
-    add_executable(07_baumgarte_trace_O${level} tests/07_baumgarte_trace.cpp common/contact.cpp common/measure.cpp
-                   common/scenes.cpp)
-    target_link_libraries(07_baumgarte_trace_O${level} PRIVATE rigid_options)
-    target_compile_options(07_baumgarte_trace_O${level} PRIVATE -O${level})
-  endforeach()
-  add_test(NAME "ch07: five ways to repay give the same bits without and with optimisation"
-           COMMAND ${CMAKE_COMMAND} -DFIRST=$<TARGET_FILE:07_baumgarte_trace_O0> -DSECOND=$<TARGET_FILE:07_baumgarte_trace_O2>
-                   -P ${PROJECT_SOURCE_DIR}/tests/04_pgs_same_output.cmake)
-  set_tests_properties("ch07: five ways to repay give the same bits without and with optimisation"
-                       PROPERTIES LABELS ch07 TIMEOUT 300)
-endif()
+add_same_bits_test(ch07 07_baumgarte "five ways to correct give the same bits without and with optimisation")
 
 # A column of one disc and a chain of one link: the theory of the scene looks at the second body only where there is one.
 foreach(scene_and_count column:discs hanging_chain:links)

@@ -32,16 +32,4 @@ foreach(method active_sets dantzig)
     PASS_REGULAR_EXPRESSION "status infeasible")
 endforeach()
 
-# The same bits without and with optimisation. Every source is compiled anew: nothing optimised is linked in.
-if(NOT MSVC)
-  foreach(level 0 2)
-    add_executable(09_active_sets_trace_O${level} tests/09_active_sets_trace.cpp common/contact.cpp common/measure.cpp
-                                                  common/scenes.cpp)
-    target_link_libraries(09_active_sets_trace_O${level} PRIVATE rigid_options)
-    target_compile_options(09_active_sets_trace_O${level} PRIVATE -O${level})
-  endforeach()
-  set(name "ch09: ten discs, a column and a pyramid are the same bits without and with optimisation")
-  add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -DFIRST=$<TARGET_FILE:09_active_sets_trace_O0>
-           -DSECOND=$<TARGET_FILE:09_active_sets_trace_O2> -P ${PROJECT_SOURCE_DIR}/tests/04_pgs_same_output.cmake)
-  set_tests_properties(${name} PROPERTIES LABELS ch09 TIMEOUT 300)
-endif()
+add_same_bits_test(ch09 09_active_sets "ten discs, a column and a pyramid are the same bits without and with optimisation")

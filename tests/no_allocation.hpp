@@ -3,27 +3,10 @@
 /// malloc. Include it first, in one source of a program: it replaces operator new and Eigen's assertion.
 #pragma once
 
+#include "tests/counted_eigen.hpp"
+
 #include <cstdlib>
 #include <new>
-
-namespace rigid::allocation {
-inline bool forbidden = false;
-inline int count = 0;
-}  // namespace rigid::allocation
-
-#ifdef EIGEN_CORE_H
-#error "tests/no_allocation.hpp must be included before Eigen"
-#endif
-#define EIGEN_RUNTIME_NO_MALLOC
-#define eigen_assert(condition)                                                                              \
-    do {                                                                                                     \
-        if (!(condition)) {                                                                                  \
-            if (!rigid::allocation::forbidden) std::abort();                                                 \
-            ++rigid::allocation::count;                                                                      \
-        }                                                                                                    \
-    } while (false)
-
-#include <Eigen/Core>
 
 // AddressSanitizer has its own operator new; there only Eigen's allocations are counted.
 #if defined(__SANITIZE_ADDRESS__)

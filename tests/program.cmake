@@ -18,6 +18,7 @@ endfunction()
 
 add_executable(program_toy tests/program_toy.cpp)
 target_link_libraries(program_toy PRIVATE rigid_program)
+precompile(program_toy)
 add_picture_test(program "a picture without a window is not blank" program_toy --headless --steps 2)
 add_picture_test(program "panes side by side without a window are not blank" program_toy
   --headless --steps 2 --method symplectic,explicit)

@@ -62,7 +62,7 @@ def chapters(root):
 
 def markdown_files(root):
     """All texts of the book, chapters in order."""
-    files = [root / "README.md"]
+    files = [root / "README.md", root / "CONTRIBUTING.md"]
     files += [folder / "README.md" for folder in chapters(root).values()]
     files += sorted((root / "docs").glob("*.md"))
     known = set(files)

@@ -1,0 +1,94 @@
+# rigid::physics: the book's physics for any program, without window or command line. It asks for C++20 and Eigen and
+# forces no warning on anybody.
+find_package(Eigen3 REQUIRED NO_MODULE)
+if(Eigen3_VERSION VERSION_LESS 3.4)
+  message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or newer is needed")
+endif()
+
+# ---- how the book compiles its own sources --------------------------------------------------------
+add_library(rigid_flags INTERFACE)
+if(MSVC)
+  target_compile_options(rigid_flags INTERFACE /W4 /permissive- /utf-8 /bigobj)
+  target_compile_definitions(rigid_flags INTERFACE NOMINMAX)
+else()
+  target_compile_options(rigid_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+endif()
+if(RIGID_WERROR)
+  target_compile_options(rigid_flags INTERFACE $<IF:$<CXX_COMPILER_ID:MSVC>,/WX,-Werror>)
+endif()
+if(RIGID_SANITIZE)
+  target_compile_options(rigid_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                                 -fno-omit-frame-pointer)
+  target_link_options(rigid_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(RIGID_NATIVE)
+  target_compile_options(rigid_flags INTERFACE -march=native)
+  # g++ 12 takes the "undefined" registers of its own AVX-512 headers for uninitialised variables.
+  target_compile_options(rigid_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  # g++ 12.2 loses a component of `if (length > 0) n = d / length;` when it packs straight-line code for AVX-512:
+  # normals came out wrong (chapter 2's Direction). Eigen packs by itself, so little is lost without that pass.
+  target_compile_options(rigid_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+endif()
+
+# rigid_options: these flags and the book's headers, for sources that need nothing of the library but its headers.
+add_library(rigid_options INTERFACE)
+target_include_directories(rigid_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(rigid_options INTERFACE rigid_flags Eigen3::Eigen)
+# A product and a sum are rounded apart: the same bits with every compiler and optimisation level.
+set(rigid_rounding $<IF:$<CXX_COMPILER_ID:MSVC>,/fp:precise,-ffp-contract=off>)
+target_compile_options(rigid_options INTERFACE ${rigid_rounding})
+
+# ---- the library ------------------------------------------------------------------------------------
+add_library(rigid_physics STATIC common/contact.cpp common/measure.cpp common/scenes.cpp)
+add_library(rigid::physics ALIAS rigid_physics)
+set_target_properties(rigid_physics PROPERTIES EXPORT_NAME physics POSITION_INDEPENDENT_CODE ON)
+target_compile_features(rigid_physics PUBLIC cxx_std_20)
+target_include_directories(rigid_physics PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/rigid>)
+target_link_libraries(rigid_physics PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:rigid_flags>)
+# Most of the physics is in headers: the bits are the same only if the program that includes them rounds so, too.
+target_compile_options(rigid_physics PUBLIC ${rigid_rounding})
+if(MSVC)
+  target_compile_definitions(rigid_physics PUBLIC _USE_MATH_DEFINES)
+endif()
+
+# How Eigen aligns its memory depends on the instruction set. A program that is compiled with -march=native against a
+# library that is not would free what it did not allocate: common/math.hpp refuses it with a sentence.
+get_directory_property(options COMPILE_OPTIONS)
+set(CMAKE_REQUIRED_FLAGS "${CMAKE_CXX_FLAGS} ${options}")
+list(JOIN CMAKE_REQUIRED_FLAGS " " CMAKE_REQUIRED_FLAGS)
+if(RIGID_NATIVE)
+  string(APPEND CMAKE_REQUIRED_FLAGS " -march=native")
+endif()
+get_target_property(CMAKE_REQUIRED_INCLUDES Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+string(MD5 flags "${CMAKE_CXX_COMPILER} ${CMAKE_REQUIRED_FLAGS} ${Eigen3_VERSION}")
+string(SUBSTRING ${flags} 0 8 flags)
+include(CheckCXXSourceCompiles)
+foreach(bytes 16 32 64 0)
+  check_cxx_source_compiles("#include <Eigen/Core>
+    static_assert(EIGEN_MAX_ALIGN_BYTES == ${bytes});
+    int main() {}" RIGID_ALIGNS_TO_${bytes}_${flags})
+  if(RIGID_ALIGNS_TO_${bytes}_${flags})
+    target_compile_definitions(rigid_physics PUBLIC RIGID_ALIGN_BYTES=${bytes})
+    break()
+  endif()
+endforeach()
+unset(CMAKE_REQUIRED_FLAGS)
+unset(CMAKE_REQUIRED_INCLUDES)
+
+# What nearly every target of the book stands on: the library, and our flags.
+add_library(rigid_common INTERFACE)
+target_link_libraries(rigid_common INTERFACE rigid_physics rigid_options)
+
+# ---- cmake --install, find_package(rigid CONFIG) ----------------------------------------------------
+if(RIGID_INSTALL)
+  include(GNUInstallDirs)
+  include(CMakePackageConfigHelpers)
+  set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rigid)
+  install(TARGETS rigid_physics EXPORT rigid_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT rigid_targets NAMESPACE rigid:: FILE rigidTargets.cmake DESTINATION ${package})
+  install(DIRECTORY common chapters DESTINATION include/rigid FILES_MATCHING PATTERN "*.hpp"
+          PATTERN program EXCLUDE PATTERN benchmark EXCLUDE PATTERN figures EXCLUDE
+          PATTERN "*_canvas.hpp" EXCLUDE)
+  write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rigidConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES cmake/rigidConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/rigidConfigVersion.cmake DESTINATION ${package})
+endif()

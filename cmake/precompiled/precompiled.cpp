@@ -1,0 +1,1 @@
+// Nothing: a target must have a source that uses its precompiled header.
