@@ -174,6 +174,20 @@ TEST_CASE("the bend force is zero where there is no angle to speak of")
     CHECK(bodies.f.isZero(0));
 }
 
+TEST_CASE("a bend about a disc that cannot move has no force since it is measured in that disc's mass")
+{
+    Bodies<2> bodies(3);
+    bodies.x << -1, 0, 0, 0, 0, 1;  // a right angle
+    bodies.u << 0, 1, 0, 0, 1, 0;
+    const std::vector<Bend> bend{{0, 1, 2, 1}};
+    add_bend_springs(bodies, bend, 2, 1);
+    CHECK(bodies.f.norm() > 1);
+    bodies.f.setZero();
+    bodies.inverse_mass.segment<2>(2).setZero();
+    add_bend_springs(bodies, bend, 2, 1);
+    CHECK(bodies.f.isZero(0));
+}
+
 TEST_CASE("gravity and the pulling hand leave bodies alone that cannot move")
 {
     Bodies<2> bodies(2);

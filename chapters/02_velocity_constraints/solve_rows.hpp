@@ -151,12 +151,11 @@ private:
             if (scale_[i] * std::abs(answer_.w[i]) > 1e-6 * worst) answer_.at_odds.push_back(i);
     }
 
-    /// The sum of the sizes of what J u + b is made of.
+    /// The sum of the sizes of what J u + b is made of: lengths, so that it does not matter how the axes lie.
     static Real reach(const Row<Dof>& row, const VecX& u)
     {
-        Real sum =
-            std::abs(row.bias) + row.Jb.cwiseAbs().dot(u.template segment<Dof>(Dof * row.b).cwiseAbs());
-        if (row.a != world) sum += row.Ja.cwiseAbs().dot(u.template segment<Dof>(Dof * row.a).cwiseAbs());
+        Real sum = std::abs(row.bias) + row.Jb.norm() * u.template segment<Dof>(Dof * row.b).norm();
+        if (row.a != world) sum += row.Ja.norm() * u.template segment<Dof>(Dof * row.a).norm();
         return sum;
     }
 
