@@ -212,7 +212,7 @@ TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by a
     }
 }
 
-TEST_CASE("split impulses sag by (7.19), about the square of what Baumgarte's sag is multiplied by")
+TEST_CASE("split impulses sag by (7.19) which is about the square of what Baumgarte's sag is multiplied by")
 {
     const Index N = 4;
     for (const int sweeps : {1, 2, 4}) {
@@ -483,7 +483,7 @@ TEST_CASE("a disc that does not reach the floor in a step is not slowed down by 
     }
 }
 
-TEST_CASE("contacts move with their bodies within a step: n substeps repay n times")
+TEST_CASE("contacts move with their bodies within a step so that n substeps repay n times")
 {
     // Two discs and a wall: C of a pair, and of the wall.
     for (const Stabilizer method :

@@ -296,7 +296,7 @@ TEST_CASE("every scene is valid and starts with its links at their length and it
     }
 }
 
-TEST_CASE("a triangle of discs touches the floor and both walls, and each disc stands on two")
+TEST_CASE("a triangle of discs touches the floor and both walls and each disc stands on two")
 {
     const Index base = 5;
     const DiscScene scene = triangle(base);
@@ -317,7 +317,7 @@ TEST_CASE("a triangle of discs touches the floor and both walls, and each disc s
             CHECK(contact.normal.y() == Approx(std::sqrt(3.0) / 2).epsilon(1e-12));
 }
 
-TEST_CASE("a swinging chain is a hanging chain turned by a quarter turn, its anchor in place")
+TEST_CASE("a swinging chain is a hanging chain turned by a quarter turn with its anchor in place")
 {
     const DiscScene hanging = hanging_chain(4, 3), swinging = swinging_chain(4, 3);
     CHECK(swinging.bodies.inverse_mass == hanging.bodies.inverse_mass);
