@@ -14,6 +14,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/says.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -303,6 +304,25 @@ TEST_CASE("sweeps for six digits on a column are 20 and 136 and 550 and 2204")
     CHECK(sweeps_until(line(20), 1e-6) == 2204);
 }
 
+TEST_CASE("two discs in a column top-down are one visit behind bottom-up")
+{
+    // Exercise 4.1; N s, as the table of section 4.1.
+    Mlcp mlcp = problem((MatX(2, 2) << 1, -1, -1, 2).finished(), VecX(Vec2(-1, 0)));
+    const std::vector<int> top_down = {1, 0};
+    SweepRows rows;
+    prepare(mlcp, 1, top_down, rows);
+    rows.lambda.setZero();
+    const VecX answer = Vec2(2, 1);
+    for (int sweep = 1; sweep <= 10; ++sweep) {
+        sweep_forward(rows);
+        const VecX lambda = Vec2(rows.lambda[rows.place_of[0]], rows.lambda[rows.place_of[1]]);
+        if (sweep == 1) CHECK(lambda == VecX(Vec2(1, 0)));
+        if (sweep == 2) CHECK(lambda == VecX(Vec2(1.5, 0.5)));
+        const Real part = std::pow(0.5, sweep);
+        CHECK(answer - lambda == VecX(Vec2(2 * part, 2 * part)));  // bottom-up it is (2, 1) times the same part
+    }
+}
+
 TEST_CASE("the sweeps for six digits follow from the weight of the slowest mode as in (4.15)")
 {
     for (const Index N : {10, 20, 40}) {
@@ -310,6 +330,15 @@ TEST_CASE("the sweeps for six digits follow from the weight of the slowest mode 
         const Real predicted =
             (std::log(1e-6) - std::log(slowest_weight(N))) / (2 * std::log(std::cos(theta)));
         CHECK(sweeps_until(line(N), 1e-6) == std::ceil(predicted));
+    }
+    // The table as it is printed.
+    for (const Index N : {2, 5, 10, 20}) {
+        const Real theta = pi / (2 * static_cast<Real>(N)), rate = std::cos(theta) * std::cos(theta);
+        const Real predicted = std::log(1e-6 / slowest_weight(N)) / std::log(rate);
+        const std::string line_of_N = " | " + printed(predicted, 1) + " | " + std::to_string(sweeps_until(line(N), 1e-6)) +
+                                      " | " + printed(std::log(1e-6) / std::log(rate), 1) + " |";
+        INFO(line_of_N);
+        CHECK(says("chapters/04_pgs/README.md", line_of_N));
     }
 }
 

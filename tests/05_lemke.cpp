@@ -9,6 +9,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/says.hpp"
 #include "tests/random_problems.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -248,6 +249,21 @@ TEST_CASE("where all ratios tie the lexicographic rule ends and the first row cy
     }
     CHECK(returned);
     CHECK(with_ties(problem, TieRule::first_row).status == Status::iteration_limit);
+}
+
+TEST_CASE("within a cone each weight is a linear function of z0 and most are not in proportion")
+{
+    // The example of section 5.1: A = (2 1; 1 2), q = (−5, −6), d = (1, 1). In the cone of z1 and z2 the weights solve
+    // A z = −(q + z0 d).
+    const auto weights = [](Real z0) {
+        const Vec2 r = Vec2(5, 6) - z0 * Vec2(1, 1);
+        return Vec2((2 * r[0] - r[1]) / 3, (2 * r[1] - r[0]) / 3);
+    };
+    const Vec2 at_0 = weights(0), at_1 = weights(1), at_2 = weights(2);
+    CHECK((at_0 - Vec2(4.0 / 3, 7.0 / 3)).norm() < 1e-14);
+    CHECK((at_0 - 2 * at_1 + at_2).norm() < 1e-14);                  // linear in z0
+    CHECK(std::abs(at_0[0] / at_0[1] - at_2[0] / at_2[1]) > 0.1);    // and not in proportion
+    CHECK(says("chapters/05_lemke/README.md", "Inside a cone each weight is a linear function of $z_0$."));
 }
 
 TEST_CASE("skew two by two problems are solved where there is an answer and infeasible where there is none")

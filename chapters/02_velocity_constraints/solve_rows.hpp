@@ -5,7 +5,7 @@
 ///
 /// (2.24). The rows may be redundant (then many λ give the same velocity, and the one with the
 /// least Σ A_ii λ_i² is given) or contradict each other (then the velocity that breaks them least
-/// is found, and the rows that take part are named: for them, and only for them, w ≠ 0).
+/// is found, and the rows with w ≠ 0 are named: they contradict each other by themselves).
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"

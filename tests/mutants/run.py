@@ -166,7 +166,7 @@ def build(tree, binaries, targets):
     log = FOLDER / "build.log"
     with open(log, "w", encoding="utf-8") as out:
         for command in (["cmake", "-S", tree, "-B", binaries, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                         "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", f"-DCMAKE_CXX_FLAGS={flags}",
+                         "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", f"-DCMAKE_CXX_FLAGS={flags}",
                          "-DRIGID_BENCHMARKS=OFF", "-DRIGID_WINDOW=OFF"],
                         ["cmake", "--build", binaries, "--target", *targets]):
             if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False).returncode:
