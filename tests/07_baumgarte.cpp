@@ -267,8 +267,9 @@ TEST_CASE("a bounce from inside the floor leaves at the faster of its own speed 
     // 5 cm deep, h = 1/60 s, e = 0.5, down at 0.8 m/s: the bounce alone gives 0.4 m/s. β = 0.1 repays at 0.3 m/s and
     // β = 0.2 at 0.6 m/s. Down at 0.2 m/s, below the threshold of 2 g h = 0.33 m/s, there is no bounce.
     const auto leaves_at = [](Real beta, Real down) {
-        DiscScene scene = empty_scene(1);
-        scene.radius[0] = 0.1;
+        DiscScene scene;
+        scene.bodies = Bodies<2>(1);
+        scene.radius = VecX::Constant(1, 0.1);
         scene.walls = {{{0, 1}, 0}};
         scene.bodies.x << 0, 0.05;
         scene.bodies.u << 0, -down;
@@ -301,8 +302,9 @@ TEST_CASE("what repays an overlap may use up a gap beside it and neither keeps n
     // gap is 1.5 cm afterwards. With 0.3 cm it is used up and the right disc moves the rest.
     for (const Stabilizer method : {Stabilizer::split_impulse, Stabilizer::projection})
         for (const Real gap : {0.02, 0.003}) {
-            DiscScene scene = empty_scene(2);
-            scene.radius.setConstant(0.1);
+            DiscScene scene;
+            scene.bodies = Bodies<2>(2);
+            scene.radius = VecX::Constant(2, 0.1);
             scene.walls = {{{1, 0}, 0}};
             scene.gravity.setZero();
             scene.bodies.x << 0.1 + gap, 0, 0.1 + gap + 0.19, 0;

@@ -734,7 +734,7 @@ TEST_CASE("a small exact island that is called solved has the residual that was 
         ++solved;
         // Impulses of up to 1/angle; what rounding leaves of them, and the 1e-10 that closed forms and chapter 9 promise.
         INFO("trial " << trial << " angle " << between);
-        REQUIRE(natural_residual(now, u) <= enough + 1.001e-10 * before);
+        REQUIRE(natural_residual(now, u) <= enough + 3e-10 * before);
     }
     CHECK(solved > 3500);
 }
@@ -1423,7 +1423,14 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         full.sweeps.tolerance = 0;
         full.sweeps.max_sweeps = 100;
         SkippingWorld quick = world_of(scene), slow = world_of(scene);
-        run(quick, settings, 1000);
+        int cold = 0;  // steps that do not meet the tolerance
+        VecX settled;  // where the discs are after them
+        for (int step = 0; step < 1000; ++step) {
+            skipping_step(quick, settings);
+            if (quick.counters.unsolved == 0) continue;
+            CHECK(++cold == step + 1);
+            settled = quick.scene.bodies.x;
+        }
         run(slow, full, 1000);
         int most = 0;
         std::int64_t visits = 0;
@@ -1436,18 +1443,25 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         CHECK(most <= 2);
         CHECK(visits <= 3 * 1000 * quick.counters.rows);  // two sweeps and a look; full: 100 sweeps
         // The exact answer is that nobody moves. Each step's residual is at most 1e-6 m/s: in 2000 steps of 1/60 s a gap
-        // is off by 33 µm, and a disc by what the gaps below it add up to.
+        // is off by 33 µm, and a disc by what the gaps below it add up to. The first steps, from zero, do not get there.
         const Real off = (quick.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
         const Real of_full = (slow.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
         CHECK(off < of_full);
         if (is_triangle) continue;
         const Real of_a_gap = 2000 * settings.h * settings.sweeps.tolerance;
+        const VecX since = quick.scene.bodies.x - settled, start = settled - scene.bodies.x;
+        Real worst_start = 0;
         for (Index k = 0; k < 20; ++k) {
-            const Real below = k > 0 ? quick.scene.bodies.x[2 * k - 1] - scene.bodies.x[2 * k - 1] : 0;
-            CHECK(std::abs(quick.scene.bodies.x[2 * k + 1] - scene.bodies.x[2 * k + 1] - below) < of_a_gap);
+            CHECK(std::abs(since[2 * k + 1] - (k > 0 ? since[2 * k - 1] : 0)) < of_a_gap);
+            worst_start = std::max(worst_start, std::abs(start[2 * k + 1] - (k > 0 ? start[2 * k - 1] : 0)));
         }
+        CHECK(since.cwiseAbs().maxCoeff() < 1e-6);
+        CHECK(cold == 6);
         CHECK(says("chapters/10_skipping_work/README.md",
-                   "in 2,000 steps of 1/60 s, " + printed(1e6 * of_a_gap, 0) + " µm. That is for *one* row."));
+                   "the first six steps find all impulses from zero, hit the limit of 400 sweeps, and lose up to " +
+                       printed(1e3 * worst_start, 2) + " mm a gap. In all steps after them no disc moves by a whole µm."));
+        CHECK(says("chapters/10_skipping_work/README.md",
+                   "in 2,000 steps of 1/60 s, " + printed(1e6 * of_a_gap, 0) + " µm. That is for *one* row, and while each step meets the tolerance."));
         CHECK(says("chapters/10_skipping_work/README.md",
                    "the top of a column of 20 by up to " + printed(20 * 1e3 * of_a_gap, 2) + " mm."));
         CHECK(says("chapters/10_skipping_work/README.md", "at most 400 | 1.0 | 40 | " + printed(1e3 * off, 2) + " mm |"));
