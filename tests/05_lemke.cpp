@@ -266,6 +266,31 @@ TEST_CASE("within a cone each weight is a linear function of z0 and most are not
     CHECK(says("chapters/05_lemke/README.md", "Inside a cone each weight is a linear function of $z_0$."));
 }
 
+TEST_CASE("a proof counts what bounded impulses can do and takes no small number for zero")
+{
+    // Rows 0 and 1 want λ0 + λ1 = 1 and λ0 + λ1 = 0: v = (1, −1, 0) proves it, if λ2, which helps row 0 alone, cannot
+    // reach 1.
+    Mlcp mlcp;
+    mlcp.A = (MatX(3, 3) << 1, 1, 1, 1, 1, 0, 1, 0, 1).finished().sparseView();
+    mlcp.q = Vec<3>(-1, 0, 0);
+    for (const Real most : {0.1, 0.9, 1.1, 10.0})
+        for (const int side : {1, -1}) {  // the bound that matters is hi, or lo where row 2 is turned round
+            mlcp.lo = Vec<3>(-infinity, -infinity, side > 0 ? -0.1 : -most);
+            mlcp.hi = Vec<3>(infinity, infinity, side > 0 ? most : 0.1);
+            Mlcp turned = mlcp;
+            turned.A = (MatX(3, 3) << 1, 1, side, 1, 1, 0, side, 0, 1).finished().sparseView();
+            INFO("up to " << most << " N s on side " << side);
+            CHECK(proves_infeasibility(turned, Vec<3>(1, -1, 0)) == (most < 1));
+        }
+    // A zero that is none: 1e-6 of the entries is no rounding.
+    Mlcp nearly;
+    nearly.q = Vec2(-1, 0);
+    nearly.lo = VecX::Constant(2, -infinity);
+    nearly.hi = VecX::Constant(2, infinity);
+    nearly.A = (MatX(2, 2) << 1, 1, 1, 1 + 1e-6).finished().sparseView();
+    CHECK(!proves_infeasibility(nearly, VecX(Vec2(1, -1))));
+}
+
 TEST_CASE("skew two by two problems are solved where there is an answer and infeasible where there is none")
 {
     const MatX A = matrix2(0, 1, -1, 0);

@@ -313,6 +313,7 @@ TEST_CASE("a row that nothing moves is hopeless beyond the tolerance alone and i
         VecX u = bodies.u;
         ImpulseMemory<2> memory;
         Solution solution;
+        CHECK(begin_sweeps<2>(rows, {}, 1e-9, memory, u, solution) == (w > 1e-9));
         sequential_impulse<2>(rows, {}, {1000, 1e-9, false}, memory, u, solution);
         CHECK(u[4] == Approx(1));
         return solution;
