@@ -475,6 +475,18 @@ TEST_CASE("a row between bodies that cannot move says whether it is met")
     CHECK(solve_row(make_row(constraint, fixed, 0, 2, 3), u).lambda == 2);
 }
 
+TEST_CASE("the row of a motor has its force times h as bounds to either side")
+{
+    Bodies<2> bodies(1);
+    Constraint<2> along = alignment_constraint<2>(bodies.x, world, 0, Vec2(1, 0), 0);
+    along.kind = ConstraintKind::motor;
+    along.force = 3;
+    const Row<2> row = row_of(along, bodies.inverse_mass, -2, 0.1);
+    CHECK(row.lo == -0.1 * 3);
+    CHECK(row.hi == 0.1 * 3);
+    CHECK(row.bias == -2);
+}
+
 TEST_CASE("the w that one row reports is that of the velocities after its impulse")
 {
     Random random(21);
