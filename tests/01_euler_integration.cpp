@@ -5,6 +5,7 @@
 #include "chapters/01_euler_integration/exact.hpp"
 #include "common/random.hpp"
 #include "tests/catch.hpp"
+#include "tests/limit.hpp"
 
 #include <vector>
 
@@ -411,7 +412,8 @@ Real measured_period(const Pendulum& pendulum, Real theta0, Real h)
 {
     State<1> s = state(theta0, 0);
     std::vector<Real> passes;
-    for (Index n = 0; passes.size() < 2; ++n) {
+    Limit steps(100000);
+    for (Index n = 0; passes.size() < 2 && steps.left(); ++n) {
         const State<1> next = rk4(s, h, pendulum);
         if (s.x[0] * next.x[0] < 0) {
             const Hermite<1> p{s, next, pendulum(s.x), pendulum(next.x), h};
@@ -565,6 +567,93 @@ TEST_CASE("A motion that never meets the ground reaches its end time")
     CHECK(run.t == 10);
 }
 
+// ---- the control of the step ----------------------------------------------------------------------
+
+TEST_CASE("The error of a step is measured by (1.40) at the larger of its two ends")
+{
+    // |error| = 0.005 m where 0.003 m + 0.001 · 2 m are allowed, and 0.02 m/s where 0.005 m/s + 0.001 · 5 m/s are.
+    const Tolerance tolerance{0.001, 0.003, 0.005};
+    const Slope<2> error{Vec2(0.003, 0.004), Vec2(0, 0.02)};
+    const State<2> one{Vec2(0, 1), Vec2(3, 4)}, other{Vec2(2, 0), Vec2(0, 3)};
+    CHECK(scaled_error2(error, one, other, tolerance) == Approx(1 + 4).epsilon(1e-14));
+    CHECK(scaled_error2(error, other, one, tolerance) == scaled_error2(error, one, other, tolerance));
+}
+
+TEST_CASE("The next step follows from the error of this one by (1.41)")
+{
+    // 1e-6: the power is taken in single precision.
+    const Kepler kepler;
+    const Tolerance tolerance{1e-8, 1e-8, 1e-8};
+    const Adaptive<2> start = start_adaptive(kepler_perihelion(kepler, 0.6), kepler, tolerance);
+    const auto error2_of = [&](Real h) {
+        const PairStep<2> step = dormand_prince_step(start.s, start.a, h, kepler);
+        return scaled_error2(step.error, start.s, step.s, tolerance);
+    };
+    const auto wanted = [&](Real h) { return 0.8 * h * std::pow(error2_of(h), -0.1); };
+    int rejected = 0, accepted = 0;
+    for (Real h = 1e-3; h < 0.2; h *= 1.1) {
+        const Real error2 = error2_of(h);
+        Adaptive<2> run = start;
+        run.h = h;
+        REQUIRE(advance(run, 100, kepler, tolerance) == Outcome::reached);
+        if (error2 > 1 && wanted(h) > 0.2 * h) {  // the second try is what the first one wanted
+            REQUIRE(run.rejected == 1);
+            CHECK(run.last.h == Approx(wanted(h)).epsilon(1e-6));
+            ++rejected;
+        } else if (error2 > 0.25 && error2 <= 1) {
+            CHECK(run.last.h == h);
+            CHECK(run.h == Approx(wanted(h)).epsilon(1e-6));
+            ++accepted;
+        } else if (error2 < 0.04) {
+            CHECK(run.h == Approx(std::min(5 * h, wanted(h))).epsilon(1e-6));
+        }
+    }
+    CHECK(rejected > 5);
+    CHECK(accepted > 0);
+}
+
+TEST_CASE("A rejected step shrinks to a fifth at most and does not grow when it is accepted then")
+{
+    // Nothing acts up to x = 0.5; behind it, a wall of a force. The first try looks behind it; the second ends
+    // before it, has no error at all, and would like to grow five times: into the wall again.
+    const auto wall = [](const Vec<1>& x) { return Vec<1>(x[0] < 0.5 ? 0. : -1e6); };
+    const Tolerance tolerance{1e-6, 1e-6, 1e-6};
+    Adaptive<1> run = start_adaptive(state(0, 1), wall, tolerance);
+    run.h = 1;
+    REQUIRE(advance(run, 10, wall, tolerance) == Outcome::reached);
+    CHECK(run.rejected == 1);
+    CHECK(run.last.h == Approx(0.2).epsilon(1e-15));
+    CHECK(run.h == run.last.h);
+}
+
+TEST_CASE("A run ends on time by a step that is neither tiny nor remembered")
+{
+    const auto free = [](const Vec<1>&) { return Vec<1>(0.); };
+    Adaptive<1> run = start_adaptive(state(0, 1), free, {});
+    run.h = 0.1;
+    // 1 % more than a step is one step, not a step and a remainder of a hundredth.
+    REQUIRE(advance(run, 0.1009, free, {}) == Outcome::reached);
+    CHECK(run.t == 0.1009);
+    // A short last step says nothing about the next one.
+    const Pendulum pendulum;
+    Adaptive<1> swing = start_adaptive(state(1, 0), pendulum, {});
+    REQUIRE(integrate(swing, 1, pendulum, {}) == Outcome::reached);
+    const Real usual = swing.h;
+    REQUIRE(integrate(swing, 1 + 1e-6 * usual, pendulum, {}) == Outcome::reached);
+    CHECK(swing.h == usual);
+}
+
+TEST_CASE("A motion that begins below the ground meets it only from above")
+{
+    const Projectile vacuum{0};
+    const Tolerance tolerance;
+    Adaptive<2> sinking = start_adaptive(State<2>{Vec2(0, -1), Vec2(0, 0)}, vacuum, tolerance);
+    CHECK(integrate_to_event(sinking, 1, vacuum, tolerance, height) == Outcome::reached);
+    Adaptive<2> thrown = start_adaptive(State<2>{Vec2(0, -1), Vec2(0, 10)}, vacuum, tolerance);
+    REQUIRE(integrate_to_event(thrown, 3, vacuum, tolerance, height) == Outcome::event);
+    CHECK(thrown.t == Approx((10 + std::sqrt(100 - 2 * 9.81)) / 9.81).epsilon(1e-12));
+}
+
 // ---- skip what a scene doesn't need: long steps where nothing happens -----------------------------
 
 TEST_CASE("The adaptive step gives the result of the fixed step with fewer evaluations")
@@ -586,10 +675,11 @@ TEST_CASE("The adaptive step gives the result of the fixed step with fewer evalu
     counted.evaluations = 0;
     Index steps = 100;
     State<2> s = s0;
+    Limit growths(200);
     do {  // the fewest equal steps (within 5 %) that are as good
         steps += steps / 20;
         s = go(Method::dormand_prince, s0, t / static_cast<Real>(steps), steps, kepler);
-    } while (!((s.x - exact.x).norm() < 1e-6));
+    } while (!((s.x - exact.x).norm() < 1e-6) && growths.left());
     CHECK((s.x - run.s.x).norm() < 2e-6);    // the same result
     CHECK(5 * run.evaluations < 6 * steps);  // for less than a fifth of the work
 }
@@ -791,7 +881,7 @@ TEST_CASE("An adaptive run that cannot go on ends and says why")
         CHECK(run.accepted + run.rejected == 1000);
         CHECK_THAT(to_string(Outcome::step_limit), Contains("step limit"));
     }
-    SECTION("a wall of a force, too steep for any step")
+    SECTION("a wall of a force that is too steep for any step")
     {
         const auto wall = [](const Vec<1>& x) { return Vec<1>(x[0] < 0.5 ? 0. : -1e300); };
         Adaptive<1> run = start_adaptive(state(0, 1), wall, Tolerance{1e-15, 1e-15, 1e-15});

@@ -13,6 +13,8 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/limit.hpp"
+#include "tests/says.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -126,7 +128,7 @@ std::string sentence_of(const std::function<void()>& act)
 
 // ---- discrete identities --------------------------------------------------------------------------
 
-TEST_CASE("two discs in a column by hand: each sweep halves what is missing")
+TEST_CASE("two discs in a column by hand miss half as much after each sweep")
 {
     // The example of the text: A = (1 −1; −1 2), q = (−1, 0), answer (2, 1).
     SweepRows rows;
@@ -302,6 +304,25 @@ TEST_CASE("sweeps for six digits on a column are 20 and 136 and 550 and 2204")
     CHECK(sweeps_until(line(20), 1e-6) == 2204);
 }
 
+TEST_CASE("two discs in a column top-down are one visit behind bottom-up")
+{
+    // Exercise 4.1; N s, as the table of section 4.1.
+    Mlcp mlcp = problem((MatX(2, 2) << 1, -1, -1, 2).finished(), VecX(Vec2(-1, 0)));
+    const std::vector<int> top_down = {1, 0};
+    SweepRows rows;
+    prepare(mlcp, 1, top_down, rows);
+    rows.lambda.setZero();
+    const VecX answer = Vec2(2, 1);
+    for (int sweep = 1; sweep <= 10; ++sweep) {
+        sweep_forward(rows);
+        const VecX lambda = Vec2(rows.lambda[rows.place_of[0]], rows.lambda[rows.place_of[1]]);
+        if (sweep == 1) CHECK(lambda == VecX(Vec2(1, 0)));
+        if (sweep == 2) CHECK(lambda == VecX(Vec2(1.5, 0.5)));
+        const Real part = std::pow(0.5, sweep);
+        CHECK(answer - lambda == VecX(Vec2(2 * part, 2 * part)));  // bottom-up it is (2, 1) times the same part
+    }
+}
+
 TEST_CASE("the sweeps for six digits follow from the weight of the slowest mode as in (4.15)")
 {
     for (const Index N : {10, 20, 40}) {
@@ -309,6 +330,15 @@ TEST_CASE("the sweeps for six digits follow from the weight of the slowest mode 
         const Real predicted =
             (std::log(1e-6) - std::log(slowest_weight(N))) / (2 * std::log(std::cos(theta)));
         CHECK(sweeps_until(line(N), 1e-6) == std::ceil(predicted));
+    }
+    // The table as it is printed.
+    for (const Index N : {2, 5, 10, 20}) {
+        const Real theta = pi / (2 * static_cast<Real>(N)), rate = std::cos(theta) * std::cos(theta);
+        const Real predicted = std::log(1e-6 / slowest_weight(N)) / std::log(rate);
+        const std::string line_of_N = " | " + printed(predicted, 1) + " | " + std::to_string(sweeps_until(line(N), 1e-6)) +
+                                      " | " + printed(std::log(1e-6) / std::log(rate), 1) + " |";
+        INFO(line_of_N);
+        CHECK(says("chapters/04_pgs/README.md", line_of_N));
     }
 }
 
@@ -429,9 +459,27 @@ TEST_CASE("conjugate gradients refuse bounds and say singular when rows contradi
     const Solution twice = conjugate_gradients(mlcp);
     CHECK(twice.status == Status::solved);
     CHECK(twice.lambda.sum() == Approx(1));
+    mlcp.hi[1] = 1;
+    CHECK(sentence_of([&] { conjugate_gradients(mlcp); }) ==
+          "row 1 has a bound; conjugate gradients take bilateral rows only");
+    mlcp.hi[1] = infinity;
     mlcp.lo[1] = 0;
     CHECK(sentence_of([&] { conjugate_gradients(mlcp); }) ==
           "row 1 has a bound; conjugate gradients take bilateral rows only");
+}
+
+TEST_CASE("conjugate gradients stop where the merit has no lowest point and report the residual of their answer")
+{
+    const Mlcp apart = problem((MatX(2, 2) << 1, 1, 1, 1).finished(), VecX(Vec2(-1, 1)), -infinity);
+    const Solution nothing = conjugate_gradients(apart);
+    CHECK(nothing.status == Status::singular);
+    CHECK(nothing.iterations == 0);  // the first direction, (1, −1), has no curvature
+    for (const Index N : {5, 20, 60}) {
+        Mlcp mlcp = line(N, 1e4);
+        mlcp.lo.setConstant(-infinity);
+        const Solution solution = conjugate_gradients(mlcp);
+        CHECK(solution.residual == natural_residual(mlcp, solution.lambda));
+    }
 }
 
 // ---- when to stop -------------------------------------------------------------------------------------
@@ -446,7 +494,8 @@ TEST_CASE("solved is said at the first sweep that meets the tolerance or one swe
             prepare(mlcp, omega, {}, rows);
             rows.lambda.setZero();
             int first = 0;
-            while (natural_residual(mlcp, rows.lambda) > tolerance) sweep_forward(rows), ++first;
+            for (Limit sweeps(100000); natural_residual(mlcp, rows.lambda) > tolerance && sweeps.left(); ++first)
+                sweep_forward(rows);
             PgsSettings settings;
             settings.tolerance = tolerance;
             settings.omega = omega;
@@ -477,6 +526,71 @@ TEST_CASE("the residual that is reported is that of the answer")
             CHECK(solution.lambda[i] <= mlcp.hi[i]);
         }
     }
+}
+
+TEST_CASE("the sweeps go on to any tolerance and end by themselves where nothing changes any more")
+{
+    Random random(41);
+    for (const Sweeps sweeps : {Sweeps::gauss_seidel, Sweeps::symmetric, Sweeps::jacobi})
+        for (const Real omega : {0.3, 1.0, 1.6}) {
+            if (sweeps == Sweeps::jacobi && omega > 1) continue;  // (4.17) allows it up to 1 here
+            PgsSettings settings;
+            settings.sweeps = sweeps;
+            settings.omega = omega;
+            for (int sample = 0; sample < 50; ++sample) {
+                settings.tolerance = std::pow(10, -random.uniform(1, 10));
+                CHECK(pgs(line(5), settings).status == Status::solved);
+            }
+        }
+    // Two discs halve what is missing: after 60 sweeps no bit changes.
+    PgsSettings all;
+    all.tolerance = 0;
+    const Solution solution = pgs(line(2), all);
+    CHECK(solution.iterations < 100);
+    CHECK(solution.residual < 1e-15);
+}
+
+TEST_CASE("the change that a relaxed visit reports is the velocity that its row was off by")
+{
+    for (const Real omega : {0.25, 1.0, 1.75}) {
+        SweepRows rows;
+        prepare(problem(MatX::Constant(1, 1, 4), VecX::Constant(1, -3)), omega, {}, rows);
+        for (const int kind : {0, 1, 2}) {
+            rows.lambda.setZero();
+            CHECK(sweep_of(kind, rows) == Approx(3).epsilon(1e-14));  // w = q = −3 m/s
+            CHECK(rows.lambda[0] == Approx(omega * 0.75).epsilon(1e-14));
+        }
+    }
+}
+
+TEST_CASE("symmetric sweeps go forward and backward in turn")
+{
+    const Mlcp mlcp = line(6);
+    PgsSettings settings;
+    settings.sweeps = Sweeps::symmetric;
+    settings.tolerance = 0;
+    SweepRows rows;
+    prepare(mlcp, 1, {}, rows);
+    rows.lambda.setZero();
+    for (int k = 0; k < 5; ++k) {
+        sweep_of(k % 2 == 0 ? 1 : 2, rows);
+        settings.max_sweeps = k + 1;
+        CHECK(pgs(mlcp, settings).lambda == rows.lambda);  // to the bit
+    }
+}
+
+TEST_CASE("a start outside of the bounds is put within them before anything else")
+{
+    Mlcp mlcp = line(3);
+    mlcp.hi.setConstant(2);
+    PgsSettings settings;
+    settings.max_sweeps = 0;
+    PgsMemory memory;
+    Solution solution;
+    solution.lambda = Vec<3>(-1, 1, 7);
+    pgs(mlcp, settings, memory, solution);
+    CHECK(solution.lambda == VecX(Vec<3>(0, 1, 2)));
+    CHECK(solution.residual == natural_residual(mlcp, solution.lambda));
 }
 
 TEST_CASE("a small change does not mean a small residual")
@@ -608,8 +722,13 @@ TEST_CASE("a row that nothing moves goes to its bound or is called infeasible")
     solution = pgs(mlcp);
     CHECK(solution.status == Status::infeasible);
     CHECK(solution.lambda.allFinite());
-    mlcp.q[1] = 0;
-    CHECK(pgs(mlcp).status == Status::solved);
+    for (const Real noise : {0.0, -1e-12, -0.9e-9}) {  // within the tolerance of 1e-9 m/s nothing is wanted
+        mlcp.q[1] = noise;
+        CHECK(pgs(mlcp).status == Status::solved);
+        CHECK(pgs(mlcp).lambda[0] == Approx(1));
+    }
+    mlcp.q[1] = -1.1e-9;
+    CHECK(pgs(mlcp).status == Status::infeasible);
 }
 
 TEST_CASE("a pinned row stays where it is pinned and the others answer to it")

@@ -8,6 +8,8 @@
 #include "chapters/05_lemke/stewart_trinkle.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/limit.hpp"
+#include "tests/says.hpp"
 #include "tests/random_problems.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -67,7 +69,7 @@ TEST_CASE("each vertex of the walk satisfies w = A z + q + d z0 and misses exact
         const MatX A = random_matrix(Kind::positive_real, n, random);
         const VecX q = gaussian(n, 1, random), d = VecX::LinSpaced(n, 1, 3);
         LemkeWalk walk(A, q, d, TieRule::lexicographic);
-        while (walk.place == LemkeWalk::Place::on_the_way) {
+        for (Limit pivots(10000); walk.place == LemkeWalk::Place::on_the_way && pivots.left();) {
             walk.step();
             const Tableau& tableau = walk.tableau;
             VecX z(n), w(n);
@@ -124,8 +126,9 @@ TEST_CASE("columns that nobody looks at are left alone and the answer has the sa
             return LemkeWalk(MatX(problem.A), problem.q, VecX::Ones(problem.size()), TieRule::lexicographic);
         };
         LemkeWalk lazy = start(), eager = start();
-        while (lazy.place == LemkeWalk::Place::on_the_way) lazy.step();
-        while (eager.place == LemkeWalk::Place::on_the_way) {
+        Limit pivots(20000);
+        while (lazy.place == LemkeWalk::Place::on_the_way && pivots.left()) lazy.step();
+        while (eager.place == LemkeWalk::Place::on_the_way && pivots.left()) {
             eager.step();
             eager.tableau.entries();  // looks at everything
         }
@@ -136,7 +139,7 @@ TEST_CASE("columns that nobody looks at are left alone and the answer has the sa
         CHECK(lazy.tableau.entries() == eager.tableau.entries());
     }
     LemkeWalk half(MatX(problems[0].A), problems[0].q, VecX::Ones(n), TieRule::lexicographic);
-    while (half.place == LemkeWalk::Place::on_the_way) half.step();
+    for (Limit pivots(10000); half.place == LemkeWalk::Place::on_the_way && pivots.left();) half.step();
     // About half of the z enter, and each has to see about half of the pivots.
     CHECK(half.tableau.column_updates < half.pivots * (n + 2) / 2);
 }
@@ -165,7 +168,7 @@ TEST_CASE("Murty's exponential family takes exactly 2^n pivots whatever the tie 
         }
 }
 
-TEST_CASE("the transpose of Murty's matrix takes 2^n or 2n or 2 pivots: the tie rule is the whole difference")
+TEST_CASE("the transpose of Murty's matrix takes 2^n or 2n or 2 pivots by the tie rule alone")
 {
     for (Index n = 2; n <= 12; ++n) {
         CHECK(pivots(murty_transposed(n), TieRule::lexicographic) == 1 << n);
@@ -249,7 +252,47 @@ TEST_CASE("where all ratios tie the lexicographic rule ends and the first row cy
     CHECK(with_ties(problem, TieRule::first_row).status == Status::iteration_limit);
 }
 
-TEST_CASE("skew two by two problems: solved where there is an answer and infeasible where there is none")
+TEST_CASE("within a cone each weight is a linear function of z0 and most are not in proportion")
+{
+    // The example of section 5.1: A = (2 1; 1 2), q = (−5, −6), d = (1, 1). In the cone of z1 and z2 the weights solve
+    // A z = −(q + z0 d).
+    const auto weights = [](Real z0) {
+        const Vec2 r = Vec2(5, 6) - z0 * Vec2(1, 1);
+        return Vec2((2 * r[0] - r[1]) / 3, (2 * r[1] - r[0]) / 3);
+    };
+    const Vec2 at_0 = weights(0), at_1 = weights(1), at_2 = weights(2);
+    CHECK((at_0 - Vec2(4.0 / 3, 7.0 / 3)).norm() < 1e-14);
+    CHECK((at_0 - 2 * at_1 + at_2).norm() < 1e-14);                  // linear in z0
+    CHECK(std::abs(at_0[0] / at_0[1] - at_2[0] / at_2[1]) > 0.1);    // and not in proportion
+    CHECK(says("chapters/05_lemke/README.md", "Inside a cone each weight is a linear function of $z_0$."));
+}
+
+TEST_CASE("a proof counts what bounded impulses can do and takes no small number for zero")
+{
+    // Rows 0 and 1 want λ0 + λ1 = 1 and λ0 + λ1 = 0: v = (1, −1, 0) proves it, if λ2, which helps row 0 alone, cannot
+    // reach 1.
+    Mlcp mlcp;
+    mlcp.A = (MatX(3, 3) << 1, 1, 1, 1, 1, 0, 1, 0, 1).finished().sparseView();
+    mlcp.q = Vec<3>(-1, 0, 0);
+    for (const Real most : {0.1, 0.9, 1.1, 10.0})
+        for (const int side : {1, -1}) {  // the bound that matters is hi, or lo where row 2 is turned round
+            mlcp.lo = Vec<3>(-infinity, -infinity, side > 0 ? -0.1 : -most);
+            mlcp.hi = Vec<3>(infinity, infinity, side > 0 ? most : 0.1);
+            Mlcp turned = mlcp;
+            turned.A = (MatX(3, 3) << 1, 1, side, 1, 1, 0, side, 0, 1).finished().sparseView();
+            INFO("up to " << most << " N s on side " << side);
+            CHECK(proves_infeasibility(turned, Vec<3>(1, -1, 0)) == (most < 1));
+        }
+    // A zero that is none: 1e-6 of the entries is no rounding.
+    Mlcp nearly;
+    nearly.q = Vec2(-1, 0);
+    nearly.lo = VecX::Constant(2, -infinity);
+    nearly.hi = VecX::Constant(2, infinity);
+    nearly.A = (MatX(2, 2) << 1, 1, 1, 1 + 1e-6).finished().sparseView();
+    CHECK(!proves_infeasibility(nearly, VecX(Vec2(1, -1))));
+}
+
+TEST_CASE("skew two by two problems are solved where there is an answer and infeasible where there is none")
 {
     const MatX A = matrix2(0, 1, -1, 0);
     const Solution both = lemke(plain_lcp(A, vector({-1, 1})));

@@ -15,6 +15,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/says.hpp"
 
 #include <functional>
 #include <numeric>
@@ -215,7 +216,7 @@ TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by a
     }
 }
 
-TEST_CASE("split impulses sag by (7.19), about the square of what Baumgarte's sag is multiplied by")
+TEST_CASE("split impulses sag by (7.19) which is about the square of what Baumgarte's sag is multiplied by")
 {
     const Index N = 4;
     for (const int sweeps : {1, 2, 4}) {
@@ -238,6 +239,88 @@ TEST_CASE("split impulses sag by (7.19), about the square of what Baumgarte's sa
             CHECK(std::abs(length - 0.1 - C[k]) < 1e-10);
         }
     }
+}
+
+TEST_CASE("ten links sag as much as the text prints with beta 0.2 and with beta 1")
+{
+    const auto sag_in_mm = [](Stabilizer method, Real beta, int sweeps, int repaying, int steps) {
+        Discs run(hanging_chain(10), method);
+        run.method.correction.beta = beta;
+        run.method.correction.repaying_sweeps = repaying;
+        run.method.solver.sweeps.max_sweeps = sweeps;
+        run.advance(steps);
+        return 1000 * largest_link_error(run.scene);
+    };
+    // 16 visits of each row: as sweeps on velocities, or half of them on pseudo-velocities.
+    const Real b02 = sag_in_mm(Stabilizer::baumgarte, 0.2, 16, 0, 1500);
+    const Real s02 = sag_in_mm(Stabilizer::split_impulse, 0.2, 8, 8, 1500);
+    const Real b1 = sag_in_mm(Stabilizer::baumgarte, 1, 16, 0, 1500);
+    const Real s1 = sag_in_mm(Stabilizer::split_impulse, 1, 8, 8, 1500);
+    CHECK(says("chapters/07_baumgarte/README.md",
+               "16 visits a row and β = 0.2, " + printed(s02, 0) + " mm instead of " + printed(b02, 1) +
+                   " mm; with the β = 1 that split impulses may take, " + printed(s1, 1) + " mm instead of " +
+                   printed(b1, 1) + " mm."));
+    CHECK(says("chapters/07_baumgarte/README.md",
+               "it is " + printed(sag_in_mm(Stabilizer::split_impulse, 0.2, 8, 8, 90), 0) +
+                   " mm too long in its worst link and settles at " + printed(s02, 0) + " mm."));
+}
+
+TEST_CASE("a bounce from inside the floor leaves at the faster of its own speed and the repaying one")
+{
+    // 5 cm deep, h = 1/60 s, e = 0.5, down at 0.8 m/s: the bounce alone gives 0.4 m/s. β = 0.1 repays at 0.3 m/s and
+    // β = 0.2 at 0.6 m/s. Down at 0.2 m/s, below the threshold of 2 g h = 0.33 m/s, there is no bounce.
+    const auto leaves_at = [](Real beta, Real down) {
+        DiscScene scene;
+        scene.bodies = Bodies<2>(1);
+        scene.radius = VecX::Constant(1, 0.1);
+        scene.walls = {{{0, 1}, 0}};
+        scene.bodies.x << 0, 0.05;
+        scene.bodies.u << 0, -down;
+        Discs run(std::move(scene));
+        run.method.correction.restitution = 0.5;
+        run.method.correction.beta = beta;
+        run.method.solver.sweeps.max_sweeps = 10;
+        run.advance();
+        return run.scene.bodies.u[1];
+    };
+    CHECK(leaves_at(0.1, 0.8) == Approx(0.4).epsilon(1e-12));
+    CHECK(leaves_at(0.2, 0.8) == Approx(0.6).epsilon(1e-12));
+    CHECK(leaves_at(0.1, 0.2) == Approx(0.3).epsilon(1e-12));
+}
+
+TEST_CASE("no error is repaid faster than the maximum correction speed on either side")
+{
+    StabilizerSettings settings;
+    settings.fastest = 3;
+    const Real h = 0.01;  // β / h = 20 1/s
+    for (const Real C : {1.0, 0.15, 0.1, -0.1, -0.15, -1.0}) {
+        CHECK(baumgarte_bias(C, ConstraintKind::bilateral, settings, h) == Approx(std::clamp(20 * C, -3.0, 3.0)).epsilon(1e-14));
+        CHECK(baumgarte_bias(C, ConstraintKind::unilateral, settings, h) == Approx(std::clamp(20 * std::min(C, 0.0), -3.0, 3.0)).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("what repays an overlap may use up a gap beside it and neither keeps nor closes it")
+{
+    // Two equal discs overlap by 1 cm; the left one has a gap of 2 cm to a wall. Each moves by half a centimetre: the
+    // gap is 1.5 cm afterwards. With 0.3 cm it is used up and the right disc moves the rest.
+    for (const Stabilizer method : {Stabilizer::split_impulse, Stabilizer::projection})
+        for (const Real gap : {0.02, 0.003}) {
+            DiscScene scene;
+            scene.bodies = Bodies<2>(2);
+            scene.radius = VecX::Constant(2, 0.1);
+            scene.walls = {{{1, 0}, 0}};
+            scene.gravity.setZero();
+            scene.bodies.x << 0.1 + gap, 0, 0.1 + gap + 0.19, 0;
+            Discs run(std::move(scene), method);
+            run.settings.margin = 0.05;
+            run.method.correction.beta = 1;
+            run.method.correction.repaying_sweeps = 200;
+            run.advance();
+            INFO(to_string(method) << " with a gap of " << gap << " m");
+            const Real left = std::max(0.1, 0.1 + gap - 0.005);
+            CHECK(run.scene.bodies.x[0] == Approx(left).epsilon(1e-8));  // repaying ends at 1e-9 m/s
+            CHECK(run.scene.bodies.x[2] == Approx(left + 0.2).epsilon(1e-8));
+        }
 }
 
 // ---- order of convergence -----------------------------------------------------------------------------
@@ -486,7 +569,7 @@ TEST_CASE("a disc that does not reach the floor in a step is not slowed down by 
     }
 }
 
-TEST_CASE("contacts move with their bodies within a step: n substeps correct n times")
+TEST_CASE("contacts move with their bodies within a step so that n substeps correct n times")
 {
     // Two discs and a wall: C of a pair, and of the wall.
     for (const Stabilizer method :

@@ -167,7 +167,7 @@ TEST_CASE("joints and machines and contacts of the same numbers are rows of thei
     CHECK(lambda == numbers({1, 2, 3, 4, 5, 6}));
 }
 
-TEST_CASE("an impulse is a force times h: another step scales it as in (8.4)")
+TEST_CASE("an impulse is a force times h and another step scales it as in (8.4)")
 {
     ImpulseCache cache;
     const std::vector<ImpulseKey> keys = keys_of({{0, 1, 0}});
@@ -286,7 +286,7 @@ TEST_CASE("the cache asks for no memory once it has seen so many rows")
 // ---- discrete identities -----------------------------------------------------------------------------------
 
 TEST_CASE(
-    "two discs in a column by hand: from zero one digit costs three sweeps and from the previous answer none")
+    "for two discs in a column by hand one digit costs three sweeps from zero and none from the previous answer")
 {
     // The example of the text in units of mgh: answer (2, 1) for floor and upper contact.
     DiscScene scene = column(2);

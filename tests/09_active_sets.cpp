@@ -827,7 +827,7 @@ TEST_CASE("a problem that makes no sense is refused with a sentence")
         CHECK(refused([&] { active_sets(problem, settings); }) ==
               "tolerance 0, limit 0, patience 5: the tolerance must be positive, the others not negative");
     }
-    SECTION("an A that is not symmetric, one row at a time")
+    SECTION("an A that is not symmetric one row at a time")
     {
         CHECK(refused([&] { dantzig(plain_lcp(matrix2(2, 1, 0, 2), vector({-1, -1}))); }) != "accepted");
     }

@@ -13,6 +13,8 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/limit.hpp"
+#include "tests/says.hpp"
 
 #include <map>
 #include <set>
@@ -308,6 +310,42 @@ TEST_CASE("pairs tested are at most eight for each disc of a sparse scene of a h
     if (sizes.size() == 4) CHECK(tested[3] < 1e-3 * 0.5 * sizes[3] * sizes[3]);
 }
 
+TEST_CASE("the grid looks into as many cells on either side of zero and into none for a giant among few")
+{
+    // Discs of radius ¼ with cells of exactly ½, one in each: a look from one at its neighbours tests three by three.
+    const auto looked = [](Real origin) {
+        DiscGrid grid;
+        grid.reset(49, 0);
+        for (int k = 0; k < 49; ++k)
+            grid.insert(k, Vec2(origin + 0.25 + 0.5 * (k % 7), origin + 0.25 + 0.5 * (k / 7)), 0.25, 0);
+        int found = 0;
+        grid.near(grid.position(24), 0.25 * (1 + 1e-6), ~std::uint64_t{0}, [&](int) { ++found; });
+        CHECK(found == 5);  // itself and four that touch
+        return std::pair(grid.tested, grid.cells);
+    };
+    for (const Real origin : {0.0, -1.5, -1024.0, 1024.0}) {
+        CHECK(looked(origin).first == 9);
+        CHECK(looked(origin).second == 9);
+    }
+    DiscGrid grid;
+    grid.reset(11, 0);
+    for (int k = 0; k < 10; ++k) grid.insert(k, Vec2(k, 0), 0.01, 0);
+    grid.insert(10, Vec2(0, 200), 100, 0);
+    int found = 0;
+    grid.near(Vec2(0, 200), 150, ~std::uint64_t{0}, [&](int) { ++found; });
+    CHECK(found == 1);  // itself
+    CHECK(grid.cells + grid.tested < 50);  // and not 40 million cells of 2 cm
+}
+
+TEST_CASE("a pair is kept apart in whatever order it is named")
+{
+    const CollisionFilter filter = forbid_pairs(4, {{2, 0}, {1, 3}, {3, 1}});
+    CHECK(filter.forbids(0, 2));
+    CHECK(filter.forbids(1, 3));
+    CHECK(!filter.forbids(0, 1));
+    CHECK(filter.partner.size() == 2);
+}
+
 TEST_CASE("sizes from one to a hundred cost less than thirty tests for each disc")
 {
     for (const Index N : {1000, 30000}) {
@@ -401,7 +439,7 @@ Row<2> row_between(Index a, Index b, const VecX& inverse_mass)
 
 }  // namespace
 
-TEST_CASE("the islands of the text: six discs and two that are fixed")
+TEST_CASE("the islands of the text are those of six discs and two that are fixed")
 {
     // Bodies 2 and 5 are fixed. 0 and 3 touch; 1 stands on 2; 4 stands on 2 and on 5; 6 leans on 3; 7 is alone.
     VecX inverse_mass = VecX::Ones(16);
@@ -435,7 +473,7 @@ TEST_CASE("islands are the connected parts of random rows and rows of two island
         VecX inverse_mass = VecX::Ones(2 * K);
         for (int i = 0; i < 8; ++i) inverse_mass.segment<2>(2 * random.index(K)).setZero();
         std::vector<Row<2>> rows;
-        while (static_cast<Index>(rows.size()) < m) {
+        for (Limit draws(100000); static_cast<Index>(rows.size()) < m && draws.left();) {
             const Index a = random.index(K + 1) - 1, b = random.index(K);
             if (a != b) rows.push_back(row_between(a, b, inverse_mass));
         }
@@ -449,7 +487,8 @@ TEST_CASE("islands are the connected parts of random rows and rows of two island
         // The slow way: spread a mark until nothing changes.
         std::vector<int> mark(static_cast<std::size_t>(K));
         for (int k = 0; k < K; ++k) mark[static_cast<std::size_t>(k)] = k;
-        for (bool changed = true; changed;) {
+        Limit rounds(10000);
+        for (bool changed = true; changed && rounds.left();) {
             changed = false;
             for (const Row<2>& row : rows) {
                 if (!moves_a(row) || !moves_b(row)) continue;
@@ -579,7 +618,8 @@ TEST_CASE("an island is said to be solved only when its residual is below the to
         // Who stops when a sweep changes little stops too early.
         std::vector<SolverRow<2>> early = solver_rows;
         VecX v = u;
-        for (bool changed = true; changed;) {
+        Limit rounds(10000);
+        for (bool changed = true; changed && rounds.left();) {
             changed = false;
             for (SolverRow<2>& row : early)
                 changed = std::abs(visit(row, v)) > settings.tolerance * row.mass || changed;
@@ -669,7 +709,43 @@ TEST_CASE("one row and two rows have in closed form the answer of chapter 9")
     CHECK(pushing > 3000);
 }
 
-TEST_CASE("two balls and a wall by hand: the exact island gives what (10.6) says")
+TEST_CASE("a small exact island that is called solved has the residual that was asked for however parallel its rows")
+{
+    // Two rows on one body at angles from 1e-9 rad to a right one, also none: in closed form they lose up to eight
+    // digits, and beyond them all.
+    Random random(91);
+    std::vector<ExactScratch> scratch;
+    int solved = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        VecX inverse_mass(2), u(2);
+        inverse_mass.setConstant(std::pow(10, random.uniform(-1, 1)));
+        u << random.normal(), random.normal();
+        const Real first = random.uniform(0, 2 * pi), between = trial % 10 ? std::pow(10, -random.uniform(0, 9)) : 0;
+        std::vector<Row<2>> rows;
+        for (const Real angle : {first, first + between}) {
+            Constraint<2> c;
+            c.b = 0;
+            c.Jb = RowVec<2>(std::cos(angle), std::sin(angle));
+            rows.push_back(make_row(c, inverse_mass, 0, trial % 2 ? 0.0 : -infinity, infinity));
+        }
+        std::vector<SolverRow<2>> solver_rows;
+        prepare<2>(rows, {}, VecX::Zero(2), solver_rows);
+        const std::span<const SolverRow<2>> now(solver_rows);
+        const Real before = natural_residual(now, u), enough = 1e-12;
+        const IslandAnswer answer = solve_exactly<2>(solver_rows, enough, scratch, u);
+        REQUIRE(u.allFinite());
+        if (answer.status != Status::solved) continue;
+        ++solved;
+        // The 1e-10 that closed forms and chapter 9 promise, and the rounding of impulses of up to 1/angle.
+        Real impulses = 0;
+        for (const SolverRow<2>& row : solver_rows) impulses += std::abs(row.lambda) / row.mass;
+        INFO("trial " << trial << " angle " << between);
+        REQUIRE(natural_residual(now, u) <= enough + 2e-10 * before + 1e-15 * impulses);
+    }
+    CHECK(solved > 3500);
+}
+
+TEST_CASE("for two balls and a wall by hand the exact island gives what (10.6) says")
 {
     // 1 kg against the wall at 0 m/s, 3 kg runs into it at 2 m/s: both stop, 6 N s each, whatever λ they start from.
     for (const Real start : {0.0, 2.0, 9.0}) {
@@ -1357,7 +1433,14 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         full.sweeps.tolerance = 0;
         full.sweeps.max_sweeps = 100;
         SkippingWorld quick = world_of(scene), slow = world_of(scene);
-        run(quick, settings, 1000);
+        int cold = 0;  // steps that do not meet the tolerance
+        VecX settled;  // where the discs are after them
+        for (int step = 0; step < 1000; ++step) {
+            skipping_step(quick, settings);
+            if (quick.counters.unsolved == 0) continue;
+            CHECK(++cold == step + 1);
+            settled = quick.scene.bodies.x;
+        }
         run(slow, full, 1000);
         int most = 0;
         std::int64_t visits = 0;
@@ -1369,12 +1452,51 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         }
         CHECK(most <= 2);
         CHECK(visits <= 3 * 1000 * quick.counters.rows);  // two sweeps and a look; full: 100 sweeps
-        // The exact answer is that nobody moves. Each step's residual is at most 1e-6 m/s: in 2000 steps of 1/60 s
-        // that is 33 µm more than what full sweeps are off.
+        // The exact answer is that nobody moves. Each step's residual is at most 1e-6 m/s: in 2000 steps of 1/60 s a gap
+        // is off by 33 µm, and a disc by what the gaps below it add up to. The first steps, from zero, do not get there.
         const Real off = (quick.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
         const Real of_full = (slow.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
-        CHECK(off < of_full + 3.4e-5);
-        CHECK(off < 1e-3);
+        CHECK(off < of_full);
+        if (is_triangle) continue;
+        const Real of_a_gap = 2000 * settings.h * settings.sweeps.tolerance;
+        const VecX since = quick.scene.bodies.x - settled, start = settled - scene.bodies.x;
+        Real worst_start = 0;
+        for (Index k = 0; k < 20; ++k) {
+            CHECK(std::abs(since[2 * k + 1] - (k > 0 ? since[2 * k - 1] : 0)) < of_a_gap);
+            worst_start = std::max(worst_start, std::abs(start[2 * k + 1] - (k > 0 ? start[2 * k - 1] : 0)));
+        }
+        CHECK(since.cwiseAbs().maxCoeff() < 1e-6);
+        CHECK(cold == 6);
+        CHECK(says("chapters/10_skipping_work/README.md",
+                   "the first six steps find all impulses from zero, hit the limit of 400 sweeps, and lose up to " +
+                       printed(1e3 * worst_start, 2) + " mm a gap. In all steps after them no disc moves by a whole µm."));
+        CHECK(says("chapters/10_skipping_work/README.md",
+                   "in 2,000 steps of 1/60 s, " + printed(1e6 * of_a_gap, 0) + " µm. That is for *one* row, and while each step meets the tolerance."));
+        CHECK(says("chapters/10_skipping_work/README.md",
+                   "the top of a column of 20 by up to " + printed(20 * 1e3 * of_a_gap, 2) + " mm."));
+        CHECK(says("chapters/10_skipping_work/README.md", "at most 400 | 1.0 | 40 | " + printed(1e3 * off, 2) + " mm |"));
+    }
+}
+
+TEST_CASE("a contact that takes the place of another one is made anew")
+{
+    // Beside disc 0 stands disc 1 or disc 2, at the same place but of another size.
+    DiscScene scene = empty_scene(3);
+    set_disc(scene, 0, {0, 0}, 0.1);
+    set_disc(scene, 1, {0.2, 0}, 0.1);
+    set_disc(scene, 2, {9, 9}, 0.09);
+    Finder exact(scene, 0.05, 0.01), keeping(scene, 0.05, 0.01);
+    KeptContacts memory;
+    for (int step = 0; step < 6; ++step) {
+        for (const bool back : {false, true}) {
+            if (!back) std::swap(scene.bodies.x[2], scene.bodies.x[4]), std::swap(scene.bodies.x[3], scene.bodies.x[5]);
+            exact.find(scene);
+            update_pairs(scene, keeping.set, keeping.broad);
+            keep_contacts(scene, keeping.set, keeping.broad, 0.001, memory, keeping.contacts);
+            REQUIRE(exact.contacts.size() == 1);
+            REQUIRE(same(keeping.contacts, exact.contacts));
+            CHECK(memory.reused == (back ? 1 : 0));
+        }
     }
 }
 
@@ -1605,7 +1727,7 @@ Bounced bounce_by_adaptive_steps(Real tolerance)
     const Tolerance allowed{tolerance, tolerance, tolerance};
     Adaptive<1> run = start_adaptive<1>({Vec<1>(1.0), Vec<1>(0.0)}, gravity, allowed);
     Bounced bounced;
-    while (run.t < 2) {
+    for (Limit steps(1000000); run.t < 2 && steps.left();) {
         const Outcome outcome =
             advance_to_event(run, 2, gravity, allowed, [](const State<1>& s) { return s.x[0]; });
         ++bounced.steps;

@@ -175,6 +175,20 @@ TEST_CASE("the bend force is zero where there is no angle to speak of")
     CHECK(bodies.f.isZero(0));
 }
 
+TEST_CASE("a bend about a disc that cannot move has no force since it is measured in that disc's mass")
+{
+    Bodies<2> bodies(3);
+    bodies.x << -1, 0, 0, 0, 0, 1;  // a right angle
+    bodies.u << 0, 1, 0, 0, 1, 0;
+    const std::vector<Bend> bend{{0, 1, 2, 1}};
+    add_bend_springs(bodies, bend, 2, 1);
+    CHECK(bodies.f.norm() > 1);
+    bodies.f.setZero();
+    bodies.inverse_mass.segment<2>(2).setZero();
+    add_bend_springs(bodies, bend, 2, 1);
+    CHECK(bodies.f.isZero(0));
+}
+
 TEST_CASE("gravity and the pulling hand leave bodies alone that cannot move")
 {
     Bodies<2> bodies(2);
@@ -308,7 +322,7 @@ TEST_CASE("every scene is valid and starts with its links at their length and it
     }
 }
 
-TEST_CASE("a triangle of discs touches the floor and both walls, and each disc stands on two")
+TEST_CASE("a triangle of discs touches the floor and both walls and each disc stands on two")
 {
     const Index base = 5;
     const DiscScene scene = triangle(base);
@@ -329,7 +343,7 @@ TEST_CASE("a triangle of discs touches the floor and both walls, and each disc s
             CHECK(contact.normal.y() == Approx(std::sqrt(3.0) / 2).epsilon(1e-12));
 }
 
-TEST_CASE("a swinging chain is a hanging chain turned by a quarter turn, its anchor in place")
+TEST_CASE("a swinging chain is a hanging chain turned by a quarter turn with its anchor in place")
 {
     const DiscScene hanging = hanging_chain(4, 3), swinging = swinging_chain(4, 3);
     CHECK(swinging.bodies.inverse_mass == hanging.bodies.inverse_mass);

@@ -107,6 +107,28 @@ bool prints_a_real_by_to_string(const std::string& object)
     return false;
 }
 
+/// The names of test cases and sections in a test's source; pieces of one string are joined.
+std::vector<std::string> test_names(const std::string& text)
+{
+    static const std::regex begin(R"((?:TEST_CASE|SECTION)\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+))");
+    static const std::regex piece(R"x("((?:[^"\\]|\\.)*)")x");
+    std::vector<std::string> names;
+    for (std::sregex_iterator found(text.begin(), text.end(), begin), end; found != end; ++found) {
+        const std::string pieces = (*found)[1];
+        std::string& name = names.emplace_back();
+        for (std::sregex_iterator part(pieces.begin(), pieces.end(), piece); part != end; ++part) name += (*part)[1];
+    }
+    return names;
+}
+
+/// What a test's name must not have: Catch 2.13 prints a failing test whose name has ": " so that its further lines
+/// begin below what follows the colon; where that is at the end of the line it prints without end. The others mean
+/// something where a test is chosen by its name.
+bool is_safe_name(const std::string& name)
+{
+    return name.find(": ") == std::string::npos && name.find_first_of("#[,*\\") == std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("no source prints a Real by std::to_string")
@@ -220,6 +242,25 @@ TEST_CASE("the rules of the house notice what they are for")
                 "#include \"common/program/program.hpp\"\n#include <iostream>\n") == 0);
     CHECK(count("common/measure.cpp", "#include <iostream>\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", std::string(300, '\n')) == 1);
+}
+
+TEST_CASE("no name of a test holds what makes Catch print without end or choose other tests")
+{
+    std::size_t names = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RIGID_SOURCE_DIR) / "tests")) {
+        if (entry.path().extension() != ".cpp") continue;
+        for (const std::string& name : test_names(read(entry.path()))) {
+            INFO(entry.path().filename().string());
+            if (!is_safe_name(name)) FAIL_CHECK(name);
+            ++names;
+        }
+    }
+    CHECK(names > 400);
+    // It notices what it is for.
+    CHECK(test_names("TEST_CASE(\"one \"\n    \"two\")\n  SECTION(\"three\")\n") ==
+          std::vector<std::string>{"one two", "three"});
+    for (const char* name : {"a thing\x3a its test", "a, b", "the [first]", "number #3"}) CHECK(!is_safe_name(name));
+    CHECK(is_safe_name("Newton's cradle with e = 1 (6.20) at 10:30"));
 }
 
 TEST_CASE("each chapter has its text and its program and its benchmark and its figures and its tests")

@@ -5,7 +5,7 @@
 ///
 /// (2.24). The rows may be redundant (then many λ give the same velocity, and the one with the
 /// least Σ A_ii λ_i² is given) or contradict each other (then the velocity that breaks them least
-/// is found, and the rows that take part are named: for them, and only for them, w ≠ 0).
+/// is found, and the rows with w ≠ 0 are named: they contradict each other by themselves).
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
@@ -152,12 +152,11 @@ private:
             if (scale_[i] * std::abs(answer_.w[i]) > 1e-6 * worst) answer_.at_odds.push_back(i);
     }
 
-    /// The sum of the sizes of what J u + b is made of.
+    /// The sum of the sizes of what J u + b is made of: lengths, so that it does not matter how the axes lie.
     static Real reach(const Row<Dof>& row, const VecX& u)
     {
-        Real sum =
-            std::abs(row.bias) + row.Jb.cwiseAbs().dot(u.template segment<Dof>(Dof * row.b).cwiseAbs());
-        if (row.a != world) sum += row.Ja.cwiseAbs().dot(u.template segment<Dof>(Dof * row.a).cwiseAbs());
+        Real sum = std::abs(row.bias) + row.Jb.norm() * u.template segment<Dof>(Dof * row.b).norm();
+        if (row.a != world) sum += row.Ja.norm() * u.template segment<Dof>(Dof * row.a).norm();
         return sum;
     }
 

@@ -22,7 +22,7 @@ namespace rigid {
 /// The bias of a contact whose gap C may close in this step, (6.17).
 ///
 /// A gap may close and no more, b = C/h. If it would close, and the bodies approach faster than the threshold,
-/// they part with e times the speed instead.
+/// they part with e times the speed instead. An overlap closes if the bodies still approach after the forces.
 /// \param C       gap [m]; an overlap, C < 0, is left as it is
 /// \param before  v⁻ = J u before the forces of this step [m/s]
 /// \param after   J u*, after them [m/s]
