@@ -29,7 +29,7 @@ public:
         lambda_ = unscaled(z_);
         const Verification verified = verify(mlcp_, lambda_, {tolerance_, 0});
         if (!verified.solved) return false;
-        if (!verified.in_each_row) doubt();  // it may be one of several between which rounding can't choose
+        if (!verified.in_each_row) leave_count_open();  // it may be one of several between which rounding can't choose
         w_ = dense_.A * z_ + dense_.q;
         if (count_++ == 0) {
             first_ = z_;
@@ -57,11 +57,14 @@ public:
     /// Remember that some question could not be answered: then nothing is said about how many answers there are.
     void doubt() { doubtful_ = true; }
     bool doubtful() const { return doubtful_; }
+    /// Say nothing about how many there are, unless there is none or two were seen.
+    void leave_count_open() { open_ = true; }
 
     Uniqueness uniqueness() const
     {
         if (doubtful_ && !w_differs_) return Uniqueness::not_examined;
         if (count_ == 0) return Uniqueness::none;
+        if (open_ && !w_differs_) return Uniqueness::not_examined;
         if (w_differs_) return Uniqueness::any;
         return lambda_differs_ ? Uniqueness::w_unique : Uniqueness::unique;
     }
@@ -95,7 +98,7 @@ private:
     Real tolerance_;
     VecX first_, first_w_, z_, w_, lambda_;
     long count_ = 0;
-    bool lambda_differs_ = false, w_differs_ = false, doubtful_ = false;
+    bool lambda_differs_ = false, w_differs_ = false, doubtful_ = false, open_ = false;
 };
 
 }  // namespace rigid

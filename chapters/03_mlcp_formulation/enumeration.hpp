@@ -41,7 +41,7 @@ public:
         if (mlcp.size() > 0)
             given_ = (dense_.q.cwiseAbs() + dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs()).maxCoeff();
         if (mlcp.size() > 0) reach_ = 1 + dense_.A.cwiseAbs().rowwise().sum().maxCoeff();
-        if (is_spread()) answers_.doubt();
+        if (is_spread()) answers_.leave_count_open();
         if (!settings.stop_at_first && sets_.count() > static_cast<Real>(settings.most_sets))
             throw std::invalid_argument(
                 "the " + std::to_string(mlcp.size()) + " rows have " + readable(sets_.count()) +
@@ -164,20 +164,19 @@ private:
     }
     //! [set]
 
-    /// True if even scaled numbers differ by more than ten digits: then rounding in one row hides another.
+    /// True if scaled numbers differ by more than ten digits: then rounding in one row hides another.
     bool is_spread() const
     {
-        Real least[2] = {infinity, infinity}, most[2] = {0, 0};
-        const auto look = [&](int kind, Real number) {
-            const Real size = std::abs(number);
-            if (!(size > 0) || size == infinity) return;
-            least[kind] = std::min(least[kind], size);
-            most[kind] = std::max(most[kind], size);
-        };
-        for (const Real a : dense_.A.reshaped()) look(0, a);
-        for (const VecX* v : {&dense_.q, &dense_.lo, &dense_.hi})
-            for (const Real number : *v) look(1, number);
-        return most[0] > 1e10 * least[0] || most[1] > 1e10 * least[1];
+        if (mlcp_.size() == 0) return false;
+        Real least = infinity, most = dense_.q.cwiseAbs().maxCoeff();
+        if (most > 0) least = most;
+        for (const VecX* bounds : {&dense_.lo, &dense_.hi})
+            for (const Real bound : *bounds)
+                if (const Real size = std::abs(bound); size > 0 && size < infinity) {
+                    least = std::min(least, size);
+                    most = std::max(most, size);
+                }
+        return !(most <= 1e10 * least) || !(dense_.A.cwiseAbs().maxCoeff() <= 1e10);
     }
 
     /// What rounding may have done to the λ and w of the present set.

@@ -4,7 +4,7 @@
 ///     v_i = |w_i| between the bounds, max(0, −w_i) at lo, max(0, w_i) at hi                      (3.16a)
 ///     S_i = |q_i| + Σ_j |A_ij λ_j|,   U_i = min(max_j N_j, d_i max_j N_j/d_j),   d_i = √|A_ii|      (3.16b)
 ///     v_i ≤ max(f, τ min(S_i, U_i), ε U_i)                                                       (3.16c)
-///     v_i ≤ 10 max(f, τ U_i, 64 ε U_i) for every w_i within ½ (k_i + 1) ε S_i of the computed one (3.16d)
+///     v_i ≤ 100 max(f, τ U_i, 64 ε U_i) for every w_i within ½ (k_i + 1) ε S_i of the computed one (3.16d)
 ///
 /// S_i are the numbers that are added up in row i, k_i how many products; N_i is S_i at the point of the bounds that
 /// is nearest to zero, and no λ has a smaller S_i. v_i is never below the natural residual r_i.
@@ -90,7 +90,8 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         if (v > enough && in_its_row) least = v / tau;
         const Real floor = v > enough && !in_its_row ? v / epsilon : 0;
         least_speed = std::max(least_speed, floor);
-        if (worst > 10 * enough) least = std::max(least, worst / (10 * std::max(tau, 64 * epsilon)));
+        if (worst > 100 * enough)
+            least = std::max(least, worst / (100 * std::max(tau, 64 * epsilon)));
         if (diagonal > 0) least_speed = std::max(least_speed, least);
         least_energy = std::max(least_energy, std::max(least, floor) / unit);
         in_each_row = in_each_row && in_its_row;

@@ -30,7 +30,7 @@ inline void multiply(const SparseMatrix& A, const VecX& x, VecX& y)
 
 /// Conjugate gradients with the diagonal of A as preconditioner, from `solution.lambda` on.
 ///
-/// `solved` when the natural residual, here the largest |w_i|, met the tolerance and rounding can't hide ten
+/// `solved` when the natural residual, here the largest |w_i|, met the tolerance and rounding can't hide a hundred
 /// times as much, (3.16d); `singular` when a direction has no curvature but a slope (conflicting rows), or λ ran
 /// away along one that has nearly none; else `iteration limit`.
 /// \param tolerance  [m/s]

@@ -60,8 +60,8 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
 
 /// Sweeps from `solution.lambda` on; solution.iterations counts the sweeps.
 ///
-/// `solved` is said when the natural residual was computed and met the tolerance, and rounding can't hide ten
-/// times as much: chapter 3's rule with f = tolerance and τ = ε, (3.16c) and (3.16d). `infeasible`: a row
+/// `solved` is said when the natural residual was computed and met the tolerance, and rounding can't hide
+/// a hundred times as much: chapter 3's rule with f = tolerance and τ = ε, (3.16c) and (3.16d). `infeasible`: a row
 /// that no λ can change wants an infinite one. Else `iteration limit`, also when the numbers overflow
 /// (λ is then the cold start). Does not allocate once it has seen a problem of this size.
 /// \param solution  in: the λ to start from (see cold_start()); out: the answer
