@@ -1,0 +1,77 @@
+/// \file scene_settings.hpp
+/// What all scenes of discs of this chapter share: what the reader may change, what is measured, and a budget of row
+/// visits that all ways to correct share.
+#pragma once
+
+#include "chapters/07_baumgarte/corrected_method.hpp"
+#include "common/program/program.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace rigid {
+
+inline std::vector<std::string> stabilizer_names()
+{
+    return {"baumgarte", "none", "relaxation", "split_impulse", "projection"};
+}
+
+inline Stabilizer stabilizer_named(const std::string& name)
+{
+    for (const Stabilizer method :
+         {Stabilizer::none, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
+        if (name == to_string(method)) return method;
+    return Stabilizer::baumgarte;
+}
+
+/// What the reader may change in every scene of discs.
+inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
+{
+    return {
+        {"beta", "", "part of an error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
+        {"sweeps", "", "sweeps of a step in all; substeps and the correction share them", sweeps, 1, 512,
+         true, false, false},
+        {"substeps", "", "small steps in a step", 1, 1, 128, true, false, false},
+        {"carry", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false, false},
+        {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
+        {"fastest", "m/s", "an error is corrected at this speed at most", 1000, 0.01, 1000, false, false,
+         false},
+        {"margin", "m", "a gap below this gets its row", 0.02, 0, 0.1, false, false, false},
+        {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
+         false}};
+}
+
+/// The settings of a step and its method. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half
+/// of those correct positions where that takes sweeps of its own; each gets one at least.
+inline void stabilized_settings(const Settings& settings, StepSettings& step, CorrectedMethod& method)
+{
+    step.h = settings.h;
+    step.margin = settings["margin"];
+    step.substeps = static_cast<int>(settings["substeps"]);
+    method.start.carry = settings["carry"];
+    method.solver.ordering = static_cast<Order>(static_cast<int>(settings["order"]));
+    Correction& correction = method.correction;
+    correction.method = stabilizer_named(settings.method);
+    correction.beta = settings["beta"];
+    correction.slop = settings["slop"];
+    correction.fastest = settings["fastest"];
+    const int passes =
+        correction.method == Stabilizer::none || correction.method == Stabilizer::baumgarte ? 1 : 2;
+    const int sweeps = static_cast<int>(settings["sweeps"]) / (step.substeps * passes);
+    method.solver.sweeps.max_sweeps = correction.repaying_sweeps = std::max(1, sweeps);
+}
+
+inline std::vector<Column> stabilized_columns()
+{
+    return {{"link_error", "m", "largest difference of a link from its length", true, true},
+            {"penetration", "m", "deepest overlap", true, true},
+            {"theory", "m", "what a formula of this chapter foretells for the scene; 0 = none", false, false},
+            {"highest", "m", "highest centre so far", false, false},
+            {"speed", "m/s", "greatest speed of a body", true, false},
+            {"energy", "J", "kinetic energy and that of the weight, less than at the start", true, false},
+            {"contacts", "", "contacts that have a row", false, false},
+            {"row_visits", "", "rows visited in the step", false, false}};
+}
+
+}  // namespace rigid
