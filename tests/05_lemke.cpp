@@ -664,6 +664,17 @@ TEST_CASE("a bound that is far away does not swallow what pushes")
     }
 }
 
+TEST_CASE("the lift can rise on the way to an answer")
+{
+    LemkeWalk walk(matrix2(-2, -2, 3, -1), vector({2, -1}), vector({1, 1}), TieRule::lexicographic);
+    walk.step();
+    CHECK(walk.tableau.value(walk.tableau.artificial()) == 1);
+    walk.step();  // z2 enters: z0 = 1 + z2 until w1 = 3 - z2 is zero
+    CHECK(walk.tableau.value(walk.tableau.artificial()) == 4);
+    for (int pivot = 0; pivot < 4 && walk.place == LemkeWalk::Place::on_the_way; ++pivot) walk.step();
+    CHECK(walk.place == LemkeWalk::Place::solution);
+}
+
 TEST_CASE("a direction that a bound turns away proves nothing")
 {
     Mlcp problem = plain_lcp(matrix2(-2, 1, 1, -1), vector({0, 0}));
