@@ -49,6 +49,25 @@ inline bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)
     return true;
 }
 
+/// What rounding alone may hide when w = A λ + q is computed [m/s]: λ of 1e13 that cancel in w can look right
+/// by luck. A bound that is quick to have will do where it is not above `enough`.
+inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda, Real enough)
+{
+    if (mlcp.A.nonZeros() == 0) return 0;
+    constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+    const Real entry_sum = mlcp.A.coeffs().abs().maxCoeff() * lambda.lpNorm<1>();
+    const Real bound = epsilon * (mlcp.q.cwiseAbs().maxCoeff() + entry_sum);
+    if (bound <= enough) return bound;
+    Real largest = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real sum = std::abs(mlcp.q[i]);
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            sum += std::abs(entry.value() * lambda[entry.col()]);
+        if (!(sum <= largest)) largest = sum;
+    }
+    return epsilon * largest;
+}
+
 /// How large a residual may be [m/s]: a share of q, or of 1e-4 of what the bounds add to it.
 /// \param start  room for the point of the bounds that is nearest to zero
 inline Real allowed_residual(const Mlcp& mlcp, Real tolerance, VecX& start)

@@ -4,6 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "common/text.hpp"
 #include "tests/stress/method.hpp"
 
@@ -31,9 +32,10 @@ inline void require_honest(const Mlcp& mlcp, const Solution& solution)
 {
     if (solution.status != Status::solved) return;
     // 1e-6 of the numbers in the problem: a thousand times what the solvers themselves ask for.
-    const Real residual = natural_residual(mlcp, solution.lambda);
-    if (!(residual <= 1e-6 * std::max(Real{1}, size_of_numbers(mlcp, solution.lambda))))
-        throw SilentError("an answer with the residual " + shortest(residual) + " m/s is called solved");
+    const Verification verified = verify(mlcp, solution.lambda, {1e-6, 1e-6});
+    if (!verified.solved)
+        throw SilentError("an answer with the residual " + shortest(verified.residual) +
+                          " m/s is called solved");
 }
 
 /// The same for rows that were swept without a matrix. Looks at one step of sixteen: the matrix costs more than
