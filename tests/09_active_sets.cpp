@@ -43,9 +43,7 @@ MatX matrix3(std::initializer_list<Real> rows)
 GuessedProblem guessed(const Mlcp& mlcp)
 {
     GuessedProblem problem;
-    problem.mlcp = &mlcp;
-    problem.q = mlcp.q;
-    problem.diagonal = MatX(mlcp.A).diagonal();
+    set_up(mlcp, {}, problem);
     problem.tolerance = 1e-12;
     return problem;
 }

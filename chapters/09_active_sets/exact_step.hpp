@@ -34,6 +34,7 @@ struct ExactStep : StabilizedStep {
     Mlcp errors;              ///< of the positions: the same A
     ActiveSetMemory active, active_errors;
     Solution repaying;
+    Status status = Status::solved;  ///< of all problems of a step: the first that is not `solved`
 };
 
 //! [errors]
@@ -62,16 +63,24 @@ inline void exact_step(DiscScene& scene, const StabilizedStepSettings& settings,
     find_step_contacts(scene, settings, now);
     const Real h = settings.h / settings.substeps;
     Bodies<2>& bodies = scene.bodies;
+    ActiveSetSettings exact = exactness;
+    now.status = Status::solved;
+    const auto keep_status = [&now](Status status) {
+        if (now.status == Status::solved) now.status = status;
+    };
     for (int n = 0; n < settings.substeps; ++n) {
         substep_rows(scene, settings, h, now);  // chapter 7, word for word
         assemble(now.rows, now.u_star, now.scratch, now.mlcp);
-        active_sets(now.mlcp, exactness, now.active, now.solution);
+        exact.enough = std::max(exactness.enough, rounded_speed(bodies.x, now.u_star, h));
+        active_sets(now.mlcp, exact, now.active, now.solution);
+        keep_status(now.solution.status);
         bodies.u = now.u_star;
         apply(now.rows, now.solution.lambda, bodies.u);
         bodies.x += h * bodies.u;
         if (settings.stabilizer.method != Stabilizer::split_impulse) continue;
         error_problem(scene.links.size(), settings.stabilizer, h, bodies.u, now);
-        active_sets(now.errors, exactness, now.active_errors, now.repaying);
+        active_sets(now.errors, exact, now.active_errors, now.repaying);
+        keep_status(now.repaying.status);
         now.v.setZero(bodies.u.size());
         apply(now.rows, now.repaying.lambda, now.v);
         bodies.x += h * now.v;

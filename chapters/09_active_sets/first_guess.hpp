@@ -2,7 +2,7 @@
 /// Where the guesses begin: with yesterday's cases; with all rows active; or with what a few sweeps say.
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/block_principal_pivoting.hpp"
 
 #include <algorithm>
 
@@ -51,9 +51,12 @@ inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& yes
     const auto n = static_cast<std::size_t>(mlcp.size());
     const bool known = yesterday.size() == n;
     guess.cases.resize(n);
+    guess.wrong.clear();
+    guess.w = problem.q;
+    guess.step.resize(mlcp.size());
+    guess.lambda.setZero(mlcp.size());  // if no guess can be solved, this is what is left: it must be a number
+    clamp_into_bounds(mlcp, guess.lambda);
     if (!known && !cheap) {
-        guess.lambda.setZero();
-        clamp_into_bounds(mlcp, guess.lambda);
         visit_rows(problem, guess.lambda);
         visit_rows(problem, guess.lambda);
         cases_of(mlcp, guess.lambda, guess.cases);

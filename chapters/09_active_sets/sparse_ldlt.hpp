@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chapters/09_active_sets/elimination.hpp"
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/block_principal_pivoting.hpp"
 
 namespace rigid {
 
@@ -126,6 +126,14 @@ public:
     }
 
     void forget() { factored_.clear(); }
+
+    /// With a proximal term: would the rows have done without it? True if each pivot is far above the term.
+    bool is_independent(const GuessedProblem& problem) const
+    {
+        for (const int k : active_)
+            if (!(pivot_[k] > 100 * problem.shift[at(elimination.order, k)])) return false;
+        return !factored_.empty();
+    }
 
 private:
     static constexpr Real rank_tolerance = 1e-11;  ///< share of A_ii that a pivot must keep

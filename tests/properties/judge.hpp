@@ -14,12 +14,15 @@
 
 namespace rigid::properties {
 
+inline constexpr Wide underflow = 1e-300;  ///< below that doubles lose digits
+
 /// A problem in wide numbers, each row in a unit of its own, so that units can't hide an error: d_i = √A_ii, and in a
 /// row without a diagonal what its neighbours make of it.
 struct WideProblem {
     const Mlcp& mlcp;
     std::vector<Wide> unit;
     Wide given = 0;  ///< the largest N_i / d_i: q, and what the λ that the bounds force does to it
+    Wide speed = 0;  ///< the largest |q_i| [m/s], for rows that no λ moves: they have no unit
 
     explicit WideProblem(const Mlcp& problem) : mlcp(problem)
     {
@@ -36,6 +39,8 @@ struct WideProblem {
                 N += static_cast<Wide>(size) * static_cast<Wide>(nearest);
             }
             unit.push_back(own > 0 ? own : neighbours > 0 ? neighbours : largest > 0 ? std::sqrt(largest) : 1);
+            speed = std::max(speed, static_cast<Wide>(std::abs(mlcp.q[i])));
+            if (largest == 0) unit.back() = 0;
             if (largest > 0 && mlcp.lo[i] < mlcp.hi[i]) given = std::max(given, N / unit.back());
         }
     }
@@ -61,8 +66,9 @@ struct WideProblem {
             };
             if (mlcp.lo[i] > -infinity) r = std::min(r, room(mlcp.lo[i]));
             if (mlcp.hi[i] < infinity) r = std::max(r, room(mlcp.hi[i]));
-            if (magnitude(r) <= enough) continue;
-            const Wide share = given > 0 ? magnitude(r) / (unit[k] * given) : static_cast<Wide>(infinity);
+            if (magnitude(r) <= std::max(enough, underflow)) continue;
+            const Wide size = unit[k] > 0 ? unit[k] * given : speed;
+            const Wide share = size > 0 ? magnitude(r) / size : static_cast<Wide>(infinity);
             if (!(share <= largest)) largest = share;
         }
         return largest;
@@ -72,7 +78,7 @@ struct WideProblem {
     bool is_moderate(const std::vector<Wide>& lambda) const
     {
         for (std::size_t k = 0; k < lambda.size(); ++k)
-            if (!(magnitude(lambda[k]) * unit[k] <= 1e10 * given)) return false;
+            if (!(magnitude(lambda[k]) * unit[k] <= 1e11 * given)) return false;
         return true;
     }
 };
@@ -96,9 +102,9 @@ inline bool wide_solve(const WideProblem& problem, const std::vector<std::size_t
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
             const auto j = static_cast<std::size_t>(entry.col());
             w += static_cast<Wide>(entry.value()) * lambda[j];
-            if (place[j] < f) T[k][place[j]] = entry.value() / (unit[j] * unit[active[k]]);
+            if (place[j] < f) T[k][place[j]] = static_cast<Wide>(entry.value()) / (unit[j] * unit[active[k]]);
         }
-        T[k][f] = -w / unit[active[k]];
+        T[k][f] = unit[active[k]] > 0 ? -w / unit[active[k]] : -w / problem.speed * problem.given;
     }
     Wide first = 0;
     std::size_t rank = 0;

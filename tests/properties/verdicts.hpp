@@ -91,14 +91,17 @@ inline std::vector<std::string> false_verdicts(const Mlcp& mlcp, bool whole, con
                      std::string(to_string(all->uniqueness())));
             continue;
         }
-        if (solution.uniqueness != Uniqueness::unique || !certain_answer(problem, solution.lambda)) continue;
-        for (const Answer& other : answers) {  // a second answer would have to be certain, and elsewhere
-            if (other.solution.status != Status::solved) continue;
-            const VecX apart = (other.solution.lambda - solution.lambda).cwiseAbs();
-            if (apart.size() == 0 ||
-                !(apart.maxCoeff() > 1e-4 * (other.solution.lambda.lpNorm<Eigen::Infinity>() + 1e-300)))
-                continue;
-            if (!certain_answer(problem, other.solution.lambda)) continue;
+        if (solution.uniqueness != Uniqueness::unique) continue;
+        const auto own = certain_answer(problem, solution.lambda);
+        for (const Answer& other : answers) {  // a second answer has to be certain, and elsewhere
+            if (!own || other.solution.status != Status::solved) continue;
+            const auto another = certain_answer(problem, other.solution.lambda);
+            Wide apart = 0, size = 0;
+            for (std::size_t k = 0; another && k < own->size(); ++k) {
+                apart = std::max(apart, magnitude((*another)[k] - (*own)[k]) * problem.unit[k]);
+                size = std::max(size, magnitude((*another)[k]) * problem.unit[k]);
+            }
+            if (!(apart > 1e-4 * (size + problem.given))) continue;
             says("the answer is unique, and " + other.solver + " has another one");
             break;
         }
