@@ -685,8 +685,8 @@ TEST_CASE("a problem that makes no sense is refused with a sentence")
         settings.tolerance = 0;
         CHECK(
             refused([&] { lemke(problem, settings); }) ==
-            "the tolerance is 0.000000 and the pivot limit 0; the tolerance must be positive, the limit not "
-            "negative");
+            "the tolerance is 0, enough 0 and the pivot limit 0; the tolerance must be positive, the others "
+            "not negative");
     }
     SECTION("a stack without boxes")
     {

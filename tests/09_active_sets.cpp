@@ -44,7 +44,7 @@ GuessedProblem guessed(const Mlcp& mlcp)
 {
     GuessedProblem problem;
     set_up(mlcp, {}, problem);
-    problem.tolerance = 1e-12;
+    problem.tolerance = problem.ceiling = 1e-12;
     return problem;
 }
 

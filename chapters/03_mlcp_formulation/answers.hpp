@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/family.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 
 #include <algorithm>
 
@@ -25,9 +26,8 @@ public:
     bool accept(const VecX& candidate)
     {
         z_ = candidate.cwiseMax(dense_.lo).cwiseMin(dense_.hi);
-        lambda_ = z_.cwiseProduct(dense_.scale);
-        const Real residual = natural_residual(mlcp_, lambda_);
-        if (!(residual <= tolerance_ * size_of_numbers(mlcp_, lambda_))) return false;
+        lambda_ = z_.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
+        if (!verify(mlcp_, lambda_, {tolerance_, 0}).solved) return false;
         w_ = dense_.A * z_ + dense_.q;
         if (count_++ == 0) {
             first_ = z_;
@@ -36,8 +36,8 @@ public:
         }
         // Two answers to ten digits: are they the same to seven?
         const Real size = std::max(dense_.q.cwiseAbs().maxCoeff(), first_.cwiseAbs().maxCoeff());
-        lambda_differs_ = lambda_differs_ || (z_ - first_).cwiseAbs().maxCoeff() > 1e-7 * size;
-        w_differs_ = w_differs_ || (w_ - first_w_).cwiseAbs().maxCoeff() > 1e-7 * size;
+        lambda_differs_ = lambda_differs_ || differ(z_, first_, size);
+        w_differs_ = w_differs_ || differ(w_, first_w_, size);
         return true;
     }
     //! [accept]
@@ -48,22 +48,42 @@ public:
     const VecX& last() const { return z_; }  ///< the last that was accepted, scaled
 
     /// The first answer; before there is one, the point of the bounds nearest to zero.
-    VecX lambda() const { return first_.cwiseProduct(dense_.scale); }
+    VecX lambda() const
+    {
+        return first_.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
+    }
+
+    /// Remember that some question could not be answered: then nothing is said about how many answers there are.
+    void doubt() { doubtful_ = true; }
+    bool doubtful() const { return doubtful_; }
 
     Uniqueness uniqueness() const
     {
+        if (doubtful_ && !w_differs_) return Uniqueness::not_examined;
         if (count_ == 0) return Uniqueness::none;
         if (w_differs_) return Uniqueness::any;
         return lambda_differs_ ? Uniqueness::w_unique : Uniqueness::unique;
     }
 
 private:
+    /// A difference that is small beside the largest number, and large beside its own, may be rounding or not.
+    bool differ(const VecX& a, const VecX& b, Real size)
+    {
+        constexpr Real rounding = 1e3 * std::numeric_limits<Real>::epsilon();
+        for (Index i = 0; i < a.size(); ++i) {
+            const Real difference = std::abs(a[i] - b[i]);
+            if (difference > 1e-7 * size) return true;
+            if (!(difference <= 1e-7 * std::max(std::abs(a[i]), std::abs(b[i])) + rounding * size)) doubt();
+        }
+        return false;
+    }
+
     const Mlcp& mlcp_;
     const DenseMlcp& dense_;
     Real tolerance_;
     VecX first_, first_w_, z_, w_, lambda_;
     long count_ = 0;
-    bool lambda_differs_ = false, w_differs_ = false;
+    bool lambda_differs_ = false, w_differs_ = false, doubtful_ = false;
 };
 
 }  // namespace rigid

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
-#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "common/text.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -51,15 +51,25 @@ public:
         matrix_.resize(n, n);
         matrix_.setFromTriplets(entries_.begin(), entries_.end());
         singular_row_ = -1;
+        least_pivot_ = 1;
+        definite_ = true;
         if (n == 0) return;
         ldlt_.compute(matrix_);
         // With a unit diagonal a pivot is what is left of the row when the others are taken out of it. After
         // the first pivot of zero Eigen stops: what stands behind it is not looked at.
         const VecX pivots = ldlt_.vectorD();
+        least_pivot_ = pivots.cwiseAbs().minCoeff();
+        definite_ = pivots.minCoeff() > 0;
         for (Index k = 0; k < n && singular_row_ < 0; ++k)
             if (!(std::abs(pivots[k]) > rank_tolerance))
                 singular_row_ = rows[static_cast<std::size_t>(ldlt_.permutationPinv().indices()[k])];
     }
+
+    /// True if the block is known to be regular, and not by luck: small pivots of a matrix that is not definite
+    /// make the later ones grow, and with them the rounding.
+    bool surely_regular() const { return singular_row_ < 0 && (definite_ || least_pivot_ > 1e-6); }
+    /// The least pivot: the share of the digits of 1 that are left after it was divided by.
+    Real least_pivot() const { return least_pivot_; }
 
     /// A row that adds nothing to the others, or -1 if there is none.
     Index singular_row() const { return singular_row_; }
@@ -90,15 +100,16 @@ private:
     Eigen::SparseMatrix<Real> matrix_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>> ldlt_;
     Index singular_row_ = -1;
+    Real least_pivot_ = 1;
+    bool definite_ = true;
 };
 
-/// Computes the residual of solution.lambda and says `solved` if it is small for this problem, else
-/// `otherwise`.
+/// Says `solved` if solution.lambda is an answer by (3.16c) and (3.16d), else `otherwise`.
 inline void conclude(const Mlcp& mlcp, Solution& solution, Real tolerance, Status otherwise)
 {
-    solution.residual = natural_residual(mlcp, solution.lambda);
-    const bool met = solution.residual <= tolerance * size_of_numbers(mlcp, solution.lambda);
-    solution.status = met ? Status::solved : otherwise;
+    const Verification verified = verify(mlcp, solution.lambda, {tolerance, 0});
+    solution.residual = verified.residual;
+    solution.status = verified.solved ? Status::solved : otherwise;
 }
 
 //! [direct]
@@ -110,7 +121,7 @@ inline Solution direct(const Mlcp& mlcp, Real tolerance = 1e-10)
 {
     require_valid(mlcp);
     if (!(tolerance >= 0))
-        throw std::invalid_argument("the tolerance is " + std::to_string(tolerance) +
+        throw std::invalid_argument("the tolerance is " + shortest(tolerance) +
                                     "; it must be zero or positive");
     std::vector<Index> rows;
     for (Index i = 0; i < mlcp.size(); ++i) {
@@ -131,8 +142,8 @@ inline Solution direct(const Mlcp& mlcp, Real tolerance = 1e-10)
         return solution;
     }
     solution.lambda = block.solve(-mlcp.q);
-    solution.uniqueness = Uniqueness::unique;
     conclude(mlcp, solution, tolerance, Status::singular);
+    if (block.surely_regular()) solution.uniqueness = Uniqueness::unique;
     return solution;
 }
 //! [direct]

@@ -38,6 +38,7 @@ public:
         : mlcp_(checked(mlcp)), settings_(settings), sets_(mlcp, settings.first), dense_(mlcp),
           answers_(mlcp_, dense_, settings.tolerance), z_(mlcp.size())
     {
+        if (mlcp.size() > 0) reach_ = 1 + dense_.A.cwiseAbs().rowwise().sum().maxCoeff();
         if (!settings.stop_at_first && sets_.count() > static_cast<Real>(settings.most_sets))
             throw std::invalid_argument(
                 "the " + std::to_string(mlcp.size()) + " rows have " + readable(sets_.count()) +
@@ -47,7 +48,7 @@ public:
     Solution run()
     {
         try_all();
-        if (answers_.count() == 0 && !given_up_) {
+        if (answers_.count() == 0 && !given_up_ && settings_.stop_at_first) {
             families_ = true;  // perhaps one is another member of a singular set's family
             try_all();
         }
@@ -57,7 +58,8 @@ public:
         solution.residual = natural_residual(mlcp_, solution.lambda);
         solution.status = answers_.count() > 0 ? Status::solved
                           : given_up_          ? Status::iteration_limit
-                                               : Status::infeasible;
+                          : answers_.doubtful() ? Status::singular
+                                                : Status::infeasible;
         if (!settings_.stop_at_first) solution.uniqueness = answers_.uniqueness();
         return solution;
     }
@@ -120,11 +122,23 @@ private:
             }
             lu_.setThreshold(rank_tolerance);
             lu_.compute(block_);
-            singular = lu_.rank() < k;
+            const Index rank = lu_.rank();
+            singular = rank < k;
             if (families_ && !singular) return;  // it had its say in the first round
             free_z_ = lu_.solve(right_);
-            if (singular && !((block_ * free_z_ - right_).cwiseAbs().maxCoeff() <= 1e-9 * numbers_))
-                return;  // no λ at all gives w = 0
+            const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
+            least_pivot_ = rank > 0 && pivots[0] > 0 ? pivots[rank - 1] / pivots[0] : 1;
+            if (singular) {
+                // Too small for a pivot and too large for rounding; a misfit neither large nor small.
+                if (pivots[rank] > 1e-14 * pivots[0]) answers_.doubt();
+                const Real misfit = (block_ * free_z_ - right_).cwiseAbs().maxCoeff();
+                if (!(misfit <= 1e-9 * numbers_)) {  // no λ at all gives w = 0
+                    if (!(misfit > rounding(free_z_.cwiseAbs().maxCoeff()))) answers_.doubt();
+                    return;
+                }
+            } else {
+                free_z_ += lu_.solve(right_ - block_ * free_z_);
+            }
             for (Index r = 0; r < k; ++r) {
                 z_[free_at(r)] = free_z_[r];
                 w_ += dense_.A.col(free_at(r)) * free_z_[r];
@@ -132,26 +146,54 @@ private:
         } else if (families_) {
             return;
         }
-        if (families_) {
-            if (const auto member = Family(dense_, set).member()) answers_.accept(*member);
+        if (families_) return ask_family(set);
+        const Real miss = violation(set);
+        if (miss <= 1e-7 * numbers_ && answers_.accept(z_)) {
+            if (singular && !settings_.stop_at_first) look_around(set);
             return;
         }
-        if (fits(set) && answers_.accept(z_) && singular && !settings_.stop_at_first) look_around(set);
+        // Refuted, unless the miss may be the rounding of this system.
+        if (singular) {
+            if (!settings_.stop_at_first) ask_family(set);
+        } else if (!(miss > rounding(z_.cwiseAbs().maxCoeff()))) {
+            answers_.doubt();
+        }
     }
     //! [set]
 
-    /// Does what came out keep to the set's conditions?  With room for rounding: the residual decides later.
-    bool fits(const std::vector<RowCase>& set) const
+    /// What rounding may have done to the λ and w of the present set.
+    Real rounding(Real largest_z) const
     {
-        const Real slack = 1e-7 * numbers_;
+        return 1e3 * std::numeric_limits<Real>::epsilon() * (numbers_ + reach_ * largest_z / least_pivot_);
+    }
+
+    /// By how much what came out misses the set's conditions.
+    Real violation(const std::vector<RowCase>& set) const
+    {
+        Real largest = 0;
+        const auto miss = [&largest](Real by) {
+            if (!(by <= largest)) largest = by;
+        };
         for (Index i = 0; i < mlcp_.size(); ++i) {
-            if (z_[i] < dense_.lo[i] - slack || z_[i] > dense_.hi[i] + slack) return false;
+            miss(dense_.lo[i] - z_[i]);
+            miss(z_[i] - dense_.hi[i]);
             if (!(dense_.lo[i] < dense_.hi[i])) continue;
             const RowCase here = set[static_cast<std::size_t>(i)];
-            if (here == RowCase::at_lo && w_[i] < -slack) return false;
-            if (here == RowCase::at_hi && w_[i] > slack) return false;
+            if (here == RowCase::at_lo) miss(-w_[i]);
+            if (here == RowCase::at_hi) miss(w_[i]);
         }
-        return true;
+        return largest;
+    }
+
+    /// Is some other member of a singular set's family an answer?
+    void ask_family(const std::vector<RowCase>& set)
+    {
+        const Family family(dense_, set);
+        if (const auto member = family.member()) {
+            if (!answers_.accept(*member)) answers_.doubt();
+            else if (!settings_.stop_at_first) look_around(set);
+        }
+        if (family.unsure()) answers_.doubt();
     }
 
     //! [family]
@@ -166,18 +208,26 @@ private:
         for (Index r = 0; r < k; ++r) moves_w += dense_.A.col(free_at(r)) * null.row(r);
         const Real step = 1e-5 * std::max({numbers_, here.cwiseAbs().maxCoeff(), Real(1e-300)});
         const Family family(dense_, set);
-        for (const Real side : {step, -step}) {
-            for (Index r = 0; r < k && !answers_.lambda_differs(); ++r)
-                if (null.row(r).cwiseAbs().maxCoeff() > 1e-9)
-                    if (const auto other = family.member_with_lambda(free_at(r), here[free_at(r)] + side))
-                        answers_.accept(*other);
+        const auto try_member = [&](const std::optional<VecX>& other) {
+            if (other && !answers_.accept(*other)) answers_.doubt();
+        };
+        for (const Real side : {1.0, -1.0}) {
+            for (Index r = 0; r < k && !answers_.lambda_differs(); ++r) {
+                if (!(null.row(r).cwiseAbs().maxCoeff() > 1e-9)) continue;
+                const Index i = free_at(r);
+                try_member(family.member_with_lambda(i, here[i] + side * step));
+                const Real bound = side > 0 ? dense_.hi[i] : dense_.lo[i];
+                const Real half = std::abs(bound - here[i]) / 2;  // there may be less room than a step
+                if (half > 0 && half < step) try_member(family.member_with_lambda(i, here[i] + side * half));
+            }
             for (Index i = 0; i < mlcp_.size() && !answers_.w_differs(); ++i)
                 if (set[static_cast<std::size_t>(i)] != RowCase::between &&
                     moves_w.row(i).cwiseAbs().maxCoeff() > 1e-9) {
                     const Real w = dense_.A.row(i).dot(here) + dense_.q[i];
-                    if (const auto other = family.member_with_w(i, w + side)) answers_.accept(*other);
+                    try_member(family.member_with_w(i, w + side * step));
                 }
         }
+        if (family.unsure()) answers_.doubt();
     }
     //! [family]
 
@@ -198,13 +248,16 @@ private:
     Eigen::FullPivLU<Small<Eigen::Dynamic>> lu_;
     VecX z_, w_, sizes_;
     Real numbers_ = 0;
+    Real reach_ = 1;        ///< what a unit of λ can add to any row
+    Real least_pivot_ = 1;  ///< of the present block, beside its largest
     long tried_ = 0;
     bool families_ = false, given_up_ = false;
 };
 
 /// All answers to an MLCP, by trying all sets of cases (or until the first fits, see EnumerationSettings).
 ///
-/// `solved` with one of them, or `infeasible` if no set has any. `iterations` counts the sets.
+/// `solved` with one of them, or `infeasible` if no set has any; `singular` if rounding leaves that open. Then, and
+/// where it leaves open whether two answers are one, nothing is said about uniqueness. `iterations` counts the sets.
 /// \throws std::invalid_argument  for an invalid problem or one with too many sets
 inline Solution enumerate(const Mlcp& mlcp, const EnumerationSettings& settings = {})
 {

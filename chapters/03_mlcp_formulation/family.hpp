@@ -10,6 +10,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/cases.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 
 #include <Eigen/QR>
 #include <optional>
@@ -19,7 +20,7 @@
 namespace rigid {
 
 /// A dense copy of an MLCP in which each row is scaled to A_ii = 1, so that units and masses don't matter:
-/// λ_i = scale_i · λ̂_i, ŵ_i = scale_i · w_i with scale_i = 1/√A_ii (1 where A_ii ≤ 0).
+/// λ_i = scale_i · λ̂_i, ŵ_i = scale_i · w_i with scale_i = 1/d_i, d_i = √A_ii or what row_unit() says.
 struct DenseMlcp {
     MatX A;
     VecX q, lo, hi, scale;
@@ -27,7 +28,8 @@ struct DenseMlcp {
     DenseMlcp() = default;
     explicit DenseMlcp(const Mlcp& mlcp) : A(mlcp.A), q(mlcp.q), lo(mlcp.lo), hi(mlcp.hi)
     {
-        scale = A.diagonal().unaryExpr([](Real a) { return a > 0 ? 1 / std::sqrt(a) : Real{1}; });
+        scale.resize(mlcp.size());
+        for (Index i = 0; i < mlcp.size(); ++i) scale[i] = 1 / row_unit(mlcp, i, A(i, i));
         A = scale.asDiagonal() * A * scale.asDiagonal();
         q.array() *= scale.array();
         lo.array() /= scale.array();
@@ -138,6 +140,9 @@ public:
         return member_with(line * from_, value - line.dot(base_) - problem_.q[i]);
     }
 
+    /// True if the answer to some question was no and could not be proved.
+    bool unsure() const { return unsure_; }
+
 private:
     std::optional<VecX> member_with(const Eigen::RowVectorXd& line, Real value) const
     {
@@ -149,11 +154,17 @@ private:
         return solve(E, f);
     }
 
+    /// No v ≥ 0 has E v = f where some y has Eᵀy ≤ 0 and fᵀy > 0, since 0 ≥ (Eᵀy)ᵀv = fᵀy: what is left of f at the
+    /// least distance is such a y. If it isn't, nothing is known.
     std::optional<VecX> solve(const MatX& E, const VecX& f) const
     {
         const VecX v = nonnegative_least_squares(E, f);
-        if (!((E * v - f).norm() <= 1e-9 * f.norm())) return std::nullopt;
-        return base_ + from_ * v.head(from_.cols());
+        const VecX left = f - E * v;
+        if (left.norm() <= 1e-9 * f.norm()) return base_ + from_ * v.head(from_.cols());
+        const Real most = E.cols() > 0 ? std::max((E.transpose() * left).maxCoeff(), Real{0}) : 0;
+        const Real reach = E.cols() > 0 ? v.sum() + f.norm() / E.colwise().norm().maxCoeff() : 0;
+        unsure_ = unsure_ || !(most * reach <= 1e-6 * f.dot(left));
+        return std::nullopt;
     }
 
     const DenseMlcp& problem_;
@@ -161,6 +172,7 @@ private:
     VecX base_;
     MatX from_, E_;
     VecX f_;
+    mutable bool unsure_ = false;
 };
 
 }  // namespace rigid

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "common/math.hpp"
+#include "common/text.hpp"
 
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -117,25 +118,8 @@ inline Real natural_residual(const Mlcp& mlcp, const VecX& lambda)
 }
 //! [residual]
 
-/// How large the numbers are that a solver has to work with [m/s]: q, and what the λ that stand at their
-/// bounds add to it. A residual is small if it is small beside this. (The λ between do not count: a λ that is
-/// large because A is nearly singular must not excuse its own error.)
-inline Real size_of_numbers(const Mlcp& mlcp, const VecX& lambda)
-{
-    Real largest = 0;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real sum = std::abs(mlcp.q[i]);
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            const Index j = entry.col();
-            if (lambda[j] <= mlcp.lo[j] || lambda[j] >= mlcp.hi[j])
-                sum += std::abs(entry.value() * lambda[j]);
-        }
-        largest = std::max(largest, sum);
-    }
-    return largest;
-}
-
-/// Throws std::invalid_argument unless all sizes agree, all numbers of A and q are finite and lo ≤ hi.
+/// Throws std::invalid_argument unless all sizes agree, all numbers of A and q are finite, and some number lies
+/// between lo and hi.
 inline void require_valid(const Mlcp& mlcp)
 {
     const Index n = mlcp.size();
@@ -150,12 +134,15 @@ inline void require_valid(const Mlcp& mlcp)
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
             if (!std::isfinite(entry.value()))
                 refuse("A[" + std::to_string(i) + "," + std::to_string(entry.col()) + "] is " +
-                       std::to_string(entry.value()) + "; it must be finite");
+                       shortest(entry.value()) + "; it must be finite");
         if (!std::isfinite(mlcp.q[i]))
-            refuse("q[" + std::to_string(i) + "] is " + std::to_string(mlcp.q[i]) + "; it must be finite");
+            refuse("q[" + std::to_string(i) + "] is " + shortest(mlcp.q[i]) + "; it must be finite");
         if (!(mlcp.lo[i] <= mlcp.hi[i]))
-            refuse("row " + std::to_string(i) + " has lo = " + std::to_string(mlcp.lo[i]) +
-                   " > hi = " + std::to_string(mlcp.hi[i]));
+            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
+                   " > hi = " + shortest(mlcp.hi[i]));
+        if (mlcp.lo[i] == infinity || mlcp.hi[i] == -infinity)
+            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) + " and hi = " +
+                   shortest(mlcp.hi[i]) + "; no impulse is that large");
     }
 }
 

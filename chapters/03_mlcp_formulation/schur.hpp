@@ -116,9 +116,13 @@ inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {}
     }
     solution = enumerate(parts.rest, of_rest);
     solution.lambda = parts.whole(mlcp, solution.lambda);
-    if (solution.status == Status::solved)
-        // If the residual is too large, A_BB was too nearly singular.
-        conclude(mlcp, solution, settings.tolerance, Status::singular);
+    // Where A_BB is nearly singular S has lost digits: what was found has to prove itself, and what was not found or
+    // not seen twice proves nothing.
+    if (parts.block.least_pivot() < 1e-3) {
+        solution.uniqueness = Uniqueness::not_examined;
+        if (solution.status == Status::infeasible) solution.status = Status::singular;
+    }
+    if (solution.status == Status::solved) conclude(mlcp, solution, settings.tolerance, Status::singular);
     else solution.residual = natural_residual(mlcp, solution.lambda);
     return solution;
 }

@@ -8,7 +8,7 @@
 /// \cite hestenes1952
 #pragma once
 
-#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 
 namespace rigid {
 
@@ -30,8 +30,9 @@ inline void multiply(const SparseMatrix& A, const VecX& x, VecX& y)
 
 /// Conjugate gradients with the diagonal of A as preconditioner, from `solution.lambda` on.
 ///
-/// `solved` when the natural residual, here the largest |w_i|, met the tolerance; `singular` when a
-/// direction has no curvature but a slope (conflicting rows); else `iteration limit`.
+/// `solved` when the natural residual, here the largest |w_i|, met the tolerance and rounding can't hide ten
+/// times as much, (3.16d); `singular` when a direction has no curvature but a slope (conflicting rows), or λ ran
+/// away along one that has nearly none; else `iteration limit`.
 /// \param tolerance  [m/s]
 /// \throws std::invalid_argument  if the problem is invalid or a row has a bound
 inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterations, CgMemory& memory,
@@ -39,7 +40,7 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
 {
     require_valid(mlcp);
     if (!(tolerance >= 0) || max_iterations < 0)
-        throw std::invalid_argument("tolerance " + std::to_string(tolerance) + " m/s and limit of " +
+        throw std::invalid_argument("tolerance " + shortest(tolerance) + " m/s and limit of " +
                                     std::to_string(max_iterations) +
                                     " iterations: both must be zero or positive");
     const Index n = mlcp.size();
@@ -84,7 +85,8 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
 
     solution.iterations = k;
     solution.residual = natural_residual(mlcp, lambda);  // of the answer itself, not of the recurrence
-    if (solution.residual <= tolerance) solution.status = Status::solved;
+    if (solution.residual <= tolerance)  // and if it can't be trusted, λ is as good as infinite
+        solution.status = verify(mlcp, lambda, {0, tolerance}).solved ? Status::solved : Status::singular;
     if (!std::isfinite(solution.residual)) {
         lambda.setZero();
         solution.residual = natural_residual(mlcp, lambda);

@@ -9,6 +9,7 @@
 /// chains and heavy loads take so long.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "chapters/04_pgs/sweeps.hpp"
 
 namespace rigid {
@@ -43,9 +44,15 @@ inline void cold_start(const Mlcp& mlcp, VecX& lambda)
 /// True if some row has w = q whatever λ is, and only an infinite λ would make that right.
 inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tolerance)
 {
+    const auto moves_it = [&mlcp](Index i) {  // by the entries as they were given: scaled ones may vanish
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            if (entry.value() < 0 || entry.value() > 0) return true;
+        return false;
+    };
     for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
         const SweepRow& row = sweep.rows[k];
-        if (is_empty(sweep, k) && row.lo < row.hi && std::abs(mlcp.q[sweep.row_at[k]]) > tolerance)
+        if (is_empty(sweep, k) && row.lo < row.hi && std::abs(mlcp.q[sweep.row_at[k]]) > tolerance &&
+            !moves_it(sweep.row_at[k]))
             return true;
     }
     return false;
@@ -53,7 +60,8 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
 
 /// Sweeps from `solution.lambda` on; solution.iterations counts the sweeps.
 ///
-/// `solved` is said when the natural residual was computed and met the tolerance. `infeasible`: a row
+/// `solved` is said when the natural residual was computed and met the tolerance, and rounding can't hide ten
+/// times as much: chapter 3's rule with f = tolerance and τ = ε, (3.16c) and (3.16d). `infeasible`: a row
 /// that no λ can change wants an infinite one. Else `iteration limit`, also when the numbers overflow
 /// (λ is then the cold start). Does not allocate once it has seen a problem of this size.
 /// \param solution  in: the λ to start from (see cold_start()); out: the answer
@@ -62,7 +70,7 @@ inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory
 {
     require_valid(mlcp);
     if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
-        throw std::invalid_argument("tolerance " + std::to_string(settings.tolerance) + " m/s and limit of " +
+        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + " m/s and limit of " +
                                     std::to_string(settings.max_sweeps) + " sweeps: neither may be negative");
     if (solution.lambda.size() != mlcp.size() || !solution.lambda.allFinite())
         throw std::invalid_argument("the start has " + std::to_string(solution.lambda.size()) +
@@ -111,7 +119,9 @@ inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory
     //! [stop]
 
     solution.iterations = sweeps;
-    solution.status = solution.residual <= settings.tolerance ? Status::solved : Status::iteration_limit;
+    const bool met = solution.residual <= settings.tolerance &&
+                     verify(mlcp, solution.lambda, {0, settings.tolerance}).solved;
+    solution.status = met ? Status::solved : Status::iteration_limit;
     if (!std::isfinite(
             solution.residual)) {  // the iteration grew without bound: hand back nothing that is poisoned
         cold_start(mlcp, solution.lambda);

@@ -7,7 +7,7 @@
 /// were eliminated. None of that may count as a proof, so nothing of it is used here but v itself.
 #pragma once
 
-#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,42 +15,70 @@
 namespace rigid {
 
 //! [proof]
-/// (5.15): does a direction prove that there is no answer? The bounds say which w have a sign: w_i ≥ 0 where
-/// only lo is finite, w_i ≤ 0 where only hi is, w_i = 0 where neither is; v_i gets the same sign, or 0.
+/// (5.15) with bounds and rounding: does v prove that there is no answer that doubles could hold? An answer would
+/// need Σ x_j / Λ_j > 1e13, where Λ_j is the size of the problem's own impulses: the bounds of row j, and U_j/d_j²
+/// of (3.16b).
 ///
-/// Rounding leaves Aᵀv ≤ δ where it should be zero. Then an answer would need Σ|λ| ≥ −qᵀv/δ, and we want
-/// that to be absurd. δ counts what rounding may hide in the sums of Aᵀv, too.
+/// The bounds say which w have a sign: w_i ≥ 0 where only lo is finite, w_i ≤ 0 where only hi is, w_i = 0
+/// where neither is; v_i gets the same sign, or 0. With x_j the way from a finite bound, or λ_j itself,
+///
+///     0 ≤ vᵀw ≤ qᵀv + Σ_j (Aᵀv)_j bound_j + Σ_j δ_j x_j
+///
+/// and δ_j is what is left of (Aᵀv)_j in the direction in which λ_j is free, rounding included. It must be
+/// rounding: what is larger is no zero.
 /// \param v  one number for each row; cleaned of what the bounds forbid
 inline bool proves_infeasibility(const Mlcp& mlcp, VecX v)
 {
     const Index n = mlcp.size();
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon(), absurd = 1e13;
     VecX image = VecX::Zero(n), sizes = VecX::Zero(n), terms = VecX::Constant(n, 2);  // Aᵀv, |A|ᵀ|v|
-    Real largest_A = 0, largest_q = 0, gain = 0;
+    VecX unit(n);
+    Real gain = 0, size = 0, given = 0, open = 0;
+    if (v.size() != n || !v.allFinite()) return false;
     for (Index i = 0; i < n; ++i) {
         if (mlcp.lo[i] > -infinity) v[i] = std::max(v[i], Real{0});
         if (mlcp.hi[i] < infinity) v[i] = std::min(v[i], Real{0});
-        gain -= mlcp.q[i] * v[i] + epsilon * static_cast<Real>(n) * std::abs(mlcp.q[i] * v[i]);
-        largest_q = std::max(largest_q, std::abs(mlcp.q[i]));
+        gain -= mlcp.q[i] * v[i];
+        size += std::abs(mlcp.q[i] * v[i]);
+        Real diagonal = 0, N = std::abs(mlcp.q[i]);
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            image[entry.col()] += entry.value() * v[i];
-            sizes[entry.col()] += std::abs(entry.value() * v[i]);
-            terms[entry.col()] += 1;
-            largest_A = std::max(largest_A, std::abs(entry.value()));
+            const Index j = entry.col();
+            image[j] += entry.value() * v[i];
+            sizes[j] += std::abs(entry.value() * v[i]);
+            terms[j] += 1;
+            if (mlcp.lo[j] > 0) N += std::abs(entry.value() * mlcp.lo[j]);
+            if (mlcp.hi[j] < 0) N += std::abs(entry.value() * mlcp.hi[j]);
+            if (j == i) diagonal = entry.value();
         }
+        unit[i] = row_unit(mlcp, i, diagonal);
+        given = std::max(given, N / unit[i]);
     }
-    Real delta = 0;
-    for (Index j = 0; j < n; ++j) {  // what λ_j can add: little where it is bounded, δ each unit where not
-        const Real hidden = epsilon * terms[j] * sizes[j];
-        const Real most = image[j] + hidden, least = image[j] - hidden;
-        const auto at = [&](Real bound) { return std::max(most * bound, least * bound); };
+    for (Index j = 0; j < n; ++j) {
         const bool below = mlcp.lo[j] > -infinity, above = mlcp.hi[j] < infinity;
-        if (below && above) gain -= std::max(at(mlcp.lo[j]), at(mlcp.hi[j]));
-        else if (below || above) gain -= at(below ? mlcp.lo[j] : mlcp.hi[j]);
-        if (!above) delta = std::max(delta, most);
-        if (!below) delta = std::max(delta, -least);
+        const Real hidden = epsilon / 2 * terms[j] * sizes[j];
+        const Real most = image[j] + hidden, least = image[j] - hidden;
+        const Real from = below && above ? std::max(std::abs(mlcp.lo[j]), std::abs(mlcp.hi[j]))
+                          : below        ? std::abs(mlcp.lo[j])
+                          : above        ? std::abs(mlcp.hi[j])
+                                         : 0;
+        size += sizes[j] * from;
+        if (below && above) {
+            gain -= std::max(std::max(most * mlcp.lo[j], least * mlcp.lo[j]),
+                             std::max(most * mlcp.hi[j], least * mlcp.hi[j]));
+            continue;
+        }
+        if (below || above) {
+            const Real bound = below ? mlcp.lo[j] : mlcp.hi[j];
+            gain -= std::max(most * bound, least * bound);
+        }
+        const Real up = above ? 0 : std::max(most, Real{0}), down = below ? 0 : std::max(-least, Real{0});
+        const Real delta = std::max(up, down);
+        if (delta > 8 * hidden) return false;
+        open = std::max(open, delta * (given / unit[j] + from));
     }
-    return gain > 0 && gain * largest_A > absurd * delta * largest_q;
+    // (given = 0: nothing drives the bodies, and λ = 0 is an answer.)
+    return given > 0 && std::isfinite(size) &&
+           gain > epsilon * static_cast<Real>(n + 4) * size + absurd * open;
 }
 //! [proof]
 

@@ -3,15 +3,14 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
-/// Brought to the plain form (standard_form.hpp), walked (walk.hpp), and only called solved after the
-/// residual of the answer was computed. \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
+/// Brought to the plain form (standard_form.hpp), walked (walk.hpp), and only called solved by chapter 3's rule.
+/// Section 5.8 has all of it in one place. \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
 #pragma once
 
 #include "chapters/05_lemke/infeasibility.hpp"
 #include "chapters/05_lemke/standard_form.hpp"
 #include "chapters/05_lemke/walk.hpp"
 
-#include <limits>
 #include <string>
 
 namespace rigid {
@@ -19,84 +18,104 @@ namespace rigid {
 struct LemkeSettings {
     TieRule ties = TieRule::lexicographic;
     Tolerances tolerances;   ///< of pivots and ties
-    int pivot_limit = 0;     ///< 0 = 10,000 + 50 n: far beyond what contacts need, soon over for the others
-    Real tolerance = 1e-10;  ///< of the natural residual, as a share of the largest |q|
+    int pivot_limit = 0;     ///< of all walks together; 0 = 10,000 + 50 n: far beyond what contacts need
+    Real tolerance = 1e-10;  ///< τ of (3.16c): of the natural residual, as a share of the numbers in a row
+    Real enough = 0;         ///< f of (3.16c) [m/s]: a residual that is nothing, whatever the numbers
 };
 
-/// What rounding alone may hide when w = A λ + q is computed [m/s]: λ of 1e13 that cancel in w can look right
-/// by luck. A bound that is quick to have will do where it is not above `enough`.
-inline Real hidden_by_rounding(const Mlcp& mlcp, const VecX& lambda, Real enough)
+/// A bound so far away that it would swallow q: 1e6 times the problem's own impulses U_i/d_i² of (3.16b).
+inline constexpr Real far_bound = 1e6;
+
+/// The problem without the bounds that are far away; false if there are none.
+inline bool without_far_bounds(const Mlcp& mlcp, Mlcp& near)
 {
-    if (mlcp.A.nonZeros() == 0) return 0;
-    constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    const Real entry_sum = mlcp.A.coeffs().abs().maxCoeff() * lambda.lpNorm<1>();
-    const Real bound = epsilon * (mlcp.q.cwiseAbs().maxCoeff() + entry_sum);
-    if (bound <= enough) return bound;
-    Real largest = 0;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real sum = std::abs(mlcp.q[i]);
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            sum += std::abs(entry.value() * lambda[entry.col()]);
-        if (!(sum <= largest)) largest = sum;
+    const Index n = mlcp.size();
+    VecX unit(n);
+    Real given = 0;
+    for (Index i = 0; i < n; ++i) {
+        unit[i] = row_unit(mlcp, i, mlcp.A.coeff(i, i));
+        given = std::max(given, std::abs(mlcp.q[i]) / unit[i]);
     }
-    return epsilon * largest;
+    bool any = false;
+    for (Index i = 0; i < n; ++i) {
+        const Real far = far_bound * given / unit[i];
+        const bool below = mlcp.lo[i] < -far && mlcp.lo[i] > -infinity;
+        const bool above = mlcp.hi[i] > far && mlcp.hi[i] < infinity;
+        if ((below || above) && !any) near = mlcp;
+        if (below) near.lo[i] = -infinity;
+        if (above) near.hi[i] = infinity;
+        any = any || below || above;
+    }
+    return any;
 }
+
+//! [walk]
+/// One walk along d_i = 1 … last, on `given`, judged on `mlcp`. Adds its pivots to solution.iterations.
+/// \return true if there is no need for another one
+inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit, const LemkeSettings& settings,
+                      Solution& solution)
+{
+    const StandardForm form(given);
+    LemkeWalk walk(form.A, form.q, VecX::LinSpaced(form.q.size(), 1, last), settings.ties,
+                   settings.tolerances);
+    while (walk.place == LemkeWalk::Place::on_the_way && solution.iterations + walk.pivots < limit)
+        walk.step();
+    solution.iterations += walk.pivots;
+    const auto accepted = [&](const VecX& lambda, Status otherwise) {
+        const Verification verified = verify(mlcp, lambda, {settings.tolerance, settings.enough});
+        if (!verified.solved && solution.residual <= verified.residual) {
+            solution.status = otherwise;
+            return false;
+        }
+        solution.lambda = lambda;
+        solution.residual = verified.residual;
+        solution.status = verified.solved ? Status::solved : otherwise;
+        return verified.solved;
+    };
+    switch (walk.place) {
+    case LemkeWalk::Place::on_the_way:
+        accepted(form.impulses(walk.z()), Status::iteration_limit);
+        return true;
+    case LemkeWalk::Place::ray:
+        if (accepted(form.impulses(walk.z()), Status::ray_termination)) return true;
+        if (!proves_infeasibility(mlcp, form.direction(walk.ray()))) return false;
+        solution.status = Status::infeasible;
+        return true;
+    case LemkeWalk::Place::solution:
+        break;
+    }
+    if (accepted(form.impulses(walk.z()), Status::singular)) return true;
+    std::vector<Index> between;
+    const VecX at_bounds = form.bounds_at(walk.tableau, between);
+    return accepted(solve_between(mlcp, at_bounds, between), Status::singular);
+}
+//! [walk]
 
 //! [lemke]
 /// Solves an MLCP. `iterations` counts pivots, the first one (z0 enters) included.
 ///
-/// `solved`: the natural residual is at most tolerance·max|q| (or 1e-4 of that share of what λ at large
-/// bounds add to q), and rounding can't hide ten times as much. `infeasible`: a ray that proves it (5.15).
-/// `ray termination`: a ray that proves nothing. `singular`: the last vertex is no answer to that many
-/// digits. If not solved, lambda is the last vertex, and the residual says how wrong it is.
+/// `solved`: by the rule of chapter 3, (3.16c) and (3.16d). `infeasible`: a ray that proves it (5.15). `ray
+/// termination`: a ray that proves nothing. `singular`: the last vertex is no answer to that many digits.
+/// `iteration limit`: of pivots. If not solved, lambda is the best of the vertices where the walks ended, the
+/// status that of the last, and the residual says how wrong it is.
 ///
 /// \throws std::invalid_argument  for a malformed problem or settings that make no sense
 inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
 {
     require_valid(mlcp);
-    if (!(settings.tolerance > 0) || settings.pivot_limit < 0)
-        throw std::invalid_argument("the tolerance is " + std::to_string(settings.tolerance) +
-                                    " and the pivot limit " + std::to_string(settings.pivot_limit) +
-                                    "; the tolerance must be positive, the limit not negative");
+    if (!(settings.tolerance > 0) || !(settings.enough >= 0) || settings.pivot_limit < 0)
+        throw std::invalid_argument("the tolerance is " + shortest(settings.tolerance) + ", enough " +
+                                    shortest(settings.enough) + " and the pivot limit " +
+                                    std::to_string(settings.pivot_limit) +
+                                    "; the tolerance must be positive, the others not negative");
     Solution solution;
-    const StandardForm form(mlcp);
-    const Index n = form.q.size();
-    const auto report = [&](Status status, const VecX& lambda) {
-        solution.status = status;
-        solution.lambda = lambda;
-        solution.residual = natural_residual(mlcp, lambda);
-        return solution;
-    };
-    // How large a residual may be: a share of q, or of 1e-4 of what the bounds add to it.
-    const auto largest = [](const VecX& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0; };
-    const Real allowed = settings.tolerance * std::max(largest(mlcp.q), 1e-4 * largest(form.q));
-    const int limit = settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(n);
-    // Ones first. If rounding led that walk astray, another covering vector is another way.
-    for (const Real last : {1.0, 2.0}) {
-        LemkeWalk walk(form.A, form.q, VecX::LinSpaced(n, 1, last), settings.ties, settings.tolerances);
-        while (walk.place == LemkeWalk::Place::on_the_way && solution.iterations + walk.pivots < limit)
-            walk.step();
-        solution.iterations += walk.pivots;
-        report(Status::singular, form.impulses(walk.z()));
-        if (walk.place == LemkeWalk::Place::on_the_way)
-            return report(Status::iteration_limit, solution.lambda);
-        if (walk.place == LemkeWalk::Place::ray) {
-            const bool proof = proves_infeasibility(mlcp, form.direction(walk.ray()));
-            solution.status = proof ? Status::infeasible : Status::ray_termination;
-            if (proof) return solution;
-            continue;
-        }
-        if (!(solution.residual <= std::min(allowed, settings.tolerance))) {  // refine once
-            const Solution walked = solution;
-            report(Status::singular, form.impulses(solve_basis(walk.tableau, form.A, form.q)));
-            if (!(solution.residual < walked.residual)) solution = walked;
-        }
-        if (solution.residual <= allowed &&
-            hidden_by_rounding(mlcp, solution.lambda, 10 * allowed) <= 10 * allowed) {
-            solution.status = Status::solved;
-            return solution;
-        }
-    }
+    solution.lambda = VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
+    const int limit =
+        settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(mlcp.size());
+    Mlcp near;
+    if (without_far_bounds(mlcp, near) && walk_once(mlcp, near, 1, limit, settings, solution)) return solution;
+    // If rounding led the first walk astray, another covering vector is another way.
+    if (!walk_once(mlcp, mlcp, 1, limit, settings, solution)) walk_once(mlcp, mlcp, 2, limit, settings, solution);
     return solution;
 }
 //! [lemke]

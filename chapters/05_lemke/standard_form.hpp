@@ -10,9 +10,13 @@
 ///     λ free                w = 0: eliminated by the Schur complement of chapter 3 (3.28); where the
 ///     bilateral
 ///                           rows repeat each other, λ = z₊ - z₋ instead (5.20)
+///
+/// Rows and columns are scaled (units.hpp), so that no unit of mass or length matters.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/schur.hpp"
+#include "chapters/05_lemke/tableau.hpp"
+#include "chapters/05_lemke/units.hpp"
 
 #include <utility>
 #include <vector>
@@ -21,7 +25,7 @@ namespace rigid {
 
 class StandardForm {
 public:
-    MatX A;
+    MatX A;  ///< scaled
     VecX q;
 
     /// \param mlcp  a valid problem; it has to live as long as the form
@@ -36,6 +40,7 @@ public:
 
         fixed_ = VecX::Zero(rest.size());
         std::vector<Index> boxed;  // which z have an upper bound
+        box_.clear();
         for (Index i = 0; i < rest.size(); ++i) {
             const bool below = rest.lo[i] > -infinity, above = rest.hi[i] < infinity;
             first_.push_back(row_.size());
@@ -44,17 +49,13 @@ public:
             if (below && above) boxed.push_back(static_cast<Index>(row_.size()));
             if (below || !above) add(i, 1);
             if (!below) add(i, -1);
+            if (below && above) box_.back() = static_cast<Index>(boxed.size()) - 1;
         }
         first_.push_back(row_.size());
 
         const auto m = static_cast<Index>(row_.size()), s = static_cast<Index>(boxed.size());
         const VecX w = rest.A * fixed_ + rest.q;  // where all z are zero
         q.resize(m + s);
-        if (m == rest.size() && s == 0 && sign_ == std::vector<Real>(row_.size(), 1)) {
-            A = rest.A;  // nothing to turn or to leave out
-            q = w;
-            return;
-        }
         A = MatX::Zero(m + s, m + s);
         for (Index k = 0; k < m; ++k) {
             const Index row = row_[static_cast<std::size_t>(k)];
@@ -65,14 +66,18 @@ public:
                      l < first_[static_cast<std::size_t>(entry.col()) + 1]; ++l)
                     A(k, static_cast<Index>(l)) = sign * sign_[l] * entry.value();
         }
+        unit_ = row_units(A.topLeftCorner(m, m));
+        for (Index k = 0; k < m; ++k) {
+            q[k] /= unit_[k];
+            for (Index l = 0; l < m; ++l) A(k, l) /= unit_[k] * unit_[l];
+        }
         //! [box]
         for (Index k = 0; k < s; ++k) {  // (5.19), in the units of the row itself
             const Index i = boxed[static_cast<std::size_t>(k)];
             const Index row = row_[static_cast<std::size_t>(i)];
-            const Real unit = A(i, i) > 0 ? A(i, i) : 1;
-            A(i, m + k) = unit;
-            A(m + k, i) = -unit;
-            q[m + k] = unit * (rest.hi[row] - rest.lo[row]);
+            A(i, m + k) = 1;
+            A(m + k, i) = -1;
+            q[m + k] = unit_[i] * (rest.hi[row] - rest.lo[row]);
         }
         //! [box]
     }
@@ -81,16 +86,46 @@ public:
     VecX impulses(const VecX& z) const
     {
         VecX lambda = fixed_;
-        for (std::size_t k = 0; k < row_.size(); ++k) lambda[row_[k]] += sign_[k] * z[static_cast<Index>(k)];
-        return eliminated_ ? schur_.whole(mlcp_, lambda) : lambda;
+        for (std::size_t k = 0; k < row_.size(); ++k) {
+            const auto l = static_cast<Index>(k);
+            lambda[row_[k]] += sign_[k] * z[l] / unit_[l];
+        }
+        VecX whole = eliminated_ ? schur_.whole(mlcp_, lambda) : lambda;
+        return whole.cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
     }
+
+    //! [vertex]
+    /// What a vertex says of the rows of the MLCP: λ where it stands at a bound, and which rows are between. Of a
+    /// row that was split and has no basic z, λ = 0.
+    VecX bounds_at(const Tableau& tableau, std::vector<Index>& between) const
+    {
+        VecX lambda = VecX::Zero(mlcp_.size());
+        between = eliminated_ ? schur_.bilateral : std::vector<Index>{};
+        for (Index i = 0; i < fixed_.size(); ++i) {
+            const Index row = eliminated_ ? schur_.others[static_cast<std::size_t>(i)] : i;
+            lambda[row] = fixed_[i];
+            const auto first = first_[static_cast<std::size_t>(i)], last = first_[static_cast<std::size_t>(i) + 1];
+            for (auto k = first; k < last; ++k) {
+                if (!tableau.is_basic(static_cast<Index>(k))) continue;
+                const Index m = static_cast<Index>(row_.size()), box = box_[k];
+                if (box >= 0 && !tableau.is_basic(tableau.n + m + box)) lambda[row] = mlcp_.hi[row];
+                else between.push_back(row);
+                break;
+            }
+        }
+        return lambda;
+    }
+    //! [vertex]
 
     /// A direction of z as weights of the rows of the MLCP, for (5.15). Eliminated rows get the weights that
     /// make (Aᵀv)_B zero: A_BB v_B = −(Aᵀ v_N)_B.
     VecX direction(const VecX& y) const
     {
         VecX v = VecX::Zero(fixed_.size());
-        for (std::size_t k = 0; k < row_.size(); ++k) v[row_[k]] += sign_[k] * y[static_cast<Index>(k)];
+        for (std::size_t k = 0; k < row_.size(); ++k) {
+            const auto l = static_cast<Index>(k);
+            v[row_[k]] += sign_[k] * y[l] / unit_[l];
+        }
         if (!eliminated_) return v;
         VecX whole = VecX::Zero(mlcp_.size());
         for (std::size_t k = 0; k < schur_.others.size(); ++k)
@@ -107,6 +142,7 @@ private:
     {
         row_.push_back(row);
         sign_.push_back(sign);
+        box_.push_back(-1);
     }
 
     bool has_symmetric_bilateral_block() const
@@ -132,6 +168,8 @@ private:
     std::vector<Index> row_;          ///< of each z, the row that it moves
     std::vector<Real> sign_;          ///< and which way
     std::vector<std::size_t> first_;  ///< of each row, its first z
+    std::vector<Index> box_;          ///< of each z, its row of (5.19), or -1
+    VecX unit_;                       ///< of each z, what its row and column were divided by
 };
 
 }  // namespace rigid

@@ -7,6 +7,7 @@
 /// \cite lemke1965; \cite cottle1992, §4.4
 #pragma once
 
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "chapters/05_lemke/ratio_test.hpp"
 
 #include <Eigen/LU>
@@ -96,22 +97,34 @@ struct LemkeWalk {
 };
 
 //! [refine]
-/// The answer anew from its basis alone: where z_i is basic w_i = 0, and that is a linear system (5.16).
-/// No error of the walk is left in it.
-inline VecX solve_basis(const Tableau& tableau, const MatX& A, const VecX& q)
+/// λ anew from its cases alone (5.16): at its bound, or between, where w = 0 is a linear system in the original A
+/// and q. No error of the walk is left in it, and no large bound.
+/// \param lambda   the λ at their bounds; zero where it is between
+/// \param between  these rows
+inline VecX solve_between(const Mlcp& mlcp, VecX lambda, const std::vector<Index>& between)
 {
-    std::vector<Index> active;
-    for (Index i = 0; i < tableau.n; ++i)
-        if (tableau.is_basic(i)) active.push_back(i);
-    VecX z = VecX::Zero(tableau.n);
-    if (active.empty()) return z;
-    const Eigen::PartialPivLU<MatX> factors(A(active, active));
-    const VecX b = -q(active);
-    VecX x = factors.solve(b);
-    x += factors.solve(b - A(active, active) * x);
-    for (std::size_t k = 0; k < active.size(); ++k)
-        z[active[k]] = std::max(Real{0}, x[static_cast<Index>(k)]);
-    return z;
+    const auto k = static_cast<Index>(between.size());
+    if (k == 0) return lambda;
+    std::vector<Index> place(static_cast<std::size_t>(mlcp.size()), -1);
+    for (Index r = 0; r < k; ++r)
+        place[static_cast<std::size_t>(between[static_cast<std::size_t>(r)])] = r;
+    MatX block = MatX::Zero(k, k);
+    for (Index r = 0; r < k; ++r)
+        for (SparseMatrix::InnerIterator entry(mlcp.A, between[static_cast<std::size_t>(r)]); entry; ++entry)
+            if (const Index c = place[static_cast<std::size_t>(entry.col())]; c >= 0) block(r, c) = entry.value();
+    VecX unit(k);
+    for (Index r = 0; r < k; ++r) {
+        const Index i = between[static_cast<std::size_t>(r)];
+        unit[r] = row_unit(mlcp, i, mlcp.A.coeff(i, i));
+    }
+    const Eigen::PartialPivLU<MatX> factors(unit.cwiseInverse().asDiagonal() * block *
+                                            unit.cwiseInverse().asDiagonal());
+    for (int round = 0; round < 3; ++round) {  // once, and twice what is left of w
+        const VecX w = mlcp.A * lambda + mlcp.q;
+        const VecX step = factors.solve(VecX(w(between).cwiseQuotient(unit)));
+        for (Index r = 0; r < k; ++r) lambda[between[static_cast<std::size_t>(r)]] -= step[r] / unit[r];
+    }
+    return lambda.cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
 }
 //! [refine]
 

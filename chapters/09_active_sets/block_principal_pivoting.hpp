@@ -38,7 +38,8 @@ struct GuessedProblem {
     bool shifted = false;  ///< whether shift is used
     VecX diagonal;         ///< A_ii; 1 where it is not positive
     VecX unit;             ///< √A_ii: rows of heavy and of light bodies are compared by w_i / √A_ii
-    Real tolerance = 0;    ///< a row whose w is wrong by less than this in its unit is right
+    Real tolerance = 0;    ///< a row whose w is wrong by less than this in its unit is right,
+    Real ceiling = 0;      ///< if that is not more than this [m/s],
     Real enough = 0;       ///< and so is one that is wrong by less than this [m/s]
     Acceptance acceptance; ///< what the answer will be held to (3.16c)
 };
@@ -61,6 +62,7 @@ inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance, GuessedProble
         largest = std::max(largest, std::abs(mlcp.q[i]) / problem.unit[i]);
     }
     problem.tolerance = 0.01 * acceptance.tolerance * largest;
+    problem.ceiling = n > 0 ? 0.01 * acceptance.tolerance * mlcp.q.lpNorm<Eigen::Infinity>() : 0;
     problem.enough = 0.5 * acceptance.enough;
 }
 
@@ -132,12 +134,13 @@ inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
 {
     const Index n = guess.w.size();
     const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.unit).lpNorm<Eigen::Infinity>() : 0;
-    const Real share =
-        std::max({problem.tolerance, 10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest});
+    const Real rounding = std::max(10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest);
     guess.wrong.clear();
     for (Index i = 0; i < n; ++i) {
         const RowCase now = guess.cases[static_cast<std::size_t>(i)];
-        const Real tolerance = std::max(share * problem.unit[i], problem.enough);
+        const Real unit = problem.unit[i];
+        const Real tolerance =
+            std::max({rounding * unit, std::min(problem.tolerance * unit, problem.ceiling), problem.enough});
         if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now)
             guess.wrong.push_back(i);
     }
@@ -199,7 +202,8 @@ GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patien
         for (std::size_t k = 0; k < count; ++k) {  // (9.5), or the first alone (9.6)
             const Index i = guess.wrong[k];
             RowCase& here = guess.cases[static_cast<std::size_t>(i)];
-            here = corrected(problem, i, here, guess.lambda[i], guess.w[i], problem.tolerance * problem.unit[i]);
+            here = corrected(problem, i, here, guess.lambda[i], guess.w[i],
+                             std::min(problem.tolerance * problem.unit[i], problem.ceiling));
         }
         work.flips += static_cast<int>(count);
         if (!all) ++work.single_flips;

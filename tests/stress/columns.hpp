@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "tests/stress/method.hpp"
 
 namespace rigid::stress {
@@ -29,9 +30,9 @@ inline void require_honest(const Mlcp& mlcp, const Solution& solution)
 {
     if (solution.status != Status::solved) return;
     // 1e-6 of the numbers in the problem: a thousand times what the solvers themselves ask for.
-    const Real residual = natural_residual(mlcp, solution.lambda);
-    if (!(residual <= 1e-6 * std::max(Real{1}, size_of_numbers(mlcp, solution.lambda))))
-        throw SilentError("an answer with the residual " + std::to_string(residual) +
+    const Verification verified = verify(mlcp, solution.lambda, {1e-6, 1e-6});
+    if (!verified.solved)
+        throw SilentError("an answer with the residual " + shortest(verified.residual) +
                           " m/s is called solved");
 }
 
