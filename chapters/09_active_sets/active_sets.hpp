@@ -21,7 +21,7 @@ namespace rigid {
 
 inline constexpr Index most_walked_rows = 2000;  ///< larger problems are not handed to Lemke's algorithm
 
-/// Memory that is kept from solve to solve, yesterday's guess, and what the last solve cost.
+/// Memory that is kept from solve to solve, the previous guess, and what the last solve cost.
 struct ActiveSetMemory {
     std::vector<RowCase> cases;  ///< of the last answer: which rows are at a bound, and at which
     ActiveSetWork work;          ///< of the last solve
@@ -101,7 +101,8 @@ inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetM
 /// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if there are as many as rows.
 ///
 /// `solved`: by the one rule of the book (3.16c). `infeasible`: with a proof (9.15), or one by Lemke's ray. Else
-/// what went wrong, and lambda is the last guess, pressed into its bounds.
+/// what went wrong, and lambda is the last guess, pressed into its bounds. Where no |q| is above settings.enough
+/// and λ = 0 will do, nothing is guessed and the memory stays as it is.
 /// \throws std::invalid_argument  for a malformed problem or settings that make no sense
 inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
                         Solution& solution)
@@ -111,6 +112,11 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;
+    if (n > 0 && mlcp.q.lpNorm<Eigen::Infinity>() <= settings.enough) {  // nothing drives the rows: does λ = 0 do?
+        memory.guess.lambda.setZero(n);
+        solution.iterations = 0;
+        if (verify_guess(mlcp, settings, memory.guess.lambda, solution)) return;
+    }
     const auto known = static_cast<Index>(memory.cases.size());
     if (known > 0 && known != n) memory.dependent = false;  // that was another problem
     GuessedProblem& problem = memory.problem;
@@ -120,7 +126,7 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     bool settled = false;
     if (!is_symmetric(mlcp.A, memory.cursor)) {
         GeneralLu factor;
-        factor.look(mlcp);
+        factor.load(mlcp);
         begin(problem, memory.cases, false, guess);
         const GuessEnd end = correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings),
                                            true, guess, memory.work);
@@ -129,13 +135,13 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     } else {
         memory.sparse = n > 32 && 4 * mlcp.A.nonZeros() < n * n;
         if (memory.sparse) {
-            memory.sparse_factor.look(mlcp);
+            memory.sparse_factor.analyse_pattern(mlcp);
             memory.sparse = 6 * memory.sparse_factor.elimination.entries() < n * n;
         }
         begin(problem, memory.cases, memory.sparse || n <= 32, guess);
         if (memory.sparse) settled = settle(mlcp, settings, memory.sparse_factor, memory, solution);
         else {
-            memory.dense_factor.look(mlcp);
+            memory.dense_factor.load(mlcp);
             settled = settle(mlcp, settings, memory.dense_factor, memory, solution);
         }
     }

@@ -19,7 +19,7 @@ namespace rigid {
 
 class DenseLlt {
 public:
-    void look(const Mlcp& mlcp)
+    void load(const Mlcp& mlcp)
     {
         const Index n = mlcp.size();
         make_room(A_, n);

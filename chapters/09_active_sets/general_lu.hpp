@@ -11,7 +11,7 @@ namespace rigid {
 
 class GeneralLu {
 public:
-    void look(const Mlcp& mlcp)
+    void load(const Mlcp& mlcp)
     {
         A_ = mlcp.A;
         factored_.clear();

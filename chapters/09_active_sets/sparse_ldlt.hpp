@@ -22,9 +22,9 @@ class SparseLdlt {
 public:
     Elimination elimination;
 
-    void look(const Mlcp& mlcp)
+    void analyse_pattern(const Mlcp& mlcp)
     {
-        elimination.look(mlcp.A);
+        elimination.analyse_pattern(mlcp.A);
         const Index n = mlcp.size();
         row_.resize(static_cast<std::size_t>(elimination.entries()));
         value_.resize(row_.size());
