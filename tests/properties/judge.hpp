@@ -41,7 +41,7 @@ struct WideProblem {
             unit.push_back(own > 0 ? own : neighbours > 0 ? neighbours : largest > 0 ? std::sqrt(largest) : 1);
             speed = std::max(speed, static_cast<Wide>(std::abs(mlcp.q[i])));
             if (largest == 0) unit.back() = 0;
-            if (largest > 0 && mlcp.lo[i] < mlcp.hi[i]) given = std::max(given, N / unit.back());
+            if (largest > 0) given = std::max(given, N / unit.back());
         }
     }
 
