@@ -361,6 +361,110 @@ TEST_CASE("units of mass change the impulses and not the residual")
     }
 }
 
+// ---- what counts as an answer ---------------------------------------------------------------------------
+
+TEST_CASE("the share of a row that (3.16c) allows is a share of its own numbers and of the problem's")
+{
+    const Mlcp one = problem({1}, {-1});  // λ = 1
+    const auto solved = [&one](Real lambda, const Acceptance& acceptance = {}) {
+        return verify(one, VecX::Constant(1, lambda), acceptance).solved;
+    };
+    // S = 2 and U = 1: τ U = 1e-10; a hundredth to either side of it is far more than rounding.
+    CHECK(solved(1 - 0.99e-10));
+    CHECK_FALSE(solved(1 - 1.01e-10));
+    CHECK_FALSE(solved(0));
+    CHECK(solved(1 - 1e-3, {1e-10, 1.01e-3}));  // f, in m/s
+    CHECK_FALSE(solved(1 - 1e-3, {1e-10, 0.99e-3}));
+    CHECK_FALSE(solved(std::nan("")));
+    CHECK_FALSE(solved(infinity));
+    CHECK_FALSE(solved(-1e-300));  // out of its bounds, if only a little
+}
+
+TEST_CASE("a q near zero is solved to the same share as any other")
+{
+    // An answer in units of 1e-15 m/s is no better than one in m/s. A caller who knows that so little is nothing says
+    // it by f.
+    for (const Real unit : {1.0, 1e-15, 1e-150, 1e150}) {
+        const Mlcp small = problem({1}, {-unit});
+        CHECK(verify(small, VecX::Constant(1, unit)).solved);
+        CHECK_FALSE(verify(small, VecX::Zero(1)).solved);
+        CHECK_FALSE(verify(small, VecX::Constant(1, unit * (1 - 1e-8))).solved);
+    }
+    CHECK(verify(problem({1}, {-1e-15}), VecX::Zero(1), {1e-10, 1e-13}).solved);
+    CHECK(verify(problem({1}, {0}), VecX::Zero(1)).solved);
+}
+
+TEST_CASE("no free impulse and no bound and no unused entry loosens the rule")
+{
+    Mlcp quarrel = problem({4, -4, -4, 4}, {-2, 1});
+    quarrel.lo.setConstant(-infinity);
+    const VecX huge = VecX::Constant(2, 1.5e31);
+    CHECK(natural_residual(quarrel, huge) <= 2);  // by rounding it comes out as anything up to 1e16, here as 2 or 0
+    CHECK_FALSE(verify(quarrel, huge).solved);
+    CHECK_FALSE(verify(quarrel, huge, {0, 1e-9}).solved);
+    CHECK(direct(quarrel).status == Status::singular);
+    CHECK(enumerate(quarrel).status == Status::infeasible);
+    CHECK(schur(quarrel).status == Status::singular);
+
+    Mlcp bounded = problem({1}, {3});
+    for (const Real bound : {1e10, 1e16, 1e20}) {
+        bounded.lo[0] = -bound, bounded.hi[0] = bound;
+        CHECK_FALSE(verify(bounded, VecX::Zero(1)).solved);
+        CHECK(verify(bounded, VecX::Constant(1, -3)).solved);
+        CHECK(enumerate(bounded).lambda[0] == -3);
+    }
+
+    // Row 2 separates at 1e20 m/s and pushes nothing; in row 1 a millionth of a metre per second is still missing.
+    const Mlcp unused = problem({1, 1e20, 1e20, 1e40}, {-1, 1e20});
+    VecX lambda(2);
+    lambda << 1 - 1e-6, 0;
+    CHECK_FALSE(verify(unused, lambda).solved);
+    lambda[0] = 1;
+    CHECK(verify(unused, lambda).solved);
+}
+
+TEST_CASE("an impulse that is off its bound by the last digit is not at its bound")
+{
+    Mlcp wall = problem({1}, {1});
+    CHECK(verify(wall, VecX::Zero(1)).solved);
+    // The natural residual is 1e-17, A_ii times the way to the bound; and yet w = 1 and something pushes.
+    CHECK(natural_residual(wall, VecX::Constant(1, 1e-17)) == 1e-17);
+    CHECK_FALSE(verify(wall, VecX::Constant(1, 1e-17)).solved);
+}
+
+TEST_CASE("a ray of answers behind a singular set that does not fit is seen")
+{
+    Mlcp ray = problem({2, -1, 0, -1, 5, 1, 1, -1, 0}, {-7, 3, -2});
+    ray.lo.setConstant(-infinity);
+    ray.hi << 2, 0, 0;
+    for (const Real third : {-1.0, -2.0, -1000.0}) {
+        VecX lambda(3);
+        lambda << 2, 0, third;
+        REQUIRE(natural_residual(ray, lambda) == 0);
+    }
+    CHECK(enumerate(ray).status == Status::solved);
+    CHECK(enumerate(ray).uniqueness == Uniqueness::any);
+    CHECK(schur(ray).uniqueness == Uniqueness::any);
+}
+
+TEST_CASE("what rounding leaves open is called neither infeasible nor unique")
+{
+    // Two rows alike to 14 digits: the difference may be all there is, or dirt.
+    Mlcp alike = problem({1, 1, 1, 1 + 4e-14}, {-1, -1.5});
+    alike.lo.setConstant(-infinity);
+    const Solution solution = enumerate(alike);
+    CHECK(solution.status == Status::singular);
+    CHECK(solution.uniqueness == Uniqueness::not_examined);
+}
+
+TEST_CASE("bounds that leave no number are refused")
+{
+    Mlcp nothing = problem({1}, {-1});
+    nothing.lo[0] = nothing.hi[0] = infinity;
+    CHECK(sentence_of([&] { enumerate(nothing); }) ==
+          "row 0 has lo = inf and hi = inf; no impulse is that large");
+}
+
 // ---- by hand -------------------------------------------------------------------------------------------
 
 TEST_CASE("the two contacts of the text leave one of four sets")

@@ -1022,3 +1022,28 @@ TEST_CASE("a steady solve allocates nothing and gives the same bits each time")
     }
     CHECK(NoAllocation::violations() == 0);
 }
+
+TEST_CASE("conjugate gradients do not call an impulse of 1e31 N s an answer")
+{
+    // The rows contradict each other; w comes out as zero by luck and prints as (-2, 1).
+    Mlcp quarrel;
+    MatX A(2, 2);
+    A << 4, -4, -4, 4;
+    quarrel.A = A.sparseView();
+    quarrel.q = VecX(2);
+    quarrel.q << -2, 1;
+    quarrel.lo = VecX::Constant(2, -infinity);
+    quarrel.hi = VecX::Constant(2, infinity);
+    CHECK(conjugate_gradients(quarrel).status == Status::singular);
+    CHECK(pgs(quarrel).status == Status::iteration_limit);
+}
+
+TEST_CASE("a row with tiny entries is not one that nothing moves")
+{
+    Mlcp tiny;
+    tiny.A = MatX(-1e-20 * MatX::Identity(1, 1)).sparseView(0, 0);
+    tiny.q = VecX::Ones(1);
+    tiny.lo = VecX::Constant(1, -infinity);
+    tiny.hi = VecX::Constant(1, infinity);
+    CHECK(pgs(tiny).status == Status::iteration_limit);  // λ = 1e20 would do
+}

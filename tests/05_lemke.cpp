@@ -28,6 +28,12 @@ Solution with_ties(const Mlcp& mlcp, TieRule ties, int pivot_limit = 0)
     return lemke(mlcp, settings);
 }
 
+Mlcp random_spd_problem()
+{
+    Random random(5);
+    return random_spd(3, random);
+}
+
 int pivots(const Mlcp& mlcp, TieRule ties)
 {
     const Solution solution = with_ties(mlcp, ties);
@@ -617,6 +623,83 @@ TEST_CASE("a random search finds no problem that is called solved with a residua
         if (!(judged_residual(problem, solution.lambda) <= 1e-8)) FAIL_CHECK("sample " << sample);
     }
     CHECK(solved > budget / 3);  // the search also looks at problems that have answers
+}
+
+// ---- units, bounds, and what is said --------------------------------------------------------------------
+
+TEST_CASE("twenty boxes with friction are solved at every mass from 1e-9 to 1e9 kg")
+{
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        int pivots_of_one = 0;
+        for (const int power : {0, -9, -6, -3, 3, 5, 6, 9}) {
+            BoxStack stack;
+            stack.boxes = 20;
+            stack.seed = seed;
+            stack.mass = stack.top_mass = std::pow(10, power);
+            const Solution solution = lemke(stewart_trinkle(stack));
+            INFO("seed " << seed << ", 1e" << power << " kg");
+            REQUIRE(solution.status == Status::solved);
+            if (power == 0) pivots_of_one = solution.iterations;
+            CHECK(solution.iterations == pivots_of_one);  // another unit of mass is the same walk
+        }
+    }
+}
+
+TEST_CASE("a bound that is far away does not swallow what pushes")
+{
+    for (const Real bound : {1e10, 1e16, 1e20}) {
+        Mlcp one = plain_lcp(MatX::Ones(1, 1), vector({3}));
+        one.lo[0] = -bound;
+        one.hi[0] = bound;
+        const Solution solution = lemke(one);
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.lambda[0] == -3);
+
+        Mlcp three = random_spd_problem();
+        three.lo.setConstant(-bound);
+        three.hi.setConstant(bound);
+        const Solution free = lemke(three);
+        CHECK(free.status == Status::solved);
+        CHECK(free.residual <= 1e-14);  // a few roundings of numbers of size one
+    }
+}
+
+TEST_CASE("a direction that a bound turns away proves nothing")
+{
+    Mlcp problem = plain_lcp(matrix2(-2, 1, 1, -1), vector({0, 0}));
+    problem.lo.setConstant(-infinity);
+    problem.hi = vector({0, 2});
+    REQUIRE(natural_residual(problem, vector({0, 0})) == 0);
+    CHECK(lemke(problem).status != Status::infeasible);
+    CHECK_FALSE(proves_infeasibility(problem, vector({-1, -2})));
+    CHECK_FALSE(proves_infeasibility(problem, vector({-1, -1})));
+    // And one that is a proof: no λ ≤ 0 makes -λ ≤ -1.
+    Mlcp none = plain_lcp(matrix2(1, -1, -1, 1), vector({-1, -1}));
+    CHECK(proves_infeasibility(none, vector({1, 1})));
+    CHECK_FALSE(proves_infeasibility(none, vector({1, 0.5})));
+}
+
+TEST_CASE("with q near zero what is solved is as right as with any other q")
+{
+    Random random(600);
+    int solved = 0, wrong = 0;
+    constexpr int budget = 4000;
+    for (int sample = 0; sample < budget; ++sample) {
+        const Index n = 1 + random.index(6);
+        Mlcp problem = plain_lcp(random_matrix(Kind::spd, n, random), gaussian(n, 1, random));
+        const Real unit = std::pow(10, random.uniform(-30, -10));
+        problem.q *= unit;
+        for (Index i = 0; i < n; ++i) {
+            if (random.uniform() < 0.5) problem.lo[i] = -random.uniform();
+            if (random.uniform() < 0.5) problem.hi[i] = random.uniform();
+        }
+        const Solution solution = lemke(problem);
+        if (solution.status != Status::solved) continue;
+        ++solved;
+        wrong += !(judged_residual(problem, solution.lambda) <= 1e-9 * problem.q.cwiseAbs().maxCoeff());
+    }
+    CHECK(wrong == 0);
+    CHECK(solved > budget * 99 / 100);
 }
 
 // ---- properties -----------------------------------------------------------------------------------------

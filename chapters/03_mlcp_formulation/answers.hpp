@@ -26,8 +26,10 @@ public:
     bool accept(const VecX& candidate)
     {
         z_ = candidate.cwiseMax(dense_.lo).cwiseMin(dense_.hi);
-        lambda_ = z_.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
-        if (!verify(mlcp_, lambda_, {tolerance_, 0}).solved) return false;
+        lambda_ = unscaled(z_);
+        const Verification verified = verify(mlcp_, lambda_, {tolerance_, 0});
+        if (!verified.solved) return false;
+        if (!verified.in_each_row) doubt();  // it may be one of several between which rounding can't choose
         w_ = dense_.A * z_ + dense_.q;
         if (count_++ == 0) {
             first_ = z_;
@@ -48,10 +50,9 @@ public:
     const VecX& last() const { return z_; }  ///< the last that was accepted, scaled
 
     /// The first answer; before there is one, the point of the bounds nearest to zero.
-    VecX lambda() const
-    {
-        return first_.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
-    }
+    VecX lambda() const { return unscaled(first_); }
+
+    const VecX& lambda_scaled() const { return first_; }
 
     /// Remember that some question could not be answered: then nothing is said about how many answers there are.
     void doubt() { doubtful_ = true; }
@@ -66,6 +67,17 @@ public:
     }
 
 private:
+    /// λ in N s; what stands at a bound stands there to the last digit.
+    VecX unscaled(const VecX& z) const
+    {
+        VecX lambda = z.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
+        for (Index i = 0; i < z.size(); ++i) {
+            if (z[i] <= dense_.lo[i]) lambda[i] = mlcp_.lo[i];
+            else if (z[i] >= dense_.hi[i]) lambda[i] = mlcp_.hi[i];
+        }
+        return lambda;
+    }
+
     /// A difference that is small beside the largest number, and large beside its own, may be rounding or not.
     bool differ(const VecX& a, const VecX& b, Real size)
     {

@@ -38,7 +38,10 @@ public:
         : mlcp_(checked(mlcp)), settings_(settings), sets_(mlcp, settings.first), dense_(mlcp),
           answers_(mlcp_, dense_, settings.tolerance), z_(mlcp.size())
     {
+        if (mlcp.size() > 0)
+            given_ = (dense_.q.cwiseAbs() + dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs()).maxCoeff();
         if (mlcp.size() > 0) reach_ = 1 + dense_.A.cwiseAbs().rowwise().sum().maxCoeff();
+        if (is_spread()) answers_.doubt();
         if (!settings.stop_at_first && sets_.count() > static_cast<Real>(settings.most_sets))
             throw std::invalid_argument(
                 "the " + std::to_string(mlcp.size()) + " rows have " + readable(sets_.count()) +
@@ -110,7 +113,7 @@ private:
                 w_ += dense_.A.col(j) * z_[j];
                 sizes_ += dense_.A.col(j).cwiseAbs() * std::abs(z_[j]);
             }
-        numbers_ = n > 0 ? sizes_.maxCoeff() : 0;  // the measure for what is small in this system
+        numbers_ = n > 0 ? std::max(given_, sizes_.maxCoeff()) : 0;  // the measure for what is small in this system
 
         bool singular = false;
         if (k > 0) {
@@ -160,6 +163,22 @@ private:
         }
     }
     //! [set]
+
+    /// True if even scaled numbers differ by more than ten digits: then rounding in one row hides another.
+    bool is_spread() const
+    {
+        Real least[2] = {infinity, infinity}, most[2] = {0, 0};
+        const auto look = [&](int kind, Real number) {
+            const Real size = std::abs(number);
+            if (!(size > 0) || size == infinity) return;
+            least[kind] = std::min(least[kind], size);
+            most[kind] = std::max(most[kind], size);
+        };
+        for (const Real a : dense_.A.reshaped()) look(0, a);
+        for (const VecX* v : {&dense_.q, &dense_.lo, &dense_.hi})
+            for (const Real number : *v) look(1, number);
+        return most[0] > 1e10 * least[0] || most[1] > 1e10 * least[1];
+    }
 
     /// What rounding may have done to the λ and w of the present set.
     Real rounding(Real largest_z) const
@@ -248,6 +267,7 @@ private:
     Eigen::FullPivLU<Small<Eigen::Dynamic>> lu_;
     VecX z_, w_, sizes_;
     Real numbers_ = 0;
+    Real given_ = 0;        ///< numbers_ at the point of the bounds that is nearest to zero
     Real reach_ = 1;        ///< what a unit of λ can add to any row
     Real least_pivot_ = 1;  ///< of the present block, beside its largest
     long tried_ = 0;

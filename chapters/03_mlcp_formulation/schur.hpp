@@ -21,6 +21,7 @@ struct SchurComplement {
     BilateralBlock block;                  ///< A_BB
     Eigen::SparseMatrix<Real> A_BN;        ///< by columns: each is a right side to solve for
     Mlcp rest;                             ///< S, r and the bounds of the others
+    Real kept = 1;                         ///< least share that the elimination left of an A_ii or a q_i
 
     /// λ of the whole problem from the λ of the others: \f$\lambda_B = -A_{BB}^{-1}(q_B + A_{BN}
     /// \lambda_N)\f$, (3.27).
@@ -83,9 +84,19 @@ inline void eliminate_bilateral(const Mlcp& mlcp, SchurComplement& schur)
         schur.rest.hi[k] = mlcp.hi[i];
     }
     MatX S = A_NN;
+    const VecX A_ii = S.diagonal(), q_i = schur.rest.q;
     for (Index k = 0; k < N; ++k) S.col(k) -= A_NB * schur.block.solve(VecX(schur.A_BN.col(k)));
     schur.rest.A = S.sparseView();
     schur.rest.q -= A_NB * schur.block.solve(q_B);
+    schur.kept = 1;
+    const auto keep = [&schur](Real before, Real after) {
+        const Real taken = std::abs(before - after);
+        if (taken > 0) schur.kept = std::min(schur.kept, std::abs(after) / taken);
+    };
+    for (Index k = 0; k < N; ++k) {
+        keep(A_ii[k], S(k, k));
+        keep(q_i[k], schur.rest.q[k]);
+    }
 }
 //! [eliminate]
 
@@ -118,7 +129,7 @@ inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {}
     solution.lambda = parts.whole(mlcp, solution.lambda);
     // Where A_BB is nearly singular S has lost digits: what was found has to prove itself, and what was not found or
     // not seen twice proves nothing.
-    if (parts.block.least_pivot() < 1e-3) {
+    if (!(std::min(parts.block.least_pivot(), parts.kept) >= 1e-3)) {
         solution.uniqueness = Uniqueness::not_examined;
         if (solution.status == Status::infeasible) solution.status = Status::singular;
     }

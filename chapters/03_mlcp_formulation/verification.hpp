@@ -1,12 +1,13 @@
 /// \file verification.hpp
 /// When is a λ an answer? The one rule by which every solver of this book says `solved`.
 ///
-///     S_i = |q_i| + Σ_j |A_ij λ_j|             the numbers that are added up in row i              (3.16a)
-///     U_i = min(max_j N_j, d_i max_j N_j/d_j)  what the problem alone makes of them, d_i = √A_ii   (3.16b)
-///     r_i ≤ max(f, τ min(S_i, U_i), ε U_i)                                                         (3.16c)
-///     r_i ≤ 10 max(f, τ U_i, 64 ε U_i) for every w_i within ½ (k_i + 1) ε S_i of the computed one  (3.16d)
+///     v_i = |w_i| between the bounds, max(0, −w_i) at lo, max(0, w_i) at hi                      (3.16a)
+///     S_i = |q_i| + Σ_j |A_ij λ_j|,   U_i = min(max_j N_j, d_i max_j N_j/d_j),   d_i = √|A_ii|      (3.16b)
+///     v_i ≤ max(f, τ min(S_i, U_i), ε U_i)                                                       (3.16c)
+///     v_i ≤ 10 max(f, τ U_i, 64 ε U_i) for every w_i within ½ (k_i + 1) ε S_i of the computed one (3.16d)
 ///
-/// N_i is S_i at the point of the bounds that is nearest to zero: no λ has a smaller S_i.
+/// S_i are the numbers that are added up in row i, k_i how many products; N_i is S_i at the point of the bounds that
+/// is nearest to zero, and no λ has a smaller S_i. v_i is never below the natural residual r_i.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
@@ -26,28 +27,27 @@ struct Acceptance {
 struct Verification {
     Real residual = infinity;  ///< (3.15) [m/s]
     bool solved = false;       ///< by (3.16c) and (3.16d)
+    bool in_each_row = false;  ///< without the help of f and of ε max N_j: each v_i is small beside its own S_i
 };
 
-/// d_i: row i has the unit d_i √J. √A_ii, and in a row without a diagonal what its neighbours make of it.
+/// d_i: row i has the unit d_i √J. √|A_ii|, and in a row without a diagonal what its neighbours make of it.
 inline Real row_unit(const Mlcp& mlcp, Index i, Real diagonal)
 {
-    if (diagonal > 0) return std::sqrt(diagonal);
+    if (diagonal < 0 || diagonal > 0) return std::sqrt(std::abs(diagonal));
     Real unit = 0, largest = 0;
     for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-        const Real neighbour = entry.col() == i ? 0 : mlcp.A.coeff(entry.col(), entry.col());
+        const Real neighbour = std::abs(mlcp.A.coeff(entry.col(), entry.col()));
         if (neighbour > 0) unit = std::max(unit, std::abs(entry.value()) / std::sqrt(neighbour));
         largest = std::max(largest, std::abs(entry.value()));
     }
     return unit > 0 ? unit : largest > 0 ? std::sqrt(largest) : 1;
 }
 
-/// r_i of (3.15). A row without a diagonal has nothing to compare λ with: it stands at a bound or has w = 0.
-inline Real strict_residual_row(Real diagonal, Real lambda, Real w, Real lo, Real hi)
+/// v_i of (3.16a).
+inline Real violation(Real lambda, Real w, Real lo, Real hi)
 {
-    if (diagonal > 0 || !std::isfinite(lambda)) return natural_residual_row(diagonal, lambda, w, lo, hi);
-    const Real pulls = lambda >= hi ? 0 : std::max(-w, Real{0});   // it would grow
-    const Real pushes = lambda <= lo ? 0 : std::max(w, Real{0});  // it would shrink
-    return std::max(pulls, pushes);
+    if (!(lo < hi)) return 0;  // nothing to choose: any w will do
+    return std::max(lambda < hi ? -w : 0, lambda > lo ? w : 0);
 }
 
 //! [verify]
@@ -58,9 +58,9 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
     const Real tau = std::max(acceptance.tolerance, epsilon), enough = acceptance.enough;
     Real residual = 0;
-    Real speed = 0, energy = 0;                      // max N_j, max N_j / d_j: what U_i is made of
-    Real least_speed = 0, least_energy = 0;          // and how large they have to be for these residuals
-    bool possible = true, small = true;              // small: beside S_i, where U_i = 0
+    Real speed = 0, energy = 0;                            // max N_j, max N_j / d_j: what U_i is made of
+    Real least_speed = 0, least_energy = 0;              // and how large they have to be for these v_i
+    bool possible = true, small = true, in_each_row = true;
     for (Index i = 0; i < mlcp.size(); ++i) {
         const Real lo = mlcp.lo[i], hi = mlcp.hi[i];
         Real w = mlcp.q[i], S = std::abs(w), N = S, diagonal = 0, terms = 1;
@@ -75,29 +75,29 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         }
         const Real natural = natural_residual_row(diagonal, lambda[i], w, lo, hi);
         if (!(natural <= residual)) residual = natural;  // also takes over a NaN
-        if (std::isnan(residual)) return {residual, false};
+        if (std::isnan(residual)) return {residual, false, false};
         possible = possible && std::isfinite(S) && lambda[i] >= lo && lambda[i] <= hi;
         const Real unit = row_unit(mlcp, i, diagonal);
         if (terms > 1) {
             speed = std::max(speed, N);
             energy = std::max(energy, N / unit);
         }
-        if (!(lo < hi)) continue;  // nothing to choose: any w will do
-
         const Real hidden = epsilon / 2 * terms * S;
-        const Real r = strict_residual_row(diagonal, lambda[i], w, lo, hi);
-        const Real worst = std::max(strict_residual_row(diagonal, lambda[i], w - hidden, lo, hi),
-                                    strict_residual_row(diagonal, lambda[i], w + hidden, lo, hi));
-        const bool in_its_row = r <= tau * S;
+        const Real v = violation(lambda[i], w, lo, hi);
+        const Real worst = std::max(violation(lambda[i], w - hidden, lo, hi), violation(lambda[i], w + hidden, lo, hi));
+        const bool in_its_row = v <= tau * S;
         Real least = 0;  // U_i
-        if (r > enough) least = r / (in_its_row ? tau : epsilon);
+        if (v > enough && in_its_row) least = v / tau;
+        const Real floor = v > enough && !in_its_row ? v / epsilon : 0;
+        least_speed = std::max(least_speed, floor);
         if (worst > 10 * enough) least = std::max(least, worst / (10 * std::max(tau, 64 * epsilon)));
         if (diagonal > 0) least_speed = std::max(least_speed, least);
-        least_energy = std::max(least_energy, least / unit);
-        small = small && (in_its_row || r <= enough);
+        least_energy = std::max(least_energy, std::max(least, floor) / unit);
+        in_each_row = in_each_row && in_its_row;
+        small = small && (in_its_row || v <= enough);
     }
     const bool within = energy > 0 ? least_speed <= speed && least_energy <= energy : small;
-    return {residual, possible && within && std::isfinite(energy)};
+    return {residual, possible && within && std::isfinite(energy), in_each_row};
 }
 //! [verify]
 
