@@ -48,14 +48,17 @@ Scene ten_discs_scene()
     return scene;
 }
 
-/// (8.8): how far N equal discs sink in all that start from yesterday [m]; the last settings are remembered.
+/// (8.8): how far N equal discs sink in total that start from the previous answer [m]; the last settings are
+/// remembered.
 WarmRun::Theory sinking(Index N)
 {
-    return [N, sweeps = -1, h = Real{0}, sunk = Real{0}](const WarmStepSettings& step) mutable {
-        if (N > 30 || step.sweeps.max_sweeps > 200) return Real{0};  // a minute of matrix products
-        if (step.sweeps.max_sweeps != sweeps || step.h != h) {
-            sweeps = step.sweeps.max_sweeps;
-            h = step.h;
+    return [N, sweeps = -1, h = Real{0}, sunk = Real{0}](const StepSettings& settings,
+                                                         const WarmMethod& method) mutable {
+        const int max_sweeps = method.solver.sweeps.max_sweeps;
+        if (N > 30 || max_sweeps > 200) return Real{0};  // a minute of matrix products
+        if (max_sweeps != sweeps || settings.h != h) {
+            sweeps = max_sweeps;
+            h = settings.h;
             // The rows of the program: contacts from the lowest pair up, then the floor.
             const MatX line = line_problem(N, 1, 9.81 * h).A;
             const VecX carried = line_answer(N, 1, 9.81 * h);
@@ -139,15 +142,15 @@ Scene chain_scene()
         DiscScene chain = hanging_chain(N);
         chain.linked.assign(chain.linked.size(), true);
         chain.gravity *= settings["weight"];
-        const auto rate = [N](const WarmStepSettings& step) {  // of the mode that grows most
-            const bool in_the_bias = step.stabilizer.method == Stabilizer::baumgarte;
-            const Real beta = in_the_bias ? step.stabilizer.beta : 0;
+        const auto rate = [N](const StepSettings&, const WarmMethod& method) {  // of the mode that grows most
+            const bool in_the_bias = method.correction.method == Stabilizer::baumgarte;
+            const Real beta = in_the_bias ? method.correction.beta : 0;
+            const Real factor = method.start.from == Start::cold ? 0 : method.start.factor;
             Real largest = 0;
             for (Index mode = 0; mode < N; ++mode) {
                 const Real theta = pi * static_cast<Real>(2 * mode + 1) / static_cast<Real>(2 * N);
-                const Real gamma = std::pow(std::cos(theta), 2 * step.sweeps.max_sweeps);
-                largest =
-                    std::max(largest, step_rate(gamma, step.start == Start::cold ? 0 : step.share, beta));
+                const Real gamma = std::pow(std::cos(theta), 2 * method.solver.sweeps.max_sweeps);
+                largest = std::max(largest, step_rate(gamma, factor, beta));
             }
             return largest;
         };
