@@ -110,14 +110,16 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
         solution.iterations = guesses;
         if (solution.status != Status::solved) return;
         bound_by(boxes, solution.lambda, fixed);  // the bounds of this very λ
-        const bool right = verify_guess(fixed, settings, VecX(solution.lambda), solution);
+        bool right = verify_guess(fixed, settings, VecX(solution.lambda), solution);
         VecX tied;
         if ((right || memory.cases == last) && solve_tied(fixed, boxes, memory.cases, tied)) {
             Mlcp own = fixed;
             Solution other = solution;
             bound_by(boxes, tied, own);
-            if (verify_guess(own, settings, tied, other) && right && other.residual < solution.residual)
-                solution = other;
+            if (verify_guess(own, settings, tied, other)) {
+                if (!right || other.residual < solution.residual) solution = other;
+                right = true;
+            }
             fixed = own;
         }
         if (right) return;
