@@ -43,10 +43,8 @@ MatX matrix3(std::initializer_list<Real> rows)
 GuessedProblem guessed(const Mlcp& mlcp)
 {
     GuessedProblem problem;
-    problem.mlcp = &mlcp;
-    problem.q = mlcp.q;
-    problem.diagonal = MatX(mlcp.A).diagonal();
-    problem.tolerance = 1e-12;
+    set_up(mlcp, {}, problem);
+    problem.tolerance = problem.ceiling = 1e-12;
     return problem;
 }
 
@@ -126,7 +124,7 @@ TEST_CASE("flipping all wrong rows goes round in the example of the text and the
         return guess;
     };
     DenseLlt factor;
-    factor.look(problem);
+    factor.load(problem);
     SECTION("with endless patience it never ends")
     {
         Guess guess = fresh();
@@ -172,7 +170,7 @@ TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sid
             if (random.uniform() < 0.5) problem.hi[i] = problem.lo[i] + random.uniform(0.1, 2);
         const GuessedProblem asked = guessed(problem);
         GeneralLu factor;
-        factor.look(problem);
+        factor.load(problem);
         Guess guess;
         guess.cases.assign(static_cast<std::size_t>(n), RowCase::between);
         guess.lambda = guess.w = guess.step = VecX::Zero(n);
@@ -199,7 +197,7 @@ TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
         asked.shifted = true;
         asked.q = problem.q - asked.shift.cwiseProduct(before);
         DenseLlt factor;
-        factor.look(problem);
+        factor.load(problem);
         Guess guess;
         guess.cases.assign(static_cast<std::size_t>(n), RowCase::between);
         guess.lambda = guess.w = guess.step = VecX::Zero(n);
@@ -215,7 +213,7 @@ TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
 
 // ---- the factors ----------------------------------------------------------------------------------------
 
-TEST_CASE("a factor that gained and lost rows one at a time is that of the rows it has")
+TEST_CASE("a factor with rows appended and removed one at a time is that of the rows it has")
 {
     Random random(20);
     for (int sample = 0; sample < 50; ++sample) {
@@ -225,10 +223,10 @@ TEST_CASE("a factor that gained and lost rows one at a time is that of the rows 
         for (int change = 0; change < 60; ++change) {
             const Index row = random.index(n);
             const auto found = std::find(factor.rows.begin(), factor.rows.end(), row);
-            if (found != factor.rows.end()) factor.lose(found - factor.rows.begin());
+            if (found != factor.rows.end()) factor.remove(found - factor.rows.begin());
             else {
                 const VecX couplings = A(factor.rows, std::vector<Index>{row}).reshaped();
-                REQUIRE(factor.gain(row, couplings, A(row, row), 0));
+                REQUIRE(factor.append(row, couplings, A(row, row), 0));
             }
             VecX x(factor.size());
             for (Real& entry : x) entry = random.normal();
@@ -251,7 +249,7 @@ TEST_CASE("a border of changed rows solves as a new factorisation does")
         const MatX A = problem.A;
         const GuessedProblem asked = guessed(problem);
         DenseLlt factor;
-        factor.look(problem);
+        factor.load(problem);
         std::vector<RowCase> cases = random_cases(n, 0.7, random);
         ActiveSetWork work;
         for (int change = 0; change < 8; ++change) {
@@ -282,7 +280,7 @@ TEST_CASE("the sparse factor of any active rows solves their system in the patte
         const MatX A = problem.A;
         GuessedProblem asked = guessed(problem);
         SparseLdlt factor;
-        factor.look(problem);
+        factor.analyse_pattern(problem);
         for (int sample = 0; sample < 20; ++sample) {
             const std::vector<RowCase> cases = random_cases(problem.size(), sample / 20.0, random);
             ActiveSetWork work;
@@ -303,12 +301,12 @@ TEST_CASE("the pattern is looked for once for a structure")
 {
     Mlcp problem = chain_on_hills(50).mlcp();
     SparseLdlt factor;
-    factor.look(problem);
+    factor.analyse_pattern(problem);
     CHECK(factor.elimination.analysed);
     problem.A *= 2;
-    factor.look(problem);
+    factor.analyse_pattern(problem);
     CHECK_FALSE(factor.elimination.analysed);
-    factor.look(chain_on_hills(51).mlcp());
+    factor.analyse_pattern(chain_on_hills(51).mlcp());
     CHECK(factor.elimination.analysed);
 }
 
@@ -949,4 +947,58 @@ TEST_CASE(
     CHECK(largest_gap(0.02) > 0.01);
     CHECK(largest_gap(0.5) <
           5e-4);  // links turn within a small step: second order in h, half a per cent of 0.1 m
+}
+
+// ---- a step among steps ---------------------------------------------------------------------------------
+
+TEST_CASE("rows that depend on each other once cost no term once they do not")
+{
+    ActiveSetMemory memory;
+    Solution solution;
+    const Mlcp twice = plain_lcp(matrix2(1, 1, 1, 1), vector({-1, -1})),
+               apart = plain_lcp(matrix2(2, 1, 1, 2), vector({-3, -3}));
+    active_sets(twice, {}, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    CHECK(memory.dependent);
+    active_sets(twice, {}, memory, solution);
+    CHECK(memory.dependent);  // it still does
+    CHECK(memory.work.factorisations == 1);
+    active_sets(apart, {}, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    CHECK_FALSE(memory.dependent);
+    active_sets(apart, {}, memory, solution);
+    CHECK(memory.work.outer_steps == 0);
+    CHECK(memory.work.guesses == 1);
+    active_sets(twice, {}, memory, solution);
+    active_sets(plain_lcp(MatX::Identity(3, 3), -VecX::Ones(3)), {}, memory, solution);
+    CHECK(memory.work.outer_steps == 0);  // other rows are another problem
+}
+
+TEST_CASE("what rounding makes of a step is not solved and what gravity makes of it is")
+{
+    Random random(61);
+    Mlcp problem = pile_problem(box_pyramid(8), at_rest).mlcp();
+    const VecX weight = problem.q;
+    ActiveSetMemory memory;
+    Solution solution;
+    // Positions of a metre and a step of 1/1000 s: 4 epsilon / h, about 1e-12 m/s.
+    ActiveSetSettings settings;
+    settings.enough = rounded_speed(VecX::Ones(2), VecX::Zero(2), 1e-3);
+    CHECK(settings.enough == Approx(8.9e-13).epsilon(0.01));
+    active_sets(problem, settings, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    const std::vector<RowCase> cases = memory.cases;
+    for (Real& entry : problem.q) entry = 1e-14 * random.normal();
+    active_sets(problem, settings, memory, solution);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.iterations == 0);
+    CHECK(memory.work.factorisations == 0);
+    CHECK(memory.cases == cases);  // the next load finds its rows
+    problem.q = weight;
+    active_sets(problem, settings, memory, solution);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.residual <= 1e-10 * weight.cwiseAbs().maxCoeff());
+    settings.enough = -1;
+    CHECK(refused([&] { active_sets(problem, settings); }) ==
+          "the residual that is nothing is -1 m/s; it must be zero or positive, and finite");
 }

@@ -3,16 +3,17 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
-/// Guesses (guess.hpp) with a sparse or a dense factor of the active rows; a proximal term where they depend
+/// Guesses (block_principal_pivoting.hpp) with a sparse or a dense factor of the active rows; a proximal term where they depend
 /// on each other (proximal.hpp); and only called solved after the residual was computed. What guessing cannot
 /// settle is walked by Lemke's algorithm. \cite judice1994
 #pragma once
 
-#include "chapters/09_active_sets/accept.hpp"
+#include "chapters/05_lemke/lemke.hpp"
 #include "chapters/09_active_sets/dense_llt.hpp"
 #include "chapters/09_active_sets/general_lu.hpp"
 #include "chapters/09_active_sets/proximal.hpp"
 #include "chapters/09_active_sets/sparse_ldlt.hpp"
+#include "chapters/09_active_sets/verify.hpp"
 
 #include <vector>
 
@@ -20,12 +21,12 @@ namespace rigid {
 
 inline constexpr Index most_walked_rows = 2000;  ///< larger problems are not handed to Lemke's algorithm
 
-/// Memory that is kept from solve to solve, yesterday's guess, and what the last solve cost.
+/// Memory that is kept from solve to solve, the previous guess, and what the last solve cost.
 struct ActiveSetMemory {
     std::vector<RowCase> cases;  ///< of the last answer: which rows are at a bound, and at which
     ActiveSetWork work;          ///< of the last solve
     bool sparse = false;         ///< which of the two factors was used
-    bool dependent = false;      ///< active rows depended on each other: begin with the proximal term
+    bool dependent = false;      ///< the active rows of the last answer depend on each other: begin with the term
 
     SparseLdlt sparse_factor;
     DenseLlt dense_factor;
@@ -44,26 +45,32 @@ inline int guess_limit(const Mlcp& mlcp, const ActiveSetSettings& settings)
 /// Guesses with the plain A, then, if rows depend on each other, with the proximal term. True if that settled
 /// it: solved, or infeasible with a proof.
 template <class Factor>
-bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Real allowed, Factor& factor,
-            ActiveSetMemory& memory, Solution& solution)
+bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor, ActiveSetMemory& memory,
+            Solution& solution)
 {
     GuessedProblem& problem = memory.problem;
     ActiveSetWork& work = memory.work;
     const int limit = guess_limit(mlcp, settings);
     if (!memory.dependent) {
-        const GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
-        if (end == GuessEnd::right && judge(mlcp, allowed, memory.guess.lambda, solution)) return true;
+        GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
+        bool verified = verify_guess(mlcp, settings, memory.guess.lambda, solution);
+        if (end == GuessEnd::right && !verified) {  // right to the tolerance, but not to the numbers of each row
+            problem.tolerance = 0;
+            end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
+            verified = verify_guess(mlcp, settings, memory.guess.lambda, solution);
+        }
+        if (verified) return true;
         if (end == GuessEnd::limit) {
-            judge(mlcp, allowed, memory.guess.lambda, solution);
             solution.status = Status::iteration_limit;
             return false;
         }
     }
-    memory.dependent = true;
     if (memory.cases.size() != memory.guess.cases.size()) memory.proximal.previous.resize(0);  // cold
-    const ProximalEnd end = proximal_steps(problem, factor, settings.patience, limit, allowed,
-                                           memory.proximal, memory.guess, work);
-    if (judge(mlcp, allowed, memory.guess.lambda, solution) && end == ProximalEnd::right) return true;
+    const ProximalEnd end =
+        proximal_steps(problem, factor, settings.patience, limit, wanted_residual(mlcp, settings),
+                       memory.proximal, memory.guess, work);
+    memory.dependent = !factor.is_independent(problem);  // else the next solve needs no term
+    if (verify_guess(mlcp, settings, memory.guess.lambda, solution)) return true;
     solution.status = end == ProximalEnd::infeasible ? Status::infeasible
                       : end == ProximalEnd::limit    ? Status::iteration_limit
                                                      : Status::singular;
@@ -77,6 +84,7 @@ inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetM
 {
     LemkeSettings lemke_settings;
     lemke_settings.tolerance = settings.tolerance;
+    lemke_settings.enough = settings.enough;
     ++memory.work.walks;
     const Solution walked = lemke(mlcp, lemke_settings);
     if (walked.status != Status::solved && walked.status != Status::infeasible &&
@@ -92,9 +100,9 @@ inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetM
 //! [active_sets]
 /// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if there are as many as rows.
 ///
-/// `solved`: as in chapter 5, the natural residual is at most tolerance·max|q| and rounding can't hide ten
-/// times as much. `infeasible`: with a proof (9.15), or one by Lemke's ray. Else what went wrong, and lambda
-/// is the last guess.
+/// `solved`: by the one rule of the book (3.16c). `infeasible`: with a proof (9.15), or one by Lemke's ray. Else
+/// what went wrong, and lambda is the last guess, pressed into its bounds. Where no |q| is above settings.enough
+/// and λ = 0 will do, nothing is guessed and the memory stays as it is.
 /// \throws std::invalid_argument  for a malformed problem or settings that make no sense
 inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
                         Solution& solution)
@@ -104,42 +112,37 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;
-    const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
-    GuessedProblem& problem = memory.problem;
-    problem.mlcp = &mlcp;
-    problem.tolerance = 0.01 * allowed;
-    problem.diagonal.resize(n);
-    for (Index i = 0; i < n; ++i) {
-        const Real a = mlcp.A.coeff(i, i);
-        problem.diagonal[i] = a > 0 ? a : 1;
+    if (n > 0 && mlcp.q.lpNorm<Eigen::Infinity>() <= settings.enough) {  // nothing drives the rows: does λ = 0 do?
+        memory.guess.lambda.setZero(n);
+        solution.iterations = 0;
+        if (verify_guess(mlcp, settings, memory.guess.lambda, solution)) return;
     }
+    const auto known = static_cast<Index>(memory.cases.size());
+    if (known > 0 && known != n) memory.dependent = false;  // that was another problem
+    GuessedProblem& problem = memory.problem;
     Guess& guess = memory.guess;
-    guess.lambda.resize(n);
-    guess.w.resize(n);
-    guess.step.resize(n);
-    problem.shifted = false;
-    problem.q = mlcp.q;
+    set_up(mlcp, {settings.tolerance, settings.enough}, problem);
 
     bool settled = false;
     if (!is_symmetric(mlcp.A, memory.cursor)) {
         GeneralLu factor;
-        factor.look(mlcp);
+        factor.load(mlcp);
         begin(problem, memory.cases, false, guess);
         const GuessEnd end = correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings),
                                            true, guess, memory.work);
-        settled = judge(mlcp, allowed, guess.lambda, solution) && end == GuessEnd::right;
-        if (end == GuessEnd::limit) solution.status = Status::iteration_limit;
+        settled = verify_guess(mlcp, settings, guess.lambda, solution);
+        if (!settled && end == GuessEnd::limit) solution.status = Status::iteration_limit;
     } else {
         memory.sparse = n > 32 && 4 * mlcp.A.nonZeros() < n * n;
         if (memory.sparse) {
-            memory.sparse_factor.look(mlcp);
+            memory.sparse_factor.analyse_pattern(mlcp);
             memory.sparse = 6 * memory.sparse_factor.elimination.entries() < n * n;
         }
         begin(problem, memory.cases, memory.sparse || n <= 32, guess);
-        if (memory.sparse) settled = settle(mlcp, settings, allowed, memory.sparse_factor, memory, solution);
+        if (memory.sparse) settled = settle(mlcp, settings, memory.sparse_factor, memory, solution);
         else {
-            memory.dense_factor.look(mlcp);
-            settled = settle(mlcp, settings, allowed, memory.dense_factor, memory, solution);
+            memory.dense_factor.load(mlcp);
+            settled = settle(mlcp, settings, memory.dense_factor, memory, solution);
         }
     }
     if (!settled && settings.limit == 0 && n <= most_walked_rows) walk(mlcp, settings, memory, solution);

@@ -18,18 +18,13 @@ inline void dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveS
     if (!is_symmetric(mlcp.A, memory.cursor))
         throw std::invalid_argument("A is not symmetric; Dantzig's method with L D Lᵀ needs A[i,j] = A[j,i]");
     memory.work = {};
-    memory.guess.step.resize(mlcp.size());
-    const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
     DantzigDrive drive(mlcp, settings.limit > 0 ? settings.limit : 1000 + 10 * static_cast<int>(mlcp.size()));
     const DantzigDrive::Place place = drive.run();
     solution.uniqueness = Uniqueness::not_examined;
-    const bool right = judge(mlcp, allowed, drive.lambda, solution);
-    if (place == DantzigDrive::Place::limit) solution.status = Status::iteration_limit;
-    if (place == DantzigDrive::Place::ray) {
-        VecX v = drive.direction(), image(mlcp.size());
-        solution.status = proves_infeasible(mlcp, v, image) ? Status::infeasible : Status::ray_termination;
-    }
-    if (place == DantzigDrive::Place::right && !right) solution.status = Status::singular;
+    const bool verified = verify_guess(mlcp, settings, drive.lambda, solution);
+    if (!verified && place == DantzigDrive::Place::limit) solution.status = Status::iteration_limit;
+    if (!verified && place == DantzigDrive::Place::ray)
+        solution.status = proves_infeasibility(mlcp, drive.direction()) ? Status::infeasible : Status::ray_termination;
     solution.iterations = drive.pivots;
     memory.work.flips = memory.work.single_flips = drive.pivots;
     memory.guess.lambda = drive.lambda;

@@ -94,7 +94,7 @@ public:
                 lambda[stops] = upper ? mlcp_.hi[stops] : mlcp_.lo[stops];
                 cases[index(stops)] = upper ? RowCase::at_hi : RowCase::at_lo;
                 if (stops == d) return Place::right;
-                factor_.lose(place_of(stops));
+                factor_.remove(place_of(stops));
                 std::fill(depends_.begin(), depends_.end(), false);
                 std::erase_if(waiting_, [&](Index i) { return join(i); });
             } else {
@@ -132,7 +132,7 @@ private:
     {
         VecX couplings(factor_.size());
         for (Index k = 0; k < factor_.size(); ++k) couplings[k] = A_(i, factor_.rows[index(k)]);
-        return factor_.gain(i, couplings, A_(i, i), 1e-11 * diagonal(i));
+        return factor_.append(i, couplings, A_(i, i), 1e-11 * diagonal(i));
     }
 
     Index place_of(Index row) const
@@ -178,7 +178,7 @@ private:
     int limit_;
     std::vector<bool> is_done_, depends_;  ///< rows that are right; rows that F would not take in
     std::vector<Index> order_;
-    std::vector<Index> waiting_;  ///< rows between their bounds that depend on F: in, once F loses a row
+    std::vector<Index> waiting_;  ///< rows between their bounds that depend on F: in, once a row is removed from F
     VecX direction_, w_slope_;
 };
 

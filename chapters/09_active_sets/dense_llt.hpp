@@ -8,7 +8,7 @@
 /// of a new factorisation. \cite golub2013
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/block_principal_pivoting.hpp"
 #include "chapters/09_active_sets/small_llt.hpp"
 
 #include <Eigen/LU>
@@ -19,14 +19,15 @@ namespace rigid {
 
 class DenseLlt {
 public:
-    void look(const Mlcp& mlcp)
+    void load(const Mlcp& mlcp)
     {
         const Index n = mlcp.size();
-        A_.setZero(n, n);
+        make_room(A_, n);
+        A_.setZero();
         for (Index i = 0; i < n; ++i)
             for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
                 A_(entry.col(), i) = entry.value();
-        if (L_.rows() != n) L_.resize(n, n);
+        make_room(L_, n);
         place_.resize(static_cast<std::size_t>(n));
         x_.resize(n);
         forget();
@@ -36,7 +37,17 @@ public:
     {
         factored_.clear();
         base_.clear();
+        changed_.clear();
         slots_.clear();
+    }
+
+    /// With a proximal term, from a factor that is not bordered: would the rows have done without the term? True if
+    /// each pivot is far above it.
+    bool is_independent(const GuessedProblem& problem) const
+    {
+        for (Index r = 0; r < base(); ++r)
+            if (!(L_(r, r) * L_(r, r) > 100 * problem.shift[base_[index(r)]])) return false;
+        return changed_.empty() && !factored_.empty();
     }
 
     /// Factors the rows that are `between`, or borders the last factor. False if they depend on each other.
@@ -86,6 +97,14 @@ public:
     }
 
 private:
+    /// n×n numbers. What was there goes first: if the new ones cannot be had, nothing is freed twice.
+    static void make_room(MatX& matrix, Index n)
+    {
+        if (matrix.rows() == n) return;
+        matrix.resize(0, 0);
+        matrix.resize(n, n);
+    }
+
     static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
     template <class List>
     static Index size(const List& list)

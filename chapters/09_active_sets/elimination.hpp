@@ -26,15 +26,15 @@ public:
     std::vector<int> lower_column;    ///< … their places in the order …
     std::vector<int> lower_value;     ///< … and where A has their values
     std::vector<int> diagonal_value;  ///< the same for the diagonal; -1 = A has none
-    bool analysed = false;            ///< whether the last look() had to work
+    bool analysed = false;            ///< whether the last analyse_pattern() had to work
 
     Index size() const { return static_cast<Index>(order.size()); }
     Index entries() const { return static_cast<Index>(row_columns.size()); }
 
-    //! [look]
+    //! [analyse_pattern]
     /// Finds the order and the pattern, unless the structure is the one of last time.
     /// \param A  of symmetric structure, compressed
-    void look(const SparseMatrix& A)
+    void analyse_pattern(const SparseMatrix& A)
     {
         const auto n = static_cast<std::size_t>(A.rows());
         const int* const outer = A.outerIndexPtr();
@@ -57,7 +57,7 @@ public:
         std::copy(permutation.indices().begin(), permutation.indices().end(), order.begin());
         find_pattern(A, n * n);
     }
-    //! [look]
+    //! [analyse_pattern]
 
 private:
     /// The pattern of L for the present order; false if it has more entries than wanted.

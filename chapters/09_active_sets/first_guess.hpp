@@ -1,8 +1,8 @@
 /// \file first_guess.hpp
-/// Where the guesses begin: with yesterday's cases; with all rows active; or with what a few sweeps say.
+/// Where the guesses begin: with the cases of the previous step; with all rows active; or with what a few sweeps say.
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/block_principal_pivoting.hpp"
 
 #include <algorithm>
 
@@ -41,26 +41,29 @@ inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<RowCase>&
 }
 
 //! [begin]
-/// Yesterday's cases, where a row can have them. Without a yesterday: every row active where a factor is cheap,
+/// The previous cases, where a row can have them. Without any: every row active where a factor is cheap,
 /// since piles rest on most of their contacts; else what two sweeps from zero say.
 /// \param cheap  whether A is sparse or small
-inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& yesterday, bool cheap,
+inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& previous, bool cheap,
                   Guess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const auto n = static_cast<std::size_t>(mlcp.size());
-    const bool known = yesterday.size() == n;
+    const bool known = previous.size() == n;
     guess.cases.resize(n);
+    guess.wrong.clear();
+    guess.w = problem.q;
+    guess.step.resize(mlcp.size());
+    guess.lambda.setZero(mlcp.size());  // if no guess can be solved, this is what is left: it must be a number
+    clamp_into_bounds(mlcp, guess.lambda);
     if (!known && !cheap) {
-        guess.lambda.setZero();
-        clamp_into_bounds(mlcp, guess.lambda);
         visit_rows(problem, guess.lambda);
         visit_rows(problem, guess.lambda);
         cases_of(mlcp, guess.lambda, guess.cases);
     }
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<Index>(k);
-        const RowCase wish = known ? yesterday[k] : cheap ? RowCase::between : guess.cases[k];
+        const RowCase wish = known ? previous[k] : cheap ? RowCase::between : guess.cases[k];
         const bool possible = (wish != RowCase::at_lo || mlcp.lo[i] > -infinity) &&
                               (wish != RowCase::at_hi || mlcp.hi[i] < infinity);
         guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? RowCase::at_lo : possible ? wish : RowCase::between;

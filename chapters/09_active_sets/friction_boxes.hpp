@@ -109,19 +109,16 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
         guesses += solution.iterations;
         solution.iterations = guesses;
         if (solution.status != Status::solved) return;
-        const Real allowed = allowed_residual(mlcp, settings.tolerance, memory.guess.step);
-        bound_by(boxes, solution.lambda, fixed);
-        solution.residual = natural_residual(fixed, solution.lambda);  // by the bounds of this very λ
-        const bool right = solution.residual <= allowed;
+        bound_by(boxes, solution.lambda, fixed);  // the bounds of this very λ
+        bool right = verify_guess(fixed, settings, VecX(solution.lambda), solution);
         VecX tied;
         if ((right || memory.cases == last) && solve_tied(fixed, boxes, memory.cases, tied)) {
             Mlcp own = fixed;
+            Solution other = solution;
             bound_by(boxes, tied, own);
-            clamp_into_bounds(own, tied);
-            const Real residual = natural_residual(own, tied);
-            if (right && residual < solution.residual) {
-                solution.lambda = tied;
-                solution.residual = residual;
+            if (verify_guess(own, settings, tied, other)) {
+                if (!right || other.residual < solution.residual) solution = other;
+                right = true;
             }
             fixed = own;
         }

@@ -2,7 +2,7 @@
 /// The active rows of an A that is not symmetric, by LU. For a P-matrix the guesses still end (9.7).
 #pragma once
 
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/block_principal_pivoting.hpp"
 
 #include <Eigen/LU>
 #include <vector>
@@ -11,7 +11,7 @@ namespace rigid {
 
 class GeneralLu {
 public:
-    void look(const Mlcp& mlcp)
+    void load(const Mlcp& mlcp)
     {
         A_ = mlcp.A;
         factored_.clear();

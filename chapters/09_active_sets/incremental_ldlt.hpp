@@ -1,8 +1,8 @@
 /// \file incremental_ldlt.hpp
-/// L D Lᵀ of a set of rows that gains or loses one row at a time, without factoring anew.
+/// L D Lᵀ of a set of rows to which one row is appended, or from which one is removed, without factoring anew.
 ///
-///     gain:  L D l = a,  d = a_kk − lᵀ D l                                     (9.18), one triangular solve
-///     lose:  L₃ D₃ L₃ᵀ + d l lᵀ for the rows behind the one that goes          (9.19), a rank-one change
+///     append: L D l = a,  d = a_kk − lᵀ D l                                     (9.18), one triangular solve
+///     remove: L₃ D₃ L₃ᵀ + d l lᵀ for the rows behind the one that goes          (9.19), a rank-one change
 ///
 /// Each costs about as many operations as L has entries. \cite golub2013
 #pragma once
@@ -22,13 +22,13 @@ public:
 
     Index size() const { return static_cast<Index>(rows.size()); }
 
-    //! [gain]
+    //! [append]
     /// (9.18): takes in a row, if more than `nothing` is left of its diagonal.
     /// \param row       its number
     /// \param couplings A between it and `rows`, in their order
     /// \param diagonal  A_kk
     /// \param nothing   a pivot that small means that the row depends on the others
-    bool gain(Index row, const VecX& couplings, Real diagonal, Real nothing)
+    bool append(Index row, const VecX& couplings, Real diagonal, Real nothing)
     {
         const Index f = size();
         Real pivot = diagonal;
@@ -44,14 +44,14 @@ public:
         rows.push_back(row);
         return true;
     }
-    //! [gain]
+    //! [append]
 
-    //! [lose]
+    //! [remove]
     /// (9.19): lets the row at a place go. What it had explained of the rows behind it goes back to them.
-    void lose(Index place)
+    void remove(Index place)
     {
         const Index f = size() - 1;
-        Real share = d_[place];
+        Real weight = d_[place];
         z_.resize(f - place);
         for (Index i = place; i < f; ++i) {  // the rows behind move up by one
             z_[i - place] = L_(i + 1, place);
@@ -62,16 +62,16 @@ public:
         rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(place));
         for (Index j = place; j < f; ++j) {
             const Real z = z_[j - place], before = d_[j];
-            d_[j] = before + share * z * z;
-            const Real factor = share * z / d_[j];
-            share *= before / d_[j];
+            d_[j] = before + weight * z * z;
+            const Real factor = weight * z / d_[j];
+            weight *= before / d_[j];
             for (Index i = j + 1; i < f; ++i) {
                 z_[i - place] -= z * L_(i, j);
                 L_(i, j) += factor * z_[i - place];
             }
         }
     }
-    //! [lose]
+    //! [remove]
 
     /// A_FF x = b in place, in the order of `rows`.
     void solve(VecX& x) const

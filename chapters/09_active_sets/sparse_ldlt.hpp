@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chapters/09_active_sets/elimination.hpp"
-#include "chapters/09_active_sets/guess.hpp"
+#include "chapters/09_active_sets/block_principal_pivoting.hpp"
 
 namespace rigid {
 
@@ -22,9 +22,9 @@ class SparseLdlt {
 public:
     Elimination elimination;
 
-    void look(const Mlcp& mlcp)
+    void analyse_pattern(const Mlcp& mlcp)
     {
-        elimination.look(mlcp.A);
+        elimination.analyse_pattern(mlcp.A);
         const Index n = mlcp.size();
         row_.resize(static_cast<std::size_t>(elimination.entries()));
         value_.resize(row_.size());
@@ -126,6 +126,14 @@ public:
     }
 
     void forget() { factored_.clear(); }
+
+    /// With a proximal term: would the rows have done without it? True if each pivot is far above the term.
+    bool is_independent(const GuessedProblem& problem) const
+    {
+        for (const int k : active_)
+            if (!(pivot_[k] > 100 * problem.shift[at(elimination.order, k)])) return false;
+        return !factored_.empty();
+    }
 
 private:
     static constexpr Real rank_tolerance = 1e-11;  ///< share of A_ii that a pivot must keep

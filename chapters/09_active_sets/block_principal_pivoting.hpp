@@ -1,4 +1,4 @@
-/// \file guess.hpp
+/// \file block_principal_pivoting.hpp
 /// Guess which rows are active, solve for them, and correct the guess.
 ///
 ///     A_FF λ_F = −(q_F + A_FB λ_B)     F the active rows, between their bounds; B the others, at a bound
@@ -8,8 +8,10 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/cases.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -28,15 +30,41 @@ struct ActiveSetWork {
     Index entries = 0;       ///< entries of the last factor
 };
 
-/// The problem as the guesses see it: A + diag(shift), and a q of its own. Rows are measured in m/s.
+/// The problem as the guesses see it: A + diag(shift), and a q of its own.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
     VecX q;                ///< that of the problem, or of a proximal step (9.12)
     VecX shift;            ///< ε A_ii of the proximal step, or zero
     bool shifted = false;  ///< whether shift is used
     VecX diagonal;         ///< A_ii; 1 where it is not positive
-    Real tolerance = 0;    ///< a row that is wrong by less than this is right [m/s]
+    VecX unit;             ///< √A_ii: rows of heavy and of light bodies are compared by w_i / √A_ii
+    Real tolerance = 0;    ///< a row whose w is wrong by less than this in its unit is right,
+    Real ceiling = 0;      ///< if that is not more than this [m/s],
+    Real enough = 0;       ///< and so is one that is wrong by less than this [m/s]
+    Acceptance acceptance; ///< what the answer will be held to (3.16c)
 };
+
+/// The problem itself, without a term.
+inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance, GuessedProblem& problem)
+{
+    const Index n = mlcp.size();
+    problem.mlcp = &mlcp;
+    problem.acceptance = acceptance;
+    problem.shifted = false;
+    problem.q = mlcp.q;
+    problem.diagonal.resize(n);
+    problem.unit.resize(n);
+    Real largest = 0;
+    for (Index i = 0; i < n; ++i) {
+        const Real a = mlcp.A.coeff(i, i);
+        problem.diagonal[i] = a > 0 ? a : 1;
+        problem.unit[i] = std::sqrt(problem.diagonal[i]);
+        largest = std::max(largest, std::abs(mlcp.q[i]) / problem.unit[i]);
+    }
+    problem.tolerance = 0.01 * acceptance.tolerance * largest;
+    problem.ceiling = n > 0 ? 0.01 * acceptance.tolerance * mlcp.q.lpNorm<Eigen::Infinity>() : 0;
+    problem.enough = 0.5 * acceptance.enough;
+}
 
 /// Which rows are active, the λ that follows, and its w.
 struct Guess {
@@ -78,14 +106,14 @@ void velocities(const GuessedProblem& problem, const Factor& factor, const VecX&
     if (problem.shifted) w += problem.shift.cwiseProduct(lambda);
 }
 
-/// The largest |w| of the active rows, which should be zero [m/s].
-inline Real active_residual(const Guess& guess)
+/// The largest w of the active rows in their units, which should be zero.
+inline Real active_residual(const GuessedProblem& problem, const Guess& guess)
 {
     Real largest = 0;
     for (Index i = 0; i < guess.w.size(); ++i)
         if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between &&
-            !(std::abs(guess.w[i]) <= largest))
-            largest = std::abs(guess.w[i]);
+            !(std::abs(guess.w[i]) <= largest * problem.unit[i]))
+            largest = std::abs(guess.w[i]) / problem.unit[i];
     return largest;
 }
 
@@ -101,16 +129,18 @@ void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 }
 
 /// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
-/// \param hidden  what is left of the active rows' w: a row that is wrong by less than that may yet be right
+/// \param hidden  what is left of the active rows' w, in their units: a row that is wrong by less may yet be right
 inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
 {
     const Index n = guess.w.size();
-    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.diagonal).lpNorm<Eigen::Infinity>() : 0;
-    const Real tolerance =
-        std::max({problem.tolerance, 10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest});
+    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.unit).lpNorm<Eigen::Infinity>() : 0;
+    const Real rounding = std::max(10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest);
     guess.wrong.clear();
     for (Index i = 0; i < n; ++i) {
         const RowCase now = guess.cases[static_cast<std::size_t>(i)];
+        const Real unit = problem.unit[i];
+        const Real tolerance =
+            std::max({rounding * unit, std::min(problem.tolerance * unit, problem.ceiling), problem.enough});
         if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now)
             guess.wrong.push_back(i);
     }
@@ -131,10 +161,10 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
     if (zero) guess.w = problem.q;
     else velocities(problem, factor, guess.lambda, guess.w);
     improve(problem, factor, guess);
-    Real left = active_residual(guess);
+    Real left = active_residual(problem, guess);
     if (left > 1e4 * problem.tolerance) {
         improve(problem, factor, guess);
-        left = active_residual(guess);
+        left = active_residual(problem, guess);
     }
     find_wrong(problem, left, guess);
     if (guess.wrong.empty() && left > 0.01 * problem.tolerance) {  // nothing large is wrong: look closer
@@ -172,7 +202,8 @@ GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patien
         for (std::size_t k = 0; k < count; ++k) {  // (9.5), or the first alone (9.6)
             const Index i = guess.wrong[k];
             RowCase& here = guess.cases[static_cast<std::size_t>(i)];
-            here = corrected(problem, i, here, guess.lambda[i], guess.w[i], problem.tolerance);
+            here = corrected(problem, i, here, guess.lambda[i], guess.w[i],
+                             std::min(problem.tolerance * problem.unit[i], problem.ceiling));
         }
         work.flips += static_cast<int>(count);
         if (!all) ++work.single_flips;

@@ -1,0 +1,287 @@
+/// Problems that a solver once got wrong, each by its name.
+
+#include "tests/catch.hpp"
+#include "chapters/03_mlcp_formulation/exact.hpp"
+#include "chapters/04_pgs/conjugate_gradients.hpp"
+#include "chapters/05_lemke/lemke.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
+#include "chapters/09_active_sets/friction_boxes.hpp"
+#include "tests/properties/random_attack.hpp"
+#include "tests/properties/verdicts.hpp"
+#include "tests/random_problems.hpp"
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+#include <sys/resource.h>
+#define RIGID_CAN_LIMIT_MEMORY
+#endif
+
+using namespace rigid;
+using namespace rigid::properties;
+
+namespace {
+
+Mlcp problem_of(std::initializer_list<Real> A, std::initializer_list<Real> q, std::initializer_list<Real> lo,
+                std::initializer_list<Real> hi)
+{
+    const auto n = static_cast<Index>(q.size());
+    Mlcp mlcp = plain_lcp(MatX::Zero(n, n), vector(q));
+    MatX dense(n, n);
+    Index k = 0;
+    for (const Real entry : A) {
+        dense(k / n, k % n) = entry;
+        ++k;
+    }
+    mlcp.A = dense.sparseView();
+    mlcp.lo = vector(lo);
+    mlcp.hi = vector(hi);
+    return mlcp;
+}
+
+/// No verdict of any solver on it is false.
+void check_verdicts(const Mlcp& mlcp, bool whole)
+{
+    AllSolvers solvers;
+    Tally tally;
+    for (const std::string& sentence : false_verdicts(mlcp, whole, solvers.solve(mlcp), tally)) FAIL_CHECK(sentence);
+    CHECK(tally.verdicts >= 6);
+}
+
+Status status_of(const std::vector<Answer>& answers, const std::string& solver)
+{
+    for (const Answer& answer : answers)
+        if (answer.solver == solver) return answer.solution.status;
+    FAIL("no answer by " << solver);
+    return Status::singular;
+}
+
+}  // namespace
+
+// ---- the judge itself -----------------------------------------------------------------------------------
+
+TEST_CASE("the judge knows a residual that doubles hide and a size that lambda cannot raise")
+{
+    const Mlcp mlcp = problem_of({4, -4, -4, 4}, {-2, 1}, {-infinity, -infinity}, {infinity, infinity});
+    const VecX absurd = VecX::Constant(2, 1.5e31);
+    CHECK(natural_residual(mlcp, absurd) == 0);  // q is lost in the sum
+    const WideProblem problem(mlcp);
+    CHECK(static_cast<Real>(problem.error(widened(absurd))) == 1);  // all of the 2 m/s that are given
+    CHECK(static_cast<Real>(problem.given) == 1);                   // 2 m/s in the unit of a row, √4
+    CHECK_FALSE(certain_answer(problem, absurd));
+    CHECK_FALSE(search_answer(problem));
+}
+
+TEST_CASE("the judge of whole numbers counts the answers of problems whose answers are known")
+{
+    const Real inf = infinity;
+    CHECK(all_answers(problem_of({2, 1, 1, 2}, {-3, -3}, {0, 0}, {inf, inf}))->uniqueness() == Uniqueness::unique);
+    CHECK(all_answers(problem_of({1, 1, 1, 1}, {-1, -1}, {0, 0}, {inf, inf}))->uniqueness() == Uniqueness::w_unique);
+    CHECK(all_answers(problem_of({-1}, {1}, {0}, {inf}))->uniqueness() == Uniqueness::any);
+    CHECK(all_answers(problem_of({1, -1, -1, 1}, {-1, -1}, {0, 0}, {inf, inf}))->uniqueness() == Uniqueness::none);
+    CHECK(all_answers(problem_of({0}, {0}, {0}, {1}))->uniqueness() == Uniqueness::w_unique);
+    CHECK(all_answers(problem_of({0}, {-1}, {0}, {1}))->uniqueness() == Uniqueness::unique);
+    CHECK(all_answers(problem_of({1}, {5}, {3}, {3}))->uniqueness() == Uniqueness::unique);
+}
+
+TEST_CASE("the judge finds false verdicts of each sort")
+{
+    const Mlcp mlcp = problem_of({2, 1, 1, 2}, {-3, -3}, {0, 0}, {infinity, infinity});
+    Solution solution;
+    solution.lambda = vector({1, 1});
+    solution.status = Status::solved;
+    const auto sentences = [&] {
+        Tally tally;
+        return false_verdicts(mlcp, true, {{"somebody", solution}}, tally).size();
+    };
+    CHECK(sentences() == 0);
+    solution.uniqueness = Uniqueness::w_unique;
+    CHECK(sentences() == 1);
+    solution.uniqueness = Uniqueness::unique;
+    CHECK(sentences() == 0);
+    solution.lambda[0] = 1 + 1e-7;
+    CHECK(sentences() == 1);
+    solution.lambda[0] = -1;
+    CHECK(sentences() == 2);  // outside its bounds, and no answer
+    solution.lambda = vector({1, 1});
+    solution.status = Status::infeasible;
+    CHECK(sentences() == 1);
+}
+
+// ---- solved, and it was no answer -----------------------------------------------------------------------
+
+TEST_CASE("conflicting rods without bounds are not solved by impulses of 1e31")
+{
+    const Mlcp mlcp = problem_of({4, -4, -4, 4}, {-2, 1}, {-infinity, -infinity}, {infinity, infinity});
+    check_verdicts(mlcp, true);
+    AllSolvers solvers;
+    for (const Answer& answer : solvers.solve(mlcp)) {
+        INFO(answer.solver);
+        CHECK(answer.solution.status != Status::solved);
+    }
+}
+
+TEST_CASE("bounds that are far away loosen no tolerance")
+{
+    for (const Real far : {1e10, 1e16, 1e20}) {
+        const Mlcp mlcp = problem_of({1}, {3}, {-far}, {far});
+        check_verdicts(mlcp, false);
+        AllSolvers solvers;
+        const std::vector<Answer> answers = solvers.solve(mlcp);
+        INFO("bounds of " << far);
+        // One row is solved by its own visit, whatever its bounds.
+        for (const char* solver : {"active_sets", "active_sets alone", "dantzig"})
+            CHECK(status_of(answers, solver) == Status::solved);
+    }
+}
+
+// ---- infeasible, and there was an answer ----------------------------------------------------------------
+
+TEST_CASE("a proof of infeasibility does not use a row whose lambda has both bounds or none")
+{
+    check_verdicts(problem_of({-2, 1, 1, -1}, {0, 0}, {-infinity, -infinity}, {0, 2}), true);
+    check_verdicts(problem_of({0, -1, 0, 0}, {0, 0}, {0, -infinity}, {infinity, 2}), true);
+}
+
+TEST_CASE("an answer is not called unique where a whole ray of answers begins")
+{
+    check_verdicts(problem_of({2, -1, 0, -1, 5, 1, 1, -1, 0}, {-7, 3, -2}, {-infinity, -infinity, -infinity}, {2, 0, 0}),
+                   true);
+    check_verdicts(problem_of({1, 1, 0, 0}, {5, 0}, {0, -infinity}, {1, -1}), true);
+}
+
+TEST_CASE("Dantzig's method calls none of 20000 problems infeasible that has an answer")
+{
+    // The three generators of chapter 5's tests: the random search; planted rows that depend on each other, with
+    // another q; and y ≥ 0 with A y = 0 and qᵀy < 0, here by anything from 1 down to less than rounding.
+    int infeasible = 0;
+    for (std::uint64_t sample = 0; sample < 20000; ++sample) {
+        Random random(sample);
+        Mlcp mlcp;
+        if (sample % 3 == 0) {
+            mlcp = detail::chapter_five(1 + random.index(8), random);
+        } else if (sample % 3 == 1) {
+            VecX lambda;
+            mlcp = planted(Kind::psd, 1 + random.index(8), random, lambda);
+            for (Real& entry : mlcp.q) entry = random.normal();
+        } else {
+            const Index n = 2 + random.index(8);
+            VecX y(n);
+            for (Real& entry : y) entry = random.uniform(0.1, 1);
+            MatX G = gaussian(n, std::max<Index>(1, n / 2), random);
+            G -= y * (y.transpose() * G) / y.squaredNorm();
+            VecX q = gaussian(n, 1, random);
+            q -= y * (q.dot(y) + std::pow(10, random.uniform(-18, 0))) / y.squaredNorm();
+            mlcp = plain_lcp(G * G.transpose(), q);
+        }
+        std::vector<int> cursor;
+        if (!is_symmetric(mlcp.A, cursor)) continue;
+        const Solution driven = dantzig(mlcp);
+        if (driven.status != Status::infeasible) continue;
+        ++infeasible;
+        Tally tally;
+        std::vector<Answer> answers{{"dantzig", driven}, {"lemke", lemke(mlcp)}, {"active_sets", active_sets(mlcp)}};
+        for (const std::string& sentence : false_verdicts(mlcp, false, answers, tally))
+            FAIL_CHECK("sample " << sample << ", " << sentence);
+    }
+    CHECK(infeasible > 3000);  // proofs are found, too
+}
+
+// ---- memory ---------------------------------------------------------------------------------------------
+
+TEST_CASE("what the memory of active sets held before does not change an answer")
+{
+    const Mlcp singular = problem_of({0, 0, -1, 2, 0, -1, 0, -2, -1, 0, 2, 0, 2, -2, 0, -2}, {-3, 2, 0, -1},
+                                     {-1, -1, -infinity, -infinity}, {1, 1, 0, 0});
+    check_verdicts(singular, true);
+    Random random(7);
+    for (int sample = 0; sample < 300; ++sample) {
+        const Mlcp mlcp = sample == 0 ? singular : random_attack(sample % 2 == 0 ? 2 : 3, random).mlcp;
+        ActiveSetMemory clean, dirty;
+        for (VecX* vector : {&dirty.guess.lambda, &dirty.guess.w, &dirty.guess.step, &dirty.guess.here,
+                             &dirty.guess.trial, &dirty.guess.way})
+            *vector = VecX::Constant(mlcp.size(), 1e3 * sample);
+        dirty.guess.cases.assign(static_cast<std::size_t>(mlcp.size()), RowCase::at_hi);
+        Solution first, second;
+        ActiveSetSettings settings;
+        settings.limit = sample % 3 == 0 ? 50 : 0;
+        active_sets(mlcp, settings, clean, first);
+        active_sets(mlcp, settings, dirty, second);
+        INFO("sample " << sample);
+        CHECK(first.status == second.status);
+        CHECK(first.lambda == second.lambda);
+        CHECK(first.iterations == second.iterations);
+    }
+}
+
+TEST_CASE("kept memory serves a problem without rows")
+{
+    ActiveSetMemory memory;
+    Solution solution;
+    const Mlcp none = plain_lcp(MatX(0, 0), VecX(0));
+    // Rows go out one after the other: the factor of the first set is kept, with a border for those that went.
+    MatX A = MatX::Constant(60, 60, 0.001);
+    A.diagonal().setOnes();
+    Mlcp going = plain_lcp(A, VecX::Constant(60, -1));
+    for (Index i = 0; i < 4; ++i) {
+        going.q[i] = 3;
+        active_sets(going, {}, memory, solution);
+    }
+    REQUIRE(memory.work.updates > 0);
+    for (const Mlcp& mlcp : {none, plain_lcp(MatX::Identity(3, 3), VecX::Constant(3, -1)), none,
+                             problem_of({1, 1, 1, 1}, {-1, -1}, {0, 0}, {infinity, infinity}), none}) {
+        active_sets(mlcp, {}, memory, solution);
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.lambda.size() == mlcp.size());
+        dantzig(mlcp, {}, memory, solution);
+        CHECK(solution.status == Status::solved);
+    }
+}
+
+#ifdef RIGID_CAN_LIMIT_MEMORY
+TEST_CASE("memory that cannot be had leaves the memory of active sets whole")
+{
+    const auto dense = [](Index n) {
+        MatX A = MatX::Constant(n, n, 0.001);
+        A.diagonal().setOnes();
+        return plain_lcp(A, VecX::Constant(n, -1));
+    };
+    const Mlcp small = dense(60), large = dense(2500);
+    ActiveSetMemory memory;
+    Solution solution;
+    active_sets(small, {}, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    rlimit before{}, limit{};
+    REQUIRE(getrlimit(RLIMIT_AS, &before) == 0);
+    long pages = 0;
+    if (std::FILE* statm = std::fopen("/proc/self/statm", "r")) {
+        if (std::fscanf(statm, "%ld", &pages) != 1) pages = 0;
+        std::fclose(statm);
+    }
+    REQUIRE(pages > 0);
+    bool refused_memory = false;
+    for (const int megabytes : {20, 70}) {  // 2500² numbers are 50 MB: for A, then for its factor
+        limit = before;
+        limit.rlim_cur = static_cast<rlim_t>(pages) * 4096 + static_cast<rlim_t>(megabytes) * 1024 * 1024;
+        REQUIRE(setrlimit(RLIMIT_AS, &limit) == 0);
+        try {
+            active_sets(large, {}, memory, solution);
+        } catch (const std::bad_alloc&) {
+            refused_memory = true;
+        }
+        setrlimit(RLIMIT_AS, &before);
+        active_sets(small, {}, memory, solution);
+        CHECK(solution.status == Status::solved);
+    }
+    CHECK(refused_memory);
+}
+#endif
+
+TEST_CASE("bounds that leave no finite lambda are refused with a sentence")
+{
+    for (const Real nowhere : {infinity, -infinity}) {
+        const Mlcp mlcp = problem_of({2, 1, 1, 2}, {-1, -1}, {0, nowhere}, {infinity, nowhere});
+        CHECK(refused([&] { active_sets(mlcp); }) != "accepted");
+        CHECK(refused([&] { dantzig(mlcp); }) != "accepted");
+        CHECK(refused([&] { lemke(mlcp); }) != "accepted");
+        CHECK(refused([&] { enumerate(mlcp); }) != "accepted");
+    }
+}
