@@ -41,6 +41,7 @@ struct WarmStepSettings : StabilizedStepSettings {
     Start start = Start::yesterday;
     Real share = 1;  ///< σ, of yesterday's impulses that today starts from, 0 … 1; see (8.11)
     int keep = 0;    ///< steps that an impulse outlives its row
+    MultipleRule multiple;  ///< of best_multiple: what may be taken instead of the best
 };
 
 /// What the step finds on its way, and what it remembers for the next one.
@@ -59,6 +60,7 @@ inline void require_valid(const WarmStepSettings& settings)
     if (!(settings.share >= 0 && settings.share <= 1))
         throw std::invalid_argument("share is " + std::to_string(settings.share) +
                                     "; it must be from 0 to 1");
+    require_valid(settings.multiple);
     if (settings.keep < 0)
         throw std::invalid_argument("keep is " + std::to_string(settings.keep) +
                                     "; it must be zero or positive");
@@ -83,7 +85,8 @@ inline void choose_start(const Bodies<2>& bodies, const WarmStepSettings& settin
     lambda *= settings.start == Start::cold ? 0 : settings.share;
     if (settings.start != Start::best_multiple) return;
     if (!same_rows) find_groups<2>(now.rows, bodies.inverse_mass, now.groups);
-    best_multiple<2>(now.rows, bodies.inverse_mass, now.u_star, now.groups, now.multiple, lambda);
+    best_multiple<2>(now.rows, bodies.inverse_mass, now.u_star, now.groups, now.multiple, lambda,
+                     settings.multiple);
     now.visits += static_cast<std::int64_t>(now.rows.size());
 }
 //! [start]
