@@ -11,18 +11,18 @@ include(cmake/peers.cmake)   # measure_beside(): programs to compare with, where
 function(add_chapter chapter)
   string(SUBSTRING ${chapter} 0 2 number)
   set(folder ${PROJECT_SOURCE_DIR}/chapters/${chapter})
-  if(NOT EXISTS ${folder}/main.cpp)
+  if(NOT EXISTS ${folder}/program/main.cpp)
     return()
   endif()
 
-  add_executable(${chapter} ${folder}/main.cpp)
+  add_executable(${chapter} ${folder}/program/main.cpp)
   target_link_libraries(${chapter} PRIVATE rigid_program)
 
-  if(benchmark_FOUND AND EXISTS ${folder}/benchmark.cpp)
-    add_executable(${chapter}_benchmark ${folder}/benchmark.cpp)
+  if(benchmark_FOUND AND EXISTS ${folder}/benchmark/benchmark.cpp)
+    add_executable(${chapter}_benchmark ${folder}/benchmark/benchmark.cpp)
     target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
-    if(EXISTS ${folder}/peers.cmake)   # the programs that it measures beside the book
-      include(${folder}/peers.cmake)
+    if(EXISTS ${folder}/benchmark/peers.cmake)   # the programs that it measures beside the book
+      include(${folder}/benchmark/peers.cmake)
     endif()
   endif()
 

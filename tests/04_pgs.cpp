@@ -4,7 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
-#include "chapters/03_mlcp_formulation/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"

@@ -2,7 +2,7 @@
 /// enumeration and against closed forms, and a search for problems that it gets wrong.
 
 #include "chapters/03_mlcp_formulation/exact.hpp"
-#include "chapters/03_mlcp_formulation/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/05_lemke/lemke.hpp"
 #include "chapters/05_lemke/stewart_trinkle.hpp"

@@ -4,7 +4,7 @@
 
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "chapters/03_mlcp_formulation/assembly.hpp"
-#include "chapters/07_baumgarte/chain_in_angles.hpp"
+#include "chapters/07_baumgarte/benchmark/chain_in_angles.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/07_baumgarte/one_row_step.hpp"
 #include "chapters/07_baumgarte/overlaps.hpp"

@@ -4,7 +4,7 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/08_warm_starting/pose_errors.hpp"
+#include "chapters/08_warm_starting/benchmark/pose_errors.hpp"
 #include "chapters/08_warm_starting/small_steps.hpp"
 #include "chapters/08_warm_starting/warm_step.hpp"
 #include "common/random.hpp"

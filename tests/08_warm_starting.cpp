@@ -3,7 +3,7 @@
 #include "tests/no_allocation.hpp"
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
-#include "chapters/03_mlcp_formulation/ten_disc_scene.hpp"
+#include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/08_warm_starting/memory_rates.hpp"

@@ -5,7 +5,7 @@
 
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
-#include "chapters/03_mlcp_formulation/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/05_lemke/families.hpp"
@@ -13,7 +13,7 @@
 #include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/exact_step.hpp"
 #include "chapters/09_active_sets/friction_boxes.hpp"
-#include "chapters/09_active_sets/problems.hpp"
+#include "chapters/09_active_sets/benchmark/problems.hpp"
 #include "common/measure.hpp"
 
 #include "tests/catch.hpp"

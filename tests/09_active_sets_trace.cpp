@@ -2,7 +2,7 @@
 
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
-#include "chapters/09_active_sets/problems.hpp"
+#include "chapters/09_active_sets/benchmark/problems.hpp"
 
 #include <cstdio>
 

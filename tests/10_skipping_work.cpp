@@ -6,7 +6,7 @@
 #include "chapters/03_mlcp_formulation/disc_step.hpp"
 #include "chapters/08_warm_starting/warm_step.hpp"
 #include "chapters/10_skipping_work/doors.hpp"
-#include "chapters/10_skipping_work/skipping_scenes.hpp"
+#include "chapters/10_skipping_work/program/skipping_scenes.hpp"
 #include "chapters/10_skipping_work/skipping_step.hpp"
 #include "chapters/10_skipping_work/sort_and_sweep.hpp"
 #include "common/measure.hpp"

@@ -62,14 +62,10 @@ int chapter_of(const std::string& path)
 
 bool starts_with(const std::string& text, const std::string& head) { return text.rfind(head, 0) == 0; }
 
-/// Physics: every file of common/ and the chapters but programs with their scenes (`scene_x.hpp`, `x_scene.hpp`,
-/// `x_run.hpp`) and problem files, benchmarks (`benchmark_x.hpp`) and what draws.
+/// Physics: every file of common/ and the chapters but programs, benchmarks and canvases.
 bool is_physics(const std::string& path)
 {
-    if (starts_with(path, "common/program/") || path.find("canvas") != std::string::npos) return false;
-    for (const char* end : {"main.cpp", "benchmark.cpp", "_scene.hpp", "_run.hpp"})
-        if (path.ends_with(end)) return false;
-    for (const char* part : {"draw", "picture", "/scene_", "/problem_file", "/benchmark_"})
+    for (const char* part : {"common/program/", "/program/", "/benchmark/", "canvas", "common/picture"})
         if (path.find(part) != std::string::npos) return false;
     return true;
 }
@@ -118,8 +114,8 @@ TEST_CASE("the rules of the house notice what they are for")
     CHECK(count("common/contact.hpp", "#include \"chapters/01_a/a.hpp\"\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", "#include <chrono>\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", "#include \"common/canvas.hpp\"\n") == 1);
-    CHECK(count("chapters/04_d/main.cpp", "#include \"common/program/program.hpp\"\n#include <iostream>\n") ==
-          0);
+    CHECK(count("chapters/04_d/program/main.cpp",
+                "#include \"common/program/program.hpp\"\n#include <iostream>\n") == 0);
     CHECK(count("common/measure.cpp", "#include <iostream>\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", std::string(300, '\n')) == 1);
 }
@@ -134,7 +130,8 @@ TEST_CASE("each chapter has its text and its program and its benchmark and its f
         ++chapters;
         INFO(name);
         CHECK(std::regex_match(name, std::regex(R"(\d\d_[a-z0-9_]+)")));
-        for (const char* file : {"README.md", "main.cpp", "benchmark.cpp", "figures/draw.sh"})
+        for (const char* file :
+             {"README.md", "program/main.cpp", "benchmark/benchmark.cpp", "figures/draw.sh"})
             CHECK(fs::exists(entry.path() / file));
         CHECK(fs::exists(root / "tests" / (name + ".cpp")));
         const fs::directory_iterator figures(entry.path() / "figures");

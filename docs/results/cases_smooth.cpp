@@ -5,9 +5,9 @@
 #include "docs/results/cases.hpp"
 #include "docs/results/exact_solvers.hpp"
 
-#include "chapters/01_euler_integration/measured.hpp"
+#include "chapters/01_euler_integration/benchmark/measured.hpp"
 #ifdef RIGID_HAS_ODEINT
-#include "chapters/01_euler_integration/peers_odeint.hpp"
+#include "chapters/01_euler_integration/benchmark/peers_odeint.hpp"
 #endif
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/03_mlcp_formulation/disc_step.hpp"

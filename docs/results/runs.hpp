@@ -9,7 +9,7 @@
 
 #include "docs/results/measurement.hpp"
 
-#include "chapters/08_warm_starting/pose_errors.hpp"
+#include "chapters/08_warm_starting/benchmark/pose_errors.hpp"
 
 #include <memory>
 

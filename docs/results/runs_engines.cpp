@@ -2,10 +2,10 @@
 #include "docs/results/runs.hpp"
 
 #ifdef RIGID_HAS_BOX2D
-#include "chapters/08_warm_starting/peers_box2d.hpp"
+#include "chapters/08_warm_starting/benchmark/peers_box2d.hpp"
 #endif
 #ifdef RIGID_HAS_CHIPMUNK
-#include "chapters/08_warm_starting/peers_chipmunk.hpp"
+#include "chapters/08_warm_starting/benchmark/peers_chipmunk.hpp"
 #endif
 
 #include <ctime>

@@ -1,9 +1,9 @@
 // Other programs' exact solvers on the task "find the impulses of a step".
 #include "docs/results/one_step.hpp"
 
-#include "chapters/09_active_sets/peers.hpp"
+#include "chapters/09_active_sets/benchmark/peers.hpp"
 #ifdef RIGID_HAS_BULLET
-#include "chapters/04_pgs/peers_bullet.hpp"
+#include "chapters/04_pgs/benchmark/peers_bullet.hpp"
 #endif
 
 #include <chrono>

@@ -1,0 +1,23 @@
+/// Chapter 3: contact is either/or.
+
+#include "chapters/03_mlcp_formulation/program/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_discs.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_impact.hpp"
+
+using namespace rigid;
+
+int main(int argc, char** argv)
+{
+    const ProblemMethods methods = {{"enumerate", [](const Mlcp& mlcp) { return enumerate(mlcp); }},
+                                    {"schur", [](const Mlcp& mlcp) { return schur(mlcp); }},
+                                    {"direct", [](const Mlcp& mlcp) { return direct(mlcp); }}};
+    Program program;
+    program.name = "03_mlcp_formulation";
+    program.title = "Chapter 3. MLCP formulation";
+    program.scenes = {bounce_scene(), corner_scene(), ten_discs_scene()};
+    program.problem_methods = {"enumerate", "schur", "direct"};
+    program.solve_problem = [methods](const std::string& file, const std::string& method) {
+        return solve_problem_file(file, method, methods);
+    };
+    return run_program(program, argc, argv);
+}

@@ -1,0 +1,131 @@
+/// \file walk_run.hpp
+/// A walk of Lemke's algorithm, alive: one pivot per step of the program.
+#pragma once
+
+#include "chapters/05_lemke/program/drawing.hpp"
+#include "chapters/05_lemke/families.hpp"
+#include "common/program/program.hpp"
+
+#include <memory>
+
+namespace rigid {
+
+inline TieRule tie_rule(const std::string& method)
+{
+    return method == "first_row"  ? TieRule::first_row
+           : method == "last_row" ? TieRule::last_row
+                                  : TieRule::lexicographic;
+}
+
+class WalkRun : public Run {
+public:
+    /// \param tie_digits  the tie tolerance is 10^-tie_digits
+    WalkRun(const Mlcp& problem, const std::string& method, Real tie_digits = 8)
+        : problem_(problem), walk_(MatX(problem.A), problem.q, VecX::Ones(problem.size()), tie_rule(method),
+                                   {1e-10, std::pow(10, -tie_digits)})
+    {
+    }
+
+    //! [one_pivot]
+    void step(const Settings&, const Input&) override
+    {
+        if (walk_.place == LemkeWalk::Place::on_the_way) walk_.step();
+    }
+    //! [one_pivot]
+
+    std::vector<Real> measure() const override
+    {
+        const VecX z = walk_.z();
+        const Tableau& tableau = walk_.tableau;
+        return {static_cast<Real>(walk_.pivots),
+                lift(),
+                static_cast<Real>((z.array() > 0).count()),
+                natural_residual(problem_, z),
+                tableau.n > 0 ? tableau.entries().leftCols(tableau.n + 1).cwiseAbs().maxCoeff() : 0,
+                static_cast<Real>(walk_.place)};
+    }
+
+    static std::vector<Column> columns()
+    {
+        return {{"pivots", "", "pivots so far", false, false},
+                {"z0", "m/s", "the artificial variable: how far all rows are lifted", true, false},
+                {"positive", "", "how many z are positive", true, false},
+                {"residual", "m/s", "natural residual of the present z", true, true},
+                {"largest", "", "largest entry of the tableau but for the column r", true, true},
+                {"place", "", "0 on the way, 1 at the solution, 2 at a ray", false, false}};
+    }
+
+    void draw(Canvas& canvas) const override
+    {
+        paint::heat_map(canvas, {-0.86, 0.8}, 1.85, walk_);
+        canvas.text({0, -0.98}, paint::told(walk_), 14, paint::label, Align::centre);
+    }
+
+protected:
+    /// What z0 is now; before the first pivot as much as is needed.
+    Real lift() const
+    {
+        const Tableau& tableau = walk_.tableau;
+        if (walk_.place == LemkeWalk::Place::solution) return 0;
+        if (walk_.pivots > 0) return tableau.value(tableau.artificial());
+        return -tableau.values()[walk_.most_negative_row()];
+    }
+
+    Mlcp problem_;
+    LemkeWalk walk_;
+};
+
+/// A scene of pivots: half a second for each when it plays by itself.
+inline Scene walk_scene(const std::string& name, const std::string& summary)
+{
+    Scene scene;
+    scene.name = name;
+    scene.summary = summary;
+    scene.h = 0.5;
+    scene.h_low = 0.02;
+    scene.h_high = 2;
+    scene.view = {{0, -0.02}, {1.06, 1.06}};
+    scene.methods = {"lexicographic", "first_row", "last_row"};
+    scene.columns = WalkRun::columns();
+    return scene;
+}
+
+/// Families of problems whose pivots are known.
+inline Scene tableau_scene()
+{
+    Scene scene =
+        walk_scene("tableau", "The tableau as a heat map, one pivot per step, on problems with a name");
+    scene.tunables = {
+        {"family", "",
+         "0 Murty, 1 its transpose, 2 Murty with equal q, 3 Fathi, 4 circulant, 5 column, 6 random spd", 1, 0,
+         6, true, true, false},
+        {"rows", "", "n", 4, 1, 40, true, true, false},
+        {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8, 1, 17, false, true, false}};
+    scene.side_by_side = scene.methods;
+    scene.start = [](const Settings& settings) {
+        const auto n = static_cast<Index>(settings["rows"]);
+        Random random(settings.seed);
+        const auto problem = [&] {
+            switch (static_cast<int>(settings["family"])) {
+            case 0:
+                return murty(n);
+            case 1:
+                return murty_transposed(n);
+            case 2:
+                return murty_equal(n);
+            case 3:
+                return fathi(n);
+            case 4:
+                return circulant(n);
+            case 5:
+                return tridiagonal(VecX::Constant(n, -9.81 / 60));
+            default:
+                return random_spd(n, random);
+            }
+        };
+        return std::make_unique<WalkRun>(problem(), settings.method, settings["tie_digits"]);
+    };
+    return scene;
+}
+
+}  // namespace rigid
