@@ -53,7 +53,8 @@ inline WarmStepSettings same_settings(const SmallStepSettings& small)
     warm.substeps = small.substeps;
     warm.sweeps.max_sweeps = small.sweeps;
     warm.order = small.coloured ? Order::coloured : Order::given;
-    warm.start = Start::yesterday;
+    warm.start = Start::best_multiple;
+    warm.multiple = small.start;
     warm.stabilizer = small.repay;
     warm.repay_once = true;
     return warm;
