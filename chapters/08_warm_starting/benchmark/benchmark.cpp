@@ -85,6 +85,8 @@ struct WarmSteps : Engine {
         settings.order = Order::coloured;
         settings.stabilizer = preset.repay;
         settings.repay_once = true;
+        settings.start = Start::best_multiple;
+        settings.multiple = preset.start;
     }
     void step() override { warm_step(scene, settings, now); }
     void poses(DiscScene& to) const override { to.bodies.x = scene.bodies.x; }
