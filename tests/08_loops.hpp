@@ -335,7 +335,8 @@ TEST_CASE("every multiple that a rule allows has a merit of zero at most")
     for (int sample = 0; sample < 1000; ++sample) {
         const Real curvature = std::pow(10, random.uniform(-9, 9));
         const Real best = random.uniform(-0.5, 3);
-        const MultipleRule rule = {random.uniform(0, 0.5), random.uniform(1, 4)};
+        const Real near_one = random.uniform(), greatest = random.uniform(1, 4);
+        const MultipleRule rule = {near_one, greatest};
         const Real slope = -best * curvature, s = multiple_of(slope, curvature, rule);
         CHECK(s * slope + s * s * curvature / 2 <= 1e-15 * curvature);
         CHECK(s >= 0);
@@ -343,7 +344,12 @@ TEST_CASE("every multiple that a rule allows has a merit of zero at most")
     }
     CHECK(multiple_of(-1.01, 1, {}) == 1.01);
     CHECK(multiple_of(-1.01, 1, {0.05, 10}) == 1);
-    CHECK(multiple_of(-20, 1, {0.05, 10}) == 10);
+    CHECK(multiple_of(-0.96, 1, {0.05, 10}) == 1);
+    CHECK(multiple_of(-0.75, 1, {0.25, 10}) == 1);
+    CHECK(multiple_of(-0.5, 1, {0.25, 10}) == 0.75);
+    CHECK(multiple_of(-0.125, 1, {0.25, 10}) == 0.25);
+    CHECK(multiple_of(-2, 1, {0.25, 10}) == 1.75);
+    CHECK(multiple_of(-20, 1, {0, 10}) == 10);
     CHECK(multiple_of(-20, 1, {}, 1) == 1);
     CHECK(multiple_of(0, 0, {}) == 1);
 }
@@ -373,7 +379,7 @@ TEST_CASE("up to a hundred million kilograms on four discs sink by centimetres a
         }
 }
 
-TEST_CASE("multiples whose merit could rise are refused")
+TEST_CASE("rules of multiples that make no sense are refused")
 {
     const auto sentence = [](const MultipleRule& rule) -> std::string {
         DiscScene scene = column(2);
@@ -388,7 +394,7 @@ TEST_CASE("multiples whose merit could rise are refused")
         return "accepted";
     };
     CHECK(sentence({0.5, infinity}) == "accepted");
-    CHECK(sentence({0.6, 10}).find("near_one is 0.6") != std::string::npos);
+    CHECK(sentence({-0.6, 10}).find("near_one is -0.6") != std::string::npos);
     CHECK(sentence({0.1, 0.5}).find("0.5") != std::string::npos);
     CHECK(sentence({std::nan(""), 10}).find("near_one") != std::string::npos);
 }

@@ -58,10 +58,10 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
 //! [groups]
 
 //! [rule]
-/// What may be taken instead of the s of (8.14). The merit of sλ is below zero for every s between 0 and twice the
-/// best, so that neither of them touches (8.16).
+/// What may be taken instead of the s of (8.14). The merit of sλ is at most zero for every s between 0 and twice the
+/// best, so that none of it touches (8.16).
 struct MultipleRule {
-    Real near_one = 0;     ///< a multiple this near to 1 counts as 1, 0 … ½; see section 8.8
+    Real near_one = 0;     ///< a multiple is moved towards 1 by this much, and to 1 if it is no farther; see section 8.8
     Real most = infinity;  ///< and it is at most this, 1 …
 };
 
@@ -72,17 +72,18 @@ struct MultipleRule {
 inline Real multiple_of(Real slope, Real curvature, const MultipleRule& rule, Real most = infinity)
 {
     if (!(curvature > 0)) return 1;
-    const Real s = std::clamp(-slope / curvature, Real{0}, std::min(most, rule.most));
-    return std::abs(s - 1) <= rule.near_one ? 1 : s;
+    const Real best = std::clamp(-slope / curvature, Real{0}, std::min(most, rule.most));
+    if (best > 1) return std::max(Real{1}, best - rule.near_one);
+    return std::min({Real{1}, best + rule.near_one, 2 * best});
 }
 //! [rule]
 
-/// Throws std::invalid_argument, naming the number, unless the merit of such a multiple is never above zero.
+/// Throws std::invalid_argument, naming the number, unless the rule makes sense.
 inline void require_valid(const MultipleRule& rule)
 {
-    if (!(rule.near_one >= 0 && rule.near_one <= 0.5))
+    if (!(rule.near_one >= 0))
         throw std::invalid_argument("near_one is " + std::to_string(rule.near_one) +
-                                    "; it must be from 0 to 0.5");
+                                    "; it must be zero or positive");
     if (!(rule.most >= 1))
         throw std::invalid_argument("the greatest multiple is " + std::to_string(rule.most) +
                                     "; it must be 1 or more");

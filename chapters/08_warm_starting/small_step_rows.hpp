@@ -29,7 +29,7 @@ struct SmallStepSettings {
     bool coloured = true;         ///< neighbours in the order of the visits share no body
     /// Each substep starts from the best multiple of what the one before it left, or from nearly that: a pile that
     /// only just balances does not like it when all its loads change a little together.
-    MultipleRule start = {0.08, 10};
+    MultipleRule start = {0.2, 10};
     /// What repays the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
     /// millimetre is left alone: moving discs that nearly balance topples them.
     StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};

@@ -51,6 +51,15 @@ inline Real refresh(const VecX& x, const VecX& inverse_mass, Real rest, SolverRo
 }
 //! [refresh]
 
+/// What the impulse of a row does to its bodies, and bᵀλ.
+inline void carry(std::size_t k, SmallStep& now)
+{
+    const SolverRow<2>& row = now.rows[k];
+    now.change.segment<2>(row.a) += row.Wa * row.lambda;
+    now.change.segment<2>(row.b) += row.Wb * row.lambda;
+    if (row.bias > 0) now.starts[now.group_of_row[k]].slope += row.bias * row.lambda;
+}
+
 //! [start_rows]
 /// C, J and b where the bodies are now, and what the remembered impulses do along this J.
 /// \param h  a substep [s]
@@ -62,9 +71,7 @@ inline void begin_substep(const Bodies<2>& bodies, Real h, SmallStep& now)
         SolverRow<2>& row = now.rows[k];
         const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[k], row);
         row.bias = row.lo == 0 && C > 0 ? C * per_second : 0;
-        now.change.segment<2>(row.a) += row.Wa * row.lambda;
-        now.change.segment<2>(row.b) += row.Wb * row.lambda;
-        if (row.bias > 0) now.starts[now.group_of_row[k]].slope += row.bias * row.lambda;
+        carry(k, now);
     }
 }
 
@@ -96,13 +103,22 @@ inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep
 }
 //! [start_rows]
 
-/// Sweeps until no visit changes the velocity of its row by more than the tolerance.
+/// Sweeps until no visit changes the velocity of its row by more than the tolerance. What they are slowest at is a
+/// load that is too small or too large as a whole, so in between they go on from the best multiple of what they have.
 /// \param sweeps  made before
 /// \return        sweeps made in all
 inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep& now)
 {
     for (Real change = infinity; sweeps < settings.first_sweeps && change > settings.first_tolerance;
          ++sweeps) {
+        if (sweeps % 16 == 0) {
+            for (StartOfGroup& group : now.starts) group = {};
+            for (std::size_t k = 0; k < now.rows.size(); ++k) carry(k, now);
+            now.u -= now.change;
+            take_multiples({}, {0, 0}, now);
+            for (std::size_t k = 0; k < now.rows.size(); ++k)
+                now.rows[k].lambda *= now.starts[now.group_of_row[k]].multiple;
+        }
         change = 0;
         for (SolverRow<2>& row : now.rows) {
             const Real A = row.Ja.dot(row.Wa) + row.Jb.dot(row.Wb);
