@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -65,7 +66,7 @@ inline Real bend_angle(const VecX& x, const Bend& bend)
 /// \param stiffness  k, a pure number
 /// \param damping    [1/s]; the damper's torque is damping·m·L²·dφ/dt
 /// \param weight     g [m/s²], the size of gravity that the spring is measured in
-inline void add_bend_springs(Bodies<2>& bodies, const std::vector<Bend>& bends, Real stiffness, Real damping,
+inline void add_bend_springs(Bodies<2>& bodies, std::span<const Bend> bends, Real stiffness, Real damping,
                              Real weight = 9.81)
 {
     for (const Bend& bend : bends) {
@@ -91,6 +92,12 @@ inline void add_bend_springs(Bodies<2>& bodies, const std::vector<Bend>& bends, 
         bodies.force(bend.right) += on_right;
         bodies.force(bend.middle) -= on_left + on_right;
     }
+}
+
+inline void add_bend_springs(Bodies<2>& bodies, const std::vector<Bend>& bends, Real stiffness, Real damping,
+                             Real weight = 9.81)
+{
+    add_bend_springs(bodies, std::span<const Bend>(bends), stiffness, damping, weight);
 }
 
 /// Adds the force of a hand that pulls body k towards a point: a critically damped spring with

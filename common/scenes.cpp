@@ -76,6 +76,25 @@ void require_valid(const DiscScene& scene)
         if (!(bend.length > 0) || !std::isfinite(bend.length))
             refuse("the link length of " + name, bend.length, "a positive number of metres");
     }
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        const Joint& joint = scene.joints[i];
+        const std::string name = "joint " + std::to_string(i);
+        if (joint.a != world) require_body(name, joint.a, K);
+        require_body(name, joint.b, K);
+        if (joint.a == joint.b)
+            throw std::invalid_argument(name + " joins body " + std::to_string(joint.a) + " to itself");
+        const Real length = joint.direction.norm();
+        if (joint.kind == Joint::Kind::rope) {
+            if (!(joint.length > 0) || !std::isfinite(joint.length))
+                refuse("the length of " + name, joint.length, "a positive number of metres");
+            if (joint.a == world) throw std::invalid_argument(name + " is a rope; it needs two bodies");
+        } else if (!(std::abs(length - 1) < 1e-6)) {
+            refuse("the length of the direction of " + name, length, "1");
+        }
+        if (!std::isfinite(joint.length)) refuse("the length of " + name, joint.length, "finite");
+        if (!std::isfinite(joint.speed)) refuse("the speed of " + name, joint.speed, "finite");
+        if (!(joint.force >= 0)) refuse("the force of " + name, joint.force, "zero or positive");
+    }
     if (!scene.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
     if (!scene.linked.empty() && static_cast<Index>(scene.linked.size()) != K * K)
         throw std::invalid_argument("the table of linked pairs has " + std::to_string(scene.linked.size()) +

@@ -12,11 +12,14 @@
 namespace rigid {
 
 struct DiscScene {
+    static constexpr int dof = 2;
+
     Bodies<2> bodies;
     VecX radius;  ///< [m], one for each disc
     std::vector<HalfSpace> walls;
     std::vector<Link> links;
     std::vector<Bend> bends;
+    std::vector<Joint> joints;
     std::vector<bool> linked;   ///< [a*K + b]: this pair does not collide; made by link_neighbours()
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     Vec2 half_size = {1, 1};    ///< what a picture should show: the origin ± this [m]

@@ -18,6 +18,23 @@ struct Link {
     Real length = 0;  ///< [m]
 };
 
+/// What else two bodies, or the world and a body, must keep to; chapter 2 has C and J of each kind.
+struct Joint {
+    enum class Kind : unsigned char {
+        rail,   ///< the distance along `direction` is `length`
+        stop,   ///< it is at least `length`
+        rope,   ///< the distance is at most `length`, in any direction
+        motor,  ///< the distance along `direction` grows at `speed`, as far as ±`force` can bring it there
+    };
+    Kind kind = Kind::rail;
+    Index a = -1;  ///< −1: the world
+    Index b = 0;
+    Vec2 direction = {0, 1};  ///< unit vector, from a to b; not of a rope
+    Real length = 0;          ///< [m]
+    Real speed = 0;           ///< of a motor [m/s]
+    Real force = 0;           ///< of a motor, zero or positive [N]
+};
+
 /// Three discs in a row; a torsional spring at the middle one wants them straight.
 struct Bend {
     Index left = 0, middle = 0, right = 0;

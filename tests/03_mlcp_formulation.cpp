@@ -1,7 +1,7 @@
 /// Chapter 3: contact is either/or. Assembly, the measure of error, the exact ways, and the whole step.
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
@@ -620,11 +620,10 @@ TEST_CASE("a disc on coincident floors is held with all its weight however it is
         DiscScene scene =
             one_disc({0, 0.1}, {0, 0}, std::vector<HalfSpace>(static_cast<std::size_t>(floors)));
         scene.bodies.inverse_mass.setConstant(1 / 2.5);
-        DiscStep now;
-        DiscSettings settings;
+        StepData<2> now;
+        StepSettings settings;
         settings.h = h;
-        step(
-            scene, settings, [](const Mlcp& mlcp) { return enumerate(mlcp); }, now);
+        step(scene, settings, by_matrix([](const Mlcp& mlcp) { return enumerate(mlcp); }), now);
         CHECK(now.solution.status == Status::solved);
         CHECK(now.solution.uniqueness == (floors == 1 ? Uniqueness::unique : Uniqueness::w_unique));
         CHECK(now.solution.lambda.sum() == Approx(2.5 * 9.81 * h).epsilon(1e-12));
@@ -900,10 +899,10 @@ TEST_CASE("random text is refused and nothing else happens")
 TEST_CASE("a disc that falls freely falls as chapter 1 says to the last digits")
 {
     DiscScene scene = one_disc({0, 0}, {0, 0}, {});
-    DiscSettings settings;
+    StepSettings settings;
     settings.h = 1.0 / 60;
-    DiscStep now;
-    for (int k = 0; k < 60; ++k) step(scene, settings, exact_solve, now);
+    StepData<2> now;
+    for (int k = 0; k < 60; ++k) step(scene, settings, by_matrix(exact_solve), now);
     CHECK(scene.bodies.x[1] == Approx(-4.98675).epsilon(1e-12));  // −½ g t² (1 + h/t)
 }
 
@@ -912,18 +911,18 @@ TEST_CASE("a disc lands on the floor and not in it")
     // Gap 5 cm, 10 m/s, h = 1/60: it would pass through. (3.30) lets it come down to the floor and no
     // further.
     DiscScene scene = one_disc({0, 0.15}, {0.3, -10}, {{{0, 1}, 0}});
-    DiscSettings settings;
+    StepSettings settings;
     settings.h = 1.0 / 60;
     settings.margin = 0.2;
-    DiscStep now;
-    step(scene, settings, exact_solve, now);
+    StepData<2> now;
+    step(scene, settings, by_matrix(exact_solve), now);
     CHECK(std::abs(scene.bodies.x[1] - 0.1) <= 1e-15);
     CHECK(scene.bodies.u[1] == Approx(-0.05 * 60).epsilon(1e-13));
     CHECK(scene.bodies.u[0] == 0.3);  // no friction
-    step(scene, settings, exact_solve, now);
+    step(scene, settings, by_matrix(exact_solve), now);
     CHECK(std::abs(scene.bodies.u[1]) <= 1e-13);
     for (int k = 0; k < 1000; ++k) {  // and there it rests, carried by m g h in each step
-        step(scene, settings, exact_solve, now);
+        step(scene, settings, by_matrix(exact_solve), now);
         REQUIRE(now.solution.lambda.size() == 1);
         REQUIRE(now.solution.lambda[0] == Approx(9.81 / 60).epsilon(1e-12));
     }
@@ -936,15 +935,14 @@ TEST_CASE("a turning rod is stretched in one step by what (3.32) says")
         DiscScene scene = pendulum();
         scene.gravity.setZero();
         scene.bodies.u << 0, 0, 0, 3;
-        DiscSettings settings;
+        StepSettings settings;
         settings.h = h;
-        settings.gravity.setZero();
-        DiscStep now;
-        step(scene, settings, exact_solve, now);
+        StepData<2> now;
+        step(scene, settings, by_matrix(exact_solve), now);
         CHECK(largest_link_error(scene) == Approx(std::sqrt(1 + 9 * h * h) - 1).epsilon(1e-9));
         // The next step takes it back, and makes its own: never more than a few h² u²/2L.
         for (int k = 0; k < 1000; ++k) {
-            step(scene, settings, exact_solve, now);
+            step(scene, settings, by_matrix(exact_solve), now);
             REQUIRE(largest_link_error(scene) <= 1.1 * 9 * h * h / 2);
         }
     }
@@ -964,14 +962,14 @@ TEST_CASE("momentum and angular momentum stay as they are without outer forces")
     const Real turning = angular_momentum(scene.bodies);
     Real size = 0, most_contacts = 0;
     for (Index k = 0; k < 10; ++k) size += scene.bodies.velocity(k).norm() / scene.bodies.inverse_mass[2 * k];
-    DiscSettings settings;
+    StepSettings settings;
     settings.h = 1.0 / 480;
-    settings.gravity.setZero();
+    scene.gravity.setZero();
     settings.stiffness = 3;
     settings.damping = 2;
-    DiscStep now;
+    StepData<2> now;
     for (int n = 0; n < 400; ++n) {
-        step(scene, settings, exact_solve, now);
+        step(scene, settings, by_matrix(exact_solve), now);
         REQUIRE(now.solution.status == Status::solved);
         Real pushing = 0;
         for (Index i = 6; i < now.solution.lambda.size(); ++i) pushing += now.solution.lambda[i] > 0 ? 1 : 0;
@@ -989,11 +987,11 @@ TEST_CASE("the pendulum of the step converges with first order")
     std::vector<Real> errors;
     for (int n = 500; n <= 16000; n *= 2) {
         DiscScene scene = pendulum();
-        DiscSettings settings;
+        StepSettings settings;
         settings.h = 1.0 / n;
-        DiscStep now;
+        StepData<2> now;
         const auto solve = [](const Mlcp& mlcp) { return direct(mlcp); };
-        for (int k = 0; k < n; ++k) step(scene, settings, solve, now);
+        for (int k = 0; k < n; ++k) step(scene, settings, by_matrix(solve), now);
         errors.push_back(std::abs(std::atan2(scene.bodies.x[2], -scene.bodies.x[3]) - -1.405027311524799));
     }
     for (std::size_t i = 1; i < errors.size(); ++i)
@@ -1004,13 +1002,12 @@ TEST_CASE("at the lowest point the rod of the pendulum pulls with three times th
 {
     // B3 through the step: tension λ/h = 3 m g, up to O(h).
     DiscScene scene = pendulum();
-    DiscSettings settings;
+    StepSettings settings;
     settings.h = 1e-4;
-    DiscStep now;
+    StepData<2> now;
     Real tension = 0;
     while (scene.bodies.x[2] > 0) {
-        step(
-            scene, settings, [](const Mlcp& mlcp) { return direct(mlcp); }, now);
+        step(scene, settings, by_matrix([](const Mlcp& mlcp) { return direct(mlcp); }), now);
         tension = -now.solution.lambda[0] / settings.h;
     }
     CHECK(tension == Approx(3 * 9.81).epsilon(2e-3));
@@ -1019,11 +1016,11 @@ TEST_CASE("at the lowest point the rod of the pendulum pulls with three times th
 TEST_CASE("heavier discs move the same and a mirrored scene moves mirrored")
 {
     const auto run = [](DiscScene scene, const Vec2& gravity) {
-        DiscSettings settings;
-        settings.gravity = gravity;
+        StepSettings settings{.h = 1.0 / 480};
+        scene.gravity = gravity;
         settings.stiffness = 1;
-        DiscStep now;
-        for (int n = 0; n < 300; ++n) step(scene, settings, exact_solve, now);
+        StepData<2> now;
+        for (int n = 0; n < 300; ++n) step(scene, settings, by_matrix(exact_solve), now);
         return scene.bodies.x;
     };
     const Vec2 gravity(4, -8);
@@ -1044,11 +1041,11 @@ TEST_CASE("heavier discs move the same and a mirrored scene moves mirrored")
 TEST_CASE("a step of zero or of NaN seconds is refused")
 {
     DiscScene scene = ten_discs();
-    DiscSettings settings;
-    DiscStep now;
+    StepSettings settings;
+    StepData<2> now;
     for (const Real h : {Real{0}, Real{-1}, Real{std::nan("")}, Real{infinity}}) {
         settings.h = h;
-        CHECK(sentence_of([&] { step(scene, settings, exact_solve, now); }).find("the time step h is") == 0);
+        CHECK(sentence_of([&] { step(scene, settings, by_matrix(exact_solve), now); }).find("the time step h is") == 0);
     }
 }
 
@@ -1070,12 +1067,13 @@ TenDiscsResult ten_discs_run(std::uint64_t seed, Real h, Real k, Real damping, R
     Settings settings;
     settings.h = h;
     settings.tunables = {{"k", k}, {"damping", damping}, {"gravity", gravity}};
-    DiscStep now;
+    StepData<2> now;
     std::vector<Contact> last;
     TenDiscsResult result;
     for (int n = 0; n < steps; ++n) {
         const Input input = {pointer.at(n * h), true, false};
-        step(scene, ten_discs_settings(settings, input, view), exact_solve, now);
+        scene.gravity = steered_gravity(input, view, gravity);
+        step(scene, ten_discs_settings(settings, input), by_matrix(exact_solve), now);
         REQUIRE(now.solution.status == Status::solved);
         REQUIRE(scene.bodies.x.allFinite());
         REQUIRE(scene.bodies.u.allFinite());

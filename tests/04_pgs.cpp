@@ -2,11 +2,11 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
-#include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/pgs_method.hpp"
 #include "chapters/04_pgs/rates.hpp"
 #include "common/measure.hpp"
 #include "common/program/scripted_pointer.hpp"
@@ -201,26 +201,26 @@ TEST_CASE("a column of discs and a hanging chain assemble into (4.8) and carry (
 {
     const Real h = 1.0 / 60;
     for (const Real mass : {1.0, 100.0}) {
-        DiscSettings settings;
+        StepSettings settings;
         settings.h = h;
         settings.margin = 1e-6;
         for (const bool hanging : {false, true}) {
             DiscScene scene = hanging ? hanging_chain(7, mass) : column(7, mass);
             if (hanging) scene.linked.assign(scene.linked.size(), true);
-            DiscStep now;
-            step(
-                scene, settings, [](const Mlcp& mlcp) { return pgs(mlcp); }, now);
+            StepData<2> now;
+            auto method = by_matrix([](const Mlcp& mlcp) { return pgs(mlcp); });
+            step(scene, settings, method, now);
             const Mlcp wanted = line_problem(7, mass, 9.81 * h);
-            REQUIRE(now.mlcp.size() == 7);
+            REQUIRE(method.solver.mlcp.size() == 7);
             // The contacts of the column come with the floor last: sort them by height.
             VecX order(7), sign = VecX::Ones(7);
             for (Index k = 0; k < 7; ++k) order[k] = static_cast<Real>(hanging ? k : (k == 0 ? 6 : k - 1));
             for (Index i = 0; i < 7; ++i) {
                 const auto row = static_cast<Index>(order[i]);
                 // The rods pull: their λ is negative, and so all is mirrored.
-                CHECK((hanging ? -1 : 1) * now.mlcp.q[row] == Approx(wanted.q[i]).margin(1e-12));
+                CHECK((hanging ? -1 : 1) * method.solver.mlcp.q[row] == Approx(wanted.q[i]).margin(1e-12));
                 for (Index j = 0; j < 7; ++j)
-                    CHECK(now.mlcp.A.coeff(row, static_cast<Index>(order[j])) ==
+                    CHECK(method.solver.mlcp.A.coeff(row, static_cast<Index>(order[j])) ==
                           Approx(wanted.A.coeff(i, j)).margin(1e-12));
                 const Real lambda = (hanging ? -1 : 1) * now.solution.lambda[row];
                 CHECK(lambda ==
@@ -629,10 +629,12 @@ namespace {
 /// The ten discs, steered by the seeded pointer, with sweeps from a cold start in every step.
 struct TenDiscs {
     DiscScene scene = ten_discs();
-    DiscSettings settings;
-    PgsSettings sweeps;
-    PgsMemory memory;
-    DiscStep now;
+    StepSettings settings{.h = 1.0 / 480};
+    PgsMethod method;
+    StepData<2> now;
+    PgsSettings& sweeps = method.solver.find.settings;
+    PgsMemory& memory = method.solver.find.memory;
+    Mlcp& mlcp = method.solver.mlcp;
     ScriptedPointer pointer{1, {{0, 0}, {0.8, 0.55}}};
     Real gravity = 9.81;
     int steps = 0, most_sweeps = 0, unsolved = 0;
@@ -646,14 +648,8 @@ struct TenDiscs {
     void advance()
     {
         const Vec2 tilt = pointer.at(steps++ * settings.h).cwiseQuotient(scene.half_size);
-        settings.gravity = gravity * tilt / std::max(Real{1}, tilt.norm());
-        step(
-            scene, settings,
-            [this](const Mlcp& mlcp, Solution& solution) {
-                cold_start(mlcp, solution.lambda);
-                pgs(mlcp, sweeps, memory, solution);
-            },
-            now);
+        scene.gravity = gravity * tilt / std::max(Real{1}, tilt.norm());
+        step(scene, settings, method, now);
         most_sweeps = std::max(most_sweeps, now.solution.iterations);
         unsolved += now.solution.status != Status::solved;
     }
@@ -738,7 +734,7 @@ TEST_CASE("the clamped rows of the ten discs are in the residual too")
     // A contact that should push but has λ = 0 is an error like any other: cold start, no sweep.
     TenDiscs run;
     for (int k = 0; k < 200; ++k) run.advance();
-    Mlcp mlcp = run.now.mlcp;
+    Mlcp mlcp = run.mlcp;
     Index pushing = -1;
     for (Index i = 6; i < mlcp.size(); ++i)
         if (run.now.solution.lambda[i] > 1e-3) pushing = i;
@@ -756,16 +752,16 @@ TEST_CASE("a steady step of the ten discs allocates nothing")
     int steady = 0, allocated = 0;
     Index entries = 0;
     for (int k = 0; k < 3000; ++k) {
-        const Index rows = run.now.mlcp.size();
+        const Index rows = run.mlcp.size();
         {
             const NoAllocation guard;
             run.advance();
         }
-        if (k > 100 && run.now.mlcp.size() == rows && run.now.mlcp.A.nonZeros() <= entries) {
+        if (k > 100 && run.mlcp.size() == rows && run.mlcp.A.nonZeros() <= entries) {
             ++steady;
             allocated += NoAllocation::violations() > 0;
         }
-        entries = std::max(entries, run.now.mlcp.A.nonZeros());
+        entries = std::max(entries, run.mlcp.A.nonZeros());
     }
     CHECK(steady > 2000);
     CHECK(allocated == 0);

@@ -6,7 +6,7 @@
 
 #include "chapters/08_warm_starting/benchmark/pose_errors.hpp"
 #include "chapters/08_warm_starting/small_steps.hpp"
-#include "chapters/08_warm_starting/warm_step.hpp"
+#include "chapters/08_warm_starting/warm_method.hpp"
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
@@ -43,21 +43,27 @@ inline DiscScene heap(Random& random)
     return scene;
 }
 
-/// warm_step()'s settings for what small steps do.
-inline WarmStepSettings same_settings(const SmallStepSettings& small)
+/// The settings of a step for what small steps do.
+inline StepSettings same_settings(const SmallStepSettings& small)
 {
-    WarmStepSettings warm;
-    warm.h = small.h;
-    warm.gravity = small.gravity;
-    warm.margin = small.margin;
-    warm.substeps = small.substeps;
-    warm.sweeps.max_sweeps = small.sweeps;
-    warm.order = small.coloured ? Order::coloured : Order::given;
-    warm.start = Start::best_multiple;
-    warm.multiple = small.start;
-    warm.stabilizer = small.repay;
-    warm.repay_once = true;
-    return warm;
+    StepSettings settings;
+    settings.h = small.h;
+    settings.margin = small.margin;
+    settings.substeps = small.substeps;
+    return settings;
+}
+
+/// And the method.
+inline WarmMethod same_method(const SmallStepSettings& small)
+{
+    WarmMethod method;
+    static_cast<StabilizerSettings&>(method.correction) = small.repay;
+    method.correction.at_the_end = true;
+    method.start.from = Start::best_multiple;
+    method.start.rule = small.start;
+    method.solver.sweeps.max_sweeps = small.sweeps;
+    method.solver.ordering = small.coloured ? Order::coloured : Order::given;
+    return method;
 }
 
 inline VecX run_small(DiscScene scene, const SmallStepSettings& settings, int steps)
@@ -93,12 +99,14 @@ TEST_CASE("small steps are the warm step with nothing computed twice")
         settings.coloured = sample % 4 < 2;
         settings.repay.slop = 0;            // what a row inside its slop takes from its neighbours, and
         settings.repay.fastest = infinity;  // how a limit is shared among visits, is each step's own
-        const WarmStepSettings same = same_settings(settings);
+        const StepSettings same = same_settings(settings);
+        WarmMethod method = same_method(settings);
+        warm.gravity = settings.gravity;
         SmallStep now;
-        WarmStep other;
+        StepData<2> other;
         for (int k = 0; k < 12; ++k) {
             small_steps(small, settings, now);
-            warm_step(warm, same, other);
+            step(warm, same, method, other);
             rows_changed += now.same_rows ? 0 : 1;
         }
         CAPTURE(sample);

@@ -3,7 +3,7 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/04_pgs/pgs.hpp"
@@ -11,7 +11,7 @@
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/05_lemke/stewart_trinkle.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
-#include "chapters/09_active_sets/exact_step.hpp"
+#include "chapters/09_active_sets/exact_method.hpp"
 #include "chapters/09_active_sets/friction_boxes.hpp"
 #include "chapters/09_active_sets/benchmark/problems.hpp"
 #include "common/measure.hpp"
@@ -331,16 +331,16 @@ TEST_CASE("each contact of a column carries what is above it")
 TEST_CASE("the ten discs of chapter 3 move as by its exact solver")
 {
     DiscScene one = ten_discs(), two = one;
-    DiscSettings settings;
+    StepSettings settings;
     settings.h = 1.0 / 480;
-    DiscStep first, second;
+    StepData<2> first, second;
     ActiveSetMemory memory;
     const auto guess = [&](const Mlcp& mlcp, Solution& solution) { active_sets(mlcp, {}, memory, solution); };
     const auto walk_ = [](const Mlcp& mlcp) { return lemke(mlcp); };
     int warm = 0;
     for (int n = 0; n < 480; ++n) {
-        step(one, settings, guess, first);
-        step(two, settings, walk_, second);
+        step(one, settings, by_matrix(guess), first);
+        step(two, settings, by_matrix(walk_), second);
         REQUIRE(first.solution.status == Status::solved);
         warm += memory.work.guesses == 1;
         // Rounding grows by what the impacts multiply it; after a second it is still far below a nanometre.
@@ -411,12 +411,12 @@ TEST_CASE("a step is of first order in h whoever solves its rows")
     std::vector<Real> h, error;
     const auto swing = [](int steps) {
         DiscScene scene = swinging_chain(8);
-        DiscSettings settings;
+        StepSettings settings;
         settings.h = 0.25 / steps;
-        DiscStep now;
+        StepData<2> now;
         ActiveSetMemory memory;
         const auto guess = [&](const Mlcp& mlcp, Solution& out) { active_sets(mlcp, {}, memory, out); };
-        for (int n = 0; n < steps; ++n) step(scene, settings, guess, now);
+        for (int n = 0; n < steps; ++n) step(scene, settings, by_matrix(guess), now);
         return scene.bodies.x;
     };
     const VecX a = swing(200), b = swing(400), c = swing(800), d = swing(1600);
@@ -859,13 +859,15 @@ Real strays(Real share)
     DiscScene scene = hanging_chain(count, end_mass);
     scene.linked.assign(scene.linked.size(), true);
     for (Index k = 1; k < count; ++k) scene.bodies.position(k).x() = k % 2 == 0 ? 1e-6 : -1e-6;
-    StabilizedStepSettings settings = exact_step_settings();
+    ExactMethod method;
+    method.correction = exact_correction();
+    StepSettings settings{.substeps = 4};
     settings.substeps = 1;
     settings.h = share * std::sqrt(length / (end_mass * 9.81));  // m = 1 kg, T = 10,000 g
-    ExactStep now;
+    StepData<2> now;
     Real farthest = 0;
     for (int n = 0; n < 300; ++n) {
-        exact_step(scene, settings, {}, now);
+        step(scene, settings, method, now);
         for (Index k = 1; k <= count; ++k)
             farthest = std::max(farthest, std::abs(scene.bodies.position(k).x()));
     }
@@ -889,17 +891,19 @@ TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 1
     scene.linked.assign(scene.linked.size(), true);
     for (Index k = 1; k <= 1000; ++k)
         scene.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(0.5, -std::sqrt(0.75));
-    StabilizedStepSettings settings = exact_step_settings();
+    ExactMethod method;
+    method.correction = exact_correction();
+    StepSettings settings{.substeps = 4};
     settings.substeps = 16;
     const auto energy = [&scene] {
         return kinetic_energy(scene.bodies) + potential_energy(scene.bodies, scene.gravity);
     };
     const Real start = energy();
-    ExactStep now;
+    StepData<2> now;
     for (int n = 0; n < 60; ++n) {
-        exact_step(scene, settings, {}, now);
+        step(scene, settings, method, now);
         REQUIRE(now.solution.status == Status::solved);
-        REQUIRE(now.repaying.status == Status::solved);
+        REQUIRE(method.correction.second.solution.status == Status::solved);
     }
     CHECK(largest_link_error(scene) < 1e-5);  // of 0.1 m: what is left is of second order in h
     // 1000 kg fall by some metres; the energy of a symplectic step is off by about h u m g / 2, (1.21).
@@ -910,11 +914,13 @@ TEST_CASE("an exact step leaves an overlap as chapter 7 says and no velocity")
 {
     DiscScene scene = column(1);
     scene.bodies.position(0).y() -= 0.05;
-    StabilizedStepSettings settings = exact_step_settings();
-    settings.stabilizer.beta = 0.25;
+    ExactMethod method;
+    method.correction = exact_correction();
+    StepSettings settings{.substeps = 4};
+    method.correction.beta = 0.25;
     settings.substeps = 2;
-    ExactStep now;
-    exact_step(scene, settings, {}, now);
+    StepData<2> now;
+    step(scene, settings, method, now);
     CHECK(scene.bodies.position(0).y() == Approx(0.1 - 0.05 * 0.75 * 0.75).margin(identity));  // (7.5)
     CHECK(scene.bodies.u.cwiseAbs().maxCoeff() < identity);
 }
@@ -925,14 +931,16 @@ TEST_CASE("small steps stay out of each other if the margin is the way that a st
     // once in it.
     const auto largest_gap = [](Real margin) {
         DiscScene scene = ten_discs();
-        StabilizedStepSettings settings = exact_step_settings();
+        ExactMethod method;
+    method.correction = exact_correction();
+    StepSettings settings{.substeps = 4};
         settings.h = 0.1;
         settings.substeps = 16;
         settings.margin = margin;
-        ExactStep now;
+        StepData<2> now;
         Real gap = 0;
         for (int n = 0; n < 20; ++n) {
-            exact_step(scene, settings, {}, now);
+            step(scene, settings, method, now);
             gap = std::max({gap, largest_link_error(scene), deepest_penetration(scene)});
         }
         return gap;

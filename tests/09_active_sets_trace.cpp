@@ -1,6 +1,6 @@
 /// Prints what active sets find, every digit: tests/09_active_sets.cmake compares two builds of it.
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
 #include "chapters/09_active_sets/benchmark/problems.hpp"
 
@@ -21,14 +21,14 @@ void print(const VecX& numbers)
 int main()
 {
     DiscScene scene = ten_discs();
-    DiscSettings settings;
-    DiscStep now;
+    StepSettings settings{.h = 1.0 / 480};
+    StepData<2> now;
     ActiveSetMemory memory;
     const auto solve = [&](const Mlcp& mlcp, Solution& solution) { active_sets(mlcp, {}, memory, solution); };
     for (int n = 0; n < 600; ++n) {
-        settings.gravity = 9.81 * Vec2(std::sin(0.01 * n), -std::cos(0.01 * n));
+        scene.gravity = 9.81 * Vec2(std::sin(0.01 * n), -std::cos(0.01 * n));
         settings.stiffness = settings.damping = 1;
-        step(scene, settings, solve, now);
+        step(scene, settings, by_matrix(solve), now);
         print(scene.bodies.x);
         std::printf("%d guesses\n", now.solution.iterations);
     }

@@ -4,7 +4,7 @@
 ///     w = J u + b,   lo ≤ λ ≤ hi
 ///
 /// A `Constraint` is what geometry knows of it at the present positions: C and its
-/// derivative J. A `Row` is what a solver needs: J, what one unit of λ does to the
+/// derivative J, and of which kind it is. A `Row` is what a solver needs: J, what one unit of λ does to the
 /// bodies, the bias and the bounds. `solve_row` answers one row exactly (2.7).
 ///
 /// The signs: C ≥ 0 means separated, and a positive λ pushes: body b along the normal,
@@ -18,7 +18,15 @@
 
 namespace rigid {
 
-/// \f$C(x)\f$ and \f$J = \partial C / \partial x\f$ at the present positions, (2.2).
+/// What the impulse of a constraint may do, and whether C is an error to be corrected.
+enum class ConstraintKind : unsigned char {
+    bilateral,   ///< pushes and pulls: C = 0, and any other C is an error
+    unilateral,  ///< only pushes: C ≥ 0, and C < 0 is an error
+    motor,       ///< C is to grow at a given speed, as far as a force allows; C itself is no error
+};
+
+/// \f$C(x)\f$ and \f$J = \partial C / \partial x\f$ at the present positions, (2.2), and the kind of the constraint.
+/// All later code asks for the kind, never for a row's place in a list.
 template <int Dof>
 struct Constraint {
     Index a = world;  ///< the world is always a
@@ -26,6 +34,10 @@ struct Constraint {
     Real C = 0;  ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
     RowVec<Dof> Ja = RowVec<Dof>::Zero();  ///< block of J for body a; zero for the world
     RowVec<Dof> Jb = RowVec<Dof>::Zero();  ///< block of J for body b
+    ConstraintKind kind = ConstraintKind::bilateral;
+    bool bounces = false;  ///< a contact: its bodies may part faster than they need to (chapter 6)
+    Real speed = 0;        ///< of a motor: the wanted J u [m/s]
+    Real force = 0;        ///< of a motor: at most this, to either side [N]
 };
 
 //! [row]
@@ -84,6 +96,25 @@ Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass, R
     row.hi = hi;
     return row;
 }
+
+//! [row_of]
+/// The row of a constraint by its kind. An impulse is a force times h, so a motor of ±F has the bounds ±hF.
+/// \param bias  b [m/s]; of a motor −speed
+/// \param h     time step [s]
+template <int Dof>
+Row<Dof> row_of(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias, Real h)
+{
+    switch (constraint.kind) {
+    case ConstraintKind::unilateral:
+        return make_row(constraint, inverse_mass, bias, 0, infinity);
+    case ConstraintKind::motor:
+        return make_row(constraint, inverse_mass, bias, -h * constraint.force, h * constraint.force);
+    case ConstraintKind::bilateral:
+        break;
+    }
+    return make_row(constraint, inverse_mass, bias, -infinity, infinity);
+}
+//! [row_of]
 
 /// \f$w = 0\f$: the impulse may push and pull.
 template <int Dof>

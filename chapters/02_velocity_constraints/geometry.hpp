@@ -79,7 +79,7 @@ inline Constraint<2> rope_constraint(const VecX& x, Index a, const Vec2& p, Inde
 {
     const Direction da(x.segment<2>(2 * a) - p);
     const Direction db(x.segment<2>(2 * b) - q);
-    return {a, b, length - da.length - db.length, -da.n.transpose(), -db.n.transpose()};
+    return {a, b, length - da.length - db.length, -da.n.transpose(), -db.n.transpose(), ConstraintKind::unilateral};
 }
 
 //! [contact]
@@ -87,7 +87,8 @@ inline Constraint<2> rope_constraint(const VecX& x, Index a, const Vec2& p, Inde
 inline Constraint<2> contact_constraint(const Contact& contact)
 {
     const RowVec<2> n = contact.normal.transpose();
-    return {contact.a, contact.b, contact.gap, contact.a == world ? RowVec<2>::Zero() : RowVec<2>(-n), n};
+    const RowVec<2> on_a = contact.a == world ? RowVec<2>::Zero() : RowVec<2>(-n);
+    return {contact.a, contact.b, contact.gap, on_a, n, ConstraintKind::unilateral, true};
 }
 //! [contact]
 

@@ -9,7 +9,7 @@
 /// (6.17) to (6.19). λ is an impulse: a force F acts during h, so its bound is hF.
 #pragma once
 
-#include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/joints.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -51,15 +51,6 @@ Row<Dof> motor(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real
     return make_row(constraint, inverse_mass, -speed, -h * force, h * force);
 }
 //! [motor]
-
-//! [rope]
-/// The distance of two bodies is at most that of the link: \f$C = L - \lVert x_b - x_a \rVert\f$, for `unilateral`.
-inline Constraint<2> slack_constraint(const VecX& x, const Link& link)
-{
-    Constraint<2> rod = distance_constraint(x, link);
-    return {rod.a, rod.b, -rod.C, -rod.Ja, -rod.Jb};
-}
-//! [rope]
 
 /// A unilateral row whose gap may close in this step and no more, b = max(0, C)/h: contacts, ropes and stops.
 template <int Dof>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/06_sequential_impulse/impacts.hpp"
-#include "chapters/06_sequential_impulse/impulse_step.hpp"
+#include "chapters/06_sequential_impulse/impulse_method.hpp"
 
 #include <cmath>
 
@@ -49,20 +49,24 @@ inline DiscScene cradle(Index count, Index lifted, Real angle)
 
 enum class ImpactLaw { simultaneous, sequential };
 
-/// What a step of impacts needs, kept from step to step.
+/// What a step of impacts depends on and what it needs, kept from step to step.
 struct ImpactStep {
+    Real restitution = 0;   ///< e of every contact, 0 … 1
+    ImpulseSettings sweeps;  ///< of the step after the impacts
+
     std::vector<Contact> contacts;
     std::vector<Row<2>> rows;  ///< contacts, first for the impacts
     ImpulseMemory<2> memory;
     Solution solution;
-    ImpulseStep rest;
+    ImpulseMethod method;  ///< of the step after the impacts
+    StepData<2> rest;
 };
 
 //! [impact_step]
 /// One step: contacts that close in it hit first, by one of the two laws; then this chapter's step, in which
 /// nothing bounces any more.
 /// \param touching  a gap below this counts as none [m]: the simultaneous law has to know who touches
-inline void impact_step(DiscScene& scene, ImpulseStepSettings settings, ImpactLaw law, ImpactStep& now,
+inline void impact_step(DiscScene& scene, const StepSettings& settings, ImpactLaw law, ImpactStep& now,
                         Real touching = 1e-4)
 {
     Bodies<2>& bodies = scene.bodies;
@@ -72,7 +76,7 @@ inline void impact_step(DiscScene& scene, ImpulseStepSettings settings, ImpactLa
     for (const Contact& contact : now.contacts)
         now.rows.push_back(unilateral(contact_constraint(contact), bodies.inverse_mass,
                                       contact.gap > touching ? contact.gap / settings.h : 0));
-    const Real e = settings.restitution;
+    const Real e = now.restitution;
     if (law == ImpactLaw::sequential) {
         sequential_impacts(now.rows, e, 1e-12, 1000, bodies.u, now.solution);
     } else {
@@ -80,8 +84,8 @@ inline void impact_step(DiscScene& scene, ImpulseStepSettings settings, ImpactLa
         now.solution.lambda.resize(0);
         sequential_impulse(now.rows, {}, {10000, 1e-12, false}, now.memory, bodies.u, now.solution);
     }
-    settings.restitution = 0;
-    impulse_step(scene, settings, now.rest);
+    now.method.solver.sweeps = now.sweeps;
+    step(scene, settings, now.method, now.rest);
 }
 //! [impact_step]
 

@@ -7,7 +7,7 @@
 /// other gives too much, and the body leaves; see (6.9) to (6.12).
 #pragma once
 
-#include "chapters/06_sequential_impulse/sequential_impulse.hpp"
+#include "chapters/06_sequential_impulse/impulse_method.hpp"
 
 namespace rigid {
 
@@ -44,5 +44,26 @@ void impulse_clamping_corrections(const std::vector<Row<Dof>>& rows, std::span<c
     sweep_until(settings, hopeless, one_sweep, memory, solution);
     end_sweeps(order, memory, u, solution);
 }
+
+/// The solver stage with that mistake, or, with `wrong` = false, without it.
+struct WrongClampingSolver : ImpulseSolver<2> {
+    bool wrong = true;
+
+    void solve(Bodies<2>& bodies, StepData<2>& now)
+    {
+        if (!wrong) return ImpulseSolver::solve(bodies, now);
+        order_rows(now.rows, bodies.count(), ordering, random, colouring, order);
+        for (const int k : now.active) bodies.velocity(k) = now.u_star.segment<2>(2 * k);
+        impulse_clamping_corrections<2>(now.rows, order, sweeps, memory, bodies.u, now.solution);
+        now.visits += memory.visits;
+    }
+};
+
+struct WrongClampingMethod {
+    AllPairs contacts;
+    LeaveErrors correction;
+    ColdStart start;
+    WrongClampingSolver solver;
+};
 
 }  // namespace rigid

@@ -1,5 +1,5 @@
 /// \file closed_forms.hpp
-/// What repaying an error leads to, in formulas: the theory lines of this chapter's plots.
+/// What correcting an error leads to, in formulas: the theory lines of this chapter's plots.
 #pragma once
 
 #include "common/math.hpp"
@@ -76,7 +76,7 @@ inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h
 }
 //! [sag]
 
-/// (7.19): the same where velocities only forget C and pseudo-velocities repay it, each with its own sweeps [m].
+/// (7.19): the same where velocities only forget C and pseudo-velocities correct it, each with its own sweeps [m].
 inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int repaying_sweeps, Real beta, Real h)
 {
     const MatX one = MatX::Identity(A.rows(), A.cols());

@@ -11,6 +11,7 @@
 #include "chapters/07_baumgarte/stabilization.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 namespace rigid {
 
@@ -18,34 +19,31 @@ namespace rigid {
 /// Moves positions until each row is at its goal or the sweeps are used up.
 /// \param evaluate      constraint i at given positions: Constraint<Dof> (std::size_t i, const VecX& x)
 /// \param count         number of constraints
-/// \param order         of the visits; empty = as they are
-/// \param links         the first `links` of them are bilateral
 /// \param inverse_mass  [1/kg]
 /// \param h             time step [s]: a visit that moves a row by less than h times the tolerance moves nothing
 /// \param goal          memory for one number a row [m]
 /// \param x             positions [m]; changed
 /// \return              rows visited, the first look at C included
 template <int Dof, class Evaluate>
-std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, std::span<const int> order,
-                               std::size_t links, const VecX& inverse_mass,
+std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, const VecX& inverse_mass,
                                const StabilizerSettings& settings, Real h, std::vector<Real>& goal, VecX& x)
 {
     bool done = true;
     goal.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const Real C = evaluate(i, x).C;
-        const Real repaid = h * baumgarte_bias(C, i < links, settings, h);
-        goal[i] = i >= links && C > 0 ? 0 : C - repaid;
+        const Constraint<Dof> c = evaluate(i, x);
+        const Real repaid = h * baumgarte_bias(c.C, c.kind, settings, h);
+        goal[i] = c.kind == ConstraintKind::unilateral && c.C > 0 ? 0 : c.C - repaid;
         done = done && std::abs(repaid) <= h * settings.tolerance;
     }
     int sweep = 0;
     for (; sweep < settings.repaying_sweeps && !done; ++sweep) {
         done = true;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
+        for (std::size_t i = 0; i < count; ++i) {
             const Constraint<Dof> c = evaluate(i, x);
+            if (c.kind == ConstraintKind::motor) continue;  // it has no error
             const Real missing = goal[i] - c.C;
-            if (i < links ? std::abs(missing) <= h * settings.tolerance : missing <= h * settings.tolerance)
+            if (c.kind == ConstraintKind::bilateral ? std::abs(missing) <= h * settings.tolerance : missing <= h * settings.tolerance)
                 continue;
             const Row<Dof> row = bilateral(c, inverse_mass);
             const Real A = row.compliance();

@@ -11,7 +11,7 @@
 /// A gap, C > 0 of a contact, is no error: all five let it close and no more, b = C / h (3.30).
 #pragma once
 
-#include "chapters/06_sequential_impulse/sequential_impulse.hpp"
+#include "chapters/03_mlcp_formulation/step_data.hpp"
 
 #include <span>
 #include <stdexcept>
@@ -70,124 +70,98 @@ inline void require_valid(const StabilizerSettings& settings)
 }
 
 //! [error]
-/// (7.16): the part of C that is to be repaid [m]: what lies beyond the slop; of a contact only an overlap, C < 0.
-inline Real position_error(Real C, bool bilateral, const StabilizerSettings& settings)
+/// (7.16): the part of C that is to be corrected [m]: what lies beyond the slop; of a contact only an overlap, C < 0; of
+/// a motor nothing.
+inline Real position_error(Real C, ConstraintKind kind, const StabilizerSettings& settings)
 {
-    if (!bilateral) return std::min(Real{0}, C + settings.slop);
+    if (kind == ConstraintKind::motor) return 0;
+    if (kind == ConstraintKind::unilateral) return std::min(Real{0}, C + settings.slop);
     return C - std::clamp(C, -settings.bilateral_slop, settings.bilateral_slop);
 }
 //! [error]
 
 //! [baumgarte]
-/// (7.4): the bias that repays the part β of C in one step, at no more than the greatest speed.
-/// \param C  position error of the row [m]
-/// \param h  time step [s]
-/// \return   velocity bias b [m/s]
-inline Real baumgarte_bias(Real C, bool bilateral, const StabilizerSettings& settings, Real h)
+/// (7.4): the bias that corrects the part β of C in one step, at no more than the maximum speed.
+/// \param C     position error of the row [m]
+/// \param kind  of its constraint
+/// \param h     time step [s]
+/// \return      velocity bias b [m/s]
+inline Real baumgarte_bias(Real C, ConstraintKind kind, const StabilizerSettings& settings, Real h)
 {
-    const Real repaid = settings.beta / h * position_error(C, bilateral, settings);
+    const Real repaid = settings.beta / h * position_error(C, kind, settings);
     return std::clamp(repaid, -settings.fastest, settings.fastest);
 }
 //! [baumgarte]
 
 //! [velocity_bias]
 /// The bias of a row in the sweeps that find the velocity.
-inline Real velocity_bias(Real C, bool bilateral, const StabilizerSettings& settings, Real h)
+template <int Dof>
+Real velocity_bias(const Constraint<Dof>& c, const StabilizerSettings& settings, Real h)
 {
-    if (!bilateral && C > 0) return C / h;
-    const bool repays = settings.method == Stabilizer::baumgarte || settings.method == Stabilizer::relaxation;
-    return repays ? baumgarte_bias(C, bilateral, settings, h) : 0;
+    if (c.kind == ConstraintKind::motor) return -c.speed;
+    if (c.kind == ConstraintKind::unilateral && c.C > 0) return c.C / h;
+    const bool corrects =
+        settings.method == Stabilizer::baumgarte || settings.method == Stabilizer::relaxation;
+    return corrects ? baumgarte_bias(c.C, c.kind, settings, h) : 0;
 }
 //! [velocity_bias]
 
-/// The rows of these constraints, the first `links` of them bilateral, the others unilateral.
-/// \param h  time step [s]
-template <int Dof>
-void stabilized_rows(std::span<const Constraint<Dof>> constraints, std::size_t links,
-                     const VecX& inverse_mass, const StabilizerSettings& settings, Real h,
-                     std::vector<Row<Dof>>& rows)
-{
-    rows.clear();
-    for (std::size_t i = 0; i < constraints.size(); ++i) {
-        const Real b = velocity_bias(constraints[i].C, i < links, settings, h);
-        rows.push_back(i < links ? bilateral(constraints[i], inverse_mass, b)
-                                 : unilateral(constraints[i], inverse_mass, b));
-    }
-}
-
 /// C as it will be after a step h with velocities u, to first order: C + h J u [m].
 template <int Dof>
-Real predicted(const SolverRow<Dof>& row, Real C, const VecX& u, Real h)
+Real predicted(const Row<Dof>& row, Real C, const VecX& u, Real h)
 {
-    return C + h * (row.Ja.dot(u.template segment<Dof>(row.a)) + row.Jb.dot(u.template segment<Dof>(row.b)));
+    Real change = row.Jb.dot(u.template segment<Dof>(Dof * row.b));
+    if (row.a != world) change += row.Ja.dot(u.template segment<Dof>(Dof * row.a));
+    return C + h * change;
 }
 
-/// The sweeps go on over rows that are prepared, from their present λ and u, until one of them finds no row off by
-/// more than the tolerance.
-/// \return  rows visited
+/// As many rows as the step has, and the sweeps that the settings allow.
 template <int Dof>
-std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, const StabilizerSettings& settings, VecX& u)
+void begin_second(const StepData<Dof>& now, const StabilizerSettings& settings, SecondProblem& second)
 {
-    int sweeps = 0;
-    for (int changed = 1; sweeps < settings.repaying_sweeps && changed > 0; ++sweeps)
-        changed = sweep(rows, u, settings.tolerance);
-    return static_cast<std::int64_t>(rows.size()) * sweeps;
-}
-
-/// The λ of rows in the order of the visits, back to their numbers.
-template <int Dof>
-void read_impulses(const ImpulseMemory<Dof>& memory, std::span<const int> order, VecX& lambda)
-{
-    for (std::size_t k = 0; k < memory.rows.size(); ++k)
-        lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
+    second.bias.assign(now.rows.size(), 0);
+    second.left_out.assign(now.rows.size(), 0);
+    second.max_sweeps = settings.repaying_sweeps;
+    second.tolerance = settings.tolerance;
 }
 
 //! [relax]
-/// Takes back the velocity that was only there to repay: the rows go on from their λ, now with b = 0, or with
-/// what is left of a gap.
-/// \param memory  as sequential_impulse() left it; its rows and its u change
-/// \param order   the order that it was given
-/// \return        rows visited
+/// The second problem of relaxation: it takes back the velocity that was only there to correct. The rows keep their
+/// u*, and get b = 0, or what is left of a gap.
+/// \param now  the rows, as they were solved
+/// \param u    velocities of that answer [m/s]
 template <int Dof>
-std::int64_t relax(std::span<const Constraint<Dof>> constraints, std::span<const int> order,
-                   std::size_t links, const StabilizerSettings& settings, Real h, ImpulseMemory<Dof>& memory)
+void pose_relaxation(const StepData<Dof>& now, const StabilizerSettings& settings, Real h, const VecX& u,
+                     SecondProblem& second)
 {
-    for (std::size_t k = 0; k < memory.rows.size(); ++k) {
-        const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
-        SolverRow<Dof>& row = memory.rows[k];
-        if (i >= constraints.size()) continue;  // a machine: its speed is wanted
-        if (row.bias < velocity_bias(constraints[i].C, i < links, settings, h)) continue;  // it bounces
-        const Real C = i < links ? 0 : predicted(row, constraints[i].C, memory.u, h);
-        row.bias = std::max(Real{0}, C) / h;
+    begin_second(now, settings, second);
+    for (std::size_t i = 0; i < now.rows.size(); ++i) {
+        const Constraint<Dof>& c = now.constraints[i];
+        const Row<Dof>& row = now.rows[i];
+        second.bias[i] = row.bias;
+        if (c.kind == ConstraintKind::motor) continue;                        // its speed is wanted
+        if (row.bias < velocity_bias(c, settings, h)) continue;  // it bounces
+        const Real C = c.kind == ConstraintKind::bilateral ? 0 : predicted(row, c.C, u, h);
+        second.bias[i] = std::max(Real{0}, C) / h;
     }
-    return sweep_on(memory.rows, settings, memory.u);
 }
 //! [relax]
 
 //! [split]
-/// (7.17): pseudo-velocities v that repay the part β of the error that the step will leave, C' = C + h J u. They are
-/// found by the same sweeps over the same rows, and only ever added to x.
-/// \param memory  as sequential_impulse() left it. Its rows' λ are those of v afterwards
-/// \param v       out: Dof·K [m/s]
-/// \return        rows visited
+/// The second problem of split impulse, (7.17): pseudo-velocities v that correct the part β of the error that the step
+/// will leave, C' = C + h J u. They are found on the same rows, and only ever added to x.
 template <int Dof>
-std::int64_t split_impulse(std::span<const Constraint<Dof>> constraints, std::span<const int> order,
-                           std::size_t links, const StabilizerSettings& settings, Real h,
-                           ImpulseMemory<Dof>& memory, VecX& v)
+void pose_split_impulse(const StepData<Dof>& now, const StabilizerSettings& settings, Real h, const VecX& u,
+                        SecondProblem& second)
 {
-    for (std::size_t k = 0; k < memory.rows.size(); ++k) {
-        const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
-        SolverRow<Dof>& row = memory.rows[k];
-        row.lambda = 0;
-        if (i >= constraints.size()) {  // a machine: it has no error to repay
-            row.mass = 0;
-            continue;
-        }
-        const Real C = predicted(row, constraints[i].C, memory.u, h);
-        row.bias = i >= links && C > 0 ? C / h : baumgarte_bias(C, i < links, settings, h);
+    begin_second(now, settings, second);
+    for (std::size_t i = 0; i < now.rows.size(); ++i) {
+        const Constraint<Dof>& c = now.constraints[i];
+        second.left_out[i] = c.kind == ConstraintKind::motor;  // it has no error to correct
+        if (second.left_out[i]) continue;
+        const Real C = predicted(now.rows[i], c.C, u, h);
+        second.bias[i] = c.kind == ConstraintKind::unilateral && C > 0 ? C / h : baumgarte_bias(C, c.kind, settings, h);
     }
-    v.setZero(memory.u.size());
-    return sweep_on(memory.rows, settings, v);
 }
 //! [split]
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "chapters/06_sequential_impulse/row_order.hpp"
+#include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/best_multiple.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"

@@ -162,7 +162,8 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
         for (const int k : now.place) {
             SolverRow<2>& row = now.rows[static_cast<std::size_t>(k)];
             const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[static_cast<std::size_t>(k)], row);
-            const Real repaid = settings.h * baumgarte_bias(C, row.lo < 0, settings.repay, settings.h);
+            const ConstraintKind kind = row.lo < 0 ? ConstraintKind::bilateral : ConstraintKind::unilateral;
+            const Real repaid = settings.h * baumgarte_bias(C, kind, settings.repay, settings.h);
             if (repaid == 0) continue;
             bodies.x.segment<2>(row.a) -= row.Wa * (row.mass * repaid);
             bodies.x.segment<2>(row.b) -= row.Wb * (row.mass * repaid);

@@ -18,7 +18,7 @@ inline void require_disc(const SkippingWorld& now, Index k)
     if (k < 0 || k >= now.scene.bodies.count())
         throw std::invalid_argument("there is no disc " + std::to_string(k) + " among " +
                                     std::to_string(now.scene.bodies.count()));
-    if (now.set.activity[static_cast<std::size_t>(k)] == Activity::gone)
+    if (now.method.contacts.set.activity[static_cast<std::size_t>(k)] == Activity::gone)
         throw std::invalid_argument("disc " + std::to_string(k) + " was taken away");
 }
 
@@ -27,16 +27,21 @@ inline void require_disc(const SkippingWorld& now, Index k)
 inline void wake_around(SkippingWorld& now, Index k)
 {
     const auto i = static_cast<int>(k);
-    now.set.wake(k);
-    now.broad.grid.near(now.broad.grid.position(i), now.broad.reach_of(now.scene.radius[k]),
-                        ~std::uint64_t{0}, [&](int b) { now.set.wake(b); });
-    for (const int l : now.links_on.of(i)) {
+    now.method.contacts.set.wake(k);
+    now.method.contacts.broad.grid.near(now.method.contacts.broad.grid.position(i), now.method.contacts.broad.reach_of(now.scene.radius[k]),
+                        ~std::uint64_t{0}, [&](int b) { now.method.contacts.set.wake(b); });
+    for (const int l : now.method.contacts.links_on.of(i)) {
         const Link& link = now.scene.links[static_cast<std::size_t>(l)];
-        now.set.wake(link.a == k ? link.b : link.a);
+        now.method.contacts.set.wake(link.a == k ? link.b : link.a);
     }
-    for (const int l : now.bends_on.of(i)) {
+    for (const int j : now.method.contacts.joints_on.of(i)) {
+        const Joint& joint = now.scene.joints[static_cast<std::size_t>(j)];
+        for (const Index b : {joint.a, joint.b})
+            if (b != world) now.method.contacts.set.wake(b);
+    }
+    for (const int l : now.method.contacts.bends_on.of(i)) {
         const Bend& bend = now.scene.bends[static_cast<std::size_t>(l)];
-        for (const Index b : {bend.left, bend.middle, bend.right}) now.set.wake(b);
+        for (const Index b : {bend.left, bend.middle, bend.right}) now.method.contacts.set.wake(b);
     }
 }
 
@@ -63,14 +68,13 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
     wake_around(now, k);
     now.scene.bodies.position(k) = x;
     now.scene.bodies.velocity(k) = u;
-    now.memory.u.segment<2>(2 * k) = u;
     now.scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(inverse_mass);
-    now.broad.grid.move(static_cast<int>(k), x);
+    now.method.contacts.broad.grid.move(static_cast<int>(k), x);
     wake_around(now, k);
     const bool moves = inverse_mass > 0 || u.squaredNorm() > 0;
-    if (moves && !now.set.is_awake(k)) now.set.awake.push_back(static_cast<int>(k));
-    now.set.activity[static_cast<std::size_t>(k)] = moves ? Activity::awake : Activity::fixed;
-    now.set.woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found anew
+    if (moves && !now.method.contacts.set.is_awake(k)) now.method.contacts.set.awake.push_back(static_cast<int>(k));
+    now.method.contacts.set.activity[static_cast<std::size_t>(k)] = moves ? Activity::awake : Activity::fixed;
+    now.method.contacts.set.woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found anew
 }
 
 /// Takes a disc out of the scene, with its links and bends. What stood on it wakes.
@@ -78,9 +82,9 @@ inline void take_away(SkippingWorld& now, Index k)
 {
     require_disc(now, k);
     wake_around(now, k);
-    now.broad.grid.remove(static_cast<int>(k));
-    now.set.activity[static_cast<std::size_t>(k)] = Activity::gone;
-    now.set.woken.push_back(static_cast<int>(k));
+    now.method.contacts.broad.grid.remove(static_cast<int>(k));
+    now.method.contacts.set.activity[static_cast<std::size_t>(k)] = Activity::gone;
+    now.method.contacts.set.woken.push_back(static_cast<int>(k));
 }
 
 /// Puts other walls in the place of those that are there, and wakes everybody.
@@ -91,8 +95,8 @@ inline void change_walls(SkippingWorld& now, std::vector<HalfSpace> walls)
     only.walls = std::move(walls);
     require_valid(only);
     now.scene.walls = std::move(only.walls);
-    for (Index k = 0; k < now.scene.bodies.count(); ++k) now.set.wake(k);
-    now.changed = true;
+    for (Index k = 0; k < now.scene.bodies.count(); ++k) now.method.contacts.set.wake(k);
+    now.method.contacts.changed = true;
 }
 //! [doors]
 

@@ -9,9 +9,11 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/06_sequential_impulse/row_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <span>
 #include <vector>
@@ -153,5 +155,22 @@ void colour_rows_of(std::span<const int> bodies, Index count, const std::vector<
         order[size(memory.start[size(memory.colour[i])]++)] = static_cast<int>(i);
 }
 //! [colours]
+
+/// The islands of a step: bodies that rows or torsional springs join.
+/// \param order  of the rows in their island; empty = as they are
+inline void find_islands(const Bodies<2>& bodies, const StepData<2>& now, std::span<const int> order,
+                         Islands& islands)
+{
+    separate(bodies.count(), now.active, islands);
+    // A torsional spring acts on three discs at once: they are of one island, whatever rows they have.
+    for (const Bend& bend : now.bends) {
+        const std::array<Index, 3> discs = {bend.left, bend.middle, bend.right};
+        for (const Index a : discs)
+            for (const Index b : discs)
+                if (bodies.inverse_mass[2 * a] > 0 && bodies.inverse_mass[2 * b] > 0)
+                    islands.unite(static_cast<int>(a), static_cast<int>(b));
+    }
+    join_by_rows<2>(now.active, now.rows, order, islands);
+}
 
 }  // namespace rigid

@@ -1,39 +1,48 @@
 /// \file skipping_world.hpp
-/// A scene of discs with all that is remembered from step to step, so that a step can leave out what needs nothing.
-/// What is remembered is only true while nobody changes the scene behind the step's back: see doors.hpp.
+/// The method of this chapter, and a scene with all that is remembered from step to step, so that a step can leave out
+/// what needs nothing.
+///
+///     who is awake → contacts → u* → rows → islands → λ start → λ → u → x → who sleeps
+///
+/// Without sleeping and with the same sweeps its bits are those of chapter 8's method.
 #pragma once
 
-#include "chapters/06_sequential_impulse/row_order.hpp"
-#include "chapters/07_baumgarte/stabilization.hpp"
-#include "chapters/08_warm_starting/impulse_cache.hpp"
-#include "chapters/10_skipping_work/broad_phase.hpp"
-#include "chapters/10_skipping_work/exact_island.hpp"
-#include "chapters/10_skipping_work/incidence.hpp"
-#include "chapters/10_skipping_work/islands.hpp"
-#include "chapters/10_skipping_work/kept_contacts.hpp"
-#include "chapters/10_skipping_work/sleeping.hpp"
-#include "common/scenes.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
+#include "chapters/07_baumgarte/correction.hpp"
+#include "chapters/08_warm_starting/warm_start.hpp"
+#include "chapters/10_skipping_work/awake_bodies.hpp"
+#include "chapters/10_skipping_work/by_islands.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace rigid {
 
-/// What a step depends on besides the world.
+//! [method]
+struct SkippingMethod {
+    AwakeBodies contacts;
+    Correction correction;
+    WarmStart start;
+    IslandSolver solver;
+};
+//! [method]
+
+/// What a step depends on besides the world: the settings of all stages in one place.
 struct SkippingSettings {
     Real h = 1.0 / 60;              ///< time step [s]
-    Vec2 gravity = {0, -9.81};      ///< [m/s²]
+    int substeps = 1;               ///< the step is taken in so many parts
     Real stiffness = 0;             ///< k of the torsional springs, a pure number; see add_bend_springs()
     Real damping = 0;               ///< of the bends [1/s]
     Index pulled = world;           ///< the disc that a hand pulls; world = none
     Vec2 hand = {0, 0};             ///< where to [m]
     ImpulseSettings sweeps;         ///< of each island; a tolerance of 0 makes all sweeps
-    StabilizerSettings stabilizer;  ///< none or baumgarte
+    StabilizerSettings stabilizer;  ///< what becomes of position errors
+    Restitution bounce;
+    Start start = Start::previous;  ///< where the sweeps start
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
     Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]
     int exact_rows = 8;             ///< islands of up to so many rows are solved exactly
-    bool warm = true;               ///< the sweeps start from yesterday's answer
     bool islands = true;            ///< false: all rows are one problem
     bool sleep = true;              ///< false: nobody falls asleep
 };
@@ -58,31 +67,10 @@ struct SkippingCounters {
 //! [world]
 struct SkippingWorld {
     DiscScene scene;  ///< read it; to change it, see doors.hpp
-    AwakeSet set;
-    BroadPhase broad;
-    Incidence links_on, bends_on;  ///< by body
-    std::vector<Rest> rests;       ///< K: how long each body has been at rest
-    ImpulseCache cache;            ///< of those who are awake
-    SleepingForces forces;         ///< of those who are asleep
-
-    // What the last step found on its way.
-    std::vector<int> links, bends;  ///< of those who are awake
-    std::vector<Bend> active_bends;
-    bool changed = true;  ///< who is awake has changed since `links` and `bends` were listed
-    std::vector<Contact> contacts;
-    KeptContacts kept;  ///< used where row_slack > 0
-    std::vector<Constraint<2>> constraints;
-    std::vector<Row<2>> rows;
-    std::vector<ImpulseKey> keys, arranged;  ///< who the rows are, and who they were when islands were found
-    Order ordered = Order::given;            ///< and how they were ordered then
-    std::vector<int> order;
-    Colouring colouring;
-    Islands islands;
-    ImpulseMemory<2> memory;
-    std::vector<ExactScratch> exact;
-    VecX lambda;  ///< one for each row [N s]
+    Real margin = 0.02;  ///< a contact gets its row when its gap is below this [m]
+    SkippingMethod method;
+    StepData<2> found;  ///< by the last step, on its way
     SkippingCounters counters;
-    SkippingSettings last;  ///< settings of the last step
 };
 //! [world]
 
@@ -106,29 +94,63 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
         if (group >= most_groups) refuse("there is a group " + std::to_string(group) + "; they go to 63");
     if (!filter.first.empty() && filter.first.size() != K + 1)
         refuse("the filter was made for another number of discs than " + std::to_string(K));
-    for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])
-            refuse("disc " + std::to_string(k) + " has two different masses");
 
     SkippingWorld now;
     now.scene = std::move(scene);
-    now.set = everybody_awake(now.scene.bodies);
-    now.broad.margin = margin;
-    now.broad.skin = skin;
-    now.broad.reset(now.scene, std::move(filter));
-    now.links_on = incidence(K, now.scene.links.size(), [&](std::size_t i, const auto& visit) {
-        visit(now.scene.links[i].a);
-        visit(now.scene.links[i].b);
-    });
-    now.bends_on = incidence(K, now.scene.bends.size(), [&](std::size_t i, const auto& visit) {
-        visit(now.scene.bends[i].left);
-        visit(now.scene.bends[i].middle);
-        visit(now.scene.bends[i].right);
-    });
-    now.rests.assign(K, {});
-    now.forces.head.assign(K, -1);
-    now.memory.u = now.scene.bodies.u;
+    now.margin = margin;
+    now.method.contacts.broad.margin = margin;
+    now.method.contacts.broad.skin = skin;
+    now.method.contacts.reset(now.scene, std::move(filter));
     return now;
+}
+
+/// The settings of a step, written into the stages.
+inline StepSettings configure(SkippingMethod& method, const SkippingSettings& settings, Real margin)
+{
+    method.contacts.rest = settings.rest;
+    method.contacts.sleep = settings.sleep;
+    method.contacts.row_slack = settings.row_slack;
+    static_cast<StabilizerSettings&>(method.correction) = settings.stabilizer;
+    static_cast<Restitution&>(method.correction) = settings.bounce;
+    method.start.from = settings.start;
+    method.solver.sweeps = settings.sweeps;
+    method.solver.ordering = settings.order;
+    method.solver.exact_rows = settings.exact_rows;
+    method.solver.apart = settings.islands;
+    StepSettings step;
+    step.h = settings.h;
+    step.substeps = settings.substeps;
+    step.stiffness = settings.stiffness;
+    step.damping = settings.damping;
+    step.margin = margin;
+    step.pulled = settings.pulled;
+    step.hand = settings.hand;
+    return step;
+}
+
+/// One time step of the world, and what it has done.
+inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
+{
+    step(now.scene, configure(now.method, settings, now.margin), now.method, now.found);
+
+    const AwakeBodies& bodies = now.method.contacts;
+    const IslandSolver& solver = now.method.solver;
+    now.counters = {};
+    now.counters.woken = bodies.woken;
+    now.counters.fell_asleep = bodies.fell_asleep;
+    if (now.found.active.empty()) return;
+    now.counters.awake = static_cast<int>(now.found.active.size());
+    now.counters.islands = solver.islands.count();
+    now.counters.contacts = static_cast<int>(now.found.contacts.size());
+    now.counters.rows = static_cast<int>(now.found.rows.size());
+    now.counters.kept_rows =
+        static_cast<int>(std::count(now.found.kept.begin(), now.found.kept.end(), std::uint8_t{1}));
+    now.counters.sweeps = solver.most_sweeps;
+    now.counters.exact = solver.exact_count;
+    now.counters.unsolved = solver.unsolved;
+    now.counters.asked = static_cast<int>(bodies.broad.asked);
+    now.counters.tested = bodies.broad.tested;
+    now.counters.visits = now.found.visits;
 }
 
 }  // namespace rigid

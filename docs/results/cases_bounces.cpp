@@ -5,7 +5,7 @@
 
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/systems.hpp"
-#include "chapters/06_sequential_impulse/impulse_step.hpp"
+#include "chapters/06_sequential_impulse/impulse_method.hpp"
 
 #include <memory>
 
@@ -74,17 +74,16 @@ void add_steps(Registry& registry)
                           start.bodies.position(0).y() = drop + start.radius[0];
                           const auto scene = std::make_shared<DiscScene>(start);
                           const auto visits = std::make_shared<std::int64_t>();
-                          ImpulseStepSettings settings;
-                          settings.h = h;
-                          settings.restitution = restitution;
-                          settings.sweeps.max_sweeps = 1;
+                          ImpulseMethod method;
+                          method.correction.restitution = restitution;
+                          method.solver.sweeps.max_sweeps = 1;
                           Task task;
-                          task.run = [=, now = ImpulseStep()]() mutable {
+                          task.run = [=, method = std::move(method), now = StepData<2>()]() mutable {
                               scene->bodies = start.bodies;
                               *visits = 0;
                               for (int k = 0; k < steps; ++k) {
-                                  impulse_step(*scene, settings, now);
-                                  *visits += now.memory.visits;
+                                  step(*scene, {.h = h}, method, now);
+                                  *visits += now.visits;
                               }
                           };
                           task.judge = [=] {

@@ -5,7 +5,7 @@
 #include "docs/results/cases.hpp"
 #include "docs/results/exact_solvers.hpp"
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/program/scripted_pointer.hpp"
 
 namespace rigid::results {
@@ -30,10 +30,10 @@ StepScene tumble(bool by_enumeration)
 {
     DiscScene scene = ten_discs();
     const ScriptedPointer pointer(1, {{0, 0}, {0.8, 0.57}});
-    DiscSettings settings;
+    StepSettings settings{.h = 1.0 / 480};
     settings.stiffness = 1;
     settings.damping = 1;
-    DiscStep now;
+    StepData<2> now;
     StepScene result;
     result.scene = "ten_discs";
     result.parameters = "steps=60";
@@ -44,8 +44,8 @@ StepScene tumble(bool by_enumeration)
     constexpr int first = 1200, count = 60;
     for (int k = 0; k < first + count; ++k) {
         const Vec2 tilt = pointer.at(k * settings.h).cwiseQuotient(scene.half_size);
-        settings.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
-        step(scene, settings, by_enumeration && k >= first ? solve_by_cases : solve_by_lemke, now);
+        scene.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
+        step(scene, settings, by_matrix(by_enumeration && k >= first ? solve_by_cases : solve_by_lemke), now);
         if (now.solution.status != Status::solved)
             throw std::logic_error("the reference of the ten discs is not solved in step " +
                                    std::to_string(k));

@@ -10,7 +10,7 @@
 #include "chapters/01_euler_integration/benchmark/peers_odeint.hpp"
 #endif
 #include "chapters/02_velocity_constraints/geometry.hpp"
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 
 #include <memory>
 
@@ -170,10 +170,9 @@ void add_smooth_motion(Registry& registry)
     add_rod(
         registry, "3", "direct", "unit=factorisation ",
         [](Real h) {
-            DiscSettings settings;
-            settings.h = h;
-            return [settings, now = DiscStep()](DiscScene& scene) mutable {
-                step(scene, settings, solve_direct, now);
+            return [settings = StepSettings{.h = h}, now = StepData<2>(),
+                    method = by_matrix(solve_direct)](DiscScene& scene) mutable {
+                step(scene, settings, method, now);
             };
         },
         1);

@@ -1,10 +1,10 @@
 // Chapters 6 to 8 step a scene: sweeps on the velocities, five ways to repay an error, yesterday's impulses.
 #include "docs/results/runs.hpp"
 
-#include "chapters/06_sequential_impulse/impulse_step.hpp"
-#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "chapters/06_sequential_impulse/impulse_method.hpp"
+#include "chapters/07_baumgarte/corrected_method.hpp"
 #include "chapters/08_warm_starting/small_steps.hpp"
-#include "chapters/08_warm_starting/warm_step.hpp"
+#include "chapters/08_warm_starting/warm_method.hpp"
 
 namespace rigid::results {
 namespace {
@@ -15,25 +15,30 @@ std::string sweeps_text(int sweeps, int substeps = 1)
            (substeps > 1 ? " substeps=" + std::to_string(substeps) : "") + " unit=row_visit";
 }
 
-template <class Settings>
-Settings settings_for(const RunScene& run, int sweeps)
+template <class Method>
+Method coloured(int sweeps)
 {
-    Settings settings;
-    settings.h = run.h();
-    settings.gravity = run.engine.scene.gravity;
-    settings.order = Order::coloured;
-    settings.sweeps.max_sweeps = sweeps;
-    return settings;
+    Method method;
+    method.solver.ordering = Order::coloured;
+    method.solver.sweeps.max_sweeps = sweeps;
+    return method;
+}
+
+/// A run of the one step by this method.
+template <class Method>
+auto stepping(const RunScene& run, Method method)
+{
+    return [settings = StepSettings{.h = run.h()}, method = std::move(method), now = StepData<2>()](
+               DiscScene& scene, std::int64_t& work, bool&) mutable {
+        step(scene, settings, method, now);
+        work += now.visits;
+    };
 }
 
 void add_plain(Registry& registry, const SharedRun& run, int sweeps)
 {
     add_run(registry, run, "6", "sequential_impulse", sweeps_text(sweeps), sweeps == 10 && run->dense, [=] {
-        return [settings = settings_for<ImpulseStepSettings>(*run, sweeps),
-                now = ImpulseStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
-            impulse_step(scene, settings, now);
-            work += now.memory.visits;
-        };
+        return stepping(*run, coloured<ImpulseMethod>(sweeps));
     });
 }
 
@@ -42,28 +47,21 @@ void add_stabilized(Registry& registry, const SharedRun& run, Stabilizer stabili
 {
     add_run(registry, run, "7", std::string(to_string(stabilizer)), sweeps_text(sweeps),
             sweeps == 10 && run->dense, [=] {
-                auto settings = settings_for<StabilizedStepSettings>(*run, sweeps);
-                settings.stabilizer.method = stabilizer;
-                return
-                    [settings, now = StabilizedStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
-                        stabilized_step(scene, settings, now);
-                        work += now.visits;
-                    };
+                auto method = coloured<CorrectedMethod>(sweeps);
+                method.correction.method = stabilizer;
+                return stepping(*run, std::move(method));
             });
 }
 
 /// Yesterday's impulses; the error is repaid on the positions, which chapter 8 shows to be safe.
 void add_warm(Registry& registry, const SharedRun& run, Start start, int sweeps)
 {
-    add_run(registry, run, "8", start == Start::yesterday ? "warm" : "warm_best_multiple",
+    add_run(registry, run, "8", start == Start::previous ? "warm" : "warm_best_multiple",
             sweeps_text(sweeps), sweeps == 10 && run->dense, [=] {
-                auto settings = settings_for<WarmStepSettings>(*run, sweeps);
-                settings.stabilizer.method = Stabilizer::projection;
-                settings.start = start;
-                return [settings, now = WarmStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
-                    warm_step(scene, settings, now);
-                    work += now.visits;
-                };
+                auto method = coloured<WarmMethod>(sweeps);
+                method.correction.method = Stabilizer::projection;
+                method.start.from = start;
+                return stepping(*run, std::move(method));
             });
 }
 
@@ -92,7 +90,7 @@ void add_impulse_runs(Registry& registry, const SharedRun& run)
     for (const Stabilizer stabilizer :
          {Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
         for (const int sweeps : {10, 40}) add_stabilized(registry, run, stabilizer, sweeps);
-    for (const Start start : {Start::yesterday, Start::best_multiple})
+    for (const Start start : {Start::previous, Start::best_multiple})
         for (const int sweeps : {10, 40}) add_warm(registry, run, start, sweeps);
     for (const int substeps : {4, 8, 16, 32})
         add_small(registry, run, quick_steps(), "small_steps", substeps, substeps == 8 && run->dense);

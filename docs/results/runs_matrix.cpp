@@ -2,7 +2,7 @@
 #include "docs/results/exact_solvers.hpp"
 #include "docs/results/runs.hpp"
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 
 namespace rigid::results {
@@ -15,14 +15,10 @@ void add_solver_run(Registry& registry, const SharedRun& run, const std::string&
                     const MakeSolve& make_solve)
 {
     add_run(registry, run, chapter, method, parameters, quick, [=] {
-        DiscSettings settings;
-        settings.h = run->h();
-        settings.gravity = run->engine.scene.gravity;
-        return [settings, now = DiscStep(), solve = make_solve()](DiscScene& scene, std::int64_t& work,
-                                                                  bool& solved) mutable {
-            step(
-                scene, settings, [&](const Mlcp& mlcp, Solution& solution) { work += solve(mlcp, solution); },
-                now);
+        return [settings = StepSettings{.h = run->h()}, now = StepData<2>(), solve = make_solve()](
+                   DiscScene& scene, std::int64_t& work, bool& solved) mutable {
+            const auto count = [&](const Mlcp& mlcp, Solution& solution) { work += solve(mlcp, solution); };
+            step(scene, settings, by_matrix(count), now);
             solved = solved && now.solution.status == Status::solved;
         };
     });

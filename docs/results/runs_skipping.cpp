@@ -2,7 +2,7 @@
 // as those of the other engines are.
 #include "docs/results/runs.hpp"
 
-#include "chapters/10_skipping_work/skipping_step.hpp"
+#include "chapters/10_skipping_work/skipping_world.hpp"
 
 #include <ctime>
 
@@ -14,7 +14,6 @@ void add_skipping(Registry& registry, const SharedRun& run, const std::string& m
 {
     SkippingSettings settings;
     settings.h = run->h();
-    settings.gravity = run->engine.scene.gravity;
     settings.sweeps.max_sweeps = sweeps;
     settings.sweeps.tolerance = 1e-6;
     settings.stabilizer.method = Stabilizer::baumgarte;

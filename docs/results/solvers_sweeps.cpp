@@ -62,7 +62,7 @@ void add_conjugate_gradients(Registry& registry, const SharedScene& scene, int i
 enum class Kind { cold, warm, blocks };
 
 void add_impulses(Registry& registry, const SharedScene& scene, const std::string& method, int sweeps,
-                  Order order, Kind kind = Kind::cold)
+                  Order order, ConstraintKind kind = Kind::cold)
 {
     const std::string parameters = "sweeps=" + std::to_string(sweeps) + " unit=row_visit";
     const bool warm = kind == Kind::warm;

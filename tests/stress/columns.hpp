@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "tests/stress/method.hpp"
 
 namespace rigid::stress {
@@ -53,13 +54,12 @@ private:
     Mlcp mlcp_;
 };
 
-/// The settings that steps of chapters 3 and 6 to 9 share.
-template <class Settings>
-std::vector<Setting> step_settings(Settings& s)
+/// The settings of the one step. Gravity is the scene's.
+inline std::vector<Setting> step_settings(DiscScene& scene, StepSettings& s)
 {
-    return {{"gravity x", &s.gravity.x(), false}, {"gravity y", &s.gravity.y(), false},
-            {"stiffness", &s.stiffness, false},   {"damping", &s.damping, false},
-            {"margin", &s.margin, true},          {"hand x", &s.hand.x(), false},
+    return {{"gravity x", &scene.gravity.x(), false}, {"gravity y", &scene.gravity.y(), false},
+            {"stiffness", &s.stiffness, false},       {"damping", &s.damping, false},
+            {"margin", &s.margin, true},              {"hand x", &s.hand.x(), false},
             {"hand y", &s.hand.y(), false}};
 }
 
@@ -72,11 +72,32 @@ void spoil(const Wish& wish, const std::vector<Setting>& all, Settings& settings
     *all.at(static_cast<std::size_t>(wish.setting)).value = wish.spoilt;
 }
 
+/// A spoilt gravity is for one step: the scene gets its own back.
+class GravityGuard {
+public:
+    explicit GravityGuard(DiscScene& scene) : scene_(scene), gravity_(scene.gravity) {}
+    ~GravityGuard() { scene_.gravity = gravity_; }
+    GravityGuard(const GravityGuard&) = delete;
+    GravityGuard& operator=(const GravityGuard&) = delete;
+
+private:
+    DiscScene& scene_;
+    Vec2 gravity_;
+};
+
 /// The names alone.
 inline std::vector<Setting> names_of(std::vector<Setting> settings)
 {
     for (Setting& setting : settings) setting.value = nullptr;
     return settings;
+}
+
+/// The names of the settings of the one step, before those of a method.
+inline std::vector<Setting> step_setting_names()
+{
+    DiscScene scene;
+    StepSettings settings;
+    return names_of(step_settings(scene, settings));
 }
 
 }  // namespace rigid::stress

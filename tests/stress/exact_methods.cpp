@@ -1,7 +1,7 @@
 #include "chapters/09_active_sets/dantzig.hpp"
-#include "chapters/09_active_sets/exact_step.hpp"
+#include "chapters/09_active_sets/exact_method.hpp"
 #include "tests/stress/matrix_step.hpp"
-#include "tests/stress/stabilized_settings.hpp"
+#include "tests/stress/stepping.hpp"
 
 namespace rigid::stress {
 
@@ -27,37 +27,24 @@ Method on_the_matrix(const std::string& name, bool one_at_a_time)
     return method;
 }
 
-/// Chapter 9 on chapter 7's small steps. With `projection` the positions are repaid by five sweeps after the step.
+/// Every problem of the last sub-step, the second one on the same rows as well.
+struct HonestExact {
+    template <class Solving>
+    void operator()(Solving& by, const StepData<2>& now) const
+    {
+        if (by.correction.method != Stabilizer::split_impulse) return require_honest(by.solver.mlcp, now.solution);
+        require_honest(by.solver.mlcp, by.correction.second.solution);
+    }
+};
+
+/// The one step with an exact solver. With `projection` the positions are corrected by five sweeps after each sub-step.
 Method on_small_steps(const std::string& name, const Spending& spending)
 {
-    Method method;
-    method.chapter = 9;
-    method.name = name;
-    method.budget = "exact, " + std::to_string(spending.substeps) +
-                    (spending.substeps > 1 ? " substeps" : " step");
-    method.has_beta = true;
-    method.has_restitution = true;
-    StabilizedStepSettings names;
-    method.settings = names_of(stabilized_settings(names));
-    method.settings.push_back({"exactness", nullptr, true});
-    method.start = [=](const std::shared_ptr<const Wish>& wish) {
-        const auto now = std::make_shared<ExactStep>();
-        return checked([=](DiscScene& scene, Real h) {
-            auto settings = settings_for<StabilizedStepSettings>(scene, h, *wish, spending);
-            std::vector<Setting> all = stabilized_settings(settings);
-            ActiveSetSettings exactness;
-            all.push_back({"exactness", &exactness.tolerance, true});
-            spoil(*wish, all, settings);
-            exact_step(scene, settings, exactness, *now);
-            require_honest(now->mlcp, now->solution);
-            if (spending.stabilizer == Stabilizer::split_impulse) require_honest(now->errors, now->repaying);
-            if (spending.stabilizer == Stabilizer::projection)
-                project_positions<2>(DiscConstraintAt{scene, *now}, now->constraints.size(), {},
-                                     scene.links.size(), scene.bodies.inverse_mass, settings.stabilizer, h,
-                                     now->goal, scene.bodies.x);
-        });
-    };
-    return method;
+    ExactMethod by;
+    by.correction = correction_of(spending);
+    return stepping(9, name,
+                    "exact, " + std::to_string(spending.substeps) + (spending.substeps > 1 ? " substeps" : " step"),
+                    by, spending.substeps, HonestExact{});
 }
 
 }  // namespace

@@ -1,104 +1,59 @@
-#include "chapters/06_sequential_impulse/block.hpp"
+#include "chapters/06_sequential_impulse/impulse_method.hpp"
 #include "chapters/08_warm_starting/small_steps.hpp"
-#include "chapters/08_warm_starting/warm_step.hpp"
-#include "tests/stress/stabilized_settings.hpp"
+#include "chapters/08_warm_starting/warm_method.hpp"
+#include "tests/stress/stepping.hpp"
 
 namespace rigid::stress {
 
 namespace {
 
+/// The answer of the last sub-step, if its λ is that of the rows: relaxation goes on with other biases.
+struct HonestAnswer {
+    HonestRows rows;
+    bool lambda_is_of_these_rows = true;
+
+    template <class Solving>
+    void operator()(const Solving&, const StepData<2>& now)
+    {
+        rows.look(now, lambda_is_of_these_rows);
+    }
+};
+
 /// Chapter 6 as it is: an error of position is left alone.
-Method impulses(const std::string& name, int sweeps, Order order, bool blocks = false)
+Method impulses(const std::string& name, int sweeps, Order order, bool in_pairs = false)
 {
-    Method method;
-    method.chapter = 6;
-    method.name = name;
-    method.budget = std::to_string(sweeps) + " sweeps";
-    method.has_restitution = true;
-    ImpulseStepSettings names;
-    method.settings = names_of(impulse_settings(names));
-    method.start = [=](const std::shared_ptr<const Wish>& wish) {
-        struct Memory : ImpulseStep {
-            std::vector<Block> pairs;
-            HonestRows honest;
-        };
-        const auto now = std::make_shared<Memory>();
-        return checked([=](DiscScene& scene, Real h) {
-            ImpulseStepSettings settings;
-            settings.h = h;
-            settings.gravity = scene.gravity;
-            settings.restitution = std::max(Real{0}, wish->restitution);
-            settings.order = order;
-            settings.sweeps.max_sweeps = sweeps;
-            spoil(*wish, impulse_settings(settings), settings);
-            const auto in_pairs = [&](const auto& rows, const auto& visits, const auto& how, auto& memory,
-                                      VecX& u, Solution& solution) {
-                block_impulse<2>(rows, visits, how, memory, now->pairs, u, solution);
-            };
-            if (blocks) impulse_step(scene, settings, in_pairs, *now);
-            else impulse_step(scene, settings, *now);
-            now->honest.look(*now, true);
-        });
-    };
-    return method;
+    ImpulseMethod by;
+    by.solver.ordering = order;
+    by.solver.in_pairs = in_pairs;
+    by.solver.sweeps.max_sweeps = sweeps;
+    return stepping(6, name, std::to_string(sweeps) + " sweeps", by, 1, HonestAnswer{});
+}
+
+template <class Solving>
+Method spending_method(int chapter, const std::string& name, const Spending& spending, Solving by)
+{
+    const bool at_the_end = by.correction.at_the_end;
+    by.correction = correction_of(spending);
+    by.correction.at_the_end = at_the_end;
+    by.solver.sweeps.max_sweeps = spending.sweeps;
+    return stepping(chapter, name, budget(spending), by, spending.substeps,
+                    HonestAnswer{{}, spending.correction != Stabilizer::relaxation});
 }
 
 Method cold(const std::string& name, const Spending& spending)
 {
-    Method method;
-    method.chapter = 7;
-    method.name = name;
-    method.budget = budget(spending);
-    method.has_beta = spending.stabilizer != Stabilizer::none;
-    method.has_restitution = true;
-    StabilizedStepSettings names;
-    method.settings = names_of(stabilized_settings(names));
-    method.start = [=](const std::shared_ptr<const Wish>& wish) {
-        struct Memory : StabilizedStep {
-            HonestRows honest;
-        };
-        const auto now = std::make_shared<Memory>();
-        return checked([=](DiscScene& scene, Real h) {
-            auto settings = settings_for<StabilizedStepSettings>(scene, h, *wish, spending);
-            spoil(*wish, stabilized_settings(settings), settings);
-            stabilized_step(scene, settings, *now);
-            now->honest.look(*now, spending.stabilizer != Stabilizer::relaxation);
-        });
-    };
-    return method;
+    return spending_method(7, name, spending, CorrectedMethod{});
 }
 
-std::vector<Setting> warm_settings(WarmStepSettings& s)
+/// \param factor  of the previous impulses; the best multiple is taken of that
+Method warm(const std::string& name, const Spending& spending, Start start = Start::previous, Real factor = 1,
+            bool at_the_end = false)
 {
-    std::vector<Setting> all = stabilized_settings(s);
-    all.push_back({"share", &s.share, false});
-    return all;
-}
-
-/// \param share  of yesterday's impulses; ignored for the best multiple
-Method warm(const std::string& name, const Spending& spending, Start start = Start::yesterday, Real share = 1,
-            bool repay_once = false)
-{
-    Method method = cold(name, spending);
-    method.chapter = 8;
-    WarmStepSettings names;
-    method.settings = names_of(warm_settings(names));
-    method.start = [=](const std::shared_ptr<const Wish>& wish) {
-        struct Memory : WarmStep {
-            HonestRows honest;
-        };
-        const auto now = std::make_shared<Memory>();
-        return checked([=](DiscScene& scene, Real h) {
-            auto settings = settings_for<WarmStepSettings>(scene, h, *wish, spending);
-            settings.start = start;
-            settings.share = share;
-            settings.repay_once = repay_once;
-            spoil(*wish, warm_settings(settings), settings);
-            warm_step(scene, settings, *now);
-            now->honest.look(*now, spending.stabilizer != Stabilizer::relaxation);
-        });
-    };
-    return method;
+    WarmMethod by;
+    by.start.from = start;
+    by.start.factor = factor;
+    by.correction.at_the_end = at_the_end;
+    return spending_method(8, name, spending, by);
 }
 
 std::vector<Setting> small_settings(SmallStepSettings& s)
@@ -171,7 +126,7 @@ std::vector<Method> impulse_methods(int sweeps)
             cold("projection", projection),
             cold("substeps", substeps),
             warm("warm baumgarte", baumgarte),
-            warm("warm baumgarte 0.8", baumgarte, Start::yesterday, 0.8),
+            warm("warm baumgarte 0.8", baumgarte, Start::previous, 0.8),
             warm("warm relaxation", relaxation),
             warm("warm split impulse", split),
             warm("warm projection", projection),

@@ -11,7 +11,7 @@
 //
 // error: for assembly the largest difference from the dense product over the largest entry of A; for solvers
 // the natural residual over the largest |q|. work: multiplications for assembly, sets for enumeration.
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "common/scenes.hpp"
 
@@ -189,18 +189,19 @@ void step_ten_discs(benchmark::State& state)
         solution = schur(mlcp, settings);
     };
     DiscScene start = ten_discs();
-    DiscStep now;
-    DiscSettings settings;
+    StepData<2> now;
+    StepSettings settings{.h = 1.0 / 480};
     settings.stiffness = 1;
-    for (int n = 0; n < 400; ++n) step(start, settings, solve, now);
+    auto method = by_matrix(solve);
+    for (int n = 0; n < 400; ++n) step(start, settings, method, now);
     DiscScene scene = start;
     for ([[maybe_unused]] auto _ : state) {
         scene.bodies = start.bodies;
-        step(scene, settings, solve, now);
+        step(scene, settings, method, now);
         benchmark::DoNotOptimize(scene.bodies.x.data());
     }
-    report(state, static_cast<Real>(now.mlcp.size()), now.solution.iterations,
-           now.solution.residual / now.mlcp.q.cwiseAbs().maxCoeff(), &now.solution);
+    report(state, static_cast<Real>(method.solver.mlcp.size()), now.solution.iterations,
+           now.solution.residual / method.solver.mlcp.q.cwiseAbs().maxCoeff(), &now.solution);
 }
 
 BENCHMARK(assembly_sparse)

@@ -19,9 +19,9 @@ public:
     //! [step]
     void step(const Settings& settings, const Input& input) override
     {
-        DiscSettings step = ten_discs_settings(settings, input, view_);
+        StepSettings step = ten_discs_settings(settings, input);
         step.pulled = pulled_ = held_disc(scene_, input.pressed, input.pointer, pulled_);
-        gravity_ = step.gravity;
+        scene_.gravity = steered_gravity(input, view_, settings["gravity"]);
 
         // Which contacts are at work is seldom news: begin with those of the last step.
         const auto solve = [&](const Mlcp& mlcp, Solution& solution) {
@@ -33,7 +33,10 @@ public:
                 settings.method == "enumerate" ? enumerate(mlcp, enumeration) : schur(mlcp, enumeration);
             if (solution.status != Status::solved) throw StepFailure(why_not(mlcp, solution));
         };
-        rigid::step(scene_, step, solve, now_);
+        auto method = by_matrix(solve);
+        rigid::step(scene_, step, method, now_);
+        mlcp_ = method.solver.mlcp;
+        pairs_ = method.solver.scratch.pairs;
 
         last_contacts_ = now_.contacts;
         last_lambda_ = now_.solution.lambda;
@@ -48,12 +51,12 @@ public:
         return {static_cast<Real>(now_.contacts.size()),
                 active,
                 static_cast<Real>(now_.solution.iterations),
-                static_cast<Real>(now_.scratch.pairs),
+                static_cast<Real>(pairs_),
                 now_.rows.empty() ? 0 : now_.solution.residual,
                 largest_link_error(scene_),
                 deepest_penetration(scene_),
                 kinetic_energy(scene_.bodies),
-                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, gravity_)};
+                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity)};
     }
 
     void draw(Canvas& canvas) const override
@@ -72,8 +75,8 @@ public:
             canvas.segment(on_b - 0.035 * contact.normal, on_b + 0.035 * contact.normal,
                            pushes(i) ? active_style : idle_style);
         }
-        canvas.arrow({0, 0}, 0.02 * gravity_, {Colour::green, 2.5, 1, false, false});
-        canvas.text(0.022 * gravity_ + Vec2(0.015, -0.02), "g", 14, {Colour::green, 1.5, 1});
+        canvas.arrow({0, 0}, 0.02 * scene_.gravity, {Colour::green, 2.5, 1, false, false});
+        canvas.text(0.022 * scene_.gravity + Vec2(0.015, -0.02), "g", 14, {Colour::green, 1.5, 1});
         draw_matrix(canvas);
     }
 
@@ -126,8 +129,8 @@ private:
         const auto rows = static_cast<Real>(std::max<std::size_t>(now_.rows.size(), 12));
         const Real cell = side / rows;
         canvas.text({0.95, 0.455}, "A: which rows meet", 14, ink);
-        for (Index i = 0; i < now_.mlcp.size(); ++i) {
-            for (SparseMatrix::InnerIterator entry(now_.mlcp.A, i); entry; ++entry) {
+        for (Index i = 0; i < mlcp_.size(); ++i) {
+            for (SparseMatrix::InnerIterator entry(mlcp_.A, i); entry; ++entry) {
                 const Colour colours[] = {style_of(static_cast<std::size_t>(i)).colour,
                                           style_of(static_cast<std::size_t>(entry.col())).colour};
                 const auto either = [&](Colour colour) {
@@ -157,9 +160,10 @@ private:
 
     DiscScene scene_;
     View view_;
-    Vec2 gravity_ = {0, -9.81};
     Index pulled_ = world;
-    DiscStep now_;
+    StepData<2> now_;
+    Mlcp mlcp_;        ///< of the last step, for the picture of A
+    Index pairs_ = 0;  ///< of rows that were multiplied for it
     std::vector<Contact> last_contacts_;
     VecX last_lambda_;
 };

@@ -3,7 +3,7 @@
 /// them that changes the momentum least.
 #pragma once
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/impact_drawing.hpp"
 #include "common/measure.hpp"

@@ -7,7 +7,7 @@
 /// with γ = 0: hω < 2). At the largest h with the largest k and damping the sum is 3.8.
 #pragma once
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/program/program.hpp"
 
 #include <algorithm>
@@ -49,11 +49,10 @@ inline Vec2 steered_gravity(const Input& input, const View& view, Real size)
 }
 
 /// The settings of a step from what the reader has set.
-inline DiscSettings ten_discs_settings(const Settings& settings, const Input& input, const View& view)
+inline StepSettings ten_discs_settings(const Settings& settings, const Input& input)
 {
-    DiscSettings step;
+    StepSettings step;
     step.h = settings.h;
-    step.gravity = steered_gravity(input, view, settings["gravity"]);
     step.stiffness = settings["k"];
     step.damping = settings["damping"];
     step.hand = input.pointer;

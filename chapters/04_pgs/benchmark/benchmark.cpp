@@ -4,7 +4,7 @@
 ///     ten_sweeps/…  a whole solve of ten sweeps, ours and Bullet's, in turns
 ///     error/…       error against row visits and time, for every method on four problems
 
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
@@ -44,22 +44,23 @@ Mlcp ten_discs_problem()
 {
     DiscScene scene = ten_discs();
     const ScriptedPointer pointer(1, {{0, 0}, {0.8, 0.57}});
-    DiscSettings settings;
+    StepSettings settings{.h = 1.0 / 480};
     settings.stiffness = 1;
     settings.damping = 1;
-    DiscStep now;
+    StepData<2> now;
     PgsSettings sweeps;
     sweeps.tolerance = 1e-6;
     Mlcp busiest;
+    auto method = by_matrix([&](const Mlcp& mlcp) { return pgs(mlcp, sweeps); });
     for (int k = 0; k < 3000; ++k) {
         const Vec2 tilt = pointer.at(k * settings.h).cwiseQuotient(scene.half_size);
-        settings.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
-        step(
-            scene, settings, [&](const Mlcp& mlcp) { return pgs(mlcp, sweeps); }, now);
+        scene.gravity = 9.81 * tilt / std::max(Real{1}, tilt.norm());
+        step(scene, settings, method, now);
+        const Mlcp& mlcp = method.solver.mlcp;
         Index pushing = 0, most = 0;
-        for (Index i = 0; i < now.mlcp.size(); ++i) pushing += now.solution.lambda[i] > 1e-6;
-        if (now.mlcp.size() > busiest.size() && now.mlcp.size() <= 22 && pushing > most)
-            busiest = now.mlcp, most = pushing;
+        for (Index i = 0; i < mlcp.size(); ++i) pushing += now.solution.lambda[i] > 1e-6;
+        if (mlcp.size() > busiest.size() && mlcp.size() <= 22 && pushing > most)
+            busiest = mlcp, most = pushing;
     }
     return busiest;
 }

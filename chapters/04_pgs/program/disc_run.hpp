@@ -24,7 +24,6 @@ public:
         : scene_(std::move(scene)), zoom_(zoom), view_(view), steered_(steered)
     {
         require_valid(scene_);
-        disc_settings_.gravity = scene_.gravity;
     }
 
     //! [step]
@@ -37,7 +36,7 @@ public:
                 conjugate_gradients(mlcp, pgs_settings_.tolerance, pgs_settings_.max_sweeps, cg_, solution);
             else pgs(mlcp, tuned(mlcp), memory_, solution);
         };
-        rigid::step(scene_, disc_settings_, solve, now_);
+        advance(solve);
         if (!scene_.bodies.x.allFinite()) throw StepFailure(first_lost_body());
         unsolved_ += now_.solution.status != Status::solved;
     }
@@ -45,7 +44,7 @@ public:
 
     std::vector<Real> measure() const override
     {
-        const Index rows = now_.mlcp.size();
+        const auto rows = static_cast<Index>(now_.rows.size());
         return {static_cast<Real>(now_.solution.iterations),
                 std::isfinite(now_.solution.residual) ? now_.solution.residual : 0,
                 static_cast<Real>(rows) * (now_.solution.iterations + memory_.checks),
@@ -54,7 +53,7 @@ public:
                 largest_link_error(scene_),
                 deepest_penetration(scene_),
                 kinetic_energy(scene_.bodies),
-                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, disc_settings_.gravity)};
+                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity)};
     }
 
     void draw(Canvas& canvas) const override
@@ -79,14 +78,35 @@ public:
     }
 
 protected:
+    /// One step by a solver of the MLCP; its memory stays with this run.
+    template <class Solve>
+    void advance(const Solve& solve)
+    {
+        auto method = by_matrix(solve);
+        std::swap(method.solver.scratch, scratch_);
+        std::swap(method.solver.mlcp, mlcp_);
+        rigid::step(scene_, disc_settings_, method, now_);
+        std::swap(method.solver.scratch, scratch_);
+        std::swap(method.solver.mlcp, mlcp_);
+    }
+
     /// Gravity follows the pointer in the scene that it steers; a pressed button pulls the disc under it.
-    void listen(const Settings& settings, const Input& input)
+    void steer(const Settings& settings, const Input& input)
     {
         const Index was_pulled = disc_settings_.pulled;
-        if (steered_) disc_settings_ = ten_discs_settings(settings, input, view_);
+        if (steered_) {
+            disc_settings_ = ten_discs_settings(settings, input);
+            scene_.gravity = steered_gravity(input, view_, settings["gravity"]);
+        }
         disc_settings_.h = settings.h;
         disc_settings_.hand = input.pointer / zoom_;
         disc_settings_.pulled = held_disc(scene_, input.pressed, disc_settings_.hand, was_pulled);
+    }
+
+    /// The same, and what the reader has set for chapter 4's sweeps.
+    void listen(const Settings& settings, const Input& input)
+    {
+        steer(settings, input);
         pgs_settings_.tolerance = std::pow(10, -settings["digits"]);
         pgs_settings_.max_sweeps = static_cast<int>(settings["max_sweeps"]);
         pgs_settings_.omega = settings.method == "sor" ? settings["omega"] : 1;
@@ -163,8 +183,8 @@ protected:
         canvas.text(corner - line_below, "links and contacts off by " + significant(off, 2) + " mm", 14,
                     paint::label);
         if (steered_) {
-            canvas.arrow({0, 0}, 0.02 * disc_settings_.gravity, {Colour::green, 2.5, 1, false, false});
-            canvas.text(0.022 * disc_settings_.gravity + Vec2(0.015, -0.02), "g", 14,
+            canvas.arrow({0, 0}, 0.02 * scene_.gravity, {Colour::green, 2.5, 1, false, false});
+            canvas.text(0.022 * scene_.gravity + Vec2(0.015, -0.02), "g", 14,
                         {Colour::green, 1.5, 1, false, false});
         }
     }
@@ -174,11 +194,13 @@ protected:
     Real zoom_;
     View view_;
     bool steered_ = false;
-    DiscSettings disc_settings_;
+    StepSettings disc_settings_;
     PgsSettings pgs_settings_;
     PgsMemory memory_;
     CgMemory cg_;
-    DiscStep now_;
+    StepData<2> now_;
+    AssemblyScratch scratch_;
+    Mlcp mlcp_;
     bool conjugate_ = false;
     int order_ = 0;
     std::uint64_t seed_ = 1;

@@ -22,7 +22,7 @@ public:
         counted_ = "pivots";
         listen(settings, input);
         const auto solve = [](const Mlcp& mlcp) { return lemke(mlcp); };
-        rigid::step(scene_, disc_settings_, solve, now_);
+        advance(solve);
         if (!scene_.bodies.x.allFinite()) throw StepFailure(first_lost_body());
         unsolved_ += now_.solution.status != Status::solved;
     }

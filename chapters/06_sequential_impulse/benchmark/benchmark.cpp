@@ -7,7 +7,7 @@
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/06_sequential_impulse/block.hpp"
-#include "chapters/06_sequential_impulse/impulse_step.hpp"
+#include "chapters/06_sequential_impulse/impulse_method.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -3,11 +3,8 @@
 #pragma once
 
 #include "chapters/04_pgs/program/disc_run.hpp"
-#include "chapters/06_sequential_impulse/block.hpp"
-#include "chapters/06_sequential_impulse/impulse_step.hpp"
 #include "chapters/06_sequential_impulse/wrong_clamping.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,25 +24,6 @@ inline Order order_of_method(const std::string& method)
     return Order::given;
 }
 
-/// Finds λ by the method of that name, in the form that impulse_step() wants.
-class ImpulseSolver {
-public:
-    void choose(const std::string& method) { method_ = method; }
-
-    void operator()(const std::vector<Row<2>>& rows, std::span<const int> order,
-                    const ImpulseSettings& sweeps, ImpulseMemory<2>& memory, VecX& u, Solution& solution)
-    {
-        if (method_ == "blocks") block_impulse<2>(rows, order, sweeps, memory, blocks_, u, solution);
-        else if (method_ == "correction")
-            impulse_clamping_corrections<2>(rows, order, sweeps, memory, u, solution);
-        else sequential_impulse<2>(rows, order, sweeps, memory, u, solution);
-    }
-
-private:
-    std::string method_;
-    std::vector<Block> blocks_;
-};
-
 /// What the tunables of these scenes say about the sweeps: `sweeps`, and `digits` with 0 for "always all of them".
 inline ImpulseSettings sweeps_of(const Settings& settings)
 {
@@ -53,6 +31,15 @@ inline ImpulseSettings sweeps_of(const Settings& settings)
     sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
     sweeps.tolerance = settings["digits"] > 0 ? std::pow(10, -settings["digits"]) : 0;
     return sweeps;
+}
+
+/// The solver by the name of a method: one of the orders, blocks, or the mistake.
+inline void choose_solver(const Settings& settings, WrongClampingSolver& solver)
+{
+    solver.ordering = order_of_method(settings.method);
+    solver.in_pairs = settings.method == "blocks";
+    solver.wrong = settings.method == "correction";
+    solver.sweeps = sweeps_of(settings);
 }
 
 inline std::vector<Tunable> sweep_tunables(int sweeps, int digits)
@@ -68,25 +55,24 @@ public:
     ImpulseRun(const Settings& settings, DiscScene scene, Real zoom, const View& view, bool steered = false)
         : DiscRun(std::move(scene), zoom, view, steered)
     {
-        step_.random = Random(settings.seed);
+        method_.solver.random = Random(settings.seed);
     }
 
     //! [step]
     void step(const Settings& settings, const Input& input) override
     {
-        hear(settings, input);
-        solver_.choose(settings.method);
-        impulse_step(scene_, impulse_settings_, std::ref(solver_), step_);
+        steer(settings, input);
+        method_.correction.restitution = settings["restitution"];
+        choose_solver(settings, method_.solver);
+        rigid::step(scene_, disc_settings_, method_, now_);
         if (!scene_.bodies.x.allFinite()) throw StepFailure(first_lost_body());
-        now_.rows = step_.rows;  // for the picture
-        now_.solution = step_.solution;
-        visits_ += step_.memory.visits;
+        visits_ += now_.visits;
     }
     //! [step]
 
     std::vector<Real> measure() const override
     {
-        const Solution& solution = step_.solution;
+        const Solution& solution = now_.solution;
         Vec2 centre(0, 0);
         Real mass_of_all = 0;
         for (Index k = 0; k < scene_.bodies.count(); ++k) {
@@ -96,38 +82,17 @@ public:
         return {static_cast<Real>(solution.iterations),
                 std::isfinite(solution.residual) ? solution.residual : 0,
                 static_cast<Real>(visits_),
-                static_cast<Real>(step_.rows.size()),
+                static_cast<Real>(now_.rows.size()),
                 mass_of_all > 0 ? centre.x() / mass_of_all : 0,
                 mass_of_all > 0 ? centre.y() / mass_of_all : 0,
                 largest_link_error(scene_),
                 deepest_penetration(scene_),
                 kinetic_energy(scene_.bodies),
-                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, impulse_settings_.gravity)};
+                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity)};
     }
 
 private:
-    /// Gravity follows the pointer in the scene that it steers; a pressed button pulls the disc under it.
-    void hear(const Settings& settings, const Input& input)
-    {
-        const Index was_pulled = disc_settings_.pulled;
-        if (steered_) disc_settings_ = ten_discs_settings(settings, input, view_);
-        disc_settings_.h = settings.h;
-        disc_settings_.hand = input.pointer / zoom_;
-        disc_settings_.pulled = held_disc(scene_, input.pressed, disc_settings_.hand, was_pulled);
-        impulse_settings_.h = settings.h;
-        impulse_settings_.gravity = disc_settings_.gravity;
-        impulse_settings_.stiffness = disc_settings_.stiffness;
-        impulse_settings_.damping = disc_settings_.damping;
-        impulse_settings_.pulled = disc_settings_.pulled;
-        impulse_settings_.hand = disc_settings_.hand;
-        impulse_settings_.restitution = settings["restitution"];
-        impulse_settings_.sweeps = sweeps_of(settings);
-        impulse_settings_.order = order_of_method(settings.method);
-    }
-
-    ImpulseSolver solver_;
-    ImpulseStepSettings impulse_settings_;
-    ImpulseStep step_;
+    WrongClampingMethod method_;
     std::int64_t visits_ = 0;
 };
 

@@ -41,11 +41,12 @@ public:
     }
 
 private:
-    void add_machines(const Settings& settings) override
+    void add_joints(const Settings& settings) override
     {
         speed_ = settings["speed"];
         for (Index k = 0; k < 3; ++k)
-            add_belt(scene_.bodies, k, speed_, settings["force"], settings.h, now_.machines);
+            scene_.joints.push_back(
+                {Joint::Kind::motor, world, k, Vec2(1, 0), 0, speed_, settings["force"]});
     }
     Real speed_ = 0;
 };
@@ -83,7 +84,7 @@ public:
     {
         const Real distance = (scene_.bodies.position(1) - scene_.bodies.position(0)).norm();
         return {length - distance, force_of(0), scene_.bodies.x[2], scene_.bodies.x[3],
-                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, {0, -gravity_})};
+                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity)};
     }
     void draw(Canvas& canvas) const override
     {
@@ -104,14 +105,12 @@ public:
 private:
     static constexpr Real length = 1;
 
-    void add_machines(const Settings& settings) override
+    void add_joints(const Settings&) override
     {
-        gravity_ = settings["gravity"];
-        add_rope(scene_.bodies, {0, 1, length}, settings.h, now_.machines);
+        scene_.joints = {{Joint::Kind::rope, 0, 1, Vec2(0, 1), length, 0, 0}};
         trail_.push_back(scene_.bodies.position(1));
         if (trail_.size() > 600) trail_.erase(trail_.begin());
     }
-    Real gravity_ = 0;
     std::vector<Vec2> trail_;
 };
 

@@ -41,12 +41,11 @@ public:
     {
         h_ = settings.h;
         for (std::size_t k = 0; k < 3; ++k) {
-            ImpulseStepSettings step;
-            step.h = h_;
-            step.restitution = e_[k];
-            if (settings.method == "none") step.threshold = 0;
-            if (settings.method == "fixed") step.threshold = settings["slowest"] / (9.81 * h_);
-            impulse_step(scenes_[k], step, now_);
+            ImpulseMethod method;
+            method.correction.restitution = e_[k];
+            if (settings.method == "none") method.correction.threshold = 0;
+            if (settings.method == "fixed") method.correction.threshold = settings["slowest"] / (9.81 * h_);
+            rigid::step(scenes_[k], {.h = h_}, method, now_);
         }
         ++steps_;
         note();
@@ -94,7 +93,7 @@ private:
     std::array<Real, 3> e_;
     std::array<DiscScene, 3> scenes_;
     std::array<std::vector<Vec2>, 3> heights_;
-    ImpulseStep now_;
+    StepData<2> now_;
     Real drop_ = 1, h_ = 1.0 / 60;
     static constexpr Real window_ = 4.5;  ///< [s] that the chart shows
     long steps_ = 0;

@@ -21,10 +21,10 @@ public:
     }
     void step(const Settings& settings, const Input& input) override
     {
-        ImpulseStepSettings step;
+        StepSettings step;
         step.h = settings.h;
-        step.restitution = settings["restitution"];
-        step.sweeps = sweeps_of(settings);
+        now_.restitution = settings["restitution"];
+        now_.sweeps = sweeps_of(settings);
         step.hand = input.pointer;
         held_ = held_disc(scene_, input.pressed, step.hand, held_);
         step.pulled = held_;

@@ -16,17 +16,12 @@ public:
         : angle_(settings["angle"] * pi / 180), scene_(groove(angle_)), rest_(scene_.bodies.position(0))
     {
         scene_.bodies.x[1] += settings["drop"];
-        now_.random = Random(settings.seed);
+        method_.solver.random = Random(settings.seed);
     }
     void step(const Settings& settings, const Input&) override
     {
-        ImpulseStepSettings step;
-        step.h = settings.h;
-        step.margin = settings["margin"];
-        step.sweeps = sweeps_of(settings);
-        step.order = order_of_method(settings.method);
-        solver_.choose(settings.method);
-        impulse_step(scene_, step, std::ref(solver_), now_);
+        choose_solver(settings, method_.solver);
+        rigid::step(scene_, {.h = settings.h, .margin = settings["margin"]}, method_, now_);
         trail_.push_back(scene_.bodies.position(0));
         h_ = settings.h;
     }
@@ -65,8 +60,8 @@ private:
     Real angle_;
     DiscScene scene_;
     Vec2 rest_;
-    ImpulseStep now_;
-    ImpulseSolver solver_;
+    WrongClampingMethod method_;
+    StepData<2> now_;
     std::vector<Vec2> trail_;
     Real h_ = 1.0 / 60;
 };

@@ -1,49 +1,46 @@
 /// \file scene_machines.hpp
-/// Discs with machines made of rows; the first are three lifts.
+/// Discs with joints that are rows with other bounds; the first are three lifts.
 #pragma once
 
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/06_sequential_impulse/program/impulse_run.hpp"
-#include "chapters/06_sequential_impulse/machines.hpp"
+#include "chapters/06_sequential_impulse/lift.hpp"
 #include "common/program/program.hpp"
 
 #include <memory>
 
 namespace rigid {
 
-/// A scene of a few discs whose machines are rows.
+/// A scene of a few discs with joints that the reader can set.
 class MachineRun : public Run {
 public:
     void step(const Settings& settings, const Input&) override
     {
-        ImpulseStepSettings step;
-        step.h = settings.h;
-        step.gravity = {0, -settings["gravity"]};
-        step.sweeps = sweeps_of(settings);
-        step.order = order_of_method(settings.method);
-        solver_.choose(settings.method);
-        now_.machines.clear();
-        add_machines(settings);
-        impulse_step(scene_, step, std::ref(solver_), now_);
+        scene_.gravity = {0, -settings["gravity"]};
+        scene_.joints.clear();
+        add_joints(settings);
+        choose_solver(settings, method_.solver);
+        rigid::step(scene_, {.h = settings.h}, method_, now_);
         if (!scene_.bodies.x.allFinite()) throw StepFailure("a position is not finite");
         h_ = settings.h;
         ++steps_;
     }
 
 protected:
-    virtual void add_machines(const Settings& settings) = 0;
+    /// The joints as the reader has set them.
+    virtual void add_joints(const Settings& settings) = 0;
 
-    /// The force of row i of the machines [N].
+    /// The force of joint i [N].
     Real force_of(std::size_t i) const
     {
-        const std::size_t first = now_.rows.size() - now_.machines.size();
+        const std::size_t first = now_.rows.size() - scene_.joints.size();
         return now_.rows.empty() ? 0 : now_.solution.lambda[static_cast<Index>(first + i)] / h_;
     }
     Real t() const { return static_cast<Real>(steps_) * h_; }
 
     DiscScene scene_;
-    ImpulseStep now_;
-    ImpulseSolver solver_;
+    WrongClampingMethod method_;
+    StepData<2> now_;
     Real h_ = 1;
     long steps_ = 0;
 };
@@ -101,12 +98,10 @@ private:
     static Real shaft(Index k) { return -0.6 + 0.6 * static_cast<Real>(k); }
     static Real share(Index k) { return k == 0 ? 0.9 : k == 1 ? 1.1 : 2.0; }
 
-    void add_machines(const Settings& settings) override
+    void add_joints(const Settings& settings) override
     {
         for (Index k = 0; k < 3; ++k)
-            add_lift(scene_.bodies,
-                     {k, shaft(k), low, high, settings["speed"], share(k) * settings["gravity"]}, settings.h,
-                     now_.machines);
+            add_lift(scene_, {k, shaft(k), low, high, settings["speed"], share(k) * settings["gravity"]});
     }
 };
 

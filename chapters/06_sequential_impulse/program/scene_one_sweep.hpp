@@ -22,10 +22,8 @@ public:
                              : hanging_chain(size, settings["end_mass"]);
         constexpr Real h = 1.0 / 60;
         std::vector<Contact> contacts;
-        std::vector<Constraint<2>> constraints;
         find_contacts(scene_.bodies.x, scene_.radius, scene_.walls, scene_.linked, 1e-6, contacts);
-        disc_constraints(scene_, contacts, constraints);
-        constraint_rows(constraints, scene_.links.size(), scene_.bodies.inverse_mass, h, rows_);
+        disc_rows(scene_, h, contacts, rows_, LeaveErrors{});
         u_star_ = scene_.bodies.u;
         for (Index k = 0; k < scene_.bodies.count(); ++k)
             if (scene_.bodies.inverse_mass[2 * k] > 0) u_star_.segment<2>(2 * k) += h * scene_.gravity;

@@ -1,4 +1,4 @@
-/// Chapter 7: what each way to repay a position error reaches for the same number of row visits.
+/// Chapter 7: what each way to correct a position error reaches for the same number of row visits.
 ///
 ///     error/SCENE/WAY/S   a whole run with S sweeps a step, spent in different ways: error, visits, time of a step
 ///
@@ -8,7 +8,7 @@
 
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
 #include "chapters/07_baumgarte/benchmark/chain_in_angles.hpp"
-#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "chapters/07_baumgarte/corrected_method.hpp"
 #include "common/measure.hpp"
 #include "common/program/scripted_pointer.hpp"
 
@@ -27,7 +27,7 @@ struct Way {
     bool small_steps;  ///< the budget buys substeps of one sweep
 };
 
-/// What leaves a velocity behind repays a fifth in a step, what leaves none all of it.
+/// What leaves a velocity behind corrects a fifth in a step, what leaves none all of it.
 constexpr Way ways[] = {{"none", Stabilizer::none, 0, false},
                         {"baumgarte", Stabilizer::baumgarte, 0.2, false},
                         {"relaxation", Stabilizer::relaxation, 0.2, false},
@@ -71,18 +71,18 @@ const std::vector<Problem>& problems()
     return all;
 }
 
-StabilizedStepSettings settings_of(const Problem& problem, const Way& way, int budget)
+/// The budget is spent on sweeps and on correcting sweeps, or on substeps.
+void spend(const Problem& problem, const Way& way, int budget, StepSettings& settings,
+           CorrectedMethod& method)
 {
-    StabilizedStepSettings settings;
     settings.h = problem.h;
-    settings.stabilizer.method = way.method;
-    settings.stabilizer.beta = way.beta;
+    method.correction.method = way.method;
+    method.correction.beta = way.beta;
     const int passes = way.method == Stabilizer::none || way.method == Stabilizer::baumgarte ? 1 : 2;
     const int share = std::max(1, budget / passes);
     settings.substeps = way.small_steps ? share : 1;
-    settings.sweeps.max_sweeps = settings.stabilizer.repaying_sweeps = way.small_steps ? 1 : share;
+    method.solver.sweeps.max_sweeps = method.correction.repaying_sweeps = way.small_steps ? 1 : share;
     if (problem.steered) settings.stiffness = settings.damping = 1;
-    return settings;
 }
 
 struct Outcome {
@@ -93,15 +93,17 @@ struct Outcome {
 Outcome run(const Problem& problem, const Way& way, int budget)
 {
     DiscScene scene = problem.make();
-    StabilizedStepSettings settings = settings_of(problem, way, budget);
-    StabilizedStep now;
+    StepSettings settings;
+    CorrectedMethod method;
+    spend(problem, way, budget, settings, method);
+    StepData<2> now;
     const View box = {{0, 0}, scene.half_size};
     const ScriptedPointer pointer(1, box);
     Outcome outcome;
     for (int k = 0; k < problem.steps; ++k) {
         if (problem.steered)
-            settings.gravity = steered_gravity({pointer.at(k * settings.h), true, false}, box, 9.81);
-        stabilized_step(scene, settings, now);
+            scene.gravity = steered_gravity({pointer.at(k * settings.h), true, false}, box, 9.81);
+        step(scene, settings, method, now);
         outcome.visits += static_cast<Real>(now.visits) / problem.steps;
         const Real off = std::max(largest_link_error(scene), deepest_penetration(scene));
         if (!(off < 10)) {  // flown apart: at the edge of the plot

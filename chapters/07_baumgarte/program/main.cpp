@@ -1,4 +1,4 @@
-/// Chapter 7: Baumgarte and the other ways to repay a position error.
+/// Chapter 7: Baumgarte and the other ways to correct a position error.
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/07_baumgarte/overlaps.hpp"
@@ -34,18 +34,20 @@ void set(Scene& scene, const std::string& name, Real value)
 
 Scene overlap_scene()
 {
-    Scene scene = disc_scene("overlap", "A disc deep in the floor: who repays it by velocity makes it jump",
-                             {{0, 0.75}, {1.2, 1.2}}, 2);
+    Scene scene =
+        disc_scene("overlap", "A disc deep in the floor: what corrects it by velocity makes it jump",
+                   {{0, 0.75}, {1.2, 1.2}}, 2);
     scene.side_by_side = stabilizer_names();
     set(scene, "beta", 0.4);
     scene.tunables.insert(scene.tunables.begin(),
                           {"depth", "m", "how deep it lies in the floor", 0.1, 0, 0.4, false, true, false});
     scene.start = [view = scene.view](const Settings& settings) {
         const Real depth = settings["depth"], g = 9.81;
-        const auto hop = [depth, g](const StabilizedStepSettings& step) {
-            if (step.stabilizer.method != Stabilizer::baumgarte) return Real{0};
-            const Real v = -baumgarte_bias(-depth, false, step.stabilizer, step.h / step.substeps);  // (7.13)
-            return std::max(Real{0}, rise(v, g, step.h / step.substeps) - depth);
+        const auto hop = [depth, g](const StepSettings& step, const CorrectedMethod& method) {
+            if (method.correction.method != Stabilizer::baumgarte) return Real{0};
+            const Real v =
+                -baumgarte_bias(-depth, ConstraintKind::unilateral, method.correction, step.part());  // (7.13)
+            return std::max(Real{0}, rise(v, g, step.part()) - depth);
         };
         return std::make_unique<StabilizedRun>(sunken_disc(depth), 1, view, hop);
     };
@@ -54,7 +56,7 @@ Scene overlap_scene()
 
 Scene crowd_scene()
 {
-    Scene scene = disc_scene("crowd", "Ten discs that overlap by 0.2 m: who throws them out?",
+    Scene scene = disc_scene("crowd", "Ten discs that overlap by 0.2 m: what throws them out?",
                              {{0, 3.4}, {1.9, 3.6}}, 200);
     scene.side_by_side = stabilizer_names();
     scene.tunables.insert(scene.tunables.begin(),
@@ -65,17 +67,17 @@ Scene crowd_scene()
     return scene;
 }
 
-/// (7.12) or (7.19) for rows in a line; 0 where another way repays.
+/// (7.12) or (7.19) for rows in a line; 0 where another way corrects.
 StabilizedRun::Theory sag_theory(const DiscScene& scene)
 {
-    std::vector<Constraint<2>> constraints;
-    std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 1e-6, contacts);
+    StepData<2> now;
+    AllPairs{}.find(scene, {.margin = 1e-6}, now);
+    evaluate_constraints(scene, now);
     // Walls beside a column touch and carry nothing.
-    std::erase_if(contacts, [](const Contact& c) { return std::abs(c.normal.x()) > 0.5; });
-    disc_constraints(scene, contacts, constraints);
+    std::erase_if(now.constraints,
+                  [](const Constraint<2>& c) { return c.a == world && std::abs(c.Jb.x()) > 0.5; });
     std::vector<Row<2>> rows;
-    for (const Constraint<2>& c : constraints) rows.push_back(bilateral(c, scene.bodies.inverse_mass));
+    for (const Constraint<2>& c : now.constraints) rows.push_back(bilateral(c, scene.bodies.inverse_mass));
     VecX gravity = VecX::Zero(scene.bodies.x.size());
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if (scene.bodies.inverse_mass[2 * k] > 0) gravity.segment<2>(2 * k) = scene.gravity;
@@ -86,20 +88,21 @@ StabilizedRun::Theory sag_theory(const DiscScene& scene)
         std::vector<Real> of;
         Real answer = 0;
     };
-    return [A, force, known = std::make_shared<Known>()](const StabilizedStepSettings& step) -> Real {
-        const StabilizerSettings& repay = step.stabilizer;
-        const bool split = repay.method == Stabilizer::split_impulse;
-        if (!(split || repay.method == Stabilizer::baumgarte) || repay.beta <= 0) return 0;
-        if (step.order != Order::given || (step.substeps > 1 && step.carry > 0)) return 0;
-        const std::vector<Real> of = {
-            step.h, repay.beta, Real(step.substeps), Real(step.sweeps.max_sweeps), repay.slop, Real(split)};
+    return [A, force, known = std::make_shared<Known>()](const StepSettings& step,
+                                                         const CorrectedMethod& method) -> Real {
+        const StabilizerSettings& correction = method.correction;
+        const int sweeps = method.solver.sweeps.max_sweeps;
+        const bool split = correction.method == Stabilizer::split_impulse;
+        if (!(split || correction.method == Stabilizer::baumgarte) || correction.beta <= 0) return 0;
+        if (method.solver.ordering != Order::given || (step.substeps > 1 && method.start.carry > 0)) return 0;
+        const std::vector<Real> of = {step.h,       correction.beta, Real(step.substeps),
+                                      Real(sweeps), correction.slop, Real(split)};
         if (of != known->of) {
-            const Real h = step.h / step.substeps;
+            const Real h = step.part();
             known->of = of;
-            const int sweeps = step.sweeps.max_sweeps;
-            const VecX C = split ? split_sag(A, h * force, sweeps, sweeps, repay.beta, h)
-                                 : sag(A, h * force, sweeps, repay.beta, h);
-            known->answer = repay.slop + C.lpNorm<Eigen::Infinity>();
+            const VecX C = split ? split_sag(A, h * force, sweeps, sweeps, correction.beta, h)
+                                 : sag(A, h * force, sweeps, correction.beta, h);
+            known->answer = correction.slop + C.lpNorm<Eigen::Infinity>();
         }
         return known->answer;
     };

@@ -10,6 +10,7 @@
 #include "chapters/07_baumgarte/program/stabilized_run.hpp"
 #include "common/measure.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace rigid {
@@ -18,26 +19,30 @@ class OneRowRun : public Run {
 public:
     OneRowRun(bool circle, const Settings& settings, const View& view) : circle_(circle), view_(view)
     {
-        if (circle) bodies_.x << 1, 0;
-        else bodies_.x << -0.9 * view.half_size.x(), 1;
-        bodies_.u << 0, 0;
-        bodies_.u[circle ? 1 : 0] = settings["speed"];
+        scene_.at = [circle](const VecX& x) {
+            return circle ? circle_constraint(x, 0, 1) : alignment_constraint<2>(x, world, 0, Vec2(0, 1), 0);
+        };
+        if (circle) scene_.bodies.x << 1, 0;
+        else scene_.bodies.x << -0.9 * view.half_size.x(), 1;
+        scene_.bodies.u << 0, 0;
+        scene_.bodies.u[circle ? 1 : 0] = settings["speed"];
         theory_ = error();
         remember();
     }
 
     void step(const Settings& settings, const Input&) override
     {
-        StabilizerSettings stabilizer;
-        stabilizer.method = stabilizer_named(settings.method);
-        stabilizer.beta = settings["beta"];
-        const Real h = settings.h, g = circle_ ? settings["gravity"] : 0;
-        const bool repays = stabilizer.method != Stabilizer::none;
-        one_row_step([this](const VecX& x) { return constraint(x); }, stabilizer, {0, -g}, h, bodies_, now_);
-        if (!bodies_.x.allFinite()) throw StepFailure("the position of body 0 is not finite");
-        const Real beta = repays ? stabilizer.beta : 0;
+        Correction& correction = method_.correction;
+        correction.method = stabilizer_named(settings.method);
+        correction.beta = settings["beta"];
+        scene_.gravity = {0, circle_ ? -settings["gravity"] : 0};
+        const Real h = settings.h;
+        rigid::step(scene_, {.h = h}, method_, now_);
+        if (!scene_.bodies.x.allFinite()) throw StepFailure("the position of body 0 is not finite");
+        const bool corrects = correction.method != Stabilizer::none;
+        const Real beta = corrects ? correction.beta : 0;
         if (!circle_) theory_ *= 1 - beta;
-        else if (!repays || stabilizer.method == Stabilizer::baumgarte)
+        else if (!corrects || correction.method == Stabilizer::baumgarte)
             theory_ = std::sqrt(1 + next_bead(theory_ * (2 + theory_), beta, h * settings["speed"])) - 1;
         else theory_ = 0;
         remember();
@@ -46,7 +51,7 @@ public:
     std::vector<Real> measure() const override
     {
         return {error(), theory_, now_.solution.lambda.size() > 0 ? now_.solution.lambda[0] : 0,
-                kinetic_energy(bodies_)};
+                kinetic_energy(scene_.bodies)};
     }
 
     void draw(Canvas& canvas) const override
@@ -57,8 +62,9 @@ public:
                                    : Vec2(view_.half_size.x() * (i / 100.0 - 1), 0));
         canvas.polyline(wire, paint::wall);
         canvas.polyline(trail_, {Colour::purple, 1.2, 0.9, false, false});
-        canvas.disc(bodies_.x, 0.05, paint::body);
-        canvas.arrow(bodies_.x, bodies_.x + 0.4 * bodies_.u / std::max(Real{1}, bodies_.u.norm()),
+        canvas.disc(scene_.bodies.x, 0.05, paint::body);
+        canvas.arrow(scene_.bodies.x,
+                     scene_.bodies.x + 0.4 * scene_.bodies.u / std::max(Real{1}, scene_.bodies.u.norm()),
                      paint::error);
         const Vec2 corner = view_.centre + Vec2(-0.95, 0.9).cwiseProduct(view_.half_size);
         canvas.text(corner, "off by " + significant(1000 * error(), 3) + " mm", 14, paint::label);
@@ -68,22 +74,19 @@ public:
     }
 
 private:
-    Constraint<2> constraint(const VecX& x) const
-    {
-        return circle_ ? circle_constraint(x, 0, 1) : alignment_constraint<2>(x, world, 0, Vec2(0, 1), 0);
-    }
     /// Distance from the wire, outwards or upwards [m].
-    Real error() const { return circle_ ? bodies_.x.norm() - 1 : bodies_.x[1]; }
+    Real error() const { return circle_ ? scene_.bodies.x.norm() - 1 : scene_.bodies.x[1]; }
     void remember()
     {
-        trail_.push_back(bodies_.x);
+        trail_.push_back(scene_.bodies.x);
         if (trail_.size() > 3000) trail_.erase(trail_.begin(), trail_.begin() + 1000);
     }
 
     bool circle_;
     View view_;
-    Bodies<2> bodies_{1};
-    OneRowStep now_;
+    OneRowScene<std::function<Constraint<2>(const VecX&)>> scene_;
+    OneRowMethod method_;
+    StepData<2> now_;
     std::vector<Vec2> trail_;
     Real theory_ = 0;
 };
@@ -101,7 +104,7 @@ inline Scene one_row_scene(bool circle)
     scene.methods = stabilizer_names();
     scene.side_by_side = {"baumgarte", "none", "projection"};
     scene.tunables = {
-        {"beta", "", "part of the error that is repaid in a step", 0.2, 0, 2.5, false, false, true},
+        {"beta", "", "part of the error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
         {"speed", "m/s", "at the start", circle ? 1.0 : 0.5, 0, 10, false, true, false}};
     if (circle) scene.tunables.push_back({"gravity", "m/s²", "downwards", 0, 0, 20, false, false, false});
     scene.columns = {{"error", "m", "distance from the wire, outwards", true, false},

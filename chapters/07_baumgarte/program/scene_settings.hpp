@@ -1,9 +1,9 @@
 /// \file scene_settings.hpp
 /// What all scenes of discs of this chapter share: what the reader may change, what is measured, and a budget of row
-/// visits that all ways to repay share.
+/// visits that all ways to correct share.
 #pragma once
 
-#include "chapters/07_baumgarte/stabilized_step.hpp"
+#include "chapters/07_baumgarte/corrected_method.hpp"
 #include "common/program/program.hpp"
 
 #include <algorithm>
@@ -29,38 +29,37 @@ inline Stabilizer stabilizer_named(const std::string& name)
 inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
 {
     return {
-        {"beta", "", "part of an error that is repaid in a step", 0.2, 0, 2.5, false, false, true},
-        {"sweeps", "", "sweeps of a step in all; substeps and repaying share them", sweeps, 1, 512, true,
-         false, false},
+        {"beta", "", "part of an error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
+        {"sweeps", "", "sweeps of a step in all; substeps and the correction share them", sweeps, 1, 512,
+         true, false, false},
         {"substeps", "", "small steps in a step", 1, 1, 128, true, false, false},
         {"carry", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false, false},
         {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
-        {"fastest", "m/s", "an error is repaid at this speed at most", 1000, 0.01, 1000, false, false, false},
+        {"fastest", "m/s", "an error is corrected at this speed at most", 1000, 0.01, 1000, false, false,
+         false},
         {"margin", "m", "a gap below this gets its row", 0.02, 0, 0.1, false, false, false},
         {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
          false}};
 }
 
-/// The settings of a step. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half of those
-/// repay where repaying takes sweeps of its own; each gets one at least.
-inline StabilizedStepSettings stabilized_settings(const Settings& settings)
+/// The settings of a step and its method. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half
+/// of those correct positions where that takes sweeps of its own; each gets one at least.
+inline void stabilized_settings(const Settings& settings, StepSettings& step, CorrectedMethod& method)
 {
-    StabilizedStepSettings step;
     step.h = settings.h;
     step.margin = settings["margin"];
     step.substeps = static_cast<int>(settings["substeps"]);
-    step.carry = settings["carry"];
-    step.order = static_cast<Order>(static_cast<int>(settings["order"]));
-    StabilizerSettings& stabilizer = step.stabilizer;
-    stabilizer.method = stabilizer_named(settings.method);
-    stabilizer.beta = settings["beta"];
-    stabilizer.slop = settings["slop"];
-    stabilizer.fastest = settings["fastest"];
+    method.start.carry = settings["carry"];
+    method.solver.ordering = static_cast<Order>(static_cast<int>(settings["order"]));
+    Correction& correction = method.correction;
+    correction.method = stabilizer_named(settings.method);
+    correction.beta = settings["beta"];
+    correction.slop = settings["slop"];
+    correction.fastest = settings["fastest"];
     const int passes =
-        stabilizer.method == Stabilizer::none || stabilizer.method == Stabilizer::baumgarte ? 1 : 2;
+        correction.method == Stabilizer::none || correction.method == Stabilizer::baumgarte ? 1 : 2;
     const int sweeps = static_cast<int>(settings["sweeps"]) / (step.substeps * passes);
-    step.sweeps.max_sweeps = stabilizer.repaying_sweeps = std::max(1, sweeps);
-    return step;
+    method.solver.sweeps.max_sweeps = correction.repaying_sweeps = std::max(1, sweeps);
 }
 
 inline std::vector<Column> stabilized_columns()

@@ -1,5 +1,5 @@
 /// \file stabilized_run.hpp
-/// A scene of discs, alive: the step with any of the ways to repay.
+/// A scene of discs, alive: the step with any of the ways to correct.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
@@ -14,8 +14,8 @@ namespace rigid {
 
 class StabilizedRun : public Run {
 public:
-    /// What the scene should show by theory [m], from the settings of the step.
-    using Theory = std::function<Real(const StabilizedStepSettings&)>;
+    /// What the scene should show by theory [m], from the settings of the step and its method.
+    using Theory = std::function<Real(const StepSettings&, const CorrectedMethod&)>;
 
     /// \param zoom     from metres to the units of the picture
     /// \param view     what the picture shows
@@ -25,24 +25,22 @@ public:
         : scene_(std::move(scene)), zoom_(zoom), view_(view), theory_(std::move(theory)), steered_(steered)
     {
         require_valid(scene_);
-        energy_ = energy(scene_.gravity);
+        energy_ = energy();
         highest_ = top();
     }
 
     void step(const Settings& settings, const Input& input) override
     {
-        const Index was_pulled = step_.pulled;
-        step_ = stabilized_settings(settings);
-        if (steps_++ == 0) now_.random = Random(settings.seed);
-        step_.gravity = scene_.gravity;
+        stabilized_settings(settings, step_, method_);
+        if (steps_++ == 0) method_.solver.random = Random(settings.seed);
         if (steered_) {
-            step_.gravity = steered_gravity(input, view_, settings["gravity"]);
+            scene_.gravity = steered_gravity(input, view_, settings["gravity"]);
             step_.stiffness = settings["k"];
             step_.damping = settings["damping"];
         }
         step_.hand = input.pointer / zoom_;
-        step_.pulled = held_disc(scene_, input.pressed, step_.hand, was_pulled);
-        stabilized_step(scene_, step_, now_);
+        step_.pulled = held_disc(scene_, input.pressed, step_.hand, step_.pulled);
+        rigid::step(scene_, step_, method_, now_);
         for (Index k = 0; k < scene_.bodies.count(); ++k)
             if (!scene_.bodies.position(k).allFinite())
                 throw StepFailure("the position of body " + std::to_string(k) + " is not finite");
@@ -56,10 +54,10 @@ public:
             speed = std::max(speed, scene_.bodies.velocity(k).norm());
         return {largest_link_error(scene_),
                 deepest_penetration(scene_),
-                theory_ && steps_ > 0 ? theory_(step_) : 0,
+                theory_ && steps_ > 0 ? theory_(step_, method_) : 0,
                 highest_,
                 speed,
-                energy(step_.gravity) - energy_,
+                energy() - energy_,
                 static_cast<Real>(now_.contacts.size()),
                 static_cast<Real>(now_.visits)};
     }
@@ -77,10 +75,11 @@ public:
         for (Index k = 0; k < scene_.bodies.count(); ++k)
             canvas.disc(shown(k), zoom_ * scene_.radius[k],
                         scene_.bodies.inverse_mass[2 * k] > 0 ? paint::body : paint::fixed_body);
-        for (const Contact& contact : now_.contacts) draw_overlap(canvas, contact);
+        for (std::size_t i = 0; i < now_.sources.size(); ++i)
+            if (now_.sources[i].of == Source::Of::contact) draw_overlap(canvas, i);
         if (theory_ && steps_ > 0 && scene_.links.empty() &&
             scene_.bodies.count() == 1) {  // how high it should hop
-            const Real y = zoom_ * (scene_.radius[0] + theory_(step_));
+            const Real y = zoom_ * (scene_.radius[0] + theory_(step_, method_));
             canvas.segment({-view_.half_size.x(), y}, {view_.half_size.x(), y}, paint::theory);
             const Real x = -0.7 * view_.half_size.x();
             canvas.disc({x, zoom_ * highest_}, 0.012 * view_.half_size.y(), paint::body);
@@ -100,22 +99,21 @@ private:
         for (Index k = 0; k < scene_.bodies.count(); ++k) y = std::max(y, scene_.bodies.position(k).y());
         return y;
     }
-    Real energy(const Vec2& gravity) const
+    Real energy() const
     {
-        return kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, gravity);
+        return kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity);
     }
 
     /// A red bar where two discs, or a disc and a wall, overlap: as long as the part that they share is wide.
-    void draw_overlap(Canvas& canvas, const Contact& contact) const
+    /// \param i  number of the contact's row
+    void draw_overlap(Canvas& canvas, std::size_t i) const
     {
-        const Index b = contact.b;
-        const Constraint<2> c = DiscConstraintAt{scene_, now_}(
-            scene_.links.size() + static_cast<std::size_t>(&contact - now_.contacts.data()), scene_.bodies.x);
+        const Constraint<2> c = constraint_at(scene_, now_, i, scene_.bodies.x);
+        const Index b = c.b;
         if (c.C > -visible) return;
         const Vec2 normal = c.Jb.transpose();
         const Real half = std::sqrt(std::max(Real{0}, -c.C * (scene_.radius[b] + c.C / 4)));
-        const Vec2 middle =
-            shown(b) - zoom_ * normal * (scene_.radius[b] + (contact.a == world ? 1 : 0.5) * c.C);
+        const Vec2 middle = shown(b) - zoom_ * normal * (scene_.radius[b] + (c.a == world ? 1 : 0.5) * c.C);
         canvas.segment(middle - zoom_ * half * perpendicular(normal),
                        middle + zoom_ * half * perpendicular(normal), paint::impulse);
     }
@@ -135,8 +133,9 @@ private:
     View view_;
     Theory theory_;
     bool steered_;
-    StabilizedStepSettings step_;
-    StabilizedStep now_;
+    StepSettings step_;
+    CorrectedMethod method_;
+    StepData<2> now_;
     Real energy_ = 0, highest_ = 0;
     int steps_ = 0;
 };

@@ -1,9 +1,9 @@
 /// Chapter 8: run time against error, beside other engines.
 ///
 ///     engines/SCENE/WHO   each of engine_scenes() under two presets of small_steps(), the quick one without its long
-///                         first step, warm_step() with the same settings, Box2D and Chipmunk, and these two with as
-///                         many small steps: in turns, 1000 steps of 1/60 s from the beginning, the fastest of several
-///                         runs; and the errors of the positions, by the same code for all
+///                         first step, step() by WarmMethod with the same settings, Box2D and Chipmunk, and these
+///                         two with as many small steps: in turns, 1000 steps of 1/60 s from the beginning, the
+///                         fastest of several runs; and the errors of the positions, by the same code for all
 ///     visit/…             nanoseconds for a visit of a row, in scene order and coloured, against the rows
 ///
 /// At the end a table says for each scene which preset is no slower than the faster of the peers at no larger an
@@ -11,7 +11,7 @@
 
 #include "chapters/08_warm_starting/benchmark/pose_errors.hpp"
 #include "chapters/08_warm_starting/small_steps.hpp"
-#include "chapters/08_warm_starting/warm_step.hpp"
+#include "chapters/08_warm_starting/warm_method.hpp"
 #ifdef RIGID_HAS_BOX2D
 #include "chapters/08_warm_starting/benchmark/peers_box2d.hpp"
 #endif
@@ -74,23 +74,23 @@ struct SmallSteps : Engine {
 
 struct WarmSteps : Engine {
     DiscScene scene;
-    WarmStepSettings settings;
-    WarmStep now;
+    StepSettings settings;
+    WarmMethod method;
+    StepData<2> now;
     WarmSteps(const EngineScene& from, const SmallStepSettings& preset) : scene(from.scene)
     {
         settings.h = h;
-        settings.gravity = scene.gravity;
         settings.substeps = preset.substeps;
-        settings.sweeps.max_sweeps = preset.sweeps;
-        settings.order = Order::coloured;
-        settings.stabilizer = preset.repay;
-        settings.repay_once = true;
-        settings.start = Start::best_multiple;
-        settings.multiple = preset.start;
+        static_cast<StabilizerSettings&>(method.correction) = preset.repay;
+        method.correction.at_the_end = true;
+        method.start.from = Start::best_multiple;
+        method.start.rule = preset.start;
+        method.solver.sweeps.max_sweeps = preset.sweeps;
+        method.solver.ordering = Order::coloured;
     }
-    void step() override { warm_step(scene, settings, now); }
+    void step() override { rigid::step(scene, settings, method, now); }
     void poses(DiscScene& to) const override { to.bodies.x = scene.bodies.x; }
-    Real sweeps() const override { return settings.substeps * settings.sweeps.max_sweeps; }
+    Real sweeps() const override { return settings.substeps * method.solver.sweeps.max_sweeps; }
 };
 
 SmallStepSettings without_first(SmallStepSettings preset)

@@ -5,6 +5,8 @@
 #include "chapters/08_warm_starting/looped_trusses.hpp"
 #include "chapters/08_warm_starting/program/warm_run.hpp"
 
+#include <array>
+
 using namespace rigid;
 
 namespace {
@@ -49,14 +51,17 @@ Scene ten_discs_scene()
     return scene;
 }
 
-/// (8.8): how far N equal discs sink in all that start from yesterday [m]; the last settings are remembered.
+/// (8.8): how far N equal discs sink in total that start from the previous answer [m]; the last settings are
+/// remembered.
 WarmRun::Theory sinking(Index N)
 {
-    return [N, sweeps = -1, h = Real{0}, sunk = Real{0}](const WarmStepSettings& step) mutable {
-        if (N > 30 || step.sweeps.max_sweeps > 200) return Real{0};  // a minute of matrix products
-        if (step.sweeps.max_sweeps != sweeps || step.h != h) {
-            sweeps = step.sweeps.max_sweeps;
-            h = step.h;
+    return [N, sweeps = -1, h = Real{0}, sunk = Real{0}](const StepSettings& settings,
+                                                         const WarmMethod& method) mutable {
+        const int max_sweeps = method.solver.sweeps.max_sweeps;
+        if (N > 30 || max_sweeps > 200) return Real{0};  // a minute of matrix products
+        if (max_sweeps != sweeps || settings.h != h) {
+            sweeps = max_sweeps;
+            h = settings.h;
             // The rows of the program: contacts from the lowest pair up, then the floor.
             const MatX line = line_problem(N, 1, 9.81 * h).A;
             const VecX carried = line_answer(N, 1, 9.81 * h);
@@ -140,15 +145,15 @@ Scene chain_scene()
         DiscScene chain = hanging_chain(N);
         chain.linked.assign(chain.linked.size(), true);
         chain.gravity *= settings["weight"];
-        const auto rate = [N](const WarmStepSettings& step) {  // of the mode that grows most
-            const bool in_the_bias = step.stabilizer.method == Stabilizer::baumgarte;
-            const Real beta = in_the_bias ? step.stabilizer.beta : 0;
+        const auto rate = [N](const StepSettings&, const WarmMethod& method) {  // of the mode that grows most
+            const bool in_the_bias = method.correction.method == Stabilizer::baumgarte;
+            const Real beta = in_the_bias ? method.correction.beta : 0;
+            const Real factor = method.start.from == Start::cold ? 0 : method.start.factor;
             Real largest = 0;
             for (Index mode = 0; mode < N; ++mode) {
                 const Real theta = pi * static_cast<Real>(2 * mode + 1) / static_cast<Real>(2 * N);
-                const Real gamma = std::pow(std::cos(theta), 2 * step.sweeps.max_sweeps);
-                largest =
-                    std::max(largest, step_rate(gamma, step.start == Start::cold ? 0 : step.share, beta));
+                const Real gamma = std::pow(std::cos(theta), 2 * method.solver.sweeps.max_sweeps);
+                largest = std::max(largest, step_rate(gamma, factor, beta));
             }
             return largest;
         };
@@ -158,9 +163,9 @@ Scene chain_scene()
 }
 
 /// What (8.6) does in a step to the largest error of the five discs, if all that is remembered is used.
-Real loop_rate(const WarmStepSettings& step)
+Real loop_rate(const StepSettings& settings, const WarmMethod& method)
 {
-    if (step.start != Start::yesterday || step.share != 1 || step.order == Order::shuffled) return 0;
+    if (method.start.from != Start::previous || method.start.factor != 1 || method.solver.ordering == Order::shuffled) return 0;
     const DiscScene scene = five_discs_in_loops();
     std::vector<Row<2>> rows;
     for (const Link& link : scene.links)
@@ -168,7 +173,7 @@ Real loop_rate(const WarmStepSettings& step)
     std::vector<int> order;
     Colouring colouring;
     Random unused(1);
-    order_rows(rows, scene.bodies.count(), step.order, unused, colouring, order);
+    order_rows(rows, scene.bodies.count(), method.solver.ordering, unused, colouring, order);
     const auto m = static_cast<Index>(rows.size());
     const auto at = [&](Index i) {
         return order.empty() ? static_cast<std::size_t>(i) : static_cast<std::size_t>(order[std::size_t(i)]);
@@ -182,9 +187,9 @@ Real loop_rate(const WarmStepSettings& step)
     const MatX there = gauss_seidel_matrix(A);
     const MatX back = gauss_seidel_matrix(A.reverse()).reverse();  // the rows from the last to the first
     MatX G = MatX::Identity(m, m);
-    for (int k = 0; k < step.sweeps.max_sweeps; ++k)
-        G = ((step.order == Order::alternating && k % 2 == 1 ? back : there) * G).eval();
-    return std::pow(memory_rate(G), step.substeps);
+    for (int k = 0; k < method.solver.sweeps.max_sweeps; ++k)
+        G = ((method.solver.ordering == Order::alternating && k % 2 == 1 ? back : there) * G).eval();
+    return std::pow(memory_rate(G), settings.substeps);
 }
 
 /// Rods in loops: what is remembered whole explodes, though nothing pulls.
@@ -199,14 +204,13 @@ Scene loop_scene()
     scene.start = [view = scene.view](const Settings& settings) {
         DiscScene discs = five_discs_in_loops();
         discs.bodies.u *= settings["nudge"] / 1e-6;
-        const auto rate = [sweeps = -1, substeps = -1, order = Order::given, start = Start::cold, share = Real{-1},
-                           last = Real{0}](const WarmStepSettings& step) mutable {
-            if (step.sweeps.max_sweeps != sweeps || step.substeps != substeps || step.order != order ||
-                step.start != start || step.share != share) {
-                sweeps = step.sweeps.max_sweeps, substeps = step.substeps, order = step.order;
-                start = step.start, share = step.share;
-                last = loop_rate(step);
-            }
+        const auto rate = [asked = std::array<Real, 5>{-1, -1, -1, -1, -1},
+                           last = Real{0}](const StepSettings& step, const WarmMethod& method) mutable {
+            const std::array<Real, 5> now = {
+                static_cast<Real>(method.solver.sweeps.max_sweeps), static_cast<Real>(step.substeps),
+                static_cast<Real>(method.solver.ordering), static_cast<Real>(method.start.from), method.start.factor};
+            if (now != asked) last = loop_rate(step, method);
+            asked = now;
             return last;
         };
         return std::make_unique<WarmRun>(std::move(discs), 1, view, rate);

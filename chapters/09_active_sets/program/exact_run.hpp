@@ -35,7 +35,7 @@ public:
                 active_sets(mlcp, {}, set_, solution);
             }
         };
-        rigid::step(scene_, disc_settings_, solve, now_);
+        advance(solve);
         counted_ = settings.method == "gauss_seidel" ? "sweeps"
                    : settings.method == "dantzig"    ? "pivots"
                    : now_.solution.iterations == 1   ? "guess"

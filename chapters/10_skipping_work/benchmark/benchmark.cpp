@@ -18,11 +18,11 @@
 /// WHO is `ours`, or another engine where it is installed, or chapter 8. Each time is the least of several rounds.
 
 #include "chapters/01_euler_integration/event.hpp"
-#include "chapters/03_mlcp_formulation/disc_step.hpp"
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/08_warm_starting/benchmark/engine_scenes.hpp"
-#include "chapters/08_warm_starting/warm_step.hpp"
+#include "chapters/08_warm_starting/warm_method.hpp"
 #include "chapters/10_skipping_work/program/skipping_scenes.hpp"
-#include "chapters/10_skipping_work/skipping_step.hpp"
+#include "chapters/10_skipping_work/skipping_world.hpp"
 #include "chapters/10_skipping_work/sort_and_sweep.hpp"
 #ifdef RIGID_HAS_BOX2D
 #include "chapters/08_warm_starting/benchmark/peers_box2d.hpp"
@@ -264,7 +264,6 @@ struct Ours : Stepper {
         : now(make_world(scene, filter_of_links(scene.bodies.count(), scene.links), contact_margin)),
           settings(by)
     {
-        settings.gravity = scene.gravity;
     }
     void step() override { skipping_step(now, settings); }
     Counted counted() const override { return counted_in(now); }
@@ -273,19 +272,20 @@ struct Ours : Stepper {
 
 struct Chapter8 : Stepper {
     DiscScene scene;
-    WarmStep now;
-    WarmStepSettings settings;
+    StepData<2> now;
+    StepSettings settings;
+    WarmMethod method;
     Chapter8(const DiscScene& from, Real contact_margin, const SkippingSettings& by) : scene(from)
     {
         link_neighbours(scene);
         settings.h = by.h;
-        settings.gravity = scene.gravity;
         settings.margin = contact_margin;
-        settings.sweeps = by.sweeps;
-        settings.stabilizer = by.stabilizer;
-        settings.order = Order::coloured;
+        static_cast<StabilizerSettings&>(method.correction) = by.stabilizer;
+        method.start.from = by.start;
+        method.solver.sweeps = by.sweeps;
+        method.solver.ordering = Order::coloured;
     }
-    void step() override { warm_step(scene, settings, now); }
+    void step() override { rigid::step(scene, settings, method, now); }
     Counted counted() const override
     {
         Counted counted;
@@ -512,7 +512,7 @@ void apart(benchmark::State& state)
                  0.1);
     scene.walls = {{{0, 1}, 0}};
     SkippingSettings settings = early_out(1.0 / 60, false);
-    settings.warm = false;
+    settings.start = Start::cold;
     settings.islands = state.range(0) != 0;
     settings.exact_rows = 0;
     settings.sweeps.max_sweeps = 20000;

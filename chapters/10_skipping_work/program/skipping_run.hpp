@@ -4,7 +4,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/doors.hpp"
-#include "chapters/10_skipping_work/skipping_step.hpp"
+#include "chapters/10_skipping_work/skipping_world.hpp"
 #include "common/program/program.hpp"
 #include "common/text.hpp"
 
@@ -22,7 +22,6 @@ public:
         : now_(make_world(std::move(scene), std::move(filter), margin, skin)), view_(view),
           group_(static_cast<std::size_t>(now_.scene.bodies.count()), -1)
     {
-        settings_.gravity = now_.scene.gravity;
     }
 
     void step(const Settings& settings, const Input& input) override
@@ -31,20 +30,20 @@ public:
         if (const auto wait = settings.tunables.find("wait"); wait != settings.tunables.end())
             let_go(wait->second, settings.h);
         skipping_step(now_, settings_);
-        for (const int k : now_.set.awake)
+        for (const int k : now_.method.contacts.set.awake)
             if (!now_.scene.bodies.position(k).allFinite())
                 throw StepFailure("the position of body " + std::to_string(k) + " is not finite");
-        for (int i = 0; now_.counters.awake > 0 && i < now_.islands.count(); ++i)
-            for (const int k : now_.islands.bodies_of(i))
+        for (int i = 0; now_.counters.awake > 0 && i < now_.method.solver.islands.count(); ++i)
+            for (const int k : now_.method.solver.islands.bodies_of(i))
                 group_[static_cast<std::size_t>(k)] =
-                    now_.islands.rows_of(i).empty() ? -1 : now_.islands.bodies_of(i)[0];
+                    now_.method.solver.islands.rows_of(i).empty() ? -1 : now_.method.solver.islands.bodies_of(i)[0];
     }
 
     std::vector<Real> measure() const override
     {
         const SkippingCounters& c = now_.counters;
         Real energy = 0;
-        for (const int k : now_.set.awake)
+        for (const int k : now_.method.contacts.set.awake)
             if (const Real inverse = now_.scene.bodies.inverse_mass[2 * k]; inverse > 0)
                 energy += now_.scene.bodies.velocity(k).squaredNorm() / (2 * inverse);
         const auto real = [](auto value) { return static_cast<Real>(value); };
@@ -66,7 +65,7 @@ public:
                            scene.bodies.position(scene.links[static_cast<std::size_t>(l)].b),
                            {Colour::ink, 1, 0.5, false, false});
         for (Index k = 0; k < scene.bodies.count(); ++k) {
-            const Activity activity = now_.set.activity[static_cast<std::size_t>(k)];
+            const Activity activity = now_.method.contacts.set.activity[static_cast<std::size_t>(k)];
             const Vec2 at = scene.bodies.position(k) - view_.centre;
             if (activity == Activity::gone || std::abs(at.x()) > view_.half_size.x() + scene.radius[k] ||
                 std::abs(at.y()) > view_.half_size.y() + scene.radius[k])
@@ -86,7 +85,7 @@ private:
     void listen(const Settings& settings, const Input& input)
     {
         settings_.h = settings.h;
-        settings_.gravity = {0, -settings["gravity"]};
+        now_.scene.gravity = {0, -settings["gravity"]};
         settings_.sweeps.max_sweeps = static_cast<int>(settings["max_sweeps"]);
         settings_.sweeps.tolerance = std::pow(10, -settings["digits"]);
         settings_.exact_rows = static_cast<int>(settings["exact_rows"]);
@@ -102,7 +101,7 @@ private:
         if (!input.pressed) return;
         if (was != world) settings_.pulled = was;
         else
-            now_.broad.grid.near(input.pointer, 0.02, ~std::uint64_t{0}, [&](int b) {
+            now_.method.contacts.broad.grid.near(input.pointer, 0.02, ~std::uint64_t{0}, [&](int b) {
                 if (now_.scene.bodies.inverse_mass[2 * b] > 0) settings_.pulled = b;
             });
     }

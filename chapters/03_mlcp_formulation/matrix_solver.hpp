@@ -1,0 +1,72 @@
+/// \file matrix_solver.hpp
+/// The solver stage with a matrix: A and q are assembled, and any solver of the MLCP finds λ.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/step_data.hpp"
+
+#include <type_traits>
+#include <utility>
+
+namespace rigid {
+
+/// Calls a solver of either form: void(const Mlcp&, Solution&), or Solution(const Mlcp&).
+template <class Solve>
+void hand_over(Solve& solve, const Mlcp& mlcp, Solution& solution)
+{
+    if constexpr (std::is_invocable_v<Solve&, const Mlcp&, Solution&>) solve(mlcp, solution);
+    else solution = solve(mlcp);
+}
+
+//! [matrix]
+template <class Solve>
+struct MatrixSolver {
+    Solve find;  ///< void(const Mlcp&, Solution&), or Solution(const Mlcp&)
+    AssemblyScratch scratch;
+    Mlcp mlcp;
+
+    /// The least change of u* that keeps to the rows: w = A λ + q, complementary to λ (3.12); u = u* + M⁻¹ Jᵀ λ (3.9).
+    template <int Dof>
+    void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
+    {
+        assemble(now.rows, now.u_star, scratch, mlcp);
+        hand_over(find, mlcp, now.solution);
+        apply_impulses(now.solution.lambda, bodies, now);
+    }
+
+    /// Other biases, the same u*: λ and u become the answer to them.
+    template <int Dof>
+    void solve_again(SecondProblem& second, Bodies<Dof>& bodies, StepData<Dof>& now)
+    {
+        for (std::size_t i = 0; i < now.rows.size(); ++i)
+            mlcp.q[static_cast<Index>(i)] += second.bias[i] - now.rows[i].bias;
+        hand_over(find, mlcp, now.solution);
+        apply_impulses(now.solution.lambda, bodies, now);
+    }
+
+    /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
+    template <int Dof>
+    void solve_apart(SecondProblem& second, VecX& v, StepData<Dof>& now)
+    {
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+            const auto row = static_cast<Index>(i);
+            mlcp.q[row] = second.left_out[i] ? 0 : second.bias[i];
+            if (second.left_out[i]) mlcp.lo[row] = mlcp.hi[row] = 0;
+        }
+        second.solution.lambda.setZero(mlcp.size());
+        hand_over(find, mlcp, second.solution);
+        for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
+        apply(now.rows, second.solution.lambda, v);
+    }
+
+private:
+    template <int Dof>
+    static void apply_impulses(const VecX& lambda, Bodies<Dof>& bodies, const StepData<Dof>& now)
+    {
+        for (const int k : now.active) bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
+        apply(now.rows, lambda, bodies.u);
+    }
+};
+//! [matrix]
+
+}  // namespace rigid

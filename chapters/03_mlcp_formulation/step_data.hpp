@@ -1,0 +1,130 @@
+/// \file step_data.hpp
+/// What a step depends on, what it finds on its way, and the two plainest answers to "what is new to look at?":
+/// every pair of discs, and every body.
+#pragma once
+
+#include "chapters/02_velocity_constraints/constraints.hpp"
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "common/contact.hpp"
+#include "common/forces.hpp"
+#include "common/scenes.hpp"
+
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace rigid {
+
+/// What a step depends on besides the scene and the method.
+struct StepSettings {
+    Real h = 1.0 / 60;     ///< time step [s]
+    int substeps = 1;      ///< the step is taken in so many parts; contacts are found once
+    Real stiffness = 0;    ///< k of the torsional springs, a pure number; see add_bend_springs()
+    Real damping = 0;      ///< of the bends [1/s]
+    Real margin = 0.02;    ///< a contact gets its row when its gap is below this [m]
+    Index pulled = world;  ///< the disc that a hand pulls; world = none
+    Vec2 hand = {0, 0};    ///< where to [m]
+
+    Real part() const { return h / substeps; }  ///< the time of one sub-step [s]
+};
+
+/// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
+/// \param bodies  K
+inline void require_valid(const StepSettings& settings, const Vec2& gravity, Index bodies)
+{
+    require_step(settings.h);
+    require_forces(gravity, settings.stiffness, settings.damping, settings.hand);
+    require_margin(settings.margin);
+    if (settings.substeps < 1)
+        throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +
+                                    "; it must be 1 or more");
+    if (settings.pulled < world || settings.pulled >= bodies)
+        throw std::invalid_argument("the hand pulls disc " + std::to_string(settings.pulled) + "; the scene has discs 0 to " +
+                                    std::to_string(bodies - 1));
+}
+
+/// Where a constraint of a step comes from.
+struct Source {
+    enum class Of : unsigned char { link, contact, joint };
+    Of of = Of::link;
+    int index = 0;  ///< in scene.links, now.contacts, scene.joints
+};
+
+/// What a step finds on its way, kept for the reader to look at and for the next step to reuse.
+template <int Dof>
+struct StepData {
+    std::vector<int> active;      ///< bodies that the step looks at, ascending
+    std::span<const Bend> bends;  ///< springs that it looks at
+    std::vector<Contact> contacts;
+    VecX x_found;  ///< where the active bodies were when the contacts were found [m]
+    std::vector<Source> sources;
+    std::vector<Constraint<Dof>> constraints;  ///< one for each source
+    std::vector<Row<Dof>> rows;                ///< one for each constraint
+    std::vector<std::uint8_t> kept;  ///< 1: the row has its J of the step before (chapter 10); empty = none
+    bool same_rows = false;          ///< the rows are those of the step before, one for one
+    bool same_bodies = false;        ///< so are the active bodies, and what they hang on
+    int substep = 0;                 ///< the number of the present one
+    VecX u_star;                     ///< velocities after the forces, before the impulses [m/s]
+    Solution solution;               ///< of the last sub-step
+    std::int64_t visits = 0;         ///< rows visited in this step, whatever for
+};
+
+/// A second problem on the rows of a step: the same J, other biases (chapter 7 corrects positions by it).
+struct SecondProblem {
+    std::vector<Real> bias;      ///< b of each row [m/s]
+    std::vector<char> left_out;  ///< 1: the row gets no impulse in this problem
+    int max_sweeps = 10;         ///< of solvers that sweep
+    Real tolerance = 1e-9;       ///< their sweeps end when none changes a row by more than this [m/s]
+    Solution solution;           ///< of this problem, by those that answer it apart
+};
+
+inline bool can_move(const Bodies<2>& bodies, Index k)
+{
+    return k != world && (bodies.inverse_mass[2 * k] > 0 || bodies.inverse_mass[2 * k + 1] > 0);
+}
+
+//! [all_pairs]
+/// The contacts stage in its plainest form: every body is looked at, and every pair is tested.
+struct AllPairs {
+    bool collides = true;  ///< false: nothing in this scene ever touches, and no pair is tested
+
+    template <class Method>
+    void begin(const DiscScene& scene, const StepSettings& settings, Method&, StepData<2>& now) const
+    {
+        find(scene, settings, now);
+    }
+    template <class Method>
+    void end(const DiscScene&, const StepSettings&, Method&, const StepData<2>&) const
+    {
+    }
+
+    void find(const DiscScene& scene, const StepSettings& settings, StepData<2>& now) const
+    {
+        const Bodies<2>& bodies = scene.bodies;
+        now.active.resize(static_cast<std::size_t>(bodies.count()));
+        std::iota(now.active.begin(), now.active.end(), 0);
+        now.bends = scene.bends;
+        now.same_bodies = false;
+        now.contacts.clear();
+        if (collides)
+            find_contacts(bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
+        // What cannot move cannot be pushed: two such bodies never are a row.
+        const auto stand = [&](Index a, Index b) { return !can_move(bodies, a) && !can_move(bodies, b); };
+        std::erase_if(now.contacts, [&](const Contact& contact) { return stand(contact.a, contact.b); });
+        now.x_found = bodies.x;
+
+        now.sources.clear();
+        for (std::size_t i = 0; i < scene.links.size(); ++i)
+            if (!stand(scene.links[i].a, scene.links[i].b))
+                now.sources.push_back({Source::Of::link, static_cast<int>(i)});
+        for (std::size_t i = 0; i < now.contacts.size(); ++i)
+            now.sources.push_back({Source::Of::contact, static_cast<int>(i)});
+        for (std::size_t i = 0; i < scene.joints.size(); ++i)
+            if (!stand(scene.joints[i].a, scene.joints[i].b))
+                now.sources.push_back({Source::Of::joint, static_cast<int>(i)});
+    }
+};
+//! [all_pairs]
+
+}  // namespace rigid

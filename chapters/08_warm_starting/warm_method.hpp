@@ -1,0 +1,21 @@
+/// \file warm_method.hpp
+/// The method of this chapter: chapter 7's with another start.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/step.hpp"
+#include "chapters/06_sequential_impulse/impulse_solver.hpp"
+#include "chapters/07_baumgarte/correction.hpp"
+#include "chapters/08_warm_starting/warm_start.hpp"
+
+namespace rigid {
+
+//! [method]
+struct WarmMethod {
+    AllPairs contacts;
+    Correction correction;
+    WarmStart start;
+    ImpulseSolver<2> solver;
+};
+//! [method]
+
+}  // namespace rigid

@@ -1,0 +1,319 @@
+/// \file awake_bodies.hpp
+/// The contacts stage of the step without what needs nothing: bodies that sleep are not looked at, and pairs that are far
+/// apart are not tested. What is remembered is only true while nobody changes the scene behind its back: see
+/// scene_edits.hpp.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "chapters/08_warm_starting/warm_start.hpp"
+#include "chapters/10_skipping_work/broad_phase.hpp"
+#include "chapters/10_skipping_work/incidence.hpp"
+#include "chapters/10_skipping_work/islands.hpp"
+#include "chapters/10_skipping_work/kept_contacts.hpp"
+#include "chapters/10_skipping_work/sleeping.hpp"
+
+#include <tuple>
+#include <vector>
+
+namespace rigid {
+
+/// What decides who is at rest, besides the settings of rest. When one of these numbers changes, all wake.
+struct RestConditions {
+    Vec2 gravity = {0, 0};
+    Real stiffness = 0, damping = 0;
+    RestSettings rest;
+    StabilizerSettings correction;
+    bool sleep = true;
+};
+
+//! [awake_bodies]
+struct AwakeBodies {
+    RestSettings rest;
+    bool sleep = true;   ///< false: nobody falls asleep
+    Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [m]
+
+    AwakeSet set;
+    BroadPhase broad;
+    Incidence links_on, bends_on, joints_on;  ///< by body
+    std::vector<Rest> rests;                  ///< K: how long each body has been at rest
+    SleepingForces forces;                    ///< of the bodies that sleep
+    RestConditions conditions;                ///< of the last step
+
+    // What the last step found on its way.
+    std::vector<int> links, bends, joints;  ///< of the bodies that are awake
+    std::vector<Bend> active_bends;
+    bool changed = true;  ///< the set of awake bodies has changed since these were listed
+    KeptContacts kept;    ///< used where row_slack > 0
+    Islands islands;      ///< of the bodies that are awake, where the solver doesn't know them
+    VecX u_before;        ///< velocities before the step, of the bodies that are awake [m/s]
+    int woken = 0, fell_asleep = 0;  ///< bodies, in the last step
+    //! [awake_bodies]
+
+    /// Puts a scene in: all that can move is awake.
+    /// \throws std::invalid_argument  for a disc with two different masses
+    void reset(const DiscScene& scene, CollisionFilter filter);
+
+    /// Which bodies, which contacts, which constraints this step looks at.
+    template <class Method>
+    void begin(const DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
+
+    /// Islands that have been at rest for long enough fall asleep.
+    template <class Method>
+    void end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
+
+private:
+    void wake_by_changes(const DiscScene& scene, const StepSettings& settings, const RestConditions& present);
+    void change_margin(const DiscScene& scene, Real margin);
+    void take_in_the_woken(ImpulseCache* cache);
+    void collect_active(const DiscScene& scene);
+    void list_sources(const DiscScene& scene, const StepSettings& settings, StepData<2>& now);
+    void watch_rest(const DiscScene& scene, const StepSettings& settings, const StepData<2>& now);
+    void stay_with_kinematic(const DiscScene& scene, const StepData<2>& now);
+};
+
+inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
+{
+    const auto K = static_cast<std::size_t>(scene.bodies.count());
+    for (Index k = 0; k < scene.bodies.count(); ++k)
+        if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])
+            throw std::invalid_argument("disc " + std::to_string(k) + " has two different masses");
+    set = everybody_awake(scene.bodies);
+    broad.reset(scene, std::move(filter));
+    links_on = incidence(K, scene.links.size(), [&](std::size_t i, const auto& visit) {
+        visit(scene.links[i].a);
+        visit(scene.links[i].b);
+    });
+    bends_on = incidence(K, scene.bends.size(), [&](std::size_t i, const auto& visit) {
+        visit(scene.bends[i].left);
+        visit(scene.bends[i].middle);
+        visit(scene.bends[i].right);
+    });
+    joints_on = incidence(K, scene.joints.size(), [&](std::size_t i, const auto& visit) {
+        if (scene.joints[i].a != world) visit(scene.joints[i].a);
+        visit(scene.joints[i].b);
+    });
+    rests.assign(K, {});
+    forces.head.assign(K, -1);
+    u_before = scene.bodies.u;
+    changed = true;
+}
+
+/// True if who was at rest under the conditions `a` is so under `b`. (The step h is not asked for: rest is a balance of
+/// forces. Nor is what says how the balance is found.)
+inline bool same_rest(const RestConditions& a, const RestConditions& b)
+{
+    const auto correction = [](const StabilizerSettings& s) {
+        return std::tuple(s.method, s.beta, s.slop, s.bilateral_slop, s.fastest);
+    };
+    return a.gravity == b.gravity && a.stiffness == b.stiffness && a.damping == b.damping &&
+           correction(a.correction) == correction(b.correction) && a.rest == b.rest && a.sleep == b.sleep;
+}
+
+/// What has changed since the last step wakes whom it concerns. Costs the same however many sleep.
+inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,
+                                         const RestConditions& present)
+{
+    require_valid(rest);
+    if (!(row_slack >= 0) || !std::isfinite(row_slack))
+        throw std::invalid_argument("row_slack is " + std::to_string(row_slack) +
+                                    "; it must be zero or positive and finite");
+    if (static_cast<Index>(rests.size()) != scene.bodies.count())
+        throw std::invalid_argument("the scene has " + std::to_string(scene.bodies.count()) +
+                                    " discs; reset() was called with " + std::to_string(rests.size()));
+    woken = fell_asleep = 0;
+    if (!same_rest(present, conditions))
+        for (Index k = 0; k < scene.bodies.count(); ++k) set.wake(k);  // this once
+    conditions = present;
+    if (settings.pulled == world) return;
+    set.wake(settings.pulled);
+    rests[static_cast<std::size_t>(settings.pulled)] = {};
+}
+
+/// Another margin makes other pairs: all wake and are looked for again.
+inline void AwakeBodies::change_margin(const DiscScene& scene, Real margin)
+{
+    broad.margin = margin;
+    broad.reset(scene, CollisionFilter(broad.filter));
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        if (set.activity[static_cast<std::size_t>(k)] == Activity::gone) broad.grid.remove(static_cast<int>(k));
+        set.wake(k);
+    }
+}
+
+/// A body that was woken starts from the forces that it fell asleep with, and has to rest again from the beginning.
+inline void AwakeBodies::take_in_the_woken(ImpulseCache* cache)
+{
+    set.tidy();
+    ImpulseCache nowhere;
+    remember_woken(forces, set.woken, cache ? *cache : nowhere);
+    for (const int k : set.woken) rests[static_cast<std::size_t>(k)] = {};
+    woken = static_cast<int>(set.woken.size());
+    set.woken.clear();
+    changed = true;
+}
+
+/// The links, bends and joints of the bodies that are awake: listed again when that has changed.
+inline void AwakeBodies::collect_active(const DiscScene& scene)
+{
+    if (!changed) return;
+    const auto counts = [&](Index k) {
+        return k == world || set.activity[static_cast<std::size_t>(k)] != Activity::gone;
+    };
+    const auto moves = [&](Index k) { return k != world && scene.bodies.inverse_mass[2 * k] > 0; };
+    const auto is_row = [&](Index a, Index b) { return counts(a) && counts(b) && (moves(a) || moves(b)); };
+    collect(links_on, set.awake, links);
+    std::erase_if(links, [&](int i) {
+        const Link& link = scene.links[static_cast<std::size_t>(i)];
+        return !is_row(link.a, link.b);
+    });
+    collect(joints_on, set.awake, joints);
+    std::erase_if(joints, [&](int i) {
+        const Joint& joint = scene.joints[static_cast<std::size_t>(i)];
+        return !is_row(joint.a, joint.b);
+    });
+    collect(bends_on, set.awake, bends);
+    active_bends.clear();
+    for (const int i : bends) {
+        const Bend& bend = scene.bends[static_cast<std::size_t>(i)];
+        if (counts(bend.left) && counts(bend.middle) && counts(bend.right)) active_bends.push_back(bend);
+    }
+    changed = false;
+}
+
+/// The contacts of the bodies that are awake, and where the constraints come from.
+inline void AwakeBodies::list_sources(const DiscScene& scene, const StepSettings& settings, StepData<2>& now)
+{
+    now.same_bodies = !changed;
+    collect_active(scene);
+    if (row_slack > 0) {
+        keep_contacts(scene, set, broad, row_slack, kept, now.contacts);
+    } else {
+        awake_contacts(scene, set, broad, now.contacts);
+        kept = {};
+    }
+    now.sources.clear();
+    for (const int i : links) now.sources.push_back({Source::Of::link, i});
+    for (std::size_t i = 0; i < now.contacts.size(); ++i)
+        now.sources.push_back({Source::Of::contact, static_cast<int>(i)});
+    for (const int i : joints) now.sources.push_back({Source::Of::joint, i});
+
+    // A contact that has kept its normal keeps its row, where the rows are those of the step before, one for one.
+    now.kept.clear();
+    if (!kept.same || !now.same_bodies || settings.substeps > 1 || now.rows.size() != now.sources.size()) return;
+    now.kept.resize(links.size(), 0);
+    now.kept.insert(now.kept.end(), kept.kept.begin(), kept.kept.end());
+    now.kept.resize(now.sources.size(), 0);
+}
+
+template <class Method>
+void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings, Method& method,
+                        StepData<2>& now)
+{
+    RestConditions present{scene.gravity, settings.stiffness, settings.damping, rest, {}, sleep};
+    if constexpr (requires { method.correction.beta; }) present.correction = method.correction;
+    wake_by_changes(scene, settings, present);
+    now.active.clear();
+    if (settings.margin != broad.margin) change_margin(scene, settings.margin);
+    if (set.awake.empty()) return;
+
+    // Which discs may touch which; a disc that is touched wakes.
+    update_pairs(scene, set, broad);
+    if (!set.woken.empty()) {
+        if constexpr (requires { method.start.cache; }) take_in_the_woken(&method.start.cache);
+        else take_in_the_woken(nullptr);
+    }
+    list_sources(scene, settings, now);
+    now.active.assign(set.awake.begin(), set.awake.end());
+    now.bends = active_bends;
+    now.x_found.resize(scene.bodies.x.size());
+    for (const int k : now.active) {
+        now.x_found.segment<2>(2 * k) = scene.bodies.position(k);
+        u_before.segment<2>(2 * k) = scene.bodies.velocity(k);
+    }
+}
+
+/// A body that moves and can't be stopped keeps awake what it carries, pulls or bends, however slowly it goes.
+inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepData<2>& now)
+{
+    const auto kinematic = [&](Index k) {
+        return k != world && set.is_awake(k) && !(scene.bodies.inverse_mass[2 * k] > 0);
+    };
+    for (const int k : set.awake)
+        if (kinematic(k)) rests[static_cast<std::size_t>(k)] = {};
+    const auto together = [&](std::initializer_list<Index> bodies) {
+        if (std::none_of(bodies.begin(), bodies.end(), kinematic)) return;
+        for (const Index k : bodies)
+            if (k != world) rests[static_cast<std::size_t>(k)] = {};
+    };
+    for (const Row<2>& row : now.rows) together({row.a, row.b});
+    for (const Bend& bend : active_bends) together({bend.left, bend.middle, bend.right});
+}
+
+/// How long each body that is awake has been at rest.
+inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& settings,
+                                    const StepData<2>& now)
+{
+    bool any_kinematic = false;
+    for (const int k : set.awake) {
+        Rest& so_far = rests[static_cast<std::size_t>(k)];
+        so_far = still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), rest,
+                                  settings.h);
+        any_kinematic = any_kinematic || !(scene.bodies.inverse_mass[2 * k] > 0);
+    }
+    if (any_kinematic) stay_with_kinematic(scene, now);
+}
+
+/// (10.8). An island that falls asleep stands where its contacts were found.
+/// The natural residual of some rows of a step at the velocities u [m/s].
+inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, const VecX& u)
+{
+    Real largest = 0;
+    for (const int i : rows) {
+        const Row<2>& row = now.rows[static_cast<std::size_t>(i)];
+        const Real r = natural_residual_row(row.compliance(), now.solution.lambda[i], row.velocity(u), row.lo,
+                                            row.hi);
+        if (!(r <= largest)) largest = r;  // also takes over a NaN
+    }
+    return largest;
+}
+
+template <class Method>
+void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now)
+{
+    watch_rest(scene, settings, now);
+    if (!sleep) return;
+    Real noise = 0;
+    if constexpr (requires { method.solver.sweeps; }) noise = method.solver.sweeps.tolerance;
+    const auto restless = [&](int k) {
+        return !may_sleep(rests[static_cast<std::size_t>(k)], scene.bodies.velocity(k).norm(), rest, noise);
+    };
+    if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
+
+    const Islands* known = &islands;
+    if constexpr (requires { method.solver.islands; }) known = &method.solver.islands;
+    else find_islands(scene.bodies, now, {}, islands);
+    for (int i = 0; i < known->count(); ++i) {
+        const std::span<const int> members = known->bodies_of(i), rows = known->rows_of(i);
+        if (std::any_of(members.begin(), members.end(), restless)) continue;
+
+        // Rest is only proved by an answer that is one.
+        if (!(natural_residual(now, rows, scene.bodies.u) <= rest.acceleration * settings.h)) continue;
+
+        //! [fall_asleep]
+        set.sleep(members);
+        for (const int row : rows)
+            forces.put(members[0], key_of(now.sources[static_cast<std::size_t>(row)], now.contacts),
+                       now.solution.lambda[row] / settings.part());
+        for (const int k : members) {
+            scene.bodies.velocity(k).setZero();
+            scene.bodies.position(k) = now.x_found.segment<2>(2 * k);
+        }
+        //! [fall_asleep]
+        fell_asleep += static_cast<int>(members.size());
+    }
+    if (fell_asleep == 0) return;
+    set.tidy();
+    changed = true;
+}
+
+}  // namespace rigid

@@ -1,0 +1,125 @@
+/// \file by_islands.hpp
+/// The solver stage of the step, island by island: each is solved for as long as it needs, small ones exactly.
+#pragma once
+
+#include "chapters/06_sequential_impulse/impulse_solver.hpp"
+#include "chapters/10_skipping_work/exact_island.hpp"
+#include "chapters/10_skipping_work/island_solver.hpp"
+#include "chapters/10_skipping_work/islands.hpp"
+
+namespace rigid {
+
+//! [by_islands]
+struct IslandSolver {
+    ImpulseSettings sweeps;            ///< of each island; a tolerance of 0 makes all sweeps
+    Order ordering = Order::coloured;  ///< of the rows in their island: given or coloured
+    int exact_rows = 8;                ///< islands of up to so many rows are solved exactly
+    bool apart = true;                 ///< false: all rows are one problem
+
+    // What is kept from step to step.
+    Islands islands;
+    Colouring colouring;
+    std::vector<int> order;
+    Order ordered = Order::given;  ///< how the rows were ordered when the islands were found
+    std::vector<SolverRow<2>> rows;
+    std::vector<ExactScratch> exact;
+
+    // Of the last step.
+    int most_sweeps = 0;   ///< of the island that needed the most
+    int exact_count = 0;   ///< islands that were solved exactly
+    int unsolved = 0;      ///< islands whose residual did not meet the tolerance
+
+    /// Each island by itself, from the λ that now.solution holds.
+    void solve(Bodies<2>& bodies, StepData<2>& now)
+    {
+        require_known();
+        if (now.substep == 0) {
+            most_sweeps = exact_count = unsolved = 0;
+            arrange(bodies, now);
+        }
+        VecX& lambda = now.solution.lambda;
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+            Real& start = lambda[static_cast<Index>(i)];
+            start = std::clamp(start, now.rows[i].lo, now.rows[i].hi);
+        }
+        for (const int k : now.active) bodies.velocity(k) = now.u_star.segment<2>(2 * k);
+        prepare<2>(now.rows, islands.rows, lambda, rows);
+        for (const SolverRow<2>& row : rows) {
+            bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
+            bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
+        }
+        const std::span<SolverRow<2>> all(rows);
+        if (!apart) solve_one(all, bodies.u, now);
+        for (int i = 0; apart && i < islands.count(); ++i)
+            solve_one(all.subspan(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
+                                  islands.rows_of(i).size()),
+                      bodies.u, now);
+        for (std::size_t k = 0; k < rows.size(); ++k) lambda[islands.rows[k]] = rows[k].lambda;
+        now.solution.iterations = most_sweeps;
+        now.solution.status = unsolved > 0 ? Status::iteration_limit : Status::solved;
+    }
+    //! [by_islands]
+
+    /// Other biases, the same u*: the sweeps go on from the present λ and u.
+    void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
+    {
+        for (std::size_t k = 0; k < rows.size(); ++k) rows[k].bias = second.bias[row_at(k)];
+        now.visits += sweep_on(rows, second.max_sweeps, second.tolerance, bodies.u);
+        for (std::size_t k = 0; k < rows.size(); ++k) now.solution.lambda[islands.rows[k]] = rows[k].lambda;
+    }
+
+    /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
+    void solve_apart(SecondProblem& second, VecX& v, StepData<2>& now)
+    {
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            rows[k].lambda = 0;
+            if (second.left_out[row_at(k)]) rows[k].mass = 0;
+            else rows[k].bias = second.bias[row_at(k)];
+        }
+        for (const int k : now.active) v.segment<2>(2 * k).setZero();
+        now.visits += sweep_on(rows, second.max_sweeps, second.tolerance, v);
+    }
+
+private:
+    std::size_t row_at(std::size_t k) const { return static_cast<std::size_t>(islands.rows[k]); }
+
+    void require_known() const
+    {
+        require_valid(sweeps);
+        if (!std::isfinite(sweeps.tolerance))
+            throw std::invalid_argument("the tolerance of the sweeps is not finite");
+        if (ordering != Order::given && ordering != Order::coloured)
+            throw std::invalid_argument("the order is " + std::string(to_string(ordering)) +
+                                        "; this solver knows given and coloured");
+    }
+
+    /// While the rows are those of the step before, so are the islands.
+    void arrange(const Bodies<2>& bodies, const StepData<2>& now)
+    {
+        if (now.same_bodies && now.same_rows && ordering == ordered) return;
+        order.clear();
+        if (ordering == Order::coloured)
+            colour_rows_of<2>(now.active, bodies.count(), now.rows, colouring, order);
+        find_islands(bodies, now, order, islands);
+        ordered = ordering;
+    }
+
+    void solve_one(std::span<SolverRow<2>> island, VecX& u, StepData<2>& now)
+    {
+        if (island.empty()) return;
+        if (static_cast<int>(island.size()) <= exact_rows) {
+            const IslandAnswer answer = solve_exactly(island, sweeps.tolerance, exact, u);
+            now.visits += answer.visits;
+            if (answer.status == Status::solved) {
+                ++exact_count;
+                return;
+            }
+        }
+        const IslandAnswer answer = sweep_island(island, sweeps, u);
+        most_sweeps = std::max(most_sweeps, answer.sweeps);
+        now.visits += answer.visits;
+        unsolved += answer.status != Status::solved;
+    }
+};
+
+}  // namespace rigid

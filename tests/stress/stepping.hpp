@@ -1,0 +1,119 @@
+/// \file stepping.hpp
+/// A method of the one step as a column of the stability matrix, and which of its settings can be spoilt.
+#pragma once
+
+#include "chapters/07_baumgarte/corrected_method.hpp"
+#include "tests/stress/columns.hpp"
+
+namespace rigid::stress {
+
+inline void add_settings(std::vector<Setting>& all, LeaveErrors& c)
+{
+    all.push_back({"restitution", &c.restitution, false});
+    all.push_back({"threshold", &c.threshold, true});
+}
+
+inline void add_settings(std::vector<Setting>& all, Correction& c)
+{
+    all.push_back({"restitution", &c.restitution, false});
+    all.push_back({"threshold", &c.threshold, true});
+    all.push_back({"beta", &c.beta, false});
+    all.push_back({"slop", &c.slop, false});
+    all.push_back({"bilateral_slop", &c.bilateral_slop, false});
+    all.push_back({"fastest", &c.fastest, true});
+    all.push_back({"repaying tolerance", &c.tolerance, true});
+}
+
+/// All settings of a method that are numbers.
+template <class Solving>
+std::vector<Setting> settings_of(DiscScene& scene, StepSettings& settings, Solving& by)
+{
+    std::vector<Setting> all = step_settings(scene, settings);
+    add_settings(all, by.correction);
+    if constexpr (requires { by.start.carry; }) all.push_back({"carry", &by.start.carry, false});
+    if constexpr (requires { by.start.factor; }) all.push_back({"warm start factor", &by.start.factor, false});
+    if constexpr (requires { by.solver.sweeps; })
+        all.push_back({"tolerance", &by.solver.sweeps.tolerance, true});
+    if constexpr (requires { by.solver.find.settings.tolerance; })
+        all.push_back({"exactness", &by.solver.find.settings.tolerance, true});
+    return all;
+}
+
+/// \param by        the method as it is before the wish
+/// \param substeps  of each step
+/// \param honest    honest(by, now) throws SilentError for an answer that calls itself solved and isn't
+template <class Solving, class Honest>
+Method stepping(int chapter, const std::string& name, const std::string& budget, const Solving& by,
+                int substeps, const Honest& honest)
+{
+    Method method;
+    method.chapter = chapter;
+    method.name = name;
+    method.budget = budget;
+    method.has_restitution = true;
+    if constexpr (requires { by.correction.beta; })
+        method.has_beta = by.correction.method != Stabilizer::none;
+    {
+        DiscScene scene;
+        StepSettings settings;
+        Solving names = by;
+        method.settings = names_of(settings_of(scene, settings, names));
+    }
+    method.start = [=](const std::shared_ptr<const Wish>& wish) {
+        struct Memory {
+            Solving by;
+            StepData<2> now;
+            Honest honest;
+        };
+        const auto memory = std::make_shared<Memory>(Memory{by, {}, honest});
+        return checked([=](DiscScene& scene, Real h) {
+            const GravityGuard guard(scene);
+            StepSettings settings{.h = h, .substeps = substeps};
+            Solving& solving = memory->by;
+            solving.correction.restitution = std::max(Real{0}, wish->restitution);
+            if constexpr (requires { solving.correction.beta; })
+                solving.correction.beta = wish->beta >= 0 ? wish->beta : by.correction.beta;
+            const std::vector<Setting> all = settings_of(scene, settings, solving);
+            std::vector<Real> before;
+            for (const Setting& setting : all) before.push_back(*setting.value);
+            spoil(*wish, all, settings);
+            try {
+                step(scene, settings, solving, memory->now);
+            } catch (...) {  // the next step is to find the settings as they were
+                for (std::size_t i = 0; i < all.size(); ++i) *all[i].value = before[i];
+                throw;
+            }
+            for (std::size_t i = 0; i < all.size(); ++i) *all[i].value = before[i];
+            memory->honest(solving, memory->now);
+        });
+    };
+    return method;
+}
+
+/// How a method spends its sweeps.
+struct Spending {
+    Stabilizer correction = Stabilizer::baumgarte;
+    int sweeps = 10, correcting = 0, substeps = 1;
+    Real fastest = infinity;  ///< [m/s]
+    Real beta = 0.2;
+};
+
+inline Correction correction_of(const Spending& spending)
+{
+    Correction correction;
+    correction.method = spending.correction;
+    correction.beta = spending.beta;
+    correction.fastest = spending.fastest;
+    correction.repaying_sweeps = spending.correcting;
+    return correction;
+}
+
+inline std::string budget(const Spending& s)
+{
+    std::string words = std::to_string(s.sweeps * s.substeps);
+    if (s.correcting > 0) words += " + " + std::to_string(s.correcting * s.substeps);
+    words += " sweeps";
+    return s.substeps > 1 ? words + " in " + std::to_string(s.substeps) + " substeps" : words;
+}
+
+}  // namespace rigid::stress
