@@ -59,7 +59,8 @@ inline WarmMethod same_method(const SmallStepSettings& small)
     WarmMethod method;
     static_cast<StabilizerSettings&>(method.correction) = small.repay;
     method.correction.at_the_end = true;
-    method.start.from = Start::previous;
+    method.start.from = Start::best_multiple;
+    method.start.rule = small.start;
     method.solver.sweeps.max_sweeps = small.sweeps;
     method.solver.ordering = small.coloured ? Order::coloured : Order::given;
     return method;

@@ -1,5 +1,5 @@
 # The program as a reader runs it.
-foreach(scene column ten_discs removed hanging_chain swinging_chain triangle)
+foreach(scene column ten_discs removed hanging_chain loop swinging_chain triangle)
   foreach(method cold yesterday best_multiple)
     add_program_test(ch08 08_warm_starting "runs scene ${scene} from ${method}" --headless --scene ${scene}
                      --method ${method} --steps 150 --csv -)

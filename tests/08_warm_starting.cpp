@@ -1168,3 +1168,4 @@ TEST_CASE("settings that make no sense are refused")
 }
 
 #include "tests/08_small_steps.hpp"
+#include "tests/08_loops.hpp"

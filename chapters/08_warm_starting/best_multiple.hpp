@@ -4,14 +4,18 @@
 ///     φ(s λ) = s qᵀλ + ½ s² λᵀAλ,   least at   s = −qᵀλ / λᵀAλ        (8.14)
 ///
 /// No A is built: λᵀAλ = Σ m Δu² with Δu = M⁻¹Jᵀλ. Never worse than yesterday's answer nor than none, so that a
-/// stale guess cannot add energy (8.13); one pass over the rows. Bodies that no row joins have each their own s.
-/// The same idea with several old answers is \cite fischer1998.
+/// stale guess cannot add energy: (8.13), and where b ≥ 0 (8.16). One pass over the rows. Bodies that no row joins
+/// have each their own s. The same idea with several old answers is \cite fischer1998.
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace rigid {
@@ -53,18 +57,63 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
 }
 //! [groups]
 
-/// Numbers of each group, memory that is kept from step to step.
-struct MultipleScratch {
-    VecX change;     ///< 2K or 3K: Δu that yesterday's λ makes [m/s]
-    VecX slope;      ///< qᵀλ [J]
-    VecX curvature;  ///< λᵀAλ [J]
-    VecX apart;      ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
-    VecX multiple;   ///< s
+//! [rule]
+/// What may be taken instead of the s of (8.14). The merit of sλ is at most zero for every s between 0 and twice the
+/// best, so that none of it touches (8.16).
+struct MultipleRule {
+    Real near_one = 0;     ///< a multiple is moved towards 1 by this much, and to 1 if it is no farther; see section 8.8
+    Real most = infinity;  ///< and it is at most this, 1 …
 };
 
-/// Where λᵀAλ is below this part of Σ A_ii λ_i², nearly all impulses cancel: rows in conflict, which would like to
-/// grow for ever. A thousand equal discs in a column have 1e-6, 1e6 kg on four discs 1e-7.
+/// The s of a group.
+/// \param slope      qᵀλ [J]
+/// \param curvature  λᵀAλ [J]; zero = the guess moves nothing, and stays as it is
+/// \param most       1 where a greater one cannot be trusted, else infinity
+inline Real multiple_of(Real slope, Real curvature, const MultipleRule& rule, Real most = infinity)
+{
+    if (!(curvature > 0)) return 1;
+    const Real best = std::clamp(-slope / curvature, Real{0}, std::min(most, rule.most));
+    if (best > 1) return std::max(Real{1}, best - rule.near_one);
+    return std::min({Real{1}, best + rule.near_one, 2 * best});
+}
+//! [rule]
+
+/// Throws std::invalid_argument, naming the number, unless the rule makes sense.
+inline void require_valid(const MultipleRule& rule)
+{
+    if (!(rule.near_one >= 0))
+        throw std::invalid_argument("near_one is " + std::to_string(rule.near_one) +
+                                    "; it must be zero or positive");
+    if (!(rule.most >= 1))
+        throw std::invalid_argument("the greatest multiple is " + std::to_string(rule.most) +
+                                    "; it must be 1 or more");
+}
+
+/// Numbers of each group, memory that is kept from step to step.
+struct MultipleScratch {
+    VecX change;             ///< 2K or 3K: Δu that yesterday's λ makes [m/s]
+    VecX slope;              ///< qᵀλ [J]
+    VecX curvature;          ///< λᵀAλ [J]
+    VecX apart;              ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
+    VecX multiple;           ///< s
+    std::vector<char> asks;  ///< a row of the group has a bias that velocities at rest do not satisfy
+};
+
+//! [trusted]
+/// Where λᵀAλ is below this part of Σ A_ii λ_i², its digits are rounding: those of Δu are 1e-16 of what is summed up.
+/// A thousand equal discs in a column have 1e-6, 1e8 kg on four discs 1e-9.
+inline constexpr Real rounding_alone = 1e-20;
+/// And where some row asks for a velocity against its error (b < 0, or b ≠ 0 of a bilateral one), rows may be in
+/// conflict: their merit has no least value, and below this part the multiple would let them grow for ever.
 inline constexpr Real cancelled = 1e-8;
+
+/// Velocities of zero satisfy each row that does not ask, so such rows are never in conflict.
+template <int Dof>
+bool asks(const Row<Dof>& row)
+{
+    return row.bias < 0 || (row.bias > 0 && row.lo < 0);
+}
+//! [trusted]
 
 //! [best_multiple]
 /// (8.14): scales the impulses of each group by the multiple that lowers the merit most, at least zero.
@@ -73,31 +122,35 @@ inline constexpr Real cancelled = 1e-8;
 /// \param u_star        velocities before all impulses [m/s]
 /// \param groups        of these rows
 /// \param scratch       what was found
-/// \param lambda        m: yesterday's impulses [N s]; scaled
+/// \param lambda        m: yesterday's impulses [N s], each within its bounds; scaled
+/// \param rule          what may be taken instead of the best
 template <int Dof>
 void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, const VecX& u_star,
-                   const BodyGroups& groups, MultipleScratch& scratch, VecX& lambda)
+                   const BodyGroups& groups, MultipleScratch& scratch, VecX& lambda,
+                   const MultipleRule& rule = {})
 {
     const auto count = static_cast<Index>(groups.of.size());
     scratch.change.setZero(u_star.size());
     scratch.slope.setZero(count);
     scratch.curvature.setZero(count);
     scratch.apart.setZero(count);
+    scratch.asks.assign(groups.of.size(), 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Real impulse = lambda[static_cast<Index>(i)];
         rows[i].apply(impulse, scratch.change);
         scratch.slope[groups.of_row[i]] += rows[i].velocity(u_star) * impulse;
         scratch.apart[groups.of_row[i]] += rows[i].compliance() * impulse * impulse;
+        if (asks(rows[i])) scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
     }
     for (Index i = 0; i < u_star.size(); ++i)
         if (inverse_mass[i] > 0)
             scratch.curvature[groups.of[static_cast<std::size_t>(i / Dof)]] +=
                 scratch.change[i] * scratch.change[i] / inverse_mass[i];
-    scratch.multiple.setOnes(count);
+    scratch.multiple.resize(count);
     for (Index g = 0; g < count; ++g) {
-        if (!(scratch.curvature[g] > 0)) continue;
-        const Real most = scratch.curvature[g] < cancelled * scratch.apart[g] ? 1 : infinity;
-        scratch.multiple[g] = std::clamp(-scratch.slope[g] / scratch.curvature[g], Real{0}, most);
+        const Real part = scratch.asks[static_cast<std::size_t>(g)] ? cancelled : rounding_alone;
+        const Real most = scratch.curvature[g] < part * scratch.apart[g] ? 1 : infinity;
+        scratch.multiple[g] = multiple_of(scratch.slope[g], scratch.curvature[g], rule, most);
     }
     for (std::size_t i = 0; i < rows.size(); ++i)
         lambda[static_cast<Index>(i)] *= scratch.multiple[groups.of_row[i]];

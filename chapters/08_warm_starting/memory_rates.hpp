@@ -8,28 +8,22 @@
 /// with Baumgarte's β and the share σ of yesterday's impulses. All its |z| are below 1 exactly if
 ///
 ///     σ γ (1 + β) < 1                                                 (8.11)
+///
+/// for real γ of 0 … 1. Where rows form loops, γ may be complex: (8.7a).
 #pragma once
 
 #include "common/math.hpp"
 
 #include <cmath>
+#include <complex>
 
 namespace rigid {
 
-//! [step_rate]
-/// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a step, in the long run.
-/// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an error, 0 … 1
-/// \param share  σ, of yesterday's impulses; 0 = cold
-/// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid outside of the velocities.
-///               Then (8.10) has a factor z − 1, the error that stays; the two other roots are meant
-inline Real step_rate(Real gamma, Real share, Real beta)
+/// The largest |z| of a matrix: by what factor its powers grow in the long run.
+template <class Matrix>
+Real spectral_radius(Matrix power)
 {
-    Eigen::Matrix<Real, 3, 3> power;  // of the matrix whose characteristic polynomial is (8.10)
-    power << 1 - beta + gamma * (1 + share + beta), -gamma * (1 + 2 * share), gamma * share,  //
-        1, 0, 0,                                                                              //
-        0, 1, 0;
-    if (beta == 0) power.row(0) << gamma * (1 + share), -gamma * share, 0;
-    // The size of its 2⁶⁰th power, to the power of 2⁻⁶⁰, is the largest |z|.
+    // The size of its 2⁶⁰th power, to the power of 2⁻⁶⁰.
     Real logarithm = 0, exponent = 1;
     for (int k = 0; k < 60; ++k) {
         const Real size = power.norm();
@@ -40,7 +34,45 @@ inline Real step_rate(Real gamma, Real share, Real beta)
     }
     return std::exp(logarithm);
 }
+
 //! [step_rate]
+/// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a step, in the long run.
+/// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an error, 0 … 1
+/// \param share  σ, of yesterday's impulses; 0 = cold
+/// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid outside of the velocities.
+///               Then (8.10) has a factor z − 1, the error that stays; the two other roots are meant
+inline Real step_rate(Real gamma, Real share, Real beta)
+{
+    Eigen::Matrix<Real, 3, 3> companion;  // the matrix whose characteristic polynomial is (8.10)
+    companion << 1 - beta + gamma * (1 + share + beta), -gamma * (1 + 2 * share), gamma * share,  //
+        1, 0, 0,                                                                                  //
+        0, 1, 0;
+    if (beta == 0) companion.row(0) << gamma * (1 + share), -gamma * share, 0;
+    return spectral_radius(companion);
+}
+//! [step_rate]
+
+//! [settles]
+/// (8.7a): do steps that start from all of the remembered impulses settle? b = 0, and rows that stay and push or pull.
+/// \param gamma  an eigenvalue of Gᵏ, what the sweeps of a step leave of an error
+inline bool memory_settles(std::complex<Real> gamma)
+{
+    const Real size = std::abs(gamma);
+    return 2 * size * std::abs(Real{1} - gamma) < 1 - size * size;
+}
+
+/// What (8.6) does to the largest error in a step, in the long run. No mode is needed.
+/// \param G  m×m: what the sweeps of a step leave of the error of λ
+inline Real memory_rate(const MatX& G)
+{
+    const Index m = G.rows();
+    MatX companion = MatX::Zero(2 * m, 2 * m);
+    companion.topLeftCorner(m, m) = 2 * G;
+    companion.topRightCorner(m, m) = -G;
+    companion.bottomLeftCorner(m, m).setIdentity();
+    return spectral_radius(companion);
+}
+//! [settles]
 
 /// (8.11): the least number of sweeps a step with which yesterday's impulses and Baumgarte's β do not build each
 /// other up, for rows on which one sweep multiplies the error by `rate`.

@@ -7,6 +7,7 @@
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/08_warm_starting/best_multiple.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
 #include "common/forces.hpp"
 #include "common/scenes.hpp"
@@ -28,9 +29,25 @@ struct SmallStepSettings {
     Real margin = 0.02;           ///< a contact gets its row when its gap is below this [m]
     bool collides = true;         ///< false: nothing ever touches, and nobody looks
     bool coloured = true;         ///< neighbours in the order of the visits share no body
+    /// Each substep starts from the best multiple of what the one before it left, or from nearly that: a pile that
+    /// only just balances does not like it when all its loads change a little together.
+    MultipleRule start = {0.2, 10};
     /// What repays the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
     /// millimetre is left alone: moving discs that nearly balance topples them.
     StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
+};
+
+/// How much of the impulses that it remembers a group starts from.
+struct StartOfGroup {
+    Real slope = 0;      ///< qᵀλ [J]
+    Real curvature = 0;  ///< λᵀAλ [J]
+    Real multiple = 1;   ///< s of (8.14)
+};
+
+/// Bodies begin … end − 1 are of one group.
+struct BodyRun {
+    Index begin = 0, end = 0;
+    std::size_t group = 0;
 };
 
 /// What stays from step to step. All memory is kept. It belongs to one scene: whoever changes masses or links
@@ -39,13 +56,18 @@ struct SmallStep {
     std::vector<Contact> contacts;
     std::vector<ImpulseKey> keys, keys_before;
     ImpulseCache cache;              ///< its h is 0 until there is a yesterday
-    VecX start;                      ///< λ by the number of the row [N s]
+    VecX remembered;                 ///< λ by the number of the row [N s]
     std::vector<SolverRow<2>> rows;  ///< in the order of the visits
     std::vector<Real> rest;          ///< distance at which C = 0, in the same order [m]
     std::vector<int> order, place;   ///< row number of each visit; and where each row number is visited
     std::vector<Row<2>> bodies;      ///< bodies and M⁻¹ of the rows as given: all that colours depend on
     Colouring colouring;
-    VecX u;                    ///< [m/s]
+    BodyGroups groups;
+    std::vector<std::size_t> group_of_row;     ///< the place in `starts`, in the order of the visits
+    std::vector<BodyRun> runs;         ///< all bodies, in their order
+    std::vector<StartOfGroup> starts;  ///< of each group
+    VecX mass;                                     ///< K [kg]; 0 = cannot move
+    VecX u, change;                                ///< [m/s]; Δu of the guess
     int sweeps = 0;            ///< of the last step
     bool same_rows = false;    ///< nothing came or went since the step before
     bool forget_rows = false;  ///< in: make the rows anew though they may be the same; for one step
@@ -59,14 +81,42 @@ inline std::pair<Index, Index> bodies_of(const DiscScene& scene, const SmallStep
     return {now.contacts[i - links].a, now.contacts[i - links].b};
 }
 
+/// Which rows and bodies have a multiple in common.
+inline void number_groups(const DiscScene& scene, SmallStep& now)
+{
+    find_groups<2>(now.bodies, scene.bodies.inverse_mass, now.groups);
+    std::vector<Index>& of = now.groups.of;  // the lowest body of the group; becomes its number, from 0
+    now.starts.clear();
+    now.runs.clear();
+    now.mass.resize(scene.bodies.count());
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        const Real w = scene.bodies.inverse_mass[2 * k];
+        now.mass[k] = w > 0 ? 1 / w : 0;
+        Index& group = of[static_cast<std::size_t>(k)];
+        if (group == k) {
+            group = static_cast<Index>(now.starts.size());
+            now.starts.emplace_back();
+        } else {
+            group = of[static_cast<std::size_t>(group)];  // a lower body: it has its number
+        }
+        const auto number = static_cast<std::size_t>(group);
+        if (now.runs.empty() || now.runs.back().group != number) now.runs.push_back({k, k, number});
+        now.runs.back().end = k + 1;
+    }
+    now.group_of_row.resize(now.bodies.size());
+    for (std::size_t i = 0; i < now.bodies.size(); ++i)
+        now.group_of_row[static_cast<std::size_t>(now.place[i])] =
+            static_cast<std::size_t>(of[static_cast<std::size_t>(now.groups.of_row[i])]);
+}
+
 /// Yesterday's λ goes to the keys of its rows, and from there to the rows of today. Then their order.
 inline void change_rows(const DiscScene& scene, const SmallStepSettings& settings, Real h, SmallStep& now)
 {
     const std::size_t m = now.keys.size();
-    now.start.resize(static_cast<Index>(now.rows.size()));
-    for (std::size_t k = 0; k < now.rows.size(); ++k) now.start[now.order[k]] = now.rows[k].lambda;
-    if (now.cache.h > 0) store(now.cache, now.keys_before, now.start, now.cache.h);
-    load(now.cache, now.keys, h, now.start);
+    now.remembered.resize(static_cast<Index>(now.rows.size()));
+    for (std::size_t k = 0; k < now.rows.size(); ++k) now.remembered[now.order[k]] = now.rows[k].lambda;
+    if (now.cache.h > 0) store(now.cache, now.keys_before, now.remembered, now.cache.h);
+    load(now.cache, now.keys, h, now.remembered);
     now.keys_before = now.keys;
 
     now.bodies.resize(m);
@@ -97,8 +147,9 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
         row.mass = A > 0 ? 1 / A : 0;
         row.lo = i < scene.links.size() ? -infinity : 0;
         row.hi = infinity;
-        row.lambda = now.start[static_cast<Index>(i)];
+        row.lambda = now.remembered[static_cast<Index>(i)];
     }
+    number_groups(scene, now);
 }
 
 /// Finds the contacts and makes the rows ready for the substeps. Throws std::invalid_argument for a bad setting.
@@ -108,6 +159,7 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     require_forces(settings.gravity, 0, 0, {0, 0});
     require_margin(settings.margin);
     require_valid(settings.repay);
+    require_valid(settings.start);
     if (!(settings.first_tolerance >= 0))
         throw std::invalid_argument("first_tolerance is " + shortest(settings.first_tolerance) +
                                     "; it must be zero or positive");

@@ -51,13 +51,74 @@ inline Real refresh(const VecX& x, const VecX& inverse_mass, Real rest, SolverRo
 }
 //! [refresh]
 
-/// Sweeps until no visit changes the velocity of its row by more than the tolerance.
-/// \return  sweeps made
-inline int first_sweeps(const SmallStepSettings& settings, SmallStep& now)
+/// What the impulse of a row does to its bodies, and bᵀλ.
+inline void carry(std::size_t k, SmallStep& now)
 {
-    int sweeps = 0;
+    const SolverRow<2>& row = now.rows[k];
+    now.change.segment<2>(row.a) += row.Wa * row.lambda;
+    now.change.segment<2>(row.b) += row.Wb * row.lambda;
+    if (row.bias > 0) now.starts[now.group_of_row[k]].slope += row.bias * row.lambda;
+}
+
+//! [start_rows]
+/// C, J and b where the bodies are now, and what the remembered impulses do along this J.
+/// \param h  a substep [s]
+inline void begin_substep(const Bodies<2>& bodies, Real h, SmallStep& now)
+{
+    const Real per_second = 1 / h;
+    for (StartOfGroup& group : now.starts) group = {};
+    for (std::size_t k = 0; k < now.rows.size(); ++k) {
+        SolverRow<2>& row = now.rows[k];
+        const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[k], row);
+        row.bias = row.lo == 0 && C > 0 ? C * per_second : 0;
+        carry(k, now);
+    }
+}
+
+/// u becomes u* + s M⁻¹ Jᵀ λ with the multiple s of each group, (8.14): qᵀλ = bᵀλ + Σ m u*·Δu, λᵀAλ = Σ m Δu².
+/// \param gain  h g [m/s]
+inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep& now)
+{
+    for (const BodyRun& run : now.runs) {
+        Vec2 slope = {0, 0}, curvature = {0, 0};
+        for (Index k = run.begin; k < run.end; ++k) {
+            auto u = now.u.segment<2>(2 * k);
+            if (now.mass[k] > 0) u += gain;
+            const Vec2 change = now.change.segment<2>(2 * k), momentum = now.mass[k] * change;
+            slope += momentum.cwiseProduct(u);
+            curvature += momentum.cwiseProduct(change);
+        }
+        now.starts[run.group].slope += slope.sum();
+        now.starts[run.group].curvature += curvature.sum();
+    }
+    for (StartOfGroup& group : now.starts)
+        group.multiple = multiple_of(group.slope, group.curvature, rule);
+    for (const BodyRun& run : now.runs) {
+        const Real multiple = now.starts[run.group].multiple;
+        for (Index k = 2 * run.begin; k < 2 * run.end; k += 2) {
+            now.u.segment<2>(k) += multiple * now.change.segment<2>(k);
+            now.change.segment<2>(k).setZero();
+        }
+    }
+}
+//! [start_rows]
+
+/// Sweeps until no visit changes the velocity of its row by more than the tolerance. What they are slowest at is a
+/// load that is too small or too large as a whole, so in between they go on from the best multiple of what they have.
+/// \param sweeps  made before
+/// \return        sweeps made in all
+inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep& now)
+{
     for (Real change = infinity; sweeps < settings.first_sweeps && change > settings.first_tolerance;
          ++sweeps) {
+        if (sweeps % 16 == 0) {
+            for (StartOfGroup& group : now.starts) group = {};
+            for (std::size_t k = 0; k < now.rows.size(); ++k) carry(k, now);
+            now.u -= now.change;
+            take_multiples({}, {0, 0}, now);
+            for (std::size_t k = 0; k < now.rows.size(); ++k)
+                now.rows[k].lambda *= now.starts[now.group_of_row[k]].multiple;
+        }
         change = 0;
         for (SolverRow<2>& row : now.rows) {
             const Real A = row.Ja.dot(row.Wa) + row.Jb.dot(row.Wb);
@@ -77,20 +138,17 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
     const Real h = settings.h / settings.substeps;
     const Vec2 gain = h * settings.gravity;
     now.u = bodies.u;
+    now.change.setZero(now.u.size());
     now.sweeps = 0;
 
     for (int n = 0; n < settings.substeps; ++n) {
-        for (Index k = 0; k < now.u.size(); k += 2)
-            if (bodies.inverse_mass[k] > 0) now.u.segment<2>(k) += gain;
-        // C, J and b, and yesterday's impulses along today's J.
+        begin_substep(bodies, h, now);
+        take_multiples(settings.start, gain, now);
         for (std::size_t k = 0; k < now.rows.size(); ++k) {
-            SolverRow<2>& row = now.rows[k];
-            const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[k], row);
-            row.bias = row.lo == 0 && C > 0 ? C / h : 0;
-            now.u.segment<2>(row.a) += row.Wa * row.lambda;
-            now.u.segment<2>(row.b) += row.Wb * row.lambda;
+            now.rows[k].lambda *= now.starts[now.group_of_row[k]].multiple;
+            visit(now.rows[k], now.u);
         }
-        int sweeps = no_yesterday && n == 0 ? first_sweeps(settings, now) : 0;
+        int sweeps = no_yesterday && n == 0 ? first_sweeps(settings, 1, now) : 1;
         for (; sweeps < settings.sweeps; ++sweeps)
             for (SolverRow<2>& row : now.rows) visit(row, now.u);
         now.sweeps += sweeps;

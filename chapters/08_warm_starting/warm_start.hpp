@@ -47,6 +47,7 @@ struct WarmStart {
     Start from = Start::best_multiple;
     Real factor = 1;  ///< σ, the part of the previous impulses that the sweeps start from, 0 … 1; see (8.11)
     int keep = 0;     ///< steps that an impulse outlives its row
+    MultipleRule rule;  ///< of best_multiple: what may be taken instead of the best
 
     // What is kept from step to step.
     ImpulseCache cache;
@@ -76,7 +77,7 @@ struct WarmStart {
         lambda *= from == Start::cold ? 0 : factor;
         if (from != Start::best_multiple) return;
         if (now.substep == 0 && !now.same_rows) find_groups<Dof>(now.rows, bodies.inverse_mass, groups);
-        best_multiple<Dof>(now.rows, bodies.inverse_mass, now.u_star, groups, multiple, lambda);
+        best_multiple<Dof>(now.rows, bodies.inverse_mass, now.u_star, groups, multiple, lambda, rule);
         now.visits += static_cast<std::int64_t>(now.rows.size());
     }
 
@@ -96,6 +97,7 @@ struct WarmStart {
         if (!(factor >= 0 && factor <= 1))
             throw std::invalid_argument("the warm start factor is " + shortest(factor) +
                                         "; it must be from 0 to 1");
+        rigid::require_valid(rule);
         if (keep < 0)
             throw std::invalid_argument("keep is " + std::to_string(keep) + "; it must be zero or positive");
     }

@@ -83,7 +83,8 @@ struct WarmSteps : Engine {
         settings.substeps = preset.substeps;
         static_cast<StabilizerSettings&>(method.correction) = preset.repay;
         method.correction.at_the_end = true;
-        method.start.from = Start::previous;
+        method.start.from = Start::best_multiple;
+        method.start.rule = preset.start;
         method.solver.sweeps.max_sweeps = preset.sweeps;
         method.solver.ordering = Order::coloured;
     }

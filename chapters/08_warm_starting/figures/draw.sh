@@ -35,6 +35,13 @@ for start in $starts; do
 done
 plot ch08_sink
 
+# Five discs and seven rods: the greatest speed, of which a millionth of a metre a second was given.
+for start in $starts; do
+    run --scene loop --method $start --set order=3 digits=12 --steps 300 --csv "$data/loop_$start"
+done
+run --scene loop --method yesterday --set order=1 max_sweeps=2 digits=12 --steps 300 --csv "$data/loop_symmetric"
+plot ch08_loop
+
 # Growth in a step of a chain of 20 under Baumgarte: theory, and the ratio of the greatest speeds in two windows.
 # Where it grows, from a start so small that it stays linear; where it shrinks, before it reaches the rounding.
 growth() { # file, start, settings

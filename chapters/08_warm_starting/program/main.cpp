@@ -2,7 +2,10 @@
 
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
+#include "chapters/08_warm_starting/looped_trusses.hpp"
 #include "chapters/08_warm_starting/program/warm_run.hpp"
+
+#include <array>
 
 using namespace rigid;
 
@@ -159,6 +162,62 @@ Scene chain_scene()
     return scene;
 }
 
+/// What (8.6) does in a step to the largest error of the five discs, if all that is remembered is used.
+Real loop_rate(const StepSettings& settings, const WarmMethod& method)
+{
+    if (method.start.from != Start::previous || method.start.factor != 1 || method.solver.ordering == Order::shuffled) return 0;
+    const DiscScene scene = five_discs_in_loops();
+    std::vector<Row<2>> rows;
+    for (const Link& link : scene.links)
+        rows.push_back(bilateral(distance_constraint(scene.bodies.x, link), scene.bodies.inverse_mass));
+    std::vector<int> order;
+    Colouring colouring;
+    Random unused(1);
+    order_rows(rows, scene.bodies.count(), method.solver.ordering, unused, colouring, order);
+    const auto m = static_cast<Index>(rows.size());
+    const auto at = [&](Index i) {
+        return order.empty() ? static_cast<std::size_t>(i) : static_cast<std::size_t>(order[std::size_t(i)]);
+    };
+    MatX A(m, m);
+    for (Index j = 0; j < m; ++j) {
+        VecX change = VecX::Zero(scene.bodies.u.size());
+        rows[at(j)].apply(1, change);
+        for (Index i = 0; i < m; ++i) A(i, j) = rows[at(i)].velocity(change);
+    }
+    const MatX there = gauss_seidel_matrix(A);
+    const MatX back = gauss_seidel_matrix(A.reverse()).reverse();  // the rows from the last to the first
+    MatX G = MatX::Identity(m, m);
+    for (int k = 0; k < method.solver.sweeps.max_sweeps; ++k)
+        G = ((method.solver.ordering == Order::alternating && k % 2 == 1 ? back : there) * G).eval();
+    return std::pow(memory_rate(G), settings.substeps);
+}
+
+/// Rods in loops: what is remembered whole explodes, though nothing pulls.
+Scene loop_scene()
+{
+    Scene scene = warm_scene("loop", "Five discs and seven rods, nudged: a remembered impulse makes them explode",
+                             {{0.2, -0.15}, {1.1, 1.1}});
+    scene.tunables = with({{"nudge", "m/s", "speed of one disc at the beginning", 1e-6, 1e-9, 1, false, true, false}},
+                          warm_tunables(1, Stabilizer::projection, 1));
+    for (Tunable& tunable : scene.tunables)
+        if (tunable.name == "substeps") tunable.value = 8;
+    scene.start = [view = scene.view](const Settings& settings) {
+        DiscScene discs = five_discs_in_loops();
+        discs.bodies.u *= settings["nudge"] / 1e-6;
+        const auto rate = [asked = std::array<Real, 5>{-1, -1, -1, -1, -1},
+                           last = Real{0}](const StepSettings& step, const WarmMethod& method) mutable {
+            const std::array<Real, 5> now = {
+                static_cast<Real>(method.solver.sweeps.max_sweeps), static_cast<Real>(step.substeps),
+                static_cast<Real>(method.solver.ordering), static_cast<Real>(method.start.from), method.start.factor};
+            if (now != asked) last = loop_rate(step, method);
+            asked = now;
+            return last;
+        };
+        return std::make_unique<WarmRun>(std::move(discs), 1, view, rate);
+    };
+    return scene;
+}
+
 Scene swing_scene()
 {
     Scene scene = warm_scene("swinging_chain",
@@ -186,7 +245,7 @@ int main(int argc, char** argv)
         program.name = "08_warm_starting";
         program.title = "Chapter 8. Warm starting";
         program.scenes = {column_scene(), ten_discs_scene(), removed_scene(),
-                          chain_scene(),  swing_scene(),     triangle_scene()};
+                          chain_scene(),  loop_scene(),      swing_scene(),   triangle_scene()};
         return program;
     };
     return run_program(make, argc, argv);
