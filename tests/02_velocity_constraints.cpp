@@ -378,7 +378,8 @@ TEST_CASE("two beads of 1 kg and 3 kg that meet go on at -1 m/s and not at rest"
     CHECK(nearest(2) == Approx(-1.6).margin(exact));
     CHECK(4 * nearest(2) == Approx(-6.4).margin(exact));
     CHECK(says("chapters/02_velocity_constraints/README.md",
-               "u_1 = u_2 = " + printed(nearest(2), 1) + "$ m/s, and the momentum would have grown to −6.4 kg m/s"));
+               "u_1 = u_2 = " + printed(nearest(2), 1) +
+                   "$ m/s, and the momentum would have grown to −6.4 kg m/s"));
 }
 
 TEST_CASE("a row takes half of its velocity squared over its compliance from the energy")
@@ -819,19 +820,21 @@ TEST_CASE("rows that contradict each other are named and never answered in silen
     CHECK(solve_rows(rows, bodies.u).at_odds.empty());
 }
 
-TEST_CASE("the rows that are named contradict each other by themselves and a row that the compromise suits is not named")
+TEST_CASE("the rows that are named contradict each other by themselves and a row that the compromise suits "
+          "is not named")
 {
     // Three parallel rows that want −1, 0 and 1 m/s.
     Bodies<2> bodies(1);
     std::vector<Row<2>> rows;
     for (const Real wanted : {-1.0, 0.0, 1.0})
-        rows.push_back(
-            bilateral(alignment_constraint<2>(bodies.x, world, 0, Vec2(1, 0), 0), bodies.inverse_mass, -wanted));
+        rows.push_back(bilateral(alignment_constraint<2>(bodies.x, world, 0, Vec2(1, 0), 0),
+                                 bodies.inverse_mass, -wanted));
     const RowsAnswer answer = solve_rows(rows, bodies.u);
     CHECK(answer.verdict == Verdict::conflicting);
     CHECK((answer.w - VecX(Vec<3>(1, 0, -1))).norm() <= exact);
     CHECK(answer.at_odds == std::vector<Index>{0, 2});
-    CHECK(solve_rows<2>({rows[0], rows[1]}, bodies.u).verdict == Verdict::conflicting);  // row 1 quarrels, too
+    CHECK(solve_rows<2>({rows[0], rows[1]}, bodies.u).verdict ==
+          Verdict::conflicting);  // row 1 quarrels, too
     CHECK(solve_rows<2>({rows[1], rows[2]}, bodies.u).verdict == Verdict::conflicting);
 
     // The named alone: rows at random that depend on each other.
@@ -865,14 +868,15 @@ TEST_CASE("a contradiction is one from a billionth of the speeds on at any speed
             std::vector<Row<2>> rows;
             for (int i = 0; i < 3; ++i) {
                 const Real angle = 2 * pi * i / 3 + 0.1;
-                rows.push_back(bilateral(anchor_constraint(bodies.x, 0, {std::cos(angle), std::sin(angle)}, 1),
-                                         bodies.inverse_mass, i == 2 ? factor * growth : 0));
+                rows.push_back(
+                    bilateral(anchor_constraint(bodies.x, 0, {std::cos(angle), std::sin(angle)}, 1),
+                              bodies.inverse_mass, i == 2 ? factor * growth : 0));
             }
             return solve_rows(rows, bodies.u).verdict;
         };
         INFO("all speeds times " << factor);
         CHECK(verdict(0) == Verdict::redundant);
-        CHECK(verdict(1e-11) == Verdict::redundant);  // each misses by 3e-12, at speeds of about 2
+        CHECK(verdict(1e-11) == Verdict::redundant);   // each misses by 3e-12, at speeds of about 2
         CHECK(verdict(1e-7) == Verdict::conflicting);  // 3e-8
     }
 }
@@ -887,9 +891,10 @@ TEST_CASE("two rows at an angle of two millionths are two rows and their roundin
         Bodies<2> bodies(1);
         std::vector<Row<2>> rows;
         for (const Real turn : {0.0, 2e-6})
-            rows.push_back(bilateral(alignment_constraint<2>(bodies.x, world, 0,
-                                                             Vec2(std::cos(angle + turn), std::sin(angle + turn)), 0),
-                                     bodies.inverse_mass, turn > 0 ? -1 : 0));
+            rows.push_back(
+                bilateral(alignment_constraint<2>(bodies.x, world, 0,
+                                                  Vec2(std::cos(angle + turn), std::sin(angle + turn)), 0),
+                          bodies.inverse_mass, turn > 0 ? -1 : 0));
         const RowsAnswer answer = solve_rows(rows, bodies.u);
         CHECK(answer.rank == 2);
         CHECK(answer.verdict == Verdict::independent);

@@ -402,7 +402,8 @@ TEST_CASE("no free impulse and no bound and no unused entry loosens the rule")
     Mlcp quarrel = problem({4, -4, -4, 4}, {-2, 1});
     quarrel.lo.setConstant(-infinity);
     const VecX huge = VecX::Constant(2, 1.5e31);
-    CHECK(natural_residual(quarrel, huge) <= 2);  // by rounding it comes out as anything up to 1e16, here as 2 or 0
+    CHECK(natural_residual(quarrel, huge) <=
+          2);  // by rounding it comes out as anything up to 1e16, here as 2 or 0
     CHECK_FALSE(verify(quarrel, huge).solved);
     CHECK_FALSE(verify(quarrel, huge, {0, 1e-9}).solved);
     CHECK(direct(quarrel).status == Status::singular);
@@ -1152,7 +1153,8 @@ TEST_CASE("a gap closes unseen only above the margin over h and the text says fo
     std::string printed_speeds;
     for (const int n : {240, 360, 480}) {
         const Real h = 1.0 / n, fastest = margin / h;
-        printed_speeds += (n == 240 ? "" : ", ") + printed(fastest, 1) + " m/s at 1/" + std::to_string(n) + " s";
+        printed_speeds +=
+            (n == 240 ? "" : ", ") + printed(fastest, 1) + " m/s at 1/" + std::to_string(n) + " s";
         for (const bool too_fast : {false, true}) {  // from just outside of the margin
             VecX x(2), radius = VecX::Constant(1, 0.1);
             x << 0, 0.1 + margin * (1 + 1e-9);

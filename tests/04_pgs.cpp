@@ -319,7 +319,8 @@ TEST_CASE("two discs in a column top-down are one visit behind bottom-up")
         if (sweep == 1) CHECK(lambda == VecX(Vec2(1, 0)));
         if (sweep == 2) CHECK(lambda == VecX(Vec2(1.5, 0.5)));
         const Real part = std::pow(0.5, sweep);
-        CHECK(answer - lambda == VecX(Vec2(2 * part, 2 * part)));  // bottom-up it is (2, 1) times the same part
+        CHECK(answer - lambda ==
+              VecX(Vec2(2 * part, 2 * part)));  // bottom-up it is (2, 1) times the same part
     }
 }
 
@@ -335,8 +336,9 @@ TEST_CASE("the sweeps for six digits follow from the weight of the slowest mode 
     for (const Index N : {2, 5, 10, 20}) {
         const Real theta = pi / (2 * static_cast<Real>(N)), rate = std::cos(theta) * std::cos(theta);
         const Real predicted = std::log(1e-6 / slowest_weight(N)) / std::log(rate);
-        const std::string line_of_N = " | " + printed(predicted, 1) + " | " + std::to_string(sweeps_until(line(N), 1e-6)) +
-                                      " | " + printed(std::log(1e-6) / std::log(rate), 1) + " |";
+        const std::string line_of_N = " | " + printed(predicted, 1) + " | " +
+                                      std::to_string(sweeps_until(line(N), 1e-6)) + " | " +
+                                      printed(std::log(1e-6) / std::log(rate), 1) + " |";
         INFO(line_of_N);
         CHECK(says("chapters/04_pgs/README.md", line_of_N));
     }
@@ -468,7 +470,8 @@ TEST_CASE("conjugate gradients refuse bounds and say singular when rows contradi
           "row 1 has a bound; conjugate gradients take bilateral rows only");
 }
 
-TEST_CASE("conjugate gradients stop where the merit has no lowest point and report the residual of their answer")
+TEST_CASE(
+    "conjugate gradients stop where the merit has no lowest point and report the residual of their answer")
 {
     const Mlcp apart = problem((MatX(2, 2) << 1, 1, 1, 1).finished(), VecX(Vec2(-1, 1)), -infinity);
     const Solution nothing = conjugate_gradients(apart);
@@ -494,7 +497,8 @@ TEST_CASE("solved is said at the first sweep that meets the tolerance or one swe
             prepare(mlcp, omega, {}, rows);
             rows.lambda.setZero();
             int first = 0;
-            for (Limit sweeps(100000); natural_residual(mlcp, rows.lambda) > tolerance && sweeps.left(); ++first)
+            for (Limit sweeps(100000); natural_residual(mlcp, rows.lambda) > tolerance && sweeps.left();
+                 ++first)
                 sweep_forward(rows);
             PgsSettings settings;
             settings.tolerance = tolerance;

@@ -9,8 +9,8 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
-#include "tests/says.hpp"
 #include "tests/random_problems.hpp"
+#include "tests/says.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <functional>
@@ -268,8 +268,8 @@ TEST_CASE("within a cone each weight is a linear function of z0 and most are not
     };
     const Vec2 at_0 = weights(0), at_1 = weights(1), at_2 = weights(2);
     CHECK((at_0 - Vec2(4.0 / 3, 7.0 / 3)).norm() < 1e-14);
-    CHECK((at_0 - 2 * at_1 + at_2).norm() < 1e-14);                  // linear in z0
-    CHECK(std::abs(at_0[0] / at_0[1] - at_2[0] / at_2[1]) > 0.1);    // and not in proportion
+    CHECK((at_0 - 2 * at_1 + at_2).norm() < 1e-14);                // linear in z0
+    CHECK(std::abs(at_0[0] / at_0[1] - at_2[0] / at_2[1]) > 0.1);  // and not in proportion
     CHECK(says("chapters/05_lemke/README.md", "Inside a cone each weight is a linear function of $z_0$."));
 }
 
@@ -741,7 +741,8 @@ TEST_CASE("with q near zero what is solved is as right as with any other q")
     constexpr int budget = 4000;
     for (int sample = 0; sample < budget; ++sample) {
         const Index n = 1 + random.index(6);
-        Mlcp problem = plain_lcp(random_matrix(Kind::spd, n, random), gaussian(n, 1, random));
+        const VecX q = gaussian(n, 1, random);
+        Mlcp problem = plain_lcp(random_matrix(Kind::spd, n, random), q);
         const Real unit = std::pow(10, random.uniform(-30, -10));
         problem.q *= unit;
         for (Index i = 0; i < n; ++i) {

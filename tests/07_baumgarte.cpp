@@ -294,8 +294,10 @@ TEST_CASE("no error is repaid faster than the maximum correction speed on either
     settings.fastest = 3;
     const Real h = 0.01;  // β / h = 20 1/s
     for (const Real C : {1.0, 0.15, 0.1, -0.1, -0.15, -1.0}) {
-        CHECK(baumgarte_bias(C, ConstraintKind::bilateral, settings, h) == Approx(std::clamp(20 * C, -3.0, 3.0)).epsilon(1e-14));
-        CHECK(baumgarte_bias(C, ConstraintKind::unilateral, settings, h) == Approx(std::clamp(20 * std::min(C, 0.0), -3.0, 3.0)).epsilon(1e-14));
+        CHECK(baumgarte_bias(C, ConstraintKind::bilateral, settings, h) ==
+              Approx(std::clamp(20 * C, -3.0, 3.0)).epsilon(1e-14));
+        CHECK(baumgarte_bias(C, ConstraintKind::unilateral, settings, h) ==
+              Approx(std::clamp(20 * std::min(C, 0.0), -3.0, 3.0)).epsilon(1e-14));
     }
 }
 

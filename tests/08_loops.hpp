@@ -59,7 +59,10 @@ inline MatX sweep_matrix(const MatX& A, bool backwards)
     return MatX::Identity(A.rows(), A.cols()) - triangle.partialPivLu().solve(A);
 }
 
-inline Eigen::VectorXcd modes_of(const MatX& matrix) { return Eigen::EigenSolver<MatX>(matrix).eigenvalues(); }
+inline Eigen::VectorXcd modes_of(const MatX& matrix)
+{
+    return Eigen::EigenSolver<MatX>(matrix).eigenvalues();
+}
 
 /// The greatest rise of the kinetic energy above an earlier value, as a part of what there was at the beginning.
 template <class Step>
@@ -134,7 +137,8 @@ TEST_CASE("a remembered start settles for complex modes exactly where (8.7a) say
     CHECK(!memory_settles({0.96323, 0.01192}));  // the five discs
 }
 
-TEST_CASE("five discs in loops explode from one sweep a step as (8.6) predicts and settle from a best multiple")
+TEST_CASE(
+    "five discs in loops explode from one sweep a step as (8.6) predicts and settle from a best multiple")
 {
     for (const Order order : {Order::given, Order::coloured}) {
         CAPTURE(to_string(order));
@@ -182,8 +186,7 @@ TEST_CASE("a sweep there and back has real modes from 0 to 1 so that memory sett
         const MatX A = matrix_of(cold.now.rows, {}, scene.bodies.u.size());
         const MatX there = sweep_matrix(A, false), back = sweep_matrix(A, true);
         const Eigen::VectorXcd once = modes_of(there), twice = modes_of(back * there);
-        for (const std::complex<Real>& mode : once)
-            complex_modes += std::abs(mode.imag()) > 1e-6 ? 1 : 0;
+        for (const std::complex<Real>& mode : once) complex_modes += std::abs(mode.imag()) > 1e-6 ? 1 : 0;
         CAPTURE(sample);
         for (const std::complex<Real>& mode : twice) {
             // Redundant rods: modes of 1, which move nothing. Where several are equal the square root of rounding.
@@ -299,8 +302,10 @@ inline DiscScene crash(Random& random)
                 {k, k + 1, (scene.bodies.position(k + 1) - scene.bodies.position(k)).norm()});
     link_neighbours(scene);
     const Real angle = random.uniform(0, 1.4);  // two of the walls make a groove
-    scene.walls = {{{std::sin(angle), std::cos(angle)}, -1}, {{-std::sin(angle), std::cos(angle)}, -1},
-                   {{0, -1}, -1},                            {{1, 0}, -1},
+    scene.walls = {{{std::sin(angle), std::cos(angle)}, -1},
+                   {{-std::sin(angle), std::cos(angle)}, -1},
+                   {{0, -1}, -1},
+                   {{1, 0}, -1},
                    {{-1, 0}, -1}};
     scene.gravity = {0, 0};
     return scene;

@@ -285,8 +285,8 @@ TEST_CASE("the cache asks for no memory once it has seen so many rows")
 
 // ---- discrete identities -----------------------------------------------------------------------------------
 
-TEST_CASE(
-    "for two discs in a column by hand one digit costs three sweeps from zero and none from the previous answer")
+TEST_CASE("for two discs in a column by hand one digit costs three sweeps from zero and none from the "
+          "previous answer")
 {
     // The example of the text in units of mgh: answer (2, 1) for floor and upper contact.
     DiscScene scene = column(2);
@@ -1167,5 +1167,5 @@ TEST_CASE("settings that make no sense are refused")
     CHECK(sentence([](auto& s, auto&) { s.h = 0; }).find("time step") != std::string::npos);
 }
 
-#include "tests/08_small_steps.hpp"
 #include "tests/08_loops.hpp"
+#include "tests/08_small_steps.hpp"

@@ -29,7 +29,8 @@ public:
         lambda_ = unscaled(z_);
         const Verification verified = verify(mlcp_, lambda_, {tolerance_, 0});
         if (!verified.solved) return false;
-        if (!verified.in_each_row) leave_count_open();  // it may be one of several between which rounding can't choose
+        if (!verified.in_each_row)
+            leave_count_open();  // it may be one of several between which rounding can't choose
         w_ = dense_.A * z_ + dense_.q;
         if (count_++ == 0) {
             first_ = z_;

@@ -20,7 +20,8 @@ inline void free_velocities(DiscScene& scene, const StepSettings& settings, Step
     }
     add_bend_springs(bodies, now.bends, settings.stiffness, settings.damping);
     if (settings.pulled != world) add_pull(bodies, settings.pulled, settings.hand);
-    now.u_star.resize(bodies.u.size());
+    // What the step doesn't look at has the velocity that it has: rows may join it to what moves.
+    if (now.u_star.size() != bodies.u.size()) now.u_star = bodies.u;
     for (const int k : now.active)
         now.u_star.segment<2>(2 * k) =
             bodies.velocity(k) + h * bodies.inverse_mass.segment<2>(2 * k).cwiseProduct(bodies.force(k));

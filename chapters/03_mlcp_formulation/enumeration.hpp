@@ -9,7 +9,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
-#include "chapters/03_mlcp_formulation/answers.hpp"
+#include "chapters/03_mlcp_formulation/case_conditions.hpp"
 #include "chapters/03_mlcp_formulation/cases.hpp"
 
 #include "common/text.hpp"
@@ -39,9 +39,10 @@ public:
           answers_(mlcp_, dense_, settings.tolerance), z_(mlcp.size())
     {
         if (mlcp.size() > 0)
-            given_ = (dense_.q.cwiseAbs() + dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs()).maxCoeff();
+            given_ =
+                (dense_.q.cwiseAbs() + dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs()).maxCoeff();
         if (mlcp.size() > 0) reach_ = 1 + dense_.A.cwiseAbs().rowwise().sum().maxCoeff();
-        if (is_spread()) answers_.leave_count_open();
+        if (is_spread(dense_)) answers_.leave_count_open();
         if (!settings.stop_at_first && sets_.count() > static_cast<Real>(settings.most_sets))
             throw std::invalid_argument(
                 "the " + std::to_string(mlcp.size()) + " rows have " + readable(sets_.count()) +
@@ -59,8 +60,8 @@ public:
         solution.iterations = static_cast<int>(tried_);
         solution.lambda = answers_.lambda();
         solution.residual = natural_residual(mlcp_, solution.lambda);
-        solution.status = answers_.count() > 0 ? Status::solved
-                          : given_up_          ? Status::iteration_limit
+        solution.status = answers_.count() > 0  ? Status::solved
+                          : given_up_           ? Status::iteration_limit
                           : answers_.doubtful() ? Status::singular
                                                 : Status::infeasible;
         if (!settings_.stop_at_first) solution.uniqueness = answers_.uniqueness();
@@ -81,13 +82,8 @@ private:
     {
         sets_.visit_all([this] {
             try_set(sets_.now());
-            return settled();
+            return given_up_ || answers_.w_differs() || (settings_.stop_at_first && answers_.count() > 0);
         });
-    }
-
-    bool settled() const
-    {
-        return given_up_ || answers_.w_differs() || (settings_.stop_at_first && answers_.count() > 0);
     }
 
     //! [set]
@@ -113,7 +109,8 @@ private:
                 w_ += dense_.A.col(j) * z_[j];
                 sizes_ += dense_.A.col(j).cwiseAbs() * std::abs(z_[j]);
             }
-        numbers_ = n > 0 ? std::max(given_, sizes_.maxCoeff()) : 0;  // the measure for what is small in this system
+        numbers_ =
+            n > 0 ? std::max(given_, sizes_.maxCoeff()) : 0;  // the measure for what is small in this system
 
         bool singular = false;
         if (k > 0) {
@@ -150,9 +147,10 @@ private:
             return;
         }
         if (families_) return ask_family(set);
-        const Real miss = violation(set);
+        const Real miss = violation(dense_, set, z_, w_);
         if (miss <= 1e-7 * numbers_ && answers_.accept(z_)) {
-            if (singular && !settings_.stop_at_first) look_around(set);
+            if (singular && !settings_.stop_at_first)
+                look_around(dense_, set, lu_.kernel(), free_, numbers_, answers_);
             return;
         }
         // Refuted, unless the miss may be the rounding of this system.
@@ -164,43 +162,10 @@ private:
     }
     //! [set]
 
-    /// True if scaled numbers differ by more than ten digits: then rounding in one row hides another.
-    bool is_spread() const
-    {
-        if (mlcp_.size() == 0) return false;
-        Real least = infinity, most = dense_.q.cwiseAbs().maxCoeff();
-        if (most > 0) least = most;
-        for (const VecX* bounds : {&dense_.lo, &dense_.hi})
-            for (const Real bound : *bounds)
-                if (const Real size = std::abs(bound); size > 0 && size < infinity) {
-                    least = std::min(least, size);
-                    most = std::max(most, size);
-                }
-        return !(most <= 1e10 * least) || !(dense_.A.cwiseAbs().maxCoeff() <= 1e10);
-    }
-
     /// What rounding may have done to the λ and w of the present set.
     Real rounding(Real largest_z) const
     {
         return 1e3 * std::numeric_limits<Real>::epsilon() * (numbers_ + reach_ * largest_z / least_pivot_);
-    }
-
-    /// By how much what came out misses the set's conditions.
-    Real violation(const std::vector<RowCase>& set) const
-    {
-        Real largest = 0;
-        const auto miss = [&largest](Real by) {
-            if (!(by <= largest)) largest = by;
-        };
-        for (Index i = 0; i < mlcp_.size(); ++i) {
-            miss(dense_.lo[i] - z_[i]);
-            miss(z_[i] - dense_.hi[i]);
-            if (!(dense_.lo[i] < dense_.hi[i])) continue;
-            const RowCase here = set[static_cast<std::size_t>(i)];
-            if (here == RowCase::at_lo) miss(-w_[i]);
-            if (here == RowCase::at_hi) miss(w_[i]);
-        }
-        return largest;
     }
 
     /// Is some other member of a singular set's family an answer?
@@ -209,45 +174,11 @@ private:
         const Family family(dense_, set);
         if (const auto member = family.member()) {
             if (!answers_.accept(*member)) answers_.doubt();
-            else if (!settings_.stop_at_first) look_around(set);
+            else if (!settings_.stop_at_first)
+                look_around(dense_, set, lu_.kernel(), free_, numbers_, answers_);
         }
         if (family.unsure()) answers_.doubt();
     }
-
-    //! [family]
-    /// A set with a singular block fits: are there other answers in its family?  Along each null direction
-    /// ask for a member a little to either side.
-    void look_around(const std::vector<RowCase>& set)
-    {
-        const VecX here = answers_.last();
-        const MatX null = lu_.kernel();
-        const Index k = null.rows();
-        MatX moves_w = MatX::Zero(mlcp_.size(), null.cols());
-        for (Index r = 0; r < k; ++r) moves_w += dense_.A.col(free_at(r)) * null.row(r);
-        const Real step = 1e-5 * std::max({numbers_, here.cwiseAbs().maxCoeff(), Real(1e-300)});
-        const Family family(dense_, set);
-        const auto try_member = [&](const std::optional<VecX>& other) {
-            if (other && !answers_.accept(*other)) answers_.doubt();
-        };
-        for (const Real side : {1.0, -1.0}) {
-            for (Index r = 0; r < k && !answers_.lambda_differs(); ++r) {
-                if (!(null.row(r).cwiseAbs().maxCoeff() > 1e-9)) continue;
-                const Index i = free_at(r);
-                try_member(family.member_with_lambda(i, here[i] + side * step));
-                const Real bound = side > 0 ? dense_.hi[i] : dense_.lo[i];
-                const Real half = std::abs(bound - here[i]) / 2;  // there may be less room than a step
-                if (half > 0 && half < step) try_member(family.member_with_lambda(i, here[i] + side * half));
-            }
-            for (Index i = 0; i < mlcp_.size() && !answers_.w_differs(); ++i)
-                if (set[static_cast<std::size_t>(i)] != RowCase::between &&
-                    moves_w.row(i).cwiseAbs().maxCoeff() > 1e-9) {
-                    const Real w = dense_.A.row(i).dot(here) + dense_.q[i];
-                    try_member(family.member_with_w(i, w + side * step));
-                }
-        }
-        if (family.unsure()) answers_.doubt();
-    }
-    //! [family]
 
     Index free_at(Index r) const { return free_[static_cast<std::size_t>(r)]; }
 

@@ -141,8 +141,8 @@ inline void require_valid(const Mlcp& mlcp)
             refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
                    " > hi = " + shortest(mlcp.hi[i]));
         if (mlcp.lo[i] == infinity || mlcp.hi[i] == -infinity)
-            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) + " and hi = " +
-                   shortest(mlcp.hi[i]) + "; no impulse is that large");
+            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
+                   " and hi = " + shortest(mlcp.hi[i]) + "; no impulse is that large");
     }
 }
 

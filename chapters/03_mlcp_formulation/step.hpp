@@ -73,6 +73,7 @@ void step(Scene& scene, const StepSettings& settings, Method&& method, StepData<
 {
     require_valid(settings, scene.gravity, scene.bodies.count());
     now.visits = 0;
+    now.h = settings.part();
     method.contacts.begin(scene, settings, method, now);
     if (now.active.empty()) return;
     method.start.recall(settings, now);

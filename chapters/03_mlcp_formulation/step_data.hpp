@@ -65,6 +65,7 @@ struct StepData {
     bool same_rows = false;          ///< the rows are those of the step before, one for one
     bool same_bodies = false;        ///< so are the active bodies, and what they hang on
     int substep = 0;                 ///< the number of the present one
+    Real h = 0;                      ///< its length [s]
     VecX u_star;                     ///< velocities after the forces, before the impulses [m/s]
     Solution solution;               ///< of the last sub-step
     std::int64_t visits = 0;         ///< rows visited in this step, whatever for

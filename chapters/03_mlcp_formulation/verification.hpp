@@ -27,7 +27,8 @@ struct Acceptance {
 struct Verification {
     Real residual = infinity;  ///< (3.15) [m/s]
     bool solved = false;       ///< by (3.16c) and (3.16d)
-    bool in_each_row = false;  ///< without the help of f and of ε max N_j: each v_i is small beside its own S_i
+    bool in_each_row =
+        false;  ///< without the help of f and of ε max N_j: each v_i is small beside its own S_i
 };
 
 /// d_i: row i has the unit d_i √J. √|A_ii|, and in a row without a diagonal what its neighbours make of it.
@@ -58,8 +59,8 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
     const Real tau = std::max(acceptance.tolerance, epsilon), enough = acceptance.enough;
     Real residual = 0;
-    Real speed = 0, energy = 0;                            // max N_j, max N_j / d_j: what U_i is made of
-    Real least_speed = 0, least_energy = 0;              // and how large they have to be for these v_i
+    Real speed = 0, energy = 0;              // max N_j, max N_j / d_j: what U_i is made of
+    Real least_speed = 0, least_energy = 0;  // and how large they have to be for these v_i
     bool possible = true, small = true, in_each_row = true;
     for (Index i = 0; i < mlcp.size(); ++i) {
         const Real lo = mlcp.lo[i], hi = mlcp.hi[i];
@@ -84,14 +85,14 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         }
         const Real hidden = epsilon / 2 * terms * S;
         const Real v = violation(lambda[i], w, lo, hi);
-        const Real worst = std::max(violation(lambda[i], w - hidden, lo, hi), violation(lambda[i], w + hidden, lo, hi));
+        const Real worst =
+            std::max(violation(lambda[i], w - hidden, lo, hi), violation(lambda[i], w + hidden, lo, hi));
         const bool in_its_row = v <= tau * S;
         Real least = 0;  // U_i
         if (v > enough && in_its_row) least = v / tau;
         const Real floor = v > enough && !in_its_row ? v / epsilon : 0;
         least_speed = std::max(least_speed, floor);
-        if (worst > 100 * enough)
-            least = std::max(least, worst / (100 * std::max(tau, 64 * epsilon)));
+        if (worst > 100 * enough) least = std::max(least, worst / (100 * std::max(tau, 64 * epsilon)));
         if (diagonal > 0) least_speed = std::max(least_speed, least);
         least_energy = std::max(least_energy, std::max(least, floor) / unit);
         in_each_row = in_each_row && in_its_row;

@@ -53,8 +53,8 @@ inline bool without_far_bounds(const Mlcp& mlcp, Mlcp& near)
 //! [walk]
 /// One walk along d_i = 1 … last, on `given`, judged on `mlcp`. Adds its pivots to solution.iterations.
 /// \return true if there is no need for another one
-inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit, const LemkeSettings& settings,
-                      Solution& solution)
+inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit,
+                      const LemkeSettings& settings, Solution& solution)
 {
     const StandardForm form(given);
     LemkeWalk walk(form.A, form.q, VecX::LinSpaced(form.q.size(), 1, last), settings.ties,
@@ -114,9 +114,11 @@ inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
     const int limit =
         settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(mlcp.size());
     Mlcp near;
-    if (without_far_bounds(mlcp, near) && walk_once(mlcp, near, 1, limit, settings, solution)) return solution;
+    if (without_far_bounds(mlcp, near) && walk_once(mlcp, near, 1, limit, settings, solution))
+        return solution;
     // If rounding led the first walk astray, another covering vector is another way.
-    if (!walk_once(mlcp, mlcp, 1, limit, settings, solution)) walk_once(mlcp, mlcp, 2, limit, settings, solution);
+    if (!walk_once(mlcp, mlcp, 1, limit, settings, solution))
+        walk_once(mlcp, mlcp, 2, limit, settings, solution);
     return solution;
 }
 //! [lemke]

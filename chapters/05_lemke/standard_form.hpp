@@ -104,7 +104,8 @@ public:
         for (Index i = 0; i < fixed_.size(); ++i) {
             const Index row = eliminated_ ? schur_.others[static_cast<std::size_t>(i)] : i;
             lambda[row] = fixed_[i];
-            const auto first = first_[static_cast<std::size_t>(i)], last = first_[static_cast<std::size_t>(i) + 1];
+            const auto first = first_[static_cast<std::size_t>(i)],
+                       last = first_[static_cast<std::size_t>(i) + 1];
             for (auto k = first; k < last; ++k) {
                 if (!tableau.is_basic(static_cast<Index>(k))) continue;
                 const Index m = static_cast<Index>(row_.size()), box = box_[k];

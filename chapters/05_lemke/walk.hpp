@@ -106,12 +106,12 @@ inline VecX solve_between(const Mlcp& mlcp, VecX lambda, const std::vector<Index
     const auto k = static_cast<Index>(between.size());
     if (k == 0) return lambda;
     std::vector<Index> place(static_cast<std::size_t>(mlcp.size()), -1);
-    for (Index r = 0; r < k; ++r)
-        place[static_cast<std::size_t>(between[static_cast<std::size_t>(r)])] = r;
+    for (Index r = 0; r < k; ++r) place[static_cast<std::size_t>(between[static_cast<std::size_t>(r)])] = r;
     MatX block = MatX::Zero(k, k);
     for (Index r = 0; r < k; ++r)
         for (SparseMatrix::InnerIterator entry(mlcp.A, between[static_cast<std::size_t>(r)]); entry; ++entry)
-            if (const Index c = place[static_cast<std::size_t>(entry.col())]; c >= 0) block(r, c) = entry.value();
+            if (const Index c = place[static_cast<std::size_t>(entry.col())]; c >= 0)
+                block(r, c) = entry.value();
     VecX unit(k);
     for (Index r = 0; r < k; ++r) {
         const Index i = between[static_cast<std::size_t>(r)];

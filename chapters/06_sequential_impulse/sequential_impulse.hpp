@@ -16,7 +16,8 @@ namespace rigid {
 
 struct ImpulseSettings {
     int max_sweeps = 10;
-    Real tolerance = 0;      ///< of the natural residual [m/s]; 0 = not computed; sweeps until one changes nothing
+    Real tolerance =
+        0;  ///< of the natural residual [m/s]; 0 = not computed; sweeps until one changes nothing
     bool alternate = false;  ///< every second sweep runs backwards
 };
 

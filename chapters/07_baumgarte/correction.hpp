@@ -50,7 +50,7 @@ struct Correction : StabilizerSettings, Restitution {
             break;
         case Stabilizer::split_impulse:  // a velocity that is used once and forgotten
             pose_split_impulse<Dof>(now, *this, h, bodies.u, second);
-            v.resize(bodies.u.size());
+            if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
             solver.solve_apart(second, v, now);
             for (const int k : now.active) bodies.position(k) += h * v.template segment<Dof>(Dof * k);
             break;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,8 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
 /// What may be taken instead of the s of (8.14). The merit of sλ is at most zero for every s between 0 and twice the
 /// best, so that none of it touches (8.16).
 struct MultipleRule {
-    Real near_one = 0;     ///< a multiple is moved towards 1 by this much, and to 1 if it is no farther; see section 8.8
+    Real near_one =
+        0;  ///< a multiple is moved towards 1 by this much, and to 1 if it is no farther; see section 8.8
     Real most = infinity;  ///< and it is at most this, 1 …
 };
 
@@ -82,10 +84,10 @@ inline Real multiple_of(Real slope, Real curvature, const MultipleRule& rule, Re
 inline void require_valid(const MultipleRule& rule)
 {
     if (!(rule.near_one >= 0))
-        throw std::invalid_argument("near_one is " + std::to_string(rule.near_one) +
+        throw std::invalid_argument("near_one is " + shortest(rule.near_one) +
                                     "; it must be zero or positive");
     if (!(rule.most >= 1))
-        throw std::invalid_argument("the greatest multiple is " + std::to_string(rule.most) +
+        throw std::invalid_argument("the greatest multiple is " + shortest(rule.most) +
                                     "; it must be 1 or more");
 }
 

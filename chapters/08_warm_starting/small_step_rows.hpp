@@ -63,13 +63,13 @@ struct SmallStep {
     std::vector<Row<2>> bodies;      ///< bodies and M⁻¹ of the rows as given: all that colours depend on
     Colouring colouring;
     BodyGroups groups;
-    std::vector<std::size_t> group_of_row;     ///< the place in `starts`, in the order of the visits
-    std::vector<BodyRun> runs;         ///< all bodies, in their order
-    std::vector<StartOfGroup> starts;  ///< of each group
-    VecX mass;                                     ///< K [kg]; 0 = cannot move
-    VecX u, change;                                ///< [m/s]; Δu of the guess
-    int sweeps = 0;            ///< of the last step
-    bool same_rows = false;    ///< nothing came or went since the step before
+    std::vector<std::size_t> group_of_row;  ///< the place in `starts`, in the order of the visits
+    std::vector<BodyRun> runs;              ///< all bodies, in their order
+    std::vector<StartOfGroup> starts;       ///< of each group
+    VecX mass;                              ///< K [kg]; 0 = cannot move
+    VecX u, change;                         ///< [m/s]; Δu of the guess
+    int sweeps = 0;                         ///< of the last step
+    bool same_rows = false;                 ///< nothing came or went since the step before
     bool forget_rows = false;  ///< in: make the rows anew though they may be the same; for one step
 };
 
@@ -156,6 +156,10 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
 inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
 {
     require_step(settings.h);
+    if (!scene.joints.empty())
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.joints.size()) +
+            " joints; small_steps() knows none: take step() by WarmMethod with sub-steps");
     require_forces(settings.gravity, 0, 0, {0, 0});
     require_margin(settings.margin);
     require_valid(settings.repay);

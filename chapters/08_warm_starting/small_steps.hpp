@@ -6,11 +6,11 @@
 ///     n ×:    u += h g;  C, J, b;  u += M⁻¹ Jᵀ λ;  a sweep;  x += h u         (h: a substep)
 ///     once:   projection
 ///
-/// The answer is warm_step()'s with the same substeps and sweeps and a projection at the end (`repay_once`, no slop),
+/// The answer is that of step() by WarmMethod with the same substeps and sweeps and a projection at the end (no slop),
 /// to rounding: a test holds it to that. Left out is what does not change within a step, and the way from
 /// Constraint to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are
 /// yesterday's, no key is looked up and no colour chosen: λ is where it was. Bends, restitution, a hand that pulls and
-/// motors are warm_step()'s alone.
+/// joints are that method's alone.
 #pragma once
 
 #include "chapters/08_warm_starting/small_step_rows.hpp"
@@ -91,8 +91,7 @@ inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep
         now.starts[run.group].slope += slope.sum();
         now.starts[run.group].curvature += curvature.sum();
     }
-    for (StartOfGroup& group : now.starts)
-        group.multiple = multiple_of(group.slope, group.curvature, rule);
+    for (StartOfGroup& group : now.starts) group.multiple = multiple_of(group.slope, group.curvature, rule);
     for (const BodyRun& run : now.runs) {
         const Real multiple = now.starts[run.group].multiple;
         for (Index k = 2 * run.begin; k < 2 * run.end; k += 2) {

@@ -26,7 +26,7 @@ struct ActiveSetMemory {
     std::vector<RowCase> cases;  ///< of the last answer: which rows are at a bound, and at which
     ActiveSetWork work;          ///< of the last solve
     bool sparse = false;         ///< which of the two factors was used
-    bool dependent = false;      ///< the active rows of the last answer depend on each other: begin with the term
+    bool dependent = false;  ///< the active rows of the last answer depend on each other: begin with the term
 
     SparseLdlt sparse_factor;
     DenseLlt dense_factor;
@@ -54,7 +54,8 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor,
     if (!memory.dependent) {
         GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
         bool verified = verify_guess(mlcp, settings, memory.guess.lambda, solution);
-        if (end == GuessEnd::right && !verified) {  // right to the tolerance, but not to the numbers of each row
+        if (end == GuessEnd::right &&
+            !verified) {  // right to the tolerance, but not to the numbers of each row
             problem.tolerance = 0;
             end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
             verified = verify_guess(mlcp, settings, memory.guess.lambda, solution);
@@ -112,7 +113,8 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;
-    if (n > 0 && mlcp.q.lpNorm<Eigen::Infinity>() <= settings.enough) {  // nothing drives the rows: does λ = 0 do?
+    if (n > 0 &&
+        mlcp.q.lpNorm<Eigen::Infinity>() <= settings.enough) {  // nothing drives the rows: does λ = 0 do?
         memory.guess.lambda.setZero(n);
         solution.iterations = 0;
         if (verify_guess(mlcp, settings, memory.guess.lambda, solution)) return;

@@ -33,15 +33,15 @@ struct ActiveSetWork {
 /// The problem as the guesses see it: A + diag(shift), and a q of its own.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
-    VecX q;                ///< that of the problem, or of a proximal step (9.12)
-    VecX shift;            ///< ε A_ii of the proximal step, or zero
-    bool shifted = false;  ///< whether shift is used
-    VecX diagonal;         ///< A_ii; 1 where it is not positive
-    VecX unit;             ///< √A_ii: rows of heavy and of light bodies are compared by w_i / √A_ii
-    Real tolerance = 0;    ///< a row whose w is wrong by less than this in its unit is right,
-    Real ceiling = 0;      ///< if that is not more than this [m/s],
-    Real enough = 0;       ///< and so is one that is wrong by less than this [m/s]
-    Acceptance acceptance; ///< what the answer will be held to (3.16c)
+    VecX q;                 ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;             ///< ε A_ii of the proximal step, or zero
+    bool shifted = false;   ///< whether shift is used
+    VecX diagonal;          ///< A_ii; 1 where it is not positive
+    VecX unit;              ///< √A_ii: rows of heavy and of light bodies are compared by w_i / √A_ii
+    Real tolerance = 0;     ///< a row whose w is wrong by less than this in its unit is right,
+    Real ceiling = 0;       ///< if that is not more than this [m/s],
+    Real enough = 0;        ///< and so is one that is wrong by less than this [m/s]
+    Acceptance acceptance;  ///< what the answer will be held to (3.16c)
 };
 
 /// The problem itself, without a term.

@@ -24,7 +24,8 @@ inline void dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveS
     const bool verified = verify_guess(mlcp, settings, drive.lambda, solution);
     if (!verified && place == DantzigDrive::Place::limit) solution.status = Status::iteration_limit;
     if (!verified && place == DantzigDrive::Place::ray)
-        solution.status = proves_infeasibility(mlcp, drive.direction()) ? Status::infeasible : Status::ray_termination;
+        solution.status =
+            proves_infeasibility(mlcp, drive.direction()) ? Status::infeasible : Status::ray_termination;
     solution.iterations = drive.pivots;
     memory.work.flips = memory.work.single_flips = drive.pivots;
     memory.guess.lambda = drive.lambda;

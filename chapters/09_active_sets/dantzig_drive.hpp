@@ -178,7 +178,8 @@ private:
     int limit_;
     std::vector<bool> is_done_, depends_;  ///< rows that are right; rows that F would not take in
     std::vector<Index> order_;
-    std::vector<Index> waiting_;  ///< rows between their bounds that depend on F: in, once a row is removed from F
+    std::vector<Index>
+        waiting_;  ///< rows between their bounds that depend on F: in, once a row is removed from F
     VecX direction_, w_slope_;
 };
 

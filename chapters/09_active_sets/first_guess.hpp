@@ -54,7 +54,8 @@ inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& pre
     guess.wrong.clear();
     guess.w = problem.q;
     guess.step.resize(mlcp.size());
-    guess.lambda.setZero(mlcp.size());  // if no guess can be solved, this is what is left: it must be a number
+    guess.lambda.setZero(
+        mlcp.size());  // if no guess can be solved, this is what is left: it must be a number
     clamp_into_bounds(mlcp, guess.lambda);
     if (!known && !cheap) {
         visit_rows(problem, guess.lambda);

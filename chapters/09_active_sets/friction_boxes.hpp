@@ -32,6 +32,17 @@ inline void bound_by(std::span<const FrictionBox> boxes, const VecX& lambda, Mlc
 }
 //! [bounds]
 
+/// A λ that is at its bound by the guess is that bound to the last digit, and no λ is outside.
+inline void to_bounds(const Mlcp& mlcp, const std::vector<RowCase>& cases, VecX& lambda)
+{
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        const RowCase here = cases[static_cast<std::size_t>(i)];
+        lambda[i] = here == RowCase::at_lo   ? mlcp.lo[i]
+                    : here == RowCase::at_hi ? mlcp.hi[i]
+                                             : std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
+    }
+}
+
 /// (9.21): the λ of a guess in which the rows that slide follow their normal rows.
 inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
                        const std::vector<RowCase>& cases, VecX& lambda)
@@ -109,13 +120,16 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
         guesses += solution.iterations;
         solution.iterations = guesses;
         if (solution.status != Status::solved) return;
-        bound_by(boxes, solution.lambda, fixed);  // the bounds of this very λ
+        bound_by(boxes, solution.lambda,
+                 fixed);  // the bounds of this very λ, which it may miss by its last digit
+        to_bounds(fixed, memory.cases, solution.lambda);
         bool right = verify_guess(fixed, settings, VecX(solution.lambda), solution);
         VecX tied;
         if ((right || memory.cases == last) && solve_tied(fixed, boxes, memory.cases, tied)) {
             Mlcp own = fixed;
             Solution other = solution;
             bound_by(boxes, tied, own);
+            to_bounds(own, memory.cases, tied);
             if (verify_guess(own, settings, tied, other)) {
                 if (!right || other.residual < solution.residual) solution = other;
                 right = true;

@@ -7,8 +7,8 @@
 /// a row has one entry, so a guess costs O(n). \cite davis2006, ch. 4
 #pragma once
 
-#include "chapters/09_active_sets/elimination.hpp"
 #include "chapters/09_active_sets/block_principal_pivoting.hpp"
+#include "chapters/09_active_sets/elimination.hpp"
 
 namespace rigid {
 

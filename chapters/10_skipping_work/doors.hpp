@@ -69,6 +69,8 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
     wake_around(now, k);
     now.scene.bodies.position(k) = x;
     now.scene.bodies.velocity(k) = u;
+    if (now.found.u_star.size() > 2 * k) now.found.u_star.segment<2>(2 * k) = u;
+    if (now.method.correction.v.size() > 2 * k) now.method.correction.v.segment<2>(2 * k).setZero();
     now.scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(inverse_mass);
     now.method.contacts.broad.grid.move(static_cast<int>(k), x);
     wake_around(now, k);

@@ -54,10 +54,14 @@ std::vector<Answer> AllSolvers::solve(const Mlcp& mlcp)
         first.stop_at_first = true;
         ask("enumerate to the first", [&] { return enumerate(mlcp, first); });
     }
-    ask("jacobi", [&] { return swept(Sweeps::jacobi); }, tolerance);
-    ask("gauss_seidel", [&] { return swept(Sweeps::gauss_seidel); }, tolerance);
-    ask("symmetric sweeps", [&] { return swept(Sweeps::symmetric); }, tolerance);
-    ask("cg", [&] { return conjugate_gradients(mlcp, tolerance, 100); }, tolerance);
+    ask(
+        "jacobi", [&] { return swept(Sweeps::jacobi); }, tolerance);
+    ask(
+        "gauss_seidel", [&] { return swept(Sweeps::gauss_seidel); }, tolerance);
+    ask(
+        "symmetric sweeps", [&] { return swept(Sweeps::symmetric); }, tolerance);
+    ask(
+        "cg", [&] { return conjugate_gradients(mlcp, tolerance, 100); }, tolerance);
     ask("lemke", [&] { return walked(TieRule::lexicographic); });
     ask("lemke by the last row", [&] { return walked(TieRule::last_row); });
     ask("active_sets", [&] { return active_sets(mlcp); });

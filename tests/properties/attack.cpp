@@ -51,17 +51,17 @@ bool parse(int argc, char** argv, Wanted& wanted)
         else if (word == "--solver" && !value.empty()) {
             wanted.solver = value;
             ++k;
-        }
-        else if ((word == "--problems" || word == "--seed") && number) {
+        } else if ((word == "--problems" || word == "--seed") && number) {
             (word == "--seed" ? wanted.seed : wanted.problems) = *number;
             ++k;
-        } else if (word == "--kind" &&
-                   std::find(std::begin(attack_kinds), std::end(attack_kinds), value) != std::end(attack_kinds)) {
+        } else if (word == "--kind" && std::find(std::begin(attack_kinds), std::end(attack_kinds), value) !=
+                                           std::end(attack_kinds)) {
             wanted.kind = value;
             ++k;
         } else {
             std::cerr << "\"" << word << " " << value
-                      << "\" is no option; there are --problems N, --seed S, --solver NAME, --all and --kind with one of:";
+                      << "\" is no option; there are --problems N, --seed S, --solver NAME, --all and --kind "
+                         "with one of:";
             for (const auto kind : attack_kinds) std::cerr << " \"" << kind << "\"";
             std::cerr << '\n';
             return false;
@@ -98,16 +98,18 @@ int main(int argc, char** argv)
             ++wrong[attack.kind + ": " + sentence.substr(0, sentence.find(','))];
         if (wanted.all) continue;
         for (const std::string& sentence : sentences) std::cout << "# " << sentence << '\n';
-        std::cout << "# kind \"" << attack.kind << "\", sample " << sample << ", seed "
-                  << wanted.seed << '\n';
-        write_problem(std::cout, "attack_" + std::to_string(wanted.seed) + "_" + std::to_string(sample), attack.mlcp);
+        std::cout << "# kind \"" << attack.kind << "\", sample " << sample << ", seed " << wanted.seed
+                  << '\n';
+        write_problem(std::cout, "attack_" + std::to_string(wanted.seed) + "_" + std::to_string(sample),
+                      attack.mlcp);
         return 1;
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     for (const auto& [what, count] : wrong) std::cout << count << " times  " << what << '\n';
-    std::printf("%llu problems, %ld verdicts in %.1f s: %ld solved, %ld infeasible, %ld on how many answers there are; "
+    std::printf("%llu problems, %ld verdicts in %.1f s: %ld solved, %ld infeasible, %ld on how many answers "
+                "there are; "
                 "%ld problems with all answers known exactly\n",
-                static_cast<unsigned long long>(wanted.problems), tally.verdicts, seconds.count(), tally.solved,
-                tally.infeasible, tally.counted, tally.exact);
+                static_cast<unsigned long long>(wanted.problems), tally.verdicts, seconds.count(),
+                tally.solved, tally.infeasible, tally.counted, tally.exact);
     return wrong.empty() ? 0 : 1;
 }

@@ -28,10 +28,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const WideProblem problem(mlcp);
     for (const Answer& answer : solvers.solve(mlcp)) {
         if (answer.solution.status != Status::solved) continue;
-        const Wide error = problem.error(widened(answer.solution.lambda), 11 * static_cast<Wide>(answer.enough));
+        const Wide error =
+            problem.error(widened(answer.solution.lambda), 11 * static_cast<Wide>(answer.enough));
         if (error <= wrong_from) continue;
-        std::fprintf(stderr, "%s says solved, and the residual is %s of what is given\n", answer.solver.c_str(),
-                     in_words(error).c_str());
+        std::fprintf(stderr, "%s says solved, and the residual is %s of what is given\n",
+                     answer.solver.c_str(), in_words(error).c_str());
         std::abort();
     }
     return 0;

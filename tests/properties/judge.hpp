@@ -38,7 +38,10 @@ struct WideProblem {
                 const Real nearest = std::max({mlcp.lo[j], -mlcp.hi[j], Real{0}});
                 N += static_cast<Wide>(size) * static_cast<Wide>(nearest);
             }
-            unit.push_back(own > 0 ? own : neighbours > 0 ? neighbours : largest > 0 ? std::sqrt(largest) : 1);
+            unit.push_back(own > 0          ? own
+                           : neighbours > 0 ? neighbours
+                           : largest > 0    ? std::sqrt(largest)
+                                            : 1);
             speed = std::max(speed, static_cast<Wide>(std::abs(mlcp.q[i])));
             if (largest == 0) unit.back() = 0;
             if (largest > 0) given = std::max(given, N / unit.back());
@@ -62,7 +65,8 @@ struct WideProblem {
                 const Wide distance = lambda[k] - static_cast<Wide>(bound);
                 if (a > 0) return a * distance;
                 const Wide rounding = 1e-14 * (magnitude(lambda[k]) + std::abs(bound));
-                return magnitude(distance) <= rounding ? Wide{0} : distance * static_cast<Wide>(1e300) * 1e300;
+                return magnitude(distance) <= rounding ? Wide{0}
+                                                       : distance * static_cast<Wide>(1e300) * 1e300;
             };
             if (mlcp.lo[i] > -infinity) r = std::min(r, room(mlcp.lo[i]));
             if (mlcp.hi[i] < infinity) r = std::max(r, room(mlcp.hi[i]));
@@ -134,7 +138,8 @@ inline bool wide_solve(const WideProblem& problem, const std::vector<std::size_t
     return true;
 }
 
-inline constexpr Wide certain = 1e-20;   ///< as a share of what is given: no rounding of a double is that small
+inline constexpr Wide certain =
+    1e-20;  ///< as a share of what is given: no rounding of a double is that small
 inline constexpr Wide dependent = 1e-25;  ///< a pivot of that share is none
 
 /// Is there an answer so near to λ that only rounding lies between? Its active rows are solved in wide numbers; what

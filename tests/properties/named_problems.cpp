@@ -1,11 +1,11 @@
 /// Problems that a solver once got wrong, each by its name.
 
-#include "tests/catch.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/05_lemke/lemke.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/friction_boxes.hpp"
+#include "tests/catch.hpp"
 #include "tests/properties/random_attack.hpp"
 #include "tests/properties/verdicts.hpp"
 #include "tests/random_problems.hpp"
@@ -42,7 +42,8 @@ void check_verdicts(const Mlcp& mlcp, bool whole)
 {
     AllSolvers solvers;
     Tally tally;
-    for (const std::string& sentence : false_verdicts(mlcp, whole, solvers.solve(mlcp), tally)) FAIL_CHECK(sentence);
+    for (const std::string& sentence : false_verdicts(mlcp, whole, solvers.solve(mlcp), tally))
+        FAIL_CHECK(sentence);
     CHECK(tally.verdicts >= 6);
 }
 
@@ -73,10 +74,13 @@ TEST_CASE("the judge knows a residual that doubles hide and a size that lambda c
 TEST_CASE("the judge of whole numbers counts the answers of problems whose answers are known")
 {
     const Real inf = infinity;
-    CHECK(all_answers(problem_of({2, 1, 1, 2}, {-3, -3}, {0, 0}, {inf, inf}))->uniqueness() == Uniqueness::unique);
-    CHECK(all_answers(problem_of({1, 1, 1, 1}, {-1, -1}, {0, 0}, {inf, inf}))->uniqueness() == Uniqueness::w_unique);
+    CHECK(all_answers(problem_of({2, 1, 1, 2}, {-3, -3}, {0, 0}, {inf, inf}))->uniqueness() ==
+          Uniqueness::unique);
+    CHECK(all_answers(problem_of({1, 1, 1, 1}, {-1, -1}, {0, 0}, {inf, inf}))->uniqueness() ==
+          Uniqueness::w_unique);
     CHECK(all_answers(problem_of({-1}, {1}, {0}, {inf}))->uniqueness() == Uniqueness::any);
-    CHECK(all_answers(problem_of({1, -1, -1, 1}, {-1, -1}, {0, 0}, {inf, inf}))->uniqueness() == Uniqueness::none);
+    CHECK(all_answers(problem_of({1, -1, -1, 1}, {-1, -1}, {0, 0}, {inf, inf}))->uniqueness() ==
+          Uniqueness::none);
     CHECK(all_answers(problem_of({0}, {0}, {0}, {1}))->uniqueness() == Uniqueness::w_unique);
     CHECK(all_answers(problem_of({0}, {-1}, {0}, {1}))->uniqueness() == Uniqueness::unique);
     CHECK(all_answers(problem_of({1}, {5}, {3}, {3}))->uniqueness() == Uniqueness::unique);
@@ -143,8 +147,9 @@ TEST_CASE("a proof of infeasibility does not use a row whose lambda has both bou
 
 TEST_CASE("an answer is not called unique where a whole ray of answers begins")
 {
-    check_verdicts(problem_of({2, -1, 0, -1, 5, 1, 1, -1, 0}, {-7, 3, -2}, {-infinity, -infinity, -infinity}, {2, 0, 0}),
-                   true);
+    check_verdicts(
+        problem_of({2, -1, 0, -1, 5, 1, 1, -1, 0}, {-7, 3, -2}, {-infinity, -infinity, -infinity}, {2, 0, 0}),
+        true);
     check_verdicts(problem_of({1, 1, 0, 0}, {5, 0}, {0, -infinity}, {1, -1}), true);
 }
 
@@ -178,7 +183,8 @@ TEST_CASE("Dantzig's method calls none of 20000 problems infeasible that has an 
         if (driven.status != Status::infeasible) continue;
         ++infeasible;
         Tally tally;
-        std::vector<Answer> answers{{"dantzig", driven}, {"lemke", lemke(mlcp)}, {"active_sets", active_sets(mlcp)}};
+        std::vector<Answer> answers{
+            {"dantzig", driven}, {"lemke", lemke(mlcp)}, {"active_sets", active_sets(mlcp)}};
         for (const std::string& sentence : false_verdicts(mlcp, false, answers, tally))
             FAIL_CHECK("sample " << sample << ", " << sentence);
     }

@@ -57,7 +57,10 @@ inline void plant(Mlcp& mlcp, Random& random)
         const auto some = static_cast<Real>(random.index(3));
         if (where == 0 && below) lambda[i] = mlcp.lo[i], w[i] = some;
         else if (where == 1 && above) lambda[i] = mlcp.hi[i], w[i] = -some;
-        else lambda[i] = below ? std::min(mlcp.lo[i] + some, mlcp.hi[i]) : above ? mlcp.hi[i] - some : some - 1;
+        else
+            lambda[i] = below   ? std::min(mlcp.lo[i] + some, mlcp.hi[i])
+                        : above ? mlcp.hi[i] - some
+                                : some - 1;
     }
     mlcp.q = w - mlcp.A * lambda;
 }
@@ -70,7 +73,8 @@ inline Mlcp chapter_five(Index n, Random& random)
     const Index shape = random.index(8);
     for (Real& entry : A.reshaped())
         entry = shape < 2 || shape == 7 ? std::floor(random.uniform(-2, 3)) : random.normal();
-    for (Real& entry : q) entry = random.uniform() < 0.5 ? std::floor(random.uniform(-2, 2)) : random.normal();
+    for (Real& entry : q)
+        entry = random.uniform() < 0.5 ? std::floor(random.uniform(-2, 2)) : random.normal();
     if (shape == 1 || shape == 2) A = (A * A.transpose()).eval();
     if (shape == 3) A = (A * A.transpose() + 1e-9 * MatX::Identity(n, n)).eval();
     if (shape == 4) {  // nearly the same row twice
@@ -114,6 +118,7 @@ inline Attack random_attack(Index kind, Random& random)
     Attack attack;
     attack.kind = attack_kinds[kind];
     Mlcp& mlcp = attack.mlcp;
+    VecX q;
     const Index n = 1 + random.index(random.index(50) == 0 ? 30 : random.index(3) == 0 ? 8 : 4);
     const auto power = [&](Real least, Real most) { return std::pow(10.0, random.uniform(least, most)); };
     switch (kind) {
@@ -122,7 +127,8 @@ inline Attack random_attack(Index kind, Random& random)
         break;
     case 1:
         attack.whole = true;
-        mlcp = plain_lcp(whole_matrix(n, n, 2, random), whole_vector(n, 2, random));
+        q = whole_vector(n, 2, random);
+        mlcp = plain_lcp(whole_matrix(n, n, 2, random), q);
         whole_bounds(mlcp, random);
         break;
     case 2: {
@@ -149,14 +155,17 @@ inline Attack random_attack(Index kind, Random& random)
     }
     case 5: {  // λ has nowhere to run: there is always an answer
         const MatX G = normal_matrix(n, n, random);
-        mlcp = plain_lcp(random.index(2) == 0 ? G : MatX(G + G.transpose()), normal_vector(n, random));
+        q = normal_vector(n, random);
+        mlcp = plain_lcp(random.index(2) == 0 ? G : MatX(G + G.transpose()), q);
         for (Index i = 0; i < n; ++i) mlcp.lo[i] = -random.uniform(), mlcp.hi[i] = random.uniform();
         break;
     }
     case 6: {
         const MatX G = normal_matrix(n, n, random);
         const Index shape = random.index(3);
-        mlcp = plain_lcp(shape == 0 ? MatX(G * G.transpose()) : shape == 1 ? MatX(G + G.transpose()) : G,
+        mlcp = plain_lcp(shape == 0   ? MatX(G * G.transpose())
+                         : shape == 1 ? MatX(G + G.transpose())
+                                      : G,
                          normal_vector(n, random));
         for (Index i = 0; i < n; ++i) {
             const Index sort = random.index(4);

@@ -15,8 +15,9 @@ namespace rigid::properties {
 inline constexpr Real wrong_from = 1e-8;
 
 struct Tally {
-    long verdicts = 0, solved = 0, infeasible = 0, counted = 0;  ///< counted: verdicts on how many answers there are
-    long exact = 0;                                              ///< problems whose answers were all known exactly
+    long verdicts = 0, solved = 0, infeasible = 0,
+         counted = 0;  ///< counted: verdicts on how many answers there are
+    long exact = 0;    ///< problems whose answers were all known exactly
 };
 
 inline std::string in_words(Wide x)
@@ -27,8 +28,8 @@ inline std::string in_words(Wide x)
 }
 
 /// The false verdicts as sentences; empty if all can stand.
-inline std::vector<std::string> false_verdicts(const Mlcp& mlcp, bool whole, const std::vector<Answer>& answers,
-                                               Tally& tally)
+inline std::vector<std::string> false_verdicts(const Mlcp& mlcp, bool whole,
+                                               const std::vector<Answer>& answers, Tally& tally)
 {
     std::vector<std::string> sentences;
     const Index n = mlcp.size();
@@ -60,35 +61,41 @@ inline std::vector<std::string> false_verdicts(const Mlcp& mlcp, bool whole, con
     for (const Answer& answer : answers) {
         const Solution& solution = answer.solution;
         ++tally.verdicts;
-        const auto says = [&](const std::string& what) { sentences.push_back(answer.solver + " says " + what); };
+        const auto says = [&](const std::string& what) {
+            sentences.push_back(answer.solver + " says " + what);
+        };
         if (solution.lambda.size() != n) {
             says(std::to_string(solution.lambda.size()) + " impulses, for " + std::to_string(n) + " rows");
             continue;
         }
         if (solution.status == Status::solved) {
             ++tally.solved;
-            for (Index i = 0; i < n; ++i) {  // by more than the rounding of lo + z: then the residual is no measure
+            for (Index i = 0; i < n;
+                 ++i) {  // by more than the rounding of lo + z: then the residual is no measure
                 const Real room = 1e-14 * std::abs(solution.lambda[i]);
                 if (!(solution.lambda[i] >= mlcp.lo[i] - room && solution.lambda[i] <= mlcp.hi[i] + room))
                     says("solved with a lambda outside its bounds, number " + std::to_string(i));
             }
             const Wide error = problem.error(widened(solution.lambda), 11 * static_cast<Wide>(answer.enough));
-            if (!(error <= wrong_from)) says("solved, and the residual is " + in_words(error) + " of what is given");
+            if (!(error <= wrong_from))
+                says("solved, and the residual is " + in_words(error) + " of what is given");
             if (all && !all->any && problem.error(widened(solution.lambda)) == 0)
                 says("solved exactly, and the judge finds no answer");
         }
         if (solution.status == Status::infeasible || solution.uniqueness == Uniqueness::none) {
             ++tally.infeasible;
             if (!all && !boxed) find_certain();
-            if (all ? all->any : boxed) says(all ? "infeasible, and in whole numbers there is an answer" : "infeasible, and " + whose);
+            if (all ? all->any : boxed)
+                says(all ? "infeasible, and in whole numbers there is an answer"
+                         : "infeasible, and " + whose);
             else if (!all && certain_one) says("infeasible, and " + whose);
         }
         if (solution.uniqueness == Uniqueness::not_examined) continue;
         ++tally.counted;
         if (all) {
             if (solution.uniqueness != all->uniqueness())
-                says("the answer is " + std::string(to_string(solution.uniqueness)) + ", and in whole numbers it is " +
-                     std::string(to_string(all->uniqueness())));
+                says("the answer is " + std::string(to_string(solution.uniqueness)) +
+                     ", and in whole numbers it is " + std::string(to_string(all->uniqueness())));
             continue;
         }
         if (solution.uniqueness != Uniqueness::unique) continue;

@@ -41,7 +41,8 @@ public:
             for (std::size_t j = 0; j <= columns_; ++j) cost[j] += line[j];
         climb(cost);  // cost: how fast the sum of the artificial variables falls, and what is left of it
         feasible_ = cost.back() == 0;
-        for (std::size_t r = 0; feasible_ && r < T_.size();) {  // artificial ones at zero: out, or their row goes
+        for (std::size_t r = 0;
+             feasible_ && r < T_.size();) {  // artificial ones at zero: out, or their row goes
             if (basic_[r] < columns_) {
                 ++r;
                 continue;
@@ -74,7 +75,8 @@ public:
 private:
     static Whole times(Whole a, Whole b)
     {
-        constexpr Real most = sizeof(Whole) > 8 ? 8e37 : 4e18;  // the difference of two products must fit, too
+        constexpr Real most =
+            sizeof(Whole) > 8 ? 8e37 : 4e18;  // the difference of two products must fit, too
         if (std::abs(static_cast<Real>(a) * static_cast<Real>(b)) > most) throw TooLarge{};
         return a * b;
     }
@@ -200,7 +202,8 @@ inline std::optional<AllAnswers> all_answers(const Mlcp& mlcp)
                     std::vector<Whole> line(columns + 1, 0);
                     line[columns] = -whole(mlcp.q[static_cast<Index>(r)]);
                     for (std::size_t k = 0; k < n; ++k) line[columns] -= A[r][k] * base[k];
-                    for (std::size_t c = 0; c < L; ++c) line[c] = A[r][moves_lambda[c].row] * moves_lambda[c].sign;
+                    for (std::size_t c = 0; c < L; ++c)
+                        line[c] = A[r][moves_lambda[c].row] * moves_lambda[c].sign;
                     for (std::size_t c = 0; c < W; ++c)
                         if (moves_w[c].row == r) line[L + c] = -moves_w[c].sign;
                     E.push_back(line);

@@ -13,7 +13,7 @@ struct Field {
 
 using Fields = std::vector<Field>;
 
-void add(Fields& fields, VecX Bodies<2>::* vector, Index size)
+void add(Fields& fields, VecX Bodies<2>::*vector, Index size)
 {
     for (Index i = 0; i < size; ++i)
         fields.push_back({[=](DiscScene& s, Real&, Wish&) -> Real& { return (s.bodies.*vector)[i]; }});
@@ -25,8 +25,7 @@ Fields fields_of_discs(const DiscScene& scene)
     for (auto vector : {&Bodies<2>::x, &Bodies<2>::u, &Bodies<2>::f, &Bodies<2>::inverse_mass})
         add(fields, vector, scene.bodies.x.size());
     for (Index k = 0; k < scene.radius.size(); ++k)
-        fields.push_back(
-            {[=](DiscScene& s, Real&, Wish&) -> Real& { return s.radius[k]; }, false, false});
+        fields.push_back({[=](DiscScene& s, Real&, Wish&) -> Real& { return s.radius[k]; }, false, false});
     return fields;
 }
 
@@ -155,7 +154,8 @@ Verdict in_the_middle(const Method& method, const DiscScene& scene, const Fields
 Stress bad_input()
 {
     return {"bad input",
-            "NaN, ∞ and −∞ in turn in every number of the scene, the step and the method's settings; where they must "
+            "NaN, ∞ and −∞ in turn in every number of the scene, the step and the method's settings; where "
+            "they must "
             "be positive, 0 and −1 as well",
             {"discs", "walls and joints", "gravity and h", "settings", "after 10 steps"},
             [](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
@@ -163,8 +163,9 @@ Stress bad_input()
                 const Fields discs = fields_of_discs(scene), joints = fields_of_joints_and_walls(scene),
                              step = fields_of_the_step(), settings = settings_of(method);
                 if (level < 4)
-                    return at_the_start(method, scene, std::array{discs, joints, step, settings}.at(
-                                                           static_cast<std::size_t>(level)));
+                    return at_the_start(
+                        method, scene,
+                        std::array{discs, joints, step, settings}.at(static_cast<std::size_t>(level)));
                 Fields all = discs;
                 for (const Fields* more : {&joints, &step, &settings})
                     all.insert(all.end(), more->begin(), more->end());

@@ -85,8 +85,7 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
         } catch (const std::invalid_argument&) {  // the state is not finite: the door says so
             return {lost, "not finite", infinity};
         }
-        if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite())
-            return {lost, "not finite", infinity};
+        if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite()) return {lost, "not finite", infinity};
         energy = std::max(energy, total_energy(scene));
         if (!(energy - start <= energy_gain * scale)) return {lost, "energy", infinity};
         if (2 * n < task.steps) continue;
@@ -95,7 +94,9 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
             verdict.gap = std::max(verdict.gap, largest_gap(scene));
     }
     const Real gap = std::max(Real{0}, verdict.gap - task.gap);
-    verdict.why = gap > accurate_gap * task.size ? "gap" : task.rests && speed > resting_speed ? "unrest" : "";
+    verdict.why = gap > accurate_gap * task.size        ? "gap"
+                  : task.rests && speed > resting_speed ? "unrest"
+                                                        : "";
     verdict.score = verdict.why.empty() ? accurate : gap <= held_gap * task.size ? held : failed;
     if (task.upright && !stands_in_order(scene)) verdict.score = failed, verdict.why = "order";
     return verdict;

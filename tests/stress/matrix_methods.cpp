@@ -32,8 +32,9 @@ Method pgs_method(const std::string& name, Sweeps sweeps, Real omega, int most, 
     settings.tolerance = tolerance;
     const std::string budget = tolerance > 0 ? "to 1e-6 m/s, " + std::to_string(most) + " sweeps at most"
                                              : std::to_string(most) + " sweeps";
-    return matrix_method(4, name, budget, names_of(Solve::tunables(settings)),
-                         [settings] { return Solve{settings, {}}; });
+    return matrix_method(4, name, budget, names_of(Solve::tunables(settings)), [settings] {
+        return Solve{settings, {}};
+    });
 }
 
 /// Chapter 4's contrast: only for rows without bounds.

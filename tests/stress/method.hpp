@@ -41,8 +41,8 @@ struct Method {
     std::string name;    ///< as in a table
     std::string budget;  ///< what it may spend in a step, for the reader
     bool has_beta = false, has_restitution = false;
-    bool links_only = false;      ///< it knows no contacts
-    Index most_rows = 1'000'000;  ///< beyond that a step would take seconds: the cell stays empty
+    bool links_only = false;        ///< it knows no contacts
+    Index most_rows = 1'000'000;    ///< beyond that a step would take seconds: the cell stays empty
     std::vector<Setting> settings;  ///< their values point nowhere: only names
     std::function<Step(std::shared_ptr<const Wish>)> start;
 };

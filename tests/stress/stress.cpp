@@ -60,8 +60,9 @@ class Workers {
 public:
     Workers(const std::vector<Cell>& cells, const Options& options) : rows_(cells.size()), done_(cells.size())
     {
-        const int count =
-            options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+        const int count = options.threads > 0
+                              ? options.threads
+                              : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
         for (int n = 0; n < count; ++n)
             threads_.emplace_back([this, &cells, quick = options.quick] {
                 for (std::size_t i = next_++; i < cells.size() && !stop_; i = next_++) {
@@ -120,7 +121,8 @@ void write_in_order(const std::string& file, const std::vector<Row>& table, cons
     for (const Stress& stress : all)
         for (int level = 0; level < levels; ++level)
             for (const Method& method : columns)
-                if (const Row* row = find_row(table, stress.name, level + 1, method.name)) out << to_line(*row);
+                if (const Row* row = find_row(table, stress.name, level + 1, method.name))
+                    out << to_line(*row);
     if (!out) throw std::runtime_error("the table could not be written");
 }
 
@@ -142,8 +144,7 @@ int run(const Options& options)
             for (const Method& method : columns)
                 if ((options.only.empty() || stress.name == options.only) &&
                     (options.method.empty() || method.name == options.method) &&
-                    (!options.quick || stress.quick) &&
-                    !find_row(table, stress.name, level + 1, method.name))
+                    (!options.quick || stress.quick) && !find_row(table, stress.name, level + 1, method.name))
                     cells.push_back({&stress, level, &method});
 
     std::ofstream file;
@@ -188,10 +189,12 @@ int mark(const Options& options)
             worst.score = std::min(worst.score, verdict.score);
             worst.gap = std::max(worst.gap, verdict.gap);
         }
-        return std::to_string(worst.score) + "," + (std::isfinite(worst.gap) ? significant(worst.gap, 3) : "");
+        return std::to_string(worst.score) + "," +
+               (std::isfinite(worst.gap) ? significant(worst.gap, 3) : "");
     };
     std::vector<Method> all = methods(4);
-    for (const Method& method : methods())  // and the exact ones with the small steps that they have in the matrix
+    for (const Method& method :
+         methods())  // and the exact ones with the small steps that they have in the matrix
         if (method.chapter == 9 && method.budget.ends_with("16 substeps")) all.push_back(method);
     for (const Method& method : all) {
         if (method.most_rows < 1000 && !method.links_only) continue;

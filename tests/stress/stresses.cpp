@@ -193,23 +193,23 @@ Stress redundant()
 Stress looped_trusses()
 {
     const Values seconds = {0.5, 1, 2, 4, 8};
-    return {"looped truss",
-            "random trusses whose rods form loops, discs of 1e-6 m/s, no gravity: no energy is gained in so long",
-            with_units(seconds, "s"), [seconds](const Method& method, int level, std::uint64_t seed) {
-                // The five discs of section 8.4 in turns with random ones.
-                Random random(seed);
-                DiscScene scene = seed % 2 == 1 ? five_discs_in_loops() : looped_truss(random);
-                if (seed % 2 == 0) scene.bodies.u *= 1e-6;
-                Task task;
-                task.rests = false;
-                task.size = 0.1;
-                task.steps = std::lround(60 * seconds[static_cast<std::size_t>(level)]);
-                task.energy = kinetic_energy(scene.bodies);
-                if (static_cast<Index>(scene.links.size()) > method.most_rows)
-                    return std::optional<Verdict>{};
-                return std::optional<Verdict>{
-                    judge(std::move(scene), task, method.start(std::make_shared<const Wish>()))};
-            }};
+    return {
+        "looped truss",
+        "random trusses whose rods form loops, discs of 1e-6 m/s, no gravity: no energy is gained in so long",
+        with_units(seconds, "s"), [seconds](const Method& method, int level, std::uint64_t seed) {
+            // The five discs of section 8.4 in turns with random ones.
+            Random random(seed);
+            DiscScene scene = seed % 2 == 1 ? five_discs_in_loops() : looped_truss(random);
+            if (seed % 2 == 0) scene.bodies.u *= 1e-6;
+            Task task;
+            task.rests = false;
+            task.size = 0.1;
+            task.steps = std::lround(60 * seconds[static_cast<std::size_t>(level)]);
+            task.energy = kinetic_energy(scene.bodies);
+            if (static_cast<Index>(scene.links.size()) > method.most_rows) return std::optional<Verdict>{};
+            return std::optional<Verdict>{
+                judge(std::move(scene), task, method.start(std::make_shared<const Wish>()))};
+        }};
 }
 
 Stress conflicting()
@@ -316,9 +316,9 @@ Stress long_run()
 
 std::vector<Stress> stresses()
 {
-    return {heavy_top(), heavy_bottom(), tall_column(), long_chain(), loaded_chain(),
-            time_step(), beta(),         restitution(), redundant(),  looped_trusses(),
-            conflicting(), far_away(),  small_mass(),   coincident(),  bad_input(),  long_run()};
+    return {heavy_top(),  heavy_bottom(), tall_column(), long_chain(),     loaded_chain(), time_step(),
+            beta(),       restitution(),  redundant(),   looped_trusses(), conflicting(),  far_away(),
+            small_mass(), coincident(),   bad_input(),   long_run()};
 }
 
 }  // namespace rigid::stress

@@ -19,7 +19,7 @@ struct Stress {
     /// What becomes of a method at a level under a perturbation; nothing where it does not apply.
     std::function<std::optional<Verdict>(const Method&, int level, std::uint64_t seed)> run;
     std::array<int, levels> seeds = {16, 16, 16, 16, 16};  ///< perturbations a cell
-    bool quick = true;  ///< part of --quick, with two of them
+    bool quick = true;                                     ///< part of --quick, with two of them
 };
 
 std::vector<Stress> stresses();

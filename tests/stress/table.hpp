@@ -22,8 +22,8 @@ struct Row {
     std::string method;
     int chapter = 0;
     std::string value;
-    Real score = 0;   ///< mean of the scores, as a share of the full one
-    int lowest = 0;   ///< the least of the scores
+    Real score = 0;  ///< mean of the scores, as a share of the full one
+    int lowest = 0;  ///< the least of the scores
     int seeds = 0;
     std::string why = "";  ///< of the first perturbation with the lowest score
 };
@@ -33,8 +33,8 @@ inline std::string to_line(const Row& row)
     const std::string cell = row.stress + "," + std::to_string(row.level) + "," + row.method + "," +
                              std::to_string(row.chapter) + "," + row.value + ",";
     if (row.seeds == 0) return cell + ",,0,\n";
-    return cell + fixed(row.score, 3) + "," + std::to_string(row.lowest) + "," + std::to_string(row.seeds) + "," +
-           row.why + "\n";
+    return cell + fixed(row.score, 3) + "," + std::to_string(row.lowest) + "," + std::to_string(row.seeds) +
+           "," + row.why + "\n";
 }
 
 inline const Row* find_row(const std::vector<Row>& table, const std::string& stress, int level,
@@ -78,7 +78,8 @@ inline int complain_of_silence(const std::vector<Row>& table, std::ostream& out)
 {
     int faults = 0;
     for (const Row& row : table) {
-        if (row.seeds == 0 || (row.why != silent && (row.stress != "bad input" || row.lowest == accurate))) continue;
+        if (row.seeds == 0 || (row.why != silent && (row.stress != "bad input" || row.lowest == accurate)))
+            continue;
         ++faults;
         out << "stress: " << row.method << " under \"" << row.stress << "\", " << row.value << ": "
             << (row.stress == "bad input" ? "bad input is not refused" : row.why) << "\n";
@@ -96,14 +97,16 @@ inline int complain_of_differences(const std::vector<Row>& table, const std::str
         const Row* is = find_row(table, was.stress, was.level, was.method);
         if (is && to_line(*is) == to_line(was)) continue;
         ++faults;
-        out << "stress: " << was.method << " under \"" << was.stress << "\", " << was.value << ": the score was "
-            << fixed(was.score, 3) << " (at least " << was.lowest << "), ";
-        if (is) out << "it is " << fixed(is->score, 3) << " (at least " << is->lowest << ", " << is->why << ")\n";
+        out << "stress: " << was.method << " under \"" << was.stress << "\", " << was.value
+            << ": the score was " << fixed(was.score, 3) << " (at least " << was.lowest << "), ";
+        if (is)
+            out << "it is " << fixed(is->score, 3) << " (at least " << is->lowest << ", " << is->why << ")\n";
         else out << "it is gone\n";
     }
     if (table.size() != before.size()) {
         ++faults;
-        out << "stress: there are " << table.size() << " cells, and " << before.size() << " in " << kept << "\n";
+        out << "stress: there are " << table.size() << " cells, and " << before.size() << " in " << kept
+            << "\n";
     }
     return faults;
 }

@@ -5,8 +5,8 @@
 //   (see `tables` below);
 //                                                   all but `pairs` are the same on every
 //                                                   machine
-#include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/benchmark/measured.hpp"
+#include "chapters/01_euler_integration/event.hpp"
 
 #include <benchmark/benchmark.h>
 

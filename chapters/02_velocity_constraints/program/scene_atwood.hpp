@@ -2,8 +2,8 @@
 /// Atwood's machine: two masses on a rope over a pulley that turns; its answer is exact.
 #pragma once
 
-#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
 #include "common/forces.hpp"
 #include "common/program/program.hpp"

@@ -4,8 +4,8 @@
 
 #include "chapters/01_euler_integration/exact.hpp"
 #include "chapters/02_velocity_constraints/curves.hpp"
-#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "common/forces.hpp"
 #include "common/measure.hpp"
 #include "common/program/program.hpp"

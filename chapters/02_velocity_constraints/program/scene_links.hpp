@@ -2,8 +2,8 @@
 /// A chain of links, and three rods that ask for the impossible.
 #pragma once
 
-#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/program/scene_hand.hpp"
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
 #include "common/forces.hpp"

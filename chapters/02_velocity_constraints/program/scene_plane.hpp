@@ -2,8 +2,8 @@
 /// The plane of two velocities: the half-plane that a row allows, and the nearest point in it.
 #pragma once
 
-#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "common/program/program.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 /// A block on a wedge that may slide away under it; its answer is exact.
 #pragma once
 
-#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
+#include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
 #include "common/forces.hpp"
 #include "common/program/program.hpp"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "chapters/04_pgs/conjugate_gradients.hpp"
-#include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/rates.hpp"
 #include "common/program/program.hpp"
 #include "common/random.hpp"

@@ -2,8 +2,8 @@
 /// Two rows, one visit per step: the path of λ in the plane, over the contours of the merit.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/program/drawing.hpp"
 #include "common/program/program.hpp"
 
 #include <array>

@@ -2,8 +2,8 @@
 /// A stack of boxes with friction: the impulses of each vertex of the walk beside its tableau.
 #pragma once
 
-#include "chapters/05_lemke/stewart_trinkle.hpp"
 #include "chapters/05_lemke/program/walk_run.hpp"
+#include "chapters/05_lemke/stewart_trinkle.hpp"
 
 namespace rigid {
 

@@ -2,8 +2,8 @@
 /// A walk of Lemke's algorithm, alive: one pivot per step of the program.
 #pragma once
 
-#include "chapters/05_lemke/program/drawing.hpp"
 #include "chapters/05_lemke/families.hpp"
+#include "chapters/05_lemke/program/drawing.hpp"
 #include "common/program/program.hpp"
 
 #include <memory>

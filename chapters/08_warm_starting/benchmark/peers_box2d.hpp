@@ -18,8 +18,7 @@ namespace rigid {
 class Box2dWorld {
 public:
     /// \param may_sleep  its own rules of sleep: slower than 1 cm/s for half a second
-    explicit Box2dWorld(const EngineScene& from, bool may_sleep = false)
-        : world_(vector(from.scene.gravity))
+    explicit Box2dWorld(const EngineScene& from, bool may_sleep = false) : world_(vector(from.scene.gravity))
     {
         const DiscScene& scene = from.scene;
         world_.SetAllowSleeping(may_sleep);

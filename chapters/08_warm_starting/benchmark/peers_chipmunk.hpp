@@ -24,8 +24,7 @@ public:
         cpSpaceSetGravity(space_, vector(scene.gravity));
         cpSpaceSetDamping(space_, 1);  // what is left of a velocity after a second: all
         cpSpaceSetCollisionSlop(space_, 0.005);
-        cpSpaceSetSleepTimeThreshold(space_,
-                                     may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
+        cpSpaceSetSleepTimeThreshold(space_, may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];
             cpBody* const body = inverse_mass > 0 ? cpBodyNew(1 / inverse_mass, infinity) : cpBodyNewStatic();

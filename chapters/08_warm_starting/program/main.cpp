@@ -165,7 +165,9 @@ Scene chain_scene()
 /// What (8.6) does in a step to the largest error of the five discs, if all that is remembered is used.
 Real loop_rate(const StepSettings& settings, const WarmMethod& method)
 {
-    if (method.start.from != Start::previous || method.start.factor != 1 || method.solver.ordering == Order::shuffled) return 0;
+    if (method.start.from != Start::previous || method.start.factor != 1 ||
+        method.solver.ordering == Order::shuffled)
+        return 0;
     const DiscScene scene = five_discs_in_loops();
     std::vector<Row<2>> rows;
     for (const Link& link : scene.links)
@@ -195,10 +197,12 @@ Real loop_rate(const StepSettings& settings, const WarmMethod& method)
 /// Rods in loops: what is remembered whole explodes, though nothing pulls.
 Scene loop_scene()
 {
-    Scene scene = warm_scene("loop", "Five discs and seven rods, nudged: a remembered impulse makes them explode",
-                             {{0.2, -0.15}, {1.1, 1.1}});
-    scene.tunables = with({{"nudge", "m/s", "speed of one disc at the beginning", 1e-6, 1e-9, 1, false, true, false}},
-                          warm_tunables(1, Stabilizer::projection, 1));
+    Scene scene =
+        warm_scene("loop", "Five discs and seven rods, nudged: a remembered impulse makes them explode",
+                   {{0.2, -0.15}, {1.1, 1.1}});
+    scene.tunables =
+        with({{"nudge", "m/s", "speed of one disc at the beginning", 1e-6, 1e-9, 1, false, true, false}},
+             warm_tunables(1, Stabilizer::projection, 1));
     for (Tunable& tunable : scene.tunables)
         if (tunable.name == "substeps") tunable.value = 8;
     scene.start = [view = scene.view](const Settings& settings) {
@@ -206,9 +210,10 @@ Scene loop_scene()
         discs.bodies.u *= settings["nudge"] / 1e-6;
         const auto rate = [asked = std::array<Real, 5>{-1, -1, -1, -1, -1},
                            last = Real{0}](const StepSettings& step, const WarmMethod& method) mutable {
-            const std::array<Real, 5> now = {
-                static_cast<Real>(method.solver.sweeps.max_sweeps), static_cast<Real>(step.substeps),
-                static_cast<Real>(method.solver.ordering), static_cast<Real>(method.start.from), method.start.factor};
+            const std::array<Real, 5> now = {static_cast<Real>(method.solver.sweeps.max_sweeps),
+                                             static_cast<Real>(step.substeps),
+                                             static_cast<Real>(method.solver.ordering),
+                                             static_cast<Real>(method.start.from), method.start.factor};
             if (now != asked) last = loop_rate(step, method);
             asked = now;
             return last;
@@ -244,8 +249,8 @@ int main(int argc, char** argv)
         Program program;
         program.name = "08_warm_starting";
         program.title = "Chapter 8. Warm starting";
-        program.scenes = {column_scene(), ten_discs_scene(), removed_scene(),
-                          chain_scene(),  loop_scene(),      swing_scene(),   triangle_scene()};
+        program.scenes = {column_scene(), ten_discs_scene(), removed_scene(), chain_scene(),
+                          loop_scene(),   swing_scene(),     triangle_scene()};
         return program;
     };
     return run_program(make, argc, argv);

@@ -10,9 +10,9 @@
 
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
-#include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/benchmark/peers.hpp"
 #include "chapters/09_active_sets/benchmark/problems.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -2,9 +2,9 @@
 /// A pile of boxes that is hit: the guess which contacts push, and its corrections, one per step.
 #pragma once
 
+#include "chapters/09_active_sets/benchmark/problems.hpp"
 #include "chapters/09_active_sets/program/drawing.hpp"
 #include "chapters/09_active_sets/program/guess_run.hpp"
-#include "chapters/09_active_sets/benchmark/problems.hpp"
 
 #include <memory>
 

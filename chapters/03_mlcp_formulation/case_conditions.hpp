@@ -1,0 +1,84 @@
+/// \file case_conditions.hpp
+/// What is asked of one set of cases when its linear system has been solved: does the answer fit, and is it the only one
+/// of its family?
+#pragma once
+
+#include "chapters/03_mlcp_formulation/answers.hpp"
+
+#include <optional>
+#include <span>
+
+namespace rigid {
+
+/// True if scaled numbers differ by more than ten digits: then rounding in one row hides another.
+inline bool is_spread(const DenseMlcp& dense)
+{
+    if (dense.q.size() == 0) return false;
+    Real least = infinity, most = dense.q.cwiseAbs().maxCoeff();
+    if (most > 0) least = most;
+    for (const VecX* bounds : {&dense.lo, &dense.hi})
+        for (const Real bound : *bounds)
+            if (const Real size = std::abs(bound); size > 0 && size < infinity) {
+                least = std::min(least, size);
+                most = std::max(most, size);
+            }
+    return !(most <= 1e10 * least) || !(dense.A.cwiseAbs().maxCoeff() <= 1e10);
+}
+
+/// By how much what came out misses the set's conditions.
+inline Real violation(const DenseMlcp& dense, const std::vector<RowCase>& set, const VecX& z, const VecX& w)
+{
+    Real largest = 0;
+    const auto miss = [&largest](Real by) {
+        if (!(by <= largest)) largest = by;
+    };
+    for (Index i = 0; i < dense.q.size(); ++i) {
+        miss(dense.lo[i] - z[i]);
+        miss(z[i] - dense.hi[i]);
+        if (!(dense.lo[i] < dense.hi[i])) continue;
+        const RowCase here = set[static_cast<std::size_t>(i)];
+        if (here == RowCase::at_lo) miss(-w[i]);
+        if (here == RowCase::at_hi) miss(w[i]);
+    }
+    return largest;
+}
+
+//! [family]
+/// A set with a singular block fits: are there other answers in its family?  Along each null direction
+/// ask for a member a little to either side.
+/// \param null     null directions of the block, one a column
+/// \param free     row numbers of the block
+/// \param numbers  how large the numbers of the set are [m/s]
+inline void look_around(const DenseMlcp& dense, const std::vector<RowCase>& set, const MatX& null,
+                        std::span<const Index> free, Real numbers, Answers& answers)
+{
+    const VecX here = answers.last();
+    const Index k = null.rows();
+    MatX moves_w = MatX::Zero(dense.q.size(), null.cols());
+    for (Index r = 0; r < k; ++r) moves_w += dense.A.col(free[static_cast<std::size_t>(r)]) * null.row(r);
+    const Real step = 1e-5 * std::max({numbers, here.cwiseAbs().maxCoeff(), Real(1e-300)});
+    const Family family(dense, set);
+    const auto try_member = [&](const std::optional<VecX>& other) {
+        if (other && !answers.accept(*other)) answers.doubt();
+    };
+    for (const Real side : {1.0, -1.0}) {
+        for (Index r = 0; r < k && !answers.lambda_differs(); ++r) {
+            if (!(null.row(r).cwiseAbs().maxCoeff() > 1e-9)) continue;
+            const Index i = free[static_cast<std::size_t>(r)];
+            try_member(family.member_with_lambda(i, here[i] + side * step));
+            const Real bound = side > 0 ? dense.hi[i] : dense.lo[i];
+            const Real half = std::abs(bound - here[i]) / 2;  // there may be less room than a step
+            if (half > 0 && half < step) try_member(family.member_with_lambda(i, here[i] + side * half));
+        }
+        for (Index i = 0; i < dense.q.size() && !answers.w_differs(); ++i)
+            if (set[static_cast<std::size_t>(i)] != RowCase::between &&
+                moves_w.row(i).cwiseAbs().maxCoeff() > 1e-9) {
+                const Real w = dense.A.row(i).dot(here) + dense.q[i];
+                try_member(family.member_with_w(i, w + side * step));
+            }
+    }
+    if (family.unsure()) answers.doubt();
+}
+//! [family]
+
+}  // namespace rigid
