@@ -118,7 +118,7 @@ inline Attack random_attack(Index kind, Random& random)
     Attack attack;
     attack.kind = attack_kinds[kind];
     Mlcp& mlcp = attack.mlcp;
-    VecX q;
+    VecX right;
     const Index n = 1 + random.index(random.index(50) == 0 ? 30 : random.index(3) == 0 ? 8 : 4);
     const auto power = [&](Real least, Real most) { return std::pow(10.0, random.uniform(least, most)); };
     switch (kind) {
@@ -127,8 +127,8 @@ inline Attack random_attack(Index kind, Random& random)
         break;
     case 1:
         attack.whole = true;
-        q = whole_vector(n, 2, random);
-        mlcp = plain_lcp(whole_matrix(n, n, 2, random), q);
+        right = whole_vector(n, 2, random);
+        mlcp = plain_lcp(whole_matrix(n, n, 2, random), right);
         whole_bounds(mlcp, random);
         break;
     case 2: {
@@ -155,8 +155,8 @@ inline Attack random_attack(Index kind, Random& random)
     }
     case 5: {  // λ has nowhere to run: there is always an answer
         const MatX G = normal_matrix(n, n, random);
-        q = normal_vector(n, random);
-        mlcp = plain_lcp(random.index(2) == 0 ? G : MatX(G + G.transpose()), q);
+        right = normal_vector(n, random);
+        mlcp = plain_lcp(random.index(2) == 0 ? G : MatX(G + G.transpose()), right);
         for (Index i = 0; i < n; ++i) mlcp.lo[i] = -random.uniform(), mlcp.hi[i] = random.uniform();
         break;
     }
