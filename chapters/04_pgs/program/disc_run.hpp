@@ -11,6 +11,7 @@
 #include "common/measure.hpp"
 #include "common/program/program.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace rigid {
@@ -78,16 +79,15 @@ public:
     }
 
 protected:
-    /// One step by a solver of the MLCP; its memory stays with this run.
+    /// One step by a solver of the MLCP; what the step keeps stays with this run.
     template <class Solve>
     void advance(const Solve& solve)
     {
-        auto method = by_matrix(solve);
-        std::swap(method.solver.scratch, scratch_);
-        std::swap(method.solver.mlcp, mlcp_);
-        rigid::step(scene_, disc_settings_, method, now_);
-        std::swap(method.solver.scratch, scratch_);
-        std::swap(method.solver.mlcp, mlcp_);
+        const auto find = [&solve](const Mlcp& mlcp, Solution& solution) {
+            hand_over(solve, mlcp, solution);
+        };
+        matrix_.solver.find = std::ref(find);
+        rigid::step(scene_, disc_settings_, matrix_, now_);
     }
 
     /// Gravity follows the pointer in the scene that it steers; a pressed button pulls the disc under it.
@@ -199,8 +199,7 @@ protected:
     PgsMemory memory_;
     CgMemory cg_;
     StepData<2> now_;
-    AssemblyScratch scratch_;
-    Mlcp mlcp_;
+    MatrixMethod<std::function<void(const Mlcp&, Solution&)>> matrix_;
     bool conjugate_ = false;
     int order_ = 0;
     std::uint64_t seed_ = 1;
