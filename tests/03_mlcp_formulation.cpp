@@ -539,7 +539,8 @@ TEST_CASE("enumeration finds what was planted in 900 problems")
             // The planted A has no eigenvalue below 0.1 (or is diagonally dominant by 0.1).
             REQUIRE((solution.lambda - lambda).cwiseAbs().maxCoeff() <= 1e-9 * scale);
         }
-        ++answers[static_cast<int>(solution.uniqueness) - 1];
+        if (solution.uniqueness != Uniqueness::not_examined)  // where rounding leaves it open
+            ++answers[static_cast<int>(solution.uniqueness) - 1];
     }
     CHECK(answers[1] > 20);  // the semi-definite ones had redundant rows indeed
 }
