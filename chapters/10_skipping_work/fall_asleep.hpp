@@ -40,7 +40,6 @@ inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& 
     if (any_kinematic) stay_with_kinematic(scene, now);
 }
 
-/// (10.8). An island that falls asleep stands where its contacts were found.
 /// The natural residual of some rows of a step at the velocities u [m/s].
 inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, const VecX& u)
 {
@@ -54,6 +53,7 @@ inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, 
     return largest;
 }
 
+/// (10.8). An island that falls asleep stands where its contacts were found.
 template <class Method>
 void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now)
 {
