@@ -346,7 +346,7 @@ TEST_CASE("the bead of the text is stopped across the wire by an impulse of -2")
     bodies.inverse_mass.setConstant(0.5);
     const Row<2> row = bilateral(circle_constraint(bodies.x, 0, 1), bodies.inverse_mass);
     CHECK(row.velocity(bodies.u) == Approx(1).margin(exact));
-    CHECK(row.compliance() == Approx(0.5).margin(exact));
+    CHECK(row.inverse_effective_mass() == Approx(0.5).margin(exact));
     const RowAnswer answer = solve_row(row, bodies.u);
     CHECK(answer.lambda == Approx(-2).margin(exact));
     CHECK(answer.verdict == Verdict::independent);
@@ -392,7 +392,8 @@ TEST_CASE("a row takes half of its velocity squared over its compliance from the
         const Real lambda = solve_row(row, bodies.u).lambda;
         row.apply(lambda, bodies.u);
         // (2.8), relative to the energies that are subtracted
-        CHECK(std::abs(kinetic_energy(bodies) - before + w * w / (2 * row.compliance())) <= exact * before);
+        CHECK(std::abs(kinetic_energy(bodies) - before + w * w / (2 * row.inverse_effective_mass())) <=
+              exact * before);
         // (2.6): on the velocity that it leaves, the impulse does no work
         CHECK(std::abs(lambda * row.velocity(bodies.u)) <= exact * before);
     }
@@ -458,7 +459,7 @@ TEST_CASE("a row between bodies that cannot move says whether it is met")
     VecX x(4), u = VecX::Zero(4), fixed = VecX::Zero(4);
     x << 0, 0, 1, 0;
     const Constraint<2> constraint = distance_constraint(x, {0, 1, 1});
-    CHECK(bilateral(constraint, fixed).compliance() == 0);
+    CHECK(bilateral(constraint, fixed).inverse_effective_mass() == 0);
     const RowAnswer met = solve_row(bilateral(constraint, fixed), u);
     CHECK(met.verdict == Verdict::redundant);
     CHECK(met.lambda == 0);

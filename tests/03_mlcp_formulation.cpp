@@ -652,14 +652,14 @@ TEST_CASE("sets are visited by their distance from the first guess")
     const Mlcp mlcp = problem({2, 1, 0, 1, 2, 1, 0, 1, 2}, {-1, 3, -1});  // answer: rows 0 and 2 push
     EnumerationSettings settings;
     settings.stop_at_first = true;
-    const auto tried = [&](std::vector<RowCase> first) {
+    const auto tried = [&](std::vector<BoundState> first) {
         settings.first = std::move(first);
         const Solution solution = enumerate(mlcp, settings);
         CHECK(solution.status == Status::solved);
         CHECK(solution.uniqueness == Uniqueness::not_examined);
         return solution.iterations;
     };
-    const RowCase pushes = RowCase::between, idle = RowCase::at_lo;
+    const BoundState pushes = BoundState::between, idle = BoundState::at_lo;
     CHECK(tried({pushes, idle, pushes}) == 1);
     CHECK(tried({idle, idle, pushes}) == 2);
     CHECK(tried({pushes, pushes, pushes}) == 3);

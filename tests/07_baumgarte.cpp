@@ -98,7 +98,7 @@ TEST_CASE("a linear error shrinks by 1 minus beta in each step")
         if (method == Stabilizer::none) continue;
         OneRow run = beside_a_rail();
         run.method.correction.method = method;
-        run.method.correction.repaying_sweeps = 1;
+        run.method.correction.correction_sweeps = 1;
         run.method.correction.tolerance = 0;
         for (int n = 0; n < 30; ++n) run.advance();
         INFO(to_string(method));
@@ -203,7 +203,7 @@ TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by a
         Discs run(hanging_chain(10));
         run.settings.substeps = substeps;
         run.method.solver.sweeps.max_sweeps = sweeps;
-        run.method.start.carry = carry;
+        run.method.start.factor = carry;
         run.advance(1500);
         return largest_link_error(run.scene);
     };
@@ -222,7 +222,7 @@ TEST_CASE("split impulses sag by (7.19) which is about the square of what Baumga
     for (const int sweeps : {1, 2, 4}) {
         Discs run(hanging_chain(N), Stabilizer::split_impulse);
         run.method.solver.sweeps.max_sweeps = sweeps;
-        run.method.correction.repaying_sweeps = sweeps;
+        run.method.correction.correction_sweeps = sweeps;
         run.advance(8000);
         DiscScene straight = hanging_chain(N);
         std::vector<Row<2>> rows;
@@ -246,7 +246,7 @@ TEST_CASE("ten links sag as much as the text prints with beta 0.2 and with beta 
     const auto sag_in_mm = [](Stabilizer method, Real beta, int sweeps, int repaying, int steps) {
         Discs run(hanging_chain(10), method);
         run.method.correction.beta = beta;
-        run.method.correction.repaying_sweeps = repaying;
+        run.method.correction.correction_sweeps = repaying;
         run.method.solver.sweeps.max_sweeps = sweeps;
         run.advance(steps);
         return 1000 * largest_link_error(run.scene);
@@ -291,7 +291,7 @@ TEST_CASE("a bounce from inside the floor leaves at the faster of its own speed 
 TEST_CASE("no error is repaid faster than the maximum correction speed on either side")
 {
     StabilizerSettings settings;
-    settings.fastest = 3;
+    settings.max_correction_speed = 3;
     const Real h = 0.01;  // β / h = 20 1/s
     for (const Real C : {1.0, 0.15, 0.1, -0.1, -0.15, -1.0}) {
         CHECK(baumgarte_bias(C, ConstraintKind::bilateral, settings, h) ==
@@ -316,7 +316,7 @@ TEST_CASE("what repays an overlap may use up a gap beside it and neither keeps n
             Discs run(std::move(scene), method);
             run.settings.margin = 0.05;
             run.method.correction.beta = 1;
-            run.method.correction.repaying_sweeps = 200;
+            run.method.correction.correction_sweeps = 200;
             run.advance();
             INFO(to_string(method) << " with a gap of " << gap << " m");
             const Real left = std::max(0.1, 0.1 + gap - 0.005);
@@ -466,7 +466,7 @@ TEST_CASE("a disc that Baumgarte pushes out of the floor jumps and with the othe
     const auto highest = [](Stabilizer method, Real fastest) {
         Discs run(sunken_disc(0.1), method);
         run.method.correction.beta = 0.5;
-        run.method.correction.fastest = fastest;
+        run.method.correction.max_correction_speed = fastest;
         Real top = 0;
         for (int k = 0; k < 120; ++k) {
             run.advance();
@@ -488,9 +488,9 @@ TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is t
     for (const Stabilizer method :
          {Stabilizer::baumgarte, Stabilizer::split_impulse, Stabilizer::projection, Stabilizer::relaxation}) {
         Discs run(crowd(10, 0.2), method);
-        run.method.correction.fastest = pushing;
+        run.method.correction.max_correction_speed = pushing;
         run.method.solver.sweeps.max_sweeps = 400;
-        run.method.correction.repaying_sweeps = 400;
+        run.method.correction.correction_sweeps = 400;
         Real highest = 0, opening = 0;
         for (int k = 0; k < 1200; ++k) {
             const VecX before = run.scene.bodies.x;
@@ -601,7 +601,7 @@ TEST_CASE("projection once in a step corrects what one step may and no faster th
     run.method.correction.at_the_end = true;
     run.advance();
     CHECK(deepest_penetration(run.scene) == Approx(0.1 * 0.8).epsilon(1e-12));
-    run.method.correction.fastest = 0.3;
+    run.method.correction.max_correction_speed = 0.3;
     run.advance();
     CHECK(deepest_penetration(run.scene) == Approx(0.08 - 0.3 / 60).epsilon(1e-12));
 }
@@ -613,7 +613,7 @@ TEST_CASE("a column of ten and a chain of ten stand and hang with each way that 
         for (const bool chain : {false, true}) {
             Discs run(chain ? hanging_chain(10) : column_between_walls(10), method);
             run.method.solver.sweeps.max_sweeps = 200;
-            run.method.correction.repaying_sweeps = 100;
+            run.method.correction.correction_sweeps = 100;
             run.advance(600);
             INFO(to_string(method) << (chain ? " chain" : " column"));
             // 200 sweeps leave cos²(π/20)^200 = 0.7 % of each step's error, (7.12) and (7.19).
@@ -695,7 +695,7 @@ struct TenDiscs : Discs {
         settings.stiffness = 1;
         settings.damping = 1;
         method.solver.sweeps.max_sweeps = 60;
-        method.correction.repaying_sweeps = 20;
+        method.correction.correction_sweeps = 20;
     }
     void move(int steps)
     {
@@ -771,10 +771,10 @@ TEST_CASE("correcting sweeps that stop when nothing changes give the same bits a
         for (Discs* run : {&stops, &goes_on}) {
             run->scene.bodies.x *= 0.99;  // some overlap
             run->method.solver.sweeps.max_sweeps = 50;
-            run->method.correction.repaying_sweeps = 2000;
+            run->method.correction.correction_sweeps = 2000;
             run->method.correction.tolerance = 0;
         }
-        goes_on.method.correction.repaying_sweeps = 4000;
+        goes_on.method.correction.correction_sweeps = 4000;
         stops.advance(50);
         goes_on.advance(50);
         INFO(to_string(method));
@@ -799,7 +799,7 @@ TEST_CASE("projection that stops early is as near to its goal as the tolerance s
     for (Discs* run : {&stops, &goes_on}) {
         run->scene.bodies.x *= 0.99;
         run->method.solver.sweeps.max_sweeps = 200;
-        run->method.correction.repaying_sweeps = 2000;
+        run->method.correction.correction_sweeps = 2000;
     }
     goes_on.method.correction.tolerance = 0;
     stops.advance(50);
@@ -885,9 +885,9 @@ static void choose(Discs& run, Random& random)
 {
     run.method.correction.restitution = random.index(2) == 0 ? 0 : 0.5;
     run.settings.substeps = 1 + static_cast<int>(random.index(3));
-    run.method.start.carry = random.uniform(0, 0.5);
+    run.method.start.factor = random.uniform(0, 0.5);
     run.method.correction.slop = random.uniform(0, 0.01);
-    run.method.correction.fastest = random.uniform(0.2, 2);
+    run.method.correction.max_correction_speed = random.uniform(0.2, 2);
     run.method.correction.tolerance = 0;
 }
 
@@ -941,7 +941,7 @@ TEST_CASE("other units of mass and length and time give the same motion in those
         there.scene.gravity *= length / (time * time);
         there.settings.margin *= length;
         there.method.correction.slop *= length;
-        there.method.correction.fastest *= speed;
+        there.method.correction.max_correction_speed *= speed;
         here.advance(30);
         there.advance(30);
         INFO(to_string(method) << " sample " << sample);
@@ -1110,18 +1110,18 @@ TEST_CASE("settings that make no sense are refused by a sentence that names them
           "slop is -1; it must be zero or positive and finite");
     CHECK(sentence([](Discs& run) { run.method.correction.bilateral_slop = infinity; }) ==
           "bilateral_slop is inf; it must be zero or positive and finite");
-    CHECK(sentence([](Discs& run) { run.method.correction.fastest = -2; }) ==
-          "fastest is -2; it must be zero or positive");
-    CHECK(sentence([](Discs& run) { run.method.correction.repaying_sweeps = -3; }) ==
-          "repaying_sweeps is -3; it must be zero or positive");
+    CHECK(sentence([](Discs& run) { run.method.correction.max_correction_speed = -2; }) ==
+          "max_correction_speed is -2; it must be zero or positive");
+    CHECK(sentence([](Discs& run) { run.method.correction.correction_sweeps = -3; }) ==
+          "correction_sweeps is -3; it must be zero or positive");
     CHECK(sentence([](Discs& run) { run.method.correction.tolerance = -3; }) ==
           "the tolerance of the repaying sweeps is -3; it must be zero or positive");
     CHECK(sentence([](Discs& run) { run.settings.substeps = 0; }) == "substeps is 0; it must be 1 or more");
-    CHECK(sentence([](Discs& run) { run.method.start.carry = 1.5; }) ==
-          "carry is 1.5; it must be from 0 to 1");
+    CHECK(sentence([](Discs& run) { run.method.start.factor = 1.5; }) ==
+          "the warm start factor is 1.5; it must be from 0 to 1");
     CHECK(sentence([](Discs& run) { run.settings.h = 0; }) ==
           "the time step h is 0 s; it must be positive and finite");
-    CHECK(sentence([](Discs& run) { run.method.correction.fastest = infinity; }).empty());
+    CHECK(sentence([](Discs& run) { run.method.correction.max_correction_speed = infinity; }).empty());
     CHECK_THROWS_WITH(power(MatX::Identity(2, 2), -1),
                       "the number of sweeps is -1; it must be zero or positive");
 }

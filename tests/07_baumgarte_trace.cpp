@@ -21,7 +21,7 @@ int main()
         CorrectedMethod method;
         method.correction.method = stabilizer;
         method.correction.restitution = 0.5;
-        method.start.carry = 0.5;
+        method.start.factor = 0.5;
         method.solver.ordering = Order::coloured;
         StepData<2> now;
         for (int k = 0; k < 150; ++k) {

@@ -57,7 +57,7 @@ inline StepSettings same_settings(const SmallStepSettings& small)
 inline WarmMethod same_method(const SmallStepSettings& small)
 {
     WarmMethod method;
-    static_cast<StabilizerSettings&>(method.correction) = small.repay;
+    static_cast<StabilizerSettings&>(method.correction) = small.correction;
     method.correction.at_the_end = true;
     method.start.from = Start::best_multiple;
     method.start.rule = small.start;
@@ -115,8 +115,9 @@ TEST_CASE("small steps are the warm step with nothing computed twice")
         settings.first_sweeps = 0;  // the warm step has no such thing
         settings.sweeps = 1 + sample % 3;
         settings.coloured = sample % 4 < 2;
-        settings.repay.slop = 0;            // what a row inside its slop takes from its neighbours, and
-        settings.repay.fastest = infinity;  // how a limit is shared among visits, is each step's own
+        settings.correction.slop = 0;  // what a row inside its slop takes from its neighbours, and
+        settings.correction.max_correction_speed =
+            infinity;  // how a limit is shared among visits, is each step's own
         const StepSettings same = same_settings(settings);
         WarmMethod method = same_method(settings);
         warm.gravity = settings.gravity;
@@ -261,8 +262,8 @@ TEST_CASE("small steps with settings that make no sense are refused")
     CHECK(sentence([](auto& s) { s.substeps = 0; }).find("0 substeps") != std::string::npos);
     CHECK(sentence([](auto& s) { s.sweeps = 0; }).find("0 sweeps") != std::string::npos);
     CHECK(sentence([](auto& s) { s.h = -1; }).find("time step") != std::string::npos);
-    CHECK(sentence([](auto& s) { s.repay.slop = -1; }).find("slop") != std::string::npos);
-    CHECK(sentence([](auto& s) { s.repay.beta = 0.5; }).find("beta") != std::string::npos);
+    CHECK(sentence([](auto& s) { s.correction.slop = -1; }).find("slop") != std::string::npos);
+    CHECK(sentence([](auto& s) { s.correction.beta = 0.5; }).find("beta") != std::string::npos);
 }
 
 TEST_CASE("discs in one point and immovable pairs do not make a number that is none")

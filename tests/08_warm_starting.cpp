@@ -155,12 +155,12 @@ TEST_CASE("a row finds its impulse whatever its number is in this step")
 TEST_CASE("joints and machines and contacts of the same numbers are rows of their own")
 {
     ImpulseCache cache;
-    const std::vector<ImpulseKey> keys{joint_key(0),
-                                       joint_key(1),
-                                       joint_key(1, 1),
+    const std::vector<ImpulseKey> keys{link_key(0),
+                                       link_key(1),
+                                       link_key(1, 1),
                                        contact_key({world, 0, {0, 1}, 0, 0}),
                                        contact_key({0, 1, {1, 0}, 0, 0}),
-                                       machine_key(0)};
+                                       joint_key(0)};
     store(cache, keys, numbers({1, 2, 3, 4, 5, 6}), 0.01);
     VecX lambda;
     load(cache, keys, 0.01, lambda);
@@ -463,7 +463,7 @@ TEST_CASE("two heaps that do not touch have each its own multiple and step as if
     DiscScene left = heaps(true, false), right = heaps(false, true), both = heaps(true, true);
     WarmMethod method = method_for(Start::best_multiple, Stabilizer::projection, 3);
     method.solver.sweeps.tolerance = 0;  // else both would stop when the slower is done
-    method.correction.repaying_sweeps = 0;
+    method.correction.correction_sweeps = 0;
     WarmMethod for_left = method, for_right = method;
     StepData<2> now_left, now_right, now_both;
     for (int k = 0; k < 100; ++k) {
@@ -536,7 +536,7 @@ TEST_CASE("with errors corrected outside of the impulses piles sink and come bac
             DiscScene scene = column(count, top);
             WarmMethod method = method_for(Start::best_multiple, way);
             method.correction.slop = 1e-3;
-            method.correction.fastest = 3;
+            method.correction.max_correction_speed = 3;
             StepData<2> now;
             const VecX began = scene.bodies.x;
             Real highest = 0;
@@ -555,7 +555,7 @@ TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says")
         DiscScene scene = still_chain(20);
         WarmMethod method = method_for(Start::previous, Stabilizer::relaxation, k);
         method.solver.sweeps.tolerance = method.correction.tolerance = 0;
-        method.correction.repaying_sweeps = k;
+        method.correction.correction_sweeps = k;
         scene.gravity = {0, -1e-6};  // small: a growing chain stays straight and linear
         StepData<2> now;
         Real early = 0, late = 0;
@@ -987,10 +987,10 @@ AnyStep any_step(Random& random)
     const Stabilizer stabilizer = all_stabilizers[random.index(5)];
     method = method_for(all_starts[random.index(3)], stabilizer, sweeps);
     method.solver.sweeps.tolerance = 0;  // whether a tolerance is met must not hang on rounding here
-    method.correction.fastest = 3;
+    method.correction.max_correction_speed = 3;
     method.correction.slop = 1e-3;
     method.correction.tolerance = 0;
-    method.correction.repaying_sweeps = 3;
+    method.correction.correction_sweeps = 3;
     any.settings.substeps = 1 + static_cast<int>(random.index(3));
     method.start.factor = random.uniform(0.5, 1);
     return any;
@@ -1029,7 +1029,7 @@ TEST_CASE("units of mass and of length make no difference")
         for (Link& link : large.links) link.length *= L;
         large.gravity *= L;
         longer.settings.margin *= L;
-        longer.method.correction.fastest *= L;
+        longer.method.correction.max_correction_speed *= L;
         longer.method.correction.slop *= L;
         CHECK((run(large, longer, 20) / L - x).lpNorm<Eigen::Infinity>() < 1e-9);
     }

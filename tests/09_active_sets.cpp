@@ -48,20 +48,20 @@ GuessedProblem guessed(const Mlcp& mlcp)
     return problem;
 }
 
-std::vector<RowCase> random_cases(Index n, Real share, Random& random)
+std::vector<BoundState> random_cases(Index n, Real share, Random& random)
 {
-    std::vector<RowCase> cases(static_cast<std::size_t>(n), RowCase::at_lo);
-    for (RowCase& here : cases)
-        if (random.uniform() < share) here = RowCase::between;
+    std::vector<BoundState> cases(static_cast<std::size_t>(n), BoundState::at_lo);
+    for (BoundState& here : cases)
+        if (random.uniform() < share) here = BoundState::between;
     return cases;
 }
 
 /// The answer of a dense system of the active rows alone, by another library's route.
-VecX active_answer(const MatX& A, const std::vector<RowCase>& cases, const VecX& right)
+VecX active_answer(const MatX& A, const std::vector<BoundState>& cases, const VecX& right)
 {
     std::vector<Index> active;
     for (std::size_t i = 0; i < cases.size(); ++i)
-        if (cases[i] == RowCase::between) active.push_back(static_cast<Index>(i));
+        if (cases[i] == BoundState::between) active.push_back(static_cast<Index>(i));
     VecX x = VecX::Zero(right.size());
     if (active.empty()) return x;
     const VecX part = A(active, active).fullPivLu().solve(VecX(right(active)));
@@ -98,19 +98,19 @@ TEST_CASE("the two contacts of the text take two guesses")
     ActiveSetSettings settings;
     settings.limit = 1;
     ActiveSetMemory memory;
-    memory.cases = {RowCase::between, RowCase::between};
+    memory.cases = {BoundState::between, BoundState::between};
     Solution solution;
     active_sets(problem, settings, memory, solution);
     CHECK(solution.status == Status::iteration_limit);
     CHECK((memory.guess.lambda - vector({3, -1})).cwiseAbs().maxCoeff() <= identity);
     CHECK(memory.guess.wrong == std::vector<Index>{1});
     settings.limit = 2;
-    memory.cases = {RowCase::between, RowCase::between};
+    memory.cases = {BoundState::between, BoundState::between};
     active_sets(problem, settings, memory, solution);
     CHECK(solution.status == Status::solved);
     CHECK(solution.iterations == 2);
     CHECK((solution.lambda - vector({2.5, 0})).cwiseAbs().maxCoeff() <= identity);
-    CHECK(memory.cases == std::vector<RowCase>{RowCase::between, RowCase::at_lo});
+    CHECK(memory.cases == std::vector<BoundState>{BoundState::between, BoundState::at_lo});
 }
 
 TEST_CASE("flipping all wrong rows goes round in the example of the text and the fallback ends it")
@@ -119,7 +119,7 @@ TEST_CASE("flipping all wrong rows goes round in the example of the text and the
     const GuessedProblem asked = guessed(problem);
     const auto fresh = [] {
         Guess guess;
-        guess.cases.assign(3, RowCase::between);
+        guess.cases.assign(3, BoundState::between);
         guess.lambda = guess.w = guess.step = VecX::Zero(3);
         return guess;
     };
@@ -150,7 +150,7 @@ TEST_CASE("flipping all wrong rows goes round in the example of the text and the
     SECTION("so the solver solves it")
     {
         ActiveSetMemory memory;
-        memory.cases.assign(3, RowCase::between);
+        memory.cases.assign(3, BoundState::between);
         Solution solution;
         active_sets(problem, {}, memory, solution);
         CHECK(solution.status == Status::solved);
@@ -172,7 +172,7 @@ TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sid
         GeneralLu factor;
         factor.load(problem);
         Guess guess;
-        guess.cases.assign(static_cast<std::size_t>(n), RowCase::between);
+        guess.cases.assign(static_cast<std::size_t>(n), BoundState::between);
         guess.lambda = guess.w = guess.step = VecX::Zero(n);
         ActiveSetWork work;
         // With no patience at all: one row at a time from the second guess on.
@@ -199,7 +199,7 @@ TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
         DenseLlt factor;
         factor.load(problem);
         Guess guess;
-        guess.cases.assign(static_cast<std::size_t>(n), RowCase::between);
+        guess.cases.assign(static_cast<std::size_t>(n), BoundState::between);
         guess.lambda = guess.w = guess.step = VecX::Zero(n);
         ActiveSetWork work;
         REQUIRE(factor.factor(asked, guess.cases, work));
@@ -250,7 +250,7 @@ TEST_CASE("a border of changed rows solves as a new factorisation does")
         const GuessedProblem asked = guessed(problem);
         DenseLlt factor;
         factor.load(problem);
-        std::vector<RowCase> cases = random_cases(n, 0.7, random);
+        std::vector<BoundState> cases = random_cases(n, 0.7, random);
         ActiveSetWork work;
         for (int change = 0; change < 8; ++change) {
             REQUIRE(factor.factor(asked, cases, work));
@@ -258,13 +258,13 @@ TEST_CASE("a border of changed rows solves as a new factorisation does")
             for (Real& entry : x) entry = random.normal();
             VecX right = x;
             for (Index i = 0; i < n; ++i)
-                if (cases[static_cast<std::size_t>(i)] != RowCase::between) x[i] = right[i] = 0;
+                if (cases[static_cast<std::size_t>(i)] != BoundState::between) x[i] = right[i] = 0;
             const VecX truth = active_answer(A, cases, right);
             factor.solve(x);
             CHECK((x - truth).cwiseAbs().maxCoeff() <= 1e-9 * (1 + truth.cwiseAbs().maxCoeff()));
             for (int k = 0; k < 2; ++k) {
-                RowCase& here = cases[static_cast<std::size_t>(random.index(n))];
-                here = here == RowCase::between ? RowCase::at_lo : RowCase::between;
+                BoundState& here = cases[static_cast<std::size_t>(random.index(n))];
+                here = here == BoundState::between ? BoundState::at_lo : BoundState::between;
             }
         }
         borders += work.updates;
@@ -282,13 +282,13 @@ TEST_CASE("the sparse factor of any active rows solves their system in the patte
         SparseLdlt factor;
         factor.analyse_pattern(problem);
         for (int sample = 0; sample < 20; ++sample) {
-            const std::vector<RowCase> cases = random_cases(problem.size(), sample / 20.0, random);
+            const std::vector<BoundState> cases = random_cases(problem.size(), sample / 20.0, random);
             ActiveSetWork work;
             if (!factor.factor(asked, cases, work)) continue;
             VecX x(problem.size());
             for (Real& entry : x) entry = random.normal();
             for (Index i = 0; i < x.size(); ++i)
-                if (cases[static_cast<std::size_t>(i)] != RowCase::between) x[i] = 0;
+                if (cases[static_cast<std::size_t>(i)] != BoundState::between) x[i] = 0;
             const VecX truth = active_answer(A, cases, x);
             factor.solve(x);
             CHECK((x - truth).cwiseAbs().maxCoeff() <= 1e-10 * (1 + truth.cwiseAbs().maxCoeff()));
@@ -987,7 +987,7 @@ TEST_CASE("what rounding makes of a step is not solved and what gravity makes of
     CHECK(settings.enough == Approx(8.9e-13).epsilon(0.01));
     active_sets(problem, settings, memory, solution);
     REQUIRE(solution.status == Status::solved);
-    const std::vector<RowCase> cases = memory.cases;
+    const std::vector<BoundState> cases = memory.cases;
     for (Real& entry : problem.q) entry = 1e-14 * random.normal();
     active_sets(problem, settings, memory, solution);
     CHECK(solution.status == Status::solved);

@@ -5,8 +5,8 @@
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/08_warm_starting/warm_method.hpp"
-#include "chapters/10_skipping_work/doors.hpp"
 #include "chapters/10_skipping_work/program/skipping_scenes.hpp"
+#include "chapters/10_skipping_work/scene_edits.hpp"
 #include "chapters/10_skipping_work/skipping_world.hpp"
 #include "chapters/10_skipping_work/sort_and_sweep.hpp"
 #include "common/measure.hpp"
@@ -84,7 +84,7 @@ SkippingSettings early_out(Real h = 1.0 / 60)
     settings.sweeps.max_sweeps = 200;
     settings.sweeps.tolerance = 1e-8;
     settings.stabilizer.slop = 5e-4;
-    settings.stabilizer.fastest = 1;
+    settings.stabilizer.max_correction_speed = 1;
     return settings;
 }
 
@@ -378,13 +378,13 @@ TEST_CASE("discs that do not move ask the grid once")
     DiscScene scene = scattered(400, 0.5, 3, 8);
     Finder finder(scene, 0.02, 0.01);
     finder.find(scene);
-    CHECK(finder.broad.asked == 400);
+    CHECK(finder.broad.queries == 400);
     finder.find(scene);
-    CHECK(finder.broad.asked == 0);
+    CHECK(finder.broad.queries == 0);
     CHECK(finder.broad.tested == static_cast<std::int64_t>(finder.broad.pairs.size()));
     scene.bodies.position(17) += Vec2(0.0101, 0);
     finder.find(scene);
-    CHECK(finder.broad.asked == 1);
+    CHECK(finder.broad.queries == 1);
     CHECK(same(finder.contacts, by_brute_force(scene, 0.02)));
 }
 
@@ -809,7 +809,7 @@ TEST_CASE("work beside sleepers does not depend on how many sleep")
         SkippingSettings settings = early_out();
         run(now, settings, 100);
         const SkippingCounters& c = now.counters;
-        counts.push_back({c.awake, c.rows, c.tested, c.visits, c.islands, c.asked});
+        counts.push_back({c.awake, c.rows, c.tested, c.visits, c.islands, c.queries});
         bobs.push_back(now.scene.bodies.position(1));
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -1095,7 +1095,7 @@ TEST_CASE("who is woken while others ask finds those who have asked before")
     const std::vector<Contact> wanted = by_brute_force(scene, 0.02);
     CHECK(std::any_of(wanted.begin(), wanted.end(), [](const Contact& c) { return c.a == 0 && c.b == 2; }));
     CHECK(same(finder.find(scene), wanted));
-    CHECK(finder.broad.asked == 0);
+    CHECK(finder.broad.queries == 0);
 }
 
 TEST_CASE("a disc that is jammed between two that are fixed has no answer and does not sleep")
@@ -1640,7 +1640,7 @@ TEST_CASE("a mirrored world and one in other units of mass and length do the sam
     SkippingSettings scaled = settings;
     other.gravity *= 4;
     scaled.stabilizer.slop *= 4;
-    scaled.stabilizer.fastest *= 4;
+    scaled.stabilizer.max_correction_speed *= 4;
     scaled.sweeps.tolerance *= 4;
     scaled.rest.speed *= 4;
     scaled.rest.acceleration *= 4;

@@ -72,7 +72,7 @@ End run(const NamedScene& named, Method method, Stabilizer correction, Start sta
     DiscScene scene = named.scene;
     if constexpr (requires { method.contacts.set; }) method.contacts.reset(scene, filter_of(scene));
     method.correction.method = correction;
-    method.correction.repaying_sweeps = 1000;
+    method.correction.correction_sweeps = 1000;
     method.correction.tolerance = 1e-12;
     method.start.from = start;
     const StepSettings settings{.h = named.h, .substeps = substeps, .stiffness = 1, .damping = 1};

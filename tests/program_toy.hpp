@@ -63,7 +63,7 @@ private:
 
 inline Program program()
 {
-    Scene fall;
+    Demo fall;
     fall.name = "fall";
     fall.summary = "A bead that falls.";
     fall.h = 0.5;
@@ -76,7 +76,7 @@ inline Program program()
     fall.columns = {{"height", "m", "Where it is", true, false},
                     {"speed", "m/s", "How fast it is", true, false}};
     fall.start = [](const Settings& settings) { return std::make_unique<Bead>(settings); };
-    Scene steered = fall;
+    Demo steered = fall;
     steered.name = "steered";
     steered.summary = "A bead under the pointer.";
     steered.steered = true;

@@ -64,7 +64,7 @@ struct Row {
     }
 
     /// \f$J M^{-1} J^T\f$ [1/kg]: how readily the row's velocity follows its impulse.
-    Real compliance() const { return Ja.dot(Wa) + Jb.dot(Wb); }
+    Real inverse_effective_mass() const { return Ja.dot(Wa) + Jb.dot(Wb); }
 
     /// \f$u \leftarrow u + M^{-1} J^T \lambda\f$, (2.5).
     void apply(Real lambda, VecX& u) const
@@ -155,7 +155,7 @@ template <int Dof>
 RowAnswer solve_row(const Row<Dof>& row, const VecX& u)
 {
     const Real w = row.velocity(u);
-    const Real A = row.compliance();  // J M⁻¹ Jᵀ
+    const Real A = row.inverse_effective_mass();  // J M⁻¹ Jᵀ
     if (!(A > 0)) {
         const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : std::clamp<Real>(0, row.lo, row.hi);
         if (std::isfinite(bound)) return {bound, w, Verdict::redundant};

@@ -26,7 +26,8 @@ inline bool is_spread(const DenseMlcp& dense)
 }
 
 /// By how much what came out misses the set's conditions.
-inline Real violation(const DenseMlcp& dense, const std::vector<RowCase>& set, const VecX& z, const VecX& w)
+inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set, const VecX& z,
+                      const VecX& w)
 {
     Real largest = 0;
     const auto miss = [&largest](Real by) {
@@ -36,9 +37,9 @@ inline Real violation(const DenseMlcp& dense, const std::vector<RowCase>& set, c
         miss(dense.lo[i] - z[i]);
         miss(z[i] - dense.hi[i]);
         if (!(dense.lo[i] < dense.hi[i])) continue;
-        const RowCase here = set[static_cast<std::size_t>(i)];
-        if (here == RowCase::at_lo) miss(-w[i]);
-        if (here == RowCase::at_hi) miss(w[i]);
+        const BoundState here = set[static_cast<std::size_t>(i)];
+        if (here == BoundState::at_lo) miss(-w[i]);
+        if (here == BoundState::at_hi) miss(w[i]);
     }
     return largest;
 }
@@ -49,7 +50,7 @@ inline Real violation(const DenseMlcp& dense, const std::vector<RowCase>& set, c
 /// \param null     null directions of the block, one a column
 /// \param free     row numbers of the block
 /// \param numbers  how large the numbers of the set are [m/s]
-inline void look_around(const DenseMlcp& dense, const std::vector<RowCase>& set, const MatX& null,
+inline void look_around(const DenseMlcp& dense, const std::vector<BoundState>& set, const MatX& null,
                         std::span<const Index> free, Real numbers, Answers& answers)
 {
     const VecX here = answers.last();
@@ -71,7 +72,7 @@ inline void look_around(const DenseMlcp& dense, const std::vector<RowCase>& set,
             if (half > 0 && half < step) try_member(family.member_with_lambda(i, here[i] + side * half));
         }
         for (Index i = 0; i < dense.q.size() && !answers.w_differs(); ++i)
-            if (set[static_cast<std::size_t>(i)] != RowCase::between &&
+            if (set[static_cast<std::size_t>(i)] != BoundState::between &&
                 moves_w.row(i).cwiseAbs().maxCoeff() > 1e-9) {
                 const Real w = dense.A.row(i).dot(here) + dense.q[i];
                 try_member(family.member_with_w(i, w + side * step));

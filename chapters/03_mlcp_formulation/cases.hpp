@@ -15,24 +15,24 @@
 
 namespace rigid {
 
-enum class RowCase : unsigned char { at_lo, between, at_hi };
+enum class BoundState : unsigned char { at_lo, between, at_hi };
 
 class CaseSets {
 public:
     /// \param first  the set to begin with; a row for which it is empty or impossible begins with what q
     /// alone
     ///               says: what pushes is at work where q asks for it
-    CaseSets(const Mlcp& mlcp, const std::vector<RowCase>& first)
+    CaseSets(const Mlcp& mlcp, const std::vector<BoundState>& first)
     {
         for (Index i = 0; i < mlcp.size(); ++i) {
             const bool room = mlcp.lo[i] < mlcp.hi[i];
-            std::vector<RowCase>& cases = cases_.emplace_back();
-            if (room) cases.push_back(RowCase::between);
-            if (std::isfinite(mlcp.lo[i])) cases.push_back(RowCase::at_lo);
-            if (room && std::isfinite(mlcp.hi[i])) cases.push_back(RowCase::at_hi);
+            std::vector<BoundState>& cases = cases_.emplace_back();
+            if (room) cases.push_back(BoundState::between);
+            if (std::isfinite(mlcp.lo[i])) cases.push_back(BoundState::at_lo);
+            if (room && std::isfinite(mlcp.hi[i])) cases.push_back(BoundState::at_hi);
             count_ *= static_cast<Real>(cases.size());
             if (cases.size() > 1) choices_.push_back(static_cast<std::size_t>(i));
-            RowCase guess = mlcp.q[i] < 0 ? RowCase::between : RowCase::at_lo;
+            BoundState guess = mlcp.q[i] < 0 ? BoundState::between : BoundState::at_lo;
             if (static_cast<Index>(first.size()) == mlcp.size()) guess = first[static_cast<std::size_t>(i)];
             const bool possible = std::find(cases.begin(), cases.end(), guess) != cases.end();
             set_.push_back(possible ? guess : cases.front());
@@ -40,7 +40,7 @@ public:
     }
 
     Real count() const { return count_; }
-    const std::vector<RowCase>& now() const { return set_; }
+    const std::vector<BoundState>& now() const { return set_; }
 
     //! [order]
     /// Calls try_set() once for each set until it returns true. Sets near the first one come
@@ -60,8 +60,8 @@ private:
         if (distance == 0) return try_set();
         bool stop = false;
         for (std::size_t k = from; !stop && k + distance <= choices_.size(); ++k) {
-            const RowCase kept = set_[choices_[k]];
-            for (const RowCase other : cases_[choices_[k]])
+            const BoundState kept = set_[choices_[k]];
+            for (const BoundState other : cases_[choices_[k]])
                 if (!stop && other != kept) {
                     set_[choices_[k]] = other;
                     stop = visit(k + 1, distance - 1, try_set);
@@ -72,9 +72,9 @@ private:
     }
     //! [order]
 
-    std::vector<std::vector<RowCase>> cases_;
+    std::vector<std::vector<BoundState>> cases_;
     std::vector<std::size_t> choices_;  ///< rows with more than one case
-    std::vector<RowCase> set_;
+    std::vector<BoundState> set_;
     Real count_ = 1;
 };
 

@@ -22,9 +22,9 @@
 namespace rigid {
 
 struct EnumerationSettings {
-    bool stop_at_first = false;  ///< take the first set that fits; nothing is then said about uniqueness
-    std::vector<RowCase> first;  ///< the guess to begin with; the others follow by how many rows differ
-    Real tolerance = 1e-10;      ///< of the natural residual, relative to the numbers in the problem
+    bool stop_at_first = false;     ///< take the first set that fits; nothing is then said about uniqueness
+    std::vector<BoundState> first;  ///< the guess to begin with; the others follow by how many rows differ
+    Real tolerance = 1e-10;         ///< of the natural residual, relative to the numbers in the problem
     /// 3¹⁶: a problem with more sets is refused; with stop_at_first, give up after so many.
     long most_sets = 43'046'721;
 };
@@ -88,7 +88,7 @@ private:
 
     //! [set]
     /// (3.22): the rows that are between their bounds make a linear system; the others are known.
-    void try_set(const std::vector<RowCase>& set)
+    void try_set(const std::vector<BoundState>& set)
     {
         if (settings_.stop_at_first && tried_ >= settings_.most_sets) {
             given_up_ = true;
@@ -98,9 +98,9 @@ private:
         const Index n = mlcp_.size();
         Index k = 0;
         for (Index i = 0; i < n; ++i) {
-            const RowCase here = set[static_cast<std::size_t>(i)];
-            if (here == RowCase::between) free_[static_cast<std::size_t>(k++)] = i;
-            z_[i] = here == RowCase::at_lo ? dense_.lo[i] : here == RowCase::at_hi ? dense_.hi[i] : 0;
+            const BoundState here = set[static_cast<std::size_t>(i)];
+            if (here == BoundState::between) free_[static_cast<std::size_t>(k++)] = i;
+            z_[i] = here == BoundState::at_lo ? dense_.lo[i] : here == BoundState::at_hi ? dense_.hi[i] : 0;
         }
         w_ = dense_.q;
         sizes_ = dense_.q.cwiseAbs();
@@ -169,7 +169,7 @@ private:
     }
 
     /// Is some other member of a singular set's family an answer?
-    void ask_family(const std::vector<RowCase>& set)
+    void ask_family(const std::vector<BoundState>& set)
     {
         const Family family(dense_, set);
         if (const auto member = family.member()) {

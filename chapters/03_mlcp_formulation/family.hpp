@@ -76,17 +76,17 @@ inline VecX nonnegative_least_squares(const MatX& E, const VecX& f)
 /// All answers of a scaled problem that belong to one set of cases.
 class Family {
 public:
-    Family(const DenseMlcp& problem, const std::vector<RowCase>& set)
+    Family(const DenseMlcp& problem, const std::vector<BoundState>& set)
         : problem_(problem), n_(problem.q.size()), base_(VecX::Zero(n_)), from_(MatX::Zero(n_, 0))
     {
         // λ = base + from · v, a column for each nonnegative unknown.
         std::vector<std::pair<Index, Real>> columns;
         for (Index i = 0; i < n_; ++i) {
-            const RowCase here = set[static_cast<std::size_t>(i)];
+            const BoundState here = set[static_cast<std::size_t>(i)];
             const bool low = std::isfinite(problem.lo[i]), high = std::isfinite(problem.hi[i]);
-            if (here == RowCase::at_lo || (here == RowCase::between && low)) base_[i] = problem.lo[i];
-            else if (here == RowCase::at_hi || high) base_[i] = problem.hi[i];
-            if (here != RowCase::between) continue;
+            if (here == BoundState::at_lo || (here == BoundState::between && low)) base_[i] = problem.lo[i];
+            else if (here == BoundState::at_hi || high) base_[i] = problem.hi[i];
+            if (here != BoundState::between) continue;
             if (low || !high) columns.emplace_back(i, 1);
             if (!low) columns.emplace_back(i, -1);
         }
@@ -98,12 +98,12 @@ public:
         MatX slacks = MatX::Zero(n_, n_), upper = MatX::Zero(0, 0);
         std::vector<Index> used, boxed;
         for (Index i = 0; i < n_; ++i) {
-            const RowCase here = set[static_cast<std::size_t>(i)];
+            const BoundState here = set[static_cast<std::size_t>(i)];
             if (!(problem.lo[i] < problem.hi[i])) continue;  // a pinned row may have any w
             used.push_back(i);
-            if (here == RowCase::at_lo) slacks(i, i) = -1;
-            if (here == RowCase::at_hi) slacks(i, i) = 1;
-            if (here == RowCase::between && std::isfinite(problem.lo[i]) && std::isfinite(problem.hi[i]))
+            if (here == BoundState::at_lo) slacks(i, i) = -1;
+            if (here == BoundState::at_hi) slacks(i, i) = 1;
+            if (here == BoundState::between && std::isfinite(problem.lo[i]) && std::isfinite(problem.hi[i]))
                 boxed.push_back(i);
         }
         const Index rows = static_cast<Index>(used.size() + boxed.size()), lambdas = from_.cols();

@@ -41,20 +41,21 @@ struct WholeError {
 
 /// The start stage in its plainest form: nothing is remembered from step to step, λ = 0.
 struct ColdStart {
-    Real carry = 0;  ///< part of λ that the next sub-step of the same step starts from, 0 … 1 (chapter 7)
+    Real factor = 0;  ///< part of λ that the next sub-step of the same step starts from, 0 … 1 (chapter 7)
 
     template <int Dof>
     void recall(const StepSettings&, StepData<Dof>& now) const
     {
-        if (!(carry >= 0 && carry <= 1))
-            throw std::invalid_argument("carry is " + shortest(carry) + "; it must be from 0 to 1");
+        if (!(factor >= 0 && factor <= 1))
+            throw std::invalid_argument("the warm start factor is " + shortest(factor) +
+                                        "; it must be from 0 to 1");
         now.solution.lambda.setZero(static_cast<Index>(now.sources.size()));
         now.same_rows = false;
     }
     template <int Dof>
     void choose(const Bodies<Dof>&, StepData<Dof>& now) const
     {
-        if (now.substep > 0) now.solution.lambda *= carry;
+        if (now.substep > 0) now.solution.lambda *= factor;
     }
     template <int Dof>
     void remember(const StepSettings&, const StepData<Dof>&) const

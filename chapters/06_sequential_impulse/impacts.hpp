@@ -47,7 +47,7 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
         any = false;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const Row<Dof>& row = rows[i];
-            const Real w = row.velocity(u), approach = w - row.bias, A = row.compliance();
+            const Real w = row.velocity(u), approach = w - row.bias, A = row.inverse_effective_mass();
             if (!(w < -tolerance) || !(A > 0)) continue;
             const Real lambda = -(1 + e) * approach / A;
             row.apply(lambda, u);
@@ -59,7 +59,8 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
     //! [sequential]
     solution.residual = 0;
     for (const Row<Dof>& row : rows)
-        if (row.compliance() > 0) solution.residual = std::max(solution.residual, -row.velocity(u));
+        if (row.inverse_effective_mass() > 0)
+            solution.residual = std::max(solution.residual, -row.velocity(u));
 }
 
 }  // namespace rigid

@@ -77,13 +77,13 @@ inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h
 //! [sag]
 
 /// (7.19): the same where velocities only forget C and pseudo-velocities correct it, each with its own sweeps [m].
-inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int repaying_sweeps, Real beta, Real h)
+inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int correction_sweeps, Real beta, Real h)
 {
     const MatX one = MatX::Identity(A.rows(), A.cols());
     const VecX sinking = sag(A, lambda, sweeps, 1, h);  // h J u, the error that each step adds [m]
     // Repaying multiplies C by I − β A (I − Gˢ) A⁻¹.
     const MatX repaid =
-        beta * A * (one - power(gauss_seidel_matrix(A), repaying_sweeps)) * A.partialPivLu().inverse();
+        beta * A * (one - power(gauss_seidel_matrix(A), correction_sweeps)) * A.partialPivLu().inverse();
     return repaid.partialPivLu().solve((one - repaid) * sinking);
 }
 

@@ -37,7 +37,7 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, cons
         done = done && std::abs(repaid) <= h * settings.tolerance;
     }
     int sweep = 0;
-    for (; sweep < settings.repaying_sweeps && !done; ++sweep) {
+    for (; sweep < settings.correction_sweeps && !done; ++sweep) {
         done = true;
         for (std::size_t i = 0; i < count; ++i) {
             const Constraint<Dof> c = evaluate(i, x);
@@ -47,7 +47,7 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, cons
                                                     : missing <= h * settings.tolerance)
                 continue;
             const Row<Dof> row = bilateral(c, inverse_mass);
-            const Real A = row.compliance();
+            const Real A = row.inverse_effective_mass();
             if (!(A > 0)) continue;
             row.apply(missing / A, x);  // (7.18)
             done = false;

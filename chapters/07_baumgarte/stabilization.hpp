@@ -26,12 +26,12 @@ enum class Stabilizer { none, baumgarte, relaxation, split_impulse, projection }
 
 struct StabilizerSettings {
     Stabilizer method = Stabilizer::baumgarte;
-    Real beta = 0.2;           ///< part of an error that is repaid in a step; stable below 2, monotone to 1
-    Real slop = 0;             ///< an overlap of up to this much is left alone [m]
-    Real bilateral_slop = 0;   ///< the same for a bilateral row, to both sides [m]
-    Real fastest = infinity;   ///< an error is repaid at this speed at most [m/s]
-    int repaying_sweeps = 10;  ///< at most, for relaxation, pseudo-velocities, projection
-    Real tolerance = 1e-9;     ///< these sweeps end when none of them changes a row by more than this [m/s]
+    Real beta = 0.2;          ///< part of an error that is repaid in a step; stable below 2, monotone to 1
+    Real slop = 0;            ///< an overlap of up to this much is left alone [m]
+    Real bilateral_slop = 0;  ///< the same for a bilateral row, to both sides [m]
+    Real max_correction_speed = infinity;  ///< an error is repaid at this speed at most [m/s]
+    int correction_sweeps = 10;            ///< at most, for relaxation, pseudo-velocities, projection
+    Real tolerance = 1e-9;  ///< these sweeps end when none of them changes a row by more than this [m/s]
 };
 
 constexpr std::string_view to_string(Stabilizer method)
@@ -63,10 +63,10 @@ inline void require_valid(const StabilizerSettings& settings)
     at_least_zero(settings.beta, "beta", true);
     at_least_zero(settings.slop, "slop", true);
     at_least_zero(settings.bilateral_slop, "bilateral_slop", true);
-    at_least_zero(settings.fastest, "fastest", false);
+    at_least_zero(settings.max_correction_speed, "max_correction_speed", false);
     at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps", false);
-    if (settings.repaying_sweeps < 0)
-        throw std::invalid_argument("repaying_sweeps is " + std::to_string(settings.repaying_sweeps) +
+    if (settings.correction_sweeps < 0)
+        throw std::invalid_argument("correction_sweeps is " + std::to_string(settings.correction_sweeps) +
                                     "; it must be zero or positive");
 }
 
@@ -90,7 +90,7 @@ inline Real position_error(Real C, ConstraintKind kind, const StabilizerSettings
 inline Real baumgarte_bias(Real C, ConstraintKind kind, const StabilizerSettings& settings, Real h)
 {
     const Real repaid = settings.beta / h * position_error(C, kind, settings);
-    return std::clamp(repaid, -settings.fastest, settings.fastest);
+    return std::clamp(repaid, -settings.max_correction_speed, settings.max_correction_speed);
 }
 //! [baumgarte]
 
@@ -122,7 +122,7 @@ void begin_second(const StepData<Dof>& now, const StabilizerSettings& settings, 
 {
     second.bias.assign(now.rows.size(), 0);
     second.left_out.assign(now.rows.size(), 0);
-    second.max_sweeps = settings.repaying_sweeps;
+    second.max_sweeps = settings.correction_sweeps;
     second.tolerance = settings.tolerance;
 }
 

@@ -31,12 +31,12 @@ struct ImpulseKey {
     auto operator<=>(const ImpulseKey&) const = default;
 };
 
-inline ImpulseKey joint_key(std::size_t joint, int row = 0)
+inline ImpulseKey link_key(std::size_t joint, int row = 0)
 {
     return {ImpulseKey::of_a_joint, static_cast<std::int32_t>(joint), row};
 }
 
-inline ImpulseKey machine_key(std::size_t machine)
+inline ImpulseKey joint_key(std::size_t machine)
 {
     return {ImpulseKey::of_a_machine, static_cast<std::int32_t>(machine), 0};
 }

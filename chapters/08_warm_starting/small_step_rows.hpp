@@ -34,7 +34,7 @@ struct SmallStepSettings {
     MultipleRule start = {0.2, 10};
     /// What repays the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
     /// millimetre is left alone: moving discs that nearly balance topples them.
-    StabilizerSettings repay = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
+    StabilizerSettings correction = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
 };
 
 /// How much of the impulses that it remembers a group starts from.
@@ -162,7 +162,7 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
             " joints; small_steps() knows none: take step() by WarmMethod with sub-steps");
     require_forces(settings.gravity, 0, 0, {0, 0});
     require_margin(settings.margin);
-    require_valid(settings.repay);
+    require_valid(settings.correction);
     require_valid(settings.start);
     if (!(settings.first_tolerance >= 0))
         throw std::invalid_argument("first_tolerance is " + shortest(settings.first_tolerance) +
@@ -170,8 +170,8 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     if (settings.substeps < 1 || settings.sweeps < 1)
         throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
                                     std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
-    if (settings.repay.beta != 1)
-        throw std::invalid_argument("beta is " + shortest(settings.repay.beta) +
+    if (settings.correction.beta != 1)
+        throw std::invalid_argument("beta is " + shortest(settings.correction.beta) +
                                     "; small steps repay the whole error, so it must be 1");
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();
@@ -179,7 +179,7 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     if (settings.collides)
         find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, settings.margin, now.contacts);
     now.keys.clear();
-    for (std::size_t i = 0; i < links; ++i) now.keys.push_back(joint_key(i));
+    for (std::size_t i = 0; i < links; ++i) now.keys.push_back(link_key(i));
     for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));
 
     now.same_rows = !std::exchange(now.forget_rows, false) && now.cache.h == h && now.keys == now.keys_before;

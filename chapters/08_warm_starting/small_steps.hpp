@@ -157,12 +157,12 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
 
     // The error goes out of x, row by row in the order that they were given: with colours the last one would
     // leave to its neighbours what the first had repaid.
-    for (int s = 0; s < settings.repay.repaying_sweeps; ++s)
+    for (int s = 0; s < settings.correction.correction_sweeps; ++s)
         for (const int k : now.place) {
             SolverRow<2>& row = now.rows[static_cast<std::size_t>(k)];
             const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[static_cast<std::size_t>(k)], row);
             const ConstraintKind kind = row.lo < 0 ? ConstraintKind::bilateral : ConstraintKind::unilateral;
-            const Real repaid = settings.h * baumgarte_bias(C, kind, settings.repay, settings.h);
+            const Real repaid = settings.h * baumgarte_bias(C, kind, settings.correction, settings.h);
             if (repaid == 0) continue;
             bodies.x.segment<2>(row.a) -= row.Wa * (row.mass * repaid);
             bodies.x.segment<2>(row.b) -= row.Wb * (row.mass * repaid);

@@ -37,9 +37,9 @@ constexpr std::string_view to_string(Start start)
 inline ImpulseKey key_of(const Source& source, const std::vector<Contact>& contacts)
 {
     const auto index = static_cast<std::size_t>(source.index);
-    return source.of == Source::Of::link      ? joint_key(index)
+    return source.of == Source::Of::link      ? link_key(index)
            : source.of == Source::Of::contact ? contact_key(contacts[index])
-                                              : machine_key(index);
+                                              : joint_key(index);
 }
 
 //! [warm_start]

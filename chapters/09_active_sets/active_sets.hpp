@@ -23,9 +23,9 @@ inline constexpr Index most_walked_rows = 2000;  ///< larger problems are not ha
 
 /// Memory that is kept from solve to solve, the previous guess, and what the last solve cost.
 struct ActiveSetMemory {
-    std::vector<RowCase> cases;  ///< of the last answer: which rows are at a bound, and at which
-    ActiveSetWork work;          ///< of the last solve
-    bool sparse = false;         ///< which of the two factors was used
+    std::vector<BoundState> cases;  ///< of the last answer: which rows are at a bound, and at which
+    ActiveSetWork work;             ///< of the last solve
+    bool sparse = false;            ///< which of the two factors was used
     bool dependent = false;  ///< the active rows of the last answer depend on each other: begin with the term
 
     SparseLdlt sparse_factor;
@@ -93,9 +93,10 @@ inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetM
         return;  // the last guess is as good, and its status says what is wrong
     solution = walked;
     for (Index i = 0; i < mlcp.size(); ++i)
-        memory.guess.cases[static_cast<std::size_t>(i)] = walked.lambda[i] <= mlcp.lo[i]   ? RowCase::at_lo
-                                                          : walked.lambda[i] >= mlcp.hi[i] ? RowCase::at_hi
-                                                                                           : RowCase::between;
+        memory.guess.cases[static_cast<std::size_t>(i)] = walked.lambda[i] <= mlcp.lo[i] ? BoundState::at_lo
+                                                          : walked.lambda[i] >= mlcp.hi[i]
+                                                              ? BoundState::at_hi
+                                                              : BoundState::between;
 }
 
 //! [active_sets]

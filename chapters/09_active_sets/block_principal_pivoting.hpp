@@ -68,7 +68,7 @@ inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance, GuessedProble
 
 /// Which rows are active, the λ that follows, and its w.
 struct Guess {
-    std::vector<RowCase> cases;
+    std::vector<BoundState> cases;
     VecX lambda, w, step;
     VecX here, trial, way;     ///< room for the descent
     std::vector<Index> wrong;  ///< rows whose case does not fit what came out
@@ -78,20 +78,20 @@ enum class GuessEnd { right, singular, limit };
 
 //! [correct]
 /// (9.4): the case that a row should have, by what its own case led to.
-inline RowCase corrected(const GuessedProblem& problem, Index i, RowCase now, Real lambda, Real w,
-                         Real tolerance)
+inline BoundState corrected(const GuessedProblem& problem, Index i, BoundState now, Real lambda, Real w,
+                            Real tolerance)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const Real allowed = tolerance / problem.diagonal[i];
     switch (now) {
-    case RowCase::between:
-        if (lambda < mlcp.lo[i] - allowed) return RowCase::at_lo;
-        if (lambda > mlcp.hi[i] + allowed) return RowCase::at_hi;
+    case BoundState::between:
+        if (lambda < mlcp.lo[i] - allowed) return BoundState::at_lo;
+        if (lambda > mlcp.hi[i] + allowed) return BoundState::at_hi;
         return now;
-    case RowCase::at_lo:
-        return w < -tolerance && mlcp.lo[i] < mlcp.hi[i] ? RowCase::between : now;
-    case RowCase::at_hi:
-        return w > tolerance && mlcp.lo[i] < mlcp.hi[i] ? RowCase::between : now;
+    case BoundState::at_lo:
+        return w < -tolerance && mlcp.lo[i] < mlcp.hi[i] ? BoundState::between : now;
+    case BoundState::at_hi:
+        return w > tolerance && mlcp.lo[i] < mlcp.hi[i] ? BoundState::between : now;
     }
     return now;
 }
@@ -111,7 +111,7 @@ inline Real active_residual(const GuessedProblem& problem, const Guess& guess)
 {
     Real largest = 0;
     for (Index i = 0; i < guess.w.size(); ++i)
-        if (guess.cases[static_cast<std::size_t>(i)] == RowCase::between &&
+        if (guess.cases[static_cast<std::size_t>(i)] == BoundState::between &&
             !(std::abs(guess.w[i]) <= largest * problem.unit[i]))
             largest = std::abs(guess.w[i]) / problem.unit[i];
     return largest;
@@ -122,7 +122,7 @@ template <class Factor>
 void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 {
     for (Index i = 0; i < guess.w.size(); ++i)
-        guess.step[i] = guess.cases[static_cast<std::size_t>(i)] == RowCase::between ? -guess.w[i] : 0;
+        guess.step[i] = guess.cases[static_cast<std::size_t>(i)] == BoundState::between ? -guess.w[i] : 0;
     factor.solve(guess.step);
     guess.lambda += guess.step;
     velocities(problem, factor, guess.lambda, guess.w);
@@ -137,7 +137,7 @@ inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
     const Real rounding = std::max(10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest);
     guess.wrong.clear();
     for (Index i = 0; i < n; ++i) {
-        const RowCase now = guess.cases[static_cast<std::size_t>(i)];
+        const BoundState now = guess.cases[static_cast<std::size_t>(i)];
         const Real unit = problem.unit[i];
         const Real tolerance =
             std::max({rounding * unit, std::min(problem.tolerance * unit, problem.ceiling), problem.enough});
@@ -154,8 +154,8 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
     const Mlcp& mlcp = *problem.mlcp;
     bool zero = true;
     for (Index i = 0; i < mlcp.size(); ++i) {
-        const RowCase here = guess.cases[static_cast<std::size_t>(i)];
-        guess.lambda[i] = here == RowCase::at_lo ? mlcp.lo[i] : here == RowCase::at_hi ? mlcp.hi[i] : 0;
+        const BoundState here = guess.cases[static_cast<std::size_t>(i)];
+        guess.lambda[i] = here == BoundState::at_lo ? mlcp.lo[i] : here == BoundState::at_hi ? mlcp.hi[i] : 0;
         zero = zero && guess.lambda[i] == 0;
     }
     if (zero) guess.w = problem.q;
@@ -201,7 +201,7 @@ GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patien
         const std::size_t count = all ? guess.wrong.size() : 1;
         for (std::size_t k = 0; k < count; ++k) {  // (9.5), or the first alone (9.6)
             const Index i = guess.wrong[k];
-            RowCase& here = guess.cases[static_cast<std::size_t>(i)];
+            BoundState& here = guess.cases[static_cast<std::size_t>(i)];
             here = corrected(problem, i, here, guess.lambda[i], guess.w[i],
                              std::min(problem.tolerance * problem.unit[i], problem.ceiling));
         }

@@ -17,7 +17,7 @@ namespace rigid {
 class DantzigDrive {
 public:
     VecX lambda, w;
-    std::vector<RowCase> cases;
+    std::vector<BoundState> cases;
     int pivots = 0;
 
     enum class Place { right, ray, limit };
@@ -76,12 +76,13 @@ public:
                 if (way < length) length = std::max(way, Real{0}), stops = i, at_bound = true;
             }
             for (Index i = 0; i < mlcp_.size(); ++i) {
-                const RowCase here = cases[index(i)];
-                if (!is_done_[index(i)] || here == RowCase::between || mlcp_.lo[i] == mlcp_.hi[i]) continue;
+                const BoundState here = cases[index(i)];
+                if (!is_done_[index(i)] || here == BoundState::between || mlcp_.lo[i] == mlcp_.hi[i])
+                    continue;
                 // What depends on F has a slope by rounding alone.
                 const Real none =
                     depends_[index(i)] ? infinity : 1e-12 * std::sqrt(diagonal(i) * diagonal(d));
-                if (here == RowCase::at_lo ? w_slope_[i] >= -none : w_slope_[i] <= none) continue;
+                if (here == BoundState::at_lo ? w_slope_[i] >= -none : w_slope_[i] <= none) continue;
                 const Real way = -w[i] / w_slope_[i];
                 if (way < length) length = std::max(way, Real{0}), stops = i, at_bound = false;
             }
@@ -92,7 +93,7 @@ public:
             if (at_bound) {
                 const bool upper = direction_[stops] > 0;
                 lambda[stops] = upper ? mlcp_.hi[stops] : mlcp_.lo[stops];
-                cases[index(stops)] = upper ? RowCase::at_hi : RowCase::at_lo;
+                cases[index(stops)] = upper ? BoundState::at_hi : BoundState::at_lo;
                 if (stops == d) return Place::right;
                 factor_.remove(place_of(stops));
                 std::fill(depends_.begin(), depends_.end(), false);
@@ -100,7 +101,7 @@ public:
             } else {
                 w[stops] = 0;
                 if (stops == d) return set_case(d);
-                if (join(stops)) cases[index(stops)] = RowCase::between;
+                if (join(stops)) cases[index(stops)] = BoundState::between;
                 else depends_[index(stops)] = true;
             }
         }
@@ -121,9 +122,9 @@ private:
     Place set_case(Index d)
     {
         const bool inside = lambda[d] > mlcp_.lo[d] && lambda[d] < mlcp_.hi[d];
-        cases[index(d)] = !inside && lambda[d] <= mlcp_.lo[d] ? RowCase::at_lo
-                          : !inside                           ? RowCase::at_hi
-                                                              : RowCase::between;
+        cases[index(d)] = !inside && lambda[d] <= mlcp_.lo[d] ? BoundState::at_lo
+                          : !inside                           ? BoundState::at_hi
+                                                              : BoundState::between;
         if (inside && !join(d)) waiting_.push_back(d);  // F already keeps its w at zero
         return Place::right;
     }

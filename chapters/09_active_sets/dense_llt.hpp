@@ -51,7 +51,7 @@ public:
     }
 
     /// Factors the rows that are `between`, or borders the last factor. False if they depend on each other.
-    bool factor(const GuessedProblem& problem, const std::vector<RowCase>& cases, ActiveSetWork& work)
+    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases, ActiveSetWork& work)
     {
         if (factored_ == cases) return true;
         if (!factored_.empty() && border(problem, cases)) ++work.updates;
@@ -116,14 +116,14 @@ private:
     Real came_in(Index c) const { return in_[index(c)]; }
 
     //! [anew]
-    bool factor_anew(const GuessedProblem& problem, const std::vector<RowCase>& cases)
+    bool factor_anew(const GuessedProblem& problem, const std::vector<BoundState>& cases)
     {
         base_.clear();
         changed_.clear();
         slots_.clear();
         std::fill(place_.begin(), place_.end(), -1);
         for (Index i = 0; i < size(cases); ++i)
-            if (cases[index(i)] == RowCase::between) {
+            if (cases[index(i)] == BoundState::between) {
                 place_[index(i)] = base();
                 base_.push_back(i);
             }
@@ -146,12 +146,12 @@ private:
 
     //! [border]
     /// (9.11): the rows that differ from the base as a border; false if there are too many of them.
-    bool border(const GuessedProblem& problem, const std::vector<RowCase>& cases)
+    bool border(const GuessedProblem& problem, const std::vector<BoundState>& cases)
     {
         const Index f = base(), most = f / 6;
         changed_.clear();
         for (Index i = 0; i < size(cases); ++i)
-            if ((cases[index(i)] == RowCase::between) != (place_[index(i)] >= 0)) changed_.push_back(i);
+            if ((cases[index(i)] == BoundState::between) != (place_[index(i)] >= 0)) changed_.push_back(i);
         const Index k = size(changed_);
         if (k > most) return false;
         in_.resize(changed_.size());
@@ -201,7 +201,7 @@ private:
     std::vector<Real> in_;
     Eigen::PartialPivLU<MatX> S_;
     mutable VecX x_;
-    std::vector<RowCase> factored_;
+    std::vector<BoundState> factored_;
 };
 
 }  // namespace rigid

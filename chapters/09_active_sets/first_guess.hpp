@@ -32,19 +32,19 @@ inline void clamp_into_bounds(const Mlcp& mlcp, VecX& lambda)
 }
 
 /// The case that each λ is in.
-inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<RowCase>& cases)
+inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<BoundState>& cases)
 {
     for (Index i = 0; i < mlcp.size(); ++i)
-        cases[static_cast<std::size_t>(i)] = lambda[i] <= mlcp.lo[i]   ? RowCase::at_lo
-                                             : lambda[i] >= mlcp.hi[i] ? RowCase::at_hi
-                                                                       : RowCase::between;
+        cases[static_cast<std::size_t>(i)] = lambda[i] <= mlcp.lo[i]   ? BoundState::at_lo
+                                             : lambda[i] >= mlcp.hi[i] ? BoundState::at_hi
+                                                                       : BoundState::between;
 }
 
 //! [begin]
 /// The previous cases, where a row can have them. Without any: every row active where a factor is cheap,
 /// since piles rest on most of their contacts; else what two sweeps from zero say.
 /// \param cheap  whether A is sparse or small
-inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& previous, bool cheap,
+inline void begin(const GuessedProblem& problem, const std::vector<BoundState>& previous, bool cheap,
                   Guess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
@@ -64,10 +64,10 @@ inline void begin(const GuessedProblem& problem, const std::vector<RowCase>& pre
     }
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<Index>(k);
-        const RowCase wish = known ? previous[k] : cheap ? RowCase::between : guess.cases[k];
-        const bool possible = (wish != RowCase::at_lo || mlcp.lo[i] > -infinity) &&
-                              (wish != RowCase::at_hi || mlcp.hi[i] < infinity);
-        guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? RowCase::at_lo : possible ? wish : RowCase::between;
+        const BoundState wish = known ? previous[k] : cheap ? BoundState::between : guess.cases[k];
+        const bool possible = (wish != BoundState::at_lo || mlcp.lo[i] > -infinity) &&
+                              (wish != BoundState::at_hi || mlcp.hi[i] < infinity);
+        guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? BoundState::at_lo : possible ? wish : BoundState::between;
     }
 }
 //! [begin]

@@ -33,25 +33,25 @@ inline void bound_by(std::span<const FrictionBox> boxes, const VecX& lambda, Mlc
 //! [bounds]
 
 /// A λ that is at its bound by the guess is that bound to the last digit, and no λ is outside.
-inline void to_bounds(const Mlcp& mlcp, const std::vector<RowCase>& cases, VecX& lambda)
+inline void to_bounds(const Mlcp& mlcp, const std::vector<BoundState>& cases, VecX& lambda)
 {
     for (Index i = 0; i < mlcp.size(); ++i) {
-        const RowCase here = cases[static_cast<std::size_t>(i)];
-        lambda[i] = here == RowCase::at_lo   ? mlcp.lo[i]
-                    : here == RowCase::at_hi ? mlcp.hi[i]
-                                             : std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
+        const BoundState here = cases[static_cast<std::size_t>(i)];
+        lambda[i] = here == BoundState::at_lo   ? mlcp.lo[i]
+                    : here == BoundState::at_hi ? mlcp.hi[i]
+                                                : std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
     }
 }
 
 /// (9.21): the λ of a guess in which the rows that slide follow their normal rows.
 inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
-                       const std::vector<RowCase>& cases, VecX& lambda)
+                       const std::vector<BoundState>& cases, VecX& lambda)
 {
     const Index n = mlcp.size();
     const auto at = [](auto& list, Index i) -> auto& { return list[static_cast<std::size_t>(i)]; };
     std::vector<Index> place(static_cast<std::size_t>(n), -1), active;
     for (Index i = 0; i < n; ++i)
-        if (at(cases, i) == RowCase::between) {
+        if (at(cases, i) == BoundState::between) {
             at(place, i) = static_cast<Index>(active.size());
             active.push_back(i);
         }
@@ -60,13 +60,13 @@ inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     VecX fixed = VecX::Zero(n);
     for (Index i = 0; i < n; ++i) {
         if (at(place, i) >= 0) tie.emplace_back(static_cast<int>(i), static_cast<int>(at(place, i)), 1);
-        else fixed[i] = at(cases, i) == RowCase::at_lo ? mlcp.lo[i] : mlcp.hi[i];
+        else fixed[i] = at(cases, i) == BoundState::at_lo ? mlcp.lo[i] : mlcp.hi[i];
     }
     for (const FrictionBox& box : boxes) {
         if (at(place, box.row) >= 0 || at(place, box.normal) < 0) continue;
         fixed[box.row] = 0;
         tie.emplace_back(static_cast<int>(box.row), static_cast<int>(at(place, box.normal)),
-                         at(cases, box.row) == RowCase::at_lo ? -box.mu : box.mu);
+                         at(cases, box.row) == BoundState::at_lo ? -box.mu : box.mu);
     }
     const auto f = static_cast<Index>(active.size());
     if (f == 0) return false;
@@ -113,7 +113,7 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     Mlcp fixed = mlcp;
     solution.lambda.setZero(n);
     bound_by(boxes, solution.lambda, fixed);  // first without friction
-    std::vector<RowCase> last;
+    std::vector<BoundState> last;
     int guesses = 0;
     for (int round = 0; round < 200; ++round) {
         active_sets(fixed, settings, memory, solution);

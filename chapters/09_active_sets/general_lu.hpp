@@ -17,13 +17,13 @@ public:
         factored_.clear();
     }
 
-    bool factor(const GuessedProblem& problem, const std::vector<RowCase>& cases, ActiveSetWork& work)
+    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases, ActiveSetWork& work)
     {
         if (factored_ == cases) return true;
         ++work.factorisations;
         active_.clear();
         for (std::size_t i = 0; i < cases.size(); ++i)
-            if (cases[i] == RowCase::between) active_.push_back(static_cast<Index>(i));
+            if (cases[i] == BoundState::between) active_.push_back(static_cast<Index>(i));
         work.entries = static_cast<Index>(active_.size() * active_.size());
         factored_ = cases;
         if (active_.empty()) return true;
@@ -50,7 +50,7 @@ public:
 private:
     MatX A_;
     std::vector<Index> active_;
-    std::vector<RowCase> factored_;
+    std::vector<BoundState> factored_;
     Eigen::PartialPivLU<MatX> lu_;
 };
 

@@ -37,7 +37,7 @@ public:
     //! [factor]
     /// Factors the rows that are `between`. Returns false at a pivot that is nothing: that row depends on
     /// others.
-    bool factor(const GuessedProblem& problem, const std::vector<RowCase>& cases, ActiveSetWork& work)
+    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases, ActiveSetWork& work)
     {
         if (factored_ == cases) return true;
         factored_.clear();
@@ -57,7 +57,7 @@ public:
             const int i = at(e.order, k);
             end[k] = begin[k];
             pivot[k] = 0;  // zero = not active
-            if (at(cases, i) != RowCase::between) continue;
+            if (at(cases, i) != BoundState::between) continue;
             for (int p = at(e.lower_begin, k); p < at(e.lower_begin, k + 1); ++p)
                 y[at(e.lower_column, p)] = A[at(e.lower_value, p)];
             const int place = at(e.diagonal_value, k);
@@ -141,8 +141,8 @@ private:
     std::vector<int> row_, filled_, active_;  ///< of the entries of L, column by column
     std::vector<Real> value_;
     VecX pivot_;
-    mutable VecX y_;                 ///< all zero between calls
-    std::vector<RowCase> factored_;  ///< the cases that the factor is of
+    mutable VecX y_;                    ///< all zero between calls
+    std::vector<BoundState> factored_;  ///< the cases that the factor is of
 };
 
 }  // namespace rigid

@@ -1,7 +1,7 @@
 /// \file awake_bodies.hpp
 /// The contacts stage of the step without what needs nothing: bodies that sleep are not looked at, and pairs that are far
 /// apart are not tested. What is remembered is only true while nobody changes the scene behind its back: see
-/// doors.hpp.
+/// scene_edits.hpp.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"

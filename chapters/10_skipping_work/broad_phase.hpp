@@ -27,10 +27,10 @@ struct BroadPhase {
 
     std::vector<std::uint64_t> pairs;  ///< a · 2³² + b, a < b, ascending
     std::vector<std::uint64_t> kept, fresh;
-    std::vector<int> renewed;          ///< who asks the grid in this step
-    std::vector<std::uint8_t> renews;  ///< K: is in that list
-    std::int64_t tested = 0;           ///< distances of two discs that were computed in this step
-    std::int64_t asked = 0;            ///< discs that asked the grid
+    std::vector<int> stale;              ///< who asks the grid in this step
+    std::vector<std::uint8_t> is_stale;  ///< K: is in that list
+    std::int64_t tested = 0;             ///< distances of two discs that were computed in this step
+    std::int64_t queries = 0;            ///< discs that asked the grid
 
     /// How far from its centre a disc looks for the surfaces of others [m]: the right side of (10.4).
     Real reach_of(Real radius) const { return radius + margin + 2 * skin; }
@@ -44,9 +44,9 @@ struct BroadPhase {
         for (Index k = 0; k < K; ++k)
             grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k], filter.group_of(k));
         pairs.clear();
-        renews.assign(static_cast<std::size_t>(K), 1);  // nobody has asked yet
-        renewed.clear();
-        for (int k = 0; k < static_cast<int>(K); ++k) renewed.push_back(k);
+        is_stale.assign(static_cast<std::size_t>(K), 1);  // nobody has asked yet
+        stale.clear();
+        for (int k = 0; k < static_cast<int>(K); ++k) stale.push_back(k);
     }
 };
 
@@ -87,7 +87,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     const auto is = [&](int k, Activity activity) { return at(set.activity, k) == activity; };
     const auto may_ask = [&](int k) { return !is(k, Activity::asleep) && !is(k, Activity::gone); };
     const auto renew = [&](int k) {  // all move before the first one asks
-        if (std::exchange(at(broad.renews, k), std::uint8_t{1}) == 0) broad.renewed.push_back(k);
+        if (std::exchange(at(broad.is_stale, k), std::uint8_t{1}) == 0) broad.stale.push_back(k);
         if (!is(k, Activity::gone)) broad.grid.move(k, x.segment<2>(2 * k));
     };
     const auto wake_if_close = [&](int a, int b) {
@@ -112,7 +112,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     broad.kept.clear();
     for (const std::uint64_t pair : broad.pairs) {
         const int a = first_of(pair), b = second_of(pair);
-        if (at(broad.renews, a) || at(broad.renews, b) || !(set.is_awake(a) || set.is_awake(b))) continue;
+        if (at(broad.is_stale, a) || at(broad.is_stale, b) || !(set.is_awake(a) || set.is_awake(b))) continue;
         if (is(a, Activity::gone) || is(b, Activity::gone)) continue;
         broad.kept.push_back(pair);
         if (set.is_asleep(b)) wake_if_close(a, b);
@@ -124,15 +124,15 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     // Ask the grid. The list of those who ask may grow on the way: who is found close by and asleep is woken.
     broad.fresh.clear();
     broad.grid.tested = broad.grid.cells = 0;
-    const std::size_t before_asking = broad.renewed.size();
-    for (std::size_t i = 0; i < broad.renewed.size(); ++i) {
-        const int k = broad.renewed[i];
+    const std::size_t before_asking = broad.stale.size();
+    for (std::size_t i = 0; i < broad.stale.size(); ++i) {
+        const int k = broad.stale[i];
         if (!may_ask(k)) continue;
         const std::uint64_t groups = at(broad.filter.meets, broad.filter.group_of(k));
         const std::size_t found = broad.fresh.size();
         broad.grid.near(x.segment<2>(2 * k), broad.reach_of(scene.radius[k]), groups, [&](int b) {
             // Of two who ask, the lower one finds the other; but it may have asked before k was woken and moved.
-            if (b == k || (i < before_asking && b < k && at(broad.renews, b) && may_ask(b))) return;
+            if (b == k || (i < before_asking && b < k && at(broad.is_stale, b) && may_ask(b))) return;
             if (!movable(k) && !movable(b)) return;
             if (!set.is_awake(k) && !set.is_awake(b)) return;
             if (broad.filter.forbids(std::min(b, k), std::max(b, k))) return;
@@ -142,9 +142,9 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
             if (const int b = other_of(broad.fresh[j], k); set.is_asleep(b)) wake_if_close(k, b);
     }
     //! [ask]
-    broad.asked = static_cast<std::int64_t>(broad.renewed.size());
-    for (const int k : broad.renewed) at(broad.renews, k) = 0;
-    broad.renewed.clear();
+    broad.queries = static_cast<std::int64_t>(broad.stale.size());
+    for (const int k : broad.stale) at(broad.is_stale, k) = 0;
+    broad.stale.clear();
     broad.tested += broad.grid.tested;
 
     // Old and new, in order, none twice.

@@ -59,7 +59,7 @@ struct SkippingCounters {
     int sweeps = 0;           ///< of the island that needed the most
     int exact = 0;            ///< islands that were solved exactly
     int unsolved = 0;         ///< islands whose residual did not meet the tolerance
-    int asked = 0;            ///< discs that asked the grid
+    int queries = 0;          ///< discs that asked the grid
     std::int64_t tested = 0;  ///< pairs of discs whose distance was computed
     std::int64_t visits = 0;  ///< rows visited
     int woken = 0;            ///< bodies
@@ -68,7 +68,7 @@ struct SkippingCounters {
 
 //! [world]
 struct SkippingWorld {
-    DiscScene scene;     ///< read it; to change it, see doors.hpp
+    DiscScene scene;     ///< read it; to change it, see scene_edits.hpp
     Real margin = 0.02;  ///< a contact gets its row when its gap is below this [m]
     SkippingMethod method;
     StepData<2> found;  ///< by the last step, on its way
@@ -150,7 +150,7 @@ inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
     now.counters.sweeps = solver.most_sweeps;
     now.counters.exact = solver.exact_count;
     now.counters.unsolved = solver.unsolved;
-    now.counters.asked = static_cast<int>(bodies.broad.asked);
+    now.counters.queries = static_cast<int>(bodies.broad.queries);
     now.counters.tested = bodies.broad.tested;
     now.counters.visits = now.found.visits;
 }

@@ -2,7 +2,7 @@
 /// When an island may sleep: it has been at rest for a time, and at rest means more than slow.
 ///
 ///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ a_rest h   for each of its bodies, in each step, for the time t_rest,
-///     ‖u‖ ≤ max(½ fastest, ε)   in the last step, for the greatest speed in that time: the motion dies out,
+///     ‖u‖ ≤ max(½ top_speed, ε)   in the last step, for the greatest speed in that time: the motion dies out,
 ///     and the step's answer was solved
 ///
 /// (10.8). A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g; a disc
@@ -42,8 +42,8 @@ inline void require_valid(const RestSettings& rest)
 
 /// How long a body has been at rest without a break, and its greatest speed in that time.
 struct Rest {
-    Real time = 0;     ///< [s]
-    Real fastest = 0;  ///< [m/s]
+    Real time = 0;       ///< [s]
+    Real top_speed = 0;  ///< since it was last slow to rest [m/s]
 };
 
 //! [rests]
@@ -59,7 +59,7 @@ Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, 
     const Real change = settings.acceleration * h;
     const bool steady = (u - before).squaredNorm() <= change * change;
     if (!slow || !steady) return {};
-    return {rest.time + h, std::max(rest.fastest, u.norm())};
+    return {rest.time + h, std::max(rest.top_speed, u.norm())};
 }
 
 /// And once it has lasted for long enough: does what is left of the motion die out? What glides on does not, nor
@@ -67,7 +67,7 @@ Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, 
 /// \param noise  slower than this it can't be told from the error of the answers [m/s]
 inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings, Real noise)
 {
-    return rest.time >= settings.time && speed <= std::max(rest.fastest / 2, noise);
+    return rest.time >= settings.time && speed <= std::max(rest.top_speed / 2, noise);
 }
 //! [rests]
 

@@ -61,7 +61,7 @@ std::optional<Real> parse_within(const std::string& text, Real low, Real high)
     return value;
 }
 
-Real time_step(const Scene& scene, const std::string& text)
+Real time_step(const Demo& scene, const std::string& text)
 {
     const auto h = parse_within(text, scene.h_low, scene.h_high);
     const std::string right =
@@ -71,7 +71,7 @@ Real time_step(const Scene& scene, const std::string& text)
     return *h;
 }
 
-void set_tunable(const Scene& scene, Settings& settings, const std::string& assignment)
+void set_tunable(const Demo& scene, Settings& settings, const std::string& assignment)
 {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -106,7 +106,7 @@ std::vector<std::string> split_methods(const std::vector<std::string>& given)
     return methods;
 }
 
-std::vector<std::string> checked_methods(const Scene& scene, const std::vector<std::string>& given)
+std::vector<std::string> checked_methods(const Demo& scene, const std::vector<std::string>& given)
 {
     const std::vector<std::string> methods = split_methods(given);
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -134,16 +134,16 @@ std::string padded(std::string text, std::size_t width)
 std::string list_of_scenes(const Program& program)
 {
     std::size_t width = 0;
-    for (const Scene& scene : program.scenes) width = std::max(width, scene.name.size());
+    for (const Demo& scene : program.scenes) width = std::max(width, scene.name.size());
     std::string text;
-    for (const Scene& scene : program.scenes) text += padded(scene.name, width) + "  " + scene.summary + '\n';
+    for (const Demo& scene : program.scenes) text += padded(scene.name, width) + "  " + scene.summary + '\n';
     return text;
 }
 
 std::string help_of_scenes(const Program& program)
 {
     std::string text = "\nScenes (the first one is the default):\n";
-    for (const Scene& scene : program.scenes) {
+    for (const Demo& scene : program.scenes) {
         text += "\n  " + scene.name + ": " + scene.summary + '\n';
         text += "    --h " + readable(scene.h) + " s, " + range(scene.h_low, scene.h_high, "s") + '\n';
         if (!scene.methods.empty())
@@ -181,7 +181,7 @@ std::string sentence(const CLI::ParseError& error)
 
 }  // namespace
 
-Settings default_settings(const Scene& scene)
+Settings default_settings(const Demo& scene)
 {
     Settings settings;
     settings.scene = scene.name;
@@ -198,7 +198,7 @@ void require_consistent(const Program& program)
     if (program.solve_problem && program.problem_methods.empty())
         refuse("the program " + in_quotes(program.name) + " has 0 methods for problems; it must have one");
     std::set<std::string> scenes;
-    for (const Scene& scene : program.scenes) {
+    for (const Demo& scene : program.scenes) {
         const std::string where = "scene " + in_quotes(scene.name) + ": ";
         if (!is_word(scene.name, "_-")) refuse(where + "its name must be of letters, digits, _ and -");
         if (!scenes.insert(scene.name).second)
@@ -335,13 +335,13 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
     options.scene = &program.scenes.front();
     if (app.count("--scene") > 0) {
         const auto found = std::find_if(program.scenes.begin(), program.scenes.end(),
-                                        [&](const Scene& scene) { return scene.name == scene_name; });
+                                        [&](const Demo& scene) { return scene.name == scene_name; });
         if (found == program.scenes.end())
             refuse("there is no scene " + in_quotes(scene_name) +
                    "; there are: " + joined(names_of(program.scenes)));
         options.scene = &*found;
     }
-    const Scene& scene = *options.scene;
+    const Demo& scene = *options.scene;
     options.settings = default_settings(scene);
     std::set<std::string> assigned;
     for (const std::string& assignment : assignments) {

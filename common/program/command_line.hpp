@@ -13,7 +13,7 @@ namespace rigid {
 struct Options {
     std::string answer;  ///< not empty: print this and end (--help, --list-scenes)
 
-    const Scene* scene = nullptr;
+    const Demo* scene = nullptr;
     Settings settings;                 ///< of the run; its method is the first one
     std::vector<std::string> methods;  ///< at least one; several = side by side
     bool methods_given = false;        ///< by --method
@@ -35,6 +35,6 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
 void require_consistent(const Program& program);
 
 /// The settings that a scene starts with when nothing was typed.
-Settings default_settings(const Scene& scene);
+Settings default_settings(const Demo& scene);
 
 }  // namespace rigid

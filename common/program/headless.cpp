@@ -17,7 +17,7 @@ namespace rigid {
 
 int run_headless(const Program& program, const Options& options)
 {
-    const Scene& scene = *options.scene;
+    const Demo& scene = *options.scene;
     const long steps = options.steps.value_or(300);
     InterruptGuard guard;
 

@@ -98,7 +98,7 @@ private:
 
     void scene_and_methods()
     {
-        const std::vector<Scene>& scenes = show_.program().scenes;
+        const std::vector<Demo>& scenes = show_.program().scenes;
         ImGui::SetNextItemWidth(-1);
         if (ImGui::BeginCombo("##scene", show_.scene().name.c_str())) {
             for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -203,7 +203,7 @@ private:
         gap();
         ImGui::Separator();
         gap();
-        const Scene& scene = show_.scene();
+        const Demo& scene = show_.scene();
         for (const Tunable& one : scene.tunables) {
             ImGui::PushID(one.name.c_str());
             std::string words = one.name;
@@ -262,7 +262,7 @@ private:
 
     void plots()
     {
-        const Scene& scene = show_.scene();
+        const Demo& scene = show_.scene();
         if (!show_.playback() || std::none_of(scene.columns.begin(), scene.columns.end(),
                                               [](const Column& c) { return c.plotted; }))
             return;
@@ -293,7 +293,7 @@ private:
     std::pair<Real, Real> time_span() const
     {
         Real begin = infinity, end = -infinity;
-        const Scene& scene = show_.scene();
+        const Demo& scene = show_.scene();
         for (std::size_t k = 0; k < show_.playback()->tracks().size(); ++k)
             for (std::size_t c = 0; c < scene.columns.size(); ++c)
                 each_sample(k, c, [&](const Sample& sample) {

@@ -8,7 +8,7 @@
 
 namespace rigid {
 
-Playback::Playback(const Scene& scene, const Settings& settings, const std::vector<std::string>& methods)
+Playback::Playback(const Demo& scene, const Settings& settings, const std::vector<std::string>& methods)
     : scene_(&scene), settings_(settings)
 {
     for (const std::string& method : methods) {

@@ -28,7 +28,7 @@ class Playback {
 public:
     /// Starts the scene under each of the methods. Throws std::invalid_argument if a start refuses the
     /// settings; a state that is not finite from the beginning becomes the track's failure.
-    Playback(const Scene& scene, const Settings& settings, const std::vector<std::string>& methods);
+    Playback(const Demo& scene, const Settings& settings, const std::vector<std::string>& methods);
 
     /// One step of every track that can go on. A track whose step fails keeps its last row.
     void step(const Input& input);
@@ -37,7 +37,7 @@ public:
     void set_h(Real h);
     void set_tunable(const std::string& name, Real value) { settings_.tunables[name] = value; }
 
-    const Scene& scene() const { return *scene_; }
+    const Demo& scene() const { return *scene_; }
     const Settings& settings() const { return settings_; }
     const std::vector<Track>& tracks() const { return tracks_; }
     long steps() const { return steps_; }  ///< since the start
@@ -54,7 +54,7 @@ private:
     Settings settings_of(const Track& track) const;
     void measure(Track& track) const;
 
-    const Scene* scene_;
+    const Demo* scene_;
     Settings settings_;
     std::vector<Track> tracks_;
     long steps_ = 0;

@@ -75,7 +75,7 @@ public:
     virtual std::vector<Real> measure() const = 0;
 };
 
-struct Scene {
+struct Demo {
     std::string name;     ///< as in --scene name
     std::string summary;  ///< one line
     View view;
@@ -94,9 +94,9 @@ struct Scene {
 inline constexpr std::size_t most_panes = 4;  ///< methods side by side in a window
 
 struct Program {
-    std::string name;           ///< of the executable, 01_euler_integration
-    std::string title;          ///< "Chapter 1. Euler integration"
-    std::vector<Scene> scenes;  ///< the first is the default
+    std::string name;          ///< of the executable, 01_euler_integration
+    std::string title;         ///< "Chapter 1. Euler integration"
+    std::vector<Demo> scenes;  ///< the first is the default
     /// For chapters that solve a problem from a file (--problem FILE --method NAME): does it, prints
     /// the answer and returns the exit code. `problem_methods` are the names that it takes, the default one first.
     std::function<int(const std::string& file, const std::string& method)> solve_problem;

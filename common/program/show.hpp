@@ -42,7 +42,7 @@ public:
     Show(const Program& program, const Options& options);
 
     const Program& program() const { return *program_; }
-    const Scene& scene() const { return *scene_; }
+    const Demo& scene() const { return *scene_; }
     const Settings& settings() const { return settings_; }
     /// Null when the scene refuses the settings; refusal() says why.
     const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
@@ -83,7 +83,7 @@ private:
 
     const Program* program_;
     Options options_;
-    const Scene* scene_ = nullptr;
+    const Demo* scene_ = nullptr;
     Settings settings_;
     std::vector<bool> method_on_;
     std::optional<Playback> playback_;

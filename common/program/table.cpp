@@ -8,7 +8,7 @@
 
 namespace rigid {
 
-Table::Table(const std::string& file, const Scene& scene, std::size_t methods)
+Table::Table(const std::string& file, const Demo& scene, std::size_t methods)
     : file_(file), last_step_(methods, -1)
 {
     if (file_ != "-") {

@@ -24,7 +24,7 @@ class Table {
 public:
     /// Opens the file ("-" is the standard output) and writes the head. Throws std::invalid_argument,
     /// naming the file, if that can't be done.
-    Table(const std::string& file, const Scene& scene, std::size_t methods);
+    Table(const std::string& file, const Demo& scene, std::size_t methods);
 
     /// Adds what the tracks measured last, for those that moved since the last call. Throws
     /// std::runtime_error if it can't be written.

@@ -51,7 +51,7 @@ StepScene tumble(bool by_enumeration)
                                    std::to_string(k));
         if (k < first) continue;
         OneStep one{now.rows, {}, now.u_star, scene.bodies.u};
-        for (std::size_t i = 0; i < scene.links.size(); ++i) one.keys.push_back(joint_key(i));
+        for (std::size_t i = 0; i < scene.links.size(); ++i) one.keys.push_back(link_key(i));
         for (const Contact& contact : now.contacts) one.keys.push_back(contact_key(contact));
         result.steps.push_back(std::move(one));
     }

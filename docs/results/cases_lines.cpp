@@ -20,7 +20,7 @@ OneStep resting_step(const DiscScene& scene, Real h)
         step.rows.push_back(bilateral(distance_constraint(scene.bodies.x, link), scene.bodies.inverse_mass));
     for (const Contact& contact : contacts)
         step.rows.push_back(unilateral(contact_constraint(contact), scene.bodies.inverse_mass));
-    for (std::size_t i = 0; i < scene.links.size(); ++i) step.keys.push_back(joint_key(i));
+    for (std::size_t i = 0; i < scene.links.size(); ++i) step.keys.push_back(link_key(i));
     for (const Contact& contact : contacts) step.keys.push_back(contact_key(contact));
     step.u_star = VecX::Zero(scene.bodies.u.size());
     for (Index k = 0; k < scene.bodies.count(); ++k)

@@ -75,8 +75,8 @@ void add_small(Registry& registry, const SharedRun& run, const SmallStepSettings
         settings.collides = run->engine.collides;
         return [settings, now = SmallStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
             small_steps(scene, settings, now);
-            work +=
-                static_cast<std::int64_t>(now.rows.size()) * (now.sweeps + settings.repay.repaying_sweeps);
+            work += static_cast<std::int64_t>(now.rows.size()) *
+                    (now.sweeps + settings.correction.correction_sweeps);
         };
     });
 }

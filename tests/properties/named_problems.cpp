@@ -205,7 +205,7 @@ TEST_CASE("what the memory of active sets held before does not change an answer"
         for (VecX* vector : {&dirty.guess.lambda, &dirty.guess.w, &dirty.guess.step, &dirty.guess.here,
                              &dirty.guess.trial, &dirty.guess.way})
             *vector = VecX::Constant(mlcp.size(), 1e3 * sample);
-        dirty.guess.cases.assign(static_cast<std::size_t>(mlcp.size()), RowCase::at_hi);
+        dirty.guess.cases.assign(static_cast<std::size_t>(mlcp.size()), BoundState::at_hi);
         Solution first, second;
         ActiveSetSettings settings;
         settings.limit = sample % 3 == 0 ? 50 : 0;

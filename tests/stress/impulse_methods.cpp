@@ -62,11 +62,11 @@ std::vector<Setting> small_settings(SmallStepSettings& s)
             {"gravity y", &s.gravity.y(), false},
             {"margin", &s.margin, true},
             {"first_tolerance", &s.first_tolerance, true},
-            {"beta", &s.repay.beta, false},
-            {"slop", &s.repay.slop, false},
-            {"bilateral_slop", &s.repay.bilateral_slop, false},
-            {"fastest", &s.repay.fastest, true},
-            {"repaying tolerance", &s.repay.tolerance, true}};
+            {"beta", &s.correction.beta, false},
+            {"slop", &s.correction.slop, false},
+            {"bilateral_slop", &s.correction.bilateral_slop, false},
+            {"max_correction_speed", &s.correction.max_correction_speed, true},
+            {"correction tolerance", &s.correction.tolerance, true}};
 }
 
 /// A preset of chapter 8. It calls nothing solved.
@@ -112,7 +112,7 @@ std::vector<Method> impulse_methods(int sweeps)
     const Spending projection{Stabilizer::projection, half, sweeps - half, 1, unlimited};
     const Spending substeps{Stabilizer::baumgarte, 1, 0, sweeps, unlimited};
     Spending bounded = baumgarte;
-    bounded.fastest = 0.3;
+    bounded.max_correction_speed = 0.3;
     Spending small{Stabilizer::projection, 1, 1, std::max(1, sweeps - 2), unlimited};
     small.beta = 1;
     return {

@@ -19,7 +19,7 @@ std::vector<Setting> skipping_settings(DiscScene& scene, SkippingSettings& s)
             {"beta", &s.stabilizer.beta, false},
             {"slop", &s.stabilizer.slop, false},
             {"bilateral_slop", &s.stabilizer.bilateral_slop, false},
-            {"fastest", &s.stabilizer.fastest, true},
+            {"max_correction_speed", &s.stabilizer.max_correction_speed, true},
             {"rest speed", &s.rest.speed, false},
             {"rest acceleration", &s.rest.acceleration, false},
             {"rest time", &s.rest.time, false},

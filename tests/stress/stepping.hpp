@@ -20,8 +20,8 @@ inline void add_settings(std::vector<Setting>& all, Correction& c)
     all.push_back({"beta", &c.beta, false});
     all.push_back({"slop", &c.slop, false});
     all.push_back({"bilateral_slop", &c.bilateral_slop, false});
-    all.push_back({"fastest", &c.fastest, true});
-    all.push_back({"repaying tolerance", &c.tolerance, true});
+    all.push_back({"max_correction_speed", &c.max_correction_speed, true});
+    all.push_back({"correction tolerance", &c.tolerance, true});
 }
 
 /// All settings of a method that are numbers.
@@ -30,7 +30,8 @@ std::vector<Setting> settings_of(DiscScene& scene, StepSettings& settings, Solvi
 {
     std::vector<Setting> all = step_settings(scene, settings);
     add_settings(all, by.correction);
-    if constexpr (requires { by.start.carry; }) all.push_back({"carry", &by.start.carry, false});
+    if constexpr (requires { by.start.factor; })
+        all.push_back({"warm start factor", &by.start.factor, false});
     if constexpr (requires { by.start.factor; })
         all.push_back({"warm start factor", &by.start.factor, false});
     if constexpr (requires { by.solver.sweeps; })
@@ -95,7 +96,7 @@ Method stepping(int chapter, const std::string& name, const std::string& budget,
 struct Spending {
     Stabilizer correction = Stabilizer::baumgarte;
     int sweeps = 10, correcting = 0, substeps = 1;
-    Real fastest = infinity;  ///< [m/s]
+    Real max_correction_speed = infinity;  ///< [m/s]
     Real beta = 0.2;
 };
 
@@ -104,8 +105,8 @@ inline Correction correction_of(const Spending& spending)
     Correction correction;
     correction.method = spending.correction;
     correction.beta = spending.beta;
-    correction.fastest = spending.fastest;
-    correction.repaying_sweeps = spending.correcting;
+    correction.max_correction_speed = spending.max_correction_speed;
+    correction.correction_sweeps = spending.correcting;
     return correction;
 }
 

@@ -517,7 +517,7 @@ Tunable digits_of_steps(Real value)
 
 Program program()
 {
-    Scene springs;
+    Demo springs;
     springs.name = "springs";
     springs.summary = "Three equal springs under explicit, symplectic and implicit Euler";
     springs.view = {{0, -0.1}, {1.85, 1.6}};
@@ -537,7 +537,7 @@ Program program()
          true}};
     springs.start = start<Springs>;
 
-    Scene javelin;
+    Demo javelin;
     javelin.name = "projectile";
     javelin.summary =
         "A javelin's centre of mass with quadratic drag, until it meets the ground";
@@ -559,7 +559,7 @@ Program program()
         {"evaluations", "", "how often the force was asked"}};
     javelin.start = start<Throw>;
 
-    Scene kepler;
+    Demo kepler;
     kepler.name = "kepler";
     kepler.summary = "A planet around its sun: GM = 1, half major axis 1, from the point "
                      "nearest to the sun";
@@ -580,7 +580,7 @@ Program program()
         {"evaluations", "", "how often the force was asked"}};
     kepler.start = start<Planet>;
 
-    Scene pendulum;
+    Demo pendulum;
     pendulum.name = "pendulum";
     pendulum.summary = "A pendulum let go at rest";
     pendulum.view = {{0, 0.05}, {2.1, 1.3}};

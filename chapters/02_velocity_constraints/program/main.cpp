@@ -12,9 +12,9 @@ namespace {
 
 using namespace rigid;
 
-Scene ellipse_scene()
+Demo ellipse_scene()
 {
-    Scene scene = bead_scene("ellipse", "A bead on an ellipse", 9.81, [](const Settings& settings) {
+    Demo scene = bead_scene("ellipse", "A bead on an ellipse", 9.81, [](const Settings& settings) {
         return ellipse_wire(settings["width"], settings["height"]);
     });
     scene.tunables.push_back({"width", "m", "half axis along x", 1.6, 0.2, 1.9, false, true, false});

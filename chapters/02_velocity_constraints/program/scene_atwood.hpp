@@ -110,9 +110,9 @@ private:
     Real acceleration_ = 0, left_ = 0, right_ = 0;
 };
 
-inline Scene atwood_scene()
+inline Demo atwood_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "atwood";
     scene.summary = "Two masses on a rope over a pulley that turns: acceleration and tensions are exact";
     scene.view = {{0, -0.8}, {1.3, 1.35}};

@@ -174,10 +174,10 @@ inline Wire own_wire()
     return {[g](const VecX& x) { return curve_constraint(x, 0, g); }, outline(g, 3), outline(g, 3).front()};
 }
 
-inline Scene bead_scene(const std::string& name, const std::string& summary, Real gravity,
-                        std::function<Wire(const Settings&)> make_wire)
+inline Demo bead_scene(const std::string& name, const std::string& summary, Real gravity,
+                       std::function<Wire(const Settings&)> make_wire)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.view = {{0, 0}, name == "circle" ? Vec2(1.6, 1.5) : Vec2(2, 1.9)};

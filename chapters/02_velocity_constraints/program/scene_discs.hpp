@@ -138,9 +138,9 @@ private:
     Real left_ = 0;
 };
 
-inline Scene discs_scene()
+inline Demo discs_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "discs";
     scene.summary = "Discs that meet each other and the walls without bounce, one row for each contact";
     scene.view = {{0, 0}, {1.6, 1.1}};

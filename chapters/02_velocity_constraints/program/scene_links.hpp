@@ -91,9 +91,9 @@ private:
     Real length_ = 0.1, residual_ = 0;
 };
 
-inline Scene chain_scene()
+inline Demo chain_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "chain";
     scene.summary = "A hanging chain: all links in one shot by a factorisation, or link by link";
     scene.view = {{0, -0.35}, {2, 1.55}};
@@ -187,9 +187,9 @@ private:
     RowsAnswer answer_;
 };
 
-inline Scene conflict_scene()
+inline Demo conflict_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "conflict";
     scene.summary =
         "Three rods, of which one is told to grow: redundant rows, and rows that contradict each other";

@@ -94,9 +94,9 @@ private:
     std::array<Real, 3> tension_{};
 };
 
-inline Scene pendulum_scene()
+inline Demo pendulum_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "pendulum";
     scene.summary = "A pendulum through a distance row with the steps h, h/2 and h/4, beside the exact one";
     scene.view = {{0, -0.25}, {1.5, 1.05}};

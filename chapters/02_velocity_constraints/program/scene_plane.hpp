@@ -156,9 +156,9 @@ private:
     RowAnswer answer_;
 };
 
-inline Scene plane_scene()
+inline Demo plane_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "feasible";
     scene.summary =
         "Two beads on a rail: drag the point of their two velocities and see what the row makes of it";

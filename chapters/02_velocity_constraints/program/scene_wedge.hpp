@@ -100,9 +100,9 @@ private:
     Real acceleration_ = 0, force_ = 0, floor_ = 0;
 };
 
-inline Scene wedge_scene()
+inline Demo wedge_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "wedge";
     scene.summary = "A block on a frictionless wedge that slides away under it";
     scene.view = {{0, 0.55}, {1.6, 0.85}};

@@ -142,7 +142,7 @@ void enumerate_guess(benchmark::State& state)
     const Mlcp mlcp = column_problem(state.range(0));
     EnumerationSettings settings;
     settings.stop_at_first = true;
-    settings.first.assign(static_cast<std::size_t>(mlcp.size()), RowCase::between);
+    settings.first.assign(static_cast<std::size_t>(mlcp.size()), BoundState::between);
     Solution solution;
     for ([[maybe_unused]] auto _ : state) solution = enumerate(mlcp, settings);
     report(state, static_cast<Real>(mlcp.size()), solution.iterations,
@@ -185,7 +185,7 @@ void step_ten_discs(benchmark::State& state)
         settings.stop_at_first = true;
         for (Index i = 0; solution.lambda.size() == mlcp.size() && i < mlcp.size();
              ++i)  // as in the last step
-            settings.first.push_back(solution.lambda[i] > 0 ? RowCase::between : RowCase::at_lo);
+            settings.first.push_back(solution.lambda[i] > 0 ? BoundState::between : BoundState::at_lo);
         solution = schur(mlcp, settings);
     };
     DiscScene start = ten_discs();

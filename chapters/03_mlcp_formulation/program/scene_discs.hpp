@@ -93,17 +93,17 @@ private:
     }
 
     /// For a contact that was there in the last step what it was then; for a new one what q says.
-    std::vector<RowCase> guess(const Mlcp& mlcp) const
+    std::vector<BoundState> guess(const Mlcp& mlcp) const
     {
-        std::vector<RowCase> first;
+        std::vector<BoundState> first;
         const std::size_t links = scene_.links.size();
         for (Index i = 0; i < mlcp.size(); ++i) {
-            RowCase row = mlcp.q[i] < 0 ? RowCase::between : RowCase::at_lo;
+            BoundState row = mlcp.q[i] < 0 ? BoundState::between : BoundState::at_lo;
             const auto k = static_cast<std::size_t>(i);
             for (std::size_t old = 0; k >= links && old < last_contacts_.size(); ++old)
                 if (is_same(now_.contacts[k - links], last_contacts_[old]))
-                    row =
-                        last_lambda_[static_cast<Index>(links + old)] > 0 ? RowCase::between : RowCase::at_lo;
+                    row = last_lambda_[static_cast<Index>(links + old)] > 0 ? BoundState::between
+                                                                            : BoundState::at_lo;
             first.push_back(row);
         }
         return first;
@@ -168,9 +168,9 @@ private:
     VecX last_lambda_;
 };
 
-inline Scene ten_discs_scene()
+inline Demo ten_discs_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "ten_discs";
     scene.summary = "Ten discs solved exactly; beside them the matrix A and which rows are active";
     scene.view = {{0.58, 0}, {1.4, 0.56}};

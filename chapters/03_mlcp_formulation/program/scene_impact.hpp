@@ -139,9 +139,9 @@ private:
 };
 
 /// What both scenes of one disc have in common.
-inline Scene impact_scene(const std::string& name, const std::string& summary)
+inline Demo impact_scene(const std::string& name, const std::string& summary)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.view = {{0.95, 0.33}, {2.1, 1.3}};
@@ -162,9 +162,9 @@ inline Scene impact_scene(const std::string& name, const std::string& summary)
 }
 
 /// A disc that bounces on a floor, between far walls.
-inline Scene bounce_scene()
+inline Demo bounce_scene()
 {
-    Scene scene = impact_scene("bounce", "A disc bounces; beside it all velocities that its contact allows");
+    Demo scene = impact_scene("bounce", "A disc bounces; beside it all velocities that its contact allows");
     scene.view = {{0.95, 0.53}, {2.1, 1.15}};
     scene.tunables.push_back({"tilt", "degrees", "of the floor", 0, -40, 40, false, true, false});
     scene.start = [](const Settings& settings) {
@@ -178,9 +178,9 @@ inline Scene bounce_scene()
 }
 
 /// A disc that touches floor and ramp is thrown again and again, each time in another direction.
-inline Scene corner_scene()
+inline Demo corner_scene()
 {
-    Scene scene =
+    Demo scene =
         impact_scene("corner", "A disc is thrown into a corner: two contacts, four sets of either/or");
     scene.tunables[0].value = 0;
     scene.tunables.push_back(

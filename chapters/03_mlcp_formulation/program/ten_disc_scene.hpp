@@ -28,7 +28,7 @@ inline std::vector<Tunable> ten_discs_tunables()
 }
 
 /// What a scene of the ten discs has in every chapter: its view, its time step, the pointer and what can be tuned.
-inline void set_up_ten_discs(Scene& scene)
+inline void set_up_ten_discs(Demo& scene)
 {
     scene.view = {{0, 0.03}, {0.8, 0.58}};
     scene.h = ten_discs_h;

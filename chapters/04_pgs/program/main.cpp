@@ -10,9 +10,9 @@ using namespace rigid;
 namespace {
 
 /// What all scenes of discs have in common.
-Scene disc_scene(const std::string& name, const std::string& summary, int max_sweeps)
+Demo disc_scene(const std::string& name, const std::string& summary, int max_sweeps)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h = scene.h_high = 1.0 / 60;
@@ -37,9 +37,9 @@ Scene disc_scene(const std::string& name, const std::string& summary, int max_sw
     return scene;
 }
 
-Scene ten_discs_scene()
+Demo ten_discs_scene()
 {
-    Scene scene = disc_scene(
+    Demo scene = disc_scene(
         "ten_discs", "Seven discs on a chain and three free ones in a box that the pointer tilts", 2000);
     set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings&) {
@@ -49,19 +49,19 @@ Scene ten_discs_scene()
 }
 
 /// The scenes that show where sweeps do not suffice: few sweeps, long steps.
-Scene failing_scene(const std::string& name, const std::string& summary, const Tunable& size,
-                    const Tunable& mass)
+Demo failing_scene(const std::string& name, const std::string& summary, const Tunable& size,
+                   const Tunable& mass)
 {
-    Scene scene = disc_scene(name, summary, 10);
+    Demo scene = disc_scene(name, summary, 10);
     scene.side_by_side = {"gauss_seidel", "sor"};
     scene.tunables.insert(scene.tunables.begin(), mass);
     if (!size.name.empty()) scene.tunables.insert(scene.tunables.begin(), size);
     return scene;
 }
 
-Scene column_scene()
+Demo column_scene()
 {
-    Scene scene =
+    Demo scene =
         failing_scene("column", "A column of N discs with a heavy one on top: too few sweeps and it sinks",
                       {"rows", "", "N, discs in the column", 15, 1, 100, true, true, false},
                       {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 10, 0.01, 1000,
@@ -74,9 +74,9 @@ Scene column_scene()
     return scene;
 }
 
-Scene chain_scene()
+Demo chain_scene()
 {
-    Scene scene = failing_scene(
+    Demo scene = failing_scene(
         "hanging_chain", "N links with a heavy end: pull it with the mouse; too few sweeps and it stretches",
         {"links", "", "N, links of 0.1 m", 30, 1, 60, true, true, false},
         {"end_mass", "kg", "mass of the lowest disc; the others have 1 kg", 10, 0.01, 1000, false, true,
@@ -109,9 +109,9 @@ DiscScene two_columns(Real R)
     return scene;
 }
 
-Scene mass_ratio_scene()
+Demo mass_ratio_scene()
 {
-    Scene scene = failing_scene(
+    Demo scene = failing_scene(
         "mass_ratio", "Left a heavy disc on a light one, right the reverse, with the same sweeps", {},
         {"ratio", "", "R, the mass of the heavy ones over that of the light ones", 100, 1, 10000, false, true,
          false});

@@ -150,9 +150,9 @@ private:
     std::vector<Real> errors_, residuals_, theory_;
 };
 
-inline Scene sweeps_scene()
+inline Demo sweeps_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "sweeps";
     scene.summary = "One sweep per step on a column at rest: error and residual beside the theory line";
     scene.view = {{-0.18, -0.03}, {1.22, 0.68}};

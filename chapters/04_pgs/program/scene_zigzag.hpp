@@ -154,9 +154,9 @@ private:
     std::vector<Vec2> path_;
 };
 
-inline Scene zigzag_scene()
+inline Demo zigzag_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "zigzag";
     scene.summary = "Two rows, one visit per step: drag the start and watch the path of the impulses";
     scene.view = {{2.45, 2.45}, {3.2, 3.2}};

@@ -29,9 +29,9 @@ public:
     //! [step]
 };
 
-Scene disc_scene(const std::string& name, const std::string& summary)
+Demo disc_scene(const std::string& name, const std::string& summary)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h = 1.0 / 480;
@@ -57,9 +57,9 @@ Scene disc_scene(const std::string& name, const std::string& summary)
     return scene;
 }
 
-Scene ten_discs_scene()
+Demo ten_discs_scene()
 {
-    Scene scene =
+    Demo scene =
         disc_scene("ten_discs", "Seven discs on a chain and three free ones, each step solved exactly");
     set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings&) {
@@ -68,10 +68,10 @@ Scene ten_discs_scene()
     return scene;
 }
 
-Scene heavy_top_scene()
+Demo heavy_top_scene()
 {
-    Scene scene = disc_scene("heavy_top",
-                             "A column with a heavy disc on top: exact impulses hold what sweeps let sink");
+    Demo scene = disc_scene("heavy_top",
+                            "A column with a heavy disc on top: exact impulses hold what sweeps let sink");
     scene.view = {{0, 1.1}, {0.9, 1.25}};
     scene.tunables.insert(scene.tunables.begin(),
                           {{"rows", "", "discs in the column", 10, 1, 100, true, true, false},

@@ -149,9 +149,9 @@ private:
     Real size_ = 1;
 };
 
-inline Scene plane_scene()
+inline Demo plane_scene()
 {
-    Scene scene =
+    Demo scene =
         walk_scene("two_contacts", "Two rows: the complementary cones, and the path from vertex to vertex");
     scene.view = {{-0.05, -0.08}, {2.5, 1.3}};
     scene.tunables = {{"a12", "1/kg", "what an impulse of row 2 does to row 1", 1, -3, 3, false, true, false},

@@ -59,9 +59,9 @@ private:
     ContactRows scene_;
 };
 
-inline Scene stack_scene()
+inline Demo stack_scene()
 {
-    Scene scene =
+    Demo scene =
         walk_scene("box_stack", "A stack of boxes with friction: the impulses of each vertex of the walk");
     scene.view = {{-0.15, -0.08}, {1.85, 1.12}};
     scene.tunables = {

@@ -76,9 +76,9 @@ protected:
 };
 
 /// A scene of pivots: half a second for each when it plays by itself.
-inline Scene walk_scene(const std::string& name, const std::string& summary)
+inline Demo walk_scene(const std::string& name, const std::string& summary)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h = 0.5;
@@ -91,9 +91,9 @@ inline Scene walk_scene(const std::string& name, const std::string& summary)
 }
 
 /// Families of problems whose pivots are known.
-inline Scene tableau_scene()
+inline Demo tableau_scene()
 {
-    Scene scene =
+    Demo scene =
         walk_scene("tableau", "The tableau as a heat map, one pivot per step, on problems with a name");
     scene.tunables = {
         {"family", "",

@@ -97,9 +97,9 @@ private:
 };
 
 /// What all scenes of discs of this chapter have in common.
-inline Scene impulse_scene(const std::string& name, const std::string& summary, int sweeps, int digits)
+inline Demo impulse_scene(const std::string& name, const std::string& summary, int sweeps, int digits)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h = 1.0 / 60;

@@ -11,9 +11,9 @@ using namespace rigid;
 
 namespace {
 
-Scene triangle_scene()
+Demo triangle_scene()
 {
-    Scene scene =
+    Demo scene =
         impulse_scene("triangle", "A triangle of discs between walls: it sinks, and to which side?", 10, 0);
     scene.view = {{0, 0.7}, {1.1, 0.9}};
     scene.tunables.insert(scene.tunables.begin(),
@@ -25,9 +25,9 @@ Scene triangle_scene()
     return scene;
 }
 
-Scene column_scene()
+Demo column_scene()
 {
-    Scene scene = impulse_scene("column", "A column of discs, with a heavy one on top if you like", 10, 0);
+    Demo scene = impulse_scene("column", "A column of discs, with a heavy one on top if you like", 10, 0);
     scene.view = {{0, 1.05}, {0.9, 1.2}};
     scene.tunables.insert(scene.tunables.begin(),
                           {{"rows", "", "N, discs in the column", 15, 1, 100, true, true, true},
@@ -41,9 +41,9 @@ Scene column_scene()
     return scene;
 }
 
-Scene chain_scene()
+Demo chain_scene()
 {
-    Scene scene =
+    Demo scene =
         impulse_scene("hanging_chain", "A chain with a heavy end: pull it, and see it stretch", 100, 0);
     scene.view = {{0, -1.05}, {1, 1.45}};
     scene.tunables.insert(scene.tunables.begin(),
@@ -61,9 +61,9 @@ Scene chain_scene()
     return scene;
 }
 
-Scene ten_discs_scene()
+Demo ten_discs_scene()
 {
-    Scene scene = impulse_scene("ten_discs", "The ten discs, whose links nobody repairs yet", 200, 6);
+    Demo scene = impulse_scene("ten_discs", "The ten discs, whose links nobody repairs yet", 200, 6);
     set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings& settings) {
         return std::make_unique<ImpulseRun>(settings, ten_discs(), 1, view, true);

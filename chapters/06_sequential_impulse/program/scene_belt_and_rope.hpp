@@ -50,9 +50,9 @@ private:
     Real speed_ = 0;
 };
 
-inline Scene belt_scene()
+inline Demo belt_scene()
 {
-    Scene scene =
+    Demo scene =
         machine_scene("belt", "A belt drags three discs with a limited force until a wall stops them");
     scene.view = {{-0.15, 0.3}, {1.5, 0.6}};
     scene.tunables.push_back({"speed", "m/s", "of the belt", 1, -2, 2, false, false, true});
@@ -113,9 +113,9 @@ private:
     std::vector<Vec2> trail_;
 };
 
-inline Scene rope_scene()
+inline Demo rope_scene()
 {
-    Scene scene =
+    Demo scene =
         machine_scene("rope", "A disc on a rope: free while it is slack, on the circle while it is taut");
     scene.view = {{0, 0}, {1.35, 1.3}};
     scene.h = 1.0 / 240;

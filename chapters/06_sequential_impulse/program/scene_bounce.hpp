@@ -99,9 +99,9 @@ private:
     long steps_ = 0;
 };
 
-inline Scene bounce_scene()
+inline Demo bounce_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "bounce";
     scene.summary = "Three balls with e = 0.5, 0.8 and 1, and three thresholds below which nothing bounces";
     scene.view = {{0.3, 0.55}, {1.4, 0.75}};

@@ -68,9 +68,9 @@ private:
     Real start_ = 0;
 };
 
-inline Scene cradle_scene()
+inline Demo cradle_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "cradle";
     scene.summary = "Newton's cradle: impacts one after the other, or all at once";
     scene.view = {{0, 0.4}, {1.2, 0.78}};

@@ -66,9 +66,9 @@ private:
     Real h_ = 1.0 / 60;
 };
 
-inline Scene groove_scene()
+inline Demo groove_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "groove";
     scene.summary = "A disc falls into a groove: clamp the sum of the impulses, or each correction";
     scene.view = {{0, 0.2}, {0.56, 0.27}};

@@ -45,9 +45,9 @@ protected:
     long steps_ = 0;
 };
 
-inline Scene machine_scene(const std::string& name, const std::string& summary)
+inline Demo machine_scene(const std::string& name, const std::string& summary)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h_high = 1.0 / 30;
@@ -105,9 +105,9 @@ private:
     }
 };
 
-inline Scene lift_scene()
+inline Demo lift_scene()
 {
-    Scene scene =
+    Demo scene =
         machine_scene("lift", "Three lifts with motors of 0.9, 1.1 and 2 times the weight, between stops");
     scene.view = {{0, 0.9}, {1.1, 1.2}};
     scene.tunables.push_back(

@@ -115,9 +115,9 @@ private:
     int sweeps_ = 0;
 };
 
-inline Scene one_sweep_scene()
+inline Demo one_sweep_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "one_sweep";
     scene.summary = "One sweep per step on a scene at rest: the error under each order of the rows";
     scene.view = {{0, -0.05}, {1.15, 1.15}};

@@ -81,7 +81,7 @@ void spend(const Problem& problem, const Way& way, int budget, StepSettings& set
     const int passes = way.method == Stabilizer::none || way.method == Stabilizer::baumgarte ? 1 : 2;
     const int share = std::max(1, budget / passes);
     settings.substeps = way.small_steps ? share : 1;
-    method.solver.sweeps.max_sweeps = method.correction.repaying_sweeps = way.small_steps ? 1 : share;
+    method.solver.sweeps.max_sweeps = method.correction.correction_sweeps = way.small_steps ? 1 : share;
     if (problem.steered) settings.stiffness = settings.damping = 1;
 }
 

@@ -10,9 +10,9 @@ using namespace rigid;
 namespace {
 
 /// What all scenes of discs have in common.
-Scene disc_scene(const std::string& name, const std::string& summary, const View& view, Real sweeps)
+Demo disc_scene(const std::string& name, const std::string& summary, const View& view, Real sweeps)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.view = view;
@@ -26,17 +26,16 @@ Scene disc_scene(const std::string& name, const std::string& summary, const View
     return scene;
 }
 
-void set(Scene& scene, const std::string& name, Real value)
+void set(Demo& scene, const std::string& name, Real value)
 {
     for (Tunable& tunable : scene.tunables)
         if (tunable.name == name) tunable.value = value;
 }
 
-Scene overlap_scene()
+Demo overlap_scene()
 {
-    Scene scene =
-        disc_scene("overlap", "A disc deep in the floor: what corrects it by velocity makes it jump",
-                   {{0, 0.75}, {1.2, 1.2}}, 2);
+    Demo scene = disc_scene("overlap", "A disc deep in the floor: what corrects it by velocity makes it jump",
+                            {{0, 0.75}, {1.2, 1.2}}, 2);
     scene.side_by_side = {"baumgarte", "relaxation", "split_impulse", "projection"};
     set(scene, "beta", 0.4);
     scene.tunables.insert(scene.tunables.begin(),
@@ -54,10 +53,10 @@ Scene overlap_scene()
     return scene;
 }
 
-Scene crowd_scene()
+Demo crowd_scene()
 {
-    Scene scene = disc_scene("crowd", "Ten discs that overlap by 0.2 m: what throws them out?",
-                             {{0, 3.4}, {1.9, 3.6}}, 200);
+    Demo scene = disc_scene("crowd", "Ten discs that overlap by 0.2 m: what throws them out?",
+                            {{0, 3.4}, {1.9, 3.6}}, 200);
     scene.side_by_side = {"baumgarte", "relaxation", "split_impulse", "projection"};
     scene.tunables.insert(scene.tunables.begin(),
                           {"depth", "m", "of each overlap", 0.2, 0, 0.24, false, true, false});
@@ -94,7 +93,8 @@ StabilizedRun::Theory sag_theory(const DiscScene& scene)
         const int sweeps = method.solver.sweeps.max_sweeps;
         const bool split = correction.method == Stabilizer::split_impulse;
         if (!(split || correction.method == Stabilizer::baumgarte) || correction.beta <= 0) return 0;
-        if (method.solver.ordering != Order::given || (step.substeps > 1 && method.start.carry > 0)) return 0;
+        if (method.solver.ordering != Order::given || (step.substeps > 1 && method.start.factor > 0))
+            return 0;
         const std::vector<Real> of = {step.h,       correction.beta, Real(step.substeps),
                                       Real(sweeps), correction.slop, Real(split)};
         if (of != known->of) {
@@ -108,10 +108,10 @@ StabilizedRun::Theory sag_theory(const DiscScene& scene)
     };
 }
 
-Scene sagging_scene(const std::string& name, const std::string& summary, const View& view,
-                    const Tunable& count, std::function<DiscScene(Index, Real)> make, Real zoom)
+Demo sagging_scene(const std::string& name, const std::string& summary, const View& view,
+                   const Tunable& count, std::function<DiscScene(Index, Real)> make, Real zoom)
 {
-    Scene scene = disc_scene(name, summary, view, 16);
+    Demo scene = disc_scene(name, summary, view, 16);
     scene.side_by_side = {"baumgarte", "split_impulse", "projection"};
     scene.tunables.insert(scene.tunables.begin(), {"end_mass", "kg", "of the last disc; the others have 1 kg",
                                                    1, 0.01, 1000, false, true, false});
@@ -134,9 +134,9 @@ DiscScene free_chain(DiscScene chain)
     return chain;
 }
 
-Scene triangle_scene()
+Demo triangle_scene()
 {
-    Scene scene = disc_scene("triangle", "A triangle of discs between walls", {{0, 0.98}, {1.2, 1.3}}, 32);
+    Demo scene = disc_scene("triangle", "A triangle of discs between walls", {{0, 0.98}, {1.2, 1.3}}, 32);
     scene.tunables.insert(scene.tunables.begin(),
                           {"base", "", "discs on the floor", 10, 1, 40, true, true, false});
     scene.start = [view = scene.view](const Settings& settings) {
@@ -146,10 +146,10 @@ Scene triangle_scene()
     return scene;
 }
 
-Scene towed_scene()
+Demo towed_scene()
 {
-    Scene scene = disc_scene("towed_discs", "A puck of 10 kg tows two discs of 1 kg over a table",
-                             {{0.3, 0.9}, {1.6, 1.6}}, 8);
+    Demo scene = disc_scene("towed_discs", "A puck of 10 kg tows two discs of 1 kg over a table",
+                            {{0.3, 0.9}, {1.6, 1.6}}, 8);
     scene.side_by_side = {"baumgarte", "none"};
     scene.tunables.insert(scene.tunables.begin(),
                           {"push", "m/s", "speed of the puck, aside", 0.5, 0, 10, false, true, false});
@@ -161,10 +161,10 @@ Scene towed_scene()
     return scene;
 }
 
-Scene ten_discs_scene()
+Demo ten_discs_scene()
 {
-    Scene scene = disc_scene("ten_discs", "The ten discs in a box that the pointer tilts",
-                             {{0, 0.03}, {0.8, 0.58}}, 32);
+    Demo scene = disc_scene("ten_discs", "The ten discs in a box that the pointer tilts",
+                            {{0, 0.03}, {0.8, 0.58}}, 32);
     scene.h = 1.0 / 240;
     scene.h_low = ten_discs_h_low;
     scene.h_high = ten_discs_h_high;

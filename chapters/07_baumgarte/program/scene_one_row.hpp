@@ -91,9 +91,9 @@ private:
     Real theory_ = 0;
 };
 
-inline Scene one_row_scene(bool circle)
+inline Demo one_row_scene(bool circle)
 {
-    Scene scene;
+    Demo scene;
     scene.name = circle ? "bead" : "rail";
     scene.summary = circle ? "A bead on a wire of radius 1 m: it drifts off, or settles beside it"
                            : "A disc 1 m beside its rail: the error shrinks by 1 − beta in each step";

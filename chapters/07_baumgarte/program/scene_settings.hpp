@@ -28,18 +28,18 @@ inline Stabilizer stabilizer_named(const std::string& name)
 /// What the reader may change in every scene of discs.
 inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
 {
-    return {
-        {"beta", "", "part of an error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
-        {"sweeps", "", "sweeps of a step in all; substeps and the correction share them", sweeps, 1, 512,
-         true, false, false},
-        {"substeps", "", "small steps in a step", 1, 1, 128, true, false, false},
-        {"carry", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false, false},
-        {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
-        {"fastest", "m/s", "an error is corrected at this speed at most", 1000, 0.01, 1000, false, false,
-         false},
-        {"margin", "m", "a gap below this gets its row", 0.02, 0, 0.1, false, false, false},
-        {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
-         false}};
+    return {{"beta", "", "part of an error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
+            {"sweeps", "", "sweeps of a step in all; substeps and the correction share them", sweeps, 1, 512,
+             true, false, false},
+            {"substeps", "", "small steps in a step", 1, 1, 128, true, false, false},
+            {"factor", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false,
+             false},
+            {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
+            {"correction_speed", "m/s", "an error is corrected at this speed at most", 1000, 0.01, 1000,
+             false, false, false},
+            {"margin", "m", "a gap below this gets its row", 0.02, 0, 0.1, false, false, false},
+            {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
+             false}};
 }
 
 /// The settings of a step and its method. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half
@@ -49,17 +49,17 @@ inline void stabilized_settings(const Settings& settings, StepSettings& step, Co
     step.h = settings.h;
     step.margin = settings["margin"];
     step.substeps = static_cast<int>(settings["substeps"]);
-    method.start.carry = settings["carry"];
+    method.start.factor = settings["factor"];
     method.solver.ordering = static_cast<Order>(static_cast<int>(settings["order"]));
     Correction& correction = method.correction;
     correction.method = stabilizer_named(settings.method);
     correction.beta = settings["beta"];
     correction.slop = settings["slop"];
-    correction.fastest = settings["fastest"];
+    correction.max_correction_speed = settings["correction_speed"];
     const int passes =
         correction.method == Stabilizer::none || correction.method == Stabilizer::baumgarte ? 1 : 2;
     const int sweeps = static_cast<int>(settings["sweeps"]) / (step.substeps * passes);
-    method.solver.sweeps.max_sweeps = correction.repaying_sweeps = std::max(1, sweeps);
+    method.solver.sweeps.max_sweeps = correction.correction_sweeps = std::max(1, sweeps);
 }
 
 inline std::vector<Column> stabilized_columns()

@@ -81,7 +81,7 @@ struct WarmSteps : Engine {
     {
         settings.h = h;
         settings.substeps = preset.substeps;
-        static_cast<StabilizerSettings&>(method.correction) = preset.repay;
+        static_cast<StabilizerSettings&>(method.correction) = preset.correction;
         method.correction.at_the_end = true;
         method.start.from = Start::best_multiple;
         method.start.rule = preset.start;

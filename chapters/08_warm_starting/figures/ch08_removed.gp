@@ -14,11 +14,11 @@ unset key
 set arrow 1 from 1.8,10 to 45,10 nohead dt 3 lc rgb '#808080'
 shown(y) = y < 0.01 ? 0.01 : y
 set title 'from yesterday' tc rgb '#808080'
-plot data.'/removed_yesterday_0' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#808080' title 'none', \
-     data.'/removed_yesterday_1' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#CC3311' title 'Baumgarte', \
-     data.'/removed_yesterday_2' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#EE7733' title 'relaxation', \
-     data.'/removed_yesterday_3' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#4477AA' title 'split impulse', \
-     data.'/removed_yesterday_4' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#228833' title 'projection'
+plot data.'/removed_previous_0' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#808080' title 'none', \
+     data.'/removed_previous_1' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#CC3311' title 'Baumgarte', \
+     data.'/removed_previous_2' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#EE7733' title 'relaxation', \
+     data.'/removed_previous_3' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#4477AA' title 'split impulse', \
+     data.'/removed_previous_4' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#228833' title 'projection'
 set title 'from its best multiple' tc rgb '#808080'
 set label 1 'wanted: 10 mm' at 43,16 right tc rgb '#808080'
 set key at graph 0.98, graph 0.45 tc rgb '#808080' samplen 1 spacing 1.1

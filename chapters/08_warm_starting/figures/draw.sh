@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
 . "$(dirname "$0")/../../../common/figures.sh"
-starts="cold yesterday best_multiple"
+starts="cold previous best_multiple"
 
 if [ -n "$table" ]; then
     # engines/SCENE/WHO: time [us], error [mm]; held at the edges of the plot.
@@ -25,9 +25,9 @@ if [ -n "$table" ]; then
 fi
 
 # Pictures of scenes.
-run --scene column --method cold,yesterday,best_multiple --steps 300 --svg "$out/ch08_column.svg"
-run --scene hanging_chain --method cold,yesterday,best_multiple --steps 300 --svg "$out/ch08_chain.svg"
-run --scene triangle --method cold,yesterday,best_multiple --steps 300 --svg "$out/ch08_triangle.svg"
+run --scene column --method cold,previous,best_multiple --steps 300 --svg "$out/ch08_column.svg"
+run --scene hanging_chain --method cold,previous,best_multiple --steps 300 --svg "$out/ch08_chain.svg"
+run --scene triangle --method cold,previous,best_multiple --steps 300 --svg "$out/ch08_triangle.svg"
 
 # A column of 20, ten sweeps a step: how far its top sinks.
 for start in $starts; do
@@ -39,7 +39,7 @@ plot ch08_sink
 for start in $starts; do
     run --scene loop --method $start --set order=3 digits=12 --steps 300 --csv "$data/loop_$start"
 done
-run --scene loop --method yesterday --set order=1 max_sweeps=2 digits=12 --steps 300 --csv "$data/loop_symmetric"
+run --scene loop --method previous --set order=1 max_sweeps=2 digits=12 --steps 300 --csv "$data/loop_symmetric"
 plot ch08_loop
 
 # Growth in a step of a chain of 20 under Baumgarte: theory, and the ratio of the greatest speeds in two windows.
@@ -49,7 +49,7 @@ growth() { # file, start, settings
     shift 2
     for k in 1 2 3 4 6 8 10 12 15 18 21 24 27 30 34 38 42 46 50; do
         weight=1e-3 window=35 from=20 to=90
-        if [ "$file" = growth_yesterday ] && [ $k -lt 31 ]; then weight=1e-11 window=70 from=290 to=430; fi
+        if [ "$file" = growth_previous ] && [ $k -lt 31 ]; then weight=1e-11 window=70 from=290 to=430; fi
         run --scene hanging_chain --method $start --set max_sweeps=$k digits=12 weight=$weight "$@" --steps 500 --csv "$data/growth"
         awk -F, -v k=$k -v window=$window -v from=$from -v to=$to '
             NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
@@ -59,13 +59,13 @@ growth() { # file, start, settings
             END { print k, theory, (late / early)^(1 / (to - from)) }' "$data/growth" >>"$data/$file"
     done
 }
-growth growth_yesterday yesterday
-growth growth_share yesterday --set share=0.8
-growth growth_none yesterday --set repaid_by=0
+growth growth_previous previous
+growth growth_factor previous --set factor=0.8
+growth growth_none previous --set repaid_by=0
 plot ch08_growth
 
 # F1: how far the next disc rises above its place when 100 kg are taken off, for each way to repay.
-for start in yesterday best_multiple; do
+for start in previous best_multiple; do
     for way in 0 1 2 3 4; do
         for k in 2 3 4 5 6 8 10 12 16 20 30 40; do
             run --scene removed --method $start --set max_sweeps=$k repaid_by=$way --steps 400 --csv "$data/removed"
@@ -104,7 +104,7 @@ tallest() { # file, settings
     done
 }
 tallest height_cold --method cold --set repaid_by=1
-tallest height_yesterday --method yesterday --set repaid_by=3 slop=0.001
+tallest height_previous --method previous --set repaid_by=3 slop=0.001
 tallest height_best_multiple --method best_multiple --set repaid_by=3 slop=0.001
 plot ch08_height
 
@@ -127,8 +127,8 @@ for k in 1 2 3 4 6 8 12 16 24 32 48 64 96 128; do
         error triangle_$start --scene triangle --method $start --set max_sweeps=$k repaid_by=3 slop=0.0005
     done
     if [ $k -gt 64 ]; then continue; fi
-    error column_substeps --scene column --method yesterday --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
-    error swing_substeps --scene swinging_chain --method yesterday --set max_sweeps=1 substeps=$k end_mass=10
-    error triangle_substeps --scene triangle --method yesterday --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
+    error column_substeps --scene column --method previous --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
+    error swing_substeps --scene swinging_chain --method previous --set max_sweeps=1 substeps=$k end_mass=10
+    error triangle_substeps --scene triangle --method previous --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
 done
 plot ch08_visits

@@ -11,16 +11,16 @@ using namespace rigid;
 
 namespace {
 
-Scene warm_scene(const std::string& name, const std::string& summary, const View& view)
+Demo warm_scene(const std::string& name, const std::string& summary, const View& view)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.view = view;
     scene.h = scene.h_high = 1.0 / 60;
     scene.h_low = 1e-4;
     scene.methods = start_names();
-    scene.side_by_side = {"cold", "yesterday", "best_multiple"};
+    scene.side_by_side = {"cold", "previous", "best_multiple"};
     scene.columns = warm_columns();
     return scene;
 }
@@ -32,9 +32,9 @@ std::vector<Tunable> with(std::vector<Tunable> first, const std::vector<Tunable>
     return first;
 }
 
-Scene ten_discs_scene()
+Demo ten_discs_scene()
 {
-    Scene scene =
+    Demo scene =
         warm_scene("ten_discs", "Chapter 4's ten discs to the same residual in each step: count the sweeps",
                    {{0, 0.03}, {0.8, 0.58}});
     scene.h = ten_discs_h;
@@ -74,9 +74,9 @@ WarmRun::Theory sinking(Index N)
     };
 }
 
-Scene column_scene()
+Demo column_scene()
 {
-    Scene scene =
+    Demo scene =
         warm_scene("column", "A column of N discs with ten sweeps a step: it falls through itself, or stands",
                    {{0, 1.05}, {0.9, 1.2}});
     scene.tunables = with({{"discs", "", "N, discs in the column", 20, 1, 200, true, true, false},
@@ -91,9 +91,9 @@ Scene column_scene()
     return scene;
 }
 
-Scene triangle_scene()
+Demo triangle_scene()
 {
-    Scene scene =
+    Demo scene =
         warm_scene("triangle", "Discs packed as a triangle between walls: how many sweeps until it rests?",
                    {{0, 0.95}, {1.15, 1.15}});
     scene.tunables = with({{"base", "", "discs in the lowest row", 10, 1, 40, true, true, false}},
@@ -106,11 +106,10 @@ Scene triangle_scene()
 }
 
 /// F1: the heavy disc on top is taken away.
-Scene removed_scene()
+Demo removed_scene()
 {
-    Scene scene =
-        warm_scene("removed", "A heavy disc on two light ones is taken away: does the next one fly?",
-                   {{0, 0.42}, {0.9, 0.5}});
+    Demo scene = warm_scene("removed", "A heavy disc on two light ones is taken away: does the next one fly?",
+                            {{0, 0.42}, {0.9, 0.5}});
     scene.tunables =
         with({{"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 100, 1, 1000, false,
                true, false},
@@ -131,9 +130,9 @@ Scene removed_scene()
 }
 
 /// All rows bilateral: the theory of (8.10) holds to the letter.
-Scene chain_scene()
+Demo chain_scene()
 {
-    Scene scene =
+    Demo scene =
         warm_scene("hanging_chain", "A chain at rest whose memory and Baumgarte's bias build each other up",
                    {{0, -1.05}, {1, 1.45}});
     scene.tunables = with({{"links", "", "N, links of 0.1 m", 20, 2, 60, true, true, false},
@@ -195,9 +194,9 @@ Real loop_rate(const StepSettings& settings, const WarmMethod& method)
 }
 
 /// Rods in loops: what is remembered whole explodes, though nothing pulls.
-Scene loop_scene()
+Demo loop_scene()
 {
-    Scene scene =
+    Demo scene =
         warm_scene("loop", "Five discs and seven rods, nudged: a remembered impulse makes them explode",
                    {{0.2, -0.15}, {1.1, 1.1}});
     scene.tunables =
@@ -223,11 +222,11 @@ Scene loop_scene()
     return scene;
 }
 
-Scene swing_scene()
+Demo swing_scene()
 {
-    Scene scene = warm_scene("swinging_chain",
-                             "A chain falls and swings, a heavy disc at its end: small steps beat sweeps",
-                             {{0, 0}, {1.1, 1.1}});
+    Demo scene = warm_scene("swinging_chain",
+                            "A chain falls and swings, a heavy disc at its end: small steps beat sweeps",
+                            {{0, 0}, {1.1, 1.1}});
     scene.tunables = with({{"links", "", "N, links of 0.1 m", 10, 1, 60, true, true, false},
                            {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 10, 0.01, 1000,
                             false, true, false}},

@@ -14,11 +14,11 @@
 namespace rigid {
 
 /// As the command line has them.
-inline std::vector<std::string> start_names() { return {"yesterday", "best_multiple", "cold"}; }
+inline std::vector<std::string> start_names() { return {"previous", "best_multiple", "cold"}; }
 
 inline Start start_named(const std::string& name)
 {
-    return name == "cold" ? Start::cold : name == "yesterday" ? Start::previous : Start::best_multiple;
+    return name == "cold" ? Start::cold : name == "previous" ? Start::previous : Start::best_multiple;
 }
 
 /// What the reader may change in every scene.
@@ -26,27 +26,27 @@ inline Start start_named(const std::string& name)
 /// \param stabilizer  as it is counted in `Stabilizer`
 inline std::vector<Tunable> warm_tunables(Real sweeps, Stabilizer stabilizer, Real beta = 0.2)
 {
-    return {
-        {"max_sweeps", "", "after so many sweeps a step makes do with what it has", sweeps, 1, 2000, true,
-         false, true},
-        {"digits", "", "early out: enough when the residual is below 10^-digits m/s", 6, 1, 12, false, false,
-         false},
-        {"share", "", "of the previous impulses that this step starts from", 1, 0, 1, false, false, false},
-        {"repaid_by", "", "0 nothing, 1 Baumgarte, 2 relaxation, 3 split impulse, 4 projection",
-         static_cast<Real>(stabilizer), 0, 4, true, false, false},
-        {"beta", "", "part of an error that is corrected in a step", beta, 0, 2, false, false, false},
-        {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
-        {"substeps", "", "small steps in a step", 1, 1, 64, true, false, false},
-        {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
-         false},
-        {"keep", "", "steps that an impulse outlives its row", 0, 0, 100, true, false, false}};
+    return {{"max_sweeps", "", "after so many sweeps a step makes do with what it has", sweeps, 1, 2000, true,
+             false, true},
+            {"digits", "", "early out: enough when the residual is below 10^-digits m/s", 6, 1, 12, false,
+             false, false},
+            {"factor", "", "σ, of the previous impulses that this step starts from", 1, 0, 1, false, false,
+             false},
+            {"repaid_by", "", "0 nothing, 1 Baumgarte, 2 relaxation, 3 split impulse, 4 projection",
+             static_cast<Real>(stabilizer), 0, 4, true, false, false},
+            {"beta", "", "part of an error that is corrected in a step", beta, 0, 2, false, false, false},
+            {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
+            {"substeps", "", "small steps in a step", 1, 1, 64, true, false, false},
+            {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
+             false},
+            {"keep", "", "steps that an impulse outlives its row", 0, 0, 100, true, false, false}};
 }
 
 /// Sets the method as the reader has it; what it remembers stays.
 inline void tune(WarmMethod& method, const Settings& settings)
 {
     method.start.from = start_named(settings.method);
-    method.start.factor = settings["share"];
+    method.start.factor = settings["factor"];
     method.start.keep = static_cast<int>(settings["keep"]);
     method.solver.ordering = static_cast<Order>(static_cast<int>(settings["order"]));
     method.solver.sweeps.max_sweeps = static_cast<int>(settings["max_sweeps"]);

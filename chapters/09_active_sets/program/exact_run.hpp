@@ -108,9 +108,9 @@ private:
     Vec2 hand_ = {0, 0};  ///< [m]
 };
 
-inline Scene exact_scene(const std::string& name, const std::string& summary)
+inline Demo exact_scene(const std::string& name, const std::string& summary)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h = 1.0 / 480;
@@ -140,9 +140,9 @@ inline Scene exact_scene(const std::string& name, const std::string& summary)
     return scene;
 }
 
-inline Scene ten_discs_exactly_scene()
+inline Demo ten_discs_exactly_scene()
 {
-    Scene scene = exact_scene("ten_discs", "The ten discs, each step solved exactly from yesterday's set");
+    Demo scene = exact_scene("ten_discs", "The ten discs, each step solved exactly from yesterday's set");
     set_up_ten_discs(scene);
     scene.start = [view = scene.view](const Settings&) {
         return std::make_unique<ActiveSetRun>(ten_discs(), 1, view, true);
@@ -151,9 +151,9 @@ inline Scene ten_discs_exactly_scene()
 }
 
 /// Two hundred links, which sweeps cannot hold; the pointer leads the lowest disc.
-inline Scene long_chain_scene()
+inline Demo long_chain_scene()
 {
-    Scene scene = exact_scene("long_chain", "A chain of 200 links pulled by its end: exact, and by sweeps");
+    Demo scene = exact_scene("long_chain", "A chain of 200 links pulled by its end: exact, and by sweeps");
     scene.view = {{0, -0.85}, {1.5, 1.35}};
     scene.h_high = 1.0 / 240;  // a link that turns fast leaves its length by h²u²/2L in a step
     scene.tunables.insert(scene.tunables.begin(),

@@ -15,16 +15,16 @@ namespace rigid {
 struct GuessWalk {
     Mlcp problem;
     std::string method;
-    std::vector<RowCase> first;
+    std::vector<BoundState> first;
     int allowed = 1;      ///< corrections that the solver may make
     int corrections = 0;  ///< and did
     ActiveSetMemory memory;
-    Solution solution;           ///< what the solver says of it
-    VecX lambda;                 ///< what the guess led to, within its bounds or not [N s]
-    std::vector<RowCase> cases;  ///< the guess itself
+    Solution solution;              ///< what the solver says of it
+    VecX lambda;                    ///< what the guess led to, within its bounds or not [N s]
+    std::vector<BoundState> cases;  ///< the guess itself
 
     /// \param start  yesterday's set; empty = the solver's own first guess
-    GuessWalk(Mlcp mlcp, std::string solver, std::vector<RowCase> start = {})
+    GuessWalk(Mlcp mlcp, std::string solver, std::vector<BoundState> start = {})
         : problem(std::move(mlcp)), method(std::move(solver)), first(std::move(start))
     {
         solve(allowed);
@@ -40,7 +40,7 @@ struct GuessWalk {
     //! [one_correction]
 
     /// What is guessed of row i: what its present λ was solved with.
-    RowCase guess(Index i) const { return cases[static_cast<std::size_t>(i)]; }
+    BoundState guess(Index i) const { return cases[static_cast<std::size_t>(i)]; }
     Real w(Index i) const
     {
         Real sum = problem.q[i];
@@ -53,11 +53,11 @@ struct GuessWalk {
     {
         const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), now = lambda[i];
         const Real a = problem.A.coeff(i, i);
-        if (guess(i) == RowCase::at_lo) return w(i) < -tiny;
-        if (guess(i) == RowCase::at_hi) return w(i) > tiny;
+        if (guess(i) == BoundState::at_lo) return w(i) < -tiny;
+        if (guess(i) == BoundState::at_hi) return w(i) > tiny;
         return a * (problem.lo[i] - now) > tiny || a * (now - problem.hi[i]) > tiny;
     }
-    Index count(RowCase which) const
+    Index count(BoundState which) const
     {
         return static_cast<Index>(std::count(cases.begin(), cases.end(), which));
     }
@@ -83,7 +83,7 @@ struct GuessWalk {
     {
         return {static_cast<Real>(corrections),
                 static_cast<Real>(count_wrong()),
-                static_cast<Real>(count(RowCase::between)),
+                static_cast<Real>(count(BoundState::between)),
                 std::isfinite(solution.residual) ? solution.residual : 0,
                 static_cast<Real>(memory.work.factorisations),
                 static_cast<Real>(memory.work.flips),
@@ -116,9 +116,9 @@ private:
         // A row that is not active rests at its bound to the bit: λ tells what was guessed.
         cases.resize(static_cast<std::size_t>(problem.size()));
         for (Index i = 0; i < problem.size(); ++i)
-            cases[static_cast<std::size_t>(i)] = lambda[i] == problem.lo[i]   ? RowCase::at_lo
-                                                 : lambda[i] == problem.hi[i] ? RowCase::at_hi
-                                                                              : RowCase::between;
+            cases[static_cast<std::size_t>(i)] = lambda[i] == problem.lo[i]   ? BoundState::at_lo
+                                                 : lambda[i] == problem.hi[i] ? BoundState::at_hi
+                                                                              : BoundState::between;
     }
 };
 

@@ -47,7 +47,7 @@ public:
                 if (std::abs(length) > 0.004)
                     canvas.arrow(p, p + Vec2(0, length),
                                  pulls ? Style{Colour::orange, 2.5, 1, false, false} : paint::impulse);
-                paint::row_mark(canvas, p, dot, walk_.guess(i) == RowCase::between, walk_.wrong(i));
+                paint::row_mark(canvas, p, dot, walk_.guess(i) == BoundState::between, walk_.wrong(i));
                 ++i;
             }
         canvas.text({0, -1.0}, walk_.told(), 14, paint::label, Align::centre);
@@ -59,9 +59,9 @@ private:
     Vec2 reach_ = {0, 0};  ///< half of the width and the height of the pile [m]
 };
 
-inline Scene guess_scene()
+inline Demo guess_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "guess";
     scene.summary = "Which contacts push? A pile of boxes is hit: each step corrects the guess";
     scene.view = {{0, -0.05}, {1.05, 1.08}};

@@ -81,10 +81,10 @@ private:
         return plain_lcp(A, q);
     }
 
-    static std::vector<RowCase> set_of(int number)
+    static std::vector<BoundState> set_of(int number)
     {
         const auto active = [number](int row) {
-            return (number >> row) % 2 == 1 ? RowCase::between : RowCase::at_lo;
+            return (number >> row) % 2 == 1 ? BoundState::between : BoundState::at_lo;
         };
         return {active(0), active(1)};
     }
@@ -92,8 +92,8 @@ private:
     /// 0 none, 1 row one, 2 row two, 3 both.
     std::size_t guess() const
     {
-        return (walk_.guess(0) == RowCase::between ? 1U : 0U) +
-               (walk_.guess(1) == RowCase::between ? 2U : 0U);
+        return (walk_.guess(0) == BoundState::between ? 1U : 0U) +
+               (walk_.guess(1) == BoundState::between ? 2U : 0U);
     }
 
     /// What a guess gets wrong.
@@ -137,9 +137,9 @@ private:
     Real unit_ = 1;
 };
 
-inline Scene plane_scene()
+inline Demo plane_scene()
 {
-    Scene scene;
+    Demo scene;
     scene.name = "plane";
     scene.summary = "Two rows and their four guesses in the plane of λ: what each gets wrong, and the way";
     scene.view = {{-0.12, -0.03}, {1.25, 1.12}};

@@ -235,7 +235,7 @@ SkippingSettings early_out(Real h, bool may_sleep)
     settings.sweeps.max_sweeps = 40;
     settings.sweeps.tolerance = 1e-5;
     settings.stabilizer.slop = 5e-4;
-    settings.stabilizer.fastest = 1;
+    settings.stabilizer.max_correction_speed = 1;
     return settings;
 }
 

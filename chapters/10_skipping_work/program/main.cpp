@@ -8,9 +8,9 @@ using namespace rigid;
 namespace {
 
 /// What all scenes have in common.
-Scene skipping_scene(const std::string& name, const std::string& summary, Real h, int max_sweeps)
+Demo skipping_scene(const std::string& name, const std::string& summary, Real h, int max_sweeps)
 {
-    Scene scene;
+    Demo scene;
     scene.name = name;
     scene.summary = summary;
     scene.h = h;
@@ -45,9 +45,9 @@ Scene skipping_scene(const std::string& name, const std::string& summary, Real h
     return scene;
 }
 
-Scene rain_scene()
+Demo rain_scene()
 {
-    Scene scene = skipping_scene(
+    Demo scene = skipping_scene(
         "rain", "Discs rain on hills, come to rest and sleep; pull one to wake its island", 1.0 / 120, 40);
     scene.view = {{0, 1.2}, {18.2, 5}};
     scene.tunables.push_back({"discs", "", "how many", 2000, 1, 20000, true, true, false});
@@ -59,9 +59,9 @@ Scene rain_scene()
     return scene;
 }
 
-Scene field_scene()
+Demo field_scene()
 {
-    Scene scene = skipping_scene(
+    Demo scene = skipping_scene(
         "field", "A pendulum above discs at rest: it costs the same above ten thousand", 1.0 / 60, 30);
     scene.view = {{0, 2.6}, {4.5, 3}};
     scene.tunables.push_back({"sleepers", "", "discs on the floor", 1000, 0, 100000, true, true, false});
@@ -74,9 +74,9 @@ Scene field_scene()
     return scene;
 }
 
-Scene columns_scene()
+Demo columns_scene()
 {
-    Scene scene = skipping_scene(
+    Demo scene = skipping_scene(
         "columns", "Columns asleep; a ball wakes those that it meets, one after the other", 1.0 / 120, 50);
     scene.view = {{0, 1.7}, {4.2, 2}};
     scene.tunables.push_back({"wait", "s", "before the ball is let go", 2, 0, 10, false, true, false});
@@ -87,9 +87,9 @@ Scene columns_scene()
     return scene;
 }
 
-Scene net_scene()
+Demo net_scene()
 {
-    Scene scene = skipping_scene(
+    Demo scene = skipping_scene(
         "net", "A net of linked discs that never collide with each other: no pair is tested", 1.0 / 240, 30);
     scene.view = {{0, -1.7}, {2.6, 2.2}};
     scene.tunables.push_back({"side", "", "discs along each side", 30, 2, 100, true, true, false});

@@ -3,7 +3,7 @@
 /// disc under the pointer, and so wakes its island.
 #pragma once
 
-#include "chapters/10_skipping_work/doors.hpp"
+#include "chapters/10_skipping_work/scene_edits.hpp"
 #include "chapters/10_skipping_work/skipping_world.hpp"
 #include "common/program/program.hpp"
 #include "common/text.hpp"
@@ -49,7 +49,7 @@ public:
                 energy += now_.scene.bodies.velocity(k).squaredNorm() / (2 * inverse);
         const auto real = [](auto value) { return static_cast<Real>(value); };
         return {real(c.awake),  real(c.islands),     real(c.contacts), real(c.rows),
-                real(c.sweeps), real(c.visits),      real(c.tested),   real(c.asked),
+                real(c.sweeps), real(c.visits),      real(c.tested),   real(c.queries),
                 real(c.woken),  real(c.fell_asleep), real(c.unsolved), energy};
     }
 
@@ -95,7 +95,7 @@ private:
         settings_.sleep = settings.method != "no_sleep";
         settings_.islands = settings.method != "one_island";
         settings_.stabilizer.slop = 5e-4;
-        settings_.stabilizer.fastest = 1;
+        settings_.stabilizer.max_correction_speed = 1;
         const Index was = settings_.pulled;
         settings_.hand = input.pointer;
         settings_.pulled = world;

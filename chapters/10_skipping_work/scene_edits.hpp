@@ -1,4 +1,4 @@
-/// \file doors.hpp
+/// \file scene_edits.hpp
 /// The only ways to change a scene from outside while it runs: each of them wakes whom the change concerns.
 ///
 /// Nobody touches those who stood on a disc that is gone, so no step could notice by itself that they must fall.
@@ -23,7 +23,7 @@ inline void require_disc(const SkippingWorld& now, Index k)
         throw std::invalid_argument("disc " + std::to_string(k) + " was taken away");
 }
 
-//! [doors]
+//! [scene_edits]
 /// Disc k wakes, and everybody within the margin of it, and who hangs on a link or a bend with it.
 inline void wake_around(SkippingWorld& now, Index k)
 {
@@ -103,6 +103,6 @@ inline void change_walls(SkippingWorld& now, std::vector<HalfSpace> walls)
     for (Index k = 0; k < now.scene.bodies.count(); ++k) now.method.contacts.set.wake(k);
     now.method.contacts.changed = true;
 }
-//! [doors]
+//! [scene_edits]
 
 }  // namespace rigid
