@@ -579,6 +579,83 @@ TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says")
 
 // ---- how fast memory settles, and when it builds up ---------------------------------------------------------
 
+// ---- the exercises ----------------------------------------------------------------------------------------
+
+TEST_CASE("two discs of which the upper doubles its mass take 32 and 29 and 27 sweeps as exercise 8.1 says")
+{
+    const auto sweeps = [](Start start) {
+        DiscScene scene = column(2);
+        WarmMethod method = method_for(start, Stabilizer::none, 100);
+        StepData<2> now;
+        method.solver.sweeps.tolerance = 1e-13;
+        step(scene, {}, method, now);
+        scene.bodies.inverse_mass.segment<2>(2).setConstant(0.5);
+        method.solver.sweeps.tolerance = 1e-6;
+        step(scene, {}, method, now);
+        return now.solution.iterations;
+    };
+    CHECK(sweeps(Start::cold) == 32);
+    CHECK(sweeps(Start::previous) == 29);
+    CHECK(sweeps(Start::best_multiple) == 27);
+}
+
+TEST_CASE("a single row is right after one visit from any start as exercise 8.2 says")
+{
+    for (const Start start : {Start::cold, Start::previous, Start::best_multiple}) {
+        DiscScene scene = column(1);
+        WarmMethod method = method_for(start, Stabilizer::none, 1);
+        StepData<2> now;
+        for (int k = 0; k < 3; ++k) {
+            step(scene, {}, method, now);
+            CHECK(std::abs(scene.bodies.u[1]) <= 1e-15);  // a rounding of h g = 0.16 m/s
+        }
+    }
+}
+
+TEST_CASE("a column of 20 loses nine tenths of its swing in 75 steps as exercise 8.3 says")
+{
+    const Real rho = std::pow(std::cos(std::acos(Real{-1}) / 40), 2);
+    const Real rate = step_rate(std::pow(rho, 10), 1, 0);
+    CHECK(rate == Approx(std::pow(rho, 5)).epsilon(1e-12));  // (8.7): the root of gamma
+    CHECK(std::pow(rate, 75) < 0.1);
+    CHECK(std::pow(rate, 74) > 0.1);
+}
+
+TEST_CASE("a light link between two chains gives them one multiple as exercise 8.6 says")
+{
+    // A chain is one disc of 1 kg and one of 3 kg on a row of its own; the light disc joins them with no impulse.
+    VecX inverse_mass(6);
+    inverse_mass << 1, 1, 1.0 / 3, 1.0 / 3, 1e6, 1e6;
+    const auto row = [&](Index a, Index b) {
+        Constraint<2> c;
+        c.a = a;
+        c.b = b;
+        if (a != world) c.Ja = RowVec<2>(0, -1);
+        c.Jb = RowVec<2>(0, 1);
+        return bilateral(c, inverse_mass);
+    };
+    const std::vector<Row<2>> apart = {row(world, 0), row(world, 1)};
+    std::vector<Row<2>> joined = apart;
+    joined.push_back(row(0, 2));
+    joined.push_back(row(1, 2));
+    VecX u_star(6);
+    u_star << 0, 0, 0, -2, 0, 0;  // the first chain has lost its load, the second keeps it
+    const auto start = [&](const std::vector<Row<2>>& rows) {
+        BodyGroups groups;
+        find_groups<2>(rows, inverse_mass, groups);
+        MultipleScratch scratch;
+        VecX lambda = VecX::Zero(static_cast<Index>(rows.size()));
+        lambda.head(2) << 5, 6;
+        best_multiple<2>(rows, inverse_mass, u_star, groups, scratch, lambda);
+        return VecX(lambda.head(2));
+    };
+    CHECK(start(apart)[0] == 0);
+    CHECK(start(apart)[1] == Approx(6).epsilon(1e-14));
+    const Real c1 = 25, c2 = 12, s = c2 / (c1 + c2);  // curvatures: lambda squared over mass
+    CHECK(start(joined)[0] == Approx(5 * s).epsilon(1e-14));
+    CHECK(start(joined)[1] == Approx(6 * s).epsilon(1e-14));
+}
+
 TEST_CASE("every mode of (8.10) shrinks exactly if the warm start factor times what sweeps leave times 1 "
           "plus beta is below 1")
 {

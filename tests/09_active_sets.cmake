@@ -1,5 +1,5 @@
 # The program as a reader runs it.
-foreach(scene plane guess ten_discs long_chain)
+foreach(scene plane cycle guess fill ten_discs long_chain)
   add_program_test(ch09 09_active_sets "runs scene ${scene}" --headless --scene ${scene} --steps 300 --csv -)
 endforeach()
 foreach(method dantzig lemke)

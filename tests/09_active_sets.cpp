@@ -158,6 +158,74 @@ TEST_CASE("flipping all wrong rows goes round in the example of the text and the
     }
 }
 
+TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says")
+{
+    const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
+    // One more guess each time: the guess that is then on the table, by its active rows.
+    const std::vector<std::vector<int>> expected = {{}, {2}, {1, 2, 3}, {3}, {2}, {1, 2, 3}};
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        ActiveSetSettings settings;
+        settings.limit = static_cast<int>(k) + 1;
+        ActiveSetMemory memory;
+        memory.cases.assign(3, BoundState::at_lo);
+        Solution solution;
+        active_sets(problem, settings, memory, solution);
+        CHECK(solution.status == Status::iteration_limit);
+        VecX lambda = VecX::Zero(3);  // of (9.2), in closed form
+        if (expected[k] == std::vector<int>{2}) lambda << 0, 4.0 / 3, 0;
+        if (expected[k] == std::vector<int>{3}) lambda << 0, 0, -1.0 / 6;
+        if (expected[k].size() == 3) lambda << -3, -1, 2.5;
+        CHECK((memory.guess.lambda - lambda).cwiseAbs().maxCoeff() <=
+              10 * identity);  // A has a condition of 110
+    }
+}
+
+TEST_CASE(
+    "a column from its negative rows takes a guess for each row and from all rows one as exercise 9.3 says")
+{
+    for (const Index n : {2, 7, 20}) {
+        MatX A = MatX::Zero(n, n);  // floor first, then the contacts upwards; only the lowest q is negative
+        for (Index i = 0; i < n; ++i) {
+            A(i, i) = i == 0 ? 1 : 2;
+            if (i > 0) A(i, i - 1) = A(i - 1, i) = -1;
+        }
+        VecX q = VecX::Zero(n);
+        q[0] = -1;
+        const Mlcp problem = plain_lcp(A, q);
+        for (const bool all : {true, false}) {
+            ActiveSetMemory memory;
+            memory.cases.assign(static_cast<std::size_t>(n), all ? BoundState::between : BoundState::at_lo);
+            memory.cases[0] = BoundState::between;
+            Solution solution;
+            active_sets(problem, {}, memory, solution);
+            CHECK(solution.status == Status::solved);
+            // One row is wrong in each guess, so the patience of five ends that, and the eighth guess is downhill.
+            CHECK(solution.iterations == (all ? 1 : std::min<Index>(n, 8)));
+            for (Index i = 0; i < n; ++i)
+                CHECK(solution.lambda[i] == Approx(static_cast<Real>(n - i)).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says")
+{
+    MatX A = MatX::Ones(2, 2);
+    Mlcp problem = plain_lcp(A, vector({-1, -1}));
+    ActiveSetMemory memory;
+    Solution solution;
+    active_sets(problem, {}, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    CHECK(solution.lambda[0] == Approx(0.5).margin(1e-8));  // 1e-8 is the term, a share that moves no w
+    CHECK(solution.lambda[1] == Approx(0.5).margin(1e-8));
+
+    memory.proximal.previous = vector({0.7, 0.3});
+    problem.q = vector({-2, -2});
+    active_sets(problem, {}, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    CHECK(solution.lambda[0] == Approx(1.2).margin(1e-7));
+    CHECK(solution.lambda[1] == Approx(0.8).margin(1e-7));
+}
+
 TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sides")
 {
     // Each level of the argument visits a row's three cases at most once: no more than 3^n guesses.

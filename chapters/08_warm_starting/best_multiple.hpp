@@ -1,9 +1,9 @@
 /// \file best_multiple.hpp
-/// How much of yesterday's answer is worth having: the multiple s λ that lowers the merit most.
+/// How much of the previous answer is worth having: the multiple s λ that lowers the merit most.
 ///
 ///     φ(s λ) = s qᵀλ + ½ s² λᵀAλ,   least at   s = −qᵀλ / λᵀAλ        (8.14)
 ///
-/// No A is built: λᵀAλ = Σ m Δu² with Δu = M⁻¹Jᵀλ. Never worse than yesterday's answer nor than none, so that a
+/// No A is built: λᵀAλ = Σ m Δu² with Δu = M⁻¹Jᵀλ. Never worse than the previous answer nor than none, so that a
 /// stale guess cannot add energy: (8.13), and where b ≥ 0 (8.16). One pass over the rows. Bodies that no row joins
 /// have each their own s. The same idea with several old answers is \cite fischer1998.
 #pragma once
@@ -30,7 +30,7 @@ struct BodyGroups {
 //! [groups]
 /// Union and find: each body points to one of its group with a lower number, in the end to the lowest.
 /// \param rows          m valid rows
-/// \param inverse_mass  [1/kg]; a body that cannot move joins nobody
+/// \param inverse_mass  [1/kg]; a body that cannot move joins no others
 /// \param groups        overwritten
 template <int Dof>
 void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyGroups& groups)
@@ -40,7 +40,7 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
     std::iota(of.begin(), of.end(), Index{0});
     const auto above = [&of](Index k) -> Index& { return of[static_cast<std::size_t>(k)]; };
     const auto lowest = [&above](Index k) {
-        while (above(k) != k) k = above(k) = above(above(k));  // shorten the way for those who come after
+        while (above(k) != k) k = above(k) = above(above(k));  // shorten the path for later calls
         return k;
     };
     const auto moves = [&inverse_mass](Index k) {
@@ -93,7 +93,7 @@ inline void require_valid(const MultipleRule& rule)
 
 /// Numbers of each group, memory that is kept from step to step.
 struct MultipleScratch {
-    VecX change;             ///< 2K or 3K: Δu that yesterday's λ makes [m/s]
+    VecX change;             ///< 2K or 3K: Δu that the remembered λ makes [m/s]
     VecX slope;              ///< qᵀλ [J]
     VecX curvature;          ///< λᵀAλ [J]
     VecX apart;              ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
@@ -105,11 +105,11 @@ struct MultipleScratch {
 /// Where λᵀAλ is below this part of Σ A_ii λ_i², its digits are rounding: those of Δu are 1e-16 of what is summed up.
 /// A thousand equal discs in a column have 1e-6, 1e8 kg on four discs 1e-9.
 inline constexpr Real rounding_alone = 1e-20;
-/// And where some row asks for a velocity against its error (b < 0, or b ≠ 0 of a bilateral one), rows may be in
-/// conflict: their merit has no least value, and below this part the multiple would let them grow for ever.
+/// And where the bias of some row requires a velocity against its error (b < 0, or b ≠ 0 of a bilateral one), rows may be in
+/// conflict: their merit has no least value, and below this part the multiple would let them grow forever.
 inline constexpr Real cancelled = 1e-8;
 
-/// Velocities of zero satisfy each row that does not ask, so such rows are never in conflict.
+/// Velocities of zero satisfy each row whose bias requires nothing, so such rows are never in conflict.
 template <int Dof>
 bool asks(const Row<Dof>& row)
 {
@@ -124,7 +124,7 @@ bool asks(const Row<Dof>& row)
 /// \param u_star        velocities before all impulses [m/s]
 /// \param groups        of these rows
 /// \param scratch       what was found
-/// \param lambda        m: yesterday's impulses [N s], each within its bounds; scaled
+/// \param lambda        m: the remembered impulses [N s], each within its bounds; scaled
 /// \param rule          what may be taken instead of the best
 template <int Dof>
 void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, const VecX& u_star,

@@ -1,10 +1,10 @@
 /// \file impulse_cache.hpp
-/// Yesterday's impulses under names that survive the night, so that today's sweeps need not start from zero.
+/// The impulses of the previous step under keys that stay the same, so that the sweeps need not start from zero.
 ///
 ///     λ_start = λ_old · h / h_old     for a row that was there,      (8.4)
 ///     λ_start = 0                     for a row that is new
 ///
-/// Data only: the cache decides where a solver starts, never where it ends. It knows neither rows nor bodies.
+/// Data only: the cache sets where a solver starts, never where it ends. It depends on neither rows nor bodies.
 #pragma once
 
 #include "common/contact.hpp"
@@ -21,7 +21,7 @@
 namespace rigid {
 
 //! [key]
-/// Who a row is. The number of a row changes whenever a contact comes or goes; this does not.
+/// Which row it is. The number of a row changes whenever a contact comes or goes; its key does not.
 struct ImpulseKey {
     std::int32_t first = 0;    ///< body a, or the world (−1), or `of_a_joint`, or `of_a_machine`
     std::int32_t second = 0;   ///< body b, or the number of the joint or machine
@@ -64,15 +64,15 @@ struct ImpulseCache {
     std::vector<Entry> spare;  ///< where store() writes before it swaps
     Real h = 0;                ///< time step of the impulses that are stored [s]
     int keep = 0;              ///< steps that an impulse outlives its row; 0 = a row that goes is forgotten
-    int found = 0;             ///< rows that the last load() knew again
+    int found = 0;             ///< rows that the last load() found
     int searched = 0;          ///< rows that it had to search for, because they were not the next in line
 };
 
 //! [load]
-/// Where today's sweeps start, (8.4). Does not allocate once `lambda` has been as long.
+/// Where the sweeps start, (8.4). Does not allocate once `lambda` has been as long.
 /// \param cache   what store() remembered
-/// \param keys    one for each row of today, in any order
-/// \param h       today's time step [s]
+/// \param keys    one for each row of this step, in any order
+/// \param h       time step [s]
 /// \param lambda  becomes one number for each key [N s]
 inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h, VecX& lambda)
 {
@@ -81,7 +81,7 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h, 
     const Real scale = cache.h > 0 ? h / cache.h : 0;  // an impulse is a force times h
     auto next = cache.entries.begin();
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        // Most rows are those of yesterday in the same order: then the next entry is the one.
+        // Most rows are those of the previous step in the same order: then the next entry is the right one.
         if (next == cache.entries.end() || next->key != keys[i]) {
             ++cache.searched;
             next = std::lower_bound(
@@ -97,7 +97,7 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h, 
 //! [load]
 
 //! [store]
-/// Remembers the answer of a step, and for `cache.keep` more steps what rows had that are not there any more.
+/// Remembers the answer of a step, and for `cache.keep` more steps the impulses of rows that are gone.
 /// An impulse that is not finite is not remembered. Does not allocate once it has seen so many rows.
 /// \param cache   is overwritten
 /// \param keys    one for each row, each key once; throws std::invalid_argument otherwise
@@ -121,7 +121,7 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys, const V
         if (today[i - 1].key == today[i].key)
             throw std::invalid_argument("two rows have the key " + to_string(today[i].key));
 
-    // What is missing today but still remembered goes behind the rows of today.
+    // What is missing in this step but still remembered goes behind its rows.
     const std::size_t rows = today.size();
     std::size_t i = 0;
     for (const ImpulseCache::Entry& old : cache.entries) {

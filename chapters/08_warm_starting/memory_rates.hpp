@@ -5,7 +5,7 @@
 ///
 ///     z³ − (1 − β + γ (1 + σ + β)) z² + γ (1 + 2σ) z − γσ = 0        (8.10)
 ///
-/// with Baumgarte's β and the share σ of yesterday's impulses. All its |z| are below 1 exactly if
+/// with Baumgarte's β and the share σ of the previous impulses. All its |z| are below 1 exactly if
 ///
 ///     σ γ (1 + β) < 1                                                 (8.11)
 ///
@@ -38,7 +38,7 @@ Real spectral_radius(Matrix power)
 //! [step_rate]
 /// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a step, in the long run.
 /// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an error, 0 … 1
-/// \param share  σ, of yesterday's impulses; 0 = cold
+/// \param share  σ, of the previous impulses; 0 = cold
 /// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid outside of the velocities.
 ///               Then (8.10) has a factor z − 1, the error that stays; the two other roots are meant
 inline Real step_rate(Real gamma, Real share, Real beta)
@@ -74,7 +74,7 @@ inline Real memory_rate(const MatX& G)
 }
 //! [settles]
 
-/// (8.11): the least number of sweeps a step with which yesterday's impulses and Baumgarte's β do not build each
+/// (8.11): the least number of sweeps a step with which the previous impulses and Baumgarte's β do not build each
 /// other up, for rows on which one sweep multiplies the error by `rate`.
 inline int least_stable_sweeps(Real rate, Real share, Real beta)
 {

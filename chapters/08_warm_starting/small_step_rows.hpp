@@ -1,5 +1,5 @@
 /// \file small_step_rows.hpp
-/// What small_steps() does once in a step: who the rows are, in which order they are visited, and where λ starts.
+/// What small_steps() does once in a step: which rows there are, in which order they are visited, and where λ starts.
 ///
 /// Most steps have the rows of the step before. Then there is next to nothing to do.
 #pragma once
@@ -24,15 +24,16 @@ struct SmallStepSettings {
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     int substeps = 8;           ///< n
     int sweeps = 1;             ///< in each of them
-    int first_sweeps = 1000;    ///< in the very first, which has no yesterday: at most, while a visit changes
+    int first_sweeps =
+        1000;  ///< in the very first, which has no previous answer: at most, while a visit changes
     Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [m/s]
     Real margin = 0.02;           ///< a contact gets its row when its gap is below this [m]
-    bool collides = true;         ///< false: nothing ever touches, and nobody looks
+    bool collides = true;         ///< false: nothing ever touches, and no contact is looked for
     bool coloured = true;         ///< neighbours in the order of the visits share no body
     /// Each substep starts from the best multiple of what the one before it left, or from nearly that: a pile that
-    /// only just balances does not like it when all its loads change a little together.
+    /// only just balances topples when all its loads change a little together.
     MultipleRule start = {0.2, 10};
-    /// What repays the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
+    /// What corrects the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
     /// millimetre is left alone: moving discs that nearly balance topples them.
     StabilizerSettings correction = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
 };
@@ -50,12 +51,12 @@ struct BodyRun {
     std::size_t group = 0;
 };
 
-/// What stays from step to step. All memory is kept. It belongs to one scene: whoever changes masses or links
-/// sets forget_rows.
+/// What stays from step to step. All memory is kept. It belongs to one scene: a change of masses or links
+/// must set forget_rows.
 struct SmallStep {
     std::vector<Contact> contacts;
     std::vector<ImpulseKey> keys, keys_before;
-    ImpulseCache cache;              ///< its h is 0 until there is a yesterday
+    ImpulseCache cache;              ///< its h is 0 until a step has been made
     VecX remembered;                 ///< λ by the number of the row [N s]
     std::vector<SolverRow<2>> rows;  ///< in the order of the visits
     std::vector<Real> rest;          ///< distance at which C = 0, in the same order [m]
@@ -109,7 +110,7 @@ inline void number_groups(const DiscScene& scene, SmallStep& now)
             static_cast<std::size_t>(of[static_cast<std::size_t>(now.groups.of_row[i])]);
 }
 
-/// Yesterday's λ goes to the keys of its rows, and from there to the rows of today. Then their order.
+/// The previous λ goes to the keys of its rows, and from there to the present rows. Then their order.
 inline void change_rows(const DiscScene& scene, const SmallStepSettings& settings, Real h, SmallStep& now)
 {
     const std::size_t m = now.keys.size();

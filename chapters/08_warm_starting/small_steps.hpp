@@ -2,14 +2,14 @@
 /// Many small steps, one sweep in each, every one warm: this chapter's step without what a scene of discs does not
 /// need.
 ///
-///     once:   contacts; who the rows are, their order, mass, bounds, where λ starts
+///     once:   contacts; which rows there are, their order, mass, bounds, where λ starts
 ///     n ×:    u += h g;  C, J, b;  u += M⁻¹ Jᵀ λ;  a sweep;  x += h u         (h: a substep)
 ///     once:   projection
 ///
 /// The answer is that of step() by WarmMethod with the same substeps and sweeps and a projection at the end (no slop),
-/// to rounding: a test holds it to that. Left out is what does not change within a step, and the way from
+/// to rounding: a test checks that. Left out is what does not change within a step, and the way from
 /// Constraint to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are
-/// yesterday's, no key is looked up and no colour chosen: λ is where it was. Bends, restitution, a hand that pulls and
+/// those of the previous step, no key is looked up and no colour chosen: λ is where it was. Bends, restitution, a hand that pulls and
 /// joints are that method's alone.
 #pragma once
 
@@ -105,7 +105,7 @@ inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep
 /// Sweeps until no visit changes the velocity of its row by more than the tolerance. What they are slowest at is a
 /// load that is too small or too large as a whole, so in between they go on from the best multiple of what they have.
 /// \param sweeps  made before
-/// \return        sweeps made in all
+/// \return        sweeps made in total
 inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep& now)
 {
     for (Real change = infinity; sweeps < settings.first_sweeps && change > settings.first_tolerance;
@@ -156,7 +156,7 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
     bodies.u = now.u;
 
     // The error goes out of x, row by row in the order that they were given: with colours the last one would
-    // leave to its neighbours what the first had repaid.
+    // undo in its neighbours what the first had corrected.
     for (int s = 0; s < settings.correction.correction_sweeps; ++s)
         for (const int k : now.place) {
             SolverRow<2>& row = now.rows[static_cast<std::size_t>(k)];

@@ -3,8 +3,8 @@
 ///
 ///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
 ///
-/// (10.6): the problem of the correction Δ, whose answer is near zero when yesterday's λ still fits. Memory is kept for
-/// each number of rows, so that islands of different sizes don't take it from each other.
+/// (10.6): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. Memory is kept for
+/// each number of rows, so that islands of different sizes don't overwrite it.
 #pragma once
 
 #include "chapters/06_sequential_impulse/block.hpp"
@@ -24,7 +24,7 @@ struct ExactScratch {
 
 //! [closed_form]
 /// One row is solved by one visit, two rows by chapter 6's block (6.22). False where the two are so nearly the same
-/// row that rounding would spoil the answer.
+/// row that rounding would make the answer useless.
 template <int Dof>
 bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
 {

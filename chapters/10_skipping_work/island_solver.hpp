@@ -4,7 +4,7 @@
 ///
 ///     stop when r ≤ tolerance,   r = max_i r_i the natural residual (3.15) of this island
 ///
-/// An island that is at rest starts from yesterday's λ and stops after one sweep; its neighbour that is hit goes on.
+/// An island that is at rest starts from the previous λ and stops after one sweep; its neighbour that is hit goes on.
 #pragma once
 
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"

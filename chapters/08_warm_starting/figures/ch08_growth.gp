@@ -7,7 +7,7 @@ set xlabel 'sweeps a step' tc rgb '#808080'
 set ylabel 'greatest speed, a step later / before' tc rgb '#808080'
 set xrange [0:52]; set yrange [0.85:1.07]
 unset key
-set label 1 'β = 0.2, all of yesterday' at 13,1.047 left tc rgb '#CC3311'
+set label 1 'β = 0.2, all that is remembered' at 13,1.047 left tc rgb '#CC3311'
 set label 2 'β = 0.2, share 0.8 (dashed)' at 22,0.958 left tc rgb '#228833'
 set label 3 'no error in the bias' at 2,0.94 left tc rgb '#4477AA'
 set label 4 '(8.11): 29.5 sweeps' at 30.5,1.02 left tc rgb '#808080'

@@ -10,7 +10,7 @@ set logscale y
 set format y '10^{%T}'
 set xrange [0:4]; set yrange [1e-7:100]
 unset key
-set label 1 'from yesterday' at 1.55,1e-3 left tc rgb '#4477AA'
+set label 1 'from the previous answer' at 1.55,1e-3 left tc rgb '#4477AA'
 set label 2 'slope by (8.6)' at 0.45,1e-2 left tc rgb '#808080'
 set label 3 'cold, best multiple, or a sweep there and back' at 3.95,1e-6 right tc rgb '#228833'
 stats data.'/loop_previous' using 15 every ::10::20 nooutput

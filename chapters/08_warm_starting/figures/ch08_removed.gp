@@ -13,7 +13,7 @@ set format y '10^{%L}'
 unset key
 set arrow 1 from 1.8,10 to 45,10 nohead dt 3 lc rgb '#808080'
 shown(y) = y < 0.01 ? 0.01 : y
-set title 'from yesterday' tc rgb '#808080'
+set title 'from the previous answer' tc rgb '#808080'
 plot data.'/removed_previous_0' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#808080' title 'none', \
      data.'/removed_previous_1' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#CC3311' title 'Baumgarte', \
      data.'/removed_previous_2' using 1:(shown($2)) with linespoints pt 7 ps 0.6 lc rgb '#EE7733' title 'relaxation', \

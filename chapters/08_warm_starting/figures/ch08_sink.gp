@@ -9,7 +9,7 @@ set ylabel 'the top is above its start [mm]' tc rgb '#808080'
 set xrange [0:6]; set yrange [-130:5]
 unset key
 set label 1 'cold: falls through' at 0.65,-120 left tc rgb '#CC3311'
-set label 2 'from yesterday' at 3,-44 left tc rgb '#4477AA'
+set label 2 'from the previous answer' at 3,-44 left tc rgb '#4477AA'
 set label 3 'from its best multiple' at 3,-20 left tc rgb '#228833'
 set label 4 'theory, (8.8)' at 5.9,-57 right tc rgb '#808080'
 stats data.'/sink_previous' using 15 every ::10 nooutput

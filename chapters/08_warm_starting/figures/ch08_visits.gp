@@ -15,7 +15,7 @@ do for [scene in "column swing triangle"] {
     if (scene eq 'swing') { set key bottom left tc rgb '#808080' samplen 1 spacing 1.1 } else { unset key }
     set title scene eq 'column' ? 'column of 20' : scene eq 'swing' ? 'swinging chain of 10, 10 kg' : 'triangle, base 10' tc rgb '#808080'
     plot data.'/'.scene.'_cold' using 1:(shown($2)) with linespoints pt 7 ps 0.5 lc rgb '#CC3311' title 'cold', \
-         data.'/'.scene.'_previous' using 1:(shown($2)) with linespoints pt 7 ps 0.5 lc rgb '#4477AA' title 'yesterday', \
+         data.'/'.scene.'_previous' using 1:(shown($2)) with linespoints pt 7 ps 0.5 lc rgb '#4477AA' title 'previous', \
          data.'/'.scene.'_best_multiple' using 1:(shown($2)) with linespoints pt 7 ps 0.5 lc rgb '#228833' title 'best multiple', \
          data.'/'.scene.'_substeps' using 1:(shown($2)) with linespoints pt 7 ps 0.5 lc rgb '#AA3377' title 'small steps'
 }

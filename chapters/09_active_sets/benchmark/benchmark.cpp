@@ -1,7 +1,7 @@
 /// Chapter 9: exact answers, beside other programs' and beside sweeps.
 ///
 ///     versus/…     active sets and the peers in turns on the same problem: the fastest of each, its residual
-///     warm/…       the same problem again from yesterday's set, and with a q that has moved a little
+///     warm/…       the same problem again from the previous set, and with a q that has moved a little
 ///     growth/…     assembly and solve against n, and slope/…  the exponent fitted to them
 ///     error/…      residual against time: sweeps, Lemke, one index at a time, active sets
 ///
@@ -239,7 +239,7 @@ void versus(benchmark::State& state, const Problem& problem)
 
 // ---- warm starts ----------------------------------------------------------------------------------------
 
-/// Yesterday's set: the same problem again, and one whose q has moved by up to a hundredth of its largest entry.
+/// The previous set: the same problem again, and one whose q has moved by up to a hundredth of its largest entry.
 void warm(benchmark::State& state, const Problem& problem)
 {
     const Mlcp mlcp = problem.make(state.range(0));

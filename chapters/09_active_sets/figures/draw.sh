@@ -38,6 +38,8 @@ fi
 
 # Pictures of scenes.
 run --scene plane --steps 3 --svg "$out/ch09_plane.svg"
+run --scene cycle --steps 1 --svg "$out/ch09_cycle.svg"
+run --scene fill --steps 1 --svg "$out/ch09_fill.svg"
 run --scene guess --method active_sets,dantzig --set levels=4 --seed 5 --steps 1 --svg "$out/ch09_guess.svg"
 run --scene long_chain --method active_sets,gauss_seidel --steps 1500 --svg "$out/ch09_chain.svg"
 run --scene ten_discs --steps 700 --svg "$out/ch09_ten_discs.svg"
@@ -57,7 +59,7 @@ counts column 0 1 2 5 10 20 50 100 200
 counts pyramid 2 1 2 3 4 6 8 11 16
 plot ch09_counts
 
-# What yesterday's set is worth: guesses of each step of the ten discs.
+# What the previous set is worth: guesses of each step of the ten discs.
 run --scene ten_discs --method active_sets --steps 1440 --csv "$data/warm"
 run --scene ten_discs --method cold --steps 1440 --csv "$data/cold"
 plot ch09_warm

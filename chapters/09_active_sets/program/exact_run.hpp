@@ -1,5 +1,5 @@
 /// \file exact_run.hpp
-/// Scenes of discs whose every step is solved exactly, beginning with yesterday's set; sweeps to compare.
+/// Scenes of discs whose every step is solved exactly, beginning with the previous set; sweeps to compare.
 #pragma once
 
 #include "chapters/02_velocity_constraints/program/scene_hand.hpp"
@@ -30,7 +30,7 @@ public:
                 pgs(mlcp, tuned(mlcp), memory_, solution);
             } else if (settings.method == "dantzig") {
                 solution = dantzig(mlcp);
-            } else {  // memory knows yesterday's set
+            } else {  // memory holds the previous set
                 if (settings.method == "cold") set_.cases.clear();
                 active_sets(mlcp, {}, set_, solution);
             }

@@ -23,7 +23,7 @@ struct GuessWalk {
     VecX lambda;                    ///< what the guess led to, within its bounds or not [N s]
     std::vector<BoundState> cases;  ///< the guess itself
 
-    /// \param start  yesterday's set; empty = the solver's own first guess
+    /// \param start  the previous set; empty = the solver's own first guess
     GuessWalk(Mlcp mlcp, std::string solver, std::vector<BoundState> start = {})
         : problem(std::move(mlcp)), method(std::move(solver)), first(std::move(start))
     {

@@ -148,12 +148,12 @@ inline Demo plane_scene()
     scene.h_high = 2;
     scene.methods = {"active_sets"};
     scene.tunables = {
-        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 2, 0, 3, true, true, false},
+        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 3, 0, 3, true, true, false},
         {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
         {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
-        {"a12", "1/kg", "of A, off its diagonal", 1.5, -3, 3, false, true, false},
-        {"q1", "m/s", "of q, row 1", -3, -4, 4, false, true, false},
-        {"q2", "m/s", "of q, row 2", -1, -4, 4, false, true, false}};
+        {"a12", "1/kg", "of A, off its diagonal", 1, -3, 3, false, true, false},
+        {"q1", "m/s", "of q, row 1", -5, -6, 6, false, true, false},
+        {"q2", "m/s", "of q, row 2", -1, -6, 6, false, true, false}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) { return std::make_unique<PlaneRun>(settings); };
     return scene;
