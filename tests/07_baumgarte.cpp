@@ -197,6 +197,34 @@ TEST_CASE("with one sweep a step link k of N hangs too long by N minus k times (
     }
 }
 
+TEST_CASE("the bead of exercise 7.3 runs 6.16 mm outside its wire")
+{
+    const Real D = settled_bead(0.2, 3.0 / 60);
+    CHECK(D == Approx(0.01236).epsilon(1e-3));                     // its printed digits
+    CHECK(std::sqrt(1 + D) - 1 == Approx(6.16e-3).epsilon(1e-3));  // likewise
+}
+
+TEST_CASE("a column whose floor is visited last sags as exercise 7.5 says")
+{
+    constexpr Index N = 6;
+    const Real g = 9.81, h = 1.0 / 60, beta = 0.2, unit = g * h * h / beta;
+    MatX J = MatX::Zero(N, N);  // contacts from the bottom, then the floor; discs of 1 kg
+    VecX lambda(N);
+    for (Index k = 0; k + 1 < N; ++k) {
+        J(k, k) = -1;
+        J(k, k + 1) = 1;
+        lambda[k] = static_cast<Real>(N - 1 - k) * g * h;
+    }
+    J(N - 1, 0) = 1;
+    lambda[N - 1] = static_cast<Real>(N) * g * h;
+    const MatX A = J * J.transpose();
+    const VecX C = sag(A, lambda, 1, beta, h);  // overlaps are negative
+    CHECK(C[0] == Approx(-2 * (N - 1) * unit).epsilon(1e-11));
+    for (Index k = 1; k + 1 < N; ++k)
+        CHECK(C[k] == Approx(-static_cast<Real>(N - 2 - k) * unit).margin(1e-11 * unit));
+    CHECK(std::abs(C[N - 1]) <= 1e-11 * unit);
+}
+
 TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by about n less")
 {
     const auto sag_of = [](int substeps, int sweeps, Real carry) {

@@ -11,7 +11,7 @@
 
 namespace rigid {
 
-/// (7.8): one step of a bead of 1 kg on a wire of radius 1 m, told as \f$D = r^2 - 1\f$ [m²]. With β = 0 it is the
+/// (7.8): one step of a bead of 1 kg on a wire of radius 1 m, expressed as \f$D = r^2 - 1\f$ [m²]. With β = 0 it is the
 /// drift (7.3).
 /// \param hL  h times its angular momentum r u_t, which no radial impulse changes [m²]
 inline Real next_bead(Real D, Real beta, Real hL)

@@ -1,6 +1,6 @@
 /// \file correction.hpp
 /// The correction stage of the step: one of the five ways to treat a position error, in b before the solver and in x
-/// after it. It asks the solver for a second answer on the same rows where it needs one.
+/// after it. Where it needs a second answer on the same rows, the solver gives it.
 #pragma once
 
 #include "chapters/06_sequential_impulse/restitution.hpp"

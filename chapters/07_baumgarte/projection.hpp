@@ -1,11 +1,11 @@
 /// \file projection.hpp
-/// Non-linear Gauss-Seidel on the positions: visit row after row, look at C where the bodies are now, and move
+/// Non-linear Gauss-Seidel on the positions: visit row after row, compute C where the bodies are now, and move
 /// them to where C has reached the goal of this step.
 ///
 ///     x ← x + M⁻¹ Jᵀ Λ,   Λ = (goal − C(x)) / (J M⁻¹ Jᵀ),   goal = (1 − β) C at the start
 ///
-/// (7.18). No velocity is touched. C and J are computed anew at each visit, so the rows see the curve and not its
-/// tangent. The goal keeps β's meaning: the part that one step repays, however many sweeps it makes.
+/// (7.18). No velocity is touched. C and J are computed anew at each visit, so the rows follow the curve and not its
+/// tangent. The goal keeps β's meaning: the part that one step corrects, however many sweeps it makes.
 #pragma once
 
 #include "chapters/07_baumgarte/stabilization.hpp"

@@ -1,11 +1,11 @@
 /// \file stabilization.hpp
-/// What to do about a position error C, which velocity rows do not see: five ways to repay it.
+/// What to do about a position error C, which velocity rows do not contain: five ways to correct it.
 ///
 ///     none           b = 0: the row forgets C, and C drifts
-///     baumgarte      b = β C / h: the velocity repays the part β in each step \cite baumgarte1972
+///     baumgarte      b = β C / h: the velocity corrects the part β in each step \cite baumgarte1972
 ///     relaxation     the same; once the positions have moved, the sweeps go on with b = 0 and take the
-///                    repaying velocity away again
-///     split_impulse  b = 0; a second, pseudo-velocity v repays β C', is added to x, and is forgotten
+///                    correcting velocity away again
+///     split_impulse  b = 0; a second, pseudo-velocity v corrects β C', is added to x, and is forgotten
 ///     projection     b = 0; after the step x itself is moved along M⁻¹ Jᵀ, C and J anew at each visit
 ///
 /// A gap, C > 0 of a contact, is no error: all five let it close and no more, b = C / h (3.30).
@@ -26,10 +26,10 @@ enum class Stabilizer { none, baumgarte, relaxation, split_impulse, projection }
 
 struct StabilizerSettings {
     Stabilizer method = Stabilizer::baumgarte;
-    Real beta = 0.2;          ///< part of an error that is repaid in a step; stable below 2, monotone to 1
+    Real beta = 0.2;          ///< part of an error that is corrected in a step; stable below 2, monotone to 1
     Real slop = 0;            ///< an overlap of up to this much is left alone [m]
     Real bilateral_slop = 0;  ///< the same for a bilateral row, to both sides [m]
-    Real max_correction_speed = infinity;  ///< an error is repaid at this speed at most [m/s]
+    Real max_correction_speed = infinity;  ///< an error is corrected at this speed at most [m/s]
     int correction_sweeps = 10;            ///< at most, for relaxation, pseudo-velocities, projection
     Real tolerance = 1e-9;  ///< these sweeps end when none of them changes a row by more than this [m/s]
 };

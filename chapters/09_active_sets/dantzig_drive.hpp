@@ -61,7 +61,7 @@ public:
             if (pivots >= limit_) return Place::limit;
             find_direction(d, up ? 1 : -1);
 
-            // (9.17): who stops it first?
+            // (9.17): what stops it first?
             Index stops = d;
             bool at_bound = true;
             Real length = (up ? mlcp_.hi[d] - lambda[d] : lambda[d] - mlcp_.lo[d]);

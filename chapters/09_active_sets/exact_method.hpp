@@ -1,7 +1,7 @@
 /// \file exact_method.hpp
 /// The method of this chapter: the step with an exact solver.
 ///
-/// Where the correction asks for a second answer on the same rows it gets an exact one as well: with `split_impulse`
+/// Where the correction needs a second answer on the same rows it gets an exact one as well: with `split_impulse`
 /// velocities and position errors are both solved exactly, apart.
 ///
 ///     w = A λ + J u* + b        → λ, u = u* + M⁻¹ Jᵀ λ

@@ -36,7 +36,7 @@ enum class ProximalEnd { right, infeasible, singular, limit };
 
 //! [outer]
 /// Outer steps until the residual of the original problem is small and falls no more; guess.lambda, pressed
-/// into its bounds, is the answer. Where rows depend on each other flipping all at once goes round more
+/// into its bounds, is the answer. Where rows depend on each other flipping all at once cycles more
 /// often, so the patience with it is a quarter.
 /// \param memory   memory.previous: λ⁰, zero unless it has the size of the problem
 /// \param allowed  the natural residual that is wanted [m/s]; whether it is an answer is for verify() to say

@@ -52,6 +52,12 @@ for n in 1 2 4 8 16 32 64 128; do
 done
 plot ch07_sag
 
+# Position and speed of a disc in the floor, under the ways that correct.
+for way in baumgarte relaxation split_impulse projection; do
+    run --scene overlap --method $way --set beta=0.2 --steps 20 --csv "$data/three_$way"
+done
+plot ch07_three
+
 # Slop against jitter: three discs at rest.
 quiet() { name=$1; shift; run --scene triangle --set base=2 --set sweeps=20 "$@" --steps 600 --csv "$data/slop_$name"; }
 quiet none --set margin=0

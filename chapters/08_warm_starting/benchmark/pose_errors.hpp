@@ -46,7 +46,7 @@ public:
     PoseWatch(const EngineScene& scene, int steps, Real h)
         : rests_(scene.rests), steps_(steps), h_(h), start_(scene.scene.bodies.x), before_(start_)
     {
-        // Who is whose neighbour: what a link joins, and what touches.
+        // Which discs are neighbours: what a link joins, and what touches.
         for (const Link& link : scene.scene.links) neighbours_.emplace_back(link.a, link.b);
         std::vector<Contact> contacts;
         find_contacts(start_, scene.scene.radius, {}, scene.scene.linked, 1e-6, contacts);

@@ -79,7 +79,7 @@ struct FreeFirst {
     }
 };
 
-/// One thread for everybody: Siconos calls OpenBLAS, which else takes all processors.
+/// One thread for all programs: Siconos calls OpenBLAS, which otherwise takes all processors.
 inline void single_thread()
 {
 #ifdef RIGID_HAS_SICONOS

@@ -38,7 +38,7 @@ struct Motion {
 
 inline constexpr Motion at_rest{}, nudged{9.81 / 60, 0.1, 1}, in_impact{9.81 / 60, 1, 1};
 
-/// Square boxes with a side of 1 m that stand on each other, and who stands on whom.
+/// Square boxes with a side of 1 m that stand on each other, and which box stands on which.
 struct BoxPile {
     struct Stands {
         Index below = world, above = 0;
