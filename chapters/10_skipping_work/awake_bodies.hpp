@@ -1,6 +1,6 @@
 /// \file awake_bodies.hpp
 /// The contacts stage of the step without what needs nothing: bodies that sleep are not looked at, and pairs that are far
-/// apart are not tested. What is remembered is only true while nobody changes the scene behind its back: see
+/// apart are not tested. What is remembered is only true while the scene is changed by the functions for it alone: see
 /// scene_edits.hpp.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace rigid {
 //! [awake_bodies]
 struct AwakeBodies {
     RestSettings rest;
-    bool sleep = true;   ///< false: nobody falls asleep
+    bool sleep = true;   ///< false: no body falls asleep
     Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [m]
 
     AwakeSet set;
@@ -90,7 +90,7 @@ inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
     changed = true;
 }
 
-/// What has changed since the last step wakes whom it concerns. Costs the same however many sleep.
+/// What has changed since the last step wakes the bodies that it concerns. Costs the same however many sleep.
 inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,
                                          const RestConditions& present)
 {

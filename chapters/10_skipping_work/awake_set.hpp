@@ -1,7 +1,7 @@
 /// \file awake_set.hpp
-/// Who is awake, in a list, so that a step need not look at those who are not; and who wakes together.
+/// The bodies that are awake, in a list, so that a step need not look at the others; and which of them wake together.
 ///
-/// A sleeping island is a ring: each sleeper knows the next one. To wake one of them is to walk round the ring
+/// A sleeping island is a ring: each sleeper stores the number of the next one. To wake one of them is to go around the ring
 /// once, and that costs as much as there are bodies to wake.
 #pragma once
 
@@ -45,7 +45,7 @@ struct AwakeSet {
     }
     //! [wake]
 
-    /// These bodies fall asleep together. Call tidy() when all have been told.
+    /// These bodies fall asleep together. Call tidy() after the last of such calls.
     void sleep(std::span<const int> members)
     {
         for (std::size_t i = 0; i < members.size(); ++i) {
@@ -55,7 +55,7 @@ struct AwakeSet {
         }
     }
 
-    /// Makes the lists right again: only who is awake, ascending, none twice. Linear where that is nearly so.
+    /// Makes the lists right again: only bodies that are awake, ascending, none twice. Linear where that is nearly so.
     void tidy()
     {
         std::erase_if(awake, [this](int k) { return !is_awake(k); });

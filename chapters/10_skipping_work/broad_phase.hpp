@@ -5,8 +5,8 @@
 ///         ⟹  ‖x̄_b − x̄_a‖ < r_a + r_b + margin + 2 skin
 ///
 /// (10.4). The grid holds each disc at x̄, where it stood when it was last put in. The pairs on the right are listed;
-/// while nobody has left its skin, no pair on the left can be missing from the list, so only who has left it asks
-/// the grid again \cite verlet1967. The contacts that come out are those of all K²/2 tests, in their order, to the bit.
+/// while no disc has left its skin, no pair on the left can be missing from the list, so only a disc that has left it
+/// queries the grid again \cite verlet1967. The contacts that come out are those of all K²/2 tests, in their order, to the bit.
 #pragma once
 
 #include "chapters/10_skipping_work/awake_set.hpp"
@@ -22,15 +22,15 @@ namespace rigid {
 struct BroadPhase {
     DiscGrid grid;
     CollisionFilter filter;
-    Real margin = 0.02;  ///< a contact is told of when its gap is below this [m]
-    Real skin = 0.01;    ///< how far a disc may move before it asks the grid again [m]
+    Real margin = 0.02;  ///< a pair is a contact when its gap is below this [m]
+    Real skin = 0.01;    ///< how far a disc may move before it queries the grid again [m]
 
     std::vector<std::uint64_t> pairs;  ///< a · 2³² + b, a < b, ascending
     std::vector<std::uint64_t> kept, fresh;
-    std::vector<int> stale;              ///< who asks the grid in this step
+    std::vector<int> stale;              ///< discs that query the grid in this step
     std::vector<std::uint8_t> is_stale;  ///< K: is in that list
     std::int64_t tested = 0;             ///< distances of two discs that were computed in this step
-    std::int64_t queries = 0;            ///< discs that asked the grid
+    std::int64_t queries = 0;            ///< discs that queried the grid
 
     /// How far from its centre a disc looks for the surfaces of others [m]: the right side of (10.4).
     Real reach_of(Real radius) const { return radius + margin + 2 * skin; }
@@ -44,7 +44,7 @@ struct BroadPhase {
         for (Index k = 0; k < K; ++k)
             grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k], filter.group_of(k));
         pairs.clear();
-        is_stale.assign(static_cast<std::size_t>(K), 1);  // nobody has asked yet
+        is_stale.assign(static_cast<std::size_t>(K), 1);  // no disc has queried yet
         stale.clear();
         for (int k = 0; k < static_cast<int>(K); ++k) stale.push_back(k);
     }
@@ -74,11 +74,11 @@ inline bool disc_contact(const VecX& x, const VecX& radius, Index a, Index b, Re
 }
 //! [touches]
 
-/// Brings the list of pairs up to date with x. Who is asleep and within the margin of somebody who is awake is
-/// woken, with its island, and asks as well. Afterwards no pair that is missing can have a gap below the margin,
+/// Brings the list of pairs up to date with x. A sleeper within the margin of an awake disc is
+/// woken, with its island, and queries as well. Afterwards no pair that is missing can have a gap below the margin,
 /// unless neither of the two is awake.
 /// \param scene  positions, radii, masses
-/// \param set    who is awake; may gain members
+/// \param set    the awake bodies; may gain members
 inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broad)
 {
     const VecX& x = scene.bodies.x;
@@ -86,7 +86,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     const auto movable = [&](int k) { return scene.bodies.inverse_mass[2 * k] > 0; };
     const auto is = [&](int k, Activity activity) { return at(set.activity, k) == activity; };
     const auto may_ask = [&](int k) { return !is(k, Activity::asleep) && !is(k, Activity::gone); };
-    const auto renew = [&](int k) {  // all move before the first one asks
+    const auto renew = [&](int k) {  // all move before the first query
         if (std::exchange(at(broad.is_stale, k), std::uint8_t{1}) == 0) broad.stale.push_back(k);
         if (!is(k, Activity::gone)) broad.grid.move(k, x.segment<2>(2 * k));
     };
@@ -102,7 +102,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     broad.tested = 0;
 
     //! [kept]
-    // (10.4): who has left its skin? (Who was woken since the last step asks too: nobody kept its pairs.)
+    // (10.4): which discs have left their skins? (Discs woken since the last step query too: their pairs were not kept.)
     const Real allowed = broad.skin * broad.skin;
     for (const int k : set.woken) renew(k);
     for (const int k : set.awake)
@@ -121,7 +121,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     //! [kept]
 
     //! [ask]
-    // Ask the grid. The list of those who ask may grow on the way: who is found close by and asleep is woken.
+    // Query the grid. The list may grow on the way: a sleeper that is found close by is woken, and queries too.
     broad.fresh.clear();
     broad.grid.tested = broad.grid.cells = 0;
     const std::size_t before_asking = broad.stale.size();
@@ -131,7 +131,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
         const std::uint64_t groups = at(broad.filter.meets, broad.filter.group_of(k));
         const std::size_t found = broad.fresh.size();
         broad.grid.near(x.segment<2>(2 * k), broad.reach_of(scene.radius[k]), groups, [&](int b) {
-            // Of two who ask, the lower one finds the other; but it may have asked before k was woken and moved.
+            // Of two that query, the lower one finds the other; but its query may have been before k was woken and moved.
             if (b == k || (i < before_asking && b < k && at(broad.is_stale, b) && may_ask(b))) return;
             if (!movable(k) && !movable(b)) return;
             if (!set.is_awake(k) && !set.is_awake(b)) return;
@@ -156,7 +156,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     broad.pairs.erase(std::unique(broad.pairs.begin(), broad.pairs.end()), broad.pairs.end());
 }
 
-/// The contacts of those who are awake, with each other, with what is fixed and with the walls: what
+/// The contacts of awake discs, with each other, with what is fixed and with the walls: what
 /// find_contacts() says of them, in the same order.
 inline void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhase& broad,
                            std::vector<Contact>& contacts)

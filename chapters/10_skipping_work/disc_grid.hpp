@@ -1,12 +1,12 @@
 /// \file disc_grid.hpp
-/// Who is near whom: a grid of square cells that has no edges, and a layer of it for each size of disc.
+/// Which discs are near each other: a grid of square cells that has no edges, and a layer of it for each size of disc.
 ///
-///     cell of a layer c = 2^l ≥ 2 r + extra,   disc k stands in the cell (⌊x/c⌋, ⌊y/c⌋) of its own layer
+///     cell of a layer c = 2^l ≥ 2 r + extra,   disc k is in the cell (⌊x/c⌋, ⌊y/c⌋) of its own layer
 ///
 /// (10.3). A disc whose surface is within reach R of a point can only stand in the cells from ⌊(x − R − r)/c⌋ to
 /// ⌊(x + R + r)/c⌋, for r the largest radius of the layer: at most three by three for two of one size. Cells are not
 /// stored: a hash puts them on a table of 2K or more lists \cite teschner2003. Putting in, taking out and moving cost
-/// the same however many discs there are, so whoever sleeps stays where it is for nothing.
+/// the same however many discs there are, so a sleeper costs nothing.
 #pragma once
 
 #include "common/math.hpp"
@@ -76,7 +76,7 @@ public:
 
     //! [near]
     /// Calls visit(b) for each disc b whose surface is less than `reach` away from x, or a billionth more, so that
-    /// rounding loses nobody; in no particular order.
+    /// rounding loses none; in no particular order.
     /// \param groups  bit g: discs of group g are looked for
     /// \param visit   must not change the grid
     template <class Visit>

@@ -53,7 +53,7 @@ inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, 
     return largest;
 }
 
-/// (10.8). An island that falls asleep stands where its contacts were found.
+/// (10.8). An island that falls asleep is put where its contacts were found.
 template <class Method>
 void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now)
 {

@@ -1,10 +1,10 @@
 /// \file islands.hpp
-/// Bodies that push each other, directly or through others, are an island; different islands know nothing of each
+/// Bodies that push each other, directly or through others, are an island; different islands do not affect each
 /// other, so their rows are separate problems.
 ///
 ///     A_ij = J_i M⁻¹ J_jᵀ = 0   for rows i, j of different islands:   A is block diagonal
 ///
-/// (10.5). What cannot move passes nothing on, so it joins nobody. Found by union-find \cite tarjan1975, in time that
+/// (10.5). What cannot move passes nothing on, so it joins nothing. Found by union-find \cite tarjan1975, in time that
 /// is linear in the rows and bodies that are awake. An island is numbered by its lowest body; rows keep their order.
 #pragma once
 
@@ -26,7 +26,7 @@ struct Islands {
     std::vector<int> bodies;      ///< island after island, ascending in each
     std::vector<int> first_body;  ///< count() + 1
     std::vector<int> parent;      ///< K: a step on the way to the lowest body of the island
-    std::vector<int> number;      ///< K: of the island, of who was asked about last
+    std::vector<int> number;      ///< K: of the body's island, as last found
     std::vector<int> next;        ///< where the next row or body goes
 
     int count() const { return static_cast<int>(first_body.size()) - 1; }
@@ -34,7 +34,7 @@ struct Islands {
     std::span<const int> rows_of(int i) const { return part(rows, first_row, i); }
 
     //! [find]
-    /// The lowest body of k's island. On the way each body is pointed one farther: the next walk is shorter.
+    /// The lowest body of k's island. On the way each body is pointed one farther, so the next search is shorter.
     int find(int k)
     {
         while (at(parent, k) != k) {
@@ -65,7 +65,7 @@ private:
 
 /// Each of these bodies is an island of its own.
 /// \param count   K
-/// \param bodies  those who may be joined, ascending
+/// \param bodies  bodies that may be joined, ascending
 inline void separate(Index count, std::span<const int> bodies, Islands& islands)
 {
     islands.parent.resize(static_cast<std::size_t>(count));
@@ -76,7 +76,7 @@ inline void separate(Index count, std::span<const int> bodies, Islands& islands)
 //! [islands]
 /// Joins the islands by rows and lists what is in each of them.
 /// \param bodies   as given to separate(); between the two calls unite() may have joined some of them
-/// \param rows     m rows; a row that moves nobody is left out of `islands.rows`
+/// \param rows     m rows; a row that moves no body is left out of `islands.rows`
 /// \param order    row numbers in the order that they are to have in their island; empty = as they are
 /// \param islands  out; memory is kept
 template <int Dof>
@@ -126,8 +126,8 @@ void join_by_rows(std::span<const int> bodies, const std::vector<Row<Dof>>& rows
 //! [islands]
 
 //! [colours]
-/// Chapter 6's colours, for those who are awake alone: rows of one colour share no body that can move.
-/// \param bodies  those whom the rows may move; only their places in memory.used are looked at
+/// Chapter 6's colours, for awake bodies alone: rows of one colour share no body that can move.
+/// \param bodies  the bodies that the rows may move; only their places in memory.used are looked at
 /// \param order   becomes the row numbers, colour by colour, those of one colour as they came
 template <int Dof>
 void colour_rows_of(std::span<const int> bodies, Index count, const std::vector<Row<Dof>>& rows,

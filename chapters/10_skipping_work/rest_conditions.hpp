@@ -9,7 +9,7 @@
 
 namespace rigid {
 
-/// What decides who is at rest, besides the settings of rest. When one of these numbers changes, all wake.
+/// What determines which bodies are at rest, besides the settings of rest. When one of these numbers changes, all wake.
 struct RestConditions {
     Vec2 gravity = {0, 0};
     Real stiffness = 0, damping = 0;
@@ -18,7 +18,7 @@ struct RestConditions {
     bool sleep = true;
 };
 
-/// True if who was at rest under the conditions `a` is so under `b`. (The step h is not asked for: rest is a balance of
+/// True if bodies at rest under the conditions `a` are so under `b`. (The step h is not compared: rest is a balance of
 /// forces. Nor is what says how the balance is found.)
 inline bool same_rest(const RestConditions& a, const RestConditions& b)
 {

@@ -1,7 +1,7 @@
 /// \file scene_edits.hpp
-/// The only ways to change a scene from outside while it runs: each of them wakes whom the change concerns.
+/// The only ways to change a scene from outside while it runs: each of them wakes the bodies that the change concerns.
 ///
-/// Nobody touches those who stood on a disc that is gone, so no step could notice by itself that they must fall.
+/// Nothing touches the discs above one that is gone, so no step could notice by itself that they must fall.
 #pragma once
 
 #include "chapters/10_skipping_work/skipping_world.hpp"
@@ -24,7 +24,7 @@ inline void require_disc(const SkippingWorld& now, Index k)
 }
 
 //! [scene_edits]
-/// Disc k wakes, and everybody within the margin of it, and who hangs on a link or a bend with it.
+/// Disc k wakes, and all discs within its margin, and those that a link or a bend joins to it.
 inline void wake_around(SkippingWorld& now, Index k)
 {
     const auto i = static_cast<int>(k);
@@ -47,7 +47,7 @@ inline void wake_around(SkippingWorld& now, Index k)
     }
 }
 
-/// Gives a disc another place, velocity and mass, and wakes whom that concerns, where it was and where it is.
+/// Gives a disc another place, velocity and mass, and wakes the bodies that this concerns, where it was and where it is.
 /// \param x             [m]
 /// \param u             [m/s]
 /// \param inverse_mass  [1/kg]; 0 makes it a fixed disc, or, with a velocity, one that moves and is not moved
@@ -92,7 +92,7 @@ inline void take_away(SkippingWorld& now, Index k)
     now.method.contacts.set.woken.push_back(static_cast<int>(k));
 }
 
-/// Puts other walls in the place of those that are there, and wakes everybody.
+/// Puts other walls in the place of those that are there, and wakes all bodies.
 /// \throws std::invalid_argument  for a wall that makes no sense
 inline void change_walls(SkippingWorld& now, std::vector<HalfSpace> walls)
 {

@@ -2,7 +2,7 @@
 /// The method of this chapter, and a scene with all that is remembered from step to step, so that a step can leave out
 /// what needs nothing.
 ///
-///     who is awake → contacts → u* → rows → islands → λ start → λ → u → x → who sleeps
+///     awake bodies → contacts → u* → rows → islands → λ start → λ → u → x → sleep
 ///
 /// Without sleeping and with the same sweeps its bits are those of chapter 8's method.
 #pragma once
@@ -46,7 +46,7 @@ struct SkippingSettings {
     Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]
     int exact_rows = 8;             ///< islands of up to so many rows are solved exactly
     bool islands = true;            ///< false: all rows are one problem
-    bool sleep = true;              ///< false: nobody falls asleep
+    bool sleep = true;              ///< false: no body falls asleep
 };
 
 /// What a step has done. Each number is one of this step alone.

@@ -63,8 +63,8 @@ Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, 
 }
 
 /// And once it has lasted for long enough: does what is left of the motion die out? What glides on does not, nor
-/// what has begun to topple: that is faster than ever.
-/// \param noise  slower than this it can't be told from the error of the answers [m/s]
+/// what has begun to topple: that is faster than before.
+/// \param noise  slower than this it can't be distinguished from the error of the answers [m/s]
 inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings, Real noise)
 {
     return rest.time >= settings.time && speed <= std::max(rest.top_speed / 2, noise);
@@ -111,7 +111,7 @@ struct SleepingForces {
     }
 };
 
-/// The impulses of those who were woken go back to the cache from which the next sweeps start.
+/// The impulses of woken bodies go back to the cache from which the next sweeps start.
 inline void remember_woken(SleepingForces& forces, std::span<const int> woken, ImpulseCache& cache)
 {
     const std::size_t before = cache.entries.size();

@@ -2,10 +2,10 @@
 ///
 ///     broad/METHOD/SCENE/N   contacts of N discs: all pairs, sort and sweep, the grid anew, the pairs kept; the
 ///                            discs take a small step each time. Numbered line by line; `shuffled`: at random
-///     sleepers/WHO/K         a step when K discs sleep and nobody is awake
+///     sleepers/WHO/K         a step when K discs sleep and none is awake
 ///     beside/WHO/K           a step of one pendulum beside K sleepers
-///     awake/WHO/K            a step of the same discs when nobody may sleep; chapter 8's step beside ours
-///     pile/WHO/N             a step of N discs that lie in valleys, when nobody may sleep
+///     awake/WHO/K            a step of the same discs when none may sleep; chapter 8's step beside this chapter's
+///     pile/WHO/N             a step of N discs that lie in valleys, when none may sleep
 ///     rain/WHO/N             ten seconds of N discs that rain and fall asleep: time of a step on average
 ///     kept/SLACK             the pile of 2,000; contacts keep their normal for so many micrometres
 ///     small/ROWS/EXACT/HIT   a hundred columns of so many rows, at rest or hit, swept or solved exactly
@@ -95,7 +95,7 @@ Thing& once(std::map<Key, Thing>& all, const Key& key, const std::function<Thing
 
 constexpr Real margin = 0.02;
 
-/// Numbers the discs line by line, as whoever builds a scene mostly does: neighbours in place are then neighbours in
+/// Numbers the discs line by line, as a scene is mostly built: neighbours in place are then neighbours in
 /// memory.
 void number_by_place(DiscScene& scene)
 {
@@ -123,8 +123,8 @@ DiscScene scattered_by(const std::string& name, Index N)
     return scene;
 }
 
-/// A breath of wind: each disc goes round on a small circle, by 0, 2 or 4 mm a step, drawn by lot: 2 mm on average. It
-/// leaves a skin of 10 mm after about six steps, so in each step about a sixth of them ask the grid, and nobody can
+/// A breath of wind: each disc moves on a small circle, by 0, 2 or 4 mm a step, drawn by lot: 2 mm on average. It
+/// leaves a skin of 10 mm after about six steps, so in each step about a sixth of them query the grid, and none can
 /// foretell which.
 struct Breath {
     static constexpr unsigned places = 64;
@@ -345,7 +345,7 @@ std::vector<std::string> engines()
 
 using Steppers = std::map<std::string, std::unique_ptr<Stepper>>;
 
-/// A field after two seconds: who may sleep does.
+/// A field after two seconds: discs that may sleep do.
 void field_step(benchmark::State& state, const std::string& kind, const std::string& who)
 {
     static Steppers all;
@@ -478,7 +478,7 @@ void small(benchmark::State& state)
     report(state, counted_in(now));
 }
 
-/// 2,000 steps of a scene at rest: the exact answer is that nobody moves.
+/// 2,000 steps of a scene at rest: the exact answer is that nothing moves.
 void early(benchmark::State& state, const DiscScene& scene)
 {
     SkippingSettings settings = early_out(1.0 / 60, false);

@@ -27,6 +27,8 @@ fi
 
 # Pictures of scenes.
 run --scene rain --set discs=2000 --steps 528 --svg "$out/ch10_asleep.svg"
+plot ch10_skin_pair
+plot ch10_islands
 run --scene columns --steps 410 --svg "$out/ch10_columns.svg"
 
 # The counters of the rain, step by step, with sleep and without.
@@ -35,7 +37,7 @@ for method in skipping no_sleep; do
 done
 plot ch10_counters
 
-# What the skin does: distances computed and discs that ask in a step of the rain, against the skin.
+# What the skin does: distances computed and discs that query in a step of the rain, against the skin.
 for skin in 0 0.001 0.002 0.005 0.01 0.02 0.05 0.1 0.2; do
     run --scene rain --set discs=1000 skin=$skin --steps 1200 --csv "$data/run.csv"
     awk -F, -v s=$skin 'NR > 1 { t += $9; a += $10 } END { print s, t / 1200, a / 1200 }' "$data/run.csv" >>"$data/skin"

@@ -115,7 +115,7 @@ private:
             change_disc(now_, 0, now_.scene.bodies.position(0), {5, 0}, 1 / (100 * pi * 0.09));
     }
 
-    /// Each island has the colour of its lowest body; who touches nobody is ink.
+    /// Each island has the colour of its lowest body; a disc that touches nothing is ink.
     Colour colour_of(Index k) const
     {
         constexpr std::array hues = {Colour::blue, Colour::orange, Colour::green,
