@@ -623,7 +623,7 @@ TEST_CASE("a start outside of the bounds is put within them before anything else
 
 TEST_CASE("a small change does not mean a small residual", "[house]")
 {
-    // Relaxed by 1/1000 a row does a thousandth of what it should: the change tests stagnation, not
+    // Relaxed by 1/1000 a visit does a thousandth of what it should: the change tests stagnation, not
     // convergence.
     const Mlcp mlcp = line(2);
     SweepRows rows;

@@ -165,7 +165,7 @@ TEST_CASE("the tableau stores n + 2 columns and no unit columns", "[house]")
     CHECK(tableau.entries().cols() == 7);
 }
 
-TEST_CASE("columns that nobody looks at are left alone and the answer has the same bits", "[house]")
+TEST_CASE("columns that are not needed are left alone and the answer has the same bits", "[house]")
 {
     Random random(4);
     const Index n = 60;
