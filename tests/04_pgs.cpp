@@ -15,6 +15,7 @@
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
 #include "tests/says.hpp"
+#include "tests/sentence.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -112,16 +113,6 @@ Mlcp random_symmetric(Random& random, Index n, bool definite = false)
             mlcp.lo[i] = mlcp.hi[i] = random.uniform(-1, 1);  // pinned
         }
     return mlcp;
-}
-
-std::string sentence_of(const std::function<void()>& act)
-{
-    try {
-        act();
-    } catch (const std::invalid_argument& refused) {
-        return refused.what();
-    }
-    return "accepted";
 }
 
 }  // namespace
@@ -226,7 +217,7 @@ TEST_CASE("a column of discs and a hanging chain assemble into (4.8) and carry (
         settings.margin = 1e-6;
         for (const bool hanging : {false, true}) {
             DiscScene scene = hanging ? hanging_chain(7, mass) : column(7, mass);
-            if (hanging) scene.linked.assign(scene.linked.size(), true);
+            if (hanging) scene.linked = PairSet::all();
             StepData<2> now;
             auto method = by_matrix([](const Mlcp& mlcp) { return pgs(mlcp); });
             step(scene, settings, method, now);
