@@ -76,7 +76,7 @@ struct Discs {
 
 // ---- identities ---------------------------------------------------------------------------------------
 
-TEST_CASE("a bead that nothing corrects leaves the wire as (7.3) says")
+TEST_CASE("a bead that nothing corrects leaves the wire as (7.3) says", "[idea]")
 {
     OneRow run = bead();
     run.method.correction.method = Stabilizer::none;
@@ -92,7 +92,7 @@ TEST_CASE("a bead that nothing corrects leaves the wire as (7.3) says")
     CHECK(std::abs(run.bodies().x.norm() - 1.046637127311678) < 1e-12);
 }
 
-TEST_CASE("a linear error shrinks by 1 minus beta in each step")
+TEST_CASE("a linear error shrinks by 1 minus beta in each step", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         if (method == Stabilizer::none) continue;
@@ -114,7 +114,7 @@ TEST_CASE("a linear error shrinks by 1 minus beta in each step")
     CHECK(run.bodies().x[1] == 0.1);
 }
 
-TEST_CASE("the correction is monotone up to beta 1 and stable below 2 and grows beyond")
+TEST_CASE("the correction is monotone up to beta 1 and stable below 2 and grows beyond", "[idea]")
 {
     for (const Real beta : {0.1, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9, 1.99, 2.01, 2.5}) {
         OneRow run = beside_a_rail();
@@ -134,7 +134,7 @@ TEST_CASE("the correction is monotone up to beta 1 and stable below 2 and grows 
     }
 }
 
-TEST_CASE("a bead with Baumgarte moves by (7.8) in each step and settles where (7.9) says")
+TEST_CASE("a bead with Baumgarte moves by (7.8) in each step and settles where (7.9) says", "[idea]")
 {
     for (const Real beta : {0.05, 0.2, 0.5, 1.0, 1.5})
         for (const Real h : {0.01, 0.05}) {
@@ -153,7 +153,7 @@ TEST_CASE("a bead with Baumgarte moves by (7.8) in each step and settles where (
         }
 }
 
-TEST_CASE("a chain that hangs with too few sweeps sags by (7.12)")
+TEST_CASE("a chain that hangs with too few sweeps sags by (7.12)", "[idea]")
 {
     for (const Index N : {2, 3, 5})
         for (const int sweeps : {1, 2, 3}) {
@@ -180,7 +180,7 @@ TEST_CASE("a chain that hangs with too few sweeps sags by (7.12)")
         }
 }
 
-TEST_CASE("with one sweep a step link k of N hangs too long by N minus k times (7.11)")
+TEST_CASE("with one sweep a step link k of N hangs too long by N minus k times (7.11)", "[idea]")
 {
     const Index N = 10;
     for (const int substeps : {1, 2, 8}) {
@@ -197,14 +197,14 @@ TEST_CASE("with one sweep a step link k of N hangs too long by N minus k times (
     }
 }
 
-TEST_CASE("the bead of exercise 7.3 runs 6.16 mm outside its wire")
+TEST_CASE("the bead of exercise 7.3 runs 6.16 mm outside its wire", "[idea]")
 {
     const Real D = settled_bead(0.2, 3.0 / 60);
     CHECK(D == Approx(0.01236).epsilon(1e-3));                     // its printed digits
     CHECK(std::sqrt(1 + D) - 1 == Approx(6.16e-3).epsilon(1e-3));  // likewise
 }
 
-TEST_CASE("a column whose floor is visited last sags as exercise 7.5 says")
+TEST_CASE("a column whose floor is visited last sags as exercise 7.5 says", "[idea]")
 {
     constexpr Index N = 6;
     const Real g = 9.81, h = 1.0 / 60, beta = 0.2, unit = g * h * h / beta;
@@ -225,7 +225,7 @@ TEST_CASE("a column whose floor is visited last sags as exercise 7.5 says")
     CHECK(std::abs(C[N - 1]) <= 1e-11 * unit);
 }
 
-TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by about n less")
+TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by about n less", "[idea]")
 {
     const auto sag_of = [](int substeps, int sweeps, Real carry) {
         Discs run(hanging_chain(10));
@@ -244,7 +244,8 @@ TEST_CASE("n substeps of one sweep sag by the square of n less and n sweeps by a
     }
 }
 
-TEST_CASE("split impulses sag by (7.19) which is about the square of what Baumgarte's sag is multiplied by")
+TEST_CASE("split impulses sag by (7.19) which is about the square of what Baumgarte's sag is multiplied by",
+          "[idea]")
 {
     const Index N = 4;
     for (const int sweeps : {1, 2, 4}) {
@@ -269,7 +270,7 @@ TEST_CASE("split impulses sag by (7.19) which is about the square of what Baumga
     }
 }
 
-TEST_CASE("ten links sag as much as the text prints with beta 0.2 and with beta 1")
+TEST_CASE("ten links sag as much as the text prints with beta 0.2 and with beta 1", "[idea]")
 {
     const auto sag_in_mm = [](Stabilizer method, Real beta, int sweeps, int repaying, int steps) {
         Discs run(hanging_chain(10), method);
@@ -293,7 +294,8 @@ TEST_CASE("ten links sag as much as the text prints with beta 0.2 and with beta 
                    " mm too long in its worst link and settles at " + printed(s02, 0) + " mm."));
 }
 
-TEST_CASE("a bounce from inside the floor leaves at the faster of its own speed and the repaying one")
+TEST_CASE("a bounce from inside the floor leaves at the faster of its own speed and the repaying one",
+          "[idea]")
 {
     // 5 cm deep, h = 1/60 s, e = 0.5, down at 0.8 m/s: the bounce alone gives 0.4 m/s. β = 0.1 repays at 0.3 m/s and
     // β = 0.2 at 0.6 m/s. Down at 0.2 m/s, below the threshold of 2 g h = 0.33 m/s, there is no bounce.
@@ -316,7 +318,7 @@ TEST_CASE("a bounce from inside the floor leaves at the faster of its own speed 
     CHECK(leaves_at(0.1, 0.2) == Approx(0.3).epsilon(1e-12));
 }
 
-TEST_CASE("no error is repaid faster than the maximum correction speed on either side")
+TEST_CASE("no error is repaid faster than the maximum correction speed on either side", "[idea]")
 {
     StabilizerSettings settings;
     settings.max_correction_speed = 3;
@@ -329,7 +331,7 @@ TEST_CASE("no error is repaid faster than the maximum correction speed on either
     }
 }
 
-TEST_CASE("what repays an overlap may use up a gap beside it and neither keeps nor closes it")
+TEST_CASE("what repays an overlap may use up a gap beside it and neither keeps nor closes it", "[idea]")
 {
     // Two equal discs overlap by 1 cm; the left one has a gap of 2 cm to a wall. Each moves by half a centimetre: the
     // gap is 1.5 cm afterwards. With 0.3 cm it is used up and the right disc moves the rest.
@@ -367,7 +369,7 @@ static Real slope(const std::vector<Real>& x, const std::vector<Real>& y)
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-TEST_CASE("a pendulum on a distance row converges with order 1 under each way to correct")
+TEST_CASE("a pendulum on a distance row converges with order 1 under each way to correct", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         std::vector<Real> steps, errors, lengths;
@@ -398,7 +400,8 @@ TEST_CASE("a pendulum on a distance row converges with order 1 under each way to
     }
 }
 
-TEST_CASE("the reference of a swinging chain keeps its energy and is the pendulum where it has one link")
+TEST_CASE("the reference of a swinging chain keeps its energy and is the pendulum where it has one link",
+          "[house]")
 {
     ChainInAngles pendulum(VecX::Ones(1), 1, pi / 2, 9.81);
     for (int k = 0; k < 10000; ++k) pendulum.step(1e-4);
@@ -413,7 +416,8 @@ TEST_CASE("the reference of a swinging chain keeps its energy and is the pendulu
     CHECK_THROWS_AS(ChainInAngles(VecX::Ones(2), 0, 0, 9.81), std::invalid_argument);
 }
 
-TEST_CASE("a swinging chain in small steps of one sweep converges to its equations without constraints")
+TEST_CASE("a swinging chain in small steps of one sweep converges to its equations without constraints",
+          "[idea]")
 {
     ChainInAngles exact(VecX::Ones(5), 0.1, pi / 2, 9.81);
     for (int k = 0; k < 5000; ++k) exact.step(1e-4);
@@ -433,7 +437,7 @@ TEST_CASE("a swinging chain in small steps of one sweep converges to its equatio
     CHECK(std::abs(slope(steps, errors) - 1) < 0.15);
 }
 
-TEST_CASE("projection with beta 1 holds a bead on its wire to the last digits")
+TEST_CASE("projection with beta 1 holds a bead on its wire to the last digits", "[idea]")
 {
     OneRow run = bead();
     run.method.correction.method = Stabilizer::projection;
@@ -448,7 +452,7 @@ TEST_CASE("projection with beta 1 holds a bead on its wire to the last digits")
 
 // ---- physics ------------------------------------------------------------------------------------------
 
-TEST_CASE("an overlap that is released leaves at beta C over h and hops by (7.15)")
+TEST_CASE("an overlap that is released leaves at beta C over h and hops by (7.15)", "[idea]")
 {
     const Real h = 1.0 / 60, C = 0.1, g = 9.81;
     Discs run(sunken_disc(C));
@@ -471,7 +475,7 @@ TEST_CASE("an overlap that is released leaves at beta C over h and hops by (7.15
     CHECK(std::abs(highest - v * v / (2 * g) - v * h / 2) < g * h * h / 8 + 1e-12);
 }
 
-TEST_CASE("split impulse and projection and relaxation correct an overlap and leave no velocity")
+TEST_CASE("split impulse and projection and relaxation correct an overlap and leave no velocity", "[idea]")
 {
     for (const Stabilizer method :
          {Stabilizer::split_impulse, Stabilizer::projection, Stabilizer::relaxation}) {
@@ -489,7 +493,7 @@ TEST_CASE("split impulse and projection and relaxation correct an overlap and le
     }
 }
 
-TEST_CASE("a disc that Baumgarte pushes out of the floor jumps and with the other ways it does not")
+TEST_CASE("a disc that Baumgarte pushes out of the floor jumps and with the other ways it does not", "[idea]")
 {
     const auto highest = [](Stabilizer method, Real fastest) {
         Discs run(sunken_disc(0.1), method);
@@ -510,7 +514,7 @@ TEST_CASE("a disc that Baumgarte pushes out of the floor jumps and with the othe
         CHECK(highest(method, infinity) < 1e-12);
 }
 
-TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is thrown out")
+TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is thrown out", "[idea]")
 {
     const Real pushing = 0.3;  // [m/s], each contact
     for (const Stabilizer method :
@@ -541,7 +545,8 @@ TEST_CASE("ten discs that overlap recover at the greatest speed and nothing is t
     }
 }
 
-TEST_CASE("without a greatest speed Baumgarte throws the tenth of ten overlapping discs metres high")
+TEST_CASE("without a greatest speed Baumgarte throws the tenth of ten overlapping discs metres high",
+          "[idea]")
 {
     Discs run(crowd(10, 0.2));
     run.method.solver.sweeps.max_sweeps = 400;
@@ -553,7 +558,7 @@ TEST_CASE("without a greatest speed Baumgarte throws the tenth of ten overlappin
     CHECK(highest > 10);
 }
 
-TEST_CASE("a slop leaves an overlap of its size alone and none larger")
+TEST_CASE("a slop leaves an overlap of its size alone and none larger", "[idea]")
 {
     StabilizerSettings settings;
     settings.slop = 0.005;
@@ -570,7 +575,7 @@ TEST_CASE("a slop leaves an overlap of its size alone and none larger")
     CHECK(0.5 - run.scene.bodies.x[1] == Approx(0.005).epsilon(1e-10));
 }
 
-TEST_CASE("a gap closes to zero and not beyond under each way")
+TEST_CASE("a gap closes to zero and not beyond under each way", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         DiscScene scene = sunken_disc(0);
@@ -584,7 +589,7 @@ TEST_CASE("a gap closes to zero and not beyond under each way")
     }
 }
 
-TEST_CASE("a disc that does not reach the floor in a step is not slowed down by its row")
+TEST_CASE("a disc that does not reach the floor in a step is not slowed down by its row", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         DiscScene scene = sunken_disc(-0.019);
@@ -599,7 +604,7 @@ TEST_CASE("a disc that does not reach the floor in a step is not slowed down by 
     }
 }
 
-TEST_CASE("contacts move with their bodies within a step so that n substeps correct n times")
+TEST_CASE("contacts move with their bodies within a step so that n substeps correct n times", "[idea]")
 {
     // Two discs and a wall: C of a pair, and of the wall.
     for (const Stabilizer method :
@@ -621,7 +626,8 @@ TEST_CASE("contacts move with their bodies within a step so that n substeps corr
     }
 }
 
-TEST_CASE("projection once in a step corrects what one step may and no faster than the greatest speed")
+TEST_CASE("projection once in a step corrects what one step may and no faster than the greatest speed",
+          "[idea]")
 {
     Discs run(sunken_disc(0.1), Stabilizer::projection);
     run.scene.gravity.setZero();
@@ -634,7 +640,7 @@ TEST_CASE("projection once in a step corrects what one step may and no faster th
     CHECK(deepest_penetration(run.scene) == Approx(0.08 - 0.3 / 60).epsilon(1e-12));
 }
 
-TEST_CASE("a column of ten and a chain of ten stand and hang with each way that corrects")
+TEST_CASE("a column of ten and a chain of ten stand and hang with each way that corrects", "[idea]")
 {
     for (const Stabilizer method :
          {Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
@@ -650,7 +656,7 @@ TEST_CASE("a column of ten and a chain of ten stand and hang with each way that 
         }
 }
 
-TEST_CASE("a puck tows two discs and momentum stays what it was")
+TEST_CASE("a puck tows two discs and momentum stays what it was", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         DiscScene scene = towed_discs();
@@ -688,7 +694,7 @@ struct CarryingMethod {
     ImpulseSolver<2> solver;
 };
 
-TEST_CASE("carrying the impulses on is stable while enough of them is forgotten and not beyond")
+TEST_CASE("carrying the impulses on is stable while enough of them is forgotten and not beyond", "[idea]")
 {
     const auto worst = [](Real part) {
         DiscScene scene = hanging_chain(20);
@@ -736,7 +742,8 @@ struct TenDiscs : Discs {
     }
 };
 
-TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre under each way that corrects")
+TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre under each way that corrects",
+          "[idea]")
 {
     for (const Stabilizer method :
          {Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection}) {
@@ -751,7 +758,7 @@ TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre un
     }
 }
 
-TEST_CASE("the ten discs are the same bits when run again under each way")
+TEST_CASE("the ten discs are the same bits when run again under each way", "[house]")
 {
     for (const Stabilizer method : all_ways) {
         TenDiscs first(method), second(method);
@@ -763,7 +770,7 @@ TEST_CASE("the ten discs are the same bits when run again under each way")
     }
 }
 
-TEST_CASE("a steady step allocates nothing under each way")
+TEST_CASE("a steady step allocates nothing under each way", "[house]")
 {
     for (const Stabilizer method : all_ways)
         for (const int substeps : {1, 4}) {
@@ -781,7 +788,7 @@ TEST_CASE("a steady step allocates nothing under each way")
         }
 }
 
-TEST_CASE("the guard against allocations notices them")
+TEST_CASE("the guard against allocations notices them", "[house]")
 {
     VecX grows;
     {
@@ -791,7 +798,7 @@ TEST_CASE("the guard against allocations notices them")
     CHECK(NoAllocation::violations() >= 1);
 }
 
-TEST_CASE("correcting sweeps that stop when nothing changes give the same bits as all of them")
+TEST_CASE("correcting sweeps that stop when nothing changes give the same bits as all of them", "[house]")
 {
     // A sweep that changed nothing is followed by sweeps that change nothing.
     for (const Stabilizer method : {Stabilizer::relaxation, Stabilizer::split_impulse}) {
@@ -821,7 +828,7 @@ TEST_CASE("correcting sweeps that stop when nothing changes give the same bits a
     }
 }
 
-TEST_CASE("projection that stops early is as near to its goal as the tolerance says")
+TEST_CASE("projection that stops early is as near to its goal as the tolerance says", "[idea]")
 {
     Discs stops(column(3), Stabilizer::projection), goes_on(column(3), Stabilizer::projection);
     for (Discs* run : {&stops, &goes_on}) {
@@ -840,7 +847,7 @@ TEST_CASE("projection that stops early is as near to its goal as the tolerance s
 
 // ---- bounces and joints -------------------------------------------------------------------------------
 
-TEST_CASE("a ball bounces as in chapter 6 whatever corrects the error")
+TEST_CASE("a ball bounces as in chapter 6 whatever corrects the error", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         DiscScene scene = sunken_disc(-0.5);
@@ -864,7 +871,7 @@ TEST_CASE("a ball bounces as in chapter 6 whatever corrects the error")
     }
 }
 
-TEST_CASE("a motor keeps its speed whatever corrects the error")
+TEST_CASE("a motor keeps its speed whatever corrects the error", "[idea]")
 {
     for (const Stabilizer method : all_ways) {
         DiscScene scene = sunken_disc(0.02);
@@ -919,7 +926,7 @@ static void choose(Discs& run, Random& random)
     run.method.correction.tolerance = 0;
 }
 
-TEST_CASE("turned or mirrored scenes move turned or mirrored")
+TEST_CASE("turned or mirrored scenes move turned or mirrored", "[idea]")
 {
     Random random(70);
     for (int sample = 0; sample < 100; ++sample) {
@@ -949,7 +956,7 @@ TEST_CASE("turned or mirrored scenes move turned or mirrored")
     }
 }
 
-TEST_CASE("other units of mass and length and time give the same motion in those units")
+TEST_CASE("other units of mass and length and time give the same motion in those units", "[idea]")
 {
     Random random(71);
     for (int sample = 0; sample < 100; ++sample) {
@@ -1012,7 +1019,7 @@ struct RenumberedMethod {
     ImpulseSolver<2> solver;
 };
 
-TEST_CASE("renumbered bodies whose rows are visited in the old order move as before")
+TEST_CASE("renumbered bodies whose rows are visited in the old order move as before", "[idea]")
 {
     Random random(72);
     int compared = 0;
@@ -1047,7 +1054,7 @@ TEST_CASE("renumbered bodies whose rows are visited in the old order move as bef
 
 // ---- bad input ----------------------------------------------------------------------------------------
 
-TEST_CASE("200 bad scenes are refused by a sentence or run without a NaN")
+TEST_CASE("200 bad scenes are refused by a sentence or run without a NaN", "[house]")
 {
     Random random(73);
     int refused = 0, ran = 0;
@@ -1116,7 +1123,7 @@ TEST_CASE("200 bad scenes are refused by a sentence or run without a NaN")
     CHECK(ran == 100);
 }
 
-TEST_CASE("settings that make no sense are refused by a sentence that names them")
+TEST_CASE("settings that make no sense are refused by a sentence that names them", "[house]")
 {
     const auto sentence = [](const std::function<void(Discs&)>& spoil) -> std::string {
         Discs run(column(2));

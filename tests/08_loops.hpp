@@ -115,7 +115,7 @@ inline int trusses_that_gain(int count, std::uint64_t seed, Real& most)
     return gained;
 }
 
-TEST_CASE("a remembered start settles for complex modes exactly where (8.7a) says")
+TEST_CASE("a remembered start settles for complex modes exactly where (8.7a) says", "[idea]")
 {
     Random random(87);
     int settled = 0;
@@ -138,7 +138,8 @@ TEST_CASE("a remembered start settles for complex modes exactly where (8.7a) say
 }
 
 TEST_CASE(
-    "five discs in loops explode from one sweep a step as (8.6) predicts and settle from a best multiple")
+    "five discs in loops explode from one sweep a step as (8.6) predicts and settle from a best multiple",
+    "[idea]")
 {
     for (const Order order : {Order::given, Order::coloured}) {
         CAPTURE(to_string(order));
@@ -174,7 +175,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a sweep there and back has real modes from 0 to 1 so that memory settles in loops too")
+TEST_CASE("a sweep there and back has real modes from 0 to 1 so that memory settles in loops too", "[idea]")
 {
     Random random(88);
     int complex_modes = 0;
@@ -207,7 +208,7 @@ TEST_CASE("a sweep there and back has real modes from 0 to 1 so that memory sett
     CHECK(kinetic_energy(scene.bodies) < began);
 }
 
-TEST_CASE("no truss with loops gains energy in small steps")
+TEST_CASE("no truss with loops gains energy in small steps", "[idea]")
 {
     Real most = 0;
     CHECK(trusses_that_gain(300, 89, most) == 0);
@@ -217,14 +218,14 @@ TEST_CASE("no truss with loops gains energy in small steps")
     CHECK(gained_in_small_steps(five_discs_in_loops(), settings, 600) < rounding);
 }
 
-TEST_CASE("ten thousand trusses with loops and none gains energy in small steps", "[.whole]")
+TEST_CASE("ten thousand trusses with loops and none gains energy in small steps", "[.whole][idea]")
 {
     Real most = 0;
     CHECK(trusses_that_gain(10000, 90, most) == 0);
     WARN("the greatest gain of 10000 trusses is " << most << " of the energy at the start");
 }
 
-TEST_CASE("no truss with loops gains energy in warm steps from a best multiple")
+TEST_CASE("no truss with loops gains energy in warm steps from a best multiple", "[idea]")
 {
     Random random(91);
     for (int sample = 0; sample < 200; ++sample) {
@@ -250,7 +251,7 @@ inline DiscScene groove(Real degrees, Real above)
     return scene;
 }
 
-TEST_CASE("a disc that falls into a groove without restitution hardly rises again")
+TEST_CASE("a disc that falls into a groove without restitution hardly rises again", "[idea]")
 {
     // Remembered as a load, the impulse of the impact threw it back at up to 3.2 times its speed.
     for (const Real degrees : {60, 70, 80, 85})
@@ -311,7 +312,7 @@ inline DiscScene crash(Random& random)
     return scene;
 }
 
-TEST_CASE("no impact without restitution gains energy whatever hits and whatever remembers")
+TEST_CASE("no impact without restitution gains energy whatever hits and whatever remembers", "[idea]")
 {
     Random random(92);
     for (int sample = 0; sample < 300; ++sample) {
@@ -335,7 +336,7 @@ TEST_CASE("no impact without restitution gains energy whatever hits and whatever
     }
 }
 
-TEST_CASE("every multiple that a rule allows has a merit of zero at most")
+TEST_CASE("every multiple that a rule allows has a merit of zero at most", "[idea]")
 {
     Random random(93);
     for (int sample = 0; sample < 1000; ++sample) {
@@ -360,7 +361,7 @@ TEST_CASE("every multiple that a rule allows has a merit of zero at most")
     CHECK(multiple_of(0, 0, {}) == 1);
 }
 
-TEST_CASE("up to a hundred million kilograms on four discs sink by centimetres and nothing rises")
+TEST_CASE("up to a hundred million kilograms on four discs sink by centimetres and nothing rises", "[idea]")
 {
     for (const Stabilizer method : outside_of_the_impulses)
         for (int power = -9; power <= 8; ++power) {
@@ -383,7 +384,7 @@ TEST_CASE("up to a hundred million kilograms on four discs sink by centimetres a
         }
 }
 
-TEST_CASE("rules of multiples that make no sense are refused")
+TEST_CASE("rules of multiples that make no sense are refused", "[house]")
 {
     const auto sentence = [](const MultipleRule& rule) -> std::string {
         DiscScene scene = column(2);

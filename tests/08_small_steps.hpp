@@ -87,7 +87,8 @@ inline PoseErrors watched(const EngineScene& from, SmallStepSettings settings, i
     return watch.errors;
 }
 
-TEST_CASE("a small step of another length starts from the scaled impulses also where its rows are the same")
+TEST_CASE("a small step of another length starts from the scaled impulses also where its rows are the same",
+          "[idea]")
 {
     DiscScene scene = engine_scene("column_20_1").scene;
     SmallStepSettings settings = quick_steps();
@@ -105,7 +106,7 @@ TEST_CASE("a small step of another length starts from the scaled impulses also w
     CHECK(scene.bodies.x == anew.bodies.x);
 }
 
-TEST_CASE("small steps are the warm step with nothing computed twice")
+TEST_CASE("small steps are the warm step with nothing computed twice", "[idea]")
 {
     Random random(81);
     int rows_changed = 0;
@@ -136,7 +137,7 @@ TEST_CASE("small steps are the warm step with nothing computed twice")
     CHECK(rows_changed > 200);  // contacts came and went
 }
 
-TEST_CASE("rows that are kept because nothing came or went give the same bits as rows made anew")
+TEST_CASE("rows that are kept because nothing came or went give the same bits as rows made anew", "[house]")
 {
     for (const char* name : {"hanging_10_10", "column_10_100", "triangle_10"}) {
         const EngineScene from = engine_scene(name);
@@ -159,7 +160,7 @@ TEST_CASE("rows that are kept because nothing came or went give the same bits as
     }
 }
 
-TEST_CASE("a small step asks for no memory once it has seen the scene")
+TEST_CASE("a small step asks for no memory once it has seen the scene", "[house]")
 {
     for (const char* name : {"swinging_10_10", "column_20_1", "triangle_10"})
         for (const bool forget : {false, true}) {
@@ -184,7 +185,7 @@ TEST_CASE("a small step asks for no memory once it has seen the scene")
         }
 }
 
-TEST_CASE("a first step that knows its impulses leaves a column where it stands")
+TEST_CASE("a first step that knows its impulses leaves a column where it stands", "[house]")
 {
     // 1e-6 m/s of what the sweeps leave in the first step is all that there is to sink by; without them the column
     // of 20 sinks by millimetres before its impulses have grown.
@@ -198,7 +199,7 @@ TEST_CASE("a first step that knows its impulses leaves a column where it stands"
     CHECK(watched(column, cold, 300).overlap > 2e-4);
 }
 
-TEST_CASE("a triangle on a base of 20 stands with careful steps")
+TEST_CASE("a triangle on a base of 20 stands with careful steps", "[house]")
 {
     const PoseErrors errors = watched(engine_scene("triangle_20"), careful_steps(), 300);
     CHECK(errors.in_order);
@@ -206,7 +207,7 @@ TEST_CASE("a triangle on a base of 20 stands with careful steps")
     CHECK(errors.speed < 1e-3);
 }
 
-TEST_CASE("links of a swinging chain are a fifteenth of a link off at most with quick steps")
+TEST_CASE("links of a swinging chain are a fifteenth of a link off at most with quick steps", "[house]")
 {
     // 16 s of a whip; the largest error is where its end cracks.
     for (const char* name : {"swinging_10_1", "swinging_10_10"}) {
@@ -216,7 +217,7 @@ TEST_CASE("links of a swinging chain are a fifteenth of a link off at most with 
     }
 }
 
-TEST_CASE("no small step adds energy to a heap or to a chain that swings")
+TEST_CASE("no small step adds energy to a heap or to a chain that swings", "[idea]")
 {
     // Mass ratios up to 1000, and overlaps to begin with: the projection lifts what lies on them.
     Random random(82);
@@ -244,7 +245,7 @@ TEST_CASE("no small step adds energy to a heap or to a chain that swings")
     }
 }
 
-TEST_CASE("small steps with settings that make no sense are refused")
+TEST_CASE("small steps with settings that make no sense are refused", "[house]")
 {
     const auto sentence = [](auto change) -> std::string {
         DiscScene scene = engine_scene("column_10_1").scene;
@@ -266,7 +267,7 @@ TEST_CASE("small steps with settings that make no sense are refused")
     CHECK(sentence([](auto& s) { s.correction.beta = 0.5; }).find("beta") != std::string::npos);
 }
 
-TEST_CASE("discs in one point and immovable pairs do not make a number that is none")
+TEST_CASE("discs in one point and immovable pairs do not make a number that is none", "[house]")
 {
     DiscScene scene = column(4);
     scene.bodies.position(1) = scene.bodies.position(0);
@@ -282,7 +283,7 @@ TEST_CASE("discs in one point and immovable pairs do not make a number that is n
     CHECK(scene.bodies.x.tail(4) == fixed);
 }
 
-TEST_CASE("every scene of the engines is valid and begins at rest without an error")
+TEST_CASE("every scene of the engines is valid and begins at rest without an error", "[house]")
 {
     const std::vector<EngineScene> scenes = engine_scenes();
     CHECK(scenes.size() == 27);
@@ -297,7 +298,8 @@ TEST_CASE("every scene of the engines is valid and begins at rest without an err
     }
 }
 
-TEST_CASE("the chain that engines are compared with converges with order 4 and keeps energy and lengths")
+TEST_CASE("the chain that engines are compared with converges with order 4 and keeps energy and lengths",
+          "[house]")
 {
     const EngineScene from = engine_scene("swinging_10_10");
     const auto at_one_second = [&](int steps) {
@@ -325,7 +327,7 @@ TEST_CASE("the chain that engines are compared with converges with order 4 and k
     CHECK_THROWS_AS(ChainReference(then), std::invalid_argument);
 }
 
-TEST_CASE("the measure of errors sees each of them")
+TEST_CASE("the measure of errors sees each of them", "[house]")
 {
     const EngineScene from = engine_scene("column_10_1");
     const auto errors_after = [&](auto change) {

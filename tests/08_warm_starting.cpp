@@ -133,7 +133,7 @@ struct TenDiscs {
 
 // ---- the cache --------------------------------------------------------------------------------------------
 
-TEST_CASE("a row finds its impulse whatever its number is in this step")
+TEST_CASE("a row finds its impulse whatever its number is in this step", "[idea]")
 {
     ImpulseCache cache;
     store(cache, keys_of({{0, 1, 0}, {1, 2, 0}, {world, 0, 0}, {world, 0, 1}}), numbers({1, 2, 3, 4}), 0.01);
@@ -143,7 +143,7 @@ TEST_CASE("a row finds its impulse whatever its number is in this step")
     CHECK(cache.found == 3);
 }
 
-TEST_CASE("joints and machines and contacts of the same numbers are rows of their own")
+TEST_CASE("joints and machines and contacts of the same numbers are rows of their own", "[idea]")
 {
     ImpulseCache cache;
     const std::vector<ImpulseKey> keys{link_key(0),
@@ -158,7 +158,7 @@ TEST_CASE("joints and machines and contacts of the same numbers are rows of thei
     CHECK(lambda == numbers({1, 2, 3, 4, 5, 6}));
 }
 
-TEST_CASE("an impulse is a force times h and another step scales it as in (8.4)")
+TEST_CASE("an impulse is a force times h and another step scales it as in (8.4)", "[idea]")
 {
     ImpulseCache cache;
     const std::vector<ImpulseKey> keys = keys_of({{0, 1, 0}});
@@ -170,7 +170,7 @@ TEST_CASE("an impulse is a force times h and another step scales it as in (8.4)"
     CHECK(lambda[0] == 6);  // the factor is exactly 1
 }
 
-TEST_CASE("a row that goes is forgotten or outlives its absence by as many steps as asked for")
+TEST_CASE("a row that goes is forgotten or outlives its absence by as many steps as asked for", "[idea]")
 {
     const std::vector<ImpulseKey> both = keys_of({{0, 1, 0}, {1, 2, 0}}), one = keys_of({{1, 2, 0}});
     for (const int keep : {0, 1, 3}) {
@@ -186,7 +186,7 @@ TEST_CASE("a row that goes is forgotten or outlives its absence by as many steps
     }
 }
 
-TEST_CASE("what is remembered of an absent row is scaled with each step's h")
+TEST_CASE("what is remembered of an absent row is scaled with each step's h", "[idea]")
 {
     ImpulseCache cache;
     cache.keep = 5;
@@ -198,7 +198,7 @@ TEST_CASE("what is remembered of an absent row is scaled with each step's h")
     CHECK(lambda[0] == Approx(2).epsilon(1e-14));
 }
 
-TEST_CASE("the cache agrees with a dictionary on random rows that come and go and change order")
+TEST_CASE("the cache agrees with a dictionary on random rows that come and go and change order", "[idea]")
 {
     Random random(8);
     ImpulseCache cache;
@@ -225,7 +225,7 @@ TEST_CASE("the cache agrees with a dictionary on random rows that come and go an
     }
 }
 
-TEST_CASE("rows in the previous order are found without a search")
+TEST_CASE("rows in the previous order are found without a search", "[house]")
 {
     std::vector<ImpulseKey> keys;
     for (std::int32_t k = 0; k < 100; ++k) keys.push_back({k, k + 1, 0});
@@ -240,7 +240,7 @@ TEST_CASE("rows in the previous order are found without a search")
     CHECK(cache.found == 99);
 }
 
-TEST_CASE("what is not finite is not remembered and a key that occurs twice is refused")
+TEST_CASE("what is not finite is not remembered and a key that occurs twice is refused", "[house]")
 {
     const std::vector<ImpulseKey> keys = keys_of({{0, 1, 0}, {1, 2, 0}, {2, 3, 0}});
     ImpulseCache cache;
@@ -254,7 +254,7 @@ TEST_CASE("what is not finite is not remembered and a key that occurs twice is r
     CHECK(sentence_of([&] { store(cache, keys, numbers({1}), 1); }) == "there are 3 keys for 1 impulses");
 }
 
-TEST_CASE("the cache asks for no memory once it has seen so many rows")
+TEST_CASE("the cache asks for no memory once it has seen so many rows", "[house]")
 {
     Random random(1);
     std::vector<ImpulseKey> keys;
@@ -277,7 +277,8 @@ TEST_CASE("the cache asks for no memory once it has seen so many rows")
 // ---- discrete identities -----------------------------------------------------------------------------------
 
 TEST_CASE("for two discs in a column by hand one digit costs three sweeps from zero and none from the "
-          "previous answer")
+          "previous answer",
+          "[idea]")
 {
     // The example of the text in units of mgh: answer (2, 1) for floor and upper contact.
     DiscScene scene = column(2);
@@ -294,7 +295,8 @@ TEST_CASE("for two discs in a column by hand one digit costs three sweeps from z
 }
 
 TEST_CASE(
-    "the error of a step that starts from the previous answer follows (8.6) and that of a cold one (8.5)")
+    "the error of a step that starts from the previous answer follows (8.6) and that of a cold one (8.5)",
+    "[idea]")
 {
     for (const Real factor : {0.0, 0.6, 1.0}) {
         const int k = 3;
@@ -330,7 +332,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a cold chain stretches in each step by what a warm one does in its whole life as in (8.8)")
+TEST_CASE("a cold chain stretches in each step by what a warm one does in its whole life as in (8.8)",
+          "[idea]")
 {
     for (const int k : {2, 5, 10}) {
         DiscScene warm = still_chain(8), cold = still_chain(8);
@@ -361,7 +364,8 @@ TEST_CASE("a cold chain stretches in each step by what a warm one does in its wh
     }
 }
 
-TEST_CASE("what impulses do to the kinetic energy is the merit less what the biases account for as in (8.13)")
+TEST_CASE("what impulses do to the kinetic energy is the merit less what the biases account for as in (8.13)",
+          "[idea]")
 {
     Random random(13);
     for (int sample = 0; sample < 100; ++sample) {
@@ -391,7 +395,7 @@ TEST_CASE("what impulses do to the kinetic energy is the merit less what the bia
 
 // ---- the best multiple -------------------------------------------------------------------------------------
 
-TEST_CASE("no other multiple of the previous impulses lowers the merit more")
+TEST_CASE("no other multiple of the previous impulses lowers the merit more", "[idea]")
 {
     Random random(14);
     BodyGroups groups;
@@ -415,7 +419,8 @@ TEST_CASE("no other multiple of the previous impulses lowers the merit more")
 }
 
 TEST_CASE(
-    "the best multiple is 1 when nothing has changed and 102 in 10202 when 100 kg are taken off two discs")
+    "the best multiple is 1 when nothing has changed and 102 in 10202 when 100 kg are taken off two discs",
+    "[idea]")
 {
     for (const bool taken : {false, true}) {
         DiscScene scene = column(3, 100);
@@ -435,7 +440,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("two heaps that do not touch have each its own multiple and step as if alone to the bit")
+TEST_CASE("two heaps that do not touch have each its own multiple and step as if alone to the bit", "[house]")
 {
     const auto heaps = [](bool first, bool second) {
         DiscScene scene;
@@ -468,7 +473,7 @@ TEST_CASE("two heaps that do not touch have each its own multiple and step as if
     CHECK(method.start.groups.of[3] == 0);
 }
 
-TEST_CASE("a fixed disc between two heaps does not join them")
+TEST_CASE("a fixed disc between two heaps does not join them", "[idea]")
 {
     DiscScene scene = column(3);
     scene.bodies.inverse_mass.segment<2>(2).setZero();  // the middle one
@@ -480,7 +485,7 @@ TEST_CASE("a fixed disc between two heaps does not join them")
     CHECK(method.start.groups.of_row[1] == 2);  // discs 1 and 2
 }
 
-TEST_CASE("a load that turns around starts from zero")
+TEST_CASE("a load that turns around starts from zero", "[idea]")
 {
     DiscScene scene = column(2);
     WarmMethod method = method_for(Start::best_multiple, Stabilizer::none, 100);
@@ -495,7 +500,8 @@ TEST_CASE("a load that turns around starts from zero")
 }
 
 TEST_CASE(
-    "rows in conflict do not make the multiple grow their impulses without end nor are they called solved")
+    "rows in conflict do not make the multiple grow their impulses without end nor are they called solved",
+    "[idea]")
 {
     // Three links hang straight; a fourth wants their ends 1 % further apart, in every step.
     for (const Stabilizer way : all_stabilizers) {
@@ -516,7 +522,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("with errors corrected outside of the impulses piles sink and come back and rest without rising")
+TEST_CASE("with errors corrected outside of the impulses piles sink and come back and rest without rising",
+          "[idea]")
 {
     // What comes back overshoots: by 0.16 m in a column of 32 m, by less in the others. A throw would show as more
     // than a diameter, or as a disc that has not come down after ten seconds.
@@ -540,7 +547,7 @@ TEST_CASE("with errors corrected outside of the impulses piles sink and come bac
         }
 }
 
-TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says")
+TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says", "[idea]")
 {
     const auto growth = [](int k) {
         DiscScene scene = still_chain(20);
@@ -572,7 +579,8 @@ TEST_CASE("relaxation settles from eight sweeps on as exercise 8.4 says")
 
 // ---- the exercises ----------------------------------------------------------------------------------------
 
-TEST_CASE("two discs of which the upper doubles its mass take 32 and 29 and 27 sweeps as exercise 8.1 says")
+TEST_CASE("two discs of which the upper doubles its mass take 32 and 29 and 27 sweeps as exercise 8.1 says",
+          "[idea]")
 {
     const auto sweeps = [](Start start) {
         DiscScene scene = column(2);
@@ -590,7 +598,7 @@ TEST_CASE("two discs of which the upper doubles its mass take 32 and 29 and 27 s
     CHECK(sweeps(Start::best_multiple) == 27);
 }
 
-TEST_CASE("a single row is right after one visit from any start as exercise 8.2 says")
+TEST_CASE("a single row is right after one visit from any start as exercise 8.2 says", "[idea]")
 {
     for (const Start start : {Start::cold, Start::previous, Start::best_multiple}) {
         DiscScene scene = column(1);
@@ -603,7 +611,7 @@ TEST_CASE("a single row is right after one visit from any start as exercise 8.2 
     }
 }
 
-TEST_CASE("a column of 20 loses nine tenths of its swing in 75 steps as exercise 8.3 says")
+TEST_CASE("a column of 20 loses nine tenths of its swing in 75 steps as exercise 8.3 says", "[idea]")
 {
     const Real rho = std::pow(std::cos(std::acos(Real{-1}) / 40), 2);
     const Real rate = step_rate(std::pow(rho, 10), 1, 0);
@@ -612,7 +620,7 @@ TEST_CASE("a column of 20 loses nine tenths of its swing in 75 steps as exercise
     CHECK(std::pow(rate, 74) > 0.1);
 }
 
-TEST_CASE("a light link between two chains gives them one multiple as exercise 8.6 says")
+TEST_CASE("a light link between two chains gives them one multiple as exercise 8.6 says", "[idea]")
 {
     // A chain is one disc of 1 kg and one of 3 kg on a row of its own; the light disc joins them with no impulse.
     VecX inverse_mass(6);
@@ -648,7 +656,8 @@ TEST_CASE("a light link between two chains gives them one multiple as exercise 8
 }
 
 TEST_CASE("every mode of (8.10) shrinks exactly if the warm start factor times what sweeps leave times 1 "
-          "plus beta is below 1")
+          "plus beta is below 1",
+          "[idea]")
 {
     Random random(10);
     for (int sample = 0; sample < 3000; ++sample) {
@@ -660,7 +669,8 @@ TEST_CASE("every mode of (8.10) shrinks exactly if the warm start factor times w
 }
 
 TEST_CASE("a chain that starts from the previous answer under Baumgarte is stable from the sweeps on that "
-          "(8.11) says")
+          "(8.11) says",
+          "[idea]")
 {
     const auto growth = [](Index N, int k, Real factor, Real beta) {
         DiscScene scene = still_chain(N);
@@ -690,7 +700,8 @@ TEST_CASE("a chain that starts from the previous answer under Baumgarte is stabl
     CHECK(growth(20, 1, 0.8, 0.2) < 1);
 }
 
-TEST_CASE("with no error in the bias memory settles by the square root of what the sweeps leave as in (8.7)")
+TEST_CASE("with no error in the bias memory settles by the square root of what the sweeps leave as in (8.7)",
+          "[idea]")
 {
     for (const int k : {2, 5}) {
         DiscScene scene = still_chain(10);
@@ -713,7 +724,7 @@ TEST_CASE("with no error in the bias memory settles by the square root of what t
     }
 }
 
-TEST_CASE("the stretch of a warm chain falls with the square of the step")
+TEST_CASE("the stretch of a warm chain falls with the square of the step", "[idea]")
 {
     std::vector<Real> stretch;
     for (Real h = 1.0 / 30; h > 1.0 / 600; h /= 2) {
@@ -729,7 +740,7 @@ TEST_CASE("the stretch of a warm chain falls with the square of the step")
 
 // ---- the step ----------------------------------------------------------------------------------------------
 
-TEST_CASE("a cold start is the step of chapter 7 to the bit")
+TEST_CASE("a cold start is the step of chapter 7 to the bit", "[house]")
 {
     for (const Stabilizer way : all_stabilizers)
         for (const int substeps : {1, 3}) {
@@ -751,7 +762,7 @@ TEST_CASE("a cold start is the step of chapter 7 to the bit")
         }
 }
 
-TEST_CASE("where the sweeps start does not change where they end")
+TEST_CASE("where the sweeps start does not change where they end", "[idea]")
 {
     TenDiscs run(Start::previous);
     for (int k = 0; k < 300; ++k) {
@@ -776,7 +787,8 @@ TEST_CASE("where the sweeps start does not change where they end")
     }
 }
 
-TEST_CASE("the ten discs need 110 sweeps a step from zero and at most half of them from the previous answer")
+TEST_CASE("the ten discs need 110 sweeps a step from zero and at most half of them from the previous answer",
+          "[idea]")
 {
     Real mean[3], best_visits = 0, cold_visits = 0;
     for (const Start start : all_starts) {
@@ -799,7 +811,7 @@ TEST_CASE("the ten discs need 110 sweeps a step from zero and at most half of th
     CHECK(best_visits < cold_visits / 3);
 }
 
-TEST_CASE("a column of 20 stands 10000 steps with one sweep a step once at rest and does not creep")
+TEST_CASE("a column of 20 stands 10000 steps with one sweep a step once at rest and does not creep", "[idea]")
 {
     for (const Start start : {Start::previous, Start::best_multiple})
         for (const Stabilizer way : all_stabilizers) {
@@ -826,7 +838,7 @@ TEST_CASE("a column of 20 stands 10000 steps with one sweep a step once at rest 
         }
 }
 
-TEST_CASE("from zero the same ten sweeps let the column of 20 fall through itself")
+TEST_CASE("from zero the same ten sweeps let the column of 20 fall through itself", "[idea]")
 {
     DiscScene scene = column(20);
     WarmMethod method = method_for(Start::cold);
@@ -835,7 +847,7 @@ TEST_CASE("from zero the same ten sweeps let the column of 20 fall through itsel
     CHECK(scene.bodies.x[39] < 3.9 - 1);
 }
 
-TEST_CASE("two discs freed of a hundred times their mass do not rise above their place")
+TEST_CASE("two discs freed of a hundred times their mass do not rise above their place", "[idea]")
 {
     // F1: at most 10 mm, over 240 steps, with ten sweeps a step.
     const auto highest = [](Start start, Stabilizer way) {
@@ -864,7 +876,8 @@ TEST_CASE("two discs freed of a hundred times their mass do not rise above their
 }
 
 TEST_CASE(
-    "with two sweeps a step the stale guess of F1 throws the disc a metre up and its best multiple does not")
+    "with two sweeps a step the stale guess of F1 throws the disc a metre up and its best multiple does not",
+    "[idea]")
 {
     for (const Start start : {Start::previous, Start::best_multiple}) {
         DiscScene scene = column(2);
@@ -884,7 +897,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a column at rest does not notice when h changes because impulses are scaled")
+TEST_CASE("a column at rest does not notice when h changes because impulses are scaled", "[idea]")
 {
     for (const bool scaled : {true, false}) {
         DiscScene scene = column(10);
@@ -901,7 +914,7 @@ TEST_CASE("a column at rest does not notice when h changes because impulses are 
     }
 }
 
-TEST_CASE("a column at rest does not notice when its rows are shuffled or coloured")
+TEST_CASE("a column at rest does not notice when its rows are shuffled or coloured", "[idea]")
 {
     for (const Order order : all_orders) {
         DiscScene scene = column(10);
@@ -917,7 +930,7 @@ TEST_CASE("a column at rest does not notice when its rows are shuffled or colour
     }
 }
 
-TEST_CASE("rows that are known by number start worse than from zero")
+TEST_CASE("rows that are known by number start worse than from zero", "[idea]")
 {
     // A triangle at rest; in this step one row more comes in front of all others.
     enum Known { by_name, by_number, not_at_all };
@@ -941,7 +954,7 @@ TEST_CASE("rows that are known by number start worse than from zero")
     CHECK(sweeps(by_name) < sweeps(not_at_all) / 5);
 }
 
-TEST_CASE("a contact that returns starts from zero or from what is kept of it")
+TEST_CASE("a contact that returns starts from zero or from what is kept of it", "[idea]")
 {
     for (const int keep : {0, 5}) {
         DiscScene scene = column(3);
@@ -962,7 +975,7 @@ TEST_CASE("a contact that returns starts from zero or from what is kept of it")
     }
 }
 
-TEST_CASE("a pendulum through a warm distance row converges with order 1")
+TEST_CASE("a pendulum through a warm distance row converges with order 1", "[idea]")
 {
     std::vector<Real> error;
     for (Real h = 1.0 / 120; h > 1.0 / 4000; h /= 2) {
@@ -980,7 +993,7 @@ TEST_CASE("a pendulum through a warm distance row converges with order 1")
         CHECK(std::log2(error[i - 1] / error[i]) == Approx(1).margin(0.15));
 }
 
-TEST_CASE("a step asks for no memory once it has seen the scene")
+TEST_CASE("a step asks for no memory once it has seen the scene", "[house]")
 {
     for (const Start start : all_starts)
         for (const Stabilizer way : all_stabilizers)
@@ -1002,7 +1015,7 @@ TEST_CASE("a step asks for no memory once it has seen the scene")
             }
 }
 
-TEST_CASE("the same run gives the same bits")
+TEST_CASE("the same run gives the same bits", "[house]")
 {
     for (const Start start : all_starts)
         for (const Order order : all_orders) {
@@ -1074,7 +1087,7 @@ VecX run(DiscScene scene, AnyStep any, int steps)
 
 }  // namespace
 
-TEST_CASE("units of mass and of length make no difference")
+TEST_CASE("units of mass and of length make no difference", "[idea]")
 {
     Random random(21);
     for (int sample = 0; sample < 40; ++sample) {
@@ -1103,7 +1116,7 @@ TEST_CASE("units of mass and of length make no difference")
     }
 }
 
-TEST_CASE("a turned or mirrored scene gives the turned or mirrored run")
+TEST_CASE("a turned or mirrored scene gives the turned or mirrored run", "[idea]")
 {
     Random random(22);
     for (int sample = 0; sample < 40; ++sample) {
@@ -1127,7 +1140,7 @@ TEST_CASE("a turned or mirrored scene gives the turned or mirrored run")
     }
 }
 
-TEST_CASE("the numbers that bodies have make no difference to an answer that sweeps have reached")
+TEST_CASE("the numbers that bodies have make no difference to an answer that sweeps have reached", "[idea]")
 {
     // Another order of bodies is another order of rows, and only converged sweeps forget theirs.
     Random random(23);
@@ -1154,7 +1167,7 @@ TEST_CASE("the numbers that bodies have make no difference to an answer that swe
     }
 }
 
-TEST_CASE("200 bad scenes are refused with a sentence or run without NaN")
+TEST_CASE("200 bad scenes are refused with a sentence or run without NaN", "[house]")
 {
     Random random(24);
     int refused = 0, ran = 0;
@@ -1216,7 +1229,7 @@ TEST_CASE("200 bad scenes are refused with a sentence or run without NaN")
     CHECK(refused + ran == 200);
 }
 
-TEST_CASE("settings that make no sense are refused")
+TEST_CASE("settings that make no sense are refused", "[house]")
 {
     const auto sentence = [](const std::function<void(StepSettings&, WarmStart&)>& change) {
         DiscScene scene = column(2);

@@ -92,7 +92,7 @@ std::vector<FrictionBox> boxes_of(const Mlcp& mlcp, Real mu)
 
 // ---- the guesses of the text ----------------------------------------------------------------------------
 
-TEST_CASE("the two contacts of the text take two guesses")
+TEST_CASE("the two contacts of the text take two guesses", "[idea]")
 {
     const Mlcp problem = plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -1}));
     ActiveSetSettings settings;
@@ -113,7 +113,7 @@ TEST_CASE("the two contacts of the text take two guesses")
     CHECK(memory.cases == std::vector<BoundState>{BoundState::between, BoundState::at_lo});
 }
 
-TEST_CASE("flipping all wrong rows goes round in the example of the text and the fallback ends it")
+TEST_CASE("flipping all wrong rows goes round in the example of the text and the fallback ends it", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
     const GuessedProblem asked = guessed(problem);
@@ -158,7 +158,7 @@ TEST_CASE("flipping all wrong rows goes round in the example of the text and the
     }
 }
 
-TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says")
+TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says", "[idea]")
 {
     const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
     // One more guess each time: the guess that is then on the table, by its active rows.
@@ -181,7 +181,8 @@ TEST_CASE("from no active row the example of the text cycles too as exercise 9.1
 }
 
 TEST_CASE(
-    "a column from its negative rows takes a guess for each row and from all rows one as exercise 9.3 says")
+    "a column from its negative rows takes a guess for each row and from all rows one as exercise 9.3 says",
+    "[idea]")
 {
     for (const Index n : {2, 7, 20}) {
         MatX A = MatX::Zero(n, n);  // floor first, then the contacts upwards; only the lowest q is negative
@@ -207,7 +208,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says")
+TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[idea]")
 {
     MatX A = MatX::Ones(2, 2);
     Mlcp problem = plain_lcp(A, vector({-1, -1}));
@@ -226,7 +227,7 @@ TEST_CASE("two equal ropes share the load and keep their difference as exercise 
     CHECK(solution.lambda[1] == Approx(0.8).margin(1e-7));
 }
 
-TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sides")
+TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sides", "[house]")
 {
     // Each level of the argument visits a row's three cases at most once: no more than 3^n guesses.
     Random random(11);
@@ -250,7 +251,7 @@ TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sid
     }
 }
 
-TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
+TEST_CASE("a proximal step leaves exactly the change of lambda times the term", "[house]")
 {
     // (9.13), an identity: solve with A + shift and q - shift lambda0 as one set of active rows.
     Random random(12);
@@ -281,7 +282,7 @@ TEST_CASE("a proximal step leaves exactly the change of lambda times the term")
 
 // ---- the factors ----------------------------------------------------------------------------------------
 
-TEST_CASE("a factor with rows appended and removed one at a time is that of the rows it has")
+TEST_CASE("a factor with rows appended and removed one at a time is that of the rows it has", "[house]")
 {
     Random random(20);
     for (int sample = 0; sample < 50; ++sample) {
@@ -306,7 +307,7 @@ TEST_CASE("a factor with rows appended and removed one at a time is that of the 
     }
 }
 
-TEST_CASE("a border of changed rows solves as a new factorisation does")
+TEST_CASE("a border of changed rows solves as a new factorisation does", "[house]")
 {
     Random random(21);
     int borders = 0;
@@ -340,7 +341,7 @@ TEST_CASE("a border of changed rows solves as a new factorisation does")
     CHECK(borders > 100);  // that way was taken
 }
 
-TEST_CASE("the sparse factor of any active rows solves their system in the pattern of the whole")
+TEST_CASE("the sparse factor of any active rows solves their system in the pattern of the whole", "[house]")
 {
     Random random(22);
     for (const Mlcp& problem : {chain_on_hills(40).mlcp(), pile_problem(box_column(20), nudged).mlcp(),
@@ -365,7 +366,7 @@ TEST_CASE("the sparse factor of any active rows solves their system in the patte
     }
 }
 
-TEST_CASE("the pattern is looked for once for a structure")
+TEST_CASE("the pattern is looked for once for a structure", "[house]")
 {
     Mlcp problem = chain_on_hills(50).mlcp();
     SparseLdlt factor;
@@ -380,7 +381,7 @@ TEST_CASE("the pattern is looked for once for a structure")
 
 // ---- physics: closed forms ------------------------------------------------------------------------------
 
-TEST_CASE("each contact of a column carries what is above it")
+TEST_CASE("each contact of a column carries what is above it", "[idea]")
 {
     for (const Index count : {3, 10, 100, 1000})
         for (const Real end_mass : {1.0, 1000.0}) {
@@ -394,7 +395,7 @@ TEST_CASE("each contact of a column carries what is above it")
         }
 }
 
-TEST_CASE("the ten discs of chapter 3 move as by its exact solver")
+TEST_CASE("the ten discs of chapter 3 move as by its exact solver", "[house]")
 {
     DiscScene one = ten_discs(), two = one;
     StepSettings settings;
@@ -415,7 +416,7 @@ TEST_CASE("the ten discs of chapter 3 move as by its exact solver")
     CHECK(warm > 300);  // yesterday's guess is right most of the time
 }
 
-TEST_CASE("a box on redundant contacts is carried whole")
+TEST_CASE("a box on redundant contacts is carried whole", "[house]")
 {
     // The sum of the impulses under a pyramid is its weight times h, however they share it.
     for (const Index levels : {2, 5, 12}) {
@@ -432,7 +433,7 @@ TEST_CASE("a box on redundant contacts is carried whole")
     }
 }
 
-TEST_CASE("pyramids are solved at rest and in impact by guessing alone")
+TEST_CASE("pyramids are solved at rest and in impact by guessing alone", "[house]")
 {
     for (const Index levels : {3, 8, 16, 22})
         for (const Motion& motion : {at_rest, nudged, in_impact}) {
@@ -453,7 +454,7 @@ TEST_CASE("pyramids are solved at rest and in impact by guessing alone")
 
 // ---- order: how the work grows --------------------------------------------------------------------------
 
-TEST_CASE("the entries of the factor grow in proportion to the rows of columns and chains")
+TEST_CASE("the entries of the factor grow in proportion to the rows of columns and chains", "[house]")
 {
     std::vector<Real> rows, column, chain;
     for (const Index n : {50, 100, 200, 400, 800}) {
@@ -471,7 +472,7 @@ TEST_CASE("the entries of the factor grow in proportion to the rows of columns a
     CHECK(std::abs(fitted_slope(rows, chain) - 1) <= 0.15);
 }
 
-TEST_CASE("a step is of first order in h whoever solves its rows")
+TEST_CASE("a step is of first order in h whoever solves its rows", "[idea]")
 {
     // A chain of links alone, swinging from rest: symplectic Euler with exact constraint impulses.
     std::vector<Real> h, error;
@@ -493,7 +494,7 @@ TEST_CASE("a step is of first order in h whoever solves its rows")
 
 // ---- warm starts ----------------------------------------------------------------------------------------
 
-TEST_CASE("an unchanged active set costs one factorisation and gives the same answer")
+TEST_CASE("an unchanged active set costs one factorisation and gives the same answer", "[house]")
 {
     for (const Mlcp& problem : {pile_problem(box_column(60), in_impact).mlcp(), chain_on_hills(100).mlcp(),
                                 pile_problem(box_pyramid(10), in_impact).mlcp(),
@@ -511,7 +512,7 @@ TEST_CASE("an unchanged active set costs one factorisation and gives the same an
     }
 }
 
-TEST_CASE("yesterday's set of another problem does no harm")
+TEST_CASE("yesterday's set of another problem does no harm", "[idea]")
 {
     Random random(40);
     ActiveSetMemory memory;
@@ -527,7 +528,7 @@ TEST_CASE("yesterday's set of another problem does no harm")
     }
 }
 
-TEST_CASE("a warm step on a sparse problem allocates nothing")
+TEST_CASE("a warm step on a sparse problem allocates nothing", "[house]")
 {
     for (const Motion& motion : {at_rest, in_impact}) {
         const Mlcp column = pile_problem(box_column(40), motion).mlcp();
@@ -550,7 +551,7 @@ TEST_CASE("a warm step on a sparse problem allocates nothing")
 
 // ---- against the truth ----------------------------------------------------------------------------------
 
-TEST_CASE("the small problems come out right to the uniqueness that their files state")
+TEST_CASE("the small problems come out right to the uniqueness that their files state", "[idea]")
 {
     for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2",
                              "fric_boxed_s4", "fric_st_s2", "infeasible_psd2", "mass1000_rest_s5",
@@ -578,7 +579,7 @@ TEST_CASE("the small problems come out right to the uniqueness that their files 
     }
 }
 
-TEST_CASE("a thousand random problems of each kind agree with the enumeration of chapter 3")
+TEST_CASE("a thousand random problems of each kind agree with the enumeration of chapter 3", "[idea]")
 {
     for (const Kind kind : all_kinds) {
         Random random(100 + static_cast<std::uint64_t>(kind));
@@ -618,7 +619,8 @@ TEST_CASE("a thousand random problems of each kind agree with the enumeration of
     }
 }
 
-TEST_CASE("planted answers of up to two hundred rows are found and agree with Lemke and with sweeps")
+TEST_CASE("planted answers of up to two hundred rows are found and agree with Lemke and with sweeps",
+          "[idea]")
 {
     for (const Kind kind : all_kinds) {
         Random random(200 + static_cast<std::uint64_t>(kind));
@@ -647,7 +649,7 @@ TEST_CASE("planted answers of up to two hundred rows are found and agree with Le
     }
 }
 
-TEST_CASE("infeasible semidefinite problems are recognised")
+TEST_CASE("infeasible semidefinite problems are recognised", "[idea]")
 {
     // y ≥ 0 with A y = 0 and qᵀy < 0 is planted: no z has A z + q ≥ 0.
     Random random(300);
@@ -671,7 +673,7 @@ TEST_CASE("infeasible semidefinite problems are recognised")
     CHECK(driven >= 290);
 }
 
-TEST_CASE("a contact that pushes into two fixed walls has no answer and that is said")
+TEST_CASE("a contact that pushes into two fixed walls has no answer and that is said", "[idea]")
 {
     // A disc of 1 kg between two walls that both move towards it: u ≥ 1 and -u ≥ 1.
     const Mlcp problem = plain_lcp(matrix2(1, -1, -1, 1), vector({-1, -1}));
@@ -723,7 +725,8 @@ Mlcp nasty(int sample, Random& random)
 
 }  // namespace
 
-TEST_CASE("a random search finds no exact solver that says solved with a residual above 1e-8 or that loops")
+TEST_CASE("a random search finds no exact solver that says solved with a residual above 1e-8 or that loops",
+          "[idea]")
 {
     Random random(400);
     int solved = 0, differ = 0;
@@ -769,7 +772,7 @@ TEST_CASE("a random search finds no exact solver that says solved with a residua
 
 // ---- friction boxes -------------------------------------------------------------------------------------
 
-TEST_CASE("a block on a slope sticks up to the angle of friction and slides beyond it")
+TEST_CASE("a block on a slope sticks up to the angle of friction and slides beyond it", "[idea]")
 {
     // 2 kg; the normal row and the tangential one do not couple: λ_n = m g cos θ h, λ_f = -clamp(m g sin θ h).
     const Real g = 9.81, h = 1.0 / 60, mu = 0.3;
@@ -788,7 +791,7 @@ TEST_CASE("a block on a slope sticks up to the angle of friction and slides beyo
     }
 }
 
-TEST_CASE("columns with friction boxes are solved by the bounds of their own answer")
+TEST_CASE("columns with friction boxes are solved by the bounds of their own answer", "[idea]")
 {
     for (const Real mu : {0.0, 0.1, 0.5, 1.0})
         for (const Index count : {5, 50, 150})
@@ -806,7 +809,7 @@ TEST_CASE("columns with friction boxes are solved by the bounds of their own ans
 
 // ---- properties -----------------------------------------------------------------------------------------
 
-TEST_CASE("masses and lengths in other units and rows in another order give the same impulses")
+TEST_CASE("masses and lengths in other units and rows in another order give the same impulses", "[idea]")
 {
     Random random(500);
     for (int sample = 0; sample < 200; ++sample) {
@@ -850,7 +853,7 @@ TEST_CASE("masses and lengths in other units and rows in another order give the 
     }
 }
 
-TEST_CASE("the same problem gives the same bits twice")
+TEST_CASE("the same problem gives the same bits twice", "[house]")
 {
     const Mlcp problem = pile_problem(box_pyramid(12), in_impact).mlcp();
     const Solution first = active_sets(problem), second = active_sets(problem);
@@ -858,7 +861,7 @@ TEST_CASE("the same problem gives the same bits twice")
     CHECK(first.iterations == second.iterations);
 }
 
-TEST_CASE("a problem without rows and rows without room are solved")
+TEST_CASE("a problem without rows and rows without room are solved", "[idea]")
 {
     Mlcp problem = plain_lcp(MatX(0, 0), VecX(0));
     CHECK(active_sets(problem).status == Status::solved);
@@ -871,7 +874,7 @@ TEST_CASE("a problem without rows and rows without room are solved")
     }
 }
 
-TEST_CASE("a problem that makes no sense is refused with a sentence")
+TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
 {
     Mlcp problem = plain_lcp(MatX::Identity(2, 2), vector({-1, -1}));
     ActiveSetSettings settings;
@@ -905,7 +908,7 @@ TEST_CASE("a problem that makes no sense is refused with a sentence")
     }
 }
 
-TEST_CASE("numbers too large for doubles end with an honest status")
+TEST_CASE("numbers too large for doubles end with an honest status", "[idea]")
 {
     for (const Mlcp& problem : {plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})),
                                 plain_lcp(matrix2(1e-300, 0, 0, 1e300), vector({-1, -1}))})
@@ -942,7 +945,7 @@ Real strays(Real share)
 
 }  // namespace
 
-TEST_CASE("a chain whose rows are exact stays straight while h is below (9.22) and not beyond")
+TEST_CASE("a chain whose rows are exact stays straight while h is below (9.22) and not beyond", "[idea]")
 {
     // The tension is that of the end mass to 0.2 %, and 19 beads between fixed ends reach cos(pi/40) = 0.997 of the
     // greatest frequency: 2 % on either side of the border is enough. The least that 300 steps of 1.02 would grow
@@ -951,7 +954,8 @@ TEST_CASE("a chain whose rows are exact stays straight while h is below (9.22) a
     CHECK(strays(1.02) > 1e-2);
 }
 
-TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 16 exact small steps")
+TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 16 exact small steps",
+          "[idea]")
 {
     DiscScene scene = hanging_chain(1000);
     scene.linked = PairSet::all();
@@ -976,7 +980,7 @@ TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 1
     CHECK(std::abs(energy() - start) < 0.01 * 1000 * 9.81 * 100);
 }
 
-TEST_CASE("an exact step leaves an overlap as chapter 7 says and no velocity")
+TEST_CASE("an exact step leaves an overlap as chapter 7 says and no velocity", "[idea]")
 {
     DiscScene scene = column(1);
     scene.bodies.position(0).y() -= 0.05;
@@ -992,7 +996,8 @@ TEST_CASE("an exact step leaves an overlap as chapter 7 says and no velocity")
 }
 
 TEST_CASE(
-    "small steps stay out of each other if the margin is the way that a step goes and not if it is less")
+    "small steps stay out of each other if the margin is the way that a step goes and not if it is less",
+    "[idea]")
 {
     // Ten discs fall in a box with steps of 1/10 s. They reach 4 m/s, so a step goes 0.4 m, and contacts are found
     // once in it.
@@ -1019,7 +1024,7 @@ TEST_CASE(
 
 // ---- a step among steps ---------------------------------------------------------------------------------
 
-TEST_CASE("rows that depend on each other once cost no term once they do not")
+TEST_CASE("rows that depend on each other once cost no term once they do not", "[house]")
 {
     ActiveSetMemory memory;
     Solution solution;
@@ -1042,7 +1047,7 @@ TEST_CASE("rows that depend on each other once cost no term once they do not")
     CHECK(memory.work.outer_steps == 0);  // other rows are another problem
 }
 
-TEST_CASE("what rounding makes of a step is not solved and what gravity makes of it is")
+TEST_CASE("what rounding makes of a step is not solved and what gravity makes of it is", "[house]")
 {
     Random random(61);
     Mlcp problem = pile_problem(box_pyramid(8), at_rest).mlcp();

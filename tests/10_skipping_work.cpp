@@ -174,7 +174,7 @@ Real slope(const std::vector<Real>& x, const std::vector<Real>& y)
 
 // ---- broad phase -----------------------------------------------------------------------------------
 
-TEST_CASE("the contacts of the grid are those of all pairs in the same order while discs wander")
+TEST_CASE("the contacts of the grid are those of all pairs in the same order while discs wander", "[idea]")
 {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         Random random(seed);
@@ -192,7 +192,7 @@ TEST_CASE("the contacts of the grid are those of all pairs in the same order whi
     }
 }
 
-TEST_CASE("filtered pairs are left out and all others found")
+TEST_CASE("filtered pairs are left out and all others found", "[idea]")
 {
     Random random(5);
     DiscScene scene = scattered(150, 1, 2, 5);
@@ -217,7 +217,7 @@ TEST_CASE("filtered pairs are left out and all others found")
     CHECK(same(finder.find(scene), wanted));
 }
 
-TEST_CASE("sort and sweep finds the pairs of the grid along both axes")
+TEST_CASE("sort and sweep finds the pairs of the grid along both axes", "[idea]")
 {
     Random random(2);
     DiscScene scene = scattered(300, 0.6, 20, 3);
@@ -239,7 +239,7 @@ TEST_CASE("sort and sweep finds the pairs of the grid along both axes")
     CHECK(along[0].exchanged < 300 * 60);  // it stays nearly sorted
 }
 
-TEST_CASE("a pair at the very edge of the margin is found as all pairs find it")
+TEST_CASE("a pair at the very edge of the margin is found as all pairs find it", "[idea]")
 {
     // Distances within a few roundings of r_a + r_b + margin, in every direction, near and far from the origin.
     Random random(7);
@@ -263,7 +263,7 @@ TEST_CASE("a pair at the very edge of the margin is found as all pairs find it")
     CHECK(touching < 2500);
 }
 
-TEST_CASE("a giant among grains and grains on a giant are found")
+TEST_CASE("a giant among grains and grains on a giant are found", "[idea]")
 {
     DiscScene scene = scattered(2000, 0.2, 1, 4);
     scene.radius[1000] = 4;
@@ -274,7 +274,7 @@ TEST_CASE("a giant among grains and grains on a giant are found")
     CHECK(same(finder.find(scene), by_brute_force(scene, 0.01)));
 }
 
-TEST_CASE("far from the origin and beyond the last cell nothing is lost")
+TEST_CASE("far from the origin and beyond the last cell nothing is lost", "[idea]")
 {
     for (const Real away : {1e6, 1e9, 1e12}) {
         DiscScene scene = scattered(60, 0.8, 3, 6);
@@ -293,7 +293,8 @@ TEST_CASE("far from the origin and beyond the last cell nothing is lost")
     CHECK(finder.broad.tested < 20 * 40);
 }
 
-TEST_CASE("pairs tested are at most eight for each disc of a sparse scene of a hundred to a hundred thousand")
+TEST_CASE("pairs tested are at most eight for each disc of a sparse scene of a hundred to a hundred thousand",
+          "[idea]")
 {
     // Discs of one size, a tenth of the area: a disc looks into nine cells at most, s < 2 (2r + margin + 2 skin) wide,
     // of (3 s)² / (π r² / 0.1) < 9 · 4 · 0.24² · 0.1 / (π · 0.01) = 6.6 discs; a pair is tested up to three times.
@@ -310,7 +311,8 @@ TEST_CASE("pairs tested are at most eight for each disc of a sparse scene of a h
     if (sizes.size() == 4) CHECK(tested[3] < 1e-3 * 0.5 * sizes[3] * sizes[3]);
 }
 
-TEST_CASE("the grid looks into as many cells on either side of zero and into none for a giant among few")
+TEST_CASE("the grid looks into as many cells on either side of zero and into none for a giant among few",
+          "[house]")
 {
     // Discs of radius ¼ with cells of exactly ½, one in each: a look from one at its neighbours tests three by three.
     const auto looked = [](Real origin) {
@@ -337,7 +339,7 @@ TEST_CASE("the grid looks into as many cells on either side of zero and into non
     CHECK(grid.cells + grid.tested < 50);  // and not 40 million cells of 2 cm
 }
 
-TEST_CASE("a pair is kept apart in whatever order it is named")
+TEST_CASE("a pair is kept apart in whatever order it is named", "[idea]")
 {
     const CollisionFilter filter = forbid_pairs(4, {{2, 0}, {1, 3}, {3, 1}});
     CHECK(filter.forbids(0, 2));
@@ -346,7 +348,7 @@ TEST_CASE("a pair is kept apart in whatever order it is named")
     CHECK(filter.partner.size() == 2);
 }
 
-TEST_CASE("sizes from one to a hundred cost less than thirty tests for each disc")
+TEST_CASE("sizes from one to a hundred cost less than thirty tests for each disc", "[idea]")
 {
     for (const Index N : {1000, 30000}) {
         DiscScene scene = scattered(N, 0.3, 100, 1);
@@ -356,7 +358,7 @@ TEST_CASE("sizes from one to a hundred cost less than thirty tests for each disc
     }
 }
 
-TEST_CASE("a net of ten thousand linked discs tests no pair and makes no contact")
+TEST_CASE("a net of ten thousand linked discs tests no pair and makes no contact", "[house]")
 {
     const DiscScene scene = net(100);
     SkippingWorld now = make_world(scene, net_filter(scene));
@@ -373,7 +375,7 @@ TEST_CASE("a net of ten thousand linked discs tests no pair and makes no contact
     if (other.counters.contacts == 0) CHECK(same_state(now.scene, other.scene));
 }
 
-TEST_CASE("discs that do not move ask the grid once")
+TEST_CASE("discs that do not move ask the grid once", "[idea]")
 {
     DiscScene scene = scattered(400, 0.5, 3, 8);
     Finder finder(scene, 0.02, 0.01);
@@ -388,7 +390,8 @@ TEST_CASE("discs that do not move ask the grid once")
     CHECK(same(finder.contacts, by_brute_force(scene, 0.02)));
 }
 
-TEST_CASE("other units of length and a mirror and a quarter turn and other numbers find the same contacts")
+TEST_CASE("other units of length and a mirror and a quarter turn and other numbers find the same contacts",
+          "[idea]")
 {
     const DiscScene scene = scattered(200, 0.8, 8, 11);
     Finder finder(scene, 0.02, 0.01);
@@ -439,7 +442,7 @@ Row<2> row_between(Index a, Index b, const VecX& inverse_mass)
 
 }  // namespace
 
-TEST_CASE("the islands of the text are those of six discs and two that are fixed")
+TEST_CASE("the islands of the text are those of six discs and two that are fixed", "[idea]")
 {
     // Bodies 2 and 5 are fixed. 0 and 3 touch; 1 stands on 2; 4 stands on 2 and on 5; 6 leans on 3; 7 is alone.
     VecX inverse_mass = VecX::Ones(16);
@@ -465,7 +468,7 @@ TEST_CASE("the islands of the text are those of six discs and two that are fixed
     CHECK(islands.rows_of(3).empty());
 }
 
-TEST_CASE("islands are the connected parts of random rows and rows of two islands do not meet in A")
+TEST_CASE("islands are the connected parts of random rows and rows of two islands do not meet in A", "[idea]")
 {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         Random random(seed);
@@ -514,7 +517,8 @@ TEST_CASE("islands are the connected parts of random rows and rows of two island
     }
 }
 
-TEST_CASE("without sleep the step has the bits of chapter 8 with broad phase and islands and without")
+TEST_CASE("without sleep the step has the bits of chapter 8 with broad phase and islands and without",
+          "[house]")
 {
     const Real h = 1.0 / 240;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -546,7 +550,7 @@ TEST_CASE("without sleep the step has the bits of chapter 8 with broad phase and
     }
 }
 
-TEST_CASE("links and springs and the hand have the bits of chapter 8 too")
+TEST_CASE("links and springs and the hand have the bits of chapter 8 too", "[house]")
 {
     DiscScene scene = ten_discs();
     SkippingSettings settings = fixed_sweeps(20, 1.0 / 480);
@@ -563,7 +567,7 @@ TEST_CASE("links and springs and the hand have the bits of chapter 8 too")
     }
 }
 
-TEST_CASE("an island that needs many sweeps does not make its neighbours sweep")
+TEST_CASE("an island that needs many sweeps does not make its neighbours sweep", "[idea]")
 {
     // A column of thirty settles beside a hundred single discs.
     DiscScene scene = empty_scene(130);
@@ -590,7 +594,7 @@ TEST_CASE("an island that needs many sweeps does not make its neighbours sweep")
     CHECK((apart.scene.bodies.u - in_one.scene.bodies.u).cwiseAbs().maxCoeff() < 1e-6 * 900);
 }
 
-TEST_CASE("an island is said to be solved only when its residual is below the tolerance")
+TEST_CASE("an island is said to be solved only when its residual is below the tolerance", "[idea]")
 {
     // A light body that eight heavy ones push about in nearly the same direction: what the last of them change adds up
     // for the first.
@@ -633,7 +637,7 @@ TEST_CASE("an island is said to be solved only when its residual is below the to
     CHECK(traps > 50);
 }
 
-TEST_CASE("small islands that are solved exactly have the answer that many sweeps approach")
+TEST_CASE("small islands that are solved exactly have the answer that many sweeps approach", "[idea]")
 {
     const DiscScene scene = rain_on_hills(60, 6, 6);
     SkippingSettings settings = early_out(1.0 / 240);
@@ -661,7 +665,7 @@ TEST_CASE("small islands that are solved exactly have the answer that many sweep
     CHECK(compared > 20);
 }
 
-TEST_CASE("one row and two rows have in closed form the answer of chapter 9")
+TEST_CASE("one row and two rows have in closed form the answer of chapter 9", "[idea]")
 {
     Random random(8);
     std::vector<ExactScratch> scratch;
@@ -710,7 +714,8 @@ TEST_CASE("one row and two rows have in closed form the answer of chapter 9")
 }
 
 TEST_CASE("a small exact island that is called solved has the residual that was asked for however parallel "
-          "its rows")
+          "its rows",
+          "[idea]")
 {
     // Two rows on one body at angles from 1e-9 rad to a right one, also none: in closed form they lose up to eight
     // digits, and beyond them all.
@@ -747,7 +752,7 @@ TEST_CASE("a small exact island that is called solved has the residual that was 
     CHECK(solved > 3500);
 }
 
-TEST_CASE("for two balls and a wall by hand the exact island gives what (10.6) says")
+TEST_CASE("for two balls and a wall by hand the exact island gives what (10.6) says", "[idea]")
 {
     // 1 kg against the wall at 0 m/s, 3 kg runs into it at 2 m/s: both stop, 6 N s each, whatever λ they start from.
     for (const Real start : {0.0, 2.0, 9.0}) {
@@ -772,7 +777,7 @@ TEST_CASE("for two balls and a wall by hand the exact island gives what (10.6) s
 
 // ---- sleeping --------------------------------------------------------------------------------------
 
-TEST_CASE("a body that lies still falls asleep after exactly T over h steps")
+TEST_CASE("a body that lies still falls asleep after exactly T over h steps", "[idea]")
 {
     for (const Real h : {1.0 / 60, 1.0 / 64, 1.0 / 240, 1.0 / 1000}) {
         SkippingWorld now = world_of(columns(1, 1));
@@ -784,7 +789,7 @@ TEST_CASE("a body that lies still falls asleep after exactly T over h steps")
     }
 }
 
-TEST_CASE("when all sleep a step does nothing and bodies stand where they stood")
+TEST_CASE("when all sleep a step does nothing and bodies stand where they stood", "[idea]")
 {
     SkippingWorld now = world_of(columns(40, 5));
     const SkippingSettings settings = early_out();
@@ -799,7 +804,7 @@ TEST_CASE("when all sleep a step does nothing and bodies stand where they stood"
     CHECK(now.counters.visits == 0);
 }
 
-TEST_CASE("work beside sleepers does not depend on how many sleep")
+TEST_CASE("work beside sleepers does not depend on how many sleep", "[idea]")
 {
     std::vector<std::array<std::int64_t, 6>> counts;
     std::vector<Vec2> bobs;
@@ -820,7 +825,7 @@ TEST_CASE("work beside sleepers does not depend on how many sleep")
     }
 }
 
-TEST_CASE("a ball at the top of its flight and a pendulum at its apex stay awake")
+TEST_CASE("a ball at the top of its flight and a pendulum at its apex stay awake", "[idea]")
 {
     // A ball thrown up so slowly that its speed is below v_rest for the whole flight would be one thing; this one has
     // the speed zero in one step only. The pendulum swings by 1 degree: its speed is below 1 mm/s for a while each time.
@@ -846,7 +851,7 @@ TEST_CASE("a ball at the top of its flight and a pendulum at its apex stay awake
     CHECK(slow > 50);
 }
 
-TEST_CASE("even with a time of rest of one step nothing that is accelerated sleeps")
+TEST_CASE("even with a time of rest of one step nothing that is accelerated sleeps", "[idea]")
 {
     // Only (10.8)'s second half is left to keep it awake: the speed is zero in the first step.
     DiscScene ball = empty_scene(1);
@@ -863,7 +868,8 @@ TEST_CASE("even with a time of rest of one step nothing that is accelerated slee
     CHECK(up.scene.bodies.u[1] < 0);
 }
 
-TEST_CASE("a disc that stands beside the edge of its balance topples and does not fall asleep on the way")
+TEST_CASE("a disc that stands beside the edge of its balance topples and does not fall asleep on the way",
+          "[idea]")
 {
     // On a fixed disc of the same size, `off` beside its top. Its speed grows by e in 0.1 s, and is below 1 mm/s for
     // longer than the time of rest.
@@ -879,7 +885,7 @@ TEST_CASE("a disc that stands beside the edge of its balance topples and does no
     }
 }
 
-TEST_CASE("a disc that glides on for ever does not fall asleep however slowly it glides")
+TEST_CASE("a disc that glides on for ever does not fall asleep however slowly it glides", "[idea]")
 {
     for (const Real speed : {9e-4, 1e-5, 1e-7}) {
         DiscScene scene = columns(1, 1);
@@ -896,7 +902,8 @@ TEST_CASE("a disc that glides on for ever does not fall asleep however slowly it
 }
 
 TEST_CASE("a swing that never exceeds the speed of rest is frozen at most v over omega from its middle as in "
-          "(10.9)")
+          "(10.9)",
+          "[idea]")
 {
     const Real L = 0.1, omega = std::sqrt(9.81 / L);
     for (const Real part : {0.3, 0.9, 1.5, 5.0}) {  // of the amplitude whose top speed is v_rest
@@ -914,7 +921,7 @@ TEST_CASE("a swing that never exceeds the speed of rest is frozen at most v over
     }
 }
 
-TEST_CASE("what sleep costs in place shrinks in proportion to the speed of rest")
+TEST_CASE("what sleep costs in place shrinks in proportion to the speed of rest", "[idea]")
 {
     // Ten discs let go above the ground of the rain come to rest; how far from where they go without sleep?
     // A hand's width to the side they creep into their notches, so each threshold stops them elsewhere.
@@ -945,7 +952,7 @@ TEST_CASE("what sleep costs in place shrinks in proportion to the speed of rest"
     CHECK(slope(speeds, errors) == Approx(1).margin(0.15));
 }
 
-TEST_CASE("rain comes to rest at the same place with sleep and without to a tenth of a millimetre")
+TEST_CASE("rain comes to rest at the same place with sleep and without to a tenth of a millimetre", "[idea]")
 {
     const Real h = 1.0 / 240;
     SkippingSettings settings = early_out(h);
@@ -971,7 +978,7 @@ TEST_CASE("rain comes to rest at the same place with sleep and without to a tent
         CHECK(contact.gap > -2 * settings.stabilizer.slop);
 }
 
-TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves when nobody slept")
+TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves when nobody slept", "[idea]")
 {
     DiscScene scene = empty_scene(12);
     set_disc(scene, 0, {-3, 0.03}, 0.1);
@@ -1000,7 +1007,7 @@ TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves 
     CHECK(most == 12);
 }
 
-TEST_CASE("no row ever joins a body that is awake and one that sleeps")
+TEST_CASE("no row ever joins a body that is awake and one that sleeps", "[idea]")
 {
     SkippingSettings settings = early_out(1.0 / 240);
     settings.sweeps.max_sweeps = 20;
@@ -1028,7 +1035,7 @@ TEST_CASE("no row ever joins a body that is awake and one that sleeps")
     CHECK(slept > 150);
 }
 
-TEST_CASE("who is awake has the contacts of all pairs while others sleep and wake and are changed")
+TEST_CASE("who is awake has the contacts of all pairs while others sleep and wake and are changed", "[idea]")
 {
     // Discs on a table glide, stop for a moment, sleep far too easily, are hit and pushed and stopped by hand.
     int slept = 0, woken = 0;
@@ -1071,7 +1078,7 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
     CHECK(woken > 10000);
 }
 
-TEST_CASE("who is woken while others ask finds those who have asked before")
+TEST_CASE("who is woken while others ask finds those who have asked before", "[idea]")
 {
     // Disc 2 sleeps 9 cm from where the grid holds it. 0 asks, and does not see it there; then 1 asks and wakes it.
     DiscScene scene = empty_scene(3);
@@ -1098,7 +1105,7 @@ TEST_CASE("who is woken while others ask finds those who have asked before")
     CHECK(finder.broad.queries == 0);
 }
 
-TEST_CASE("a disc that is jammed between two that are fixed has no answer and does not sleep")
+TEST_CASE("a disc that is jammed between two that are fixed has no answer and does not sleep", "[idea]")
 {
     DiscScene scene = empty_scene(3);
     set_disc(scene, 0, {-0.19, 0}, 0.1, true);
@@ -1115,7 +1122,7 @@ TEST_CASE("a disc that is jammed between two that are fixed has no answer and do
     CHECK(now.method.contacts.set.is_awake(2));
 }
 
-TEST_CASE("who falls asleep without a row is no island any more")
+TEST_CASE("who falls asleep without a row is no island any more", "[idea]")
 {
     DiscScene scene = empty_scene(2);
     set_disc(scene, 0, {0, 0}, 0.1);
@@ -1148,7 +1155,7 @@ SkippingWorld three_columns_asleep(const SkippingSettings& settings)
 
 }  // namespace
 
-TEST_CASE("a hand wakes the island that it touches and no other")
+TEST_CASE("a hand wakes the island that it touches and no other", "[idea]")
 {
     SkippingSettings settings = early_out();
     SkippingWorld now = three_columns_asleep(settings);
@@ -1166,7 +1173,7 @@ TEST_CASE("a hand wakes the island that it touches and no other")
     steps_to_sleep(now, settings);
 }
 
-TEST_CASE("a change of gravity wakes everybody")
+TEST_CASE("a change of gravity wakes everybody", "[idea]")
 {
     SkippingSettings settings = early_out();
     SkippingWorld now = three_columns_asleep(settings);
@@ -1181,7 +1188,7 @@ TEST_CASE("a change of gravity wakes everybody")
     CHECK(now.scene.bodies.position(0).x() > 0.2);
 }
 
-TEST_CASE("who is woken starts from the forces that it fell asleep with")
+TEST_CASE("who is woken starts from the forces that it fell asleep with", "[idea]")
 {
     SkippingSettings settings = early_out();
     settings.exact_rows = 0;  // four rows: sweeps are to be counted
@@ -1208,7 +1215,7 @@ TEST_CASE("who is woken starts from the forces that it fell asleep with")
     CHECK(now.counters.unsolved == 0);
 }
 
-TEST_CASE("when a disc is taken away what stood on it falls as if it had never slept")
+TEST_CASE("when a disc is taken away what stood on it falls as if it had never slept", "[idea]")
 {
     SkippingSettings settings = early_out();
     SkippingWorld now = three_columns_asleep(settings);
@@ -1225,7 +1232,7 @@ TEST_CASE("when a disc is taken away what stood on it falls as if it had never s
     CHECK(now.scene.bodies.position(5).y() == Approx(0.1).margin(1e-3));
 }
 
-TEST_CASE("when a fixed support moves or goes its load wakes and when one arrives it is felt")
+TEST_CASE("when a fixed support moves or goes its load wakes and when one arrives it is felt", "[idea]")
 {
     DiscScene scene = empty_scene(3);
     set_disc(scene, 0, {-0.15, 0}, 0.1, true);
@@ -1249,7 +1256,8 @@ TEST_CASE("when a fixed support moves or goes its load wakes and when one arrive
     }
 }
 
-TEST_CASE("a fixed disc that moves pushes sleepers out of its way and they do not sleep while it does")
+TEST_CASE("a fixed disc that moves pushes sleepers out of its way and they do not sleep while it does",
+          "[idea]")
 {
     DiscScene scene = empty_scene(2);
     set_disc(scene, 0, {-2, 0.1}, 0.1, true);
@@ -1267,7 +1275,7 @@ TEST_CASE("a fixed disc that moves pushes sleepers out of its way and they do no
     CHECK(now.scene.bodies.position(1).x() == Approx(-0.21 + 40 * 5e-4 + 0.2).margin(1e-3));
 }
 
-TEST_CASE("a cut link wakes what hung on it")
+TEST_CASE("a cut link wakes what hung on it", "[idea]")
 {
     DiscScene scene = hanging_chain(6);
     SkippingSettings settings = early_out();
@@ -1280,7 +1288,7 @@ TEST_CASE("a cut link wakes what hung on it")
     CHECK(now.counters.islands == 2);
 }
 
-TEST_CASE("springs keep an island together and a change of their stiffness wakes it")
+TEST_CASE("springs keep an island together and a change of their stiffness wakes it", "[idea]")
 {
     DiscScene scene = empty_scene(3);
     for (Index k = 0; k < 3; ++k) set_disc(scene, k, {static_cast<Real>(k), 0}, 0.1);
@@ -1297,7 +1305,7 @@ TEST_CASE("springs keep an island together and a change of their stiffness wakes
     CHECK(now.counters.awake == 3);
 }
 
-TEST_CASE("settings that change what rest is wake everybody and others wake nobody")
+TEST_CASE("settings that change what rest is wake everybody and others wake nobody", "[idea]")
 {
     const SkippingSettings settings = early_out();
     const auto woken_by = [&](const auto& change) {
@@ -1318,7 +1326,7 @@ TEST_CASE("settings that change what rest is wake everybody and others wake nobo
     CHECK(woken_by([](SkippingSettings& s) { s.exact_rows = 3; }) == 0);
 }
 
-TEST_CASE("when the floor is taken away everybody falls as if nobody had slept")
+TEST_CASE("when the floor is taken away everybody falls as if nobody had slept", "[idea]")
 {
     SkippingSettings settings = early_out();
     settings.row_slack = 1e-4;  // rows are kept, too
@@ -1341,7 +1349,7 @@ TEST_CASE("when the floor is taken away everybody falls as if nobody had slept")
     CHECK(now.scene.bodies.velocity(0).y() < -0.5);
 }
 
-TEST_CASE("two changes of one disc between two steps count as one")
+TEST_CASE("two changes of one disc between two steps count as one", "[idea]")
 {
     DiscScene scene = columns(3, 1);
     SkippingSettings settings = early_out();
@@ -1357,7 +1365,7 @@ TEST_CASE("two changes of one disc between two steps count as one")
     CHECK(now.method.contacts.set.awake == std::vector<int>{0, 2});
 }
 
-TEST_CASE("a spring to a disc that is driven keeps awake what hangs on it alone")
+TEST_CASE("a spring to a disc that is driven keeps awake what hangs on it alone", "[idea]")
 {
     // Body 0 is driven sideways at half the speed of rest; nothing but a torsional spring joins 1 and 2 to it.
     DiscScene scene = empty_scene(3);
@@ -1380,7 +1388,7 @@ TEST_CASE("a spring to a disc that is driven keeps awake what hangs on it alone"
     CHECK(now.scene.bodies.position(0).y() == Approx(6000 * settings.h * 5e-4).epsilon(1e-9));
 }
 
-TEST_CASE("no bodies and one body and only fixed ones make a step")
+TEST_CASE("no bodies and one body and only fixed ones make a step", "[idea]")
 {
     const SkippingSettings settings = early_out();
     SkippingWorld nothing = make_world(empty_scene(0), {});
@@ -1403,7 +1411,7 @@ TEST_CASE("no bodies and one body and only fixed ones make a step")
     CHECK(still.counters.awake == 0);
 }
 
-TEST_CASE("who leaves for infinity or starts beside it does not disturb the others")
+TEST_CASE("who leaves for infinity or starts beside it does not disturb the others", "[idea]")
 {
     DiscScene scene = columns(4, 3);
     const SkippingSettings settings = early_out();
@@ -1422,7 +1430,8 @@ TEST_CASE("who leaves for infinity or starts beside it does not disturb the othe
 
 // ---- early out, memory, order ----------------------------------------------------------------------
 
-TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with the error of full sweeps")
+TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with the error of full sweeps",
+          "[idea]")
 {
     for (const bool is_triangle : {false, true}) {
         const DiscScene scene = is_triangle ? triangle(8) : column(20);
@@ -1484,7 +1493,7 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
     }
 }
 
-TEST_CASE("a contact that takes the place of another one is made anew")
+TEST_CASE("a contact that takes the place of another one is made anew", "[idea]")
 {
     // Beside disc 0 stands disc 1 or disc 2, at the same place but of another size.
     DiscScene scene = empty_scene(3);
@@ -1508,7 +1517,7 @@ TEST_CASE("a contact that takes the place of another one is made anew")
     }
 }
 
-TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.10)")
+TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.10)", "[idea]")
 {
     Random random(3);
     const Real slack = 0.004;
@@ -1545,7 +1554,7 @@ TEST_CASE("a kept contact is at most slack squared over twice the distance too n
     CHECK(largest > 1e-6);  // the bound is put to the test
 }
 
-TEST_CASE("a pile at rest keeps its rows and stands where it stands with new ones")
+TEST_CASE("a pile at rest keeps its rows and stands where it stands with new ones", "[house]")
 {
     SkippingSettings settings = early_out(1.0 / 240);
     settings.sweeps.max_sweeps = 60;
@@ -1575,7 +1584,7 @@ TEST_CASE("a pile at rest keeps its rows and stands where it stands with new one
     }
 }
 
-TEST_CASE("the guard against allocations notices them")
+TEST_CASE("the guard against allocations notices them", "[house]")
 {
     NoAllocation guard;
     VecX v = VecX::Zero(100);
@@ -1583,7 +1592,7 @@ TEST_CASE("the guard against allocations notices them")
     CHECK(v.size() == 100);
 }
 
-TEST_CASE("a steady step allocates nothing")
+TEST_CASE("a steady step allocates nothing", "[house]")
 {
     SkippingSettings settings = early_out(1.0 / 240);
     settings.sweeps.max_sweeps = 10;
@@ -1606,7 +1615,7 @@ TEST_CASE("a steady step allocates nothing")
     CHECK(beside.counters.awake == 1);
 }
 
-TEST_CASE("the same world makes the same bits when run again")
+TEST_CASE("the same world makes the same bits when run again", "[house]")
 {
     SkippingSettings settings = early_out(1.0 / 240);
     settings.sweeps.max_sweeps = 15;
@@ -1623,7 +1632,7 @@ TEST_CASE("the same world makes the same bits when run again")
     CHECK(first.method.contacts.set.awake == second.method.contacts.set.awake);
 }
 
-TEST_CASE("a mirrored world and one in other units of mass and length do the same")
+TEST_CASE("a mirrored world and one in other units of mass and length do the same", "[idea]")
 {
     SkippingSettings settings = early_out(1.0 / 64);
     settings.stabilizer.slop = 1.0 / 2048;
@@ -1666,7 +1675,7 @@ TEST_CASE("a mirrored world and one in other units of mass and length do the sam
     CHECK(rows > 30);
 }
 
-TEST_CASE("with exact answers the order of the bodies does not matter")
+TEST_CASE("with exact answers the order of the bodies does not matter", "[idea]")
 {
     // Discs that fall apart from each other: islands of up to a few discs, solved to the last digits.
     DiscScene scene = columns(6, 2);
@@ -1687,7 +1696,7 @@ TEST_CASE("with exact answers the order of the bodies does not matter")
     CHECK(now.counters.awake == 0);
 }
 
-TEST_CASE("a pendulum above a thousand sleepers swings with an error of first order in h")
+TEST_CASE("a pendulum above a thousand sleepers swings with an error of first order in h", "[idea]")
 {
     // A4: released at 90 degrees; after 1 s it is at -1.405027311524799 rad.
     std::vector<Real> steps, errors;
@@ -1752,7 +1761,8 @@ Bounced bounce_by_adaptive_steps(Real tolerance)
 }  // namespace
 
 TEST_CASE(
-    "a bouncing ball takes less than a third of the steps when they end at the bounces for an equal error")
+    "a bouncing ball takes less than a third of the steps when they end at the bounces for an equal error",
+    "[idea]")
 {
     const Real exact = 0.260741728327057;  // D1
     const Bounced adaptive = bounce_by_adaptive_steps(1e-9);
@@ -1764,7 +1774,8 @@ TEST_CASE(
     CHECK(std::abs(bounce_by_fixed_steps(100000).y - exact) > std::abs(adaptive.y - exact));
 }
 
-TEST_CASE("the factor of a chain of a thousand has less than a twenty-thousandth of the work of a dense one")
+TEST_CASE("the factor of a chain of a thousand has less than a twenty-thousandth of the work of a dense one",
+          "[idea]")
 {
     for (const Index N : {100, 300, 1000}) {
         const DiscScene scene = hanging_chain(N);
@@ -1790,7 +1801,7 @@ TEST_CASE("the factor of a chain of a thousand has less than a twenty-thousandth
     }
 }
 
-TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
+TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds", "[idea]")
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed);
@@ -1831,7 +1842,7 @@ TEST_CASE("nothing becomes a NaN in crowded and lopsided random worlds")
     }
 }
 
-TEST_CASE("bad input is refused by a sentence")
+TEST_CASE("bad input is refused by a sentence", "[house]")
 {
     const auto says = [](const auto& call, const std::string& words) {
         try {
@@ -1917,7 +1928,8 @@ TEST_CASE("bad input is refused by a sentence")
     CHECK(same_state(now.scene, scene));  // a step that is refused changes nothing
 }
 
-TEST_CASE("a disc that is added to a sleeping world falls on those who sleep and wakes only what it reaches")
+TEST_CASE("a disc that is added to a sleeping world falls on those who sleep and wakes only what it reaches",
+          "[idea]")
 {
     DiscScene scene = column(3);
     for (const Real x : {-2.0, 2.0}) add_disc(scene, {x, 0.1}, 1, 0.1);
@@ -1946,7 +1958,8 @@ TEST_CASE("a disc that is added to a sleeping world falls on those who sleep and
 }
 
 TEST_CASE(
-    "a hundred discs that are added one by one end where the same discs end that were there from the start")
+    "a hundred discs that are added one by one end where the same discs end that were there from the start",
+    "[idea]")
 {
     DiscScene all, few;
     all.walls = few.walls = {{{0, 1}, 0}};
@@ -1966,7 +1979,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("discs poured into a funnel of walls with ends stay above it and those beyond the ends fall past")
+TEST_CASE("discs poured into a funnel of walls with ends stay above it and those beyond the ends fall past",
+          "[idea]")
 {
     for (const bool sleep : {false, true}) {
         DiscScene scene;
