@@ -76,8 +76,8 @@ private:
     static Vec2 corner(std::size_t k)
     {
         const auto side = [k](int i) { return (k >> i) % 2 == 1 ? 1.0 : 0.0; };
-        return Vec2(-0.95, -0.7) + side(0) * Vec2(1.2, 0) + side(1) * Vec2(0, 1.1) +
-               side(2) * Vec2(0.7, 0.28);
+        return Vec2(-0.85, -0.75) + side(0) * Vec2(1.2, 0) + side(1) * Vec2(0, 1.1) +
+               side(2) * Vec2(0.5, 0.42);
     }
     static std::string name(std::size_t k)
     {
