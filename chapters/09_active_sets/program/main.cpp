@@ -2,8 +2,9 @@
 
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
-#include "chapters/09_active_sets/program/exact_run.hpp"
+#include "chapters/09_active_sets/program/exact_scenes.hpp"
 #include "chapters/09_active_sets/program/scene_guess.hpp"
+#include "chapters/09_active_sets/program/scene_long_chain.hpp"
 #include "chapters/09_active_sets/program/scene_plane.hpp"
 
 using namespace rigid;
