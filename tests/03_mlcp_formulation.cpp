@@ -1,8 +1,10 @@
 /// Chapter 3: contact is either/or. Assembly, the measure of error, the exact ways, and the whole step.
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/cases_method.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_run.hpp"
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
 #include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/measure.hpp"
@@ -1274,4 +1276,81 @@ TEST_CASE("the pointer steers gravity as far as its size and no further")
     CHECK(steered_gravity({{2, 0}, true, false}, view, 10) == Vec2(5, 0));
     CHECK((steered_gravity({{3, 0.5}, true, false}, view, 10) - Vec2(std::sqrt(50), std::sqrt(50))).norm() <
           1e-12);
+}
+
+namespace {
+
+using CasesState = RunState<CasesMethod>;
+
+const Measured<CasesState> pulled_disc = {
+    {"pulled", "", "the disc that the hand pulls"},
+    [](const SceneState& state) { return static_cast<Real>(state.step.pulled); }};
+
+/// Two discs of 1 kg and radius 0.1 m at (0, 0) and (1, 0), without gravity.
+SceneSetup<CasesMethod> two_free_discs()
+{
+    SceneSetup<CasesMethod> setup;
+    setup.scene.bodies = Bodies<2>(2);
+    setup.scene.bodies.x << 0, 0, 1, 0;
+    setup.scene.radius = VecX::Constant(2, 0.1);
+    setup.scene.gravity = {0, 0};
+    return setup;
+}
+
+}  // namespace
+
+TEST_CASE("a run pulls the disc that lies under the pressed pointer of its picture and lets it go")
+{
+    SceneSetup<CasesMethod> setup = two_free_discs();
+    setup.zoom = 2;  // what is at 1 m is drawn at 2
+    SceneRun<CasesMethod> run({}, {pulled_disc, columns::last_rise()}, setup);
+    Settings settings;
+    settings.h = 1.0 / 60;
+    const auto after = [&](const Vec2& pointer, bool pressed) {
+        run.step(settings, {pointer, true, pressed});
+        return run.measure();
+    };
+    CHECK(after({2.1, 0}, false)[0] == world);
+    CHECK(after({1, 0}, true)[0] == world);  // nothing lies at 0.5 m
+    CHECK(after({2.1, 0}, true)[0] == 1);
+    CHECK(after({2.1, 1}, true)[0] == 1);  // it is held, wherever the hand goes
+    CHECK(after({2.1, 1}, true)[1] > 0);
+    CHECK(after({2.1, 1}, false)[0] == world);
+}
+
+TEST_CASE("a run lets go of a disc that is taken away and names a body that is lost")
+{
+    SceneSetup<CasesMethod> setup = two_free_discs();
+    setup.before = [](const Settings&, const Input&, CasesState& state) {
+        if (state.steps != 1) return;
+        DiscScene one = two_free_discs().scene;
+        one.bodies = Bodies<2>(1);
+        one.radius = VecX::Constant(1, 0.1);
+        state.scene = one;
+    };
+    SceneRun<CasesMethod> run({}, {pulled_disc}, setup);
+    Settings settings;
+    settings.h = 1.0 / 60;
+    const Input on_the_second = {{1, 0}, true, true};
+    run.step(settings, on_the_second);
+    CHECK(run.measure()[0] == 1);
+    run.step(settings, on_the_second);
+    CHECK(run.measure()[0] == world);
+
+    SceneSetup<CasesMethod> fast = two_free_discs();
+    fast.scene.bodies.u << 0, 0, 1e308, 0;
+    SceneRun<CasesMethod> lost({}, {pulled_disc}, fast);
+    settings.h = 100;  // 1e310 m in a step is no number
+    CHECK_THROWS_WITH(lost.step(settings, Input{}), "the position of body 1 is not finite");
+}
+
+TEST_CASE("a demo has the columns that its runs measure")
+{
+    Demo demo;
+    run_scene<CasesMethod>(demo, {pulled_disc, columns::energy().plotted(true), columns::rows()},
+                           [](const Settings&) { return two_free_discs(); });
+    REQUIRE(demo.columns.size() == 3);
+    CHECK(demo.columns[1].name == "energy");
+    CHECK(demo.columns[1].plotted);
+    CHECK(demo.start(Settings{})->measure() == std::vector<Real>{world, 0, 0});
 }

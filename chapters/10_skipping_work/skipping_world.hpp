@@ -130,29 +130,34 @@ inline StepSettings configure(SkippingMethod& method, const SkippingSettings& se
     return step;
 }
 
+/// What the last step has done.
+inline SkippingCounters counters_of(const SkippingMethod& method, const StepData<2>& found)
+{
+    const AwakeBodies& bodies = method.contacts;
+    const IslandSolver& solver = method.solver;
+    SkippingCounters counters;
+    counters.woken = bodies.woken;
+    counters.fell_asleep = bodies.fell_asleep;
+    if (found.active.empty()) return counters;
+    counters.awake = static_cast<int>(found.active.size());
+    counters.islands = solver.islands.count();
+    counters.contacts = static_cast<int>(found.contacts.size());
+    counters.rows = static_cast<int>(found.rows.size());
+    counters.kept_rows = static_cast<int>(std::count(found.kept.begin(), found.kept.end(), std::uint8_t{1}));
+    counters.sweeps = solver.most_sweeps;
+    counters.exact = solver.exact_count;
+    counters.unsolved = solver.unsolved;
+    counters.queries = static_cast<int>(bodies.broad.queries);
+    counters.tested = bodies.broad.tested;
+    counters.visits = found.visits;
+    return counters;
+}
+
 /// One time step of the world, and what it has done.
 inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
 {
     step(now.scene, configure(now.method, settings, now.margin), now.method, now.found);
-
-    const AwakeBodies& bodies = now.method.contacts;
-    const IslandSolver& solver = now.method.solver;
-    now.counters = {};
-    now.counters.woken = bodies.woken;
-    now.counters.fell_asleep = bodies.fell_asleep;
-    if (now.found.active.empty()) return;
-    now.counters.awake = static_cast<int>(now.found.active.size());
-    now.counters.islands = solver.islands.count();
-    now.counters.contacts = static_cast<int>(now.found.contacts.size());
-    now.counters.rows = static_cast<int>(now.found.rows.size());
-    now.counters.kept_rows =
-        static_cast<int>(std::count(now.found.kept.begin(), now.found.kept.end(), std::uint8_t{1}));
-    now.counters.sweeps = solver.most_sweeps;
-    now.counters.exact = solver.exact_count;
-    now.counters.unsolved = solver.unsolved;
-    now.counters.queries = static_cast<int>(bodies.broad.queries);
-    now.counters.tested = bodies.broad.tested;
-    now.counters.visits = now.found.visits;
+    now.counters = counters_of(now.method, now.found);
 }
 
 }  // namespace rigid

@@ -2,10 +2,11 @@
 
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
-#include "chapters/09_active_sets/program/exact_run.hpp"
+#include "chapters/09_active_sets/program/exact_scenes.hpp"
 #include "chapters/09_active_sets/program/scene_cycle.hpp"
 #include "chapters/09_active_sets/program/scene_fill.hpp"
 #include "chapters/09_active_sets/program/scene_guess.hpp"
+#include "chapters/09_active_sets/program/scene_long_chain.hpp"
 #include "chapters/09_active_sets/program/scene_plane.hpp"
 
 using namespace rigid;
