@@ -249,7 +249,8 @@ TEST_CASE("The symplectic methods conserve the angular momentum of a Kepler orbi
         CHECK(change(method) < 1e-12);  // 3000 roundings at most, of 1e-16
     }
     CHECK(change(Method::explicit_euler) > 1e-3);
-    CHECK(change(Method::rk4) > 1e-9);
+    CHECK(change(Method::rk4) == Approx(2.2e-7).epsilon(0.02));  // exercise 1.4
+    CHECK(kepler.angular_momentum(s0) == Approx(0.8));
 }
 
 TEST_CASE("Verlet and Yoshida run backwards to where they came from")
@@ -897,4 +898,124 @@ TEST_CASE("An adaptive run that cannot go on ends and says why")
         CHECK(run.t == Approx(pi / std::sqrt(8.)).epsilon(1e-6));  // the time of the fall, in closed form
         CHECK(run.accepted + run.rejected <= run.step_limit);
     }
+}
+
+// ---- 5. the exercises -----------------------------------------------------------------------------
+
+TEST_CASE("The other swap conserves the ellipse with the other sign and both halves make Verlet")
+{
+    // Exercise 1.1: position first with the old velocity, then velocity with the force at the new position.
+    const Real omega = 3, h = 0.1;
+    const Spring spring{omega};
+    const auto other = [&](State<1> s, Real step) {
+        s.x += step * s.u;
+        s.u += step * spring(s.x);
+        return s;
+    };
+    const auto modified = [&](const State<1>& s) {
+        return s.u[0] * s.u[0] + omega * omega * s.x[0] * s.x[0] + h * omega * omega * s.x[0] * s.u[0];
+    };
+    State<1> s = state(0.3, -1.2);
+    const Real start = modified(s);
+    for (int n = 0; n < 1000; ++n) {
+        s = other(s, h);
+        REQUIRE(modified(s) == Approx(start).epsilon(1e-12));  // a random walk of 1000 roundings
+    }
+    // Half a step of one and half a step of the other: half a kick, a drift, half a kick.
+    Vec<1> now = spring(Vec<1>(0.3));
+    const State<1> verlet = velocity_verlet(state(0.3, -1.2), now, h, spring);
+    const State<1> halves = other(symplectic_euler(state(0.3, -1.2), h / 2, spring), h / 2);
+    CHECK(std::abs(halves.x[0] - verlet.x[0]) < 1e-15);  // a few roundings of numbers of size 1
+    CHECK(std::abs(halves.u[0] - verlet.u[0]) < 1e-15);
+}
+
+TEST_CASE("Verlet with a predicted velocity has order 2 with drag and no symmetry")
+{
+    // Exercise 1.5. The reference is that of the methods that take drag.
+    const auto with_drag = [](State<2> s, Real h) {
+        const Vec2 before = ball(s.x, s.u);
+        const Vec2 half = s.u + h / 2 * before;
+        s.x += h * half;
+        s.u = half + h / 2 * ball(s.x, half + h / 2 * before);
+        return s;
+    };
+    const State<2> thrown{Vec2(0, 0), 30 * Vec2(std::cos(40 * degree), std::sin(40 * degree))};
+    std::vector<Real> errors;
+    for (Index steps = 20; steps <= 320; steps *= 2)
+        errors.push_back((march(thrown, 3. / static_cast<Real>(steps), steps, with_drag).x -
+                          Vec2(41.36367414795186111, 1.2318529699294813))
+                             .norm());
+    CHECK(observed_order(errors) == Approx(2).margin(0.15));
+    State<2> back = march(thrown, 0.03, 100, with_drag);
+    for (int n = 0; n < 100; ++n) back = with_drag(back, -0.03);
+    CHECK((back.x - thrown.x).norm() == Approx(1e-4).epsilon(0.1));  // the text says 0.1 mm
+}
+
+TEST_CASE("Five Verlet steps of order 4 are better than three at equal work")
+{
+    // Exercise 1.6.
+    const Real part = 1 / (4 - std::cbrt(4.));
+    CHECK(part == Approx(0.41449).margin(5e-6));
+    const auto run = [&](auto s, Real h, Index steps, const auto& a) {
+        auto now = a(s.x);
+        for (Index n = 0; n < steps; ++n)
+            for (const Real share : {part, part, 1 - 4 * part, part, part})
+                s = velocity_verlet(s, now, share * h, a);
+        return s;
+    };
+    const Pendulum pendulum;
+    const State<1> exact = exact_pendulum(pendulum, 90 * degree, 1);
+    const auto miss = [&](const State<1>& s) { return std::hypot(s.x[0] - exact.x[0], s.u[0] - exact.u[0]); };
+    std::vector<Real> errors;
+    for (Index steps = 25; steps <= 400; steps *= 2)
+        errors.push_back(miss(run(state(90 * degree, 0), 1. / static_cast<Real>(steps), steps, pendulum)));
+    CHECK(observed_order(errors) == Approx(4).margin(0.15));
+    const Real yoshida = miss(go(Method::yoshida4, state(90 * degree, 0), 1. / 400, 400, pendulum));
+    CHECK(yoshida / errors.back() == Approx(16).margin(0.5));  // the text says 16
+    const Kepler kepler;                                       // 6000 evaluations each
+    const State<2> start = kepler_perihelion(kepler, 0.6), end = exact_kepler(kepler, 0.6, 5);
+    const Real five = (run(start, 5. / 1200, 1200, kepler).x - end.x).norm();
+    const Real three = (go(Method::yoshida4, start, 5. / 2000, 2000, kepler).x - end.x).norm();
+    CHECK(three / five == Approx(1.28).margin(0.005));  // as the text rounds it
+}
+
+TEST_CASE("A controller that remembers the error before rejects almost no step of a stiff spring")
+{
+    // Exercise 1.7.
+    const auto stiff = [](const Vec<1>& x, const Vec<1>& u) -> Vec<1> { return -1000 * x - 1000 * u; };
+    const Tolerance tolerance{1e-6, 1e-6, 1e-6};
+    const auto run = [&](bool remembers, int& accepted, int& rejected) {
+        State<1> s = state(1, 0);
+        Vec<1> now = stiff(s.x, s.u);
+        Real t = 0, h = 1e-3, before = 1;
+        bool failed = false;
+        for (accepted = rejected = 0; t < 10 && accepted + rejected < 10000;) {
+            const Real step = std::min(h, 10 - t);
+            const PairStep<1> next = dormand_prince_step(s, now, step, stiff);
+            const Real error = std::max(std::sqrt(scaled_error2(next.error, s, next.s, tolerance)), 1e-10);
+            const Real plain = 0.8 * std::pow(error, -0.2);
+            const Real factor = remembers ? 0.8 * std::pow(error, -0.17) * std::pow(before, 0.04) : plain;
+            if (error <= 1) {
+                s = next.s;
+                now = next.a;
+                t += step;
+                h = step * std::min(factor, failed ? 1. : 5.);
+                before = error;
+                ++accepted;
+            } else {
+                h = step * std::max(0.2, plain);
+                ++rejected;
+            }
+            failed = error > 1;
+        }
+        CHECK(t >= 10);
+    };
+    int accepted = 0, rejected = 0;
+    run(false, accepted, rejected);
+    // The text's numbers; another library's power may round one step to the other side.
+    CHECK(std::abs(accepted - 3031) <= 3);
+    CHECK(std::abs(rejected - 198) <= 3);
+    run(true, accepted, rejected);
+    CHECK(std::abs(accepted - 3045) <= 3);
+    CHECK(rejected <= 2);
 }
