@@ -902,7 +902,7 @@ TEST_CASE("two rows at an angle of two millionths are two rows and their roundin
     }
 }
 
-TEST_CASE("a row of bodies that cannot move does not spoil the others")
+TEST_CASE("a row of bodies that cannot move does not disturb the others")
 {
     Bodies<2> bodies(3);
     bodies.x << 0, 0, 1, 0, 2, 0;
@@ -923,7 +923,7 @@ TEST_CASE("a row of bodies that cannot move does not spoil the others")
     CHECK(solve_rows<2>({}, bodies.u).verdict == Verdict::independent);
 }
 
-TEST_CASE("one row after the other spoils what the row before has mended")
+TEST_CASE("one row after the other undoes a part of what the row before has fixed")
 {
     // Three discs in line, joined by two links; the last one is struck. A visit takes the whole error of its row and
     // gives half of it to the other; a round of both leaves a quarter.
@@ -996,7 +996,7 @@ TEST_CASE("the velocity does not depend on the units of mass or length or on the
     }
 }
 
-TEST_CASE("the answer turns and mirrors with the scene and does not depend on who is body a")
+TEST_CASE("the answer turns and mirrors with the scene and does not depend on which body is a")
 {
     Random random(13);
     for (int i = 0; i < 200; ++i) {
@@ -1087,4 +1087,124 @@ TEST_CASE("rows that make no sense are refused with a sentence")
                        ellipse_constraint(bodies.x, 0, {1, -2});
                    }),
                    "-2 m; both must be positive"));
+}
+
+// ---- the exercises ---------------------------------------------------------------------------------
+
+TEST_CASE("a bead on a parabola is answered by an impulse of two fifths")
+{
+    // Exercise 2.1: C = y − x².
+    VecX x(2), u(2);
+    x << 1, 1;
+    u << 1, 0;
+    const auto parabola = [](const auto& p) {
+        using T = std::decay_t<decltype(p.x())>;
+        return T(p.y() - p.x() * p.x());
+    };
+    const Row<2> row = bilateral(curve_constraint(x, 0, parabola), VecX::Ones(2));
+    CHECK(row.velocity(u) == Approx(-2).margin(exact));
+    CHECK(row.inverse_effective_mass() == Approx(5).margin(exact));
+    const RowAnswer answer = solve_row(row, u);
+    CHECK(answer.lambda == Approx(0.4).margin(exact));
+    row.apply(answer.lambda, u);
+    CHECK((u - Vec2(0.2, 0.4)).norm() < exact);
+}
+
+TEST_CASE("a nail that moves gives its row a bias")
+{
+    // Exercise 2.2: C = |x − p(t)| − L has the rate Jᵀu + b with b = −n·ṗ. Against a difference of C in time.
+    const Vec2 nail(0.1, -0.2), nail_u(0.3, 0.7), velocity(-0.4, 1.1);
+    VecX x(2), u(2);
+    x << 0.5, 0.6;
+    u = velocity;
+    const auto C = [&](Real t) { return (Vec2(x) + t * velocity - nail - t * nail_u).norm() - 1; };
+    const Constraint<2> still = anchor_constraint(x, 0, nail, 1);
+    const Row<2> row = bilateral(still, VecX::Ones(2), -Vec2(still.Jb.transpose()).dot(nail_u));
+    const Real d =
+        1e-5;  // a central difference: its error is d² = 1e-10 times a third derivative of order one
+    CHECK(row.velocity(u) == Approx((C(d) - C(-d)) / (2 * d)).margin(1e-9));
+}
+
+TEST_CASE("a row that is applied a second time changes nothing")
+{
+    // Exercise 2.3.
+    Random random(23);
+    for (int i = 0; i < 100; ++i) {
+        Bodies<2> bodies = random_bodies(random, 2);
+        const Row<2> row = bilateral(distance_constraint(bodies.x, {0, 1, 1}), bodies.inverse_mass);
+        const RowAnswer first = solve_row(row, bodies.u);
+        row.apply(first.lambda, bodies.u);
+        // What rounding left of w, over A: beside the first impulse it is a few roundings.
+        CHECK(std::abs(solve_row(row, bodies.u).lambda) <= 1e-12 * (1 + std::abs(first.lambda)));
+    }
+}
+
+TEST_CASE("two rods that ask for opposite velocities meet in the middle")
+{
+    // Exercise 2.5.
+    const VecX u = VecX::Zero(1), x = VecX::Zero(1);
+    const auto rod = [&](Real bias) {
+        return bilateral(alignment_constraint<1>(x, world, 0, Vec<1>(1), 0), VecX::Ones(1), bias);
+    };
+    const std::vector<Row<1>> rows = {rod(0.2), rod(-0.2)};
+    const RowsAnswer answer = solve_rows(rows, u);
+    CHECK(answer.verdict == Verdict::conflicting);
+    CHECK(answer.at_odds == std::vector<Index>{0, 1});
+    VecX v = u;
+    apply(rows, answer.lambda, v);
+    CHECK(v[0] == Approx(0).margin(exact));
+    CHECK(rows[0].velocity(v) == Approx(0.2).margin(exact));
+    CHECK(rows[1].velocity(v) == Approx(-0.2).margin(exact));
+    const auto cost = [&](Real speed) {  // with half the weight for the second row
+        return std::pow(speed + 0.2, 2) + std::pow(speed - 0.2, 2) / 2;
+    };
+    for (const Real beside : {-0.01, 0.01}) CHECK(cost(-1. / 15) < cost(-1. / 15 + beside));
+}
+
+TEST_CASE("two rows in turn miss the corner that is nearest")
+{
+    // Exercise 2.6: beads of 1 kg and 3 kg, a wall at the left of bead 1.
+    VecX x(2), mass(2);
+    x << 0, 0.5;
+    mass << 1, 3;
+    const VecX inverse_mass = mass.cwiseInverse();
+    const Row<1> touch = unilateral(alignment_constraint<1>(x, 0, 1, Vec<1>(1), 0.5), inverse_mass);
+    const Row<1> wall = unilateral(alignment_constraint<1>(x, world, 0, Vec<1>(1), 0), inverse_mass);
+    const auto turn = [](VecX u, const Row<1>& first, const Row<1>& second) {
+        first.apply(solve_row(first, u).lambda, u);
+        second.apply(solve_row(second, u).lambda, u);
+        return Vec2(u);
+    };
+    const VecX both = VecX::Constant(2, -1);
+    CHECK((turn(both, touch, wall) - Vec2(0, -1)).norm() < exact);
+    CHECK((turn(both, wall, touch) - Vec2(-0.75, -0.75)).norm() < exact);
+    // The condition of the text for the corner, against the nearest of many allowed velocities.
+    Random random(26);
+    for (int i = 0; i < 200; ++i) {
+        const Real u1 = random.uniform(-2, 2), u2 = random.uniform(-2, 2);
+        if (std::abs(u2) < 0.05 || std::abs(u1 + 3 * u2) < 0.05) continue;  // at the border of the condition
+        const auto distance = [&](const Vec2& v) { return (v - Vec2(u1, u2)).cwiseAbs2().dot(Vec2(1, 3)); };
+        bool corner = true;  // no allowed velocity near it is nearer: v1 ≥ 0, v2 ≥ v1
+        for (const Vec2& v : {Vec2(0.001, 0.001), Vec2(0, 0.001)})
+            corner = corner && distance({0, 0}) < distance(v);
+        CHECK(corner == (u2 < 0 && u1 + 3 * u2 < 0));
+    }
+}
+
+TEST_CASE("a curve that crosses itself has no row at the crossing")
+{
+    // Exercise 2.7: the lemniscate with the foci (±1, 0).
+    const auto lemniscate = [](const auto& p) {
+        using T = std::decay_t<decltype(p.x())>;
+        const T left = (p.x() + 1.0) * (p.x() + 1.0) + p.y() * p.y();
+        const T right = (p.x() - 1.0) * (p.x() - 1.0) + p.y() * p.y();
+        return T(left * right - 1.0);
+    };
+    const Constraint<2> crossing = curve_constraint(VecX::Zero(2), 0, lemniscate);
+    CHECK(crossing.C == 0);
+    CHECK(crossing.Jb.norm() == 0);
+    const VecX u = VecX::Constant(2, 0.7);
+    const RowAnswer answer = solve_row(bilateral(crossing, VecX::Ones(2)), u);
+    CHECK(answer.verdict == Verdict::redundant);
+    CHECK(answer.lambda == 0);
 }
