@@ -1283,3 +1283,54 @@ TEST_CASE("the pointer steers gravity as far as its size and no further")
     CHECK((steered_gravity({{3, 0.5}, true, false}, view, 10) - Vec2(std::sqrt(50), std::sqrt(50))).norm() <
           1e-12);
 }
+
+// ---- the exercises ---------------------------------------------------------------------------------
+
+TEST_CASE("the value of the answer is half of q times lambda")
+{
+    // Exercise 3.2, for random problems from rows: A = B Bᵀ.
+    Random random(32);
+    for (int i = 0; i < 100; ++i) {
+        MatX B(4, 5);
+        VecX q(4);
+        for (Real& entry : B.reshaped()) entry = random.normal();
+        for (Real& entry : q) entry = random.normal();
+        const MatX A = B * B.transpose();
+        const Mlcp mlcp{A.sparseView(), q, VecX::Zero(4), VecX::Constant(4, infinity)};
+        const Solution solution = enumerate(mlcp);
+        REQUIRE(solution.status == Status::solved);
+        const VecX& lambda = solution.lambda;
+        // λᵀw is rounding: each product is at most the size of λ times the tolerance of the rule.
+        CHECK(lambda.dot(A * lambda) == Approx(-q.dot(lambda)).margin(1e-9 * (1 + lambda.squaredNorm())));
+    }
+}
+
+TEST_CASE("three balls that are solved together do not behave as a cradle")
+{
+    // Exercise 3.3: q = J u* + e J u with e = 1.
+    MatX A(2, 2);
+    A << 2, -1, -1, 2;
+    const Mlcp mlcp{A.sparseView(), Vec2(-2, 0), VecX::Zero(2), VecX::Constant(2, infinity)};
+    const Solution solution = enumerate(mlcp);
+    REQUIRE(solution.status == Status::solved);
+    const VecX& lambda = solution.lambda;
+    CHECK((lambda - Vec2(4. / 3, 2. / 3)).norm() < 1e-12);  // a few roundings of numbers of size one
+    const Vec<3> u(1 - lambda[0], lambda[0] - lambda[1], lambda[1]);
+    CHECK((u - Vec<3>(-1. / 3, 2. / 3, 2. / 3)).norm() < 1e-12);
+    CHECK(u.squaredNorm() == Approx(1));
+}
+
+TEST_CASE("a positive definite matrix that is not symmetric has one answer")
+{
+    // Exercise 3.4.
+    MatX A(2, 2);
+    A << 1, 1, -1, 1;
+    Random random(34);
+    for (int i = 0; i < 200; ++i) {
+        const Real first = random.normal(), second = random.normal();
+        const Mlcp mlcp{A.sparseView(), Vec2(first, second), VecX::Zero(2), VecX::Constant(2, infinity)};
+        const Solution solution = enumerate(mlcp);
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.uniqueness == Uniqueness::unique);
+    }
+}
