@@ -1143,7 +1143,7 @@ TEST_CASE("a row that is applied a second time changes nothing", "[idea]")
     }
 }
 
-TEST_CASE("two rods that ask for opposite velocities meet in the middle", "[idea]")
+TEST_CASE("two rods that require opposite velocities meet in the middle", "[idea]")
 {
     // Exercise 2.5.
     const VecX u = VecX::Zero(1), x = VecX::Zero(1);

@@ -92,7 +92,7 @@ private:
         return i < now_.solution.lambda.size() && now_.solution.lambda[i] > 0;
     }
 
-    /// For a contact that was there in the last step what it was then; for a new one what q says.
+    /// For a contact of the previous step its case in that step; for a new one the case by the sign of q.
     std::vector<BoundState> guess(const Mlcp& mlcp) const
     {
         std::vector<BoundState> first;
@@ -121,7 +121,7 @@ private:
                " sets of cases: " + std::string(to_string(solution.status));
     }
 
-    /// A square for each entry of A that is not zero; the colours tell what the rows do.
+    /// A square for each entry of A that is not zero; the colours show what the rows do.
     void draw_matrix(Canvas& canvas) const
     {
         const Vec2 corner(0.95, 0.42);
