@@ -1,5 +1,5 @@
 /// \file row_checks.hpp
-/// Rows that make sense: what solvers of rows ask of their input.
+/// Rows that make sense: what solvers of rows require of their input.
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"

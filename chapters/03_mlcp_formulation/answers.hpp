@@ -22,7 +22,7 @@ public:
 
     //! [accept]
     /// Holds a scaled λ, once pressed into its bounds, to the natural residual: that of what
-    /// would be handed out, in m/s. Returns whether it is an answer.
+    /// would be returned, in m/s. Returns whether it is an answer.
     bool accept(const VecX& candidate)
     {
         z_ = candidate.cwiseMax(dense_.lo).cwiseMin(dense_.hi);
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// λ in N s; what stands at a bound stands there to the last digit.
+    /// λ in N s; what is at a bound is there to the last digit.
     VecX unscaled(const VecX& z) const
     {
         VecX lambda = z.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);

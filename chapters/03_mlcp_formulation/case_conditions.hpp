@@ -1,5 +1,5 @@
 /// \file case_conditions.hpp
-/// What is asked of one set of cases when its linear system has been solved: does the answer fit, and is it the only one
+/// What is checked in one set of cases when its linear system has been solved: does the answer fit, and is it the only one
 /// of its family?
 #pragma once
 
@@ -56,7 +56,7 @@ inline Real least_bound(const DenseMlcp& dense)
 
 //! [family]
 /// A set with a singular block fits: are there other answers in its family?  Along each null direction
-/// ask for a member a little to either side.
+/// look for a member a little to either side.
 /// \param null     null directions of the block, one a column
 /// \param free     row numbers of the block
 /// \param numbers  how large the numbers of the set are [m/s]

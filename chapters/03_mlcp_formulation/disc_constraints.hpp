@@ -1,5 +1,5 @@
 /// \file disc_constraints.hpp
-/// What a step wants to know of a scene of discs: the velocities that its forces lead to, and its constraints at any
+/// What a step needs from a scene of discs: the velocities that its forces lead to, and its constraints at any
 /// positions. A new kind of force enters in free_velocities(), a new kind of constraint in constraint_at().
 #pragma once
 

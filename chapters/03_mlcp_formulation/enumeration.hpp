@@ -1,10 +1,10 @@
 /// \file enumeration.hpp
 /// The plainest exact way: guess for each row which of its cases holds, solve, look whether it fits, and try
-/// all guesses. Slow, and the truth that every later solver is held to.
+/// all guesses. Slow, and the reference that every later solver is compared with.
 ///
 ///     A_FF λ_F = −(q_F + A_FB λ_B)     F the rows between their bounds, B those at a bound
 ///
-/// (3.22). An answer counts only by its natural residual; a singular block is asked for its whole family; how
+/// (3.22). An answer counts only by its natural residual; of a singular block the whole family is examined; how
 /// many answers there are is decided by comparing those that were found. \cite cottle1992
 #pragma once
 

@@ -1,10 +1,10 @@
 /// \file family.hpp
-/// What to ask of a set of cases whose block is singular: not one answer belongs to it but a family, and some
+/// What to check in a set of cases whose block is singular: not one answer belongs to it but a family, and some
 /// members may keep to the bounds while the one that elimination happens to give does not.
 ///
 ///     Is there a λ with   A_FF λ_F + A_FB λ_B + q_F = 0,   lo ≤ λ ≤ hi,   w_i ≥ 0 at lo,   w_i ≤ 0 at hi ?
 ///
-/// Written with nonnegative unknowns (distances from the bounds, and the w of the rows that stand at
+/// Written with nonnegative unknowns (distances from the bounds, and the w of the rows that are at
 /// a bound) it is E v = f, v ≥ 0. The least ‖E v − f‖² over v ≥ 0 answers it: zero means yes.
 /// \cite lawson1974, chapter 23
 #pragma once
@@ -37,7 +37,7 @@ struct DenseMlcp {
     }
 };
 
-/// The v ≥ 0 with the least ‖E v − f‖, by the method of Lawson and Hanson: free the unknown that wants to
+/// The v ≥ 0 with the least ‖E v − f‖, by the method of Lawson and Hanson: free the unknown that has to
 /// grow most, solve for the free ones, and send back to zero those that went below it.
 inline VecX nonnegative_least_squares(const MatX& E, const VecX& f)
 {

@@ -3,7 +3,7 @@
 ///
 ///     forces → u* → contacts → C, J → rows (b, bounds) → λ start → λ → u → x
 ///
-/// A scene says what there is: bodies, forces, constraints. A method says how it is solved, by four stages, and from
+/// A scene has bodies, forces, constraints. A method is how it is solved, by four stages, and from
 /// here on each chapter replaces one of them:
 ///
 ///     contacts     which bodies and which contacts the step looks at      all pairs here; chapter 10
@@ -20,7 +20,7 @@
 namespace rigid {
 
 //! [whole_error]
-/// The correction stage in its plainest form: what we want is C(x + h u) = 0, or ≥ 0, after the step. To first
+/// The correction stage in its plainest form: what we need is C(x + h u) = 0, or ≥ 0, after the step. To first
 /// order that is C + h J u, hence the bias b = C/h, (3.30). It takes back the whole of an error in one step; why that
 /// is rash in general is a later chapter's subject.
 struct WholeError {
@@ -64,7 +64,7 @@ struct ColdStart {
 };
 
 //! [step]
-/// One time step. Depends on its arguments alone. If the solver throws, positions stand where they stood.
+/// One time step. Depends on its arguments alone. If the solver throws, positions stay where they were.
 /// \param scene     what there is; it moves
 /// \param settings  of the step
 /// \param method    four stages with their settings and what they remember: contacts, correction, start, solver
