@@ -331,6 +331,18 @@ TEST_CASE("a NaN is never a small residual", "[idea]")
     CHECK(!(natural_residual(mlcp, lambda) <= 1));
 }
 
+TEST_CASE("a row without a positive diagonal is measured by its own w", "[house]")
+{
+    // λ = 1 between 0 and 3. With scale 1 the nearest bound is one away on the one side and two on the other.
+    for (const Real a : {0.0, -4.0}) {
+        CHECK(natural_residual_row(a, 1, 0.5, 0, 3) == 0.5);
+        CHECK(natural_residual_row(a, 1, -1.5, 0, 3) == 1.5);
+        CHECK(natural_residual_row(a, 1, 5, 0, 3) == 1);
+        CHECK(natural_residual_row(a, 1, -5, 0, 3) == 2);
+        CHECK(natural_residual_row(a, 1, 0.5, -infinity, infinity) == 0.5);
+    }
+}
+
 TEST_CASE("a change that has become small says nothing and the residual does", "[idea]")
 {
     // Relax by a factor of 1e-6 and stop when nothing moves by more than 1e-6: at once, and still 3 m/s off.
@@ -390,6 +402,18 @@ TEST_CASE("a q near zero is solved to the same share as any other", "[house]")
     }
     CHECK(verify(problem({1}, {-1e-15}), VecX::Zero(1), {1e-10, 1e-13}).solved);
     CHECK(verify(problem({1}, {0}), VecX::Zero(1)).solved);
+}
+
+TEST_CASE("where nothing drives a problem only the rounding of its products is forgiven", "[house]")
+{
+    // q = 0: λ = 0 is the one answer of the first; (1, -1) leaves 1e-11 m/s, the whole of what tells its rows apart.
+    Mlcp almost = problem({1, 1, 1, 1 + 1e-11}, {0, 0}), same = problem({1, 1.0 / 3, 1, 1.0 / 3}, {0, 0});
+    almost.lo.setConstant(-infinity);
+    same.lo.setConstant(-infinity);
+    CHECK(verify(almost, VecX::Zero(2)).solved);
+    CHECK_FALSE(verify(almost, Eigen::Vector2d(1, -1)).solved);
+    // The second has the answers (t, -3 t), which doubles only have to rounding.
+    for (const Real t : {0.1, 1 / 7.0, 1e9}) CHECK(verify(same, Eigen::Vector2d(t, -3 * t)).solved);
 }
 
 TEST_CASE("no free impulse and no bound and no unused entry loosens the rule", "[house]")
@@ -562,6 +586,32 @@ TEST_CASE("a miss of 1e-8 is no answer", "[idea]")
     // Two walls come nearer to a disc, one a hair faster: a null vector (1, 1) with (1, 1) q = -1e-8.
     CHECK(enumerate(problem({1, -1, -1, 1}, {-1, 1 - 1e-8})).status == Status::infeasible);
     CHECK(enumerate(problem({1, -1, -1, 1}, {-1, 1 + 1e-8})).status == Status::solved);
+}
+
+TEST_CASE("rows that differ in their last digits are not called a contradiction", "[house]")
+{
+    // The second row is the first times 1 - 1e-8 but for its last digit, and q makes no difference between them.
+    // λ = (2e9, -2e9) is an answer to the numbers as they stand: it need not be found, and must not be denied.
+    Mlcp alike =
+        problem({0.022592671143322165, 0.02259267090252401, 0.02259267090252401, 0.022592670661725857},
+                {0.1764003773878488, 0.1764003773878488});
+    alike.lo[1] = -infinity;
+    alike.hi[1] = 0;
+    for (const Solution& solution : {enumerate(alike), schur(alike)}) {
+        CHECK(solution.status == Status::singular);
+        CHECK(solution.uniqueness == Uniqueness::not_examined);
+    }
+}
+
+TEST_CASE("a row that nothing moves does not hide that two answers differ", "[house]")
+{
+    // w = -λ - 1 ≤ 0 at λ = 0, and w = 0 at λ = -1: two answers, whatever the speed of a row that no impulse changes.
+    for (const Real speed : {1.0, 1e9}) {
+        Mlcp mlcp = problem({0, 0, 0, -1}, {speed, -1});
+        mlcp.lo[1] = -infinity;
+        mlcp.hi[1] = 0;
+        CHECK(enumerate(mlcp).uniqueness == Uniqueness::any);
+    }
 }
 
 TEST_CASE("enumeration finds what was planted between bounds of all kinds", "[idea]")
@@ -850,6 +900,21 @@ TEST_CASE("redundant bilateral rows are reported as singular whether or not they
     CHECK(direct(assemble(rows_of(scene, 0.01), u_star)).status == Status::singular);
 }
 
+TEST_CASE("small pivots of an indefinite block are refined away", "[house]")
+{
+    // With any order of its rows the second pivot is 2e-8 and the third -2e8: what rounding does to the first solution is
+    // 1e-8 of it, a hundred times what (3.16c) allows. One refinement takes the square of that.
+    const Real o = 1 - 1e-8;
+    MatX A(3, 3);
+    A << 1, o, o, o, 1, -o, o, -o, 1;
+    Mlcp mlcp = problem(A, Eigen::Vector3d(-1.3, 0.7, 0.4));
+    mlcp.lo.setConstant(-infinity);
+    const Solution solution = direct(mlcp);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.residual <= 1e-14);  // a few roundings of sums of size 2
+    CHECK(schur(mlcp).status == Status::solved);
+}
+
 TEST_CASE("the block names a row that adds nothing", "[house]")
 {
     MatX A = MatX::Identity(4, 4);
@@ -859,6 +924,25 @@ TEST_CASE("the block names a row that adds nothing", "[house]")
     CHECK((block.singular_row() == 1 || block.singular_row() == 3));
     block.factor(problem(MatX::Identity(4, 4), VecX::Zero(4)).A, {0, 1, 2, 3});
     CHECK(block.singular_row() == -1);
+}
+
+TEST_CASE("an asymmetry of rounding is taken and one of a millionth is refused", "[house]")
+{
+    for (const bool rounding : {true, false}) {
+        Mlcp mlcp = problem({1, 0.5, 0.5 * (rounding ? 1 + 1e-12 : 1 + 1e-6), 1}, {1, 1});
+        mlcp.lo.setConstant(-infinity);
+        if (rounding) CHECK(direct(mlcp).status == Status::solved);
+        else CHECK_THROWS_AS(direct(mlcp), std::invalid_argument);
+    }
+}
+
+TEST_CASE("a row with only an upper bound is not bilateral", "[house]")
+{
+    Mlcp mlcp = problem({1}, {-1});
+    mlcp.lo[0] = -infinity;
+    mlcp.hi[0] = 0.5;
+    CHECK_THROWS_AS(direct(mlcp), std::invalid_argument);
+    CHECK(schur(mlcp).lambda[0] == 0.5);
 }
 
 TEST_CASE("direct refuses bounds and both refuse a block that is not symmetric", "[house]")

@@ -3,8 +3,11 @@
 /// of its family?
 #pragma once
 
+#include "chapters/02_velocity_constraints/solve_rows.hpp"
 #include "chapters/03_mlcp_formulation/answers.hpp"
 
+#include <Eigen/LU>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -42,6 +45,28 @@ inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set
         if (here == BoundState::at_hi) miss(w[i]);
     }
     return largest;
+}
+
+/// A pivot of rounding may be a pivot: rows that differ in their last digits have w = 0 at a large λ. True if none below
+/// 10¹¹ times the numbers gives block · λ = right: some y has yᵀ block = 0 to all digits of the products, yᵀ right not.
+inline bool is_contradiction(const MatX& block, const VecX& right, Real numbers)
+{
+    const MatX null = Eigen::FullPivLU<MatX>(block.transpose()).setThreshold(rank_tolerance).kernel();
+    for (Index c = 0; c < null.cols(); ++c) {
+        Real moved = 0;
+        for (Index k = 0; k < block.cols(); ++k) {
+            Real sum = 0, rest = 0;
+            for (Index r = 0; r < block.rows(); ++r) {
+                const Real product = null(r, c) * block(r, k);
+                sum += product;
+                rest += std::fma(null(r, c), block(r, k), -product);
+            }
+            moved += std::abs(sum + rest);
+        }
+        const Real left = std::abs(null.col(c).dot(right));
+        if (left > 1e-10 * numbers && left > 1e11 * moved * numbers) return true;
+    }
+    return false;
 }
 
 /// The least bound that is neither zero nor infinite, and 1 where there is none.

@@ -133,7 +133,9 @@ private:
                 if (pivots[rank] > 1e-14 * pivots[0]) answers_.doubt();
                 const Real misfit = (block_ * free_z_ - right_).cwiseAbs().maxCoeff();
                 if (!(misfit <= 1e-9 * numbers_)) {  // no λ at all gives w = 0
-                    if (!(misfit > rounding(free_z_.cwiseAbs().maxCoeff()))) answers_.doubt();
+                    if (!(misfit > rounding(free_z_.cwiseAbs().maxCoeff())) ||
+                        (misfit <= 1e-4 * numbers_ && !is_contradiction(block_, right_, numbers_)))
+                        answers_.doubt();
                     return;
                 }
             } else {

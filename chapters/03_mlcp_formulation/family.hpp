@@ -111,6 +111,7 @@ public:
         f_ = VecX::Zero(rows);
         const MatX A_from = problem.A * from_;
         const VecX w_base = problem.A * base_ + problem.q;
+        numbers_ = (problem.A.cwiseAbs() * base_.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
         Index line = 0;
         for (const Index i : used) {
             E_.row(line).head(lambdas) = A_from.row(i);
@@ -160,7 +161,7 @@ private:
     {
         const VecX v = nonnegative_least_squares(E, f);
         const VecX left = f - E * v;
-        if (left.norm() <= 1e-9 * f.norm()) return base_ + from_ * v.head(from_.cols());
+        if (left.norm() <= 1e-9 * f.norm() + 1e-14 * numbers_) return base_ + from_ * v.head(from_.cols());
         const Real most = E.cols() > 0 ? std::max((E.transpose() * left).maxCoeff(), Real{0}) : 0;
         const Real reach = E.cols() > 0 ? v.sum() + f.norm() / E.colwise().norm().maxCoeff() : 0;
         unsure_ = unsure_ || !(most * reach <= 1e-6 * f.dot(left));
@@ -172,6 +173,7 @@ private:
     VecX base_;
     MatX from_, E_;
     VecX f_;
+    Real numbers_ = 0;  ///< how large the numbers are that f is the sum of
     mutable bool unsure_ = false;
 };
 

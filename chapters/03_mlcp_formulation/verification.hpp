@@ -96,7 +96,7 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         if (diagonal > 0) least_speed = std::max(least_speed, least);
         least_energy = std::max(least_energy, std::max(least, floor) / unit);
         in_each_row = in_each_row && in_its_row;
-        small = small && (in_its_row || v <= enough);
+        small = small && (v <= 64 * epsilon * S || v <= enough);
     }
     const bool within = energy > 0 ? least_speed <= speed && least_energy <= energy : small;
     return {residual, possible && within && std::isfinite(energy), in_each_row};
