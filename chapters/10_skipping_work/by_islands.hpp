@@ -48,12 +48,7 @@ struct IslandSolver {
             bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
             bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
         }
-        const std::span<SolverRow<2>> all(rows);
-        if (!apart) solve_one(all, bodies.u, now);
-        for (int i = 0; apart && i < islands.count(); ++i)
-            solve_one(all.subspan(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
-                                  islands.rows_of(i).size()),
-                      bodies.u, now);
+        for_each_problem([&](std::span<SolverRow<2>> problem) { solve_one(problem, bodies.u, now); });
         for (std::size_t k = 0; k < rows.size(); ++k) lambda[islands.rows[k]] = rows[k].lambda;
         now.solution.iterations = most_sweeps;
         now.solution.status = unsolved > 0 ? Status::iteration_limit : Status::solved;
@@ -64,7 +59,7 @@ struct IslandSolver {
     void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
     {
         for (std::size_t k = 0; k < rows.size(); ++k) rows[k].bias = second.bias[row_at(k)];
-        now.visits += sweep_on(rows, second.max_sweeps, second.tolerance, bodies.u);
+        sweep_each(second, bodies.u, now);
         for (std::size_t k = 0; k < rows.size(); ++k) now.solution.lambda[islands.rows[k]] = rows[k].lambda;
     }
 
@@ -77,11 +72,30 @@ struct IslandSolver {
             else rows[k].bias = second.bias[row_at(k)];
         }
         for (const int k : now.active) v.segment<2>(2 * k).setZero();
-        now.visits += sweep_on(rows, second.max_sweeps, second.tolerance, v);
+        sweep_each(second, v, now);
     }
 
 private:
     std::size_t row_at(std::size_t k) const { return static_cast<std::size_t>(islands.rows[k]); }
+
+    /// Calls visit with the rows of each island, or with all of them.
+    template <class Visit>
+    void for_each_problem(const Visit& visit)
+    {
+        const std::span<SolverRow<2>> all(rows);
+        if (!apart) visit(all);
+        for (int i = 0; apart && i < islands.count(); ++i)
+            visit(all.subspan(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
+                              islands.rows_of(i).size()));
+    }
+
+    /// An island that is done is done, however long another one goes on.
+    void sweep_each(const SecondProblem& second, VecX& v, StepData<2>& now)
+    {
+        for_each_problem([&](std::span<SolverRow<2>> problem) {
+            now.visits += sweep_on(problem, second.max_sweeps, second.tolerance, v);
+        });
+    }
 
     void require_known() const
     {

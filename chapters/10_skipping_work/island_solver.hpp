@@ -70,4 +70,18 @@ IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows, const ImpulseSettings&
 }
 //! [sweep_island]
 
+/// Chapter 6's sweep_on() for the rows of one island: until a sweep finds no row off by more than the tolerance.
+/// \return  rows visited
+template <int Dof>
+std::int64_t sweep_on(std::span<SolverRow<Dof>> rows, int max_sweeps, Real tolerance, VecX& u)
+{
+    std::int64_t visits = 0;
+    for (int sweeps = 0, changed = 1; sweeps < max_sweeps && changed > 0; ++sweeps) {
+        changed = 0;
+        for (SolverRow<Dof>& row : rows) changed += !(std::abs(visit(row, u)) <= tolerance * row.mass);
+        visits += static_cast<std::int64_t>(rows.size());
+    }
+    return visits;
+}
+
 }  // namespace rigid

@@ -96,6 +96,7 @@ private:
         settings_.islands = settings.method != "one_island";
         settings_.stabilizer.slop = 5e-4;
         settings_.stabilizer.max_correction_speed = 1;
+        settings_.start = Start::previous;  // the sweeps go on until the residual is small
         const Index was = settings_.pulled;
         settings_.hand = input.pointer;
         settings_.pulled = world;
