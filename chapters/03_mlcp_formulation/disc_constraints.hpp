@@ -23,8 +23,7 @@ inline void free_velocities(DiscScene& scene, const StepSettings& settings, Step
     // What the step doesn't look at has the velocity that it has: rows may join it to what moves.
     if (now.u_star.size() != bodies.u.size()) now.u_star = bodies.u;
     for (const int k : now.active)
-        now.u_star.segment<2>(2 * k) =
-            bodies.velocity(k) + h * bodies.inverse_mass.segment<2>(2 * k).cwiseProduct(bodies.force(k));
+        now.u_star.segment<2>(2 * k) = bodies.velocity(k) + h * bodies.apply_inverse_mass(k, bodies.force(k));
 }
 //! [forces]
 
@@ -36,16 +35,9 @@ inline Constraint<2> constraint_at(const DiscScene& scene, const StepData<2>& no
     const auto index = static_cast<std::size_t>(now.sources[i].index);
     if (now.sources[i].of == Source::Of::link) return distance_constraint(x, scene.links[index]);
     if (now.sources[i].of == Source::Of::joint) return joint_constraint(x, scene.joints[index]);
-    Contact contact = now.contacts[index];
-    const Vec2 xb = x.segment<2>(2 * contact.b);
-    if (contact.a == world) {  // a wall is flat: its normal stays
-        contact.gap += contact.normal.dot(xb - now.x_found.segment<2>(2 * contact.b));
-    } else {
-        const Direction d(xb - x.segment<2>(2 * contact.a));
-        contact.normal = d.n;
-        contact.gap = d.length - scene.radius[contact.a] - scene.radius[contact.b];
-    }
-    return contact_constraint(contact);
+    const Contact& contact = now.contacts[index];
+    return contact_constraint(contact.a == world ? wall_contact(scene, x, contact.feature, contact.b)
+                                                 : disc_contact(scene, x, contact.a, contact.b));
 }
 //! [constraint_at]
 
@@ -69,8 +61,10 @@ void write_rows(const Bodies<Dof>& bodies, Real h, StepData<Dof>& now, const Bia
     now.rows.resize(now.constraints.size());
     for (std::size_t i = 0; i < now.constraints.size(); ++i) {
         const Real b = bias(now.constraints[i]);
-        if (!now.kept.empty() && now.kept[i] && now.substep == 0) now.rows[i].bias = b;
-        else now.rows[i] = row_of(now.constraints[i], bodies.inverse_mass, b, h);
+        if (!now.kept.empty() && now.kept[i] && now.substep == 0) {
+            now.rows[i].bias = b;
+            now.rows[i].bounded_by = now.constraints[i].bounded_by;  // rows may have other numbers now
+        } else now.rows[i] = row_of(now.constraints[i], bodies.inverse_mass, b, h);
     }
 }
 
@@ -78,7 +72,7 @@ void write_rows(const Bodies<Dof>& bodies, Real h, StepData<Dof>& now, const Bia
 template <int Dof>
 void advance_positions(Bodies<Dof>& bodies, Real h, const StepData<Dof>& now)
 {
-    for (const int k : now.active) bodies.position(k) += h * bodies.velocity(k);
+    for (const int k : now.active) bodies.integrate(k, bodies.velocity(k), h);
 }
 
 }  // namespace rigid

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/coupled_bounds.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 
 #include <type_traits>
@@ -30,7 +31,7 @@ struct MatrixSolver {
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         assemble(now.rows, now.u_star, scratch, mlcp);
-        hand_over(find, mlcp, now.solution);
+        solve_rows(now);
         apply_impulses(now.solution.lambda, bodies, now);
     }
 
@@ -40,7 +41,7 @@ struct MatrixSolver {
     {
         for (std::size_t i = 0; i < now.rows.size(); ++i)
             mlcp.q[static_cast<Index>(i)] += second.bias[i] - now.rows[i].bias;
-        hand_over(find, mlcp, now.solution);
+        solve_rows(now);
         apply_impulses(now.solution.lambda, bodies, now);
     }
 
@@ -60,6 +61,16 @@ struct MatrixSolver {
     }
 
 private:
+    template <int Dof>
+    void solve_rows(StepData<Dof>& now)
+    {
+        const auto solve = [this](const Mlcp& problem, Solution& solution) {
+            hand_over(find, problem, solution);
+        };
+        if (is_coupled(now.rows)) solve_coupled(now.rows, solve, mlcp, now.solution);
+        else solve(mlcp, now.solution);
+    }
+
     template <int Dof>
     static void apply_impulses(const VecX& lambda, Bodies<Dof>& bodies, const StepData<Dof>& now)
     {

@@ -20,8 +20,10 @@ struct IslandSolver {
     Islands islands;
     Colouring colouring;
     std::vector<int> order;
-    Order ordered = Order::given;  ///< how the rows were ordered when the islands were found
-    std::vector<SolverRow<2>> rows;
+    Order ordered = Order::given;    ///< how the rows were ordered when the islands were found
+    std::vector<SolverRow<2>> rows;  ///< island by island
+    std::vector<Feedback> feedback;  ///< of each of them; empty = none has any
+    std::vector<int> place_of;
     std::vector<ExactScratch> exact;
 
     // Of the last step.
@@ -38,17 +40,16 @@ struct IslandSolver {
             arrange(bodies, now);
         }
         VecX& lambda = now.solution.lambda;
-        for (std::size_t i = 0; i < now.rows.size(); ++i) {
-            Real& start = lambda[static_cast<Index>(i)];
-            start = std::clamp(start, now.rows[i].lo, now.rows[i].hi);
-        }
+        clamp_start(now.rows, lambda);
         for (const int k : now.active) bodies.velocity(k) = now.u_star.segment<2>(2 * k);
         prepare<2>(now.rows, islands.rows, lambda, rows);
+        prepare_feedback<2>(now.rows, islands.rows, rows, place_of, feedback);
         for (const SolverRow<2>& row : rows) {
             bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
             bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
         }
-        for_each_problem([&](std::span<SolverRow<2>> problem) { solve_one(problem, bodies.u, now); });
+        for_each_problem(
+            [&](std::size_t first, std::size_t count) { solve_one(first, count, bodies.u, now); });
         for (std::size_t k = 0; k < rows.size(); ++k) lambda[islands.rows[k]] = rows[k].lambda;
         now.solution.iterations = most_sweeps;
         now.solution.status = unsolved > 0 ? Status::iteration_limit : Status::solved;
@@ -58,7 +59,7 @@ struct IslandSolver {
     /// Other biases, the same u*: the sweeps go on from the present λ and u.
     void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
     {
-        for (std::size_t k = 0; k < rows.size(); ++k) rows[k].bias = second.bias[row_at(k)];
+        for (std::size_t k = 0; k < rows.size(); ++k) change_bias(k, second.bias[row_at(k)], rows, feedback);
         sweep_each(second, bodies.u, now);
         for (std::size_t k = 0; k < rows.size(); ++k) now.solution.lambda[islands.rows[k]] = rows[k].lambda;
     }
@@ -69,7 +70,7 @@ struct IslandSolver {
         for (std::size_t k = 0; k < rows.size(); ++k) {
             rows[k].lambda = 0;
             if (second.left_out[row_at(k)]) rows[k].mass = 0;
-            else rows[k].bias = second.bias[row_at(k)];
+            else change_bias(k, second.bias[row_at(k)], rows, feedback);
         }
         for (const int k : now.active) v.segment<2>(2 * k).setZero();
         sweep_each(second, v, now);
@@ -78,22 +79,33 @@ struct IslandSolver {
 private:
     std::size_t row_at(std::size_t k) const { return static_cast<std::size_t>(islands.rows[k]); }
 
-    /// Calls visit with the rows of each island, or with all of them.
+    /// Calls visit(first, count) for the rows of each island, or for all of them.
     template <class Visit>
-    void for_each_problem(const Visit& visit)
+    void for_each_problem(const Visit& visit) const
     {
-        const std::span<SolverRow<2>> all(rows);
-        if (!apart) visit(all);
+        if (!apart) visit(std::size_t{0}, rows.size());
         for (int i = 0; apart && i < islands.count(); ++i)
-            visit(all.subspan(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
-                              islands.rows_of(i).size()));
+            visit(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
+                  islands.rows_of(i).size());
+    }
+
+    /// The rows of one problem, and what they follow.
+    std::span<SolverRow<2>> some_rows(std::size_t first, std::size_t count)
+    {
+        return std::span<SolverRow<2>>(rows).subspan(first, count);
+    }
+    std::span<const Feedback> some_feedback(std::size_t first, std::size_t count) const
+    {
+        const std::span<const Feedback> follows(feedback);
+        return follows.empty() ? follows : follows.subspan(first, count);
     }
 
     /// An island that is done is done, however long another one goes on.
     void sweep_each(const SecondProblem& second, VecX& v, StepData<2>& now)
     {
-        for_each_problem([&](std::span<SolverRow<2>> problem) {
-            now.visits += sweep_on(problem, second.max_sweeps, second.tolerance, v);
+        for_each_problem([&](std::size_t first, std::size_t count) {
+            now.visits += sweep_on(some_rows(first, count), some_feedback(first, count), second.max_sweeps,
+                                   second.tolerance, v);
         });
     }
 
@@ -118,10 +130,11 @@ private:
         ordered = ordering;
     }
 
-    void solve_one(std::span<SolverRow<2>> island, VecX& u, StepData<2>& now)
+    void solve_one(std::size_t first, std::size_t count, VecX& u, StepData<2>& now)
     {
-        if (island.empty()) return;
-        if (static_cast<int>(island.size()) <= exact_rows) {
+        if (count == 0) return;
+        const std::span<SolverRow<2>> island = some_rows(first, count);
+        if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
             const IslandAnswer answer = solve_exactly(island, sweeps.tolerance, exact, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
@@ -129,7 +142,7 @@ private:
                 return;
             }
         }
-        const IslandAnswer answer = sweep_island(island, sweeps, u);
+        const IslandAnswer answer = sweep_island(island, some_feedback(first, count), sweeps, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

@@ -13,7 +13,7 @@ namespace rigid {
 inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepData<2>& now)
 {
     const auto kinematic = [&](Index k) {
-        return k != world && set.is_awake(k) && !(scene.bodies.inverse_mass[2 * k] > 0);
+        return k != world && set.is_awake(k) && !scene.bodies.can_move(k);
     };
     for (const int k : set.awake)
         if (kinematic(k)) rests[static_cast<std::size_t>(k)] = {};
@@ -35,7 +35,7 @@ inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& 
         Rest& so_far = rests[static_cast<std::size_t>(k)];
         so_far =
             still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), rest, settings.h);
-        any_kinematic = any_kinematic || !(scene.bodies.inverse_mass[2 * k] > 0);
+        any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
     if (any_kinematic) stay_with_kinematic(scene, now);
 }
@@ -46,8 +46,10 @@ inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, 
     Real largest = 0;
     for (const int i : rows) {
         const Row<2>& row = now.rows[static_cast<std::size_t>(i)];
-        const Real r = natural_residual_row(row.inverse_effective_mass(), now.solution.lambda[i],
-                                            row.velocity(u), row.lo, row.hi);
+        const Real lambda = now.solution.lambda[i];
+        const auto [lo, hi] = bounds_of(row, now.solution.lambda);
+        const Real w = row.velocity(u) + row.softness * lambda;
+        const Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
         if (!(r <= largest)) largest = r;  // also takes over a NaN
     }
     return largest;

@@ -22,11 +22,11 @@ public:
                              : hanging_chain(size, settings["end_mass"]);
         constexpr Real h = 1.0 / 60;
         std::vector<Contact> contacts;
-        find_contacts(scene_.bodies.x, scene_.radius, scene_.walls, scene_.linked, 1e-6, contacts);
+        find_contacts(scene_, 1e-6, contacts);
         disc_rows(scene_, h, contacts, rows_, LeaveErrors{});
         u_star_ = scene_.bodies.u;
         for (Index k = 0; k < scene_.bodies.count(); ++k)
-            if (scene_.bodies.inverse_mass[2 * k] > 0) u_star_.segment<2>(2 * k) += h * scene_.gravity;
+            if (scene_.bodies.can_move(k)) u_star_.segment<2>(2 * k) += h * scene_.gravity;
 
         Random random(settings.seed);
         order_rows(rows_, scene_.bodies.count(), order_of_method(method_), random, colouring_, order_);
@@ -51,7 +51,7 @@ public:
                     visit_block(first, memory_.rows[static_cast<std::size_t>(block.second)], block.coupling,
                                 0, memory_.u);
             }
-        else sweep(memory_.rows, memory_.u, 0, backwards);
+        else sweep(memory_, 0, backwards);
         backwards ? sweep_backward(pgs_) : sweep_forward(pgs_);
         ++sweeps_;
     }
@@ -60,12 +60,12 @@ public:
     {
         Real sideways = 0, difference = 0;
         for (Index k = 0; k < scene_.bodies.count(); ++k)
-            if (scene_.bodies.inverse_mass[2 * k] > 0)
+            if (scene_.bodies.can_move(k))
                 sideways += memory_.u[2 * k] / scene_.bodies.inverse_mass[2 * k];
         for (std::size_t k = 0; k < memory_.rows.size(); ++k)
             difference =
                 std::max(difference, std::abs(memory_.rows[k].lambda - pgs_.lambda[static_cast<Index>(k)]));
-        return {static_cast<Real>(sweeps_), natural_residual(memory_.rows, memory_.u),
+        return {static_cast<Real>(sweeps_), natural_residual<2>(memory_.rows, memory_.u),
                 memory_.u.lpNorm<Eigen::Infinity>() / (9.81 / 60), sideways / weight_,
                 method_ == "blocks" ? 0 : difference};
     }
