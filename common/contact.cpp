@@ -1,11 +1,24 @@
 #include "common/contact.hpp"
 
+#include "common/forces.hpp"
+
+#include <stdexcept>
+#include <string>
+
 namespace rigid {
 
 void find_contacts(const VecX& x, const VecX& radius, const std::vector<HalfSpace>& walls,
                    const std::vector<bool>& linked, Real margin, std::vector<Contact>& contacts)
 {
     const Index K = radius.size();
+    const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
+    if (x.size() != 2 * K)
+        refuse("there are " + std::to_string(x.size()) + " coordinates for the " + std::to_string(K) +
+               " radii of discs; each disc has two");
+    if (!linked.empty() && static_cast<Index>(linked.size()) != K * K)
+        refuse("the table of linked pairs has " + std::to_string(linked.size()) +
+               " entries; it must be empty or have " + std::to_string(K * K));
+    require_margin(margin);
     contacts.clear();
     for (Index a = 0; a < K; ++a)
         for (Index b = a + 1; b < K; ++b) {

@@ -26,6 +26,7 @@ struct Contact {
 /// \param margin    [m]; a contact with a gap of up to this much is reported before it closes
 /// \param contacts  is emptied and filled: pairs a < b in ascending order, then walls. Its
 ///                  memory is kept, so that a steady scene does not allocate.
+/// \throws std::invalid_argument  if these are not the sizes of one scene, or the margin is no number
 void find_contacts(const VecX& x, const VecX& radius, const std::vector<HalfSpace>& walls,
                    const std::vector<bool>& linked, Real margin, std::vector<Contact>& contacts);
 

@@ -34,6 +34,10 @@ void link_neighbours(DiscScene& scene);
 /// no link of a body to itself, no rest length of zero or less.
 void require_valid(const DiscScene& scene);
 
+/// Throws std::invalid_argument, naming the thing, unless each link, bend and joint names bodies of the scene, and there
+/// are as many radii as bodies. A few comparisons for each of them: cheap enough for every step.
+void require_bodies(const DiscScene& scene);
+
 /// Throws std::invalid_argument, "the number of discs in a column is 0; …", unless there is one at least. For those
 /// who build scenes by number.
 void require_count(const std::string& what, Index count);

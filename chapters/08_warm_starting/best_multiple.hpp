@@ -41,6 +41,7 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
 {
     std::vector<Index>&of = groups.of, &bodies = groups.bodies;
     const auto count = static_cast<std::size_t>(inverse_mass.size() / Dof);
+    require_bodies<Dof>(rows, static_cast<Index>(count));
     const auto above = [&of](Index k) -> Index& { return of[static_cast<std::size_t>(k)]; };
     if (of.size() != count) {
         of.resize(count);

@@ -45,6 +45,12 @@ struct AwakeBodies {
     /// \throws std::invalid_argument  for a disc with two different masses
     void reset(const DiscScene& scene, CollisionFilter filter);
 
+    void require_valid() const
+    {
+        rigid::require_valid(rest);
+        require_row_slack(row_slack);
+    }
+
     /// Which bodies, which contacts, which constraints this step looks at.
     template <class Method>
     void begin(const DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
@@ -65,6 +71,7 @@ private:
 
 inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
 {
+    require_bodies(scene);
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])
@@ -94,10 +101,6 @@ inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
 inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,
                                          const RestConditions& present)
 {
-    require_valid(rest);
-    if (!(row_slack >= 0) || !std::isfinite(row_slack))
-        throw std::invalid_argument("row_slack is " + shortest(row_slack) +
-                                    "; it must be zero or positive and finite");
     if (static_cast<Index>(rests.size()) != scene.bodies.count())
         throw std::invalid_argument("the scene has " + std::to_string(scene.bodies.count()) +
                                     " discs; reset() was called with " + std::to_string(rests.size()));
