@@ -10,6 +10,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "common/text.hpp"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
 {
     std::vector<Index>&of = groups.of, &bodies = groups.bodies;
     const auto count = static_cast<std::size_t>(inverse_mass.size() / Dof);
+    require_bodies<Dof>(rows, static_cast<Index>(count));
     const auto above = [&of](Index k) -> Index& { return of[static_cast<std::size_t>(k)]; };
     if (of.size() != count) {
         of.resize(count);

@@ -156,6 +156,7 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
 inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
 {
     require_step(settings.h);
+    require_bodies(scene);
     if (!scene.joints.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.joints.size()) +

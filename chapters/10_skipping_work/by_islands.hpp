@@ -31,10 +31,19 @@ struct IslandSolver {
     int exact_count = 0;  ///< islands that were solved exactly
     int unsolved = 0;     ///< islands whose residual did not meet the tolerance
 
+    void require_valid() const
+    {
+        rigid::require_valid(sweeps);
+        if (!std::isfinite(sweeps.tolerance))
+            throw std::invalid_argument("the tolerance of the sweeps is not finite");
+        if (ordering != Order::given && ordering != Order::coloured)
+            throw std::invalid_argument("the order is " + std::string(to_string(ordering)) +
+                                        "; this solver knows given and coloured");
+    }
+
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<2>& bodies, StepData<2>& now)
     {
-        require_known();
         if (now.substep == 0) {
             most_sweeps = exact_count = unsolved = 0;
             arrange(bodies, now);
@@ -107,16 +116,6 @@ private:
             now.visits += sweep_on(some_rows(first, count), some_feedback(first, count), second.max_sweeps,
                                    second.tolerance, v);
         });
-    }
-
-    void require_known() const
-    {
-        require_valid(sweeps);
-        if (!std::isfinite(sweeps.tolerance))
-            throw std::invalid_argument("the tolerance of the sweeps is not finite");
-        if (ordering != Order::given && ordering != Order::coloured)
-            throw std::invalid_argument("the order is " + std::string(to_string(ordering)) +
-                                        "; this solver knows given and coloured");
     }
 
     /// While the rows are those of the step before, so are the islands.
