@@ -73,9 +73,18 @@ DiscScene five_at_rest()
 }
 
 /// Each method holds the five where they are for a second.
-void check_held(const DiscScene& from)
+/// \param but  a method that does not: it solves all rows as one problem, and says that this has no answer
+void check_held(const DiscScene& from, const std::string& but = "")
 {
     for_each_method([&](const std::string& name, const auto& method) {
+        if (name == but) {
+            DiscScene scene = from;
+            auto honest = method;
+            StepData<2> now;
+            step(scene, {.h = 1.0 / 60}, honest, now);
+            CHECK(now.solution.status == Status::infeasible);
+            return;
+        }
         DiscScene scene = from;
         run(scene, {.h = 1.0 / 60}, method, 60);
         CAPTURE(name);
@@ -96,7 +105,8 @@ TEST_CASE(
     check_held(scene);
 }
 
-TEST_CASE("rods that no place satisfies leave five discs at rest where they are whatever the method")
+TEST_CASE(
+    "rods that no place satisfies leave five discs at rest where they are but for one walk over all rows")
 {
     SECTION("between two fixed discs")
     {
@@ -112,7 +122,7 @@ TEST_CASE("rods that no place satisfies leave five discs at rest where they are 
         add_disc(scene, {3, 1}, true);
         add_disc(scene, {3.5, 1}, false);
         scene.links = {{5, 6, 0.4}, {5, 6, 0.6}};
-        check_held(scene);
+        check_held(scene, "Lemke");
     }
     SECTION("between two that fall")
     {
@@ -120,7 +130,7 @@ TEST_CASE("rods that no place satisfies leave five discs at rest where they are 
         add_disc(scene, {3, 100}, false);
         add_disc(scene, {3.5, 100}, false);
         scene.links = {{5, 6, 0.4}, {5, 6, 0.6}};
-        check_held(scene);
+        check_held(scene, "Lemke");
     }
     SECTION("of a disc that two fixed ones jam")
     {
