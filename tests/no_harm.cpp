@@ -355,18 +355,14 @@ TEST_CASE("a step that is refused for a setting of any stage leaves the scene as
 
 TEST_CASE("a body that is not there is refused by name wherever rows and scenes come in")
 {
-    VecX x(4), radius(3);
-    x.setZero();
-    radius.setOnes();
     std::vector<Contact> contacts;
-    const auto find = [&](const VecX& centres, const std::vector<bool>& linked, Real margin) {
-        return refusal([&] { find_contacts(centres, radius, {}, linked, margin, contacts); });
-    };
-    CHECK(find(x, {}, 0) == "there are 4 coordinates for the 3 radii of discs; each disc has two");
-    x.setZero(6);
-    CHECK(find(x, std::vector<bool>(4), 0) ==
-          "the table of linked pairs has 4 entries; it must be empty or have 9");
-    CHECK(find(x, {}, not_a_number).find("the margin of contacts is nan") == 0);
+    DiscScene short_of_one = column(3);
+    short_of_one.bodies.x.setZero(4);
+    CHECK(refusal([&] { find_contacts(short_of_one, 0, contacts); }) ==
+          "there are 4 coordinates for the 3 radii of discs; each disc has two");
+    CHECK(refusal([&] {
+              find_contacts(column(3), not_a_number, contacts);
+          }).find("the margin of contacts is nan") == 0);
 
     for (const Index k : {-1, 3}) {
         const std::string sentence = " names body " + std::to_string(k) + "; the scene has bodies 0 to 2";
