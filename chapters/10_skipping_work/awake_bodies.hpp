@@ -44,7 +44,6 @@ struct AwakeBodies {
     /// Puts a scene in: all that can move is awake.
     /// \throws std::invalid_argument  for a disc with two different masses
     void reset(const DiscScene& scene, CollisionFilter filter);
-
     void require_valid() const
     {
         rigid::require_valid(rest);
