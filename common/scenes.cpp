@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -19,7 +20,9 @@ void require_body(const std::string& what, Index k, Index count)
 {
     if (k < 0 || k >= count)
         throw std::invalid_argument(what + " names body " + std::to_string(k) +
-                                    "; the scene has bodies 0 to " + std::to_string(count - 1));
+                                    (count == 0
+                                         ? "; the scene has no bodies"
+                                         : "; the scene has bodies 0 to " + std::to_string(count - 1)));
 }
 
 void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
@@ -38,8 +41,32 @@ void require_count(const std::string& what, Index count)
     if (count < 1) refuse("the number of " + what, static_cast<Real>(count), "1 or more");
 }
 
+void require_bodies(const DiscScene& scene)
+{
+    const Index K = scene.bodies.count();
+    if (scene.radius.size() != K)
+        throw std::invalid_argument("there are " + std::to_string(scene.radius.size()) + " radii for " +
+                                    std::to_string(K) + " discs");
+    const auto check = [K](const char* kind, std::size_t i, std::initializer_list<Index> bodies) {
+        for (const Index k : bodies)
+            if (k < 0 || k >= K) require_body(kind + std::to_string(i), k, K);  // the name is only made here
+    };
+    for (std::size_t i = 0; i < scene.links.size(); ++i)
+        check("link ", i, {scene.links[i].a, scene.links[i].b});
+    for (std::size_t i = 0; i < scene.bends.size(); ++i)
+        check("bend ", i, {scene.bends[i].left, scene.bends[i].middle, scene.bends[i].right});
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        const Joint& joint = scene.joints[i];
+        check("joint ", i, {joint.a == world ? joint.b : joint.a, joint.b});
+    }
+}
+
 void link_neighbours(DiscScene& scene)
 {
+    const Index K = scene.bodies.count();
+    for (std::size_t i = 0; i < scene.links.size(); ++i)
+        for (const Index k : {scene.links[i].a, scene.links[i].b})
+            require_body("link " + std::to_string(i), k, K);
     std::vector<PairSet::Pair> pairs;
     for (const Link& link : scene.links) pairs.emplace_back(link.a, link.b);
     scene.linked = PairSet(std::move(pairs));

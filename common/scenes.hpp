@@ -36,6 +36,10 @@ void link_neighbours(DiscScene& scene);
 /// no link of a body to itself, no rest length of zero or less.
 void require_valid(const DiscScene& scene);
 
+/// Throws std::invalid_argument, naming the thing, unless each link, bend and joint names bodies of the scene, and there
+/// are as many radii as bodies. A few comparisons for each of them: cheap enough for every step.
+void require_bodies(const DiscScene& scene);
+
 /// Adds a disc at rest to a scene, also to one that is running; a world that skips has a door of its own,
 /// scene_edits.hpp of chapter 10.
 /// \param mass    [kg], positive; infinity = cannot move

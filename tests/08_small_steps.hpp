@@ -75,7 +75,6 @@ inline VecX run_small(DiscScene scene, const SmallStepSettings& settings, int st
 
 inline PoseErrors watched(const EngineScene& from, SmallStepSettings settings, int steps)
 {
-    settings.gravity = from.scene.gravity;
     settings.collides = from.collides;
     PoseWatch watch(from, steps, settings.h);
     SmallStep now;
@@ -92,7 +91,6 @@ TEST_CASE("a small step of another length starts from the scaled impulses also w
 {
     DiscScene scene = engine_scene("column_20_1").scene;
     SmallStepSettings settings = quick_steps();
-    settings.gravity = scene.gravity;
     SmallStep now;
     for (int k = 0; k < 20; ++k) small_steps(scene, settings, now);
     REQUIRE(now.same_rows);
@@ -121,7 +119,6 @@ TEST_CASE("small steps are the warm step with nothing computed twice", "[idea]")
             infinity;  // how a limit is shared among visits, is each step's own
         const StepSettings same = same_settings(settings);
         WarmMethod method = same_method(settings);
-        warm.gravity = settings.gravity;
         SmallStep now;
         StepData<2> other;
         for (int k = 0; k < 12; ++k) {
@@ -265,6 +262,35 @@ TEST_CASE("small steps with settings that make no sense are refused", "[house]")
     CHECK(sentence([](auto& s) { s.h = -1; }).find("time step") != std::string::npos);
     CHECK(sentence([](auto& s) { s.correction.slop = -1; }).find("slop") != std::string::npos);
     CHECK(sentence([](auto& s) { s.correction.beta = 0.5; }).find("beta") != std::string::npos);
+}
+
+TEST_CASE("small steps fall with the gravity of the scene and refuse what they do not know", "[house]")
+{
+    DiscScene scene = column(1);
+    scene.walls.clear();
+    scene.gravity = {1, -2};
+    SmallStep now;
+    small_steps(scene, {.h = 0.25, .substeps = 1}, now);
+    CHECK(scene.bodies.velocity(0) == Vec2(0.25, -0.5));  // powers of two: exact
+
+    const auto sentence = [](const DiscScene& from) -> std::string {
+        DiscScene refused = from;
+        SmallStep memory;
+        try {
+            small_steps(refused, quick_steps(), memory);
+        } catch (const std::invalid_argument& error) {
+            CHECK(refused.bodies.x == from.bodies.x);
+            CHECK(refused.bodies.u == from.bodies.u);
+            return error.what();
+        }
+        return "accepted";
+    };
+    CHECK(sentence(ten_discs()).find("5 bends") != std::string::npos);
+    DiscScene jointed = column(3);
+    jointed.joints.resize(2);
+    CHECK(sentence(jointed).find("2 joints") != std::string::npos);
+    scene.gravity = {0, infinity};
+    CHECK(sentence(scene).find("gravity") != std::string::npos);
 }
 
 TEST_CASE("discs in one point and immovable pairs do not make a number that is none", "[house]")

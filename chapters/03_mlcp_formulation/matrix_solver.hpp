@@ -26,6 +26,11 @@ struct MatrixSolver {
     AssemblyScratch scratch;
     Mlcp mlcp;
 
+    void require_valid() const
+    {
+        if constexpr (requires { find.require_valid(); }) find.require_valid();
+    }
+
     /// The least change of u* that keeps to the rows: w = A λ + q, complementary to λ (3.12); u = u* + M⁻¹ Jᵀ λ (3.9).
     template <int Dof>
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)

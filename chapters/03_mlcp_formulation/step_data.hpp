@@ -97,6 +97,7 @@ struct AllPairs {
 
     void find(const DiscScene& scene, const StepSettings& settings, StepData<2>& now) const
     {
+        require_bodies(scene);
         const Bodies<2>& bodies = scene.bodies;
         now.active.resize(static_cast<std::size_t>(bodies.count()));
         std::iota(now.active.begin(), now.active.end(), 0);

@@ -52,9 +52,10 @@ struct ImpulseSolver {
     ImpulseMemory<Dof> memory;
     std::vector<Block> blocks;
 
+    void require_valid() const { rigid::require_valid(sweeps); }
+
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
-        require_valid(sweeps);
         const bool ordered = now.same_rows && ordering == Order::coloured && order.size() == now.rows.size();
         if (now.substep == 0 && !ordered)
             order_rows(now.rows, bodies.count(), ordering, random, colouring, order);

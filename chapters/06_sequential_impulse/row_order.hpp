@@ -11,6 +11,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "common/random.hpp"
 
 #include <bit>
@@ -56,6 +57,7 @@ template <int Dof>
 void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& memory, std::vector<int>& order)
 {
     constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
+    require_bodies<Dof>(rows, bodies);
     memory.used.assign(static_cast<std::size_t>(bodies), 0);
     memory.colour.resize(rows.size());
     memory.start.assign(Colouring::most + 1, 0);

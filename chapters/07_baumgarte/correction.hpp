@@ -17,13 +17,17 @@ struct Correction : StabilizerSettings, Restitution {
     VecX v;                  ///< pseudo-velocities of split_impulse [m/s]
     std::vector<Real> goal;  ///< of projection [m]
 
+    void require_valid() const
+    {
+        rigid::require_valid(static_cast<const Restitution&>(*this));
+        rigid::require_valid(static_cast<const StabilizerSettings&>(*this));
+    }
+
     //! [rows]
     /// b is what the way makes of C, or a bounce.
     template <class Scene>
     void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now) const
     {
-        require_valid(static_cast<const Restitution&>(*this));
-        require_valid(static_cast<const StabilizerSettings&>(*this));
         const Real h = settings.part();
         write_rows(scene.bodies, h, now, [&](const auto& c) { return velocity_bias(c, *this, h); });
         add_bounces(scene, *this, settings, now);

@@ -20,10 +20,9 @@
 namespace rigid {
 
 struct SmallStepSettings {
-    Real h = 1.0 / 60;          ///< time step [s]
-    Vec2 gravity = {0, -9.81};  ///< [m/s²]
-    int substeps = 8;           ///< n
-    int sweeps = 1;             ///< in each of them
+    Real h = 1.0 / 60;  ///< time step [s]
+    int substeps = 8;   ///< n
+    int sweeps = 1;     ///< in each of them
     int first_sweeps =
         1000;  ///< in the very first, which has no previous answer: at most, while a visit changes
     Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [m/s]
@@ -85,6 +84,7 @@ inline std::pair<Index, Index> bodies_of(const DiscScene& scene, const SmallStep
 /// Which rows and bodies have a multiple in common.
 inline void number_groups(const DiscScene& scene, SmallStep& now)
 {
+    now.groups.of.clear();  // it holds the numbers of the last call
     find_groups<2>(now.bodies, scene.bodies.inverse_mass, now.groups);
     std::vector<Index>& of = now.groups.of;  // the lowest body of the group; becomes its number, from 0
     now.starts.clear();
@@ -157,11 +157,16 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
 inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
 {
     require_step(settings.h);
+    require_bodies(scene);
     if (!scene.joints.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.joints.size()) +
             " joints; small_steps() knows none: take step() by WarmMethod with sub-steps");
-    require_forces(settings.gravity, 0, 0, {0, 0});
+    if (!scene.bends.empty())
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.bends.size()) +
+            " bends; small_steps() knows no torsional springs: take step() by WarmMethod with sub-steps");
+    require_forces(scene.gravity, 0, 0, {0, 0});
     require_margin(settings.margin);
     require_valid(settings.correction);
     require_valid(settings.start);

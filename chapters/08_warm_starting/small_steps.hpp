@@ -9,8 +9,8 @@
 /// The answer is that of step() by WarmMethod with the same substeps and sweeps and a projection at the end (no slop),
 /// to rounding: a test checks that. Left out is what does not change within a step, and the way from
 /// Constraint to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are
-/// those of the previous step, no key is looked up and no colour chosen: λ is where it was. Bends, restitution, a hand that pulls and
-/// joints are that method's alone.
+/// those of the previous step, no key is looked up and no colour chosen: λ is where it was. Restitution and a hand that pulls are that
+/// method's alone; a scene with bends or joints is refused.
 #pragma once
 
 #include "chapters/08_warm_starting/small_step_rows.hpp"
@@ -135,7 +135,7 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
     const bool no_yesterday = now.cache.h == 0;
     begin_rows(scene, settings, now);
     const Real h = settings.h / settings.substeps;
-    const Vec2 gain = h * settings.gravity;
+    const Vec2 gain = h * scene.gravity;
     now.u = bodies.u;
     now.change.setZero(now.u.size());
     now.sweeps = 0;

@@ -19,6 +19,8 @@ struct FindActiveSets {
     ActiveSetSettings settings;
     ActiveSetMemory memory;
 
+    void require_valid() const { rigid::require_valid(settings); }
+
     void operator()(const Mlcp& mlcp, Solution& solution) { active_sets(mlcp, settings, memory, solution); }
 };
 
@@ -28,6 +30,14 @@ struct ExactSolver : MatrixSolver<FindActiveSets> {
     FindActiveSets errors;  ///< both problems have the same A, and each its own active rows
     Real enough = 0;   ///< a residual below this is none [m/s]; never less than what rounding makes, (9.21a)
     int unsolved = 0;  ///< problems of this step that have no exact answer
+
+    void require_valid() const
+    {
+        if (!(enough >= 0 && enough < infinity))
+            throw std::invalid_argument("the residual that is nothing is " + shortest(enough) +
+                                        " m/s; it must be zero or positive, and finite");
+        find.require_valid();
+    }
 
     template <int Dof>
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)

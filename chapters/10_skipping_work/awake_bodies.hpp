@@ -48,6 +48,12 @@ struct AwakeBodies {
     /// Disc k = K − 1 is new in the scene, without links, bends or joints.
     void add(const DiscScene& scene, Index k);
 
+    void require_valid() const
+    {
+        rigid::require_valid(rest);
+        require_row_slack(row_slack);
+    }
+
     /// Which bodies, which contacts, which constraints this step looks at.
     template <class Method>
     void begin(const DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
@@ -70,10 +76,6 @@ private:
 inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,
                                          const RestConditions& present)
 {
-    require_valid(rest);
-    if (!(row_slack >= 0) || !std::isfinite(row_slack))
-        throw std::invalid_argument("row_slack is " + shortest(row_slack) +
-                                    "; it must be zero or positive and finite");
     if (static_cast<Index>(rests.size()) != scene.bodies.count())
         throw std::invalid_argument("the scene has " + std::to_string(scene.bodies.count()) +
                                     " discs; reset() was called with " + std::to_string(rests.size()));

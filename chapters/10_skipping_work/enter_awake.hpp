@@ -12,6 +12,7 @@ namespace rigid {
 
 inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
 {
+    require_bodies(scene);
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])

@@ -40,7 +40,8 @@ struct SkippingSettings {
     ImpulseSettings sweeps;         ///< of each island; a tolerance of 0 makes all sweeps
     StabilizerSettings stabilizer;  ///< what becomes of position errors
     Restitution bounce;
-    Start start = Start::previous;  ///< where the sweeps start
+    Start start = Start::
+        best_multiple;  ///< where the sweeps start; the only warm start that is safe whatever the scene
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
     Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]

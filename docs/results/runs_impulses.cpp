@@ -70,7 +70,6 @@ void add_small(Registry& registry, const SharedRun& run, const SmallStepSettings
     add_run(registry, run, "8", method, sweeps_text(1, substeps), quick, [=] {
         SmallStepSettings settings = preset;
         settings.h = run->h();
-        settings.gravity = run->engine.scene.gravity;
         settings.substeps = substeps;
         settings.collides = run->engine.collides;
         return [settings, now = SmallStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {

@@ -16,6 +16,7 @@ void add_skipping(Registry& registry, const SharedRun& run, const std::string& m
     settings.h = run->h();
     settings.sweeps.max_sweeps = sweeps;
     settings.sweeps.tolerance = 1e-6;
+    settings.start = Start::previous;
     settings.stabilizer.method = Stabilizer::baumgarte;
     settings.sleep = sleep;
     settings.exact_rows = exact_rows;

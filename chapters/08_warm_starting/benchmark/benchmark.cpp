@@ -64,7 +64,6 @@ struct SmallSteps : Engine {
     SmallSteps(const EngineScene& from, SmallStepSettings preset) : scene(from.scene), settings(preset)
     {
         settings.h = h;
-        settings.gravity = scene.gravity;
         settings.collides = from.collides;
     }
     void step() override { small_steps(scene, settings, now); }

@@ -232,6 +232,7 @@ SkippingSettings early_out(Real h, bool may_sleep)
     SkippingSettings settings;
     settings.h = h;
     settings.sleep = may_sleep;
+    settings.start = Start::previous;  // the sweeps go on until the residual is small, so it does no harm here
     settings.sweeps.max_sweeps = 40;
     settings.sweeps.tolerance = 1e-5;
     settings.stabilizer.slop = 5e-4;

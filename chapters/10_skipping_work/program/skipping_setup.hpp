@@ -32,6 +32,7 @@ inline void tune(const Settings& settings, Real margin, SkippingState& state)
     skipping.islands = settings.method != "one_island";
     skipping.stabilizer.slop = 5e-4;
     skipping.stabilizer.max_correction_speed = 1;
+    skipping.start = Start::previous;  // the sweeps go on until the residual is small
     skipping.pulled = state.step.pulled;
     state.step = configure(state.method, skipping, margin);
 }
