@@ -2,6 +2,7 @@
 
 #include "common/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,24 @@ void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
 void require_count(const std::string& what, Index count)
 {
     if (count < 1) refuse("the number of " + what, static_cast<Real>(count), "1 or more");
+}
+
+Real typical_length(const DiscScene& scene)
+{
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
+    if (scene.length > 0) return scene.length;
+    const Index K = std::min(scene.bodies.count(), scene.radius.size());
+    Real sum = 0, movable = 0, count = 0;
+    for (Index k = 0; k < K; ++k) {
+        sum += scene.radius[k];
+        if (!(scene.bodies.inverse_mass[2 * k] > 0)) continue;
+        movable += scene.radius[k];
+        ++count;
+    }
+    const Real mean = count > 0 ? movable / count : K > 0 ? sum / static_cast<Real>(K) : Real{0.1};
+    if (!(mean > 0) || !std::isfinite(mean)) return 1;  // require_valid() says what is wrong with such radii
+    return std::pow(10.0, std::round(std::log10(10 * mean)));
 }
 
 void link_neighbours(DiscScene& scene)
@@ -105,6 +124,8 @@ void require_valid(const DiscScene& scene)
         if (!(joint.force >= 0)) refuse("the force of " + name, joint.force, "zero or positive");
     }
     if (!scene.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
     if (!scene.linked.empty() && static_cast<Index>(scene.linked.size()) != K * K)
         throw std::invalid_argument("the table of linked pairs has " + std::to_string(scene.linked.size()) +
                                     " entries; it must be empty or have " + std::to_string(K * K));

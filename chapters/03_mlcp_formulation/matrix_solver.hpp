@@ -30,7 +30,7 @@ struct MatrixSolver {
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         assemble(now.rows, now.u_star, scratch, mlcp);
-        hand_over(find, mlcp, now.solution);
+        find_in_lengths(now.solution, now.length);
         apply_impulses(now.solution.lambda, bodies, now);
     }
 
@@ -40,7 +40,7 @@ struct MatrixSolver {
     {
         for (std::size_t i = 0; i < now.rows.size(); ++i)
             mlcp.q[static_cast<Index>(i)] += second.bias[i] - now.rows[i].bias;
-        hand_over(find, mlcp, now.solution);
+        find_in_lengths(now.solution, now.length);
         apply_impulses(now.solution.lambda, bodies, now);
     }
 
@@ -54,12 +54,25 @@ struct MatrixSolver {
             if (second.left_out[i]) mlcp.lo[row] = mlcp.hi[row] = 0;
         }
         second.solution.lambda.setZero(mlcp.size());
-        hand_over(find, mlcp, second.solution);
+        find_in_lengths(second.solution, now.length);
         for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
         apply(now.rows, second.solution.lambda, v);
     }
 
 private:
+    /// A tolerance of m/s would be another one in a scene of another size: a solver gets speeds in ℓ a second.
+    void find_in_lengths(Solution& solution, Real length)
+    {
+        if (length != 1) {
+            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers /= length;
+        }
+        hand_over(find, mlcp, solution);
+        if (length != 1) {
+            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers *= length;
+            solution.residual *= length;
+        }
+    }
+
     template <int Dof>
     static void apply_impulses(const VecX& lambda, Bodies<Dof>& bodies, const StepData<Dof>& now)
     {

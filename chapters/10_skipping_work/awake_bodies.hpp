@@ -22,7 +22,8 @@ namespace rigid {
 struct AwakeBodies {
     RestSettings rest;
     bool sleep = true;   ///< false: nobody falls asleep
-    Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [m]
+    Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [ℓ]
+    Real length = 1;     ///< ℓ, of the scene [m]; written by reset()
 
     AwakeSet set;
     BroadPhase broad;
@@ -70,6 +71,7 @@ inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
         if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])
             throw std::invalid_argument("disc " + std::to_string(k) + " has two different masses");
     set = everybody_awake(scene.bodies);
+    length = typical_length(scene);
     broad.reset(scene, std::move(filter));
     links_on = incidence(K, scene.links.size(), [&](std::size_t i, const auto& visit) {
         visit(scene.links[i].a);
@@ -168,7 +170,7 @@ inline void AwakeBodies::list_sources(const DiscScene& scene, const StepSettings
     now.same_bodies = !changed;
     collect_active(scene);
     if (row_slack > 0) {
-        keep_contacts(scene, set, broad, row_slack, kept, now.contacts);
+        keep_contacts(scene, set, broad, row_slack * length, kept, now.contacts);
     } else {
         awake_contacts(scene, set, broad, now.contacts);
         kept = {};
@@ -196,9 +198,9 @@ void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings, Me
     if constexpr (requires { method.correction.beta; }) present.correction = method.correction;
     wake_by_changes(scene, settings, present);
     now.active.clear();
-    if (settings.margin != broad.margin) change_margin(scene, settings.margin);
+    now.length = length;
+    if (settings.margin * length != broad.margin) change_margin(scene, settings.margin * length);
     if (set.awake.empty()) return;
-
     // Which discs may touch which; a disc that is touched wakes.
     update_pairs(scene, set, broad);
     if (!set.woken.empty()) {

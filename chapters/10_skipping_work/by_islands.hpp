@@ -25,14 +25,17 @@ struct IslandSolver {
     std::vector<ExactScratch> exact;
 
     // Of the last step.
-    int most_sweeps = 0;  ///< of the island that needed the most
-    int exact_count = 0;  ///< islands that were solved exactly
-    int unsolved = 0;     ///< islands whose residual did not meet the tolerance
+    int most_sweeps = 0;        ///< of the island that needed the most
+    int exact_count = 0;        ///< islands that were solved exactly
+    int unsolved = 0;           ///< islands whose residual did not meet the tolerance
+    ImpulseSettings in_metres;  ///< the sweeps, with a tolerance in m/s
 
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<2>& bodies, StepData<2>& now)
     {
         require_known();
+        in_metres = sweeps;
+        in_metres.tolerance *= now.length;
         if (now.substep == 0) {
             most_sweeps = exact_count = unsolved = 0;
             arrange(bodies, now);
@@ -108,14 +111,14 @@ private:
     {
         if (island.empty()) return;
         if (static_cast<int>(island.size()) <= exact_rows) {
-            const IslandAnswer answer = solve_exactly(island, sweeps.tolerance, exact, u);
+            const IslandAnswer answer = solve_exactly(island, in_metres.tolerance, exact, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
                 ++exact_count;
                 return;
             }
         }
-        const IslandAnswer answer = sweep_island(island, sweeps, u);
+        const IslandAnswer answer = sweep_island(island, in_metres, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

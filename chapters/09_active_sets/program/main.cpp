@@ -4,6 +4,7 @@
 #include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/program/exact_run.hpp"
 #include "chapters/09_active_sets/program/scene_guess.hpp"
+#include "chapters/09_active_sets/program/scene_linkage.hpp"
 #include "chapters/09_active_sets/program/scene_plane.hpp"
 
 using namespace rigid;
@@ -25,7 +26,8 @@ int main(int argc, char** argv)
         Program program;
         program.name = "09_active_sets";
         program.title = "Chapter 9. Active sets";
-        program.scenes = {plane_scene(), guess_scene(), ten_discs_exactly_scene(), long_chain_scene()};
+        program.scenes = {plane_scene(), guess_scene(), ten_discs_exactly_scene(), long_chain_scene(),
+                          linkage_scene()};
         program.problem_methods = names_of(problem_methods());
         program.solve_problem = [](const std::string& file, const std::string& method) {
             return solve_problem_file(file, method, problem_methods());
