@@ -12,6 +12,7 @@
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
 #include "tests/says.hpp"
+#include "tests/sentence.hpp"
 
 #include <functional>
 #include <numeric>
@@ -102,16 +103,6 @@ Mlcp planted(Random& random, const MatX& A, VecX& lambda, VecX& w)
     w = VecX::Zero(n);
     for (Index i = 0; i < n; ++i) (random.uniform() < 0.5 ? lambda : w)[i] = random.uniform(0.1, 2);
     return problem(A, w - A * lambda);
-}
-
-std::string sentence_of(const std::function<void()>& act)
-{
-    try {
-        act();
-    } catch (const std::invalid_argument& refused) {
-        return refused.what();
-    }
-    return "accepted";
 }
 
 /// One disc of 1 kg and radius 0.1 m.

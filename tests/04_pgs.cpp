@@ -15,6 +15,7 @@
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
 #include "tests/says.hpp"
+#include "tests/sentence.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -112,16 +113,6 @@ Mlcp random_symmetric(Random& random, Index n, bool definite = false)
             mlcp.lo[i] = mlcp.hi[i] = random.uniform(-1, 1);  // pinned
         }
     return mlcp;
-}
-
-std::string sentence_of(const std::function<void()>& act)
-{
-    try {
-        act();
-    } catch (const std::invalid_argument& refused) {
-        return refused.what();
-    }
-    return "accepted";
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/sentence.hpp"
 
 #include <functional>
 #include <numeric>
@@ -27,16 +28,6 @@
 using namespace rigid;
 
 namespace {
-
-std::string sentence_of(const std::function<void()>& act)
-{
-    try {
-        act();
-    } catch (const std::invalid_argument& refused) {
-        return refused.what();
-    }
-    return "accepted";
-}
 
 /// Rows at random between bodies at random, of all kinds of bounds; some bodies cannot move.
 template <int Dof>
@@ -115,7 +106,7 @@ Real largest_difference(const std::vector<Row<Dof>>& rows, const VecX& u_star, c
     for (int k = 0; k < sweeps; ++k) {
         const bool backwards = alternate && k % 2 == 1;
         backwards ? sweep_backward(pgs_rows) : sweep_forward(pgs_rows);
-        sweep(memory.rows, memory.u, 0, backwards);
+        sweep(memory, 0, backwards);
         VecX u, lambda(mlcp.size());
         end_sweeps(order, memory, u, solution);
         for (Index i = 0; i < mlcp.size(); ++i)
@@ -126,9 +117,8 @@ Real largest_difference(const std::vector<Row<Dof>>& rows, const VecX& u_star, c
         apply(rows, lambda, expected);
         largest = std::max(largest, (u - expected).lpNorm<Eigen::Infinity>() /
                                         (1 + expected.lpNorm<Eigen::Infinity>() + scale));
-        largest = std::max(
-            largest, std::abs(natural_residual(memory.rows, memory.u) - natural_residual(mlcp, lambda)) /
-                         (scale + natural_residual(mlcp, lambda)));
+        largest = std::max(largest, std::abs(natural_residual(memory) - natural_residual(mlcp, lambda)) /
+                                        (scale + natural_residual(mlcp, lambda)));
     }
     return largest;
 }
@@ -160,7 +150,7 @@ TEST_CASE("two discs in a column by hand make the visits of chapter 4 on velocit
     const Real by_hand[][4] = {
         {1, 0.5, -0.5, -0.5}, {1.5, 0.75, -0.25, -0.25}, {1.75, 0.875, -0.125, -0.125}};
     for (const auto& [first, second, u1, u2] : by_hand) {
-        sweep(memory.rows, memory.u, 0);
+        sweep(memory, 0);
         CHECK(memory.rows[0].lambda == first);  // halves and quarters: no rounding at all
         CHECK(memory.rows[1].lambda == second);
         CHECK(memory.u[1] == u1);
@@ -210,7 +200,7 @@ TEST_CASE("a column takes the sweeps that chapter 4 needs for six digits")
             return largest / exact.maxCoeff();
         };
         int sweeps = 0;
-        while (error() > 1e-6 && sweeps < 10000) sweep(memory.rows, memory.u, 0), ++sweeps;
+        while (error() > 1e-6 && sweeps < 10000) sweep(memory, 0), ++sweeps;
         CHECK(sweeps == wanted);
     }
 }
@@ -431,7 +421,7 @@ TEST_CASE("after n sweeps the first row of two is off by what (6.13) says")
         begin_sweeps(here.rows, {}, 0, memory, here.u_star, solution);
         const Real c = std::cos(2 * angle), speed = 9.81 / 60 * std::cos(angle);
         for (int n = 1; n <= 8; ++n) {
-            sweep(memory.rows, memory.u, 0);
+            sweep(memory, 0);
             // Roundings of numbers of size speed.
             CHECK(here.rows[0].velocity(memory.u) ==
                   Approx(speed * (1 - c) * std::pow(c, 2 * n - 1)).margin(1e-15));

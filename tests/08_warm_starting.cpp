@@ -14,6 +14,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/sentence.hpp"
 
 #include <functional>
 #include <map>
@@ -22,16 +23,6 @@
 using namespace rigid;
 
 namespace {
-
-std::string sentence_of(const std::function<void()>& act)
-{
-    try {
-        act();
-    } catch (const std::invalid_argument& refused) {
-        return refused.what();
-    }
-    return "accepted";
-}
 
 VecX numbers(std::initializer_list<Real> values)
 {

@@ -626,7 +626,7 @@ TEST_CASE("an island is said to be solved only when its residual is below the to
         }
         traps += natural_residual<2>(std::span<const SolverRow<2>>(early), v) > settings.tolerance;
 
-        solved += sweep_island<2>(solver_rows, settings, u).status == Status::solved;
+        solved += sweep_island<2>(solver_rows, {}, settings, u).status == Status::solved;
         REQUIRE(natural_residual<2>(std::span<const SolverRow<2>>(solver_rows), u) <= settings.tolerance);
     }
     CHECK(solved == 100);

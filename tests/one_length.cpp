@@ -168,7 +168,8 @@ TEST_CASE("the length of a scene is the power of ten next to ten mean radii unle
     CHECK(typical_length(triangle(4)) == 1);
     CHECK(typical_length(scaled(ten_discs(), 1000)) == 1000);
     CHECK(typical_length(scaled(ten_discs(), 1e-3)) == Approx(1e-3).epsilon(1e-15));
-    CHECK(typical_length(DiscScene{}) == 1);
+    const DiscScene empty;
+    CHECK(typical_length(empty) == 1);
     // A disc that cannot move is ground, however large.
     DiscScene ground = triangle(3);
     ground.radius[0] = 1e4;

@@ -3,43 +3,20 @@
 ///
 ///     w = J u + b,   lo ≤ λ ≤ hi
 ///
-/// A `Constraint` is what geometry knows of it at the present positions: C and its
-/// derivative J, and of which kind it is. A `Row` is what a solver needs: J, what one unit of λ does to the
-/// bodies, the bias and the bounds. `solve_row` answers one row exactly (2.7).
+/// A `Constraint` is what geometry knows of it (constraint_kinds.hpp). A `Row` is what a solver needs: J, what one
+/// unit of λ does to the bodies, the bias and the bounds. `solve_row` answers one row exactly (2.7).
 ///
 /// The signs: C ≥ 0 means separated, and a positive λ pushes: body b along the normal,
 /// body a against it. The world is always body a.
 #pragma once
 
-#include "common/bodies.hpp"
-#include "common/text.hpp"
+#include "chapters/02_velocity_constraints/constraint_kinds.hpp"
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <utility>
 
 namespace rigid {
-
-/// What the impulse of a constraint may do, and whether C is an error to be corrected.
-enum class ConstraintKind : unsigned char {
-    bilateral,   ///< pushes and pulls: C = 0, and any other C is an error
-    unilateral,  ///< only pushes: C ≥ 0, and C < 0 is an error
-    motor,       ///< C is to grow at a given speed, as far as a force allows; C itself is no error
-};
-
-/// \f$C(x)\f$ and \f$J = \partial C / \partial x\f$ at the present positions, (2.2), and the kind of the constraint.
-/// All later code asks for the kind, never for a row's place in a list.
-template <int Dof>
-struct Constraint {
-    Index a = world;  ///< the world is always a
-    Index b = 0;
-    Real C = 0;  ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
-    RowVec<Dof> Ja = RowVec<Dof>::Zero();  ///< block of J for body a; zero for the world
-    RowVec<Dof> Jb = RowVec<Dof>::Zero();  ///< block of J for body b
-    ConstraintKind kind = ConstraintKind::bilateral;
-    bool bounces = false;  ///< a contact: its bodies may part faster than they need to (chapter 6)
-    Real speed = 0;        ///< of a motor: the wanted J u [m/s]
-    Real force = 0;        ///< of a motor: at most this, to either side [N]
-};
 
 //! [row]
 /// One row of \f$w = Ju + b\f$ with the bounds of its impulse.
@@ -66,12 +43,20 @@ struct Row {
     /// \f$J M^{-1} J^T\f$ [1/kg]: how readily the row's velocity follows its impulse.
     Real inverse_effective_mass() const { return Ja.dot(Wa) + Jb.dot(Wb); }
 
+    /// \f$A_{ii} = J M^{-1} J^T + \gamma\f$ [1/kg]: what one unit of λ does to the row's own w.
+    Real diagonal() const { return inverse_effective_mass() + softness; }
+
     /// \f$u \leftarrow u + M^{-1} J^T \lambda\f$, (2.5).
     void apply(Real lambda, VecX& u) const
     {
         if (a != world) u.template segment<Dof>(Dof * a) += Wa * lambda;
         u.template segment<Dof>(Dof * b) += Wb * lambda;
     }
+
+    // Of rows that follow an impulse (chapters 13 and 15); until then they stay as they are here.
+    Real softness = 0;  ///< γ ≥ 0 [1/kg]: w = J u + b + γ λ, so that the row gives way under its impulse
+    int bounded_by = -1;  ///< the row n whose impulse bounds this one, |λ| ≤ μ λ_n; −1: lo and hi do
+    Real friction = 0;    ///< μ ≥ 0
 };
 //! [row]
 
@@ -100,22 +85,41 @@ Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass, R
 
 //! [row_of]
 /// The row of a constraint by its kind. An impulse is a force times h, so a motor of ±F has the bounds ±hF.
-/// \param bias  b [m/s]; of a motor −speed
+/// \param bias  b [m/s]; of a kind without an error own_bias()
 /// \param h     time step [s]
 template <int Dof>
 Row<Dof> row_of(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias, Real h)
 {
+    const bool pulls = constraint.kind != ConstraintKind::unilateral;
+    Row<Dof> row = make_row(constraint, inverse_mass, bias, pulls ? -infinity : 0, infinity);
     switch (constraint.kind) {
-    case ConstraintKind::unilateral:
-        return make_row(constraint, inverse_mass, bias, 0, infinity);
-    case ConstraintKind::motor:
-        return make_row(constraint, inverse_mass, bias, -h * constraint.force, h * constraint.force);
     case ConstraintKind::bilateral:
+    case ConstraintKind::unilateral:
+        break;
+    case ConstraintKind::motor:
+        row.hi = h * constraint.force;
+        row.lo = -row.hi;
+        break;
+    case ConstraintKind::friction:
+        row.bounded_by = constraint.bounded_by;
+        row.friction = constraint.friction;
+        break;
+    case ConstraintKind::spring:
+        row.softness = 1 / (h * (h * constraint.stiffness + constraint.damping));
         break;
     }
-    return make_row(constraint, inverse_mass, bias, -infinity, infinity);
+    return row;
 }
 //! [row_of]
+
+/// What a row's impulse may be, given the impulses of all rows: between its lo and hi, or within ±μ λ_n.
+template <int Dof>
+std::pair<Real, Real> bounds_of(const Row<Dof>& row, const VecX& lambda)
+{
+    if (row.bounded_by < 0) return {row.lo, row.hi};
+    const Real most = row.friction * std::max(Real{0}, lambda[row.bounded_by]);
+    return {-most, most};
+}
 
 /// \f$w = 0\f$: the impulse may push and pull.
 template <int Dof>
@@ -155,7 +159,7 @@ template <int Dof>
 RowAnswer solve_row(const Row<Dof>& row, const VecX& u)
 {
     const Real w = row.velocity(u);
-    const Real A = row.inverse_effective_mass();  // J M⁻¹ Jᵀ
+    const Real A = row.diagonal();  // J M⁻¹ Jᵀ
     if (!(A > 0)) {
         const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : std::clamp<Real>(0, row.lo, row.hi);
         if (std::isfinite(bound)) return {bound, w, Verdict::redundant};
@@ -165,28 +169,5 @@ RowAnswer solve_row(const Row<Dof>& row, const VecX& u)
     return {lambda, w + A * lambda, Verdict::independent};
 }
 //! [solve_row]
-
-/// Throws std::invalid_argument, naming row and value, unless the row's numbers are finite, its
-/// bodies are two of 0 … count-1 (or the world and one), and lo ≤ hi.
-/// \param row    the row to look at
-/// \param name   what to call it, such as "row 3"
-/// \param count  number of bodies K
-template <int Dof>
-void require_valid(const Row<Dof>& row, const std::string& name, Index count)
-{
-    const auto refuse = [&name](const std::string& what) { throw std::invalid_argument(name + " " + what); };
-    if (row.b < 0 || row.b >= count || row.a < world || row.a >= count)
-        refuse("joins bodies " + std::to_string(row.a) + " and " + std::to_string(row.b) +
-               "; there are bodies 0 to " + std::to_string(count - 1) +
-               ", and -1 as first body is the world");
-    if (row.a == row.b) refuse("joins body " + std::to_string(row.a) + " to itself");
-    if (!row.Ja.allFinite() || !row.Jb.allFinite()) refuse("has an entry of J that is not finite");
-    if (!row.Wa.allFinite() || !row.Wb.allFinite())
-        refuse("has an entry of the inverse mass times J that is not finite");
-    if (!std::isfinite(row.bias)) refuse("has the bias " + shortest(row.bias) + " m/s; it must be finite");
-    if (!(row.lo <= row.hi))
-        refuse("has the bounds lo = " + shortest(row.lo) + " and hi = " + shortest(row.hi) +
-               " N s; lo must not be above hi");
-}
 
 }  // namespace rigid

@@ -8,7 +8,7 @@
 /// is found, and the rows with w ≠ 0 are named: they contradict each other by themselves).
 #pragma once
 
-#include "chapters/02_velocity_constraints/constraints.hpp"
+#include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "common/text.hpp"
 
 #include <Eigen/Cholesky>
@@ -90,6 +90,7 @@ public:
         for (Index i = 0; i < m; ++i) {  // (2.24): A = J M⁻¹ Jᵀ and q = J u + b
             q_[i] = row(rows, i).velocity(u);
             for (Index j = 0; j <= i; ++j) A_(i, j) = coupling(row(rows, i), row(rows, j));
+            A_(i, i) += row(rows, i).softness;
             scale_[i] = A_(i, i) > 0 ? 1 / std::sqrt(A_(i, i)) : 1;
         }
         for (Index i = 0; i < m; ++i)  // to a unit diagonal
@@ -124,7 +125,7 @@ private:
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::string name = "row " + std::to_string(i);
             require_valid(rows[i], name, u.size() / Dof);
-            if (rows[i].lo != -infinity || rows[i].hi != infinity)
+            if (rows[i].lo != -infinity || rows[i].hi != infinity || rows[i].bounded_by >= 0)
                 throw std::invalid_argument(name +
                                             " is bounded; rows are solved together only if they may push and "
                                             "pull without bound (lo = -infinity, hi = infinity)");
@@ -140,7 +141,7 @@ private:
         answer_.w.resize(m);
         Real worst = 0, speed = 0;  // of the scaled rows
         for (Index i = 0; i < m; ++i) {
-            answer_.w[i] = row(rows, i).velocity(u_);
+            answer_.w[i] = row(rows, i).velocity(u_) + row(rows, i).softness * answer_.lambda[i];
             worst = std::max(worst, scale_[i] * std::abs(answer_.w[i]));
             speed = std::max(speed, scale_[i] * std::max(reach(row(rows, i), u), reach(row(rows, i), u_)));
         }

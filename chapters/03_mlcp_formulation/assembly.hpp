@@ -1,7 +1,7 @@
 /// \file assembly.hpp
 /// From rows to the MLCP: \f$A = J M^{-1} J^T\f$ and \f$q = J u^* + b\f$, without ever writing down J or M.
 ///
-///     A_ij = J_i M⁻¹ J_jᵀ,   q_i = J_i u* + b_i
+///     A_ij = J_i M⁻¹ J_jᵀ,   q_i = J_i u* + b_i,   and a row that gives way has its γ on the diagonal
 ///
 /// (3.18). Two rows meet, A_ij ≠ 0, only where both move the same body. So each pair of rows that does is
 /// multiplied once, and no other: the cost grows with the number of such pairs, not with m² or m²·K.
@@ -111,7 +111,7 @@ void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star,  //
     for (int i = 0; i < m; ++i) {
         const Row<Dof>& row = at(rows, i);
         for_each_partner(row, i, scratch, [&](int j) {
-            const Real value = coupling(row, at(rows, j));
+            const Real value = coupling(row, at(rows, j)) + (j == i ? row.softness : 0);
             append(i, j, value);
             if (j != i) append(j, i, value);
         });
@@ -130,6 +130,7 @@ Mlcp assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star)
     require_finite(u_star, "u*");
     for (std::size_t i = 0; i < rows.size(); ++i)
         require_valid(rows[i], "row " + std::to_string(i), u_star.size() / Dof);
+    require_bounds(rows);
     AssemblyScratch scratch;
     Mlcp mlcp;
     assemble(rows, u_star, scratch, mlcp);

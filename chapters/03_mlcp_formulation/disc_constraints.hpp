@@ -69,8 +69,10 @@ void write_rows(const Bodies<Dof>& bodies, Real h, StepData<Dof>& now, const Bia
     now.rows.resize(now.constraints.size());
     for (std::size_t i = 0; i < now.constraints.size(); ++i) {
         const Real b = bias(now.constraints[i]);
-        if (!now.kept.empty() && now.kept[i] && now.substep == 0) now.rows[i].bias = b;
-        else now.rows[i] = row_of(now.constraints[i], bodies.inverse_mass, b, h);
+        if (!now.kept.empty() && now.kept[i] && now.substep == 0) {
+            now.rows[i].bias = b;
+            now.rows[i].bounded_by = now.constraints[i].bounded_by;  // rows may have other numbers now
+        } else now.rows[i] = row_of(now.constraints[i], bodies.inverse_mass, b, h);
     }
 }
 

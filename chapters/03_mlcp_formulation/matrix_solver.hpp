@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/coupled_bounds.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 
 #include <type_traits>
@@ -30,7 +31,7 @@ struct MatrixSolver {
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         assemble(now.rows, now.u_star, scratch, mlcp);
-        find_in_lengths(now.solution, now.length);
+        solve_rows(now);
         apply_impulses(now.solution.lambda, bodies, now);
     }
 
@@ -40,7 +41,7 @@ struct MatrixSolver {
     {
         for (std::size_t i = 0; i < now.rows.size(); ++i)
             mlcp.q[static_cast<Index>(i)] += second.bias[i] - now.rows[i].bias;
-        find_in_lengths(now.solution, now.length);
+        solve_rows(now);
         apply_impulses(now.solution.lambda, bodies, now);
     }
 
@@ -71,6 +72,16 @@ private:
             for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers *= length;
             solution.residual *= length;
         }
+    }
+
+    template <int Dof>
+    void solve_rows(StepData<Dof>& now)
+    {
+        const auto solve = [this, &now](const Mlcp&, Solution& solution) {
+            find_in_lengths(solution, now.length);
+        };
+        if (is_coupled(now.rows)) solve_coupled(now.rows, solve, mlcp, now.solution);
+        else solve(mlcp, now.solution);
     }
 
     template <int Dof>

@@ -29,7 +29,7 @@ struct WholeError {
     {
         const Real h = settings.part();
         write_rows(scene.bodies, h, now,
-                   [h](const auto& c) { return c.kind == ConstraintKind::motor ? -c.speed : c.C / h; });
+                   [h](const auto& c) { return has_error(c.kind) ? c.C / h : own_bias(c, h); });
     }
     template <class Scene, class Solver>
     void move(Scene& scene, const StepSettings& settings, Solver&, StepData<Scene::dof>& now) const

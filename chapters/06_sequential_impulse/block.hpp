@@ -115,12 +115,23 @@ void block_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> order
 {
     const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
     pair_rows(memory.rows, blocks);
+    const std::span<SolverRow<Dof>> all(memory.rows);
+    const std::span<const Feedback> feedback(memory.feedback);
+    const auto of_both = [&](const Block& block, const auto& what) {
+        if (feedback.empty()) return;
+        for (const int k : {block.first, block.second})
+            if (k >= 0) what(&all[static_cast<std::size_t>(k)], feedback[static_cast<std::size_t>(k)]);
+    };
     const auto visit_one = [&](const Block& block) {
-        SolverRow<Dof>& first = memory.rows[static_cast<std::size_t>(block.first)];
+        const auto first = static_cast<std::size_t>(block.first);
         if (block.second < 0)
-            return static_cast<int>(!(std::abs(visit(first, memory.u)) <= settings.tolerance * first.mass));
-        return visit_block(first, memory.rows[static_cast<std::size_t>(block.second)], block.coupling,
-                           settings.tolerance, memory.u);
+            return sweep(all.subspan(first, 1), feedback.empty() ? feedback : feedback.subspan(first, 1),
+                         memory.u, settings.tolerance);
+        of_both(block, take_bounds<Dof>);
+        const int off = visit_block(all[first], all[static_cast<std::size_t>(block.second)], block.coupling,
+                                    settings.tolerance, memory.u);
+        of_both(block, give_way<Dof>);
+        return off;
     };
     const auto one_sweep = [&](int number) {
         int off = 0;

@@ -12,14 +12,17 @@ namespace rigid {
 
 /// The sweeps go on over rows that are prepared, from their present λ and u, until one of them finds no row off by
 /// more than the tolerance.
+/// \param feedback    of the rows; empty = none of them has any
 /// \param max_sweeps  at most
 /// \param tolerance   [m/s]
 /// \return            rows visited
 template <int Dof>
-std::int64_t sweep_on(std::vector<SolverRow<Dof>>& rows, int max_sweeps, Real tolerance, VecX& u)
+std::int64_t sweep_on(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback, int max_sweeps,
+                      Real tolerance, VecX& u)
 {
     int sweeps = 0;
-    for (int changed = 1; sweeps < max_sweeps && changed > 0; ++sweeps) changed = sweep(rows, u, tolerance);
+    for (int changed = 1; sweeps < max_sweeps && changed > 0; ++sweeps)
+        changed = sweep(rows, feedback, u, tolerance);
     return static_cast<std::int64_t>(rows.size()) * sweeps;
 }
 
@@ -72,8 +75,10 @@ struct ImpulseSolver {
     /// Other biases, the same u*: the sweeps go on from the present λ and u.
     void solve_again(SecondProblem& second, Bodies<Dof>& bodies, StepData<Dof>& now)
     {
-        for (std::size_t k = 0; k < memory.rows.size(); ++k) memory.rows[k].bias = second.bias[row_at(k)];
-        now.visits += sweep_on(memory.rows, second.max_sweeps, second.tolerance, memory.u);
+        for (std::size_t k = 0; k < memory.rows.size(); ++k)
+            change_bias(k, second.bias[row_at(k)], memory.rows, memory.feedback);
+        now.visits +=
+            sweep_on<Dof>(memory.rows, memory.feedback, second.max_sweeps, second.tolerance, memory.u);
         bodies.u = memory.u;
         for (std::size_t k = 0; k < memory.rows.size(); ++k)
             now.solution.lambda[static_cast<Index>(row_at(k))] = memory.rows[k].lambda;
@@ -86,10 +91,10 @@ struct ImpulseSolver {
             SolverRow<Dof>& row = memory.rows[k];
             row.lambda = 0;
             if (second.left_out[row_at(k)]) row.mass = 0;
-            else row.bias = second.bias[row_at(k)];
+            else change_bias(k, second.bias[row_at(k)], memory.rows, memory.feedback);
         }
         for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
-        now.visits += sweep_on(memory.rows, second.max_sweeps, second.tolerance, v);
+        now.visits += sweep_on<Dof>(memory.rows, memory.feedback, second.max_sweeps, second.tolerance, v);
     }
 };
 

@@ -50,7 +50,7 @@ void add_bounces(const Scene& scene, const Restitution& bounce, const StepSettin
 template <int Dof>
 Real gap_bias(const Constraint<Dof>& c, Real h)
 {
-    if (c.kind == ConstraintKind::motor) return -c.speed;
+    if (!has_error(c.kind)) return own_bias(c, h);
     return c.kind == ConstraintKind::unilateral ? std::max(Real{0}, c.C) / h : 0;
 }
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
-#include "chapters/06_sequential_impulse/solver_row.hpp"
+#include "chapters/06_sequential_impulse/feedback.hpp"
 
 #include <cstdint>
 
@@ -25,6 +25,8 @@ struct ImpulseSettings {
 template <int Dof>
 struct ImpulseMemory {
     std::vector<SolverRow<Dof>> rows;  ///< in the order of the visits, each with its λ
+    std::vector<Feedback> feedback;    ///< of each of them; empty = none has any
+    std::vector<int> place_of;         ///< of each row in that order, where rows have feedback
     VecX u;                            ///< Dof·K: the velocities that the sweeps work on [m/s]
     std::vector<char> seen;            ///< rows that an order has named
     std::int64_t visits = 0;           ///< rows visited by the last solve, those of its residuals included
@@ -32,7 +34,7 @@ struct ImpulseMemory {
 
 /// The natural residual of the present λ and u [m/s], (3.15), without A: the diagonal and w are all it needs.
 template <int Dof>
-Real natural_residual(const std::vector<SolverRow<Dof>>& rows, const VecX& u)
+Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
 {
     Real largest = 0;
     for (const SolverRow<Dof>& row : rows) {
@@ -44,22 +46,6 @@ Real natural_residual(const std::vector<SolverRow<Dof>>& rows, const VecX& u)
     }
     return largest;
 }
-
-//! [sweep]
-/// Visits each row once.
-/// \param tolerance  [m/s]
-/// \return           how many rows were found off by more than the tolerance, told as the velocity Δλ_i A_ii
-template <int Dof>
-int sweep(std::vector<SolverRow<Dof>>& rows, VecX& u, Real tolerance, bool backwards = false)
-{
-    int changed = 0;
-    const std::ptrdiff_t step = backwards ? -1 : 1;
-    SolverRow<Dof>* row = rows.data() + (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
-    for (std::size_t k = rows.size(); k > 0; --k, row += step)
-        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);  // a NaN counts
-    return changed;
-}
-//! [sweep]
 
 /// A row whose bodies cannot move keeps its w whatever λ is: it takes the bound that w asks for.
 /// \return  true if some row asks for an infinite one, and w is off by more than the tolerance
@@ -77,6 +63,37 @@ bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>& rows, const Vec
     return hopeless;
 }
 
+/// Of all rows of a solve, with the bounds that they have now.
+template <int Dof>
+Real natural_residual(ImpulseMemory<Dof>& memory)
+{
+    take_all_bounds<Dof>(memory.rows, memory.feedback);
+    return natural_residual<Dof>(memory.rows, memory.u);
+}
+
+/// One sweep over all rows of a solve, see sweep().
+template <int Dof>
+int sweep(ImpulseMemory<Dof>& memory, Real tolerance, bool backwards = false)
+{
+    return sweep<Dof>(memory.rows, memory.feedback, memory.u, tolerance, backwards);
+}
+
+/// Brings each λ into its bounds; those that other rows set come last.
+template <int Dof>
+void clamp_start(const std::vector<Row<Dof>>& rows, VecX& lambda)
+{
+    bool coupled = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Real& start = lambda[static_cast<Index>(i)];
+        start = std::clamp(start, rows[i].lo, rows[i].hi);
+        coupled = coupled || rows[i].bounded_by >= 0;
+    }
+    for (std::size_t i = 0; coupled && i < rows.size(); ++i) {
+        const auto [lo, hi] = bounds_of(rows[i], lambda);
+        lambda[static_cast<Index>(i)] = std::clamp(lambda[static_cast<Index>(i)], lo, hi);
+    }
+}
+
 /// What comes before the sweeps: the rows in order, λ within its bounds, and u = u* + M⁻¹ Jᵀ λ.
 /// \return  true if a row wants what it can't have
 template <int Dof>
@@ -86,10 +103,9 @@ bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order,
     const auto m = static_cast<Index>(rows.size());
     require_order(order, rows.size(), memory.seen);
     if (solution.lambda.size() != m) solution.lambda.setZero(m);
-    for (Index i = 0; i < m; ++i)
-        solution.lambda[i] = std::clamp(solution.lambda[i], rows[static_cast<std::size_t>(i)].lo,
-                                        rows[static_cast<std::size_t>(i)].hi);
+    clamp_start(rows, solution.lambda);
     prepare(rows, order, solution.lambda, memory.rows);
+    prepare_feedback(rows, order, memory.rows, memory.place_of, memory.feedback);
     memory.u = u;
     for (const SolverRow<Dof>& row : memory.rows) {  // b after a: a row of the world has a = b, and Wa = 0
         memory.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
@@ -125,7 +141,7 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
         memory.visits += m;
         // The residual costs as much as a sweep: look when the sweep found nothing, or was the last.
         if (!(settings.tolerance > 0) || (off > 0 && solution.iterations < settings.max_sweeps)) continue;
-        solution.residual = natural_residual(memory.rows, memory.u);
+        solution.residual = natural_residual(memory);
         memory.visits += m;
         if (solution.residual <= settings.tolerance) solution.status = Status::solved;
         else off = hopeless ? 0 : 1;  // a small change is no small residual: go on
@@ -151,7 +167,7 @@ void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> 
 {
     const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
     const auto one_sweep = [&](int number) {
-        return sweep(memory.rows, memory.u, settings.tolerance, settings.alternate && number % 2 == 1);
+        return sweep(memory, settings.tolerance, settings.alternate && number % 2 == 1);
     };
     sweep_until(settings, hopeless, one_sweep, memory, solution);
     end_sweeps(order, memory, u, solution);

@@ -60,7 +60,7 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, cons
             visited.a = static_cast<int>(Dof * row.a);
         }
         //! [world]
-        const Real A = visited.Ja.dot(visited.Wa) + visited.Jb.dot(visited.Wb);
+        const Real A = visited.Ja.dot(visited.Wa) + visited.Jb.dot(visited.Wb) + row.softness;
         visited.mass = A > 0 ? 1 / A : 0;
         visited.bias = row.bias;
         visited.lo = row.lo;
@@ -114,5 +114,21 @@ inline Real visit(SolverRow<Dof>& row, VecX& u)
     return change;
 }
 //! [visit]
+
+//! [sweep]
+/// Visits each row once.
+/// \param tolerance  [m/s]
+/// \return           how many rows were found off by more than the tolerance, expressed as the velocity Δλ_i A_ii
+template <int Dof>
+int sweep(std::span<SolverRow<Dof>> rows, VecX& u, Real tolerance, bool backwards = false)
+{
+    int changed = 0;
+    const std::ptrdiff_t step = backwards ? -1 : 1;
+    SolverRow<Dof>* row = rows.data() + (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
+    for (std::size_t k = rows.size(); k > 0; --k, row += step)
+        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);  // a NaN counts
+    return changed;
+}
+//! [sweep]
 
 }  // namespace rigid

@@ -41,7 +41,7 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count, cons
         done = true;
         for (std::size_t i = 0; i < count; ++i) {
             const Constraint<Dof> c = evaluate(i, x);
-            if (c.kind == ConstraintKind::motor) continue;  // it has no error
+            if (!has_error(c.kind)) continue;
             const Real missing = goal[i] - c.C;
             if (c.kind == ConstraintKind::bilateral ? std::abs(missing) <= h * settings.tolerance
                                                     : missing <= h * settings.tolerance)

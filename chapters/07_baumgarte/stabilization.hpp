@@ -85,7 +85,7 @@ inline void require_valid(const StabilizerSettings& settings)
 /// a motor nothing.
 inline Real position_error(Real C, ConstraintKind kind, const StabilizerSettings& settings)
 {
-    if (kind == ConstraintKind::motor) return 0;
+    if (!has_error(kind)) return 0;
     if (kind == ConstraintKind::unilateral) return std::min(Real{0}, C + settings.slop);
     return C - std::clamp(C, -settings.bilateral_slop, settings.bilateral_slop);
 }
@@ -109,7 +109,7 @@ inline Real baumgarte_bias(Real C, ConstraintKind kind, const StabilizerSettings
 template <int Dof>
 Real velocity_bias(const Constraint<Dof>& c, const StabilizerSettings& settings, Real h)
 {
-    if (c.kind == ConstraintKind::motor) return -c.speed;
+    if (!has_error(c.kind)) return own_bias(c, h);
     if (c.kind == ConstraintKind::unilateral && c.C > 0) return c.C / h;
     const bool corrects =
         settings.method == Stabilizer::baumgarte || settings.method == Stabilizer::relaxation;
@@ -150,7 +150,7 @@ void pose_relaxation(const StepData<Dof>& now, const StabilizerSettings& setting
         const Constraint<Dof>& c = now.constraints[i];
         const Row<Dof>& row = now.rows[i];
         second.bias[i] = row.bias;
-        if (c.kind == ConstraintKind::motor) continue;           // its speed is wanted
+        if (!has_error(c.kind)) continue;                        // a speed is wanted, or a spring pulls
         if (row.bias < velocity_bias(c, settings, h)) continue;  // it bounces
         const Real C = c.kind == ConstraintKind::bilateral ? 0 : predicted(row, c.C, u, h);
         second.bias[i] = std::max(Real{0}, C) / h;
@@ -168,7 +168,7 @@ void pose_split_impulse(const StepData<Dof>& now, const StabilizerSettings& sett
     begin_second(now, settings, second);
     for (std::size_t i = 0; i < now.rows.size(); ++i) {
         const Constraint<Dof>& c = now.constraints[i];
-        second.left_out[i] = c.kind == ConstraintKind::motor;  // it has no error to correct
+        second.left_out[i] = !has_error(c.kind);
         if (second.left_out[i]) continue;
         const Real C = predicted(now.rows[i], c.C, u, h);
         second.bias[i] =

@@ -141,7 +141,8 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, con
         const Real impulse = lambda[static_cast<Index>(i)];
         rows[i].apply(impulse, scratch.change);
         scratch.slope[groups.of_row[i]] += rows[i].velocity(u_star) * impulse;
-        scratch.apart[groups.of_row[i]] += rows[i].inverse_effective_mass() * impulse * impulse;
+        scratch.apart[groups.of_row[i]] += rows[i].diagonal() * impulse * impulse;
+        scratch.curvature[groups.of_row[i]] += rows[i].softness * impulse * impulse;
         if (asks(rows[i])) scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
     }
     for (Index i = 0; i < u_star.size(); ++i)

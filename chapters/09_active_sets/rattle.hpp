@@ -61,10 +61,13 @@ struct Rattle : RattleSettings, Restitution {
         approach.assign(now.rows.size(), 0);
         for (std::size_t i = 0; i < now.rows.size(); ++i) {
             const auto& c = now.constraints[i];
+            if (c.kind == ConstraintKind::spring)
+                throw std::invalid_argument("constraint " + std::to_string(i) +
+                                            " is a spring; RATTLE takes springs as forces, not as rows");
             goal[i] = c.kind == ConstraintKind::unilateral ? std::min(Real{0}, c.C) : c.C;
             now.rows[i] = row_of(c, scene.bodies.inverse_mass, 0, h / 2);
             approach[i] = now.rows[i].velocity(scene.bodies.u);
-            now.rows[i].bias = c.kind == ConstraintKind::motor ? -c.speed : (c.C - goal[i]) / h;
+            now.rows[i].bias = has_error(c.kind) ? (c.C - goal[i]) / h : own_bias(c, h);
         }
     }
     //! [rattle_rows]
@@ -94,7 +97,7 @@ struct Rattle : RattleSettings, Restitution {
                                  lambda_first[static_cast<Index>(i)] > 0;
             const bool bounces = c.bounces && restitution > 0 && approach[i] < -slowest;
             now.rows[i] = row_of(c, bodies.inverse_mass, bounces ? restitution * approach[i] : 0, h / 2);
-            if (c.kind == ConstraintKind::motor) now.rows[i].bias = -c.speed;
+            if (!has_error(c.kind)) now.rows[i].bias = own_bias(c, h);
             if (!touches) now.rows[i].lo = now.rows[i].hi = 0;
         }
         now.second_half = true;
@@ -157,7 +160,7 @@ private:
             const auto& row = now.rows[i];
             const auto c = constraint_at(scene, now, i, x);
             second.bias[i] = row.bias;
-            if (c.kind == ConstraintKind::motor) continue;
+            if (!has_error(c.kind)) continue;
             const Real off = c.C - goal[i];
             second.bias[i] += off / h - row.velocity(bodies.u);  // (C − goal)/h − J u
             const bool holds =
@@ -179,7 +182,7 @@ private:
         second.left_out.assign(now.rows.size(), 0);
         for (std::size_t i = 0; i < now.rows.size(); ++i) {
             const auto c = constraint_at(scene, now, i, bodies.x);
-            second.left_out[i] = c.kind == ConstraintKind::motor;
+            second.left_out[i] = !has_error(c.kind);
             if (second.left_out[i]) continue;
             second.bias[i] = c.C / h;
             wanted = wanted || (c.kind == ConstraintKind::bilateral ? std::abs(c.C) : -c.C) > left_alone;

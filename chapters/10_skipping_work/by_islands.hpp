@@ -20,8 +20,10 @@ struct IslandSolver {
     Islands islands;
     Colouring colouring;
     std::vector<int> order;
-    Order ordered = Order::given;  ///< how the rows were ordered when the islands were found
-    std::vector<SolverRow<2>> rows;
+    Order ordered = Order::given;    ///< how the rows were ordered when the islands were found
+    std::vector<SolverRow<2>> rows;  ///< island by island
+    std::vector<Feedback> feedback;  ///< of each of them; empty = none has any
+    std::vector<int> place_of;
     std::vector<ExactScratch> exact;
 
     // Of the last step.
@@ -41,22 +43,18 @@ struct IslandSolver {
             arrange(bodies, now);
         }
         VecX& lambda = now.solution.lambda;
-        for (std::size_t i = 0; i < now.rows.size(); ++i) {
-            Real& start = lambda[static_cast<Index>(i)];
-            start = std::clamp(start, now.rows[i].lo, now.rows[i].hi);
-        }
+        clamp_start(now.rows, lambda);
         for (const int k : now.active) bodies.velocity(k) = now.u_star.segment<2>(2 * k);
         prepare<2>(now.rows, islands.rows, lambda, rows);
+        prepare_feedback<2>(now.rows, islands.rows, rows, place_of, feedback);
         for (const SolverRow<2>& row : rows) {
             bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
             bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
         }
-        const std::span<SolverRow<2>> all(rows);
-        if (!apart) solve_one(all, bodies.u, now);
+        if (!apart) solve_one(0, rows.size(), bodies.u, now);
         for (int i = 0; apart && i < islands.count(); ++i)
-            solve_one(all.subspan(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
-                                  islands.rows_of(i).size()),
-                      bodies.u, now);
+            solve_one(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
+                      islands.rows_of(i).size(), bodies.u, now);
         for (std::size_t k = 0; k < rows.size(); ++k) lambda[islands.rows[k]] = rows[k].lambda;
         now.solution.iterations = most_sweeps;
         now.solution.status = unsolved > 0 ? Status::iteration_limit : Status::solved;
@@ -66,8 +64,8 @@ struct IslandSolver {
     /// Other biases, the same u*: the sweeps go on from the present λ and u.
     void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
     {
-        for (std::size_t k = 0; k < rows.size(); ++k) rows[k].bias = second.bias[row_at(k)];
-        now.visits += sweep_on(rows, second.max_sweeps, second.tolerance, bodies.u);
+        for (std::size_t k = 0; k < rows.size(); ++k) change_bias(k, second.bias[row_at(k)], rows, feedback);
+        now.visits += sweep_on<2>(rows, feedback, second.max_sweeps, second.tolerance, bodies.u);
         for (std::size_t k = 0; k < rows.size(); ++k) now.solution.lambda[islands.rows[k]] = rows[k].lambda;
     }
 
@@ -77,10 +75,10 @@ struct IslandSolver {
         for (std::size_t k = 0; k < rows.size(); ++k) {
             rows[k].lambda = 0;
             if (second.left_out[row_at(k)]) rows[k].mass = 0;
-            else rows[k].bias = second.bias[row_at(k)];
+            else change_bias(k, second.bias[row_at(k)], rows, feedback);
         }
         for (const int k : now.active) v.segment<2>(2 * k).setZero();
-        now.visits += sweep_on(rows, second.max_sweeps, second.tolerance, v);
+        now.visits += sweep_on<2>(rows, feedback, second.max_sweeps, second.tolerance, v);
     }
 
 private:
@@ -107,10 +105,11 @@ private:
         ordered = ordering;
     }
 
-    void solve_one(std::span<SolverRow<2>> island, VecX& u, StepData<2>& now)
+    void solve_one(std::size_t first, std::size_t count, VecX& u, StepData<2>& now)
     {
-        if (island.empty()) return;
-        if (static_cast<int>(island.size()) <= exact_rows) {
+        if (count == 0) return;
+        const std::span<SolverRow<2>> island = std::span<SolverRow<2>>(rows).subspan(first, count);
+        if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
             const IslandAnswer answer = solve_exactly(island, in_metres.tolerance, exact, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
@@ -118,7 +117,9 @@ private:
                 return;
             }
         }
-        const IslandAnswer answer = sweep_island(island, in_metres, u);
+        const std::span<const Feedback> follows(feedback);
+        const IslandAnswer answer =
+            sweep_island(island, follows.empty() ? follows : follows.subspan(first, count), in_metres, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

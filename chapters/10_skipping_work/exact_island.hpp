@@ -46,16 +46,15 @@ template <int Dof>
 IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vector<ExactScratch>& scratch,
                            VecX& u)
 {
-    const std::span<const SolverRow<Dof>> const_rows = rows;
     IslandAnswer answer;
-    answer.residual = natural_residual(const_rows, u);
+    answer.residual = natural_residual<Dof>(rows, u);
     answer.visits = static_cast<std::int64_t>(rows.size());
     if (answer.residual <= enough) {
         answer.status = Status::solved;
         return answer;
     }
     if (rows.size() <= 2 && solve_in_closed_form(rows, u)) {
-        const Real before = std::exchange(answer.residual, natural_residual(const_rows, u));
+        const Real before = std::exchange(answer.residual, natural_residual<Dof>(rows, u));
         answer.visits += 2 * static_cast<std::int64_t>(rows.size());
         answer.sweeps = 1;
         if (answer.residual <= std::max(enough, 1e-10 * before)) {

@@ -47,8 +47,10 @@ inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, 
     Real largest = 0;
     for (const int i : rows) {
         const Row<2>& row = now.rows[static_cast<std::size_t>(i)];
-        const Real r = natural_residual_row(row.inverse_effective_mass(), now.solution.lambda[i],
-                                            row.velocity(u), row.lo, row.hi);
+        const Real lambda = now.solution.lambda[i];
+        const auto [lo, hi] = bounds_of(row, now.solution.lambda);
+        const Real w = row.velocity(u) + row.softness * lambda;
+        const Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
         if (!(r <= largest)) largest = r;  // also takes over a NaN
     }
     return largest;

@@ -21,44 +21,26 @@ struct IslandAnswer {
     std::int64_t visits = 0;   ///< rows visited, those of residuals included
 };
 
-/// The natural residual of these rows [m/s].
-template <int Dof>
-Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
-{
-    Real largest = 0;
-    for (const SolverRow<Dof>& row : rows) {
-        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
-        const Real r = natural_residual_row(row.mass > 0 ? 1 / row.mass : 0, row.lambda, w, row.lo, row.hi);
-        if (!(r <= largest)) largest = r;  // also takes over a NaN
-        if (std::isnan(largest)) break;
-    }
-    return largest;
-}
-
 //! [sweep_island]
 /// Sweeps over the rows of one island from their present λ, whose effect is in u already. With tolerance 0 all
 /// sweeps are made, or until one changes nothing.
-/// \param u  Dof·K; changed where the rows move something [m/s]
+/// \param feedback  of the rows; empty = none of them has any
+/// \param u         Dof·K; changed where the rows move something [m/s]
 template <int Dof>
-IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows, const ImpulseSettings& settings, VecX& u)
+IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback,
+                          const ImpulseSettings& settings, VecX& u)
 {
     IslandAnswer answer;
     int changed = 1;
     while (answer.sweeps < settings.max_sweeps && changed > 0) {
-        changed = 0;
-        const auto visit_and_see = [&](SolverRow<Dof>& row) {
-            changed += !(std::abs(visit(row, u)) <= settings.tolerance * row.mass);  // a NaN counts
-        };
-        if (settings.alternate && answer.sweeps % 2 == 1)
-            for (std::size_t k = rows.size(); k-- > 0;) visit_and_see(rows[k]);
-        else
-            for (SolverRow<Dof>& row : rows) visit_and_see(row);
+        changed = sweep(rows, feedback, u, settings.tolerance, settings.alternate && answer.sweeps % 2 == 1);
         ++answer.sweeps;
         answer.visits += static_cast<std::int64_t>(rows.size());
 
         // A small change is no small residual (chapter 4): it only says that it is time to look.
         if (!(settings.tolerance > 0) || (changed > 0 && answer.sweeps < settings.max_sweeps)) continue;
-        answer.residual = natural_residual(std::span<const SolverRow<Dof>>(rows), u);
+        take_all_bounds(rows, feedback);
+        answer.residual = natural_residual<Dof>(rows, u);
         answer.visits += static_cast<std::int64_t>(rows.size());
         if (answer.residual <= settings.tolerance) {
             answer.status = Status::solved;

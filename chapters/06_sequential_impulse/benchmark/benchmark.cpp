@@ -198,7 +198,7 @@ void visits(benchmark::State& state, Problem (*make)(Index))
                                             block.coupling, 0, memory[4].u);
                         }
                     else
-                        benchmark::DoNotOptimize(sweep(memory[i].rows, memory[i].u, 0,
+                        benchmark::DoNotOptimize(sweep(memory[i], 0,
                                                        orders[i % 4] == Order::alternating && backwards));
                 }
             });
@@ -247,7 +247,7 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
         sequential_impulse<2>(problem.rows, order, {10, 0, false}, memory, u, ours);
         note(0, begin);
         begin = seconds();
-        for (int k = 0; k < 10; ++k) benchmark::DoNotOptimize(sweep(memory.rows, memory.u, 0));
+        for (int k = 0; k < 10; ++k) benchmark::DoNotOptimize(sweep(memory, 0));
         note(2, begin);
 
         begin = seconds();

@@ -51,7 +51,7 @@ public:
                     visit_block(first, memory_.rows[static_cast<std::size_t>(block.second)], block.coupling,
                                 0, memory_.u);
             }
-        else sweep(memory_.rows, memory_.u, 0, backwards);
+        else sweep(memory_, 0, backwards);
         backwards ? sweep_backward(pgs_) : sweep_forward(pgs_);
         ++sweeps_;
     }
@@ -65,7 +65,7 @@ public:
         for (std::size_t k = 0; k < memory_.rows.size(); ++k)
             difference =
                 std::max(difference, std::abs(memory_.rows[k].lambda - pgs_.lambda[static_cast<Index>(k)]));
-        return {static_cast<Real>(sweeps_), natural_residual(memory_.rows, memory_.u),
+        return {static_cast<Real>(sweeps_), natural_residual<2>(memory_.rows, memory_.u),
                 memory_.u.lpNorm<Eigen::Infinity>() / (9.81 / 60), sideways / weight_,
                 method_ == "blocks" ? 0 : difference};
     }
