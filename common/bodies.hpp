@@ -32,6 +32,16 @@ struct Bodies {
 
     Index count() const { return x.size() / Dof; }
 
+    /// As many bodies as that. Those that there are keep their state; new ones are at the origin, at rest, of mass 1.
+    void resize(Index bodies)
+    {
+        const Index before = x.size(), now = Dof * bodies;
+        for (VecX* const v : {&x, &u, &f, &inverse_mass}) {
+            v->conservativeResize(now);
+            if (now > before) v->tail(now - before).setConstant(v == &inverse_mass ? 1 : 0);
+        }
+    }
+
     auto position(Index k) { return x.template segment<Dof>(Dof * k); }
     auto position(Index k) const { return x.template segment<Dof>(Dof * k); }
     auto velocity(Index k) { return u.template segment<Dof>(Dof * k); }

@@ -1,29 +1,42 @@
 #include "common/contact.hpp"
 
+#include <algorithm>
+
 namespace rigid {
 
-void find_contacts(const VecX& x, const VecX& radius, const std::vector<HalfSpace>& walls,
-                   const std::vector<bool>& linked, Real margin, std::vector<Contact>& contacts)
+Contact segment_contact(const DiscScene& scene, const VecX& x, std::size_t i, Index b)
 {
-    const Index K = radius.size();
+    const Segment& segment = scene.segments[i];
+    const auto wall = static_cast<Index>(scene.walls.size() + i);
+    const Vec2 centre = x.segment<2>(2 * b);
+    const Vec2 along = (segment.q - segment.p).normalized();
+    const Real length = (segment.q - segment.p).norm();
+    const Vec2 d = centre - segment.p;
+    const Real there = along.dot(d);
+    const Real reach = scene.radius[b] + segment.radius;
+    if (there >= 0 && there <= length) {
+        const Vec2 left = perpendicular(along);
+        const Real height = left.dot(d);
+        return {world, b, height >= 0 ? left : Vec2(-left), std::abs(height) - reach, wall};
+    }
+    const Vec2 from_end = there < 0 ? d : Vec2(centre - segment.q);
+    const Real distance = from_end.norm();  // never zero: the foot lies outside of the segment
+    return {world, b, from_end / distance, distance - reach, wall};
+}
+
+void find_contacts(const DiscScene& scene, Real margin, std::vector<Contact>& contacts)
+{
+    const VecX& x = scene.bodies.x;
+    const Index K = scene.radius.size();
     contacts.clear();
-    for (Index a = 0; a < K; ++a)
+    for (Index a = 0; a < K && !scene.linked.is_all(); ++a)
         for (Index b = a + 1; b < K; ++b) {
-            if (!linked.empty() && linked[static_cast<std::size_t>(a * K + b)]) continue;
-            const Vec2 d = x.segment<2>(2 * b) - x.segment<2>(2 * a);
-            const Real reach = radius[a] + radius[b] + margin;
-            if (d.squaredNorm() >= reach * reach) continue;
-            const Real distance = d.norm();
-            // Two centres in one point have no direction; any will part them.
-            const Vec2 normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
-            contacts.push_back({a, b, normal, distance - radius[a] - radius[b], 0});
+            const Real reach = scene.radius[a] + scene.radius[b] + margin;
+            if ((x.segment<2>(2 * b) - x.segment<2>(2 * a)).squaredNorm() >= reach * reach) continue;
+            if (!scene.linked.contains(a, b)) contacts.push_back(disc_contact(scene, x, a, b));
         }
     for (Index b = 0; b < K; ++b)
-        for (std::size_t i = 0; i < walls.size(); ++i) {
-            const HalfSpace& wall = walls[i];
-            const Real gap = wall.normal.dot(x.segment<2>(2 * b)) - wall.offset - radius[b];
-            if (gap < margin) contacts.push_back({world, b, wall.normal, gap, static_cast<Index>(i)});
-        }
+        for_each_wall(scene, b, margin, [&](const Contact& contact) { contacts.push_back(contact); });
 }
 
 }  // namespace rigid

@@ -43,7 +43,7 @@ Real angular_momentum(const Bodies<2>& bodies)
 Real deepest_penetration(const DiscScene& scene)
 {
     std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 0, contacts);
+    find_contacts(scene, 0, contacts);
     Real deepest = 0;
     for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.gap);
     return deepest;

@@ -59,12 +59,25 @@ Real typical_length(const DiscScene& scene)
 
 void link_neighbours(DiscScene& scene)
 {
-    const Index K = scene.bodies.count();
-    scene.linked.assign(static_cast<std::size_t>(K * K), false);
-    for (const Link& link : scene.links) {
-        scene.linked[static_cast<std::size_t>(link.a * K + link.b)] = true;
-        scene.linked[static_cast<std::size_t>(link.b * K + link.a)] = true;
-    }
+    std::vector<PairSet::Pair> pairs;
+    for (const Link& link : scene.links) pairs.emplace_back(link.a, link.b);
+    scene.linked = PairSet(std::move(pairs));
+}
+
+Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius)
+{
+    const Index k = scene.bodies.count();
+    const std::string name = "disc " + std::to_string(k);
+    if (!position.allFinite())
+        throw std::invalid_argument("the place of " + name + " is " + shortest(position.x()) + ", " +
+                                    shortest(position.y()) + "; it must be finite");
+    if (!(radius > 0) || !std::isfinite(radius))
+        refuse("the radius of " + name, radius, "a positive number of metres");
+    if (!(mass > 0)) refuse("the mass of " + name, mass, "positive");
+    scene.bodies.resize(k + 1);
+    scene.radius.conservativeResize(k + 1);
+    place(scene, k, position, mass, radius);
+    return k;
 }
 
 void require_valid(const DiscScene& scene)
@@ -84,6 +97,15 @@ void require_valid(const DiscScene& scene)
         // Six digits: enough that a gap of a metre is right to a micrometre.
         if (!(std::abs(length - 1) < 1e-6)) refuse("the length of the normal of " + name, length, "1");
         if (!std::isfinite(wall.offset)) refuse("the offset of " + name, wall.offset, "finite");
+    }
+    for (std::size_t i = 0; i < scene.segments.size(); ++i) {
+        const Segment& segment = scene.segments[i];
+        const std::string name = "segment " + std::to_string(i);
+        const Real length = (segment.q - segment.p).norm();
+        if (!(length > 0) || !std::isfinite(length))
+            refuse("the length of " + name, length, "a positive number of metres");
+        if (!(segment.radius >= 0) || !std::isfinite(segment.radius))
+            refuse("the radius of " + name, segment.radius, "zero or positive");
     }
     for (std::size_t i = 0; i < scene.links.size(); ++i) {
         const Link& link = scene.links[i];
@@ -126,9 +148,10 @@ void require_valid(const DiscScene& scene)
     if (!scene.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
     if (!(scene.length >= 0) || !std::isfinite(scene.length))
         refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
-    if (!scene.linked.empty() && static_cast<Index>(scene.linked.size()) != K * K)
-        throw std::invalid_argument("the table of linked pairs has " + std::to_string(scene.linked.size()) +
-                                    " entries; it must be empty or have " + std::to_string(K * K));
+    for (const auto& [a, b] : scene.linked.pairs()) {
+        require_body("a pair that does not collide", a, K);
+        require_body("a pair that does not collide", b, K);
+    }
 }
 
 DiscScene ten_discs()

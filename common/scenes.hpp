@@ -5,6 +5,7 @@
 #pragma once
 
 #include "common/bodies.hpp"
+#include "common/pair_set.hpp"
 #include "common/shapes.hpp"
 
 #include <string>
@@ -18,10 +19,11 @@ struct DiscScene {
     Bodies<2> bodies;
     VecX radius;  ///< [m], one for each disc
     std::vector<HalfSpace> walls;
+    std::vector<Segment> segments;  ///< walls with two ends
     std::vector<Link> links;
     std::vector<Bend> bends;
     std::vector<Joint> joints;
-    std::vector<bool> linked;   ///< [a*K + b]: this pair does not collide; made by link_neighbours()
+    PairSet linked;             ///< these pairs do not collide; made by link_neighbours()
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     Vec2 half_size = {1, 1};    ///< what a picture should show: the origin ± this [m]
     Real length = 0;            ///< the length that settings are measured in [m]; 0 = typical_length()
@@ -41,6 +43,14 @@ void link_neighbours(DiscScene& scene);
 /// finite numbers, masses not negative, radii positive, unit normals, body indices that exist,
 /// no link of a body to itself, no rest length of zero or less.
 void require_valid(const DiscScene& scene);
+
+/// Adds a disc at rest to a scene, also to one that is running; a world that skips has a door of its own,
+/// scene_edits.hpp of chapter 10.
+/// \param mass    [kg], positive; infinity = cannot move
+/// \param radius  [m]
+/// \return        its number
+/// \throws std::invalid_argument  for a mass or a radius that makes no sense
+Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius);
 
 /// Throws std::invalid_argument, "the number of discs in a column is 0; …", unless there is one at least. For those
 /// who build scenes by number.

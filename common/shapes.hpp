@@ -1,5 +1,5 @@
 /// \file shapes.hpp
-/// The shapes of Part I. A disc is a body with a radius; a half-space is a wall of the world.
+/// The shapes of Part I. A disc is a body with a radius; half-spaces and segments are walls of the world.
 #pragma once
 
 #include "common/math.hpp"
@@ -10,6 +10,13 @@ namespace rigid {
 struct HalfSpace {
     Vec2 normal = {0, 1};  ///< unit vector, points out of the wall into the free space
     Real offset = 0;       ///< [m]
+};
+
+/// A wall from p to q, as thick as its radius to both sides and round at its ends; with the radius 0 it is a line. It is
+/// solid from both sides, and only as deep as it is thick: what moves farther than that in a step may pass through.
+struct Segment {
+    Vec2 p = {0, 0}, q = {1, 0};  ///< [m]
+    Real radius = 0;              ///< [m]
 };
 
 /// Two discs that a stiff massless rod of fixed length joins.

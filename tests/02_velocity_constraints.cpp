@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
 #include "tests/says.hpp"
+#include "tests/scene_of.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -185,11 +186,12 @@ TEST_CASE("a positive impulse pushes body b along the normal and body a against 
     Random random(1);
     for (int i = 0; i < 100; ++i) {
         // Two discs at random places, not touching: the normal leads from the centre of a to that of b.
-        Bodies<2> bodies = random_bodies(random, 2);
-        VecX radius(2);
-        radius << 0.1, 0.1;
+        DiscScene scene;
+        scene.bodies = random_bodies(random, 2);
+        scene.radius = VecX::Constant(2, 0.1);
+        const Bodies<2>& bodies = scene.bodies;
         std::vector<Contact> contacts;
-        find_contacts(bodies.x, radius, {}, {}, 10, contacts);
+        find_contacts(scene, 10, contacts);
         REQUIRE(contacts.size() == 1);
         const Vec2 n = (bodies.position(1) - bodies.position(0)).normalized();
         CHECK((contacts[0].normal - n).norm() <= exact);
@@ -203,10 +205,11 @@ TEST_CASE("a positive impulse pushes body b along the normal and body a against 
     }
     // The world is body a, so a wall pushes the disc into the free space.
     std::vector<Contact> contacts;
-    VecX x(2), radius(1), u = VecX::Zero(2);
-    x << 0, 0.5;
-    radius << 0.5;
-    find_contacts(x, radius, {{{0, 1}, 0}}, {}, 0.1, contacts);
+    VecX u = VecX::Zero(2);
+    DiscScene floor;
+    add_disc(floor, {0, 0.5}, 1, 0.5);
+    floor.walls = {{{0, 1}, 0}};
+    find_contacts(floor, 0.1, contacts);
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].a == world);
     unilateral(contact_constraint(contacts[0]), VecX::Ones(2)).apply(1, u);
@@ -292,7 +295,7 @@ TEST_CASE("J of a disc against a disc and of a disc against a wall is the deriva
         radius << random.uniform(0.1, 1), random.uniform(0.1, 1);
         const HalfSpace wall{random_direction(random), random.uniform(-1, 1)};
         std::vector<Contact> contacts;
-        find_contacts(bodies.x, radius, {wall}, {}, 100, contacts);
+        find_contacts(scene_of(bodies.x, radius, {wall}), 100, contacts);
         REQUIRE(contacts.size() == 3);
         check_against_autodiff(contact_constraint(contacts[0]), bodies.x,
                                [&](const DualVec2& a, const DualVec2& b) -> Dual {
@@ -443,7 +446,7 @@ TEST_CASE("an open gap may close in a step but not more")
     bodies.u << 1, -3;
     const Real h = 1.0 / 60;
     std::vector<Contact> contacts;
-    find_contacts(bodies.x, VecX::Constant(1, 0.5), {{{0, 1}, 0}}, {}, 0.1, contacts);
+    find_contacts(scene_of(bodies.x, VecX::Constant(1, 0.5), {{{0, 1}, 0}}), 0.1, contacts);
     REQUIRE(contacts.size() == 1);
     const Row<2> row = unilateral(contact_constraint(contacts[0]), bodies.inverse_mass, contacts[0].gap / h);
     row.apply(solve_row(row, bodies.u).lambda, bodies.u);

@@ -12,6 +12,7 @@
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
 #include "tests/says.hpp"
+#include "tests/scene_of.hpp"
 #include "tests/sentence.hpp"
 
 #include <functional>
@@ -139,7 +140,7 @@ const auto exact_solve = [](const Mlcp& mlcp) {
 std::vector<Row<2>> rows_of(const DiscScene& scene, Real h, Real margin = 0.01)
 {
     std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, margin, contacts);
+    find_contacts(scene, margin, contacts);
     std::vector<Row<2>> rows;
     disc_rows(scene, h, contacts, rows);
     return rows;
@@ -1151,10 +1152,10 @@ TEST_CASE("a gap closes unseen only above the margin over h and the text says fo
             VecX x(2), radius = VecX::Constant(1, 0.1);
             x << 0, 0.1 + margin * (1 + 1e-9);
             std::vector<Contact> contacts;
-            find_contacts(x, radius, {{{0, 1}, 0}}, {}, margin, contacts);
+            find_contacts(scene_of(x, radius, {{{0, 1}, 0}}), margin, contacts);
             REQUIRE(contacts.empty());
             x[1] -= h * fastest * (too_fast ? 1.01 : 0.99);
-            find_contacts(x, radius, {{{0, 1}, 0}}, {}, margin, contacts);
+            find_contacts(scene_of(x, radius, {{{0, 1}, 0}}), margin, contacts);
             REQUIRE(contacts.size() == 1);
             CHECK((contacts[0].gap < 0) == too_fast);
         }

@@ -199,7 +199,7 @@ TEST_CASE("a column of discs and a hanging chain assemble into (4.8) and carry (
         settings.margin = 1e-6;
         for (const bool hanging : {false, true}) {
             DiscScene scene = hanging ? hanging_chain(7, mass) : column(7, mass);
-            if (hanging) scene.linked.assign(scene.linked.size(), true);
+            if (hanging) scene.linked = PairSet::all();
             StepData<2> now;
             auto method = by_matrix([](const Mlcp& mlcp) { return pgs(mlcp); });
             step(scene, settings, method, now);

@@ -79,7 +79,7 @@ struct SceneRows {
 
     explicit SceneRows(DiscScene which, Real h = 1.0 / 60) : scene(std::move(which))
     {
-        find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 1e-6, contacts);
+        find_contacts(scene, 1e-6, contacts);
         disc_rows(scene, h, contacts, rows, LeaveErrors{});
         scene.bodies.f.setZero();
         add_gravity(scene.bodies, scene.gravity);

@@ -392,7 +392,7 @@ TEST_CASE("a swinging chain in small steps of one sweep converges to its equatio
     std::vector<Real> steps, errors;
     for (const int n : {128, 256, 512, 1024, 2048}) {
         DiscScene scene = swinging_chain(5);
-        scene.linked.assign(scene.linked.size(), true);
+        scene.linked = PairSet::all();
         Discs run(std::move(scene));
         run.method.solver.sweeps.max_sweeps = 1;
         run.settings.substeps = n;

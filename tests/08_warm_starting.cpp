@@ -82,7 +82,7 @@ void rows_alone(DiscScene& scene, WarmMethod& method, StepData<2>& now)
 DiscScene still_chain(Index count)
 {
     DiscScene scene = hanging_chain(count);
-    scene.linked.assign(scene.linked.size(), true);
+    scene.linked = PairSet::all();
     return scene;
 }
 

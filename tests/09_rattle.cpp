@@ -3,6 +3,7 @@
 #include "chapters/09_active_sets/linkages.hpp"
 #include "chapters/09_active_sets/rattle.hpp"
 #include "chapters/10_skipping_work/awake_bodies.hpp"
+#include "chapters/10_skipping_work/enter_awake.hpp"
 #include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "common/measure.hpp"
 #include "common/random.hpp"
@@ -216,7 +217,7 @@ TEST_CASE("a chain that swings for ten seconds keeps its links to rounding and i
 {
     // Ten links of 0.1 m without contacts: lashing, with angles that turn by a radian in 1/240 s.
     DiscScene chain = swinging_chain(10);
-    chain.linked.assign(chain.linked.size(), true);
+    chain.linked = PairSet::all();
     for (const int per_second : {480, 960, 1920}) {
         const Path path = run(chain, RattleMethod{}, {.h = 1.0 / per_second}, 10 * per_second);
         INFO("h = 1/" << per_second << " s");
@@ -230,7 +231,7 @@ TEST_CASE("a chain that swings for ten seconds keeps its links to rounding and i
 TEST_CASE("free linked discs keep linear and angular momentum to rounding under RATTLE")
 {
     DiscScene scene = swinging_chain(6);
-    scene.linked.assign(scene.linked.size(), true);
+    scene.linked = PairSet::all();
     scene.bodies.inverse_mass.setOnes();
     scene.gravity = {0, 0};
     Random random(3);

@@ -29,7 +29,7 @@ namespace {
 std::vector<Contact> by_brute_force(const DiscScene& scene, Real margin)
 {
     std::vector<Contact> all, wanted;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, margin, all);
+    find_contacts(scene, margin, all);
     const auto movable = [&](Index k) { return k != world && scene.bodies.inverse_mass[2 * k] > 0; };
     for (const Contact& contact : all)
         if (movable(contact.a) || movable(contact.b)) wanted.push_back(contact);
@@ -230,7 +230,7 @@ TEST_CASE("sort and sweep finds the pairs of the grid along both axes")
             std::set<std::pair<Index, Index>> found;
             sort_and_sweep(scene.bodies.x, scene.radius, 0.02, axis, along[axis], [&](int a, int b) {
                 Contact contact;
-                if (disc_contact(scene.bodies.x, scene.radius, a, b, 0.02, contact)) found.insert({a, b});
+                if (touches(scene, a, b, 0.02, contact)) found.insert({a, b});
             });
             CHECK(found == wanted);
         }
@@ -1915,4 +1915,72 @@ TEST_CASE("bad input is refused by a sentence")
     says([&] { take_away(taken, 2); }, "disc 2 was taken away");
     says([&] { change_disc(taken, 2, {0, 0}, {0, 0}, 1); }, "disc 2 was taken away");
     CHECK(same_state(now.scene, scene));  // a step that is refused changes nothing
+}
+
+TEST_CASE("a disc that is added to a sleeping world falls on those who sleep and wakes only what it reaches")
+{
+    DiscScene scene = column(3);
+    for (const Real x : {-2.0, 2.0}) add_disc(scene, {x, 0.1}, 1, 0.1);
+    SkippingWorld now = make_world(scene, filter_of(scene));
+    SkippingSettings settings;
+    settings.start = Start::best_multiple;
+    settings.sweeps = {200, 1e-9, false};
+    for (int n = 0; n < 240 && now.counters.awake > 0 + (n == 0); ++n) skipping_step(now, settings);
+    for (int n = 0; n < 240; ++n) skipping_step(now, settings);
+    REQUIRE(now.counters.awake == 0);
+
+    const Index k = add_disc(now, {0, 1}, {0, -1}, 1, 0.1);
+    CHECK(k == 5);
+    int most = 0;
+    bool far_woke = false;
+    for (int n = 0; n < 300; ++n) {
+        skipping_step(now, settings);
+        most = std::max(most, now.counters.awake);
+        far_woke = far_woke || now.method.contacts.set.is_awake(3) || now.method.contacts.set.is_awake(4);
+    }
+    CHECK(most == 4);  // itself and the column
+    CHECK_FALSE(far_woke);
+    CHECK(now.counters.awake == 0);
+    // It stands on the column of three: the default slop and the margin of Baumgarte are below 1 mm here.
+    CHECK(now.scene.bodies.position(k).y() == Approx(0.7).margin(2e-3));
+}
+
+TEST_CASE(
+    "a hundred discs that are added one by one end where the same discs end that were there from the start")
+{
+    DiscScene all, few;
+    all.walls = few.walls = {{{0, 1}, 0}};
+    all.segments = few.segments = {{{-6, 0}, {-6, 3}, 0.05}, {{6, 0}, {6, 3}, 0.05}};
+    const auto place = [&](int i) { return Vec2(-5.5 + 0.11 * i, 0.5 + 0.3 * (i % 4)); };
+    for (int i = 0; i < 100; ++i) add_disc(all, place(i), 1, 0.1);
+    add_disc(few, place(0), 1, 0.1);
+    SkippingWorld at_once = make_world(all, filter_of(all)), grown = make_world(few, filter_of(few));
+    for (int i = 1; i < 100; ++i) add_disc(grown, place(i), {0, 0}, 1, 0.1);
+    SkippingSettings settings;
+    settings.start = Start::best_multiple;
+    for (int n = 0; n < 200; ++n) {
+        skipping_step(at_once, settings);
+        skipping_step(grown, settings);
+        REQUIRE(grown.scene.bodies.x == at_once.scene.bodies.x);  // to the bit
+        REQUIRE(grown.counters.rows == at_once.counters.rows);
+    }
+}
+
+TEST_CASE("discs poured into a funnel of walls with ends stay above it and those beyond the ends fall past")
+{
+    for (const bool sleep : {false, true}) {
+        DiscScene scene;
+        scene.segments = {{{-1, 1}, {-0.05, 0.2}, 0.02}, {{1, 1}, {0.05, 0.2}, 0.02}};
+        for (int i = 0; i < 12; ++i) add_disc(scene, {-0.5 + 0.09 * i, 1.2 + 0.25 * (i % 3)}, 1, 0.1);
+        const Index outside = add_disc(scene, {1.3, 1.5}, 1, 0.1);
+        SkippingWorld now = make_world(scene, filter_of(scene));
+        SkippingSettings settings;
+        settings.start = Start::best_multiple;
+        settings.sleep = sleep;
+        settings.sweeps = {100, 1e-8, false};
+        for (int n = 0; n < 600; ++n) skipping_step(now, settings);
+        for (Index k = 0; k < outside; ++k) CHECK(now.scene.bodies.position(k).y() > 0.2);
+        CHECK(now.scene.bodies.position(outside).y() < -400);  // ½ g t² over ten seconds
+        CHECK(deepest_penetration(now.scene) < 0.01);
+    }
 }

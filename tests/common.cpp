@@ -1,6 +1,8 @@
 /// The ground that all chapters stand on: contacts, scenes, forces, measures.
 
 #include "tests/catch.hpp"
+#include "tests/scene_of.hpp"
+#include "tests/sentence.hpp"
 
 #include "common/contact.hpp"
 #include "common/forces.hpp"
@@ -54,7 +56,7 @@ TEST_CASE("the normal of a contact points from a to b and the gap is negative in
     x << 0, 0, 0.3, 0.4;  // half a metre apart
     radius << 0.2, 0.35;
     std::vector<Contact> contacts;
-    find_contacts(x, radius, {}, {}, 0, contacts);
+    find_contacts(scene_of(x, radius), 0, contacts);
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].a == 0);
     CHECK(contacts[0].b == 1);
@@ -68,14 +70,14 @@ TEST_CASE("a wall is body a of its contacts and its normal points into the free 
     x << 0, 0.15;
     radius << 0.1;
     std::vector<Contact> contacts;
-    find_contacts(x, radius, {{{0, 1}, 0}}, {}, 0.1, contacts);
+    find_contacts(scene_of(x, radius, {{{0, 1}, 0}}), 0.1, contacts);
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].a == world);
     CHECK(contacts[0].b == 0);
     CHECK(contacts[0].normal == Vec2(0, 1));
     CHECK(contacts[0].gap == Approx(0.05).margin(rounding));
 
-    find_contacts(x, radius, {{{0, 1}, 0}}, {}, 0.04, contacts);  // a margin below the gap
+    find_contacts(scene_of(x, radius, {{{0, 1}, 0}}), 0.04, contacts);  // a margin below the gap
     CHECK(contacts.empty());
 }
 
@@ -84,10 +86,10 @@ TEST_CASE("discs that a link joins do not collide")
     DiscScene scene = ten_discs();
     scene.bodies.position(1) = scene.bodies.position(0) + Vec2(0.01, 0);  // neighbours, deep in each other
     std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 0, contacts);
+    find_contacts(scene, 0, contacts);
     for (const Contact& contact : contacts) CHECK_FALSE((contact.a == 0 && contact.b == 1));
     scene.linked.clear();
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 0, contacts);
+    find_contacts(scene, 0, contacts);
     CHECK(std::any_of(contacts.begin(), contacts.end(),
                       [](const Contact& contact) { return contact.a == 0 && contact.b == 1; }));
 }
@@ -96,10 +98,69 @@ TEST_CASE("two discs with one centre get a contact with a finite normal")
 {
     VecX x = VecX::Zero(4), radius = VecX::Constant(2, 0.1);
     std::vector<Contact> contacts;
-    find_contacts(x, radius, {}, {}, 0, contacts);
+    find_contacts(scene_of(x, radius), 0, contacts);
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].normal.norm() == Approx(1).margin(rounding));
     CHECK(contacts[0].gap == Approx(-0.2).margin(rounding));
+}
+
+TEST_CASE("a wall with two ends is solid from both sides and round at its ends")
+{
+    DiscScene scene;
+    scene.segments = {{{-1, 0}, {1, 0}, 0.05}};
+    const auto at = [&](Real x, Real y) {
+        scene.bodies = Bodies<2>(0);
+        scene.radius.resize(0);
+        add_disc(scene, {x, y}, 1, 0.1);
+        std::vector<Contact> contacts;
+        find_contacts(scene, 10, contacts);
+        REQUIRE(contacts.size() == 1);
+        CHECK(contacts[0].a == world);
+        CHECK(contacts[0].feature == 0);
+        return contacts[0];
+    };
+    CHECK(at(0.3, 0.2).normal == Vec2(0, 1));
+    CHECK(at(0.3, 0.2).gap == Approx(0.05).margin(rounding));
+    CHECK(at(0.3, -0.2).normal == Vec2(0, -1));
+    CHECK(at(0.3, -0.12).gap == Approx(-0.03).margin(rounding));
+    CHECK((at(1.3, 0.4).normal - Vec2(0.6, 0.8)).norm() < rounding);
+    CHECK(at(1.3, 0.4).gap == Approx(0.35).margin(rounding));
+    CHECK((at(-1.3, -0.4).normal - Vec2(-0.6, -0.8)).norm() < rounding);
+}
+
+TEST_CASE("pairs that do not collide are a list in which each pair is found in any order")
+{
+    const PairSet some({{3, 1}, {1, 3}, {0, 2}});
+    CHECK(some.pairs() == std::vector<PairSet::Pair>{{0, 2}, {1, 3}});
+    CHECK(some.contains(1, 3));
+    CHECK(some.contains(3, 1));
+    CHECK_FALSE(some.contains(1, 2));
+    CHECK(PairSet().empty());
+    CHECK_FALSE(PairSet().contains(0, 1));
+    CHECK(PairSet::all().contains(5, 7));
+    CHECK_FALSE(PairSet::all().empty());
+}
+
+TEST_CASE("a disc is added to a scene with its mass and radius or refused by a sentence")
+{
+    DiscScene scene = column(2);
+    CHECK(add_disc(scene, {1, 2}, 4, 0.3) == 2);
+    CHECK(add_disc(scene, {3, 2}, infinity, 0.3) == 3);
+    CHECK_NOTHROW(require_valid(scene));
+    CHECK(scene.bodies.position(2) == Vec2(1, 2));
+    CHECK(scene.bodies.velocity(2) == Vec2(0, 0));
+    CHECK(scene.bodies.inverse_mass[4] == 0.25);
+    CHECK(scene.bodies.inverse_mass[6] == 0);
+    CHECK(sentence_of([&] {
+              add_disc(scene, {0, 0}, 0, 1);
+          }) == "the mass of disc 4 is 0; it must be positive");
+    CHECK(sentence_of([&] {
+              add_disc(scene, {0, 0}, 1, -1);
+          }) == "the radius of disc 4 is -1; it must be a positive number of metres");
+    CHECK(sentence_of([&] {
+              add_disc(scene, {infinity, 0}, 1, 1);
+          }) == "the place of disc 4 is inf, 0; it must be finite");
+    CHECK(scene.bodies.count() == 4);  // nothing was added on the way
 }
 
 TEST_CASE("the ten-disc scene is what the book says it is")
@@ -328,7 +389,7 @@ TEST_CASE("a triangle of discs touches the floor and both walls and each disc st
     const DiscScene scene = triangle(base);
     REQUIRE(scene.bodies.count() == base * (base + 1) / 2);
     std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 1e-9, contacts);
+    find_contacts(scene, 1e-9, contacts);
     Index on_walls = 0, beside = 0, upright = 0;
     for (const Contact& contact : contacts) {
         if (contact.a == world) ++on_walls;

@@ -32,6 +32,7 @@ DiscScene scaled(DiscScene scene, Real s)
     scene.bodies.u *= s;
     scene.radius *= s;
     for (HalfSpace& wall : scene.walls) wall.offset *= s;
+    for (Segment& segment : scene.segments) segment.p *= s, segment.q *= s, segment.radius *= s;
     for (Link& link : scene.links) link.length *= s;
     for (Bend& bend : scene.bends) bend.length *= s;
     for (Joint& joint : scene.joints) joint.length *= s, joint.speed *= s, joint.force *= s;

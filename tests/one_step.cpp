@@ -52,7 +52,7 @@ std::vector<NamedScene> three_scenes()
     std::vector<NamedScene> scenes = {{"triangle", triangle(4), 1.0 / 60, 40},
                                       {"chain with a load", hanging_chain(6, 20), 1.0 / 60, 40},
                                       {"ten discs", ten_discs(), 1.0 / 480, 60}};
-    scenes[1].scene.linked.assign(49, true);
+    scenes[1].scene.linked = PairSet::all();
     scenes[2].scene.gravity = {4, -9};
     for (NamedScene& named : scenes) nudge(named.scene);
     return scenes;

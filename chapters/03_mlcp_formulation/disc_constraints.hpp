@@ -36,16 +36,9 @@ inline Constraint<2> constraint_at(const DiscScene& scene, const StepData<2>& no
     const auto index = static_cast<std::size_t>(now.sources[i].index);
     if (now.sources[i].of == Source::Of::link) return distance_constraint(x, scene.links[index]);
     if (now.sources[i].of == Source::Of::joint) return joint_constraint(x, scene.joints[index]);
-    Contact contact = now.contacts[index];
-    const Vec2 xb = x.segment<2>(2 * contact.b);
-    if (contact.a == world) {  // a wall is flat: its normal stays
-        contact.gap += contact.normal.dot(xb - now.x_found.segment<2>(2 * contact.b));
-    } else {
-        const Direction d(xb - x.segment<2>(2 * contact.a));
-        contact.normal = d.n;
-        contact.gap = d.length - scene.radius[contact.a] - scene.radius[contact.b];
-    }
-    return contact_constraint(contact);
+    const Contact& contact = now.contacts[index];
+    return contact_constraint(contact.a == world ? wall_contact(scene, x, contact.feature, contact.b)
+                                                 : disc_contact(scene, x, contact.a, contact.b));
 }
 //! [constraint_at]
 

@@ -112,9 +112,7 @@ struct AllPairs {
         now.bends = scene.bends;
         now.same_bodies = false;
         now.contacts.clear();
-        if (collides)
-            find_contacts(bodies.x, scene.radius, scene.walls, scene.linked, settings.margin * now.length,
-                          now.contacts);
+        if (collides) find_contacts(scene, settings.margin * now.length, now.contacts);
         // What cannot move cannot be pushed: two such bodies never are a row.
         const auto stand = [&](Index a, Index b) { return !can_move(bodies, a) && !can_move(bodies, b); };
         std::erase_if(now.contacts, [&](const Contact& contact) { return stand(contact.a, contact.b); });

@@ -73,7 +73,7 @@ inline void impact_step(DiscScene& scene, const StepSettings& settings, ImpactLa
     Bodies<2>& bodies = scene.bodies;
     require_step(settings.h);
     const Real length = typical_length(scene);
-    find_contacts(bodies.x, scene.radius, scene.walls, scene.linked, settings.margin * length, now.contacts);
+    find_contacts(scene, settings.margin * length, now.contacts);
     now.rows.clear();
     for (const Contact& contact : now.contacts)
         now.rows.push_back(unilateral(contact_constraint(contact), bodies.inverse_mass,

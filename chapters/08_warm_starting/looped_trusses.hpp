@@ -27,7 +27,7 @@ inline DiscScene truss(const std::vector<Vec2>& places, const std::vector<std::a
     }
     for (const auto& [a, b] : rods)
         scene.links.push_back({a, b, (scene.bodies.position(b) - scene.bodies.position(a)).norm()});
-    scene.linked.assign(static_cast<std::size_t>(count * count), true);
+    scene.linked = PairSet::all();
     scene.gravity = {0, 0};
     return scene;
 }

@@ -174,13 +174,15 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     if (settings.correction.beta != 1)
         throw std::invalid_argument("beta is " + shortest(settings.correction.beta) +
                                     "; small steps repay the whole error, so it must be 1");
+    if (!scene.segments.empty())
+        throw std::invalid_argument(
+            "the scene has walls with ends; small steps take only half-spaces for walls, "
+            "whose normals stay");
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();
     now.contacts.clear();
     now.length = typical_length(scene);
-    if (settings.collides)
-        find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, settings.margin * now.length,
-                      now.contacts);
+    if (settings.collides) find_contacts(scene, settings.margin * now.length, now.contacts);
     now.keys.clear();
     for (std::size_t i = 0; i < links; ++i) now.keys.push_back(link_key(i));
     for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));

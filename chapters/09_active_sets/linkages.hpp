@@ -22,7 +22,7 @@ inline DiscScene linked_discs(Index count)
         scene.bodies.position(k) = Vec2(1, -static_cast<Real>(k - 1));
         scene.links.push_back({k - 1, k, 1});
     }
-    scene.linked.assign(static_cast<std::size_t>((count + 1) * (count + 1)), true);
+    scene.linked = PairSet::all();
     scene.half_size.setConstant(1.1 * static_cast<Real>(count));
     return scene;
 }
@@ -41,7 +41,7 @@ inline DiscScene four_bar(Real energy = 30.9)
     const Vec2 right = middle - perpendicular(half) * std::sqrt(1 / half.squaredNorm() - 1);
     scene.bodies.x << 0, 0, pivot, left, right;
     scene.links = {{0, 2, 1}, {2, 3, 1}, {1, 3, 1}};
-    scene.linked.assign(16, true);
+    scene.linked = PairSet::all();
     scene.half_size.setConstant(1.6);
     // The speeds that the rods allow, and of these so much as the energy asks for.
     const Vec2 first(1, 0), across = perpendicular(right - pivot), coupler = right - left;
@@ -60,7 +60,7 @@ inline DiscScene four_bar(Real energy = 30.9)
 inline DiscScene free_swinging_chain(Index count = 10)
 {
     DiscScene scene = swinging_chain(count);
-    scene.linked.assign(scene.linked.size(), true);
+    scene.linked = PairSet::all();
     return scene;
 }
 

@@ -46,6 +46,9 @@ struct AwakeBodies {
     /// \throws std::invalid_argument  for a disc with two different masses
     void reset(const DiscScene& scene, CollisionFilter filter);
 
+    /// Disc k = K − 1 is new in the scene, without links, bends or joints.
+    void add(const DiscScene& scene, Index k);
+
     /// Which bodies, which contacts, which constraints this step looks at.
     template <class Method>
     void begin(const DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
@@ -63,34 +66,6 @@ private:
     void watch_rest(const DiscScene& scene, const StepSettings& settings, const StepData<2>& now);
     void stay_with_kinematic(const DiscScene& scene, const StepData<2>& now);
 };
-
-inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
-{
-    const auto K = static_cast<std::size_t>(scene.bodies.count());
-    for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])
-            throw std::invalid_argument("disc " + std::to_string(k) + " has two different masses");
-    set = everybody_awake(scene.bodies);
-    length = typical_length(scene);
-    broad.reset(scene, std::move(filter));
-    links_on = incidence(K, scene.links.size(), [&](std::size_t i, const auto& visit) {
-        visit(scene.links[i].a);
-        visit(scene.links[i].b);
-    });
-    bends_on = incidence(K, scene.bends.size(), [&](std::size_t i, const auto& visit) {
-        visit(scene.bends[i].left);
-        visit(scene.bends[i].middle);
-        visit(scene.bends[i].right);
-    });
-    joints_on = incidence(K, scene.joints.size(), [&](std::size_t i, const auto& visit) {
-        if (scene.joints[i].a != world) visit(scene.joints[i].a);
-        visit(scene.joints[i].b);
-    });
-    rests.assign(K, {});
-    forces.head.assign(K, -1);
-    u_before = scene.bodies.u;
-    changed = true;
-}
 
 /// What has changed since the last step wakes whom it concerns. Costs the same however many sleep.
 inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,

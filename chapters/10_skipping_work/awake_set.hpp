@@ -45,6 +45,21 @@ struct AwakeSet {
     }
     //! [wake]
 
+    /// A new last body k = K − 1: awake if it can move, or does.
+    template <int Dof>
+    void add(const Bodies<Dof>& bodies, Index k)
+    {
+        const bool moves = bodies.inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0 ||
+                           bodies.velocity(k).cwiseAbs().maxCoeff() > 0;
+        activity.push_back(moves ? Activity::awake : Activity::fixed);
+        ring.push_back(static_cast<int>(k));
+        if (moves) awake.push_back(static_cast<int>(k));
+        woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found
+        // Room for the worst case, so that no step has to ask for memory.
+        awake.reserve(ring.capacity());
+        woken.reserve(ring.capacity());
+    }
+
     /// These bodies fall asleep together. Call tidy() when all have been told.
     void sleep(std::span<const int> members)
     {
@@ -71,16 +86,8 @@ template <int Dof>
 AwakeSet everybody_awake(const Bodies<Dof>& bodies)
 {
     AwakeSet set;
-    for (Index k = 0; k < bodies.count(); ++k) {
-        const bool moves = bodies.inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0 ||
-                           bodies.velocity(k).cwiseAbs().maxCoeff() > 0;
-        set.activity.push_back(moves ? Activity::awake : Activity::fixed);
-        set.ring.push_back(static_cast<int>(k));
-        if (moves) set.awake.push_back(static_cast<int>(k));
-    }
-    // Room for the worst case, so that no step has to ask for memory.
-    set.awake.reserve(set.ring.size());
-    set.woken.reserve(set.ring.size());
+    for (Index k = 0; k < bodies.count(); ++k) set.add(bodies, k);
+    set.woken.clear();
     return set;
 }
 

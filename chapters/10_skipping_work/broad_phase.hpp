@@ -48,6 +48,16 @@ struct BroadPhase {
         stale.clear();
         for (int k = 0; k < static_cast<int>(K); ++k) stale.push_back(k);
     }
+
+    /// Disc k = K − 1 is new; it is stale once it is called woken.
+    void add(const DiscScene& scene, Index k)
+    {
+        if (!filter.group.empty()) filter.group.push_back(0);
+        if (!filter.first.empty()) filter.first.push_back(filter.first.back());
+        grid.grow(k + 1);
+        grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k], filter.group_of(k));
+        is_stale.push_back(0);
+    }
 };
 
 inline std::uint64_t pair_code(int a, int b)
@@ -63,13 +73,12 @@ inline int other_of(std::uint64_t pair, int k)
 
 //! [touches]
 /// The contact of two discs, if their gap is below the margin: the test of find_contacts() for one pair.
-inline bool disc_contact(const VecX& x, const VecX& radius, Index a, Index b, Real margin, Contact& contact)
+inline bool touches(const DiscScene& scene, Index a, Index b, Real margin, Contact& contact)
 {
-    const Vec2 d = x.segment<2>(2 * b) - x.segment<2>(2 * a);
-    const Real reach = radius[a] + radius[b] + margin;
+    const Vec2 d = scene.bodies.position(b) - scene.bodies.position(a);
+    const Real reach = scene.radius[a] + scene.radius[b] + margin;
     if (d.squaredNorm() >= reach * reach) return false;
-    const Real distance = d.norm();
-    contact = {a, b, distance > 0 ? Vec2(d / distance) : Vec2(0, 1), distance - radius[a] - radius[b], 0};
+    contact = disc_contact(scene, scene.bodies.x, a, b);
     return true;
 }
 //! [touches]
@@ -93,7 +102,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     const auto wake_if_close = [&](int a, int b) {
         ++broad.tested;
         Contact contact;
-        if (!disc_contact(x, scene.radius, a, b, broad.margin, contact)) return;
+        if (!touches(scene, a, b, broad.margin, contact)) return;
         const std::size_t before = set.woken.size();
         set.wake(b);
         for (std::size_t i = before; i < set.woken.size(); ++i) renew(set.woken[i]);
@@ -165,17 +174,11 @@ inline void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPha
     Contact contact;
     broad.tested += static_cast<std::int64_t>(broad.pairs.size());
     for (const std::uint64_t pair : broad.pairs)
-        if (disc_contact(scene.bodies.x, scene.radius, first_of(pair), second_of(pair), broad.margin,
-                         contact))
+        if (touches(scene, first_of(pair), second_of(pair), broad.margin, contact))
             contacts.push_back(contact);
     for (const int b : set.awake) {
         if (!(scene.bodies.inverse_mass[2 * b] > 0)) continue;
-        for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-            const HalfSpace& wall = scene.walls[i];
-            const Real gap =
-                wall.normal.dot(scene.bodies.x.segment<2>(2 * b)) - wall.offset - scene.radius[b];
-            if (gap < broad.margin) contacts.push_back({world, b, wall.normal, gap, static_cast<Index>(i)});
-        }
+        for_each_wall(scene, b, broad.margin, [&](const Contact& wall) { contacts.push_back(wall); });
     }
 }
 

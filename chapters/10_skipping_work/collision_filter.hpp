@@ -88,16 +88,12 @@ inline CollisionFilter filter_of_links(Index count, std::span<const Link> links)
     return forbid_pairs(count, std::move(pairs));
 }
 
-/// What the scene's table `linked` says, as a list. Looks at each of its K² bits once.
+/// What the scene's `linked` says.
 inline CollisionFilter filter_of(const DiscScene& scene)
 {
-    const Index K = scene.bodies.count();
-    std::vector<std::pair<Index, Index>> pairs;
-    if (!scene.linked.empty())
-        for (Index a = 0; a < K; ++a)
-            for (Index b = a + 1; b < K; ++b)
-                if (scene.linked[static_cast<std::size_t>(a * K + b)]) pairs.emplace_back(a, b);
-    return forbid_pairs(K, std::move(pairs));
+    CollisionFilter filter = forbid_pairs(scene.bodies.count(), scene.linked.pairs());
+    if (scene.linked.is_all()) filter.set_meets(0, 0, false);
+    return filter;
 }
 
 }  // namespace rigid

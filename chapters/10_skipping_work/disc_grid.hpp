@@ -35,6 +35,16 @@ public:
         layers_.clear();
     }
 
+    /// Makes room for discs up to count − 1. The table grows when it has become too short, and all are entered again.
+    void grow(Index count)
+    {
+        places_.resize(static_cast<std::size_t>(count));
+        if (buckets_.size() >= 2 * static_cast<std::size_t>(count)) return;
+        buckets_.assign(2 * buckets_.size(), nobody);
+        for (const Layer& layer : layers_)
+            for (const int k : layer.members) enter(k, at(k).column, at(k).line);
+    }
+
     /// \param group  discs of different groups stand in different layers
     void insert(int k, const Vec2& x, Real radius, int group)
     {

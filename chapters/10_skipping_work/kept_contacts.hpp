@@ -68,22 +68,17 @@ inline void keep_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhas
         else contacts.push_back(contact);
         ++count;
     }
-    // Walls are flat: their normals are always those of the step before.
+    // Walls are flat, and their normals those of the step before, but at the ends of a segment.
     for (const int b : set.awake) {
         if (!(scene.bodies.inverse_mass[2 * b] > 0)) continue;
-        for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-            const HalfSpace& wall = scene.walls[i];
-            const Real gap =
-                wall.normal.dot(scene.bodies.x.segment<2>(2 * b)) - wall.offset - scene.radius[b];
-            if (!(gap < broad.margin)) continue;
-            const Contact contact = {world, b, wall.normal, gap, static_cast<Index>(i)};
+        for_each_wall(scene, b, broad.margin, [&](const Contact& contact) {
             memory.same = memory.same && count < contacts.size() && contacts[count].a == world &&
                           wall_key(contacts[count]) == wall_key(contact);
+            memory.kept.push_back(memory.same && contacts[count].normal == contact.normal);
             if (count < contacts.size()) contacts[count] = contact;
             else contacts.push_back(contact);
-            memory.kept.push_back(1);
             ++count;
-        }
+        });
     }
     memory.same = memory.same && count == last_discs + memory.walls;
     memory.walls = count - memory.now.size();

@@ -82,6 +82,27 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
         static_cast<int>(k));  // as if it had just woken: its pairs are found anew
 }
 
+/// Adds a disc to the running world. Who is close to it wakes; nobody else is looked at.
+/// \param u  velocity [m/s]
+/// \return   its number
+/// \throws std::invalid_argument  for a number that makes no sense
+inline Index add_disc(SkippingWorld& now, const Vec2& x, const Vec2& u, Real mass, Real radius)
+{
+    if (!u.allFinite())
+        throw std::invalid_argument("the velocity of a new disc is " + shortest(u.x()) + ", " +
+                                    shortest(u.y()) + "; it must be finite");
+    const Index k = add_disc(now.scene, x, mass, radius);
+    now.scene.bodies.velocity(k) = u;
+    now.method.contacts.add(now.scene, k);
+    for (VecX* const v : {&now.found.u_star, &now.method.correction.v})
+        if (v->size() == 2 * k) {
+            v->conservativeResize(2 * k + 2);
+            v->tail<2>().setZero();
+        }
+    wake_around(now, k);
+    return k;
+}
+
 /// Takes a disc out of the scene, with its links and bends. What stood on it wakes.
 inline void take_away(SkippingWorld& now, Index k)
 {

@@ -10,8 +10,8 @@
 #include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/07_baumgarte/correction.hpp"
 #include "chapters/08_warm_starting/warm_start.hpp"
-#include "chapters/10_skipping_work/awake_bodies.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
+#include "chapters/10_skipping_work/enter_awake.hpp"
 #include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "common/text.hpp"
 

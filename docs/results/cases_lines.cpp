@@ -14,7 +14,7 @@ OneStep resting_step(const DiscScene& scene, Real h)
     OneStep step;
     std::vector<Contact> contacts;
     // What touches, with a hair's breadth for the rounding of the positions; the walls' rows first: bottom-up.
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 1e-9, contacts);
+    find_contacts(scene, 1e-9, contacts);
     std::stable_partition(contacts.begin(), contacts.end(), [](const Contact& c) { return c.a == world; });
     for (const Link& link : scene.links)
         step.rows.push_back(bilateral(distance_constraint(scene.bodies.x, link), scene.bodies.inverse_mass));

@@ -58,7 +58,7 @@ DiscScene slanted_chain(Index count, Real end_mass)
     DiscScene scene = hanging_chain(count, end_mass);
     const Vec2 along(std::sin(pi / 6), -std::cos(pi / 6));
     for (Index k = 1; k <= count; ++k) scene.bodies.position(k) = 0.1 * static_cast<Real>(k) * along;
-    scene.linked.assign(scene.linked.size(), true);
+    scene.linked = PairSet::all();
     return scene;
 }
 
@@ -86,8 +86,7 @@ std::array<std::string, levels> with_units(const Values& values, const std::stri
 /// No two discs collide and there is no wall.
 bool links_alone(const DiscScene& scene)
 {
-    return scene.walls.empty() && !scene.linked.empty() &&
-           std::find(scene.linked.begin(), scene.linked.end(), false) == scene.linked.end();
+    return scene.walls.empty() && scene.segments.empty() && scene.linked.is_all();
 }
 
 /// A run of a scene that a method can hold, unless it has too many rows for it.

@@ -56,7 +56,7 @@ public:
         before_ = bodies.u;
 
         // A gap may close in this step, but not more: w = J u + C/h >= 0 where C > 0, (2.3).
-        find_contacts(bodies.x, scene_.radius, scene_.walls, {}, 0.1, contacts_);
+        find_contacts(scene_, 0.1, contacts_);
         rows_.clear();
         for (const Contact& contact : contacts_)
             rows_.push_back(unilateral(contact_constraint(contact), bodies.inverse_mass,

@@ -45,7 +45,7 @@ VecX fallen(const Bodies<2>& bodies)
 std::vector<Row<2>> rows_of(const DiscScene& scene)
 {
     std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, scene.linked, 0.01, contacts);
+    find_contacts(scene, 0.01, contacts);
     std::vector<Row<2>> rows;
     disc_rows(scene, h, contacts, rows);
     return rows;
@@ -170,7 +170,7 @@ void schur_chain(benchmark::State& state)
     scene.walls = {{{0, 1}, 0}};
     scene.radius.setConstant(0.05);
     for (Index place = 0; place < 4; ++place) scene.radius[2 * (place * N / 6)] = 0.1;
-    scene.linked.assign(scene.linked.size(), true);
+    scene.linked = PairSet::all();
     const Mlcp mlcp = assemble(rows_of(scene), fallen(scene.bodies));
     Solution solution;
     for ([[maybe_unused]] auto _ : state) solution = schur(mlcp);

@@ -42,7 +42,7 @@ public:
         now_.u_before = disc.u;
         now_.u_star = disc.u + h * disc.inverse_mass.cwiseProduct(disc.f);
 
-        find_contacts(disc.x, scene_.radius, scene_.walls, scene_.linked, 0.1, contacts_);
+        find_contacts(scene_, 0.1, contacts_);
         now_.rows.clear();
         for (const Contact& contact : contacts_) {
             Row<2> row = unilateral(contact_constraint(contact), disc.inverse_mass, contact.gap / h);

@@ -90,7 +90,7 @@ Demo chain_scene()
         // It starts a little aside, as a pendulum, and its discs never meet.
         for (Index k = 1; k <= N; ++k)
             chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
-        chain.linked.assign(chain.linked.size(), true);
+        chain.linked = PairSet::all();
         return std::make_unique<DiscRun>(std::move(chain), 20 / static_cast<Real>(N), view);
     };
     return scene;

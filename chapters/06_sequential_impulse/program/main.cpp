@@ -55,7 +55,7 @@ Demo chain_scene()
         DiscScene chain = hanging_chain(N, settings["end_mass"]);
         for (Index k = 1; k <= N; ++k)  // a little aside
             chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
-        chain.linked.assign(chain.linked.size(), true);
+        chain.linked = PairSet::all();
         return std::make_unique<ImpulseRun>(settings, std::move(chain), 20 / static_cast<Real>(N), view);
     };
     return scene;

@@ -74,7 +74,7 @@ public:
     {
         scene_ = hanging_chain(1);
         scene_.links.clear();
-        scene_.linked.assign(4, true);  // the disc flies past its pivot
+        scene_.linked = PairSet::all();  // the disc flies past its pivot
         scene_.radius << 0.03, 0.1;
         scene_.bodies.position(1) = Vec2(-0.5, 0.2);
         scene_.bodies.velocity(1) = Vec2(settings["throw"], 1);

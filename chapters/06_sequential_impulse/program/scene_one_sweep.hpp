@@ -22,7 +22,7 @@ public:
                              : hanging_chain(size, settings["end_mass"]);
         constexpr Real h = 1.0 / 60;
         std::vector<Contact> contacts;
-        find_contacts(scene_.bodies.x, scene_.radius, scene_.walls, scene_.linked, 1e-6, contacts);
+        find_contacts(scene_, 1e-6, contacts);
         disc_rows(scene_, h, contacts, rows_, LeaveErrors{});
         u_star_ = scene_.bodies.u;
         for (Index k = 0; k < scene_.bodies.count(); ++k)

@@ -39,7 +39,7 @@ constexpr Way ways[] = {{"none", Stabilizer::none, 0, false},
 
 DiscScene free_chain(DiscScene chain)
 {
-    chain.linked.assign(chain.linked.size(), true);
+    chain.linked = PairSet::all();
     return chain;
 }
 

@@ -130,7 +130,7 @@ Demo sagging_scene(const std::string& name, const std::string& summary, const Vi
 /// A chain whose discs are there to be seen: they do not collide.
 DiscScene free_chain(DiscScene chain)
 {
-    chain.linked.assign(chain.linked.size(), true);
+    chain.linked = PairSet::all();
     return chain;
 }
 

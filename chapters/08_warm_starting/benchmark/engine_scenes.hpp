@@ -25,8 +25,7 @@ struct EngineScene {
 inline EngineScene engine_chain(const std::string& name, DiscScene scene, bool rests)
 {
     scene.gravity = {0, -10};
-    const auto pairs = static_cast<std::size_t>(scene.bodies.count() * scene.bodies.count());
-    scene.linked.assign(pairs, true);
+    scene.linked = PairSet::all();
     return {name, std::move(scene), false, rests};
 }
 

@@ -49,7 +49,9 @@ public:
         // Who is whose neighbour: what a link joins, and what touches.
         for (const Link& link : scene.scene.links) neighbours_.emplace_back(link.a, link.b);
         std::vector<Contact> contacts;
-        find_contacts(start_, scene.scene.radius, {}, scene.scene.linked, 1e-6, contacts);
+        DiscScene discs = scene.scene;
+        discs.walls.clear();
+        find_contacts(discs, 1e-6, contacts);
         for (const Contact& contact : contacts) neighbours_.emplace_back(contact.a, contact.b);
 
         // Where the centre of mass belongs: at rest where it was; else where the exact motion has it, for the

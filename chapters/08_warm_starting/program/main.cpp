@@ -142,7 +142,7 @@ Demo chain_scene()
     scene.start = [view = scene.view](const Settings& settings) {
         const auto N = static_cast<Index>(settings["links"]);
         DiscScene chain = hanging_chain(N);
-        chain.linked.assign(chain.linked.size(), true);
+        chain.linked = PairSet::all();
         chain.gravity *= settings["weight"];
         const auto rate = [N](const StepSettings&, const WarmMethod& method) {  // of the mode that grows most
             const bool in_the_bias = method.correction.method == Stabilizer::baumgarte;
@@ -234,7 +234,7 @@ Demo swing_scene()
     scene.start = [view = scene.view](const Settings& settings) {
         const auto N = static_cast<Index>(settings["links"]);
         DiscScene chain = swinging_chain(N, settings["end_mass"]);
-        chain.linked.assign(chain.linked.size(), true);
+        chain.linked = PairSet::all();
         return std::make_unique<WarmRun>(std::move(chain), 10 / static_cast<Real>(N), view);
     };
     return scene;

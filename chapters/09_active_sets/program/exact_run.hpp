@@ -163,7 +163,7 @@ inline Demo long_chain_scene()
     scene.start = [view = scene.view](const Settings& settings) {
         const auto N = static_cast<Index>(settings["links"]);
         DiscScene chain = hanging_chain(N, settings["end_mass"]);
-        chain.linked.assign(chain.linked.size(), true);  // its discs never meet
+        chain.linked = PairSet::all();  // its discs never meet
         return std::make_unique<ActiveSetRun>(std::move(chain), 20 / static_cast<Real>(N), view, false, N);
     };
     return scene;
