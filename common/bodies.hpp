@@ -17,7 +17,9 @@ namespace rigid {
 /// The body index that stands for the world: it never moves.
 inline constexpr Index world = -1;
 
-/// \tparam Dof  degrees of freedom of a body: 2 for discs that do not turn
+/// What is special about a kind of body is behind apply_inverse_mass() and integrate(): in space M⁻¹ is no diagonal, and
+/// an orientation no sum of velocities.
+/// \tparam Dof  degrees of freedom of a body: 2 for discs that do not turn, 3 for (x, y, θ) in the plane
 template <int Dof>
 struct Bodies {
     VecX x;             ///< positions [m], length Dof·K
@@ -31,6 +33,28 @@ struct Bodies {
     }
 
     Index count() const { return x.size() / Dof; }
+
+    /// Whether a force changes the velocity of body k; nothing moves the world.
+    bool can_move(Index k) const
+    {
+        return k != world && inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0;
+    }
+
+    /// M⁻¹ p: the change of velocity of body k under the impulse p [m/s].
+    /// \param p  any vector expression of length Dof [N s]
+    template <class Impulse>
+    Vec<Dof> apply_inverse_mass(Index k, const Impulse& p) const
+    {
+        return inverse_mass.template segment<Dof>(Dof * k).cwiseProduct(p);
+    }
+
+    /// x ← x + h v of body k, (1.10).
+    /// \param v  velocity [m/s], length Dof
+    template <class Velocity>
+    void integrate(Index k, const Velocity& v, Real h)
+    {
+        position(k) += h * v;
+    }
 
     /// As many bodies as that. Those that there are keep their state; new ones are at the origin, at rest, of mass 1.
     void resize(Index bodies)

@@ -47,7 +47,7 @@ int pivots(const Mlcp& mlcp, TieRule ties)
 
 // ---- the tableau and the walk ---------------------------------------------------------------------------
 
-TEST_CASE("the two contacts of the text take three pivots through the tableaus of the text")
+TEST_CASE("the two contacts of the text take three pivots through the tableaus of the text", "[house]")
 {
     // Section 5.2: w1 = 2 z1 + z2 - 5, w2 = z1 + 2 z2 - 6.
     LemkeWalk walk(matrix2(2, 1, 1, 2), vector({-5, -6}), vector({1, 1}), TieRule::lexicographic);
@@ -67,7 +67,51 @@ TEST_CASE("the two contacts of the text take three pivots through the tableaus o
     CHECK(walk.z()[1] == Approx(7.0 / 3).epsilon(1e-15));
 }
 
-TEST_CASE("each vertex of the walk satisfies w = A z + q + d z0 and misses exactly one pair")
+TEST_CASE("the problem of section 5.1 and those of the check in Algorithm 5.1 take the pivots of the text",
+          "[idea]")
+{
+    const Solution corner = lemke(plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -6})));
+    CHECK(corner.status == Status::solved);
+    CHECK(corner.iterations == 3);
+    CHECK((corner.lambda - vector({4.0 / 3, 7.0 / 3})).cwiseAbs().maxCoeff() < identity);
+    CHECK(lemke(circulant(3)).iterations == 4);
+    for (Index n = 2; n <= 8; ++n) CHECK(lemke(murty(n)).iterations == 1 << n);
+    CHECK(lemke(Mlcp{}).status == Status::solved);  // no rows, no pivots
+    CHECK(lemke(Mlcp{}).iterations == 0);
+}
+
+TEST_CASE("the motor and the joint of the text take three and two pivots", "[idea]")
+{
+    Mlcp motor = plain_lcp(MatX::Constant(1, 1, 2), vector({-5}));
+    motor.hi[0] = 2;
+    const Solution full = lemke(motor);
+    CHECK(full.status == Status::solved);
+    CHECK(full.iterations == 3);
+    CHECK(full.lambda[0] == Approx(2).epsilon(identity));
+    Mlcp joint = plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -6}));
+    joint.lo[0] = -infinity;
+    const Solution both = lemke(joint);
+    CHECK(both.status == Status::solved);
+    CHECK(both.iterations == 2);
+    CHECK((both.lambda - vector({4.0 / 3, 7.0 / 3})).cwiseAbs().maxCoeff() < identity);
+}
+
+TEST_CASE("the exercises with two rows come out as their solutions say", "[idea]")
+{
+    const Solution first = lemke(plain_lcp(matrix2(2, 1, 1, 2), vector({-5, 1})));  // exercise 5.1
+    CHECK(first.status == Status::solved);
+    CHECK(first.iterations == 2);
+    CHECK((first.lambda - vector({2.5, 0})).cwiseAbs().maxCoeff() < identity);
+    const Mlcp overlap = plain_lcp(matrix2(2, 3, 3, 2), vector({-5, -6}));  // exercise 5.3
+    for (const VecX& answer : {vector({2.5, 0}), vector({0, 3}), vector({1.6, 0.6})})
+        CHECK(natural_residual(overlap, answer) < identity);
+    const Solution found = lemke(overlap);
+    CHECK(found.status == Status::solved);
+    CHECK(found.iterations == 2);
+    CHECK((found.lambda - vector({0, 3})).cwiseAbs().maxCoeff() < identity);
+}
+
+TEST_CASE("each vertex of the walk satisfies w = A z + q + d z0 and misses exactly one pair", "[house]")
 {
     Random random(1);
     for (int sample = 0; sample < 100; ++sample) {
@@ -95,7 +139,7 @@ TEST_CASE("each vertex of the walk satisfies w = A z + q + d z0 and misses exact
     }
 }
 
-TEST_CASE("a pivot undoes itself")
+TEST_CASE("a pivot undoes itself", "[house]")
 {
     Random random(2);
     const Index n = 7;
@@ -114,14 +158,14 @@ TEST_CASE("a pivot undoes itself")
           1e-10);  // a hundred pivots with 1/0.05² each at worst
 }
 
-TEST_CASE("the tableau stores n + 2 columns and no unit columns")
+TEST_CASE("the tableau stores n + 2 columns and no unit columns", "[house]")
 {
     const Tableau tableau(MatX::Identity(5, 5), -VecX::Ones(5), VecX::Ones(5));
     CHECK(tableau.entries().rows() == 5);
     CHECK(tableau.entries().cols() == 7);
 }
 
-TEST_CASE("columns that nobody looks at are left alone and the answer has the same bits")
+TEST_CASE("columns that are not needed are left alone and the answer has the same bits", "[house]")
 {
     Random random(4);
     const Index n = 60;
@@ -150,7 +194,7 @@ TEST_CASE("columns that nobody looks at are left alone and the answer has the sa
     CHECK(half.tableau.column_updates < half.pivots * (n + 2) / 2);
 }
 
-TEST_CASE("nothing is pivoted where q is not negative")
+TEST_CASE("nothing is pivoted where q is not negative", "[idea]")
 {
     const Solution solution = lemke(plain_lcp(MatX::Identity(4, 4), vector({0, 1, 2, 0})));
     CHECK(solution.status == Status::solved);
@@ -161,7 +205,7 @@ TEST_CASE("nothing is pivoted where q is not negative")
 
 // ---- what the textbooks know ----------------------------------------------------------------------------
 
-TEST_CASE("Murty's exponential family takes exactly 2^n pivots whatever the tie rule")
+TEST_CASE("Murty's exponential family takes exactly 2^n pivots whatever the tie rule", "[idea]")
 {
     for (const TieRule ties : {TieRule::lexicographic, TieRule::first_row, TieRule::last_row})
         for (Index n = 1; n <= 12; ++n) {
@@ -174,7 +218,7 @@ TEST_CASE("Murty's exponential family takes exactly 2^n pivots whatever the tie 
         }
 }
 
-TEST_CASE("the transpose of Murty's matrix takes 2^n or 2n or 2 pivots by the tie rule alone")
+TEST_CASE("the transpose of Murty's matrix takes 2^n or 2n or 2 pivots by the tie rule alone", "[idea]")
 {
     for (Index n = 2; n <= 12; ++n) {
         CHECK(pivots(murty_transposed(n), TieRule::lexicographic) == 1 << n);
@@ -184,12 +228,12 @@ TEST_CASE("the transpose of Murty's matrix takes 2^n or 2n or 2 pivots by the ti
     }
 }
 
-TEST_CASE("Murty's matrix with equal q takes two pivots")
+TEST_CASE("Murty's matrix with equal q takes two pivots", "[idea]")
 {
     for (Index n = 2; n <= 20; ++n) CHECK(pivots(murty_equal(n), TieRule::lexicographic) == 2);
 }
 
-TEST_CASE("Fathi's symmetric positive definite family behaves as the transpose does")
+TEST_CASE("Fathi's symmetric positive definite family behaves as the transpose does", "[idea]")
 {
     for (Index n = 2; n <= 12; ++n) {
         CHECK(pivots(fathi(n), TieRule::lexicographic) == 1 << n);  // exact only with a sound tie tolerance
@@ -201,7 +245,7 @@ TEST_CASE("Fathi's symmetric positive definite family behaves as the transpose d
     }
 }
 
-TEST_CASE("thirty rows of Fathi's family would take 2^30 pivots and end at the pivot limit")
+TEST_CASE("thirty rows of Fathi's family would take 2^30 pivots and end at the pivot limit", "[idea]")
 {
     const Solution solution = lemke(fathi(30));
     CHECK(solution.status == Status::iteration_limit);
@@ -211,7 +255,8 @@ TEST_CASE("thirty rows of Fathi's family would take 2^30 pivots and end at the p
     CHECK(with_ties(fathi(30), TieRule::first_row).status == Status::solved);
 }
 
-TEST_CASE("the pivots of the exponential family double with each row and those of a column grow by one")
+TEST_CASE("the pivots of the exponential family double with each row and those of a column grow by one",
+          "[idea]")
 {
     // The observed order: log2 of the ratio from n to n + 1, and the slope of log pivots over log n.
     for (Index n = 4; n < 12; ++n) {
@@ -227,7 +272,7 @@ TEST_CASE("the pivots of the exponential family double with each row and those o
               Approx(1).margin(0.15));
 }
 
-TEST_CASE("tridiagonal Z-matrices take at most n + 1 pivots")
+TEST_CASE("tridiagonal Z-matrices take at most n + 1 pivots", "[idea]")
 {
     Random random(3);
     for (int sample = 0; sample < 300; ++sample) {
@@ -236,7 +281,7 @@ TEST_CASE("tridiagonal Z-matrices take at most n + 1 pivots")
     }
 }
 
-TEST_CASE("where all ratios tie the lexicographic rule ends and the first row cycles")
+TEST_CASE("where all ratios tie the lexicographic rule ends and the first row cycles", "[house]")
 {
     for (Index n = 3; n <= 20; ++n) {
         const Solution solution = lemke(circulant(n));
@@ -258,7 +303,7 @@ TEST_CASE("where all ratios tie the lexicographic rule ends and the first row cy
     CHECK(with_ties(problem, TieRule::first_row).status == Status::iteration_limit);
 }
 
-TEST_CASE("within a cone each weight is a linear function of z0 and most are not in proportion")
+TEST_CASE("within a cone each weight is a linear function of z0 and most are not in proportion", "[house]")
 {
     // The example of section 5.1: A = (2 1; 1 2), q = (−5, −6), d = (1, 1). In the cone of z1 and z2 the weights solve
     // A z = −(q + z0 d).
@@ -273,7 +318,7 @@ TEST_CASE("within a cone each weight is a linear function of z0 and most are not
     CHECK(says("chapters/05_lemke/README.md", "Inside a cone each weight is a linear function of $z_0$."));
 }
 
-TEST_CASE("a proof counts what bounded impulses can do and takes no small number for zero")
+TEST_CASE("a proof counts what bounded impulses can do and takes no small number for zero", "[house]")
 {
     // Rows 0 and 1 want λ0 + λ1 = 1 and λ0 + λ1 = 0: v = (1, −1, 0) proves it, if λ2, which helps row 0 alone, cannot
     // reach 1.
@@ -298,7 +343,8 @@ TEST_CASE("a proof counts what bounded impulses can do and takes no small number
     CHECK(!proves_infeasibility(nearly, VecX(Vec2(1, -1))));
 }
 
-TEST_CASE("skew two by two problems are solved where there is an answer and infeasible where there is none")
+TEST_CASE("skew two by two problems are solved where there is an answer and infeasible where there is none",
+          "[idea]")
 {
     const MatX A = matrix2(0, 1, -1, 0);
     const Solution both = lemke(plain_lcp(A, vector({-1, 1})));
@@ -312,14 +358,14 @@ TEST_CASE("skew two by two problems are solved where there is an answer and infe
     }
 }
 
-TEST_CASE("two contacts that push against each other are solvable or infeasible depending on q")
+TEST_CASE("two contacts that push against each other are solvable or infeasible depending on q", "[idea]")
 {
     const MatX A = matrix2(1, -1, -1, 1);
     CHECK(lemke(plain_lcp(A, vector({1, -1}))).status == Status::solved);
     CHECK(lemke(plain_lcp(A, vector({-1, -1}))).status == Status::infeasible);
 }
 
-TEST_CASE("a ray that proves nothing is called ray termination")
+TEST_CASE("a ray that proves nothing is called ray termination", "[idea]")
 {
     // z = (1, 0) answers it, but the walk runs along an edge that never ends: A is not copositive.
     const Mlcp problem = plain_lcp(matrix2(-2, 0, 1, -1), vector({2, -1}));
@@ -329,7 +375,7 @@ TEST_CASE("a ray that proves nothing is called ray termination")
     CHECK(solution.residual > 0.1);
 }
 
-TEST_CASE("nearly dependent joints are not called infeasible where there is an answer")
+TEST_CASE("nearly dependent joints are not called infeasible where there is an answer", "[idea]")
 {
     // Two rows that differ by 1e-16 to 1e-6 of their size, and about a third of all rows bilateral: what is left
     // when these are eliminated is known to a few digits only, or to none.
@@ -358,7 +404,8 @@ TEST_CASE("nearly dependent joints are not called infeasible where there is an a
     CHECK(wrongly == 0);
 }
 
-TEST_CASE("of all two-row problems with entries from -2 to 2 none is called infeasible or solved wrongly")
+TEST_CASE("of all two-row problems with entries from -2 to 2 none is called infeasible or solved wrongly",
+          "[idea]")
 {
     int rays = 0;
     for (int code = 0; code < 15625; ++code) {
@@ -379,7 +426,7 @@ TEST_CASE("of all two-row problems with entries from -2 to 2 none is called infe
     CHECK(rays < 1000);  // matrices with negative entries on the diagonal: Lemke promises nothing there
 }
 
-TEST_CASE("nearly parallel rows are not called infeasible")
+TEST_CASE("nearly parallel rows are not called infeasible", "[idea]")
 {
     // The answer is about 2e12 in both rows: absurd, but it exists.
     const Solution solution = lemke(plain_lcp(matrix2(1, -1, -1, 1 + 1e-12), vector({-1, -1})));
@@ -389,7 +436,7 @@ TEST_CASE("nearly parallel rows are not called infeasible")
 
 // ---- bounds and bilateral rows --------------------------------------------------------------------------
 
-TEST_CASE("a bilateral row takes any sign and a bounded one stops at its bounds")
+TEST_CASE("a bilateral row takes any sign and a bounded one stops at its bounds", "[idea]")
 {
     Mlcp one = plain_lcp(MatX::Constant(1, 1, 2), vector({6}));
     const auto lambda = [&](Real lo, Real hi) {
@@ -409,7 +456,8 @@ TEST_CASE("a bilateral row takes any sign and a bounded one stops at its bounds"
     CHECK(lambda(5, 5) == 5);
 }
 
-TEST_CASE("bilateral rows that repeat each other are solved and those that contradict each other are not")
+TEST_CASE("bilateral rows that repeat each other are solved and those that contradict each other are not",
+          "[idea]")
 {
     Mlcp twice = plain_lcp(MatX::Constant(2, 2, 1), vector({3, 3}));
     twice.lo.setConstant(-infinity);
@@ -422,7 +470,7 @@ TEST_CASE("bilateral rows that repeat each other are solved and those that contr
 
 // ---- physics --------------------------------------------------------------------------------------------
 
-TEST_CASE("the lowest contact of a column carries all the weight above it")
+TEST_CASE("the lowest contact of a column carries all the weight above it", "[idea]")
 {
     for (const Index N : {Index{1}, Index{2}, Index{10}, Index{50}}) {
         const Real m = 2, g = 9.81, h = 1.0 / 60;
@@ -441,7 +489,8 @@ TEST_CASE("the lowest contact of a column carries all the weight above it")
     }
 }
 
-TEST_CASE("a box on a slope sticks below the angle of friction and slides above with the known acceleration")
+TEST_CASE("a box on a slope sticks below the angle of friction and slides above with the known acceleration",
+          "[idea]")
 {
     const Real mu = 0.3, h = 0.01, g = 9.81;
     BoxStack stack;
@@ -466,7 +515,61 @@ TEST_CASE("a box on a slope sticks below the angle of friction and slides above 
     }
 }
 
-TEST_CASE("every friction problem of a stack of boxes is solved")
+TEST_CASE("a friction problem without a negative bias ends on no ray and its matrix is copositive", "[idea]")
+{
+    // (5.28), (5.29): random contacts of random bodies, also more contacts than the bodies have coordinates.
+    Random random(529);
+    for (int sample = 0; sample < 400; ++sample) {
+        const Index bodies = 1 + random.index(4), m = 1 + random.index(7);
+        const Real mu = random.uniform(0, 1.5);
+        VecX inverse_mass(3 * bodies), u_star(3 * bodies);
+        for (Index i = 0; i < 3 * bodies; ++i) {
+            inverse_mass[i] = random.uniform(0.5, 2);
+            u_star[i] = random.normal();
+        }
+        ContactRows scene{{}, u_star};
+        std::vector<Row<3>> along;
+        for (Index i = 0; i < m; ++i) {
+            const Index b = random.index(bodies), a = random.index(bodies);
+            const Real angle = random.uniform(0, 2 * pi), x = random.uniform(-1, 1),
+                       y = random.uniform(-1, 1);
+            const Vec2 n(std::cos(angle), std::sin(angle)), t(-n.y(), n.x()), r(x, y), other(y, -x);
+            scene.rows.push_back(contact_row(a == b ? world : a, b, n, other, r, inverse_mass));
+            along.push_back(contact_row(a == b ? world : a, b, t, other, r, inverse_mass));
+            scene.rows.back().bias = random.uniform(0, 1);
+        }
+        scene.rows.insert(scene.rows.end(), along.begin(), along.end());
+        const Mlcp rows = assemble(scene.rows, scene.u_star), problem = stewart_trinkle(rows, mu);
+        CHECK(lemke(problem).status == Status::solved);
+        VecX x(4 * m);
+        for (Index i = 0; i < 4 * m; ++i) x[i] = random.index(3) == 0 ? 0 : random.uniform();
+        VecX impulses(2 * m);
+        impulses << x.head(m), x.segment(m, m) - x.segment(2 * m, m);
+        const Real form = impulses.dot(rows.A * impulses) + mu * x.tail(m).dot(x.head(m));
+        // A few dozen products of numbers of size one.
+        CHECK(x.dot(problem.A * x) == Approx(form).margin(1e-12));
+        CHECK(form >= -1e-12);
+    }
+}
+
+TEST_CASE("a pyramid of four edges has six rows and slows a block down", "[idea]")
+{
+    // Exercise 5.5: λ_n, four β, γ; the block moves along the first edge and is pressed at 1 m/s.
+    MatX A = MatX::Zero(6, 6);
+    A(0, 0) = 1;
+    const Vec2 edges[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (Index k = 0; k < 4; ++k) {
+        for (Index l = 0; l < 4; ++l) A(1 + k, 1 + l) = edges[k].dot(edges[l]);
+        A(1 + k, 5) = 1;
+        A(5, 1 + k) = -1;
+    }
+    A(5, 0) = 0.5;
+    const Solution solution = lemke(plain_lcp(A, vector({-1, 1, 0, -1, 0, 0})));
+    CHECK(solution.status == Status::solved);
+    CHECK((solution.lambda - vector({1, 0, 0, 0.5, 0, 0.5})).cwiseAbs().maxCoeff() < identity);
+}
+
+TEST_CASE("every friction problem of a stack of boxes is solved", "[idea]")
 {
     for (const Index boxes : {5, 10, 20, 40})
         for (const Real jostle : {0.0, 0.01, 0.1, 1.0})
@@ -484,7 +587,7 @@ TEST_CASE("every friction problem of a stack of boxes is solved")
             }
 }
 
-TEST_CASE("friction opposes sliding and stays in its cone and loses energy")
+TEST_CASE("friction opposes sliding and stays in its cone and loses energy", "[idea]")
 {
     BoxStack stack;
     stack.boxes = 8;
@@ -522,7 +625,7 @@ TEST_CASE("friction opposes sliding and stays in its cone and loses energy")
 
 // ---- against the truth ----------------------------------------------------------------------------------
 
-TEST_CASE("the small problems come out right to the uniqueness that their files state")
+TEST_CASE("the small problems come out right to the uniqueness that their files state", "[idea]")
 {
     for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2",
                              "fric_boxed_s4", "fric_st_s2", "infeasible_psd2", "mass1000_rest_s5",
@@ -546,7 +649,7 @@ TEST_CASE("the small problems come out right to the uniqueness that their files 
     }
 }
 
-TEST_CASE("a thousand random problems of each kind agree with the enumeration of chapter 3")
+TEST_CASE("a thousand random problems of each kind agree with the enumeration of chapter 3", "[idea]")
 {
     for (const Kind kind : all_kinds) {
         Random random(100 + static_cast<std::uint64_t>(kind));
@@ -579,7 +682,7 @@ TEST_CASE("a thousand random problems of each kind agree with the enumeration of
     }
 }
 
-TEST_CASE("planted answers of up to two hundred rows are found")
+TEST_CASE("planted answers of up to two hundred rows are found", "[idea]")
 {
     for (const Kind kind : all_kinds) {
         Random random(200 + static_cast<std::uint64_t>(kind));
@@ -597,7 +700,7 @@ TEST_CASE("planted answers of up to two hundred rows are found")
     }
 }
 
-TEST_CASE("infeasible semidefinite problems are recognised")
+TEST_CASE("infeasible semidefinite problems are recognised", "[idea]")
 {
     // y ≥ 0 with A y = 0 and qᵀy < 0 is planted: no z has A z + q ≥ 0.
     Random random(300);
@@ -617,7 +720,8 @@ TEST_CASE("infeasible semidefinite problems are recognised")
     CHECK(proved >= 290);  // a few rays are too blurred by rounding to prove anything
 }
 
-TEST_CASE("a random search finds no problem that is called solved with a residual above 1e-8 or that loops")
+TEST_CASE("a random search finds no problem that is called solved with a residual above 1e-8 or that loops",
+          "[idea]")
 {
     Random random(400);
     int solved = 0;
@@ -671,7 +775,7 @@ TEST_CASE("a random search finds no problem that is called solved with a residua
 
 // ---- units, bounds, and what is said --------------------------------------------------------------------
 
-TEST_CASE("twenty boxes with friction are solved at every mass from 1e-9 to 1e9 kg")
+TEST_CASE("twenty boxes with friction are solved at every mass from 1e-9 to 1e9 kg", "[idea]")
 {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         int pivots_of_one = 0;
@@ -689,7 +793,7 @@ TEST_CASE("twenty boxes with friction are solved at every mass from 1e-9 to 1e9 
     }
 }
 
-TEST_CASE("a bound that is far away does not swallow what pushes")
+TEST_CASE("a bound that is far away does not swallow what pushes", "[idea]")
 {
     for (const Real bound : {1e10, 1e16, 1e20}) {
         Mlcp one = plain_lcp(MatX::Ones(1, 1), vector({3}));
@@ -708,7 +812,7 @@ TEST_CASE("a bound that is far away does not swallow what pushes")
     }
 }
 
-TEST_CASE("the lift can rise on the way to an answer")
+TEST_CASE("the lift can rise on the way to an answer", "[house]")
 {
     LemkeWalk walk(matrix2(-2, -2, 3, -1), vector({2, -1}), vector({1, 1}), TieRule::lexicographic);
     walk.step();
@@ -719,7 +823,7 @@ TEST_CASE("the lift can rise on the way to an answer")
     CHECK(walk.place == LemkeWalk::Place::solution);
 }
 
-TEST_CASE("a direction that a bound turns away proves nothing")
+TEST_CASE("a direction that a bound turns away proves nothing", "[house]")
 {
     Mlcp problem = plain_lcp(matrix2(-2, 1, 1, -1), vector({0, 0}));
     problem.lo.setConstant(-infinity);
@@ -734,7 +838,7 @@ TEST_CASE("a direction that a bound turns away proves nothing")
     CHECK_FALSE(proves_infeasibility(none, vector({1, 0.5})));
 }
 
-TEST_CASE("with q near zero what is solved is as right as with any other q")
+TEST_CASE("with q near zero what is solved is as right as with any other q", "[idea]")
 {
     Random random(600);
     int solved = 0, wrong = 0;
@@ -760,7 +864,7 @@ TEST_CASE("with q near zero what is solved is as right as with any other q")
 
 // ---- properties -----------------------------------------------------------------------------------------
 
-TEST_CASE("masses and lengths in other units and rows in another order give the same impulses")
+TEST_CASE("masses and lengths in other units and rows in another order give the same impulses", "[idea]")
 {
     Random random(500);
     for (int sample = 0; sample < 200; ++sample) {
@@ -796,7 +900,7 @@ TEST_CASE("masses and lengths in other units and rows in another order give the 
     }
 }
 
-TEST_CASE("the same problem gives the same bits twice")
+TEST_CASE("the same problem gives the same bits twice", "[house]")
 {
     const Mlcp problem = stewart_trinkle(BoxStack{});
     const Solution first = lemke(problem), second = lemke(problem);
@@ -804,7 +908,7 @@ TEST_CASE("the same problem gives the same bits twice")
     CHECK(first.iterations == second.iterations);
 }
 
-TEST_CASE("a problem that makes no sense is refused with a sentence")
+TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
 {
     Mlcp problem = plain_lcp(MatX::Identity(2, 2), vector({-1, -1}));
     LemkeSettings settings;
@@ -835,7 +939,7 @@ TEST_CASE("a problem that makes no sense is refused with a sentence")
     }
 }
 
-TEST_CASE("numbers too large for doubles end with an honest status")
+TEST_CASE("numbers too large for doubles end with an honest status", "[idea]")
 {
     const Solution solution = lemke(plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})));
     if (solution.status == Status::solved) CHECK(solution.residual <= 1e298);

@@ -37,8 +37,9 @@ public:
             first_w_ = w_;
             return true;
         }
-        // Two answers to ten digits: are they the same to seven?
-        const Real size = std::max(dense_.q.cwiseAbs().maxCoeff(), first_.cwiseAbs().maxCoeff());
+        // Two answers to ten digits: are they the same to seven? All of q and the first λ may be zero.
+        const Real size = std::max(
+            {dense_.q.cwiseAbs().maxCoeff(), first_.cwiseAbs().maxCoeff(), z_.cwiseAbs().maxCoeff()});
         lambda_differs_ = lambda_differs_ || differ(z_, first_, size);
         w_differs_ = w_differs_ || differ(w_, first_w_, size);
         return true;

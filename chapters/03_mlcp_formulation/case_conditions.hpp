@@ -44,6 +44,16 @@ inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set
     return largest;
 }
 
+/// The least bound that is neither zero nor infinite, and 1 where there is none.
+inline Real least_bound(const DenseMlcp& dense)
+{
+    Real least = infinity;
+    for (const VecX* bounds : {&dense.lo, &dense.hi})
+        for (const Real bound : *bounds)
+            if (std::abs(bound) > 0) least = std::min(least, std::abs(bound));
+    return least < infinity ? least : 1;
+}
+
 //! [family]
 /// A set with a singular block fits: are there other answers in its family?  Along each null direction
 /// ask for a member a little to either side.
@@ -57,7 +67,9 @@ inline void look_around(const DenseMlcp& dense, const std::vector<BoundState>& s
     const Index k = null.rows();
     MatX moves_w = MatX::Zero(dense.q.size(), null.cols());
     for (Index r = 0; r < k; ++r) moves_w += dense.A.col(free[static_cast<std::size_t>(r)]) * null.row(r);
-    const Real step = 1e-5 * std::max({numbers, here.cwiseAbs().maxCoeff(), Real(1e-300)});
+    Real size = std::max(numbers, here.cwiseAbs().maxCoeff());
+    if (!(size > 0)) size = least_bound(dense);  // q = 0 and λ = 0: the answers are a cone
+    const Real step = 1e-5 * size;
     const Family family(dense, set);
     const auto try_member = [&](const std::optional<VecX>& other) {
         if (other && !answers.accept(*other)) answers.doubt();

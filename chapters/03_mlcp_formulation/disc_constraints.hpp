@@ -23,8 +23,7 @@ inline void free_velocities(DiscScene& scene, const StepSettings& settings, Step
     // What the step doesn't look at has the velocity that it has: rows may join it to what moves.
     if (now.u_star.size() != bodies.u.size()) now.u_star = bodies.u;
     for (const int k : now.active)
-        now.u_star.segment<2>(2 * k) =
-            bodies.velocity(k) + h * bodies.inverse_mass.segment<2>(2 * k).cwiseProduct(bodies.force(k));
+        now.u_star.segment<2>(2 * k) = bodies.velocity(k) + h * bodies.apply_inverse_mass(k, bodies.force(k));
 }
 //! [forces]
 
@@ -73,7 +72,7 @@ void write_rows(const Bodies<Dof>& bodies, Real h, StepData<Dof>& now, const Bia
 template <int Dof>
 void advance_positions(Bodies<Dof>& bodies, Real h, const StepData<Dof>& now)
 {
-    for (const int k : now.active) bodies.position(k) += h * bodies.velocity(k);
+    for (const int k : now.active) bodies.integrate(k, bodies.velocity(k), h);
 }
 
 }  // namespace rigid

@@ -83,11 +83,6 @@ struct SecondProblem {
     Solution solution;           ///< of this problem, by those that answer it apart
 };
 
-inline bool can_move(const Bodies<2>& bodies, Index k)
-{
-    return k != world && (bodies.inverse_mass[2 * k] > 0 || bodies.inverse_mass[2 * k + 1] > 0);
-}
-
 //! [all_pairs]
 /// The contacts stage in its plainest form: every body is looked at, and every pair is tested.
 struct AllPairs {
@@ -114,7 +109,7 @@ struct AllPairs {
         now.contacts.clear();
         if (collides) find_contacts(scene, settings.margin * now.length, now.contacts);
         // What cannot move cannot be pushed: two such bodies never are a row.
-        const auto stand = [&](Index a, Index b) { return !can_move(bodies, a) && !can_move(bodies, b); };
+        const auto stand = [&](Index a, Index b) { return !bodies.can_move(a) && !bodies.can_move(b); };
         std::erase_if(now.contacts, [&](const Contact& contact) { return stand(contact.a, contact.b); });
         now.x_found = bodies.x;
 

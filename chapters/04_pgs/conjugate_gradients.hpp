@@ -70,7 +70,7 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
     for (; k < max_iterations && r.lpNorm<Eigen::Infinity>() > tolerance; ++k) {
         multiply(mlcp.A, p, Ap);
         const Real curvature = p.dot(Ap);
-        if (!(curvature > 0)) {  // the merit falls for ever along p
+        if (!(curvature > 0)) {  // the merit falls without end along p
             solution.status = Status::singular;
             break;
         }

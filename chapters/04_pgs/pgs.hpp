@@ -3,13 +3,14 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
-/// Sweeps (sweeps.hpp) until the natural residual, the one measure of error of this book, is below a
+/// Sweeps (sweeps.hpp, in the form of prescaled_sweeps.hpp) until the natural residual, the one measure of error of this book, is below a
 /// tolerance in m/s. Converges for symmetric positive definite A and 0 < ω < 2 \cite cryer1971; for a column
 /// or a chain of N rows with end mass R the error shrinks by cos²θ a sweep, (4.14), which is why long
 /// chains and heavy loads take so long.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/verification.hpp"
+#include "chapters/04_pgs/prescaled_sweeps.hpp"
 #include "chapters/04_pgs/sweeps.hpp"
 #include "common/text.hpp"
 
@@ -35,7 +36,7 @@ struct PgsMemory {
     int checks = 0;  ///< how often the residual was computed: each costs about as much as a sweep
 };
 
-/// The point of the bounds that is nearest to 0: a start that knows nothing, "cold".
+/// A cold start: the point within the bounds that is nearest to 0.
 inline void cold_start(const Mlcp& mlcp, VecX& lambda)
 {
     lambda.resize(mlcp.size());
@@ -61,9 +62,9 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
 
 /// Sweeps from `solution.lambda` on; solution.iterations counts the sweeps.
 ///
-/// `solved` is said when the natural residual was computed and met the tolerance, and rounding can't hide
+/// `solved`: the natural residual was computed and met the tolerance, and rounding can't hide
 /// a hundred times as much: chapter 3's rule with f = tolerance and τ = ε, (3.16c) and (3.16d). `infeasible`: a row
-/// that no λ can change wants an infinite one. Else `iteration limit`, also when the numbers overflow
+/// that no λ can change would need an infinite one. Else `iteration limit`, also when the numbers overflow
 /// (λ is then the cold start). Does not allocate once it has seen a problem of this size.
 /// \param solution  in: the λ to start from (see cold_start()); out: the answer
 /// \throws std::invalid_argument  for an invalid problem, setting or start
@@ -84,9 +85,9 @@ inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory
             std::clamp(solution.lambda[i], mlcp.lo[i], mlcp.hi[i]);
 
     //! [stop]
-    // The residual costs as much as a sweep, the change is free but says too little. So remember how large
-    // the residual was for its change, and compute it again when that says that it may have met the
-    // tolerance, or when half as many sweeps again have gone by.
+    // The residual costs as much as a sweep; the change is free, but it is not the error. So keep the ratio of
+    // the two, and compute the residual again when that ratio predicts that it meets the tolerance, or when half
+    // as many sweeps again have been made.
     const bool hopeless = has_hopeless_row(mlcp, rows, settings.tolerance);
     const int limit = hopeless ? 0 : settings.max_sweeps;
     int sweeps = 0, next_check = 0;
@@ -123,8 +124,7 @@ inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory
     const bool met = solution.residual <= settings.tolerance &&
                      verify(mlcp, solution.lambda, {0, settings.tolerance}).solved;
     solution.status = met ? Status::solved : Status::iteration_limit;
-    if (!std::isfinite(
-            solution.residual)) {  // the iteration grew without bound: hand back nothing that is poisoned
+    if (!std::isfinite(solution.residual)) {  // the iteration grew without bound: return finite impulses
         cold_start(mlcp, solution.lambda);
         solution.residual = natural_residual(mlcp, solution.lambda);
         solution.status = Status::iteration_limit;

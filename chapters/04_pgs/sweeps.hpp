@@ -3,182 +3,55 @@
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   0 = λ − clamp(λ − w/a, lo, hi)   in every row, a = A_ii
 ///
-/// A visit does λ_i ← clamp(λ_i − ω w_i / A_ii), (4.4) with ω = 1 and (4.18) with any ω. The rows are first
-/// rewritten as (4.24), so that a visit is one short sum and a clamp, and lie in memory in the order
-/// in which they are visited.
+/// A visit does λ_i ← clamp(λ_i − ω w_i / A_ii), (4.4) with ω = 1 and (4.18) with any ω. This is the method as the text
+/// derives it; prescaled_sweeps.hpp does the same with less work per visit, and a test compares the two.
+/// \cite cryer1971
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
-#include "common/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace rigid {
 
-//! [layout]
-/// One row as the sweep wants it, (4.24). Its neighbours in the order of the visits have fields of their own:
-/// in a column or a chain nothing else is left, and the λ that was just written never leaves the processor.
-struct SweepRow {
-    Real keep;           ///< 1 − ω A_ii / s_i, which is 1 − ω
-    Real constant;       ///< −ω q_i / s_i [N s]
-    Real before, after;  ///< −ω A_ij / s_i for the rows visited just before and just after
-    Real lo, hi;         ///< [N s]
-    Real scale;          ///< s_i / ω [1/kg]: the velocity that a change of λ_i stands for
-};
-
-/// The rows in the order of the visits. The other entries of row k: start[k] … start[k+1] − 1.
-struct SweepRows {
-    std::vector<SweepRow> rows;
-    std::vector<int> start;         ///< n + 1
-    std::vector<int> column;        ///< places in this order, not row numbers of the problem
-    std::vector<Real> coefficient;  ///< −ω A_ij / s_i
-    std::vector<int> row_at;        ///< row number of the problem at each place
-    std::vector<int> place_of;      ///< and back
-    VecX lambda;                    ///< the impulses by place [N s]
-    VecX next;                      ///< Jacobi's second copy
-};
-//! [layout]
-
-/// True if no λ of any row changes the velocity of row k.
-inline bool is_empty(const SweepRows& sweep, std::size_t k)
-{
-    const SweepRow& row = sweep.rows[k];
-    return row.keep == 1 && row.before == 0 && row.after == 0 && sweep.start[k] == sweep.start[k + 1];
-}
-
-/// Writes the rows of a valid problem as (4.24). Allocates only if the problem is larger than all before it.
-/// \param omega  0 < ω < 2: 1 is plain Gauss-Seidel
-/// \param order  the row numbers in the order of the visits; empty = as they are
-/// \throws std::invalid_argument  for an ω out of range or an order that is not a permutation
-inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, SweepRows& sweep)
-{
-    if (!(omega > 0 && omega < 2))
-        throw std::invalid_argument("the relaxation omega is " + shortest(omega) +
-                                    "; it must lie between 0 and 2");
-    const auto n = static_cast<std::size_t>(mlcp.size());
-    if (!order.empty() && order.size() != n)
-        throw std::invalid_argument("the order names " + std::to_string(order.size()) +
-                                    " rows; the problem has " + std::to_string(n));
-    sweep.row_at.resize(n);
-    sweep.place_of.assign(n, -1);
-    for (std::size_t k = 0; k < n; ++k) {
-        const int i = order.empty() ? static_cast<int>(k) : order[k];
-        if (i < 0 || static_cast<std::size_t>(i) >= n || sweep.place_of[static_cast<std::size_t>(i)] >= 0)
-            throw std::invalid_argument("the order names row " + std::to_string(i) +
-                                        " twice or out of range; it must name each row once");
-        sweep.row_at[k] = i;
-        sweep.place_of[static_cast<std::size_t>(i)] = static_cast<int>(k);
-    }
-
-    sweep.rows.resize(n);
-    sweep.start.resize(n + 1);
-    sweep.column.resize(static_cast<std::size_t>(mlcp.A.nonZeros()));
-    sweep.coefficient.resize(static_cast<std::size_t>(mlcp.A.nonZeros()));
-    sweep.lambda.resize(mlcp.size());
-    sweep.next.resize(mlcp.size());
-    std::size_t filled = 0;
-    sweep.start[0] = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-        const Index i = sweep.row_at[k];
-        const std::size_t first = filled;
-        Real diagonal = 0, before = 0, after = 0;
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            const int place = sweep.place_of[static_cast<std::size_t>(entry.col())];
-            const int distance = place - static_cast<int>(k);
-            if (distance == 0) diagonal = entry.value();
-            else if (distance == -1) before = entry.value();
-            else if (distance == 1) after = entry.value();
-            else sweep.column[filled] = place, sweep.coefficient[filled++] = entry.value();
-        }
-        sweep.start[k + 1] = static_cast<int>(filled);
-        const Real scale = diagonal > 0 ? diagonal : 1;  // as in the natural residual
-        const Real factor = -omega / scale;
-        for (std::size_t e = first; e < filled; ++e) sweep.coefficient[e] *= factor;
-        SweepRow& row = sweep.rows[k];
-        row.keep = diagonal > 0 ? 1 - omega : 1 - omega * diagonal;
-        row.constant = factor * mlcp.q[i];
-        row.before = factor * before;
-        row.after = factor * after;
-        row.lo = mlcp.lo[i];
-        row.hi = mlcp.hi[i];
-        row.scale = scale / omega;
-        if (is_empty(sweep, k)) {  // w = q whatever we do: a bound is the answer
-            if (mlcp.q[i] > 0 && std::isfinite(row.lo)) row.hi = row.lo;
-            if (mlcp.q[i] < 0 && std::isfinite(row.hi)) row.lo = row.hi;
-            if (row.lo < row.hi) row.constant = 0;
-        }
-    }
-}
-
 //! [visit]
-/// (4.4), (4.18): row k's own best answer to the λ of the others. A NaN stays a NaN.
-inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda, Real before, Real after)
+/// One visit of row i, (4.18); for ω = 1 that is (4.4).
+/// \param omega  relaxation, 0 < ω < 2
+/// \return       the new λ_i [N s]
+inline Real visit(const Mlcp& mlcp, Index i, const VecX& lambda, Real omega = 1)
 {
-    const SweepRow& row = sweep.rows[k];
-    Real value = row.constant + row.keep * lambda[k];
-    for (int e = sweep.start[k]; e < sweep.start[k + 1]; ++e)
-        value += sweep.coefficient[static_cast<std::size_t>(e)] *
-                 lambda[sweep.column[static_cast<std::size_t>(e)]];
-    value += row.after * after;    // the youngest number joins the sum last:
-    value += row.before * before;  // the processor has the rest ready by then
-    value = value < row.lo ? row.lo : value;
-    return value > row.hi ? row.hi : value;
+    Real w = mlcp.q[i], A_ii = 0;
+    for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+        w += entry.value() * lambda[entry.col()];  // (4.3): w_i = Σ_j A_ij λ_j + q_i
+        if (entry.col() == i) A_ii = entry.value();
+    }
+    if (!(A_ii > 0)) A_ii = 1;  // as in the natural residual
+    return std::clamp(lambda[i] - omega * w / A_ii, mlcp.lo[i], mlcp.hi[i]);
 }
 //! [visit]
-
-/// The same, with the neighbours looked up.
-inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda)
-{
-    return visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, k + 1 < sweep.rows.size() ? lambda[k + 1] : 0);
-}
 
 //! [gauss-seidel]
-/// One Gauss-Seidel sweep: each row sees what the rows before it have just done.
-/// \return  the largest change of a λ_i, as a velocity s_i |Δλ_i| / ω [m/s]; NOT the residual, see (4.7)
-inline Real sweep_forward(SweepRows& sweep)
+/// One Gauss-Seidel sweep, forward: each visit uses what the visits before it have changed.
+inline void sweep_forward(const Mlcp& mlcp, VecX& lambda, Real omega = 1)
 {
-    const std::size_t n = sweep.rows.size();
-    Real* const lambda = sweep.lambda.data();
-    Real largest = 0, before = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-        const Real value = visit(sweep, k, lambda, before, k + 1 < n ? lambda[k + 1] : 0);
-        largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
-        before = lambda[k] = value;
-    }
-    return largest;
+    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = visit(mlcp, i, lambda, omega);
 }
 //! [gauss-seidel]
 
 /// The same from the last row to the first.
-inline Real sweep_backward(SweepRows& sweep)
+inline void sweep_backward(const Mlcp& mlcp, VecX& lambda, Real omega = 1)
 {
-    Real* const lambda = sweep.lambda.data();
-    Real largest = 0, after = 0;
-    for (std::size_t k = sweep.rows.size(); k-- > 0;) {
-        const Real value = visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, after);
-        largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
-        after = lambda[k] = value;
-    }
-    return largest;
+    for (Index i = mlcp.size(); i-- > 0;) lambda[i] = visit(mlcp, i, lambda, omega);
 }
 
 //! [jacobi]
-/// One Jacobi sweep: each row sees what all rows were BEFORE the sweep.
-inline Real sweep_jacobi(SweepRows& sweep)
+/// One Jacobi sweep: each visit uses what all λ were before the sweep.
+/// \param before  memory for a copy of λ
+inline void sweep_jacobi(const Mlcp& mlcp, VecX& lambda, VecX& before, Real omega = 1)
 {
-    Real largest = 0;
-    for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
-        const auto i = static_cast<Index>(k);
-        sweep.next[i] = visit(sweep, k, sweep.lambda.data());
-        largest = std::max(largest, sweep.rows[k].scale * std::abs(sweep.next[i] - sweep.lambda[i]));
-    }
-    sweep.lambda.swap(sweep.next);
-    return largest;
+    before = lambda;
+    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = visit(mlcp, i, before, omega);
 }
 //! [jacobi]
 

@@ -4,7 +4,7 @@
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
 /// Brought to the plain form (standard_form.hpp), walked (walk.hpp), and only called solved by chapter 3's rule.
-/// Section 5.8 has all of it in one place. \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
+/// Algorithm 5.1 has all of it in one place. \cite lemke1965; \cite cottle1992, §4.4; \cite murty1997, ch. 2
 #pragma once
 
 #include "chapters/05_lemke/infeasibility.hpp"

@@ -1,5 +1,5 @@
 /// \file ratio_test.hpp
-/// Who leaves: the basic variable that reaches zero first, and what to do when several do so together.
+/// Which variable leaves: the basic one that reaches zero first, and the rule for several that do so together.
 ///
 ///     least of r_i / -T_ic over the rows with T_ic < 0
 ///
@@ -13,11 +13,11 @@
 
 namespace rigid {
 
-/// Who leaves when several basic variables reach zero together.
+/// Which one leaves when several basic variables reach zero together.
 enum class TieRule { lexicographic, first_row, last_row };
 
 //! [lexicographic]
-/// Leaves the row that reaches zero first when each q_k is raised by ε^k, ε > ε² > … (5.13). The
+/// Keeps the row that reaches zero first when each q_k is raised by ε^k, ε > ε² > … (5.13). The
 /// coefficient of ε^k in row i is 1 if w_k is the basic variable of that row, else -T_ik, k being the
 /// column of w_k (5.12).
 inline void break_tie(const Tableau& tableau, Index c, std::vector<Index>& tied)

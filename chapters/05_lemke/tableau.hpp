@@ -1,11 +1,11 @@
 /// \file tableau.hpp
-/// The tableau: every basic variable written in terms of those that are zero; the pivot; the ratio test.
+/// The tableau: every basic variable in terms of those that are zero; the pivot.
 ///
 ///     y_B = r + T y_N        one line for each basic variable; where y_N = 0 its value is r
 ///
-/// It starts as the question itself, w = q + d z0 + A z (5.5). A pivot swaps a basic variable with one that
+/// It starts as the problem itself, w = q + d z0 + A z (5.5). A pivot swaps a basic variable with one that
 /// was zero (5.8). This is the condensed tableau: the columns of the basic variables would be unit vectors
-/// and are not stored. And a column is only brought up to date when somebody looks at it: most never enter.
+/// and are not stored. And a column is only brought up to date when it is needed: most never enter.
 /// \cite cottle1992, §2.3 and §4.4
 #pragma once
 
@@ -18,13 +18,13 @@
 
 namespace rigid {
 
-/// What counts as nothing, relative to the numbers it is compared with. Section 5.6 has the evidence.
+/// What counts as zero, relative to the numbers it is compared with. Section 5.C has the evidence.
 struct Tolerances {
     /// An entry below this share of the largest of its column is rounding error, not a slope. Anything from
-    /// 1e-6 to 1e-12 gives the same answers; 1e-14 pivots on noise.
+    /// 1e-6 to 1e-12 gives the same answers; 1e-14 pivots on rounding errors.
     Real pivot = 1e-10;
     /// Two ratios, or two terms of their perturbations, that differ by less than this share of their scale
-    /// are equal. Anything from 1e-5 to 1e-8 serves; 1e-11 takes noise for order.
+    /// are equal. Anything from 1e-5 to 1e-8 serves; at 1e-11 rounding errors decide.
     Real tie = 1e-8;
 };
 
@@ -34,7 +34,7 @@ struct Tableau {
     std::vector<Index> basic;         ///< the variable of each row: z_i has the number i, w_i n + i, z0 2n
     std::vector<Index> nonbasic;      ///< the variable of each column
     std::vector<Index> place;         ///< of each variable: its column, or -1 - its row
-    mutable long column_updates = 0;  ///< how often a pivot was worked into a column
+    mutable long column_updates = 0;  ///< how often a pivot was applied to a column
 
     Tableau() = default;
     /// (5.5): w = q + d z0 + A z.
@@ -76,7 +76,7 @@ struct Tableau {
 
     //! [pivot]
     /// (5.8): the basic variable of row p and the nonbasic one of column c change places. Here the pivot is
-    /// only written down: its row, -1/T_pc, and its column with a zero for T_pc.
+    /// only recorded: its row, -1/T_pc, and its column with a zero for T_pc.
     void pivot(Index p, Index c)
     {
         if (pivots_.size() == size(U_.cols())) forget();
@@ -97,7 +97,7 @@ struct Tableau {
         put_column(c, leaving);
     }
 
-    /// (5.8) for one column: works the pivots into it that it has not seen yet.
+    /// (5.8) for one column: applies the pivots that were not yet applied to it.
     void bring_up_to_date(Index j) const
     {
         for (std::size_t& k = applied_[size(j)]; k < pivots_.size(); ++k) {
@@ -123,7 +123,7 @@ private:
     static std::size_t size(Index i) { return static_cast<std::size_t>(i); }
     static Index whole_lines(Index rows) { return (rows + line - 1) / line * line; }
 
-    /// Works all pivots into all columns: from then on nobody asks for them.
+    /// Applies all pivots to all columns: from then on they are not needed.
     void forget()
     {
         for (Index j = 0; j < n + 2; ++j) bring_up_to_date(j);
@@ -145,7 +145,7 @@ private:
     mutable MatX T_;  ///< n rows, and zeros to fill the cache lines; a column for each y_N, then r
     MatX U_;          ///< the columns of the past pivots
     std::vector<PastPivot> pivots_;
-    mutable std::vector<std::size_t> applied_;  ///< how many of them each column of T_ has seen
+    mutable std::vector<std::size_t> applied_;  ///< how many of them were applied to each column of T_
 };
 
 }  // namespace rigid

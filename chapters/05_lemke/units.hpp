@@ -1,9 +1,9 @@
 /// \file units.hpp
-/// The units of the rows: what to divide rows and columns by, so that z and w can stand in one tableau.
+/// The units of the rows: what to divide rows and columns by, so that z and w fit in one tableau.
 ///
 ///     A'_ij = A_ij / (d_i d_j),   q'_i = q_i / d_i,   z_i = z'_i / d_i                   (5.20a)
 ///
-/// A tableau compares its lines. Their numbers are N s where z is basic and m/s where w is; in a row on friction's
+/// The ratio test compares lines of the tableau. Their numbers are N s where z is basic and m/s where w is; in a row on friction's
 /// bound it is the other way round.
 #pragma once
 

@@ -29,8 +29,8 @@ struct LemkeWalk {
     /// \param A     n×n
     /// \param q     n
     /// \param d     the covering vector, n positive numbers
-    /// \param ties_ who leaves in a tie
-    /// \param tolerances what counts as nothing
+    /// \param ties_ which row leaves in a tie
+    /// \param tolerances what counts as zero
     LemkeWalk(const MatX& A, const VecX& q, const VecX& d, TieRule ties_, const Tolerances& tolerances = {})
         : tableau(A, q, d, tolerances), ties(ties_)
     {
@@ -97,7 +97,7 @@ struct LemkeWalk {
 };
 
 //! [refine]
-/// λ anew from its cases alone (5.16): at its bound, or between, where w = 0 is a linear system in the original A
+/// λ computed again from the bound states alone (5.16): at its bound, or between, where w = 0 is a linear system in the original A
 /// and q. No error of the walk is left in it, and no large bound.
 /// \param lambda   the λ at their bounds; zero where it is between
 /// \param between  these rows

@@ -38,7 +38,7 @@ inline Vec2 solve_block(const Mat2& A, const Vec2& q, const Vec2& lo, const Vec2
             lambda[j] = std::clamp(-(q[j] + A(j, i) * bound) / A(j, j), lo[j], hi[j]);
             const Real w = A(i, 0) * lambda[0] + A(i, 1) * lambda[1] + q[i];
             const Real residual = natural_residual_row(A(i, i), bound, w, lo[i], hi[i]);
-            if (residual <= 0) return lambda;  // w has the sign that the bound wants
+            if (residual <= 0) return lambda;  // w has the sign that (4.1) requires at the bound
             if (residual < smallest) smallest = residual, best = lambda;
         }
     return best;

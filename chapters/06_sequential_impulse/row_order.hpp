@@ -64,12 +64,14 @@ void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& mem
         std::uint64_t* const a =
             row.a != world && !row.Wa.isZero(0) ? &memory.used[std::size_t(row.a)] : nullptr;
         std::uint64_t* const b = !row.Wb.isZero(0) ? &memory.used[std::size_t(row.b)] : nullptr;
+        //! [greedy]
         const std::uint64_t taken = ((a ? *a : 0) | (b ? *b : 0)) & ~last;  // the last colour is never full
         const int colour = std::countr_one(taken);
         const std::uint64_t bit = std::uint64_t{1} << colour;
         if (a) *a |= bit;
         if (b) *b |= bit;
         memory.colour[i] = colour;
+        //! [greedy]
         ++memory.start[static_cast<std::size_t>(colour) + 1];
     }
     std::partial_sum(memory.start.begin(), memory.start.end(), memory.start.begin());
@@ -93,7 +95,7 @@ inline void shuffle_rows(std::size_t count, Random& random, std::vector<int>& or
 /// Fills `order` for a sweep over these rows; empty = as they are (also for `alternating`, which is a setting of
 /// the sweeps). Does not allocate once it has seen a scene of this size.
 /// \param bodies  K
-/// \param random  is asked by `shuffled` alone
+/// \param random  used by `shuffled` alone
 template <int Dof>
 void order_rows(const std::vector<Row<Dof>>& rows, Index bodies, Order kind, Random& random,
                 Colouring& memory, std::vector<int>& order)

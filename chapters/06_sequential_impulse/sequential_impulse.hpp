@@ -47,8 +47,8 @@ Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
     return largest;
 }
 
-/// A row whose bodies cannot move keeps its w whatever λ is: it takes the bound that w asks for.
-/// \return  true if some row asks for an infinite one, and w is off by more than the tolerance
+/// A row whose bodies cannot move keeps its w whatever λ is: it takes the bound that is right for that w.
+/// \return  true if some row would need an infinite one, and w is off by more than the tolerance
 template <int Dof>
 bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>& rows, const VecX& u, Real tolerance)
 {
@@ -95,7 +95,7 @@ void clamp_start(const std::vector<Row<Dof>>& rows, VecX& lambda)
 }
 
 /// What comes before the sweeps: the rows in order, λ within its bounds, and u = u* + M⁻¹ Jᵀ λ.
-/// \return  true if a row wants what it can't have
+/// \return  true if a row cannot be solved
 template <int Dof>
 bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order, Real tolerance,
                   ImpulseMemory<Dof>& memory, const VecX& u, Solution& solution)
@@ -126,7 +126,7 @@ void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory, Ve
 
 //! [until]
 /// Sweeps of any kind, until there is nothing left to do.
-/// \param one_sweep  int(int number): visits each row of memory.rows once and tells how many of them it found off
+/// \param one_sweep  int(int number): visits each row of memory.rows once and returns how many of them it found off
 ///                   by more than the tolerance
 template <int Dof, class OneSweep>
 void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep& one_sweep,
@@ -139,7 +139,7 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
     for (int off = 1; solution.iterations < settings.max_sweeps && off > 0;) {
         off = one_sweep(solution.iterations++);
         memory.visits += m;
-        // The residual costs as much as a sweep: look when the sweep found nothing, or was the last.
+        // The residual costs as much as a sweep: compute it when the sweep found nothing, or was the last.
         if (!(settings.tolerance > 0) || (off > 0 && solution.iterations < settings.max_sweeps)) continue;
         solution.residual = natural_residual(memory);
         memory.visits += m;
@@ -153,7 +153,7 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
 /// Sweeps over the rows, starting from solution.lambda; solution.iterations counts the sweeps.
 ///
 /// `solved` is said only when the natural residual was computed and met the tolerance, `infeasible` when a row
-/// between bodies that cannot move wants what it can't have. With tolerance 0 the sweeps end early at one that
+/// between bodies that cannot move cannot be solved. With tolerance 0 the sweeps end early at one that
 /// changed nothing: the next would do the same. Does not allocate once it has seen a scene of this size.
 /// \param rows      m valid rows
 /// \param order     row numbers in the order of the visits; empty = as they are

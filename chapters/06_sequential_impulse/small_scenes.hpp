@@ -66,7 +66,7 @@ struct ImpactStep {
 //! [impact_step]
 /// One step: contacts that close in it hit first, by one of the two laws; then this chapter's step, in which
 /// nothing bounces any more.
-/// \param touching  a gap below this counts as none [ℓ]: the simultaneous law has to know who touches
+/// \param touching  a gap below this counts as none [ℓ]: the simultaneous law depends on which bodies touch
 inline void impact_step(DiscScene& scene, const StepSettings& settings, ImpactLaw law, ImpactStep& now,
                         Real touching = 1e-4)
 {

@@ -103,7 +103,7 @@ inline Real visit(SolverRow<Dof>& row, VecX& u)
     const Vec<Dof> ua = u.template segment<Dof>(row.a);
     const Vec<Dof> ub = u.template segment<Dof>(row.b);
     const Real w = velocity(row, ua, ub);
-    Real lambda = row.lambda - row.mass * w;     // (6.3): what this row would like to have given in all
+    Real lambda = row.lambda - row.mass * w;     // (6.3): the total that brings w to zero
     lambda = lambda < row.lo ? row.lo : lambda;  // (6.4): clamp the sum, not the correction
     lambda = lambda > row.hi ? row.hi : lambda;
     const Real change = lambda - row.lambda;

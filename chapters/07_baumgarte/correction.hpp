@@ -54,7 +54,7 @@ struct Correction : StabilizerSettings, Restitution {
             pose_split_impulse<Dof>(now, how, h, bodies.u, second);
             if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
             solver.solve_apart(second, v, now);
-            for (const int k : now.active) bodies.position(k) += h * v.template segment<Dof>(Dof * k);
+            for (const int k : now.active) bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
             break;
         case Stabilizer::projection:
             if (!at_the_end || now.substep + 1 == settings.substeps)

@@ -193,7 +193,7 @@ private:
         solver.solve_apart(second, v, now);
         if constexpr (requires { solver.errors; })  // a solver that says how the second problem ended
             if (second.solution.status != Status::solved) now.solution.status = second.solution.status;
-        for (const int k : now.active) bodies.position(k) += h * v.template segment<Dof>(Dof * k);
+        for (const int k : now.active) bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
     }
 };
 

@@ -118,7 +118,7 @@ inline void AwakeBodies::collect_active(const DiscScene& scene)
     const auto counts = [&](Index k) {
         return k == world || set.activity[static_cast<std::size_t>(k)] != Activity::gone;
     };
-    const auto moves = [&](Index k) { return k != world && scene.bodies.inverse_mass[2 * k] > 0; };
+    const auto moves = [&](Index k) { return scene.bodies.can_move(k); };
     const auto is_row = [&](Index a, Index b) { return counts(a) && counts(b) && (moves(a) || moves(b)); };
     collect(links_on, set.awake, links);
     std::erase_if(links, [&](int i) {

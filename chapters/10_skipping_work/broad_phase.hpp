@@ -92,7 +92,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
 {
     const VecX& x = scene.bodies.x;
     const auto at = [](auto& list, int i) -> auto& { return list[static_cast<std::size_t>(i)]; };
-    const auto movable = [&](int k) { return scene.bodies.inverse_mass[2 * k] > 0; };
+    const auto movable = [&](int k) { return scene.bodies.can_move(k); };
     const auto is = [&](int k, Activity activity) { return at(set.activity, k) == activity; };
     const auto may_ask = [&](int k) { return !is(k, Activity::asleep) && !is(k, Activity::gone); };
     const auto renew = [&](int k) {  // all move before the first one asks
@@ -177,7 +177,7 @@ inline void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPha
         if (touches(scene, first_of(pair), second_of(pair), broad.margin, contact))
             contacts.push_back(contact);
     for (const int b : set.awake) {
-        if (!(scene.bodies.inverse_mass[2 * b] > 0)) continue;
+        if (!scene.bodies.can_move(b)) continue;
         for_each_wall(scene, b, broad.margin, [&](const Contact& wall) { contacts.push_back(wall); });
     }
 }

@@ -13,7 +13,7 @@ namespace rigid {
 inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepData<2>& now)
 {
     const auto kinematic = [&](Index k) {
-        return k != world && set.is_awake(k) && !(scene.bodies.inverse_mass[2 * k] > 0);
+        return k != world && set.is_awake(k) && !scene.bodies.can_move(k);
     };
     for (const int k : set.awake)
         if (kinematic(k)) rests[static_cast<std::size_t>(k)] = {};
@@ -36,7 +36,7 @@ inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& 
         Rest& so_far = rests[static_cast<std::size_t>(k)];
         so_far =
             still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), slow, settings.h);
-        any_kinematic = any_kinematic || !(scene.bodies.inverse_mass[2 * k] > 0);
+        any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
     if (any_kinematic) stay_with_kinematic(scene, now);
 }

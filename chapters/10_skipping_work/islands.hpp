@@ -167,7 +167,7 @@ inline void find_islands(const Bodies<2>& bodies, const StepData<2>& now, std::s
         const std::array<Index, 3> discs = {bend.left, bend.middle, bend.right};
         for (const Index a : discs)
             for (const Index b : discs)
-                if (bodies.inverse_mass[2 * a] > 0 && bodies.inverse_mass[2 * b] > 0)
+                if (bodies.can_move(a) && bodies.can_move(b))
                     islands.unite(static_cast<int>(a), static_cast<int>(b));
     }
     join_by_rows<2>(now.active, now.rows, order, islands);

@@ -70,7 +70,7 @@ inline void keep_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhas
     }
     // Walls are flat, and their normals those of the step before, but at the ends of a segment.
     for (const int b : set.awake) {
-        if (!(scene.bodies.inverse_mass[2 * b] > 0)) continue;
+        if (!scene.bodies.can_move(b)) continue;
         for_each_wall(scene, b, broad.margin, [&](const Contact& contact) {
             memory.same = memory.same && count < contacts.size() && contacts[count].a == world &&
                           wall_key(contacts[count]) == wall_key(contact);

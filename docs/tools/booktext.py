@@ -60,10 +60,16 @@ def chapters(root):
     return found
 
 
+def chapter_texts(folder):
+    """The texts of a chapter that number equations and figures: the main road, then what goes deeper."""
+    return [text for text in (folder / "README.md", folder / "in_depth.md") if text.is_file()]
+
+
 def markdown_files(root):
     """All texts of the book, chapters in order."""
     files = [root / "README.md", root / "CONTRIBUTING.md"]
-    files += [folder / "README.md" for folder in chapters(root).values()]
+    for folder in chapters(root).values():
+        files += chapter_texts(folder)
     files += sorted((root / "docs").glob("*.md"))
     known = set(files)
     for folder in ("chapters", "common", "tests"):
@@ -95,6 +101,8 @@ def page_id(root, path):
         return "index"
     if parts[0] == "chapters" and len(parts) == 3 and parts[2] == "README":
         return "ch" + parts[1]
+    if parts[0] == "chapters" and len(parts) == 3 and parts[2] == "in_depth":
+        return "ch" + parts[1] + "_in_depth"
     if parts[0] == "docs" and len(parts) == 2:
         return parts[1]
     return re.sub(r"\W", "_", "_".join(parts))

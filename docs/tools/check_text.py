@@ -13,7 +13,7 @@ What is checked
   figures    "Figure 4.2" exists and is unique; each file in figures/ is shown by its chapter
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
-  layout     one title; numbered sections in order; details with blank lines
+  layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
 When `(4.7)` is an equation number
   It is alone in its parentheses, `digits . digits [letter]` without spaces; it is not
@@ -243,7 +243,11 @@ class Checker:
         for b in heads:
             if re.search(r"[$`\[]|#$", b.info["title"]):
                 self.fault(path, b.line, "no maths, code, link or # in a heading.")
-        if own is None or path.name != "README.md" or path.parent != self.chapters.get(own):
+        if own is None or path.parent != self.chapters.get(own):
+            return
+        if path.name == "in_depth.md":
+            self.in_depth(path, titles, heads, own)
+        if path.name != "README.md":
             return
         if titles and not re.match(rf"Chapter {own}\. \S", titles[0].info["title"]):
             self.fault(path, titles[0].line, f"the title starts with 'Chapter {own}. '.")
@@ -253,6 +257,17 @@ class Checker:
                 count += 1
                 if not re.match(rf"{own}\.{count} \S", b.info["title"]):
                     self.fault(path, b.line, f"this section should be '## {own}.{count} …'.")
+
+    def in_depth(self, path, titles, heads, own):
+        """Beside the main road: its own title, sections with letters, and a link that leads here."""
+        if titles and titles[0].info["title"] != f"Chapter {own} in depth":
+            self.fault(path, titles[0].line, f"the title is 'Chapter {own} in depth'.")
+        sections = [b for b in heads if b.info["level"] == 2]
+        for letter, b in zip("ABCDEFGHIJKLMNOPQRSTUVWXYZ", sections):
+            if not re.match(rf"{own}\.{letter} \S", b.info["title"]):
+                self.fault(path, b.line, f"this section should be '## {own}.{letter} …'.")
+        if not re.search(r"\]\(in_depth\.md[#)]", self.texts.get(path.parent / "README.md", "")):
+            self.fault(path, 1, "its chapter's README.md has no link to it.")
 
     def details(self, path, parts, k):
         block = parts[k]

@@ -15,7 +15,7 @@ import re
 import sys
 
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
-                      blocks, chapters, comments, equation_tags, figure_captions, page_id, run_tool, slug,
+                      blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, page_id, run_tool, slug,
                       snippet_code, test_names, tokens)
 
 
@@ -46,8 +46,7 @@ class Book:
         self.root = root
         self.equations, self.figures = {}, {}
         for folder in chapters(root).values():
-            text = folder / "README.md"
-            if text.is_file():
+            for text in chapter_texts(folder):
                 page = page_id(root, text) + ".html"
                 try:
                     content = text.read_text(encoding="utf-8")

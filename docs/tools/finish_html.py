@@ -20,7 +20,7 @@ import re
 import shutil
 import xml.etree.ElementTree as xml
 
-from booktext import EQUATION, ROOT, TextError, chapters, equation_tags, page_id, run_tool
+from booktext import EQUATION, ROOT, TextError, chapter_texts, chapters, equation_tags, page_id, run_tool
 from doxygen_filter import label, unpacked
 
 
@@ -47,8 +47,7 @@ def addresses(tag_file, root):
 def equation_pages(root):
     found = {}
     for folder in chapters(root).values():
-        text = folder / "README.md"
-        if text.is_file():
+        for text in chapter_texts(folder):
             page = page_id(root, text) + ".html"
             for number, _ in equation_tags(text.read_text(encoding="utf-8")):
                 found[number] = f"{page}#eq_{label(number)}"

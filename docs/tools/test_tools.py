@@ -251,6 +251,33 @@ class Text(Folder):
         self.change("chapters/01_euler/README.md", "## 1.2 Sources", "## 1.3 Sources")
         self.fails("'## 1.2 …'")
 
+    def deeper(self, text=None):
+        """A page beside the main road, with an equation that the main road cites."""
+        self.write("chapters/01_euler/in_depth.md", text or
+                   "# Chapter 1 in depth\n\n## 1.A What is left\n\nBy (1.1),\n\n"
+                   "```math\nr_n = 1 . \\tag{1.9}\n```\n\n<!-- snippet: step.hpp step -->\n<!-- /snippet -->\n")
+        self.add("More in [1.A](in_depth.md#1a-what-is-left), at (1.9).")
+
+    def test_what_goes_deeper_is_a_text_like_the_others(self):
+        self.deeper()
+        self.assertEqual(sum("is stale or empty" in s for s in sync_snippets.run(self.root, check=True)[0]), 1)
+        sync_snippets.run(self.root, check=False)
+        self.assertIn("return x + 1", self.read("chapters/01_euler/in_depth.md"))
+        self.assertEqual(self.faults(), [])
+        self.add("```math\nr_n = 2 . \\tag{1.1}\n```", "chapters/01_euler/in_depth.md")
+        self.fails("equation (1.1) exists already, at chapters/01_euler/README.md:")
+
+    def test_what_goes_deeper_has_its_own_title_and_letters(self):
+        self.deeper("# More\n\n## 1.A What is left\n\n```math\nr_n = 1 . \\tag{1.9}\n```\n")
+        self.fails("the title is 'Chapter 1 in depth'")
+        self.change("chapters/01_euler/in_depth.md", "# More", "# Chapter 1 in depth")
+        self.add("## 1.C Later", "chapters/01_euler/in_depth.md")
+        self.fails("'## 1.B …'")
+
+    def test_what_goes_deeper_is_linked_by_its_chapter(self):
+        self.write("chapters/01_euler/in_depth.md", "# Chapter 1 in depth\n")
+        self.fails("its chapter's README.md has no link to it")
+
     def test_maths_in_a_heading(self):
         self.add("## 1.3 The rate $r$")
         self.fails("no maths, code, link or #")
@@ -352,6 +379,14 @@ class Filter(Folder):
         text = self.page()
         self.assertIn("# Chapter 1. Euler integration {#ch01_euler}", text)
         self.assertIn("## 1.1 From Newton's law to a step {#ch01_euler_11_from_newtons_law_to_a_step}", text)
+
+    def test_what_goes_deeper_is_a_page_and_its_numbers_are_links(self):
+        self.write("chapters/01_euler/in_depth.md",
+                   "# Chapter 1 in depth\n\n## 1.A Rest\n\n```math\nr = 1 . \\tag{1.9}\n```\n")
+        self.add("See (1.9) and [1.A](in_depth.md#1a-rest).")
+        self.assertIn("# Chapter 1 in depth {#ch01_euler_in_depth}", self.page("chapters/01_euler/in_depth.md"))
+        self.assertIn('<a class="el" href="ch01_euler_in_depth.html#eq_1_9">(1.9)</a>', self.page())
+        self.assertIn('<a class="el" href="ch01_euler_in_depth.html#ch01_euler_in_depth_1a_rest">1.A</a>', self.page())
 
     def test_maths(self):
         text = self.page()

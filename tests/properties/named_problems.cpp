@@ -110,6 +110,27 @@ TEST_CASE("the judge finds false verdicts of each sort")
     CHECK(sentences() == 1);
 }
 
+// ---- less said than is true -----------------------------------------------------------------------------
+
+TEST_CASE("redundant rows of a problem whose q is zero have one w")
+{
+    const Real inf = infinity;
+    const Mlcp bilateral = problem_of({1, 0, 1, -1, 0, 1, 0, 1, 1, 0, 1, -1, -1, 1, -1, 2}, {0, 0, 0, 0},
+                                      {-inf, -inf, -inf, -inf}, {inf, inf, inf, inf});
+    CHECK(enumerate(bilateral).uniqueness == Uniqueness::w_unique);
+    check_verdicts(bilateral, true);
+    const Mlcp one_sided = problem_of({1, 0, 1, -1, 0, 1, 0, 1, 1, 0, 1, -1, -1, 1, -1, 2}, {0, 0, 0, 0},
+                                      {0, 0, -inf, 0}, {inf, inf, 0, inf});
+    check_verdicts(one_sided, true);
+    Mlcp tiny = bilateral;  // the least bound is then the only number that says how large a step is
+    tiny.lo.setConstant(-std::ldexp(1.0, -40));
+    tiny.hi.setConstant(std::ldexp(1.0, -40));
+    CHECK(enumerate(tiny).uniqueness == Uniqueness::w_unique);
+    // Where w is not one, it stays known: w = (λ1, 0) for every 0 ≤ λ1 ≤ 2 of the rows λ2 and w2 = 0.
+    check_verdicts(problem_of({0, 1, 1, 0}, {0, 0}, {0, -1}, {2, 1}), true);
+    check_verdicts(problem_of({0, 0, 1, 0}, {0, 0}, {0, 0}, {2, 0}), true);
+}
+
 // ---- solved, and it was no answer -----------------------------------------------------------------------
 
 TEST_CASE("conflicting rods without bounds are not solved by impulses of 1e31")

@@ -14,7 +14,7 @@ inline Index nearest_body(const Bodies<2>& bodies, const Vec2& p)
     Real distance = infinity;
     for (Index k = 0; k < bodies.count(); ++k) {
         const Real d = (bodies.position(k) - p).norm();
-        if (bodies.inverse_mass[2 * k] > 0 && d < distance) best = k, distance = d;
+        if (bodies.can_move(k) && d < distance) best = k, distance = d;
     }
     return best;
 }

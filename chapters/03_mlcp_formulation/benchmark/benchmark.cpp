@@ -38,7 +38,7 @@ VecX fallen(const Bodies<2>& bodies)
 {
     VecX u = VecX::Zero(bodies.u.size());
     for (Index k = 0; k < bodies.count(); ++k)
-        if (bodies.inverse_mass[2 * k] > 0) u[2 * k + 1] = -9.81 * h;
+        if (bodies.can_move(k)) u[2 * k + 1] = -9.81 * h;
     return u;
 }
 

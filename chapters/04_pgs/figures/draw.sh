@@ -25,7 +25,7 @@ fi
 # Pictures of scenes.
 run --scene ten_discs --steps 2000 --svg "$out/ch04_ten_discs.svg"
 run --scene zigzag --steps 14 --svg "$out/ch04_zigzag.svg"
-run --scene zigzag --set skew=2 --set coupling=0 --set q1=-3 --set q2=1 --steps 8 --svg "$out/ch04_cycle.svg"
+run --scene zigzag --set a22=1 --set skew=2 --set coupling=0 --set q1=-3 --set q2=1 --steps 8 --svg "$out/ch04_cycle.svg"
 run --scene mass_ratio --steps 120 --method gauss_seidel,sor --svg "$out/ch04_mass_ratio.svg"
 
 # Error against sweeps for each method on a column of 20; the best omega of it is 1.8545.

@@ -5,6 +5,7 @@
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "common/program/program.hpp"
+#include "common/text.hpp"
 
 #include <array>
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace rigid {
 
-/// A = (1 c+s; c−s 1): symmetric for s = 0. Both λ ≥ 0.
+/// A = (1 c+s; c−s a): symmetric for s = 0. Both λ ≥ 0. The default is (4.2).
 class ZigzagRun : public Run {
 public:
     explicit ZigzagRun(const Settings& settings)
@@ -24,15 +25,16 @@ public:
     void step(const Settings& settings, const Input& input) override
     {
         if (changed(settings)) restart(settings, path_.front());
-        if (input.pressed) restart(settings, input.pointer);
+        if (input.pressed) restart(settings, input.pointer / zoom_);
         const std::size_t row = visits_++ % 2;
         Vec2 lambda = path_.back();
         if (settings.method == "jacobi") {  // both at once
-            sweep_.lambda = lambda;
-            sweep_jacobi(sweep_);
-            lambda = sweep_.lambda;
+            VecX both = lambda;
+            sweep_jacobi(mlcp_, both, before_, settings["omega"]);
+            lambda = both;
         } else {
-            lambda[static_cast<Index>(row)] = visit(sweep_, row, path_.back().data());
+            const auto i = static_cast<Index>(row);
+            lambda[i] = visit(mlcp_, i, path_.back(), settings["omega"]);
         }
         path_.push_back(lambda);
         if (path_.size() > 400) path_.erase(path_.begin() + 1);
@@ -55,22 +57,23 @@ public:
         draw_row(canvas, 1, Colour::green, "w₂ = 0");
         canvas.arrow({-0.5, 0}, {R + 0.2, 0}, paint::axis);
         canvas.arrow({0, -0.5}, {0, R + 0.2}, paint::axis);
-        for (int k = 1; k <= static_cast<int>(R); ++k) {
-            canvas.segment({Real(k), 0}, {Real(k), -0.06}, paint::axis);
-            canvas.segment({0, Real(k)}, {-0.06, Real(k)}, paint::axis);
-            canvas.text({Real(k), -0.28}, std::to_string(k), 13, paint::label, Align::centre);
-            canvas.text({-0.12, k - 0.06}, std::to_string(k), 13, paint::label, Align::right);
+        for (int k = 1; zoom_ * k <= R; ++k) {
+            const Real at = zoom_ * k;
+            canvas.segment({at, 0}, {at, -0.06}, paint::axis);
+            canvas.segment({0, at}, {-0.06, at}, paint::axis);
+            canvas.text({at, -0.28}, std::to_string(k), 13, paint::label, Align::centre);
+            canvas.text({-0.12, at - 0.06}, std::to_string(k), 13, paint::label, Align::right);
         }
         canvas.text({R + 0.2, -0.5}, "λ₁ [N s]", 14, paint::label, Align::right);
         canvas.text({0.15, R + 0.12}, "λ₂ [N s]", 14, paint::label);
         std::vector<Vec2> shown;
         for (const Vec2& p : path_) {
-            shown.push_back(p.cwiseMin(Vec2(R + 0.2, R + 0.2)).cwiseMax(Vec2(-0.5, -0.5)));
+            shown.push_back((zoom_ * p).cwiseMin(Vec2(R + 0.2, R + 0.2)).cwiseMax(Vec2(-0.5, -0.5)));
             canvas.disc(shown.back(), 0.05, {Colour::blue, 1, 1, true, false});
         }
         canvas.polyline(shown, {Colour::blue, 2, 1, false, false});
-        canvas.disc(answer_, 0.09, {Colour::red, 2.5, 1, false, false});
-        canvas.text(answer_ + Vec2(0.14, 0.1), "answer", 14, {Colour::red, 1, 1, false, false});
+        canvas.disc(zoom_ * answer_, 0.09, {Colour::red, 2.5, 1, false, false});
+        canvas.text(zoom_ * answer_ + Vec2(0.14, -0.22), "answer", 14, {Colour::red, 1, 1, false, false});
     }
 
 private:
@@ -82,27 +85,30 @@ private:
     {
         tunables_ = settings.tunables;
         const Real c = settings["coupling"], s = settings["skew"];
-        A_ << 1, c + s, c - s, 1;
+        A_ << 1, c + s, c - s, settings["a22"];
+        if (!(A_.determinant() > 1e-6))
+            throw StepFailure("rows 1 and 2 have no single answer: coupling " + shortest(c) + " and a22 " +
+                              shortest(A_(1, 1)) + " make the matrix singular");
         q_ << settings["q1"], settings["q2"];
         mlcp_.A = MatX(A_).sparseView();
         mlcp_.q = q_;
         mlcp_.lo = VecX::Zero(2);
         mlcp_.hi = VecX::Constant(2, infinity);
         symmetric_ = s == 0;
-        // A positive definite 2×2 problem has one answer: try which rows carry something.
+        // A positive definite 2×2 problem has one answer: try all four sets of rows that carry something.
         answer_ = Vec2::Zero();
         const Vec2 both = free_answer();
-        for (const Vec2& guess : {both, Vec2(-q_.x(), 0), Vec2(0, -q_.y()), Vec2(0, 0)})
+        for (const Vec2& guess : {both, Vec2(-q_.x(), 0), Vec2(0, -q_.y() / A_(1, 1)), Vec2(0, 0)})
             if (natural_residual(mlcp_, guess) < 1e-9) answer_ = guess;
-        prepare(mlcp_, settings["omega"], {}, sweep_);
         path_ = {start};
         visits_ = 0;
+        zoom_ = symmetric_ && std::max(answer_.maxCoeff(), start.maxCoeff()) < 2.2 ? 2 : 1;
     }
 
-    /// −A⁻¹ q: the answer if both rows were bilateral. det A = 1 − c² + s² > 0.
+    /// −A⁻¹ q: the answer if both rows were bilateral.
     Vec2 free_answer() const
     {
-        return Vec2(A_(0, 1) * q_.y() - q_.x(), A_(1, 0) * q_.x() - q_.y()) / (1 - A_(0, 1) * A_(1, 0));
+        return Vec2(A_(0, 1) * q_.y() - A_(1, 1) * q_.x(), A_(1, 0) * q_.x() - q_.y()) / A_.determinant();
     }
 
     Real merit(const Vec2& lambda) const { return 0.5 * lambda.dot(A_ * lambda) + q_.dot(lambda); }
@@ -111,13 +117,13 @@ private:
     void draw_contours(Canvas& canvas) const
     {
         const Vec2 lowest = free_answer();
-        const Real bottom = merit(lowest), l22 = std::sqrt(1 - A_(0, 1) * A_(0, 1));
+        const Real bottom = merit(lowest), l22 = std::sqrt(A_.determinant());
         for (std::size_t k = 0; k < std::min<std::size_t>(path_.size(), 7); ++k) {
             const Real size = std::sqrt(std::max(Real{0}, 2 * (merit(path_[k]) - bottom)));
             std::vector<Vec2> part;  // A = L Lᵀ: the circle of radius `size`, through L⁻ᵀ
             for (int i = 0; i <= 240; ++i) {
                 const Real angle = 2 * pi * i / 240, second = size * std::sin(angle) / l22;
-                const Vec2 p = lowest + Vec2(size * std::cos(angle) - A_(0, 1) * second, second);
+                const Vec2 p = zoom_ * (lowest + Vec2(size * std::cos(angle) - A_(0, 1) * second, second));
                 const bool inside = p.minCoeff() > -0.5 && p.maxCoeff() < R + 0.2;
                 if (inside) part.push_back(p);
                 if ((!inside || i == 240) && part.size() > 1)
@@ -133,7 +139,7 @@ private:
         const Vec2 a = A_.row(i), on = -q_[i] * a / a.squaredNorm(), along = perpendicular(a).normalized();
         std::vector<Vec2> part;
         for (int k = -800; k <= 800; ++k) {
-            const Vec2 p = on + 0.01 * k * along;
+            const Vec2 p = zoom_ * (on + 0.01 * k * along);
             if (p.minCoeff() > -0.5 && p.maxCoeff() < R + 0.2) part.push_back(p);
         }
         if (part.size() < 2) return;
@@ -148,9 +154,10 @@ private:
     Eigen::Matrix2d A_ = Eigen::Matrix2d::Identity();
     Vec2 q_ = Vec2::Zero(), answer_ = Vec2::Zero();
     Mlcp mlcp_;
-    SweepRows sweep_;
+    VecX before_;  ///< Jacobi's copy
     bool symmetric_ = true;
     std::size_t visits_ = 0;
+    Real zoom_ = 1;  ///< units of the picture for one N s
     std::vector<Vec2> path_;
 };
 
@@ -162,15 +169,17 @@ inline Demo zigzag_scene()
     scene.view = {{2.45, 2.45}, {3.2, 3.2}};
     scene.h = scene.h_low = scene.h_high = 1.0 / 60;
     scene.methods = {"gauss_seidel", "jacobi"};
-    scene.tunables = {{"coupling", "1/kg", "c: how much one row disturbs the other, both ways alike", -0.8,
-                       -0.95, 0.95, false, false, false},
-                      {"skew", "1/kg", "s: the part that is not symmetric, as friction makes it", 0, -3, 3,
-                       false, false, false},
-                      {"q1", "m/s", "velocity of row 1 before any impulse", -1, -5, 5, false, false, false},
-                      {"q2", "m/s", "velocity of row 2 before any impulse", -0.2, -5, 5, false, false, false},
-                      {"omega", "", "relaxation", 1, 0.05, 1.95, false, false, false},
-                      {"start_1", "N s", "where row 1 starts", 0, 0, 5, false, true, false},
-                      {"start_2", "N s", "where row 2 starts", 0, 0, 5, false, true, false}};
+    scene.tunables = {
+        {"coupling", "1/kg", "c: how much one row disturbs the other, both ways alike", -1, -1, 1, false,
+         false, false},
+        {"a22", "1/kg", "diagonal entry of row 2; that of row 1 is 1", 2, 1, 4, false, false, false},
+        {"skew", "1/kg", "s: the part that is not symmetric, as friction makes it", 0, -3, 3, false, false,
+         false},
+        {"q1", "m/s", "velocity of row 1 before any impulse", -1, -5, 5, false, false, false},
+        {"q2", "m/s", "velocity of row 2 before any impulse", 0, -5, 5, false, false, false},
+        {"omega", "", "relaxation", 1, 0.05, 1.95, false, false, false},
+        {"start_1", "N s", "where row 1 starts", 0, 0, 5, false, true, false},
+        {"start_2", "N s", "where row 2 starts", 0, 0, 5, false, true, false}};
     scene.columns = {{"lambda_1", "N s", "impulse of row 1", true, false},
                      {"lambda_2", "N s", "impulse of row 2", true, false},
                      {"merit", "J", "½ λᵀAλ + qᵀλ", true, false},

@@ -70,7 +70,7 @@ private:
         }
         canvas.text(middle + Vec2(0, R + 0.06), "the plane of q: which of z and w are positive", 13,
                     paint::label, Align::centre);
-        // q + z0 d comes from far along d = (1, 1) and wants to reach q.
+        // q + z0 d comes from far along d = (1, 1) and ends in q.
         const auto shown = [&](Real z0) {
             const Vec2 p = middle + 0.9 * R * (q_ + z0 * Vec2(1, 1)) / (1.2 * size_);
             return p;

@@ -26,7 +26,7 @@ public:
         disc_rows(scene_, h, contacts, rows_, LeaveErrors{});
         u_star_ = scene_.bodies.u;
         for (Index k = 0; k < scene_.bodies.count(); ++k)
-            if (scene_.bodies.inverse_mass[2 * k] > 0) u_star_.segment<2>(2 * k) += h * scene_.gravity;
+            if (scene_.bodies.can_move(k)) u_star_.segment<2>(2 * k) += h * scene_.gravity;
 
         Random random(settings.seed);
         order_rows(rows_, scene_.bodies.count(), order_of_method(method_), random, colouring_, order_);
@@ -60,7 +60,7 @@ public:
     {
         Real sideways = 0, difference = 0;
         for (Index k = 0; k < scene_.bodies.count(); ++k)
-            if (scene_.bodies.inverse_mass[2 * k] > 0)
+            if (scene_.bodies.can_move(k))
                 sideways += memory_.u[2 * k] / scene_.bodies.inverse_mass[2 * k];
         for (std::size_t k = 0; k < memory_.rows.size(); ++k)
             difference =

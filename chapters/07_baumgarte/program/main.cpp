@@ -79,7 +79,7 @@ StabilizedRun::Theory sag_theory(const DiscScene& scene)
     for (const Constraint<2>& c : now.constraints) rows.push_back(bilateral(c, scene.bodies.inverse_mass));
     VecX gravity = VecX::Zero(scene.bodies.x.size());
     for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.inverse_mass[2 * k] > 0) gravity.segment<2>(2 * k) = scene.gravity;
+        if (scene.bodies.can_move(k)) gravity.segment<2>(2 * k) = scene.gravity;
     const Mlcp mlcp = assemble(rows, gravity);  // q = J g: one second of gravity
     const MatX A = mlcp.A;
     const VecX force = -A.partialPivLu().solve(mlcp.q);  // [N]

@@ -31,7 +31,7 @@ inline Vec2 centre_of_mass(const Bodies<2>& bodies, const VecX& x)
     Vec2 sum = Vec2::Zero();
     Real total = 0;
     for (Index k = 0; k < bodies.count(); ++k) {
-        if (!(bodies.inverse_mass[2 * k] > 0)) continue;
+        if (!bodies.can_move(k)) continue;
         sum += x.segment<2>(2 * k) / bodies.inverse_mass[2 * k];
         total += 1 / bodies.inverse_mass[2 * k];
     }

@@ -373,7 +373,7 @@ Real deepest_overlap(const DiscScene& scene)
     std::vector<Contact> contacts;
     find_contacts(scene.bodies.x, scene.radius, scene.walls, {}, 0, contacts);
     Real deepest = 0;
-    const auto movable = [&](Index k) { return k != world && scene.bodies.inverse_mass[2 * k] > 0; };
+    const auto movable = [&](Index k) { return scene.bodies.can_move(k); };
     for (const Contact& contact : contacts)
         if (movable(contact.a) || movable(contact.b)) deepest = std::max(deepest, -contact.gap);
     return deepest;

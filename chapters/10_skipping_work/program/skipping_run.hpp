@@ -103,7 +103,7 @@ private:
         if (was != world) settings_.pulled = was;
         else
             now_.method.contacts.broad.grid.near(input.pointer, 0.02, ~std::uint64_t{0}, [&](int b) {
-                if (now_.scene.bodies.inverse_mass[2 * b] > 0) settings_.pulled = b;
+                if (now_.scene.bodies.can_move(b)) settings_.pulled = b;
             });
     }
 
