@@ -46,7 +46,7 @@ public:
         const auto shown = [&](const Vec2& p) { return Vec2(zoom * p); };
         std::vector<Vec2> path;
         for (const Vec2& p : path_) path.push_back(shown(p));
-        canvas.polyline(path, {Colour::faint, 1.5, 1, false, false});
+        if (path.size() > 1) canvas.polyline(path, {Colour::faint, 1.5, 1, false, false});
         for (const Link& link : scene_.links)
             canvas.segment(shown(scene_.bodies.position(link.a)), shown(scene_.bodies.position(link.b)),
                            paint::link);
