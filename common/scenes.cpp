@@ -2,6 +2,7 @@
 
 #include "common/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
@@ -59,6 +60,24 @@ void require_bodies(const DiscScene& scene)
         const Joint& joint = scene.joints[i];
         check("joint ", i, {joint.a == world ? joint.b : joint.a, joint.b});
     }
+}
+
+Real typical_length(const DiscScene& scene)
+{
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
+    if (scene.length > 0) return scene.length;
+    const Index K = std::min(scene.bodies.count(), scene.radius.size());
+    Real sum = 0, movable = 0, count = 0;
+    for (Index k = 0; k < K; ++k) {
+        sum += scene.radius[k];
+        if (!(scene.bodies.inverse_mass[2 * k] > 0)) continue;
+        movable += scene.radius[k];
+        ++count;
+    }
+    const Real mean = count > 0 ? movable / count : K > 0 ? sum / static_cast<Real>(K) : Real{0.1};
+    if (!(mean > 0) || !std::isfinite(mean)) return 1;  // require_valid() says what is wrong with such radii
+    return std::pow(10.0, std::round(std::log10(10 * mean)));
 }
 
 void link_neighbours(DiscScene& scene)
@@ -154,6 +173,8 @@ void require_valid(const DiscScene& scene)
         if (!(joint.force >= 0)) refuse("the force of " + name, joint.force, "zero or positive");
     }
     if (!scene.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
     for (const auto& [a, b] : scene.linked.pairs()) {
         require_body("a pair that does not collide", a, K);
         require_body("a pair that does not collide", b, K);

@@ -26,7 +26,15 @@ struct DiscScene {
     PairSet linked;             ///< these pairs do not collide; made by link_neighbours()
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     Vec2 half_size = {1, 1};    ///< what a picture should show: the origin ± this [m]
+    Real length = 0;            ///< the length that settings are measured in [m]; 0 = typical_length()
 };
+
+//! [typical_length]
+/// The length that a scene's settings are measured in [m]: `scene.length`, and where that is zero the power of ten that
+/// is nearest to ten times the mean radius of the discs that can move: 1 m for radii around 0.1 m. A margin or a slop
+/// is chosen by its order of magnitude, so nothing finer is derived; whoever scales a scene by 2 sets the length.
+Real typical_length(const DiscScene& scene);
+//! [typical_length]
 
 /// Fills `linked` from `links`: discs that a rod joins do not collide with each other.
 void link_neighbours(DiscScene& scene);

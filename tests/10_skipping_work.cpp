@@ -2020,7 +2020,7 @@ TEST_CASE("bad input is refused by a sentence", "[house]")
         FAIL_CHECK("not refused: " << words);
     };
     const DiscScene scene = columns(2, 2);
-    says([&] { make_world(scene, {}, -1); }, "the margin is -1 m");
+    says([&] { make_world(scene, {}, -1); }, "the margin is -1;");
     says([&] { make_world(scene, {}, 0.02, std::nan("")); }, "the skin is nan");
     says([] { scattered(-1, 0.5, 2, 1); }, "the number of discs is -1");
     says([] { net(0); }, "the number of discs along a side of a net is 0");

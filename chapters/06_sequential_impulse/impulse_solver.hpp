@@ -61,6 +61,7 @@ struct ImpulseSolver {
             order_rows(now.rows, bodies.count(), ordering, random, colouring, order);
         ImpulseSettings how = sweeps;
         how.alternate = ordering == Order::alternating;
+        how.tolerance *= now.length;
         for (const int k : now.active) bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
         if (in_pairs)
             block_impulse(now.rows, std::span<const int>(order), how, memory, blocks, bodies.u, now.solution);

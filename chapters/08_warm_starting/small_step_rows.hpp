@@ -25,8 +25,8 @@ struct SmallStepSettings {
     int sweeps = 1;     ///< in each of them
     int first_sweeps =
         1000;  ///< in the very first, which has no previous answer: at most, while a visit changes
-    Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [m/s]
-    Real margin = 0.02;           ///< a contact gets its row when its gap is below this [m]
+    Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [ℓ/s]
+    Real margin = 0.02;           ///< a contact gets its row when its gap is below this [ℓ]
     bool collides = true;         ///< false: nothing ever touches, and no contact is looked for
     bool coloured = true;         ///< neighbours in the order of the visits share no body
     /// Each substep starts from the best multiple of what the one before it left, or from nearly that: a pile that
@@ -69,6 +69,7 @@ struct SmallStep {
     VecX mass;                              ///< K [kg]; 0 = cannot move
     VecX u, change;                         ///< [m/s]; Δu of the guess
     int sweeps = 0;                         ///< of the last step
+    Real length = 1;                        ///< ℓ, of the scene [m]
     bool same_rows = false;                 ///< nothing came or went since the step before
     bool forget_rows = false;  ///< in: make the rows anew though they may be the same; for one step
 };
@@ -186,7 +187,8 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();
     now.contacts.clear();
-    if (settings.collides) find_contacts(scene, settings.margin, now.contacts);
+    now.length = typical_length(scene);
+    if (settings.collides) find_contacts(scene, settings.margin * now.length, now.contacts);
     now.keys.clear();
     for (std::size_t i = 0; i < links; ++i) now.keys.push_back(link_key(i));
     for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));

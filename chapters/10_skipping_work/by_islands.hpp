@@ -27,9 +27,10 @@ struct IslandSolver {
     std::vector<ExactScratch> exact;
 
     // Of the last step.
-    int most_sweeps = 0;  ///< of the island that needed the most
-    int exact_count = 0;  ///< islands that were solved exactly
-    int unsolved = 0;     ///< islands whose residual did not meet the tolerance
+    int most_sweeps = 0;        ///< of the island that needed the most
+    int exact_count = 0;        ///< islands that were solved exactly
+    int unsolved = 0;           ///< islands whose residual did not meet the tolerance
+    ImpulseSettings in_metres;  ///< the sweeps, with a tolerance in m/s
 
     void require_valid() const
     {
@@ -44,6 +45,8 @@ struct IslandSolver {
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<2>& bodies, StepData<2>& now)
     {
+        in_metres = sweeps;
+        in_metres.tolerance *= now.length;
         if (now.substep == 0) {
             most_sweeps = exact_count = unsolved = 0;
             arrange(bodies, now);
@@ -134,14 +137,14 @@ private:
         if (count == 0) return;
         const std::span<SolverRow<2>> island = some_rows(first, count);
         if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
-            const IslandAnswer answer = solve_exactly(island, sweeps.tolerance, exact, u);
+            const IslandAnswer answer = solve_exactly(island, in_metres.tolerance, exact, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
                 ++exact_count;
                 return;
             }
         }
-        const IslandAnswer answer = sweep_island(island, some_feedback(first, count), sweeps, u);
+        const IslandAnswer answer = sweep_island(island, some_feedback(first, count), in_metres, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

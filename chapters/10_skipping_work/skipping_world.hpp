@@ -44,7 +44,7 @@ struct SkippingSettings {
         best_multiple;  ///< where the sweeps start; the only warm start that is safe whatever the scene
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
-    Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]
+    Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [ℓ]
     int exact_rows = 8;             ///< islands of up to so many rows are solved exactly
     bool islands = true;            ///< false: all rows are one problem
     bool sleep = true;              ///< false: no body falls asleep
@@ -70,7 +70,7 @@ struct SkippingCounters {
 //! [world]
 struct SkippingWorld {
     DiscScene scene;     ///< read it; to change it, see scene_edits.hpp
-    Real margin = 0.02;  ///< a contact gets its row when its gap is below this [m]
+    Real margin = 0.02;  ///< a contact gets its row when its gap is below this [ℓ]
     SkippingMethod method;
     StepData<2> found;  ///< by the last step, on its way
     SkippingCounters counters;
@@ -78,8 +78,8 @@ struct SkippingWorld {
 //! [world]
 
 /// \param filter  which pairs collide; see filter_of() for what the scene itself says
-/// \param margin  [m], as in find_contacts()
-/// \param skin    how far a disc may move before it asks the grid again [m]; changes nothing but the time
+/// \param margin  as in StepSettings [ℓ]
+/// \param skin    how far a disc may move before it asks the grid again [ℓ]; changes nothing but the time
 /// \throws std::invalid_argument  for a scene or a filter that makes no sense
 inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real margin = 0.02, Real skin = 0.01)
 {
@@ -87,9 +87,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
     if (!(margin >= 0) || !std::isfinite(margin))
-        refuse("the margin is " + shortest(margin) + " m; it must be zero or positive and finite");
+        refuse("the margin is " + shortest(margin) + "; it must be zero or positive and finite");
     if (!(skin >= 0) || !std::isfinite(skin))
-        refuse("the skin is " + shortest(skin) + " m; it must be zero or positive and finite");
+        refuse("the skin is " + shortest(skin) + "; it must be zero or positive and finite");
     if (!filter.group.empty() && filter.group.size() != K)
         refuse("there are " + std::to_string(filter.group.size()) + " groups for " + std::to_string(K) +
                " discs");
@@ -101,8 +101,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     SkippingWorld now;
     now.scene = std::move(scene);
     now.margin = margin;
-    now.method.contacts.broad.margin = margin;
-    now.method.contacts.broad.skin = skin;
+    const Real length = typical_length(now.scene);
+    now.method.contacts.broad.margin = margin * length;
+    now.method.contacts.broad.skin = skin * length;
     now.method.contacts.reset(now.scene, std::move(filter));
     return now;
 }

@@ -187,8 +187,7 @@ Real pairs_us(const EngineScene& scene)
     for (int round = 0; round < 5; ++round) {
         const int repeats = static_cast<int>(1 + 4000000 / (s.bodies.count() * s.bodies.count() + 1000));
         const Real start = cpu_seconds();
-        for (int k = 0; k < repeats; ++k)
-            find_contacts(s, SmallStepSettings{}.margin, contacts);
+        for (int k = 0; k < repeats; ++k) find_contacts(s, SmallStepSettings{}.margin, contacts);
         best = std::min(best, (cpu_seconds() - start) * 1e6 / repeats);
     }
     return best;

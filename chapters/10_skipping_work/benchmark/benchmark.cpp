@@ -162,8 +162,7 @@ void contacts_by_sweep(const DiscScene& scene, SortAndSweep& memory, std::vector
     contacts.clear();
     Contact contact;
     for (const std::uint64_t pair : pairs)
-        if (touches(scene, first_of(pair), second_of(pair), margin, contact))
-            contacts.push_back(contact);
+        if (touches(scene, first_of(pair), second_of(pair), margin, contact)) contacts.push_back(contact);
 }
 
 void broad(benchmark::State& state, const std::string& method, const std::string& name)
