@@ -1,5 +1,6 @@
 #include "common/scenes.hpp"
 
+#include "common/random.hpp"
 #include "common/text.hpp"
 
 #include <algorithm>
@@ -285,6 +286,19 @@ DiscScene towed_discs()
     scene.gravity = {0, 0};
     scene.half_size = {1, 1};
     link_neighbours(scene);
+    return scene;
+}
+
+DiscScene perturbed(DiscScene scene, std::uint64_t seed, Real amount)
+{
+    if (!(amount >= 0) || !std::isfinite(amount))
+        refuse("the amount of a perturbation [m]", amount, "finite and not negative");
+    Random random(seed);
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        if (!(scene.bodies.inverse_mass[2 * k] > 0)) continue;
+        const Real angle = random.uniform(0, 2 * pi);
+        scene.bodies.position(k) += amount * Vec2(std::cos(angle), std::sin(angle));
+    }
     return scene;
 }
 

@@ -309,7 +309,7 @@ TEST_CASE("discs in one point and immovable pairs do not make a number that is n
     CHECK(scene.bodies.x.tail(4) == fixed);
 }
 
-TEST_CASE("every scene of the engines is valid and begins at rest without an error", "[house]")
+TEST_CASE("every scene of the engines is valid and begins at rest within two nanometres", "[house]")
 {
     const std::vector<EngineScene> scenes = engine_scenes();
     CHECK(scenes.size() == 27);
@@ -317,10 +317,32 @@ TEST_CASE("every scene of the engines is valid and begins at rest without an err
         CAPTURE(scene.name);
         require_valid(scene.scene);
         CHECK(scene.scene.bodies.u.isZero(0));
-        // Coordinates of up to 20 m, to rounding.
-        CHECK(largest_link_error(scene.scene) < 1e-14);
-        CHECK(deepest_penetration(scene.scene) < 1e-14);
+        // Two neighbours, each a nanometre off, and coordinates of up to 20 m to rounding; what swings is exact.
+        const Real off = scene.rests ? 2.0001 * nudge : 1e-14;
+        CHECK(largest_link_error(scene.scene) < off);
+        CHECK(deepest_penetration(scene.scene) < off);
         CHECK((scene.collides || deepest_penetration(scene.scene) == 0));
+    }
+}
+
+TEST_CASE("no scene that engines are compared on rests to the last bit", "[house]")
+{
+    for (const EngineScene& scene : engine_scenes()) {
+        if (!scene.rests) continue;
+        CAPTURE(scene.name);
+        const Bodies<2>& bodies = scene.scene.bodies;
+        // A chain and a column stand on the line x = 0; each of their discs is beside it by less than a nanometre. The
+        // discs of a triangle are half a disc apart, and its lowest row lies at the height of a radius.
+        const bool on_a_line = scene.name.rfind("triangle", 0) != 0;
+        Index count = 0;
+        for (Index k = 0; k < bodies.count(); ++k) {
+            if (!(bodies.inverse_mass[2 * k] > 0)) continue;
+            const Real off = on_a_line ? bodies.x[2 * k] : std::remainder(bodies.x[2 * k], 0.1);
+            CHECK(off != 0);
+            CHECK(std::abs(off) <= 1.0001 * nudge);
+            ++count;
+        }
+        CHECK(count >= 10);
     }
 }
 
@@ -365,7 +387,7 @@ TEST_CASE("the measure of errors sees each of them", "[house]")
         return watch.errors;
     };
     const PoseErrors none = errors_after([](DiscScene&) {});
-    CHECK(none.position() < 1e-14);
+    CHECK(none.position() < 2.0001 * nudge);  // as it began
     CHECK(none.drift == 0);
     CHECK(none.speed == 0);
     CHECK(none.in_order);

@@ -1057,6 +1057,30 @@ TEST_CASE("a chain whose rows are exact stays straight while h is below (9.22) a
     CHECK(strays(1.02) > 1e-2);
 }
 
+TEST_CASE("a chain that hangs straight to the last bit hides the step that a nanometre tears", "[idea]")
+{
+    // 40 links with 1000 kg at the end: (9.22) wants h below sqrt(0.1 / 10,000), a sixth of 1/60 s. Chapter 3's step is
+    // beyond it and does not show it, until something is beside the line; 16 small steps are far within.
+    const auto longest = [](DiscScene scene, auto method, int substeps) {
+        scene.linked = PairSet::all();
+        const StepSettings settings{.substeps = substeps};
+        StepData<2> now;
+        Real worst = 0;
+        for (int n = 0; n < 120; ++n) {
+            step(scene, settings, method, now);
+            worst = std::max(worst, largest_link_error(scene));
+        }
+        return worst;
+    };
+    const auto of_chapter_3 = by_matrix(FindActiveSets{});
+    ExactMethod of_chapter_9;
+    of_chapter_9.correction = exact_correction();
+    const DiscScene straight = hanging_chain(40, 1000), nudged = perturbed(straight, 1);
+    CHECK(longest(straight, of_chapter_3, 1) < 1e-12);     // rounding of 4 m
+    CHECK(longest(nudged, of_chapter_3, 1) > 0.1);         // a link of 0.1 m is twice as long
+    CHECK(longest(nudged, of_chapter_9, 16) < 2.0001e-9);  // never more than what it began with
+}
+
 TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 16 exact small steps",
           "[idea]")
 {

@@ -92,7 +92,9 @@ void add_impulse_runs(Registry& registry, const SharedRun& run)
         for (const int sweeps : {10, 40}) add_warm(registry, run, start, sweeps);
     for (const int substeps : {4, 8, 16, 32})
         add_small(registry, run, quick_steps(), "small_steps", substeps, substeps == 8 && run->dense);
-    add_small(registry, run, careful_steps(), "careful_small_steps", careful_steps().substeps, run->dense);
+    for (const int substeps : {16, 32})
+        add_small(registry, run, careful_steps(), "careful_small_steps", substeps,
+                  substeps == 16 && run->dense);
 }
 
 }  // namespace rigid::results
