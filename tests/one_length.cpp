@@ -87,7 +87,6 @@ Run by_small_steps(const SmallStepSettings& chosen)
     return [chosen](DiscScene& scene, Real h, int steps) {
         SmallStepSettings settings = chosen;
         settings.h = h;
-        settings.gravity = scene.gravity;
         SmallStep now;
         for (int n = 0; n < steps; ++n) small_steps(scene, settings, now);
     };

@@ -12,6 +12,7 @@
 #include "chapters/02_velocity_constraints/constraints.hpp"
 #include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "common/text.hpp"
+#include "common/union_find.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,19 +58,12 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
     if (!std::is_sorted(bodies.begin(), bodies.end())) std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
 
-    const auto lowest = [&above](Index k) {
-        while (above(k) != k) k = above(k) = above(above(k));  // shorten the path for later calls
-        return k;
-    };
     const auto moves = [&inverse_mass](Index k) {
         return k != world && !inverse_mass.template segment<Dof>(Dof * k).isZero(0);
     };
-    for (const Row<Dof>& row : rows) {
-        if (!moves(row.a) || !moves(row.b)) continue;
-        const Index a = lowest(row.a), b = lowest(row.b);
-        above(std::max(a, b)) = std::min(a, b);
-    }
-    for (const Index k : bodies) above(k) = lowest(k);
+    for (const Row<Dof>& row : rows)
+        if (moves(row.a) && moves(row.b)) unite(of, row.a, row.b);
+    for (const Index k : bodies) above(k) = lowest_of(of, k);
     groups.of_row.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
         groups.of_row[i] = above(moves(rows[i].a) ? rows[i].a : rows[i].b);

@@ -2,103 +2,111 @@
 /// Linkages whose exact energy never changes, under RATTLE, the exact split and C/h.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_drawing.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_run.hpp"
 #include "chapters/09_active_sets/linkages.hpp"
 #include "chapters/09_active_sets/rattle.hpp"
-#include "common/program/program.hpp"
 #include "common/text.hpp"
 
-#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace rigid {
 
-class LinkageRun : public Run {
-public:
-    explicit LinkageRun(DiscScene scene) : scene_(std::move(scene)), start_(energy())
-    {
-        split_.correction = exact_correction();
-        whole_.correction.method = Stabilizer::baumgarte;
-        whole_.correction.beta = 1;
-    }
+namespace linkage {
 
-    void step(const Settings& settings, const Input&) override
-    {
-        const StepSettings how{.h = settings.h, .substeps = static_cast<int>(settings["substeps"])};
-        if (settings.method == "rattle") rigid::step(scene_, how, rattle_, now_);
-        else if (settings.method == "split") rigid::step(scene_, how, split_, now_);
-        else rigid::step(scene_, how, whole_, now_);
-        if (!scene_.bodies.x.allFinite()) throw StepFailure("a position is not finite");
-        unsolved_ += now_.solution.status != Status::solved;
-        path_.push_back(scene_.bodies.x.tail<2>());
-        if (path_.size() > 400) path_.erase(path_.begin());
+inline DiscScene scene_of(const Settings& settings)
+{
+    switch (static_cast<int>(settings["kind"])) {
+    case 0:
+        return four_bar();
+    case 1:
+        return linked_discs(static_cast<Index>(settings["rods"]));
+    default:
+        return free_swinging_chain();
     }
+}
 
-    std::vector<Real> measure() const override
-    {
-        return {energy() - start_, kinetic_energy(scene_.bodies), largest_link_error(scene_),
-                static_cast<Real>(rattle_.correction.iterations), static_cast<Real>(unsolved_)};
-    }
+/// The links, the discs, and the path that the last one has left behind.
+inline void draw(Canvas& canvas, const SceneState& state, const std::vector<Vec2>& path)
+{
+    if (path.size() > 1) canvas.polyline(path, {Colour::faint, 1.5, 1, false, false});
+    paint::draw_links(canvas, state, [](const Link&) { return paint::link; });
+    for (Index k = 0; k < state.scene.bodies.count(); ++k)
+        canvas.disc(paint::shown(state, k), 0.03,
+                    state.scene.bodies.can_move(k) ? paint::body : paint::fixed_body);
+    canvas.text({0, -1.1},
+                "energy off by " + significant(mechanical_energy(state.scene) - state.start.energy, 2) + " J",
+                14, paint::label, Align::centre);
+}
 
-    void draw(Canvas& canvas) const override
-    {
-        const Real zoom = 1 / scene_.half_size.maxCoeff();
-        const auto shown = [&](const Vec2& p) { return Vec2(zoom * p); };
-        std::vector<Vec2> path;
-        for (const Vec2& p : path_) path.push_back(shown(p));
-        if (path.size() > 1) canvas.polyline(path, {Colour::faint, 1.5, 1, false, false});
-        for (const Link& link : scene_.links)
-            canvas.segment(shown(scene_.bodies.position(link.a)), shown(scene_.bodies.position(link.b)),
-                           paint::link);
-        for (Index k = 0; k < scene_.bodies.count(); ++k)
-            canvas.disc(shown(scene_.bodies.position(k)), 0.03,
-                        scene_.bodies.inverse_mass[2 * k] > 0 ? paint::body : paint::fixed_body);
-        canvas.text({0, -1.1}, "energy off by " + significant(energy() - start_, 2) + " J", 14, paint::label,
-                    Align::centre);
-    }
+/// The columns, of a run by any method.
+/// \param passes  of Newton's method in the last step
+template <class Method>
+std::vector<Measured<RunState<Method>>> columns_of(std::function<Real(const RunState<Method>&)> passes)
+{
+    using State = RunState<Method>;
+    return {Measured<State>({"energy_error", "J", "energy minus that of the start", true, false},
+                            columns::energy_gained().value),
+            columns::kinetic(), columns::link_error(),
+            Measured<State>({"passes", "", "of Newton's method in the last step, of rattle", false, false},
+                            std::move(passes)),
+            columns::unsolved()};
+}
 
-private:
-    Real energy() const
-    {
-        return kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity);
-    }
+template <class Method>
+std::unique_ptr<Run> run_of(const View& view, const Settings& settings, const Method& method,
+                            std::function<Real(const RunState<Method>&)> passes)
+{
+    SceneSetup<Method> setup;
+    setup.scene = scene_of(settings);
+    setup.method = method;
+    setup.zoom = 1 / setup.scene.half_size.maxCoeff();
+    setup.pointer = Pointer::ignored;
+    setup.tune = [](const Settings& now, RunState<Method>& state) {
+        state.step.substeps = static_cast<int>(now["substeps"]);
+    };
+    const auto path = std::make_shared<std::vector<Vec2>>();
+    setup.after = [path](RunState<Method>& state) {
+        path->push_back(paint::shown(state, state.scene.bodies.count() - 1));
+        if (path->size() > 400) path->erase(path->begin());
+    };
+    setup.draw = [path](Canvas& canvas, const RunState<Method>& state) { draw(canvas, state, *path); };
+    return std::make_unique<SceneRun<Method>>(view, columns_of<Method>(std::move(passes)), std::move(setup));
+}
 
-    DiscScene scene_;
-    Real start_;
-    RattleMethod rattle_;
-    ExactMethod split_, whole_;
-    StepData<2> now_;
-    std::vector<Vec2> path_;
-    int unsolved_ = 0;
-};
+inline std::unique_ptr<Run> start(const View& view, const Settings& settings)
+{
+    if (settings.method == "rattle")
+        return run_of<RattleMethod>(view, settings, {}, [](const RunState<RattleMethod>& state) {
+            return static_cast<Real>(state.method.correction.iterations);
+        });
+    ExactMethod method;
+    method.correction = exact_correction();
+    if (settings.method != "split") method.correction.method = Stabilizer::baumgarte;
+    return run_of<ExactMethod>(view, settings, method, [](const RunState<ExactMethod>&) { return Real{0}; });
+}
+
+}  // namespace linkage
 
 inline Demo linkage_scene()
 {
-    Demo scene;
-    scene.name = "linkage";
-    scene.summary = "A linkage that nothing brakes: which step keeps its energy?";
-    scene.view = {{0, -0.05}, {1.15, 1.15}};
-    scene.h = 1.0 / 60;
-    scene.h_low = 1e-4;
-    scene.h_high = 1.0 / 60;
-    scene.methods = {"rattle", "split", "whole_error"};
-    scene.side_by_side = {"rattle", "split"};
-    scene.tunables = {{"kind", "", "0 the four-bar linkage, 1 a pendulum of rods, 2 a chain of ten", 0, 0, 2,
-                       true, true, false},
-                      {"rods", "", "of the pendulum", 2, 1, 20, true, true, false},
-                      {"substeps", "", "parts of each step", 1, 1, 64, true, false, false}};
-    scene.columns = {{"energy_error", "J", "energy minus that of the start", true, false},
-                     {"kinetic", "J", "kinetic energy", true, false},
-                     {"link_error", "m", "largest difference of a link from its length", true, true},
-                     {"passes", "", "of Newton's method in the last step, of rattle", false, false},
-                     {"unsolved", "", "steps so far whose status is not solved", false, false}};
-    scene.start = [](const Settings& settings) {
-        const int kind = static_cast<int>(settings["kind"]);
-        return std::make_unique<LinkageRun>(kind == 0   ? four_bar()
-                                            : kind == 1 ? linked_discs(static_cast<Index>(settings["rods"]))
-                                                        : free_swinging_chain());
-    };
-    return scene;
+    Demo demo;
+    demo.name = "linkage";
+    demo.summary = "A linkage that nothing brakes: which step keeps its energy?";
+    demo.view = {{0, -0.05}, {1.15, 1.15}};
+    demo.h = 1.0 / 60;
+    demo.h_low = 1e-4;
+    demo.h_high = 1.0 / 60;
+    demo.methods = {"rattle", "split", "whole_error"};
+    demo.side_by_side = {"rattle", "split"};
+    demo.tunables = {{"kind", "", "0 the four-bar linkage, 1 a pendulum of rods, 2 a chain of ten", 0, 0, 2,
+                      true, true, false},
+                     {"rods", "", "of the pendulum", 2, 1, 20, true, true, false},
+                     {"substeps", "", "parts of each step", 1, 1, 64, true, false, false}};
+    for (const auto& one : linkage::columns_of<ExactMethod>({})) demo.columns.push_back(one.column);
+    demo.start = [view = demo.view](const Settings& settings) { return linkage::start(view, settings); };
+    return demo;
 }
 
 }  // namespace rigid
