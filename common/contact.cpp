@@ -1,6 +1,10 @@
 #include "common/contact.hpp"
 
+#include "common/forces.hpp"
+
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace rigid {
 
@@ -28,6 +32,10 @@ void find_contacts(const DiscScene& scene, Real margin, std::vector<Contact>& co
 {
     const VecX& x = scene.bodies.x;
     const Index K = scene.radius.size();
+    if (x.size() != 2 * K)
+        throw std::invalid_argument("there are " + std::to_string(x.size()) + " coordinates for the " +
+                                    std::to_string(K) + " radii of discs; each disc has two");
+    require_margin(margin);
     contacts.clear();
     for (Index a = 0; a < K && !scene.linked.is_all(); ++a)
         for (Index b = a + 1; b < K; ++b) {

@@ -46,6 +46,7 @@ inline Contact wall_contact(const DiscScene& scene, const VecX& x, Index wall, I
 /// \param margin    [m]; a contact with a gap of up to this much is reported before it closes
 /// \param contacts  is emptied and filled: pairs a < b in ascending order, then walls. Its
 ///                  memory is kept, so that a steady scene does not allocate.
+/// \throws std::invalid_argument  unless each disc has two coordinates and a radius, and the margin makes sense
 void find_contacts(const DiscScene& scene, Real margin, std::vector<Contact>& contacts);
 
 /// Calls visit(contact) for each wall whose gap to disc b is below the margin.

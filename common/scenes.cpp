@@ -1,8 +1,11 @@
 #include "common/scenes.hpp"
 
+#include "common/random.hpp"
 #include "common/text.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -19,7 +22,9 @@ void require_body(const std::string& what, Index k, Index count)
 {
     if (k < 0 || k >= count)
         throw std::invalid_argument(what + " names body " + std::to_string(k) +
-                                    "; the scene has bodies 0 to " + std::to_string(count - 1));
+                                    (count == 0
+                                         ? "; the scene has no bodies"
+                                         : "; the scene has bodies 0 to " + std::to_string(count - 1)));
 }
 
 void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
@@ -38,8 +43,50 @@ void require_count(const std::string& what, Index count)
     if (count < 1) refuse("the number of " + what, static_cast<Real>(count), "1 or more");
 }
 
+void require_bodies(const DiscScene& scene)
+{
+    const Index K = scene.bodies.count();
+    if (scene.radius.size() != K)
+        throw std::invalid_argument("there are " + std::to_string(scene.radius.size()) + " radii for " +
+                                    std::to_string(K) + " discs");
+    const auto check = [K](const char* kind, std::size_t i, std::initializer_list<Index> bodies) {
+        for (const Index k : bodies)
+            if (k < 0 || k >= K) require_body(kind + std::to_string(i), k, K);  // the name is only made here
+    };
+    for (std::size_t i = 0; i < scene.links.size(); ++i)
+        check("link ", i, {scene.links[i].a, scene.links[i].b});
+    for (std::size_t i = 0; i < scene.bends.size(); ++i)
+        check("bend ", i, {scene.bends[i].left, scene.bends[i].middle, scene.bends[i].right});
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        const Joint& joint = scene.joints[i];
+        check("joint ", i, {joint.a == world ? joint.b : joint.a, joint.b});
+    }
+}
+
+Real typical_length(const DiscScene& scene)
+{
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
+    if (scene.length > 0) return scene.length;
+    const Index K = std::min(scene.bodies.count(), scene.radius.size());
+    Real sum = 0, movable = 0, count = 0;
+    for (Index k = 0; k < K; ++k) {
+        sum += scene.radius[k];
+        if (!(scene.bodies.inverse_mass[2 * k] > 0)) continue;
+        movable += scene.radius[k];
+        ++count;
+    }
+    const Real mean = count > 0 ? movable / count : K > 0 ? sum / static_cast<Real>(K) : Real{0.1};
+    if (!(mean > 0) || !std::isfinite(mean)) return 1;  // require_valid() says what is wrong with such radii
+    return std::pow(10.0, std::round(std::log10(10 * mean)));
+}
+
 void link_neighbours(DiscScene& scene)
 {
+    const Index K = scene.bodies.count();
+    for (std::size_t i = 0; i < scene.links.size(); ++i)
+        for (const Index k : {scene.links[i].a, scene.links[i].b})
+            require_body("link " + std::to_string(i), k, K);
     std::vector<PairSet::Pair> pairs;
     for (const Link& link : scene.links) pairs.emplace_back(link.a, link.b);
     scene.linked = PairSet(std::move(pairs));
@@ -127,6 +174,8 @@ void require_valid(const DiscScene& scene)
         if (!(joint.force >= 0)) refuse("the force of " + name, joint.force, "zero or positive");
     }
     if (!scene.gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        refuse("the length of the scene", scene.length, "positive and finite, or zero to be derived");
     for (const auto& [a, b] : scene.linked.pairs()) {
         require_body("a pair that does not collide", a, K);
         require_body("a pair that does not collide", b, K);
@@ -237,6 +286,19 @@ DiscScene towed_discs()
     scene.gravity = {0, 0};
     scene.half_size = {1, 1};
     link_neighbours(scene);
+    return scene;
+}
+
+DiscScene perturbed(DiscScene scene, std::uint64_t seed, Real amount)
+{
+    if (!(amount >= 0) || !std::isfinite(amount))
+        refuse("the amount of a perturbation [m]", amount, "finite and not negative");
+    Random random(seed);
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        if (!(scene.bodies.inverse_mass[2 * k] > 0)) continue;
+        const Real angle = random.uniform(0, 2 * pi);
+        scene.bodies.position(k) += amount * Vec2(std::cos(angle), std::sin(angle));
+    }
     return scene;
 }
 

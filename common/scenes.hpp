@@ -8,6 +8,7 @@
 #include "common/pair_set.hpp"
 #include "common/shapes.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,15 @@ struct DiscScene {
     PairSet linked;             ///< these pairs do not collide; made by link_neighbours()
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     Vec2 half_size = {1, 1};    ///< what a picture should show: the origin ± this [m]
+    Real length = 0;            ///< the length that settings are measured in [m]; 0 = typical_length()
 };
+
+//! [typical_length]
+/// The length that a scene's settings are measured in [m]: `scene.length`, and where that is zero the power of ten that
+/// is nearest to ten times the mean radius of the discs that can move: 1 m for radii around 0.1 m. A margin or a slop
+/// is chosen by its order of magnitude, so nothing finer is derived; whoever scales a scene by 2 sets the length.
+Real typical_length(const DiscScene& scene);
+//! [typical_length]
 
 /// Fills `linked` from `links`: discs that a rod joins do not collide with each other.
 void link_neighbours(DiscScene& scene);
@@ -35,6 +44,10 @@ void link_neighbours(DiscScene& scene);
 /// finite numbers, masses not negative, radii positive, unit normals, body indices that exist,
 /// no link of a body to itself, no rest length of zero or less.
 void require_valid(const DiscScene& scene);
+
+/// Throws std::invalid_argument, naming the thing, unless each link, bend and joint names bodies of the scene, and there
+/// are as many radii as bodies. A few comparisons for each of them: cheap enough for every step.
+void require_bodies(const DiscScene& scene);
 
 /// Adds a disc at rest to a scene, also to one that is running; a world that skips has a door of its own,
 /// scene_edits.hpp of chapter 10.
@@ -74,5 +87,12 @@ DiscScene swinging_chain(Index count, Real end_mass = 1);
 /// A puck of 10 kg with two discs of 1 kg on links of 0.5 m behind it, on a table without gravity or walls.
 /// Body 0 is the puck; a program gives it a push.
 DiscScene towed_discs();
+
+/// The scene with each disc that can move set off by `amount` [m], each in a direction of its own. A scene that is at
+/// rest to the last bit hides what a breath would topple: a chain that hangs exactly straight has no sideways motion to
+/// grow. The same seed gives the same directions with every compiler.
+/// \param amount  [m]; far below any error that is measured, far above the rounding of a position
+/// \throws std::invalid_argument  unless the amount is finite and not negative
+DiscScene perturbed(DiscScene scene, std::uint64_t seed, Real amount = 1e-9);
 
 }  // namespace rigid

@@ -116,7 +116,7 @@ const Projectile ball{0.02};  // light, so that drag matters: it falls at 22 m/s
 
 // ---- 1. discrete identities -----------------------------------------------------------------------
 
-TEST_CASE("Free fall has the closed form of its scheme")
+TEST_CASE("Free fall has the closed form of its scheme", "[idea]")
 {
     const auto weight = [](const Vec<1>&) { return Vec<1>(-9.81); };
     const Real h = 1.0 / 60, t = 1;
@@ -131,7 +131,7 @@ TEST_CASE("Free fall has the closed form of its scheme")
     }
 }
 
-TEST_CASE("A spring gains or loses energy by exactly the factor of its Euler method")
+TEST_CASE("A spring gains or loses energy by exactly the factor of its Euler method", "[idea]")
 {
     const Spring spring{1};
     const Real h = 0.01;
@@ -144,7 +144,7 @@ TEST_CASE("A spring gains or loses energy by exactly the factor of its Euler met
     CHECK(spring.energy(shrunk) / spring.energy(s0) == Approx(0.9048419419327689).epsilon(1e-12));
 }
 
-TEST_CASE("Symplectic Euler on a spring conserves the modified energy (1.11) exactly")
+TEST_CASE("Symplectic Euler on a spring conserves the modified energy (1.11) exactly", "[idea]")
 {
     const Real omega = 3;
     const Spring spring{omega};
@@ -162,7 +162,7 @@ TEST_CASE("Symplectic Euler on a spring conserves the modified energy (1.11) exa
     }
 }
 
-TEST_CASE("Velocity Verlet on a spring conserves its own modified energy exactly")
+TEST_CASE("Velocity Verlet on a spring conserves its own modified energy exactly", "[idea]")
 {
     const Real h = 0.4, omega = 2;
     const Spring spring{omega};
@@ -178,7 +178,7 @@ TEST_CASE("Velocity Verlet on a spring conserves its own modified energy exactly
     }
 }
 
-TEST_CASE("Symplectic Euler on a spring is bounded below h omega = 2 and grows above")
+TEST_CASE("Symplectic Euler on a spring is bounded below h omega = 2 and grows above", "[idea]")
 {
     const Spring spring{1};
     const auto largest = [&](Real h, int steps) {
@@ -196,7 +196,7 @@ TEST_CASE("Symplectic Euler on a spring is bounded below h omega = 2 and grows a
     CHECK(largest(2.01, 100) > 1e8);
 }
 
-TEST_CASE("One Runge-Kutta step on a spring is the Taylor polynomial of the exact solution")
+TEST_CASE("One Runge-Kutta step on a spring is the Taylor polynomial of the exact solution", "[idea]")
 {
     // With z = i h omega the state (omega x + i u) does not mix nicely for general methods, but both
     // methods turn (x, u) by the matrix R(hA), R their stability polynomial (1.30), A^2 = -omega^2.
@@ -216,7 +216,7 @@ TEST_CASE("One Runge-Kutta step on a spring is the Taylor polynomial of the exac
           polynomial(1 - z2 / 2 + z4 / 24 - z6 / 600, z - z3 / 6 + z5 / 120));
 }
 
-TEST_CASE("The symplectic methods keep the area of phase space")
+TEST_CASE("The symplectic methods keep the area of phase space", "[idea]")
 {
     // The Jacobian of one step on a pendulum by central differences; truncation and rounding of the
     // differences leave about 1e-10.
@@ -235,7 +235,7 @@ TEST_CASE("The symplectic methods keep the area of phase space")
     CHECK(std::abs(area(Method::rk4) - 1) > 1e-7);
 }
 
-TEST_CASE("The symplectic methods conserve the angular momentum of a Kepler orbit to rounding")
+TEST_CASE("The symplectic methods conserve the angular momentum of a Kepler orbit to rounding", "[idea]")
 {
     // Kick and drift both leave x cross u alone when the force points at the origin.
     const Kepler kepler;
@@ -249,10 +249,11 @@ TEST_CASE("The symplectic methods conserve the angular momentum of a Kepler orbi
         CHECK(change(method) < 1e-12);  // 3000 roundings at most, of 1e-16
     }
     CHECK(change(Method::explicit_euler) > 1e-3);
-    CHECK(change(Method::rk4) > 1e-9);
+    CHECK(change(Method::rk4) == Approx(2.2e-7).epsilon(0.02));  // exercise 1.4
+    CHECK(kepler.angular_momentum(s0) == Approx(0.8));
 }
 
-TEST_CASE("Verlet and Yoshida run backwards to where they came from")
+TEST_CASE("Verlet and Yoshida run backwards to where they came from", "[idea]")
 {
     const Kepler kepler;
     const State<2> s0 = kepler_perihelion(kepler, 0.6);
@@ -270,7 +271,8 @@ TEST_CASE("Verlet and Yoshida run backwards to where they came from")
     }
 }
 
-TEST_CASE("The polynomial between two steps meets position and velocity and acceleration at both ends")
+TEST_CASE("The polynomial between two steps meets position and velocity and acceleration at both ends",
+          "[house]")
 {
     Random random(7);
     for (int i = 0; i < 100; ++i) {
@@ -290,7 +292,7 @@ TEST_CASE("The polynomial between two steps meets position and velocity and acce
 
 // ---- 2. orders of convergence ---------------------------------------------------------------------
 
-TEST_CASE("Every method has its order on the pendulum")
+TEST_CASE("Every method has its order on the pendulum", "[idea]")
 {
     const Pendulum pendulum;
     const State<1> exact = exact_pendulum(pendulum, 90 * degree, 1);
@@ -307,7 +309,7 @@ TEST_CASE("Every method has its order on the pendulum")
     }
 }
 
-TEST_CASE("Every method has its order on the Kepler orbit at a generic time")
+TEST_CASE("Every method has its order on the Kepler orbit at a generic time", "[idea]")
 {
     const Kepler kepler;
     State<2> exact;
@@ -334,7 +336,7 @@ TEST_CASE("Every method has its order on the Kepler orbit at a generic time")
     }
 }
 
-TEST_CASE("Implicit Euler has order 1 on the spring")
+TEST_CASE("Implicit Euler has order 1 on the spring", "[idea]")
 {
     const Spring spring{2};
     const State<1> s0 = state(1, 0.5);
@@ -349,7 +351,7 @@ TEST_CASE("Implicit Euler has order 1 on the spring")
     CHECK(observed_order(errors) == Approx(1).margin(0.15));
 }
 
-TEST_CASE("The methods that take drag keep their order with drag")
+TEST_CASE("The methods that take drag keep their order with drag", "[idea]")
 {
     // A throw at 40 degrees has no closed form with quadratic drag; the reference has 20 digits from a
     // Taylor method in 30-digit arithmetic.
@@ -370,7 +372,7 @@ TEST_CASE("The methods that take drag keep their order with drag")
     }
 }
 
-TEST_CASE("The error estimate of the pair is of order 5 in one step")
+TEST_CASE("The error estimate of the pair is of order 5 in one step", "[house]")
 {
     const Kepler kepler;
     const State<2> s0 = exact_kepler(kepler, 0.6, 1);
@@ -386,7 +388,7 @@ TEST_CASE("The error estimate of the pair is of order 5 in one step")
     CHECK(estimates.back() == Approx(errors.back()).epsilon(0.05));  // and it is what it says it is
 }
 
-TEST_CASE("The polynomial between two steps has order 6 in position and 5 in velocity")
+TEST_CASE("The polynomial between two steps has order 6 in position and 5 in velocity", "[house]")
 {
     const Kepler kepler;
     std::vector<Real> of_x, of_u;
@@ -429,7 +431,7 @@ Real measured_period(const Pendulum& pendulum, Real theta0, Real h)
 
 }  // namespace
 
-TEST_CASE("RK4 gives the period of the pendulum from every angle")
+TEST_CASE("RK4 gives the period of the pendulum from every angle", "[idea]")
 {
     const struct {
         Real angle, period;
@@ -447,7 +449,7 @@ TEST_CASE("RK4 gives the period of the pendulum from every angle")
     CHECK(std::abs(measured_period({9.81, 2. / 3}, 90 * degree, 1e-3) - 1.933334854373246) <= 1e-8);
 }
 
-TEST_CASE("RK4 gives the angle of the pendulum and of the rod after one and ten seconds")
+TEST_CASE("RK4 gives the angle of the pendulum and of the rod after one and ten seconds", "[idea]")
 {
     const Pendulum pendulum, rod{9.81, 2. / 3};
     const auto angle = [](const Pendulum& p, Index t) {
@@ -463,7 +465,7 @@ TEST_CASE("RK4 gives the angle of the pendulum and of the rod after one and ten 
     CHECK(std::abs(exact_pendulum(rod, 90 * degree, 10).x[0] - 0.7709576225747731) < 1e-13);
 }
 
-TEST_CASE("Dormand-Prince keeps to its tolerance on the Kepler orbit")
+TEST_CASE("Dormand-Prince keeps to its tolerance on the Kepler orbit", "[house]")
 {
     const Kepler kepler;
     const Tolerance tolerance{1e-10, 1e-10, 1e-10};
@@ -475,7 +477,7 @@ TEST_CASE("Dormand-Prince keeps to its tolerance on the Kepler orbit")
     CHECK((run.s.u - Vec2(0.8193821223981332, -0.1939877846107601)).norm() < 2e-8);
 }
 
-TEST_CASE("Verlet has no secular energy drift over a million steps")
+TEST_CASE("Verlet has no secular energy drift over a million steps", "[idea]")
 {
     const Pendulum pendulum;
     State<1> s = state(90 * degree, 0);
@@ -497,7 +499,7 @@ TEST_CASE("Verlet has no secular energy drift over a million steps")
     CHECK(high - low < 0.02);
 }
 
-TEST_CASE("The energy error of RK4 on a spring grows in proportion to time")
+TEST_CASE("The energy error of RK4 on a spring grows in proportion to time", "[idea]")
 {
     // (1.31): each step multiplies the energy by 1 - z^6/72 + z^8/576.
     const Spring spring{1};
@@ -512,7 +514,7 @@ TEST_CASE("The energy error of RK4 on a spring grows in proportion to time")
     }
 }
 
-TEST_CASE("The time of impact is found to 1e-10 with and without drag")
+TEST_CASE("The time of impact is found to 1e-10 with and without drag", "[house]")
 {
     const Tolerance tolerance{1e-12, 1e-12, 1e-12};
     for (Real drag : {0., 0.001, 0.02, 0.3})
@@ -533,7 +535,7 @@ TEST_CASE("The time of impact is found to 1e-10 with and without drag")
     CHECK(std::abs(run.s.x.x() - 800 / 9.81) < 1e-9);
 }
 
-TEST_CASE("At the event the gap is closed to rounding even at a loose tolerance")
+TEST_CASE("At the event the gap is closed to rounding even at a loose tolerance", "[house]")
 {
     // The polynomial alone leaves up to a millimetre here; the real steps to the event do not.
     for (Real tolerance : {1e-2, 1e-3, 1e-4}) {
@@ -545,7 +547,7 @@ TEST_CASE("At the event the gap is closed to rounding even at a loose tolerance"
     }
 }
 
-TEST_CASE("A gap that closes and opens within one step is found")
+TEST_CASE("A gap that closes and opens within one step is found", "[house]")
 {
     // Without drag one step covers the whole flight; the ball is above the ceiling for 0.7 s of its 2 s.
     const Projectile vacuum{0};
@@ -557,7 +559,7 @@ TEST_CASE("A gap that closes and opens within one step is found")
     CHECK(run.t == Approx((10 - std::sqrt(100 - 2 * 9.81 * 4.5)) / 9.81).epsilon(1e-12));
 }
 
-TEST_CASE("A motion that never meets the ground reaches its end time")
+TEST_CASE("A motion that never meets the ground reaches its end time", "[house]")
 {
     const Kepler kepler;
     const Tolerance tolerance;
@@ -569,7 +571,7 @@ TEST_CASE("A motion that never meets the ground reaches its end time")
 
 // ---- the control of the step ----------------------------------------------------------------------
 
-TEST_CASE("The error of a step is measured by (1.40) at the larger of its two ends")
+TEST_CASE("The error of a step is measured by (1.40) at the larger of its two ends", "[house]")
 {
     // |error| = 0.005 m where 0.003 m + 0.001 · 2 m are allowed, and 0.02 m/s where 0.005 m/s + 0.001 · 5 m/s are.
     const Tolerance tolerance{0.001, 0.003, 0.005};
@@ -579,7 +581,7 @@ TEST_CASE("The error of a step is measured by (1.40) at the larger of its two en
     CHECK(scaled_error2(error, other, one, tolerance) == scaled_error2(error, one, other, tolerance));
 }
 
-TEST_CASE("The next step follows from the error of this one by (1.41)")
+TEST_CASE("The next step follows from the error of this one by (1.41)", "[house]")
 {
     // 1e-6: the power is taken in single precision.
     const Kepler kepler;
@@ -612,7 +614,7 @@ TEST_CASE("The next step follows from the error of this one by (1.41)")
     CHECK(accepted > 0);
 }
 
-TEST_CASE("A rejected step shrinks to a fifth at most and does not grow when it is accepted then")
+TEST_CASE("A rejected step shrinks to a fifth at most and does not grow when it is accepted then", "[house]")
 {
     // Nothing acts up to x = 0.5; behind it, a wall of a force. The first try looks behind it; the second ends
     // before it, has no error at all, and would like to grow five times: into the wall again.
@@ -626,7 +628,7 @@ TEST_CASE("A rejected step shrinks to a fifth at most and does not grow when it 
     CHECK(run.h == run.last.h);
 }
 
-TEST_CASE("A run ends on time by a step that is neither tiny nor remembered")
+TEST_CASE("A run ends on time by a step that is neither tiny nor remembered", "[house]")
 {
     const auto free = [](const Vec<1>&) { return Vec<1>(0.); };
     Adaptive<1> run = start_adaptive(state(0, 1), free, {});
@@ -643,7 +645,7 @@ TEST_CASE("A run ends on time by a step that is neither tiny nor remembered")
     CHECK(swing.h == usual);
 }
 
-TEST_CASE("A motion that begins below the ground meets it only from above")
+TEST_CASE("A motion that begins below the ground meets it only from above", "[house]")
 {
     const Projectile vacuum{0};
     const Tolerance tolerance;
@@ -656,7 +658,7 @@ TEST_CASE("A motion that begins below the ground meets it only from above")
 
 // ---- skip what a scene doesn't need: long steps where nothing happens -----------------------------
 
-TEST_CASE("The adaptive step gives the result of the fixed step with fewer evaluations")
+TEST_CASE("The adaptive step gives the result of the fixed step with fewer evaluations", "[house]")
 {
     // The same pair of Dormand and Prince, once with steps of one size, once with steps of its own.
     // Both within the stated 1e-6 of the exact place after one orbit and a bit.
@@ -684,7 +686,7 @@ TEST_CASE("The adaptive step gives the result of the fixed step with fewer evalu
     CHECK(5 * run.evaluations < 6 * steps);  // for less than a fifth of the work
 }
 
-TEST_CASE("Methods ask for as many accelerations as they say")
+TEST_CASE("Methods ask for as many accelerations as they say", "[idea]")
 {
     const Index steps = 10;
     const auto asked = [&](Method method) {
@@ -700,7 +702,7 @@ TEST_CASE("Methods ask for as many accelerations as they say")
     CHECK(asked(Method::dormand_prince) == 6 * steps);
 }
 
-TEST_CASE("No step allocates memory")
+TEST_CASE("No step allocates memory", "[house]")
 {
     const Kepler kepler;
     const Tolerance tolerance;
@@ -726,7 +728,7 @@ TEST_CASE("No step allocates memory")
 
 // ---- 4. properties --------------------------------------------------------------------------------
 
-TEST_CASE("A turned or mirrored start gives the turned or mirrored motion")
+TEST_CASE("A turned or mirrored start gives the turned or mirrored motion", "[idea]")
 {
     Random random(11);
     const Kepler kepler;
@@ -754,7 +756,7 @@ TEST_CASE("A turned or mirrored start gives the turned or mirrored motion")
     }
 }
 
-TEST_CASE("The units of length and time do not matter")
+TEST_CASE("The units of length and time do not matter", "[idea]")
 {
     Random random(12);
     for (int i = 0; i < 50; ++i) {
@@ -781,7 +783,7 @@ TEST_CASE("The units of length and time do not matter")
     }
 }
 
-TEST_CASE("Random motions stay finite and bounded")
+TEST_CASE("Random motions stay finite and bounded", "[idea]")
 {
     Random random(13);
     const Pendulum pendulum;
@@ -805,7 +807,7 @@ TEST_CASE("Random motions stay finite and bounded")
     }
 }
 
-TEST_CASE("The same start gives the same bits")
+TEST_CASE("The same start gives the same bits", "[house]")
 {
     const Kepler kepler;
     const Tolerance tolerance;
@@ -817,7 +819,7 @@ TEST_CASE("The same start gives the same bits")
     CHECK((a.s.u.array() == b.s.u.array()).all());
 }
 
-TEST_CASE("Bad input is refused with a sentence that names it")
+TEST_CASE("Bad input is refused with a sentence that names it", "[house]")
 {
     const Spring spring{1};
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -853,7 +855,7 @@ TEST_CASE("Bad input is refused with a sentence that names it")
     CHECK_THROWS_AS(march(good, 3, 2000, step), std::runtime_error);
 }
 
-TEST_CASE("An adaptive run that cannot go on ends and says why")
+TEST_CASE("An adaptive run that cannot go on ends and says why", "[house]")
 {
     const Tolerance tolerance;
     SECTION("a force that is nowhere a number")
@@ -897,4 +899,124 @@ TEST_CASE("An adaptive run that cannot go on ends and says why")
         CHECK(run.t == Approx(pi / std::sqrt(8.)).epsilon(1e-6));  // the time of the fall, in closed form
         CHECK(run.accepted + run.rejected <= run.step_limit);
     }
+}
+
+// ---- 5. the exercises -----------------------------------------------------------------------------
+
+TEST_CASE("The other swap conserves the ellipse with the other sign and both halves make Verlet", "[idea]")
+{
+    // Exercise 1.1: position first with the old velocity, then velocity with the force at the new position.
+    const Real omega = 3, h = 0.1;
+    const Spring spring{omega};
+    const auto other = [&](State<1> s, Real step) {
+        s.x += step * s.u;
+        s.u += step * spring(s.x);
+        return s;
+    };
+    const auto modified = [&](const State<1>& s) {
+        return s.u[0] * s.u[0] + omega * omega * s.x[0] * s.x[0] + h * omega * omega * s.x[0] * s.u[0];
+    };
+    State<1> s = state(0.3, -1.2);
+    const Real start = modified(s);
+    for (int n = 0; n < 1000; ++n) {
+        s = other(s, h);
+        REQUIRE(modified(s) == Approx(start).epsilon(1e-12));  // a random walk of 1000 roundings
+    }
+    // Half a step of one and half a step of the other: half a kick, a drift, half a kick.
+    Vec<1> now = spring(Vec<1>(0.3));
+    const State<1> verlet = velocity_verlet(state(0.3, -1.2), now, h, spring);
+    const State<1> halves = other(symplectic_euler(state(0.3, -1.2), h / 2, spring), h / 2);
+    CHECK(std::abs(halves.x[0] - verlet.x[0]) < 1e-15);  // a few roundings of numbers of size 1
+    CHECK(std::abs(halves.u[0] - verlet.u[0]) < 1e-15);
+}
+
+TEST_CASE("Verlet with a predicted velocity has order 2 with drag and no symmetry", "[house]")
+{
+    // Exercise 1.5. The reference is that of the methods that take drag.
+    const auto with_drag = [](State<2> s, Real h) {
+        const Vec2 before = ball(s.x, s.u);
+        const Vec2 half = s.u + h / 2 * before;
+        s.x += h * half;
+        s.u = half + h / 2 * ball(s.x, half + h / 2 * before);
+        return s;
+    };
+    const State<2> thrown{Vec2(0, 0), 30 * Vec2(std::cos(40 * degree), std::sin(40 * degree))};
+    std::vector<Real> errors;
+    for (Index steps = 20; steps <= 320; steps *= 2)
+        errors.push_back((march(thrown, 3. / static_cast<Real>(steps), steps, with_drag).x -
+                          Vec2(41.36367414795186111, 1.2318529699294813))
+                             .norm());
+    CHECK(observed_order(errors) == Approx(2).margin(0.15));
+    State<2> back = march(thrown, 0.03, 100, with_drag);
+    for (int n = 0; n < 100; ++n) back = with_drag(back, -0.03);
+    CHECK((back.x - thrown.x).norm() == Approx(1e-4).epsilon(0.1));  // the text says 0.1 mm
+}
+
+TEST_CASE("Five Verlet steps of order 4 are better than three at equal work", "[idea]")
+{
+    // Exercise 1.6.
+    const Real part = 1 / (4 - std::cbrt(4.));
+    CHECK(part == Approx(0.41449).margin(5e-6));
+    const auto run = [&](auto s, Real h, Index steps, const auto& a) {
+        auto now = a(s.x);
+        for (Index n = 0; n < steps; ++n)
+            for (const Real share : {part, part, 1 - 4 * part, part, part})
+                s = velocity_verlet(s, now, share * h, a);
+        return s;
+    };
+    const Pendulum pendulum;
+    const State<1> exact = exact_pendulum(pendulum, 90 * degree, 1);
+    const auto miss = [&](const State<1>& s) { return std::hypot(s.x[0] - exact.x[0], s.u[0] - exact.u[0]); };
+    std::vector<Real> errors;
+    for (Index steps = 25; steps <= 400; steps *= 2)
+        errors.push_back(miss(run(state(90 * degree, 0), 1. / static_cast<Real>(steps), steps, pendulum)));
+    CHECK(observed_order(errors) == Approx(4).margin(0.15));
+    const Real yoshida = miss(go(Method::yoshida4, state(90 * degree, 0), 1. / 400, 400, pendulum));
+    CHECK(yoshida / errors.back() == Approx(16).margin(0.5));  // the text says 16
+    const Kepler kepler;                                       // 6000 evaluations each
+    const State<2> start = kepler_perihelion(kepler, 0.6), end = exact_kepler(kepler, 0.6, 5);
+    const Real five = (run(start, 5. / 1200, 1200, kepler).x - end.x).norm();
+    const Real three = (go(Method::yoshida4, start, 5. / 2000, 2000, kepler).x - end.x).norm();
+    CHECK(three / five == Approx(1.28).margin(0.005));  // as the text rounds it
+}
+
+TEST_CASE("A controller that remembers the error before rejects almost no step of a stiff spring", "[house]")
+{
+    // Exercise 1.7.
+    const auto stiff = [](const Vec<1>& x, const Vec<1>& u) -> Vec<1> { return -1000 * x - 1000 * u; };
+    const Tolerance tolerance{1e-6, 1e-6, 1e-6};
+    const auto run = [&](bool remembers, int& accepted, int& rejected) {
+        State<1> s = state(1, 0);
+        Vec<1> now = stiff(s.x, s.u);
+        Real t = 0, h = 1e-3, before = 1;
+        bool failed = false;
+        for (accepted = rejected = 0; t < 10 && accepted + rejected < 10000;) {
+            const Real step = std::min(h, 10 - t);
+            const PairStep<1> next = dormand_prince_step(s, now, step, stiff);
+            const Real error = std::max(std::sqrt(scaled_error2(next.error, s, next.s, tolerance)), 1e-10);
+            const Real plain = 0.8 * std::pow(error, -0.2);
+            const Real factor = remembers ? 0.8 * std::pow(error, -0.17) * std::pow(before, 0.04) : plain;
+            if (error <= 1) {
+                s = next.s;
+                now = next.a;
+                t += step;
+                h = step * std::min(factor, failed ? 1. : 5.);
+                before = error;
+                ++accepted;
+            } else {
+                h = step * std::max(0.2, plain);
+                ++rejected;
+            }
+            failed = error > 1;
+        }
+        CHECK(t >= 10);
+    };
+    int accepted = 0, rejected = 0;
+    run(false, accepted, rejected);
+    // The text's numbers; another library's power may round one step to the other side.
+    CHECK(std::abs(accepted - 3031) <= 3);
+    CHECK(std::abs(rejected - 198) <= 3);
+    run(true, accepted, rejected);
+    CHECK(std::abs(accepted - 3045) <= 3);
+    CHECK(rejected <= 2);
 }

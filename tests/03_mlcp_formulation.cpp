@@ -1,8 +1,10 @@
 /// Chapter 3: contact is either/or. Assembly, the measure of error, the exact ways, and the whole step.
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
+#include "chapters/03_mlcp_formulation/cases_method.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_run.hpp"
 #include "chapters/03_mlcp_formulation/program/ten_disc_scene.hpp"
 #include "chapters/03_mlcp_formulation/step.hpp"
 #include "common/measure.hpp"
@@ -160,7 +162,7 @@ Mlcp chain_problem(Index links, AssemblyScratch& scratch)
 
 // ---- assembly ------------------------------------------------------------------------------------------
 
-TEST_CASE("the assembled A and q are the dense triple product and Ju + b")
+TEST_CASE("the assembled A and q are the dense triple product and Ju + b", "[house]")
 {
     Random random(1);
     for (int sample = 0; sample < 100; ++sample) {
@@ -187,7 +189,7 @@ TEST_CASE("the assembled A and q are the dense triple product and Ju + b")
     }
 }
 
-TEST_CASE("two rows meet only where both move the same body")
+TEST_CASE("two rows meet only where both move the same body", "[house]")
 {
     // Four discs on one floor, the last one held fast, and a link from the first to the fixed one.
     DiscScene scene;
@@ -207,7 +209,7 @@ TEST_CASE("two rows meet only where both move the same body")
     CHECK(mlcp.A.row(4).nonZeros() == 0);
 }
 
-TEST_CASE("the work of assembly is the number of pairs that share a body as in (3.20)")
+TEST_CASE("the work of assembly is the number of pairs that share a body as in (3.20)", "[house]")
 {
     for (const Index links : {1, 10, 100, 1000}) {
         AssemblyScratch scratch;
@@ -221,7 +223,7 @@ TEST_CASE("the work of assembly is the number of pairs that share a body as in (
     CHECK(1000.0 * 1000 * 2 * 1001 / static_cast<Real>(8 * scratch.pairs) > 50);
 }
 
-TEST_CASE("assembling again as many rows uses the memory that is there")
+TEST_CASE("assembling again as many rows uses the memory that is there", "[house]")
 {
     DiscScene scene = column(50);
     const auto rows = rows_of(scene, 0.01);
@@ -238,7 +240,7 @@ TEST_CASE("assembling again as many rows uses the memory that is there")
     CHECK(places() == before);
 }
 
-TEST_CASE("another order of the rows gives the same problem in that order")
+TEST_CASE("another order of the rows gives the same problem in that order", "[house]")
 {
     Random random(2);
     for (int sample = 0; sample < 50; ++sample) {
@@ -265,7 +267,7 @@ TEST_CASE("another order of the rows gives the same problem in that order")
     }
 }
 
-TEST_CASE("assembly refuses rows and velocities that make no sense")
+TEST_CASE("assembly refuses rows and velocities that make no sense", "[house]")
 {
     DiscScene scene = column(2);
     auto rows = rows_of(scene, 0.01);
@@ -278,7 +280,7 @@ TEST_CASE("assembly refuses rows and velocities that make no sense")
 
 // ---- the measure of error ------------------------------------------------------------------------------
 
-TEST_CASE("the natural residual of the disc on the floor is what the text works out by hand")
+TEST_CASE("the natural residual of the disc on the floor is what the text works out by hand", "[idea]")
 {
     // 2 kg, u* = -3 m/s: A = 1/2, q = -3, answer 6 N s.
     const Mlcp mlcp = problem({0.5}, {-3});
@@ -293,7 +295,7 @@ TEST_CASE("the natural residual of the disc on the floor is what the text works 
     CHECK(natural_residual(leaving, VecX::Ones(1)) == 0.5);
 }
 
-TEST_CASE("a large impulse does not hide what is left of the velocity")
+TEST_CASE("a large impulse does not hide what is left of the velocity", "[idea]")
 {
     // 1e20 - (1e20 - 1) is 0 in sixteen digits; the row is off by 1 m/s whatever its impulse is.
     for (const Real lambda : {1.0, 1e20, -1e20, 1e300})
@@ -304,7 +306,7 @@ TEST_CASE("a large impulse does not hide what is left of the velocity")
     CHECK(std::isnan(natural_residual_row(1, std::nan(""), 0, 0, infinity)));
 }
 
-TEST_CASE("the natural residual is zero for answers and for nothing else")
+TEST_CASE("the natural residual is zero for answers and for nothing else", "[idea]")
 {
     Random random(3);
     for (int sample = 0; sample < 200; ++sample) {
@@ -321,7 +323,7 @@ TEST_CASE("the natural residual is zero for answers and for nothing else")
     }
 }
 
-TEST_CASE("a NaN is never a small residual")
+TEST_CASE("a NaN is never a small residual", "[idea]")
 {
     const Mlcp mlcp = problem({1, 0, 0, 1}, {1, 1});
     VecX lambda = VecX::Zero(2);
@@ -329,7 +331,19 @@ TEST_CASE("a NaN is never a small residual")
     CHECK(!(natural_residual(mlcp, lambda) <= 1));
 }
 
-TEST_CASE("a change that has become small says nothing and the residual does")
+TEST_CASE("a row without a positive diagonal is measured by its own w", "[house]")
+{
+    // λ = 1 between 0 and 3. With scale 1 the nearest bound is one away on the one side and two on the other.
+    for (const Real a : {0.0, -4.0}) {
+        CHECK(natural_residual_row(a, 1, 0.5, 0, 3) == 0.5);
+        CHECK(natural_residual_row(a, 1, -1.5, 0, 3) == 1.5);
+        CHECK(natural_residual_row(a, 1, 5, 0, 3) == 1);
+        CHECK(natural_residual_row(a, 1, -5, 0, 3) == 2);
+        CHECK(natural_residual_row(a, 1, 0.5, -infinity, infinity) == 0.5);
+    }
+}
+
+TEST_CASE("a change that has become small says nothing and the residual does", "[idea]")
 {
     // Relax by a factor of 1e-6 and stop when nothing moves by more than 1e-6: at once, and still 3 m/s off.
     const Mlcp mlcp = problem({0.5}, {-3});
@@ -340,7 +354,7 @@ TEST_CASE("a change that has become small says nothing and the residual does")
     CHECK(natural_residual(mlcp, VecX::Constant(1, lambda)) > 2.99);
 }
 
-TEST_CASE("units of mass change the impulses and not the residual")
+TEST_CASE("units of mass change the impulses and not the residual", "[idea]")
 {
     Random random(4);
     for (const Real unit : {1000.0, 1e-3, 16.0}) {
@@ -358,7 +372,8 @@ TEST_CASE("units of mass change the impulses and not the residual")
 
 // ---- what counts as an answer ---------------------------------------------------------------------------
 
-TEST_CASE("the share of a row that (3.16c) allows is a share of its own numbers and of the problem's")
+TEST_CASE("the share of a row that (3.16c) allows is a share of its own numbers and of the problem's",
+          "[house]")
 {
     const Mlcp one = problem({1}, {-1});  // λ = 1
     const auto solved = [&one](Real lambda, const Acceptance& acceptance = {}) {
@@ -375,7 +390,7 @@ TEST_CASE("the share of a row that (3.16c) allows is a share of its own numbers 
     CHECK_FALSE(solved(-1e-300));  // out of its bounds, if only a little
 }
 
-TEST_CASE("a q near zero is solved to the same share as any other")
+TEST_CASE("a q near zero is solved to the same share as any other", "[house]")
 {
     // An answer in units of 1e-15 m/s is no better than one in m/s. A caller who knows that so little is nothing says
     // it by f.
@@ -389,7 +404,19 @@ TEST_CASE("a q near zero is solved to the same share as any other")
     CHECK(verify(problem({1}, {0}), VecX::Zero(1)).solved);
 }
 
-TEST_CASE("no free impulse and no bound and no unused entry loosens the rule")
+TEST_CASE("where nothing drives a problem only the rounding of its products is forgiven", "[house]")
+{
+    // q = 0: λ = 0 is the one answer of the first; (1, -1) leaves 1e-11 m/s, the whole of what tells its rows apart.
+    Mlcp almost = problem({1, 1, 1, 1 + 1e-11}, {0, 0}), same = problem({1, 1.0 / 3, 1, 1.0 / 3}, {0, 0});
+    almost.lo.setConstant(-infinity);
+    same.lo.setConstant(-infinity);
+    CHECK(verify(almost, VecX::Zero(2)).solved);
+    CHECK_FALSE(verify(almost, Eigen::Vector2d(1, -1)).solved);
+    // The second has the answers (t, -3 t), which doubles only have to rounding.
+    for (const Real t : {0.1, 1 / 7.0, 1e9}) CHECK(verify(same, Eigen::Vector2d(t, -3 * t)).solved);
+}
+
+TEST_CASE("no free impulse and no bound and no unused entry loosens the rule", "[house]")
 {
     Mlcp quarrel = problem({4, -4, -4, 4}, {-2, 1});
     quarrel.lo.setConstant(-infinity);
@@ -419,7 +446,7 @@ TEST_CASE("no free impulse and no bound and no unused entry loosens the rule")
     CHECK(verify(unused, lambda).solved);
 }
 
-TEST_CASE("an impulse that is off its bound by the last digit is not at its bound")
+TEST_CASE("an impulse that is off its bound by the last digit is not at its bound", "[house]")
 {
     Mlcp wall = problem({1}, {1});
     CHECK(verify(wall, VecX::Zero(1)).solved);
@@ -428,7 +455,7 @@ TEST_CASE("an impulse that is off its bound by the last digit is not at its boun
     CHECK_FALSE(verify(wall, VecX::Constant(1, 1e-17)).solved);
 }
 
-TEST_CASE("a ray of answers behind a singular set that does not fit is seen")
+TEST_CASE("a ray of answers behind a singular set that does not fit is seen", "[house]")
 {
     Mlcp ray = problem({2, -1, 0, -1, 5, 1, 1, -1, 0}, {-7, 3, -2});
     ray.lo.setConstant(-infinity);
@@ -443,7 +470,7 @@ TEST_CASE("a ray of answers behind a singular set that does not fit is seen")
     CHECK(schur(ray).uniqueness == Uniqueness::any);
 }
 
-TEST_CASE("what rounding leaves open is called neither infeasible nor unique")
+TEST_CASE("what rounding leaves open is called neither infeasible nor unique", "[house]")
 {
     // Two rows alike to 14 digits: the difference may be all there is, or dirt.
     Mlcp alike = problem({1, 1, 1, 1 + 4e-14}, {-1, -1.5});
@@ -453,7 +480,7 @@ TEST_CASE("what rounding leaves open is called neither infeasible nor unique")
     CHECK(solution.uniqueness == Uniqueness::not_examined);
 }
 
-TEST_CASE("bounds that leave no number are refused")
+TEST_CASE("bounds that leave no number are refused", "[house]")
 {
     Mlcp nothing = problem({1}, {-1});
     nothing.lo[0] = nothing.hi[0] = infinity;
@@ -463,7 +490,7 @@ TEST_CASE("bounds that leave no number are refused")
 
 // ---- by hand -------------------------------------------------------------------------------------------
 
-TEST_CASE("the two contacts of the text leave one of four sets")
+TEST_CASE("the two contacts of the text leave one of four sets", "[idea]")
 {
     // A disc of 1 kg in a corner: floor n = (0, 1), ramp n = (0.6, 0.8), u* = (-1, -2).
     const Mlcp mlcp = problem({1, 0.8, 0.8, 1}, {-2, -2.2});
@@ -480,7 +507,7 @@ TEST_CASE("the two contacts of the text leave one of four sets")
     CHECK(w_of(problem({1, 0.8, 0.8, 1}, {-2, -1}), sliding.lambda)[1] == Approx(0.6));
 }
 
-TEST_CASE("the two discs of the text meet at the velocity of least change")
+TEST_CASE("the two discs of the text meet at the velocity of least change", "[idea]")
 {
     // 1 kg at 2 m/s runs after 3 kg at 0 m/s, already touching: u = 0.5 m/s for both, λ = 1.5 N s.
     const Mlcp mlcp = problem({4.0 / 3}, {-2});
@@ -497,7 +524,7 @@ TEST_CASE("the two discs of the text meet at the velocity of least change")
 
 // ---- enumeration ---------------------------------------------------------------------------------------
 
-TEST_CASE("enumeration finds what was planted in 900 problems")
+TEST_CASE("enumeration finds what was planted in 900 problems", "[idea]")
 {
     // C1: symmetric definite, symmetric semi-definite, and P-matrices that are not symmetric.
     int answers[3] = {};
@@ -537,7 +564,7 @@ TEST_CASE("enumeration finds what was planted in 900 problems")
     CHECK(answers[1] > 20);  // the semi-definite ones had redundant rows indeed
 }
 
-TEST_CASE("enumeration says infeasible in 100 problems that have no answer")
+TEST_CASE("enumeration says infeasible in 100 problems that have no answer", "[idea]")
 {
     for (int seed = 0; seed < 100; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
@@ -554,14 +581,40 @@ TEST_CASE("enumeration says infeasible in 100 problems that have no answer")
     }
 }
 
-TEST_CASE("a miss of 1e-8 is no answer")
+TEST_CASE("a miss of 1e-8 is no answer", "[idea]")
 {
     // Two walls come nearer to a disc, one a hair faster: a null vector (1, 1) with (1, 1) q = -1e-8.
     CHECK(enumerate(problem({1, -1, -1, 1}, {-1, 1 - 1e-8})).status == Status::infeasible);
     CHECK(enumerate(problem({1, -1, -1, 1}, {-1, 1 + 1e-8})).status == Status::solved);
 }
 
-TEST_CASE("enumeration finds what was planted between bounds of all kinds")
+TEST_CASE("rows that differ in their last digits are not called a contradiction", "[house]")
+{
+    // The second row is the first times 1 - 1e-8 but for its last digit, and q makes no difference between them.
+    // λ = (2e9, -2e9) is an answer to the numbers as they stand: it need not be found, and must not be denied.
+    Mlcp alike =
+        problem({0.022592671143322165, 0.02259267090252401, 0.02259267090252401, 0.022592670661725857},
+                {0.1764003773878488, 0.1764003773878488});
+    alike.lo[1] = -infinity;
+    alike.hi[1] = 0;
+    for (const Solution& solution : {enumerate(alike), schur(alike)}) {
+        CHECK(solution.status == Status::singular);
+        CHECK(solution.uniqueness == Uniqueness::not_examined);
+    }
+}
+
+TEST_CASE("a row that nothing moves does not hide that two answers differ", "[house]")
+{
+    // w = -λ - 1 ≤ 0 at λ = 0, and w = 0 at λ = -1: two answers, whatever the speed of a row that no impulse changes.
+    for (const Real speed : {1.0, 1e9}) {
+        Mlcp mlcp = problem({0, 0, 0, -1}, {speed, -1});
+        mlcp.lo[1] = -infinity;
+        mlcp.hi[1] = 0;
+        CHECK(enumerate(mlcp).uniqueness == Uniqueness::any);
+    }
+}
+
+TEST_CASE("enumeration finds what was planted between bounds of all kinds", "[idea]")
 {
     for (int seed = 0; seed < 300; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
@@ -591,14 +644,14 @@ TEST_CASE("enumeration finds what was planted between bounds of all kinds")
     }
 }
 
-TEST_CASE("three answers with different w are told from one")
+TEST_CASE("three answers with different w are told from one", "[idea]")
 {
     const Solution solution = enumerate(problem({1, 2, 2, 1}, {-1, -1}));
     CHECK(solution.status == Status::solved);
     CHECK(solution.uniqueness == Uniqueness::any);
 }
 
-TEST_CASE("a ray of answers is seen though each set has one member to show")
+TEST_CASE("a ray of answers is seen though each set has one member to show", "[house]")
 {
     // w = 0 for every λ ≥ 0: the smallest case of a row that says nothing.
     CHECK(enumerate(problem({0}, {0})).uniqueness == Uniqueness::w_unique);
@@ -610,7 +663,7 @@ TEST_CASE("a ray of answers is seen though each set has one member to show")
     CHECK(enumerate(problem({1, -1, -1, 1}, {0, 0})).uniqueness == Uniqueness::w_unique);
 }
 
-TEST_CASE("an answer that only the family of a singular set has is found")
+TEST_CASE("an answer that only the family of a singular set has is found", "[house]")
 {
     // λ₂ ≥ 1 with λ₁ = 0, and no elimination shows it: the block of row 2 is a zero, and the block of both
     // rows gives λ = (-1, 0).
@@ -625,7 +678,7 @@ TEST_CASE("an answer that only the family of a singular set has is found")
     CHECK(enumerate(problem({-1, 1, 0, 0}, {-1, 0}), first).iterations > 4);
 }
 
-TEST_CASE("a symmetric semi-definite problem never needs the second round")
+TEST_CASE("a symmetric semi-definite problem never needs the second round", "[house]")
 {
     for (int seed = 0; seed < 200; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
@@ -639,7 +692,7 @@ TEST_CASE("a symmetric semi-definite problem never needs the second round")
     }
 }
 
-TEST_CASE("sets are visited by their distance from the first guess")
+TEST_CASE("sets are visited by their distance from the first guess", "[house]")
 {
     const Mlcp mlcp = problem({2, 1, 0, 1, 2, 1, 0, 1, 2}, {-1, 3, -1});  // answer: rows 0 and 2 push
     EnumerationSettings settings;
@@ -664,7 +717,7 @@ TEST_CASE("sets are visited by their distance from the first guess")
     CHECK(enumerate(mlcp, settings).status == Status::iteration_limit);
 }
 
-TEST_CASE("the order of the rows does not change the answer")
+TEST_CASE("the order of the rows does not change the answer", "[idea]")
 {
     Random random(7);
     for (int sample = 0; sample < 100; ++sample) {
@@ -681,7 +734,8 @@ TEST_CASE("the order of the rows does not change the answer")
     }
 }
 
-TEST_CASE("the answer of the MLCP is the least change of velocity in the metric of the masses as in (3.6)")
+TEST_CASE("the answer of the MLCP is the least change of velocity in the metric of the masses as in (3.6)",
+          "[idea]")
 {
     // KKT ⇔ QP. u is the least change iff (u − u*)ᵀ M (v − u) ≥ 0 for every v that the rows allow.
     Random random(8);
@@ -717,7 +771,7 @@ TEST_CASE("the answer of the MLCP is the least change of velocity in the metric 
     CHECK(compared > 10000);
 }
 
-TEST_CASE("a disc on coincident floors is held with all its weight however it is shared")
+TEST_CASE("a disc on coincident floors is held with all its weight however it is shared", "[idea]")
 {
     // C6 in the plane: one, two, three floors in the same place.
     const Real h = 1.0 / 60;
@@ -736,7 +790,7 @@ TEST_CASE("a disc on coincident floors is held with all its weight however it is
     }
 }
 
-TEST_CASE("enumeration refuses what it cannot try in a lifetime")
+TEST_CASE("enumeration refuses what it cannot try in a lifetime", "[house]")
 {
     CHECK(sentence_of([] { enumerate(problem(MatX::Identity(33, 33), VecX::Ones(33))); }) ==
           "the problem has 33 rows; enumeration takes at most 32");
@@ -752,7 +806,7 @@ TEST_CASE("enumeration refuses what it cannot try in a lifetime")
     CHECK(sentence_of([&] { enumerate(wrong); }).find("row 0 has lo = 1") == 0);
 }
 
-TEST_CASE("a problem without rows is solved")
+TEST_CASE("a problem without rows is solved", "[idea]")
 {
     const Mlcp empty = problem(MatX(0, 0), VecX(0));
     for (const Solution& solution : {enumerate(empty), schur(empty), direct(empty)}) {
@@ -764,7 +818,7 @@ TEST_CASE("a problem without rows is solved")
 
 // ---- direct and Schur ----------------------------------------------------------------------------------
 
-TEST_CASE("in a column of N discs contact k carries all that lies above it")
+TEST_CASE("in a column of N discs contact k carries all that lies above it", "[house]")
 {
     // C3, to 1e-12: one direct solve.
     const Real h = 1.0 / 60;
@@ -790,7 +844,7 @@ TEST_CASE("in a column of N discs contact k carries all that lies above it")
     }
 }
 
-TEST_CASE("enumeration and Schur agree with the direct solve where all contacts push")
+TEST_CASE("enumeration and Schur agree with the direct solve where all contacts push", "[house]")
 {
     const Real h = 1.0 / 60;
     DiscScene scene = column(10);
@@ -805,7 +859,7 @@ TEST_CASE("enumeration and Schur agree with the direct solve where all contacts 
     CHECK((schur(assemble(rows, u_star)).lambda - exact).norm() <= 1e-12 * exact.norm());
 }
 
-TEST_CASE("Schur finds what enumeration finds in random mixtures of joints and contacts")
+TEST_CASE("Schur finds what enumeration finds in random mixtures of joints and contacts", "[house]")
 {
     Random random(9);
     for (int sample = 0; sample < 200; ++sample) {
@@ -824,7 +878,7 @@ TEST_CASE("Schur finds what enumeration finds in random mixtures of joints and c
     }
 }
 
-TEST_CASE("redundant bilateral rows are reported as singular whether or not they agree")
+TEST_CASE("redundant bilateral rows are reported as singular whether or not they agree", "[house]")
 {
     DiscScene scene = hanging_chain(5);
     auto rows = rows_of(scene, 0.01);
@@ -846,7 +900,22 @@ TEST_CASE("redundant bilateral rows are reported as singular whether or not they
     CHECK(direct(assemble(rows_of(scene, 0.01), u_star)).status == Status::singular);
 }
 
-TEST_CASE("the block names a row that adds nothing")
+TEST_CASE("small pivots of an indefinite block are refined away", "[house]")
+{
+    // With any order of its rows the second pivot is 2e-8 and the third -2e8: what rounding does to the first solution is
+    // 1e-8 of it, a hundred times what (3.16c) allows. One refinement takes the square of that.
+    const Real o = 1 - 1e-8;
+    MatX A(3, 3);
+    A << 1, o, o, o, 1, -o, o, -o, 1;
+    Mlcp mlcp = problem(A, Eigen::Vector3d(-1.3, 0.7, 0.4));
+    mlcp.lo.setConstant(-infinity);
+    const Solution solution = direct(mlcp);
+    CHECK(solution.status == Status::solved);
+    CHECK(solution.residual <= 1e-14);  // a few roundings of sums of size 2
+    CHECK(schur(mlcp).status == Status::solved);
+}
+
+TEST_CASE("the block names a row that adds nothing", "[house]")
 {
     MatX A = MatX::Identity(4, 4);
     A(3, 1) = A(1, 3) = 1;  // rows 1 and 3 are one row twice
@@ -857,7 +926,26 @@ TEST_CASE("the block names a row that adds nothing")
     CHECK(block.singular_row() == -1);
 }
 
-TEST_CASE("direct refuses bounds and both refuse a block that is not symmetric")
+TEST_CASE("an asymmetry of rounding is taken and one of a millionth is refused", "[house]")
+{
+    for (const bool rounding : {true, false}) {
+        Mlcp mlcp = problem({1, 0.5, 0.5 * (rounding ? 1 + 1e-12 : 1 + 1e-6), 1}, {1, 1});
+        mlcp.lo.setConstant(-infinity);
+        if (rounding) CHECK(direct(mlcp).status == Status::solved);
+        else CHECK_THROWS_AS(direct(mlcp), std::invalid_argument);
+    }
+}
+
+TEST_CASE("a row with only an upper bound is not bilateral", "[house]")
+{
+    Mlcp mlcp = problem({1}, {-1});
+    mlcp.lo[0] = -infinity;
+    mlcp.hi[0] = 0.5;
+    CHECK_THROWS_AS(direct(mlcp), std::invalid_argument);
+    CHECK(schur(mlcp).lambda[0] == 0.5);
+}
+
+TEST_CASE("direct refuses bounds and both refuse a block that is not symmetric", "[house]")
 {
     CHECK(sentence_of([] { direct(problem({1}, {1})); }) ==
           "row 0 has the bounds 0 and inf; the direct solve needs all rows without bounds (-inf and inf)");
@@ -874,7 +962,7 @@ TEST_CASE("direct refuses bounds and both refuse a block that is not symmetric")
 
 // ---- the small problems --------------------------------------------------------------------------------
 
-TEST_CASE("the problems of tests/problems have the answers that they say")
+TEST_CASE("the problems of tests/problems have the answers that they say", "[house]")
 {
     int files = 0;
     for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2",
@@ -914,7 +1002,7 @@ TEST_CASE("the problems of tests/problems have the answers that they say")
     CHECK(files == 13);
 }
 
-TEST_CASE("a problem that was written is read again")
+TEST_CASE("a problem that was written is read again", "[house]")
 {
     Problem file;
     file.name = "two_walls";
@@ -937,7 +1025,7 @@ TEST_CASE("a problem that was written is read again")
     CHECK(read_problem(plain).mlcp.hi[0] == infinity);
 }
 
-TEST_CASE("a malformed problem gets one sentence with its line")
+TEST_CASE("a malformed problem gets one sentence with its line", "[house]")
 {
     const auto sentence = [](const std::string& text) {
         return sentence_of([&] {
@@ -981,7 +1069,7 @@ TEST_CASE("a malformed problem gets one sentence with its line")
           "the problem /no/such/file can't be read; it must be a file");
 }
 
-TEST_CASE("a line of a problem that does not end is refused")
+TEST_CASE("a line of a problem that does not end is refused", "[house]")
 {
     const auto sentence = [](const std::string& text) {
         std::istringstream in(text);
@@ -1002,7 +1090,7 @@ TEST_CASE("a line of a problem that does not end is refused")
 #endif
 }
 
-TEST_CASE("random text is refused and nothing else happens")
+TEST_CASE("random text is refused and nothing else happens", "[house]")
 {
     Random random(10);
     const std::string letters = "0123456789 .-+einfqAlohzw\n\n  #\t";
@@ -1022,7 +1110,7 @@ TEST_CASE("random text is refused and nothing else happens")
 
 // ---- the whole step ------------------------------------------------------------------------------------
 
-TEST_CASE("a disc that falls freely falls as chapter 1 says to the last digits")
+TEST_CASE("a disc that falls freely falls as chapter 1 says to the last digits", "[house]")
 {
     DiscScene scene = one_disc({0, 0}, {0, 0}, {});
     StepSettings settings;
@@ -1032,7 +1120,7 @@ TEST_CASE("a disc that falls freely falls as chapter 1 says to the last digits")
     CHECK(scene.bodies.x[1] == Approx(-4.98675).epsilon(1e-12));  // −½ g t² (1 + h/t)
 }
 
-TEST_CASE("a disc lands on the floor and not in it")
+TEST_CASE("a disc lands on the floor and not in it", "[house]")
 {
     // Gap 5 cm, 10 m/s, h = 1/60: it would pass through. (3.30) lets it come down to the floor and no
     // further.
@@ -1055,7 +1143,7 @@ TEST_CASE("a disc lands on the floor and not in it")
     CHECK(std::abs(scene.bodies.x[1] - 0.1) <= 1e-13);
 }
 
-TEST_CASE("a turning rod is stretched in one step by what (3.32) says")
+TEST_CASE("a turning rod is stretched in one step by what (3.32) says", "[house]")
 {
     for (const Real h : {0.01, 0.001}) {
         DiscScene scene = pendulum();
@@ -1074,7 +1162,7 @@ TEST_CASE("a turning rod is stretched in one step by what (3.32) says")
     }
 }
 
-TEST_CASE("momentum and angular momentum stay as they are without outer forces")
+TEST_CASE("momentum and angular momentum stay as they are without outer forces", "[house]")
 {
     // B2: a chain and free discs fly into each other; the springs bend, links pull, contacts push.
     DiscScene scene = ten_discs();
@@ -1108,7 +1196,7 @@ TEST_CASE("momentum and angular momentum stay as they are without outer forces")
     CHECK(most_contacts >= 2);
 }
 
-TEST_CASE("the pendulum of the step converges with first order")
+TEST_CASE("the pendulum of the step converges with first order", "[house]")
 {
     // A4: released at 90°, θ(1) = −1.405027311524799 for L = 1 m.
     std::vector<Real> errors;
@@ -1125,7 +1213,7 @@ TEST_CASE("the pendulum of the step converges with first order")
         CHECK(std::log2(errors[i - 1] / errors[i]) == Approx(1).margin(0.15));
 }
 
-TEST_CASE("at the lowest point the rod of the pendulum pulls with three times the weight")
+TEST_CASE("at the lowest point the rod of the pendulum pulls with three times the weight", "[house]")
 {
     // B3 through the step: tension λ/h = 3 m g, up to O(h).
     DiscScene scene = pendulum();
@@ -1140,7 +1228,8 @@ TEST_CASE("at the lowest point the rod of the pendulum pulls with three times th
     CHECK(tension == Approx(3 * 9.81).epsilon(2e-3));
 }
 
-TEST_CASE("a gap closes unseen only above the margin over h and the text says for each of its steps")
+TEST_CASE("a gap closes unseen only above the margin over h and the text says for each of its steps",
+          "[house]")
 {
     const Real margin = 0.02;
     std::string printed_speeds;
@@ -1163,7 +1252,7 @@ TEST_CASE("a gap closes unseen only above the margin over h and the text says fo
     CHECK(says("chapters/03_mlcp_formulation/README.md", printed_speeds));
 }
 
-TEST_CASE("heavier discs move the same and a mirrored scene moves mirrored")
+TEST_CASE("heavier discs move the same and a mirrored scene moves mirrored", "[house]")
 {
     const auto run = [](DiscScene scene, const Vec2& gravity) {
         StepSettings settings{.h = 1.0 / 480};
@@ -1188,7 +1277,7 @@ TEST_CASE("heavier discs move the same and a mirrored scene moves mirrored")
     CHECK((back - x).norm() <= 1e-9);
 }
 
-TEST_CASE("a step of zero or of NaN seconds is refused")
+TEST_CASE("a step of zero or of NaN seconds is refused", "[house]")
 {
     DiscScene scene = ten_discs();
     StepSettings settings;
@@ -1239,7 +1328,7 @@ TenDiscsResult ten_discs_run(std::uint64_t seed, Real h, Real k, Real damping, R
 
 }  // namespace
 
-TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre")
+TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre", "[house]")
 {
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
         for (const Real k : {0.0, 1.0, 3.0}) {
@@ -1250,7 +1339,7 @@ TEST_CASE("600 steps of the ten discs keep links and contacts to a millimetre")
         }
 }
 
-TEST_CASE("no place of the sliders makes the ten discs lose a number")
+TEST_CASE("no place of the sliders makes the ten discs lose a number", "[house]")
 {
     for (const Real h : {ten_discs_h_low, ten_discs_h, ten_discs_h_high})
         for (const Tunable& k : {ten_discs_tunables()[0]})
@@ -1260,13 +1349,13 @@ TEST_CASE("no place of the sliders makes the ten discs lose a number")
                         CHECK(ten_discs_run(2, h, stiffness, damping, gravity).x.allFinite());
 }
 
-TEST_CASE("a second run of the ten discs gives the same bits")
+TEST_CASE("a second run of the ten discs gives the same bits", "[house]")
 {
     CHECK(ten_discs_run(3, ten_discs_h, 1, 1, 9.81).x == ten_discs_run(3, ten_discs_h, 1, 1, 9.81).x);
     CHECK(ten_discs_run(3, ten_discs_h, 1, 1, 9.81).x != ten_discs_run(4, ten_discs_h, 1, 1, 9.81).x);
 }
 
-TEST_CASE("the pointer steers gravity as far as its size and no further")
+TEST_CASE("the pointer steers gravity as far as its size and no further", "[house]")
 {
     const View view = {{1, 0}, {2, 0.5}};
     CHECK(steered_gravity({}, view, 9.81) == Vec2(0, -9.81));
@@ -1274,4 +1363,132 @@ TEST_CASE("the pointer steers gravity as far as its size and no further")
     CHECK(steered_gravity({{2, 0}, true, false}, view, 10) == Vec2(5, 0));
     CHECK((steered_gravity({{3, 0.5}, true, false}, view, 10) - Vec2(std::sqrt(50), std::sqrt(50))).norm() <
           1e-12);
+}
+
+namespace {
+
+using CasesState = RunState<CasesMethod>;
+
+const Measured<CasesState> pulled_disc = {
+    {"pulled", "", "the disc that the hand pulls"},
+    [](const SceneState& state) { return static_cast<Real>(state.step.pulled); }};
+
+/// Two discs of 1 kg and radius 0.1 m at (0, 0) and (1, 0), without gravity.
+SceneSetup<CasesMethod> two_free_discs()
+{
+    SceneSetup<CasesMethod> setup;
+    setup.scene.bodies = Bodies<2>(2);
+    setup.scene.bodies.x << 0, 0, 1, 0;
+    setup.scene.radius = VecX::Constant(2, 0.1);
+    setup.scene.gravity = {0, 0};
+    return setup;
+}
+
+}  // namespace
+
+TEST_CASE("a run pulls the disc that lies under the pressed pointer of its picture and lets it go", "[house]")
+{
+    SceneSetup<CasesMethod> setup = two_free_discs();
+    setup.zoom = 2;  // what is at 1 m is drawn at 2
+    SceneRun<CasesMethod> run({}, {pulled_disc, columns::last_rise()}, setup);
+    Settings settings;
+    settings.h = 1.0 / 60;
+    const auto after = [&](const Vec2& pointer, bool pressed) {
+        run.step(settings, {pointer, true, pressed});
+        return run.measure();
+    };
+    CHECK(after({2.1, 0}, false)[0] == world);
+    CHECK(after({1, 0}, true)[0] == world);  // nothing lies at 0.5 m
+    CHECK(after({2.1, 0}, true)[0] == 1);
+    CHECK(after({2.1, 1}, true)[0] == 1);  // it is held, wherever the hand goes
+    CHECK(after({2.1, 1}, true)[1] > 0);
+    CHECK(after({2.1, 1}, false)[0] == world);
+}
+
+TEST_CASE("a run lets go of a disc that is taken away and names a body that is lost", "[house]")
+{
+    SceneSetup<CasesMethod> setup = two_free_discs();
+    setup.before = [](const Settings&, const Input&, CasesState& state) {
+        if (state.steps != 1) return;
+        DiscScene one = two_free_discs().scene;
+        one.bodies = Bodies<2>(1);
+        one.radius = VecX::Constant(1, 0.1);
+        state.scene = one;
+    };
+    SceneRun<CasesMethod> run({}, {pulled_disc}, setup);
+    Settings settings;
+    settings.h = 1.0 / 60;
+    const Input on_the_second = {{1, 0}, true, true};
+    run.step(settings, on_the_second);
+    CHECK(run.measure()[0] == 1);
+    run.step(settings, on_the_second);
+    CHECK(run.measure()[0] == world);
+
+    SceneSetup<CasesMethod> fast = two_free_discs();
+    fast.scene.bodies.u << 0, 0, 1e308, 0;
+    SceneRun<CasesMethod> lost({}, {pulled_disc}, fast);
+    settings.h = 100;  // 1e310 m in a step is no number
+    CHECK_THROWS_WITH(lost.step(settings, Input{}), "the position of body 1 is not finite");
+}
+
+TEST_CASE("a demo has the columns that its runs measure", "[house]")
+{
+    Demo demo;
+    run_scene<CasesMethod>(demo, {pulled_disc, columns::energy().plotted(true), columns::rows()},
+                           [](const Settings&) { return two_free_discs(); });
+    REQUIRE(demo.columns.size() == 3);
+    CHECK(demo.columns[1].name == "energy");
+    CHECK(demo.columns[1].plotted);
+    CHECK(demo.start(Settings{})->measure() == std::vector<Real>{world, 0, 0});
+}
+
+// ---- the exercises ---------------------------------------------------------------------------------
+
+TEST_CASE("the value of the answer is half of q times lambda", "[idea]")
+{
+    // Exercise 3.2, for random problems from rows: A = B Bᵀ.
+    Random random(32);
+    for (int i = 0; i < 100; ++i) {
+        MatX B(4, 5);
+        VecX q(4);
+        for (Real& entry : B.reshaped()) entry = random.normal();
+        for (Real& entry : q) entry = random.normal();
+        const MatX A = B * B.transpose();
+        const Mlcp mlcp{A.sparseView(), q, VecX::Zero(4), VecX::Constant(4, infinity)};
+        const Solution solution = enumerate(mlcp);
+        REQUIRE(solution.status == Status::solved);
+        const VecX& lambda = solution.lambda;
+        // λᵀw is rounding: each product is at most the size of λ times the tolerance of the rule.
+        CHECK(lambda.dot(A * lambda) == Approx(-q.dot(lambda)).margin(1e-9 * (1 + lambda.squaredNorm())));
+    }
+}
+
+TEST_CASE("three balls that are solved together do not behave as a cradle", "[idea]")
+{
+    // Exercise 3.3: q = J u* + e J u with e = 1.
+    MatX A(2, 2);
+    A << 2, -1, -1, 2;
+    const Mlcp mlcp{A.sparseView(), Vec2(-2, 0), VecX::Zero(2), VecX::Constant(2, infinity)};
+    const Solution solution = enumerate(mlcp);
+    REQUIRE(solution.status == Status::solved);
+    const VecX& lambda = solution.lambda;
+    CHECK((lambda - Vec2(4. / 3, 2. / 3)).norm() < 1e-12);  // a few roundings of numbers of size one
+    const Vec<3> u(1 - lambda[0], lambda[0] - lambda[1], lambda[1]);
+    CHECK((u - Vec<3>(-1. / 3, 2. / 3, 2. / 3)).norm() < 1e-12);
+    CHECK(u.squaredNorm() == Approx(1));
+}
+
+TEST_CASE("a positive definite matrix that is not symmetric has one answer", "[idea]")
+{
+    // Exercise 3.4.
+    MatX A(2, 2);
+    A << 1, 1, -1, 1;
+    Random random(34);
+    for (int i = 0; i < 200; ++i) {
+        const Real first = random.normal(), second = random.normal();
+        const Mlcp mlcp{A.sparseView(), Vec2(first, second), VecX::Zero(2), VecX::Constant(2, infinity)};
+        const Solution solution = enumerate(mlcp);
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.uniqueness == Uniqueness::unique);
+    }
 }

@@ -963,6 +963,7 @@ TEST_CASE("other units of mass and length and time give the same motion in those
         const Stabilizer method = all_ways[static_cast<std::size_t>(sample) % 5];
         Discs here(random_scene(random), method);
         choose(here, random);
+        here.scene.length = 1;
         Discs there = here;
         // Powers of two round nothing: the same bits.
         const Real mass = 0x1.0p9, length = 0x1.0p-5, time = 0x1.0p-2, speed = length / time;
@@ -974,9 +975,8 @@ TEST_CASE("other units of mass and length and time give the same motion in those
         for (Link& link : there.scene.links) link.length *= length;
         there.settings.h *= time;
         there.scene.gravity *= length / (time * time);
-        there.settings.margin *= length;
-        there.method.correction.slop *= length;
-        there.method.correction.max_correction_speed *= speed;
+        there.scene.length = length;  // in which the settings are lengths
+        there.method.correction.max_correction_speed /= time;
         here.advance(30);
         there.advance(30);
         INFO(to_string(method) << " sample " << sample);

@@ -105,7 +105,6 @@ inline int trusses_that_gain(int count, std::uint64_t seed, Real& most)
     for (int sample = 0; sample < count; ++sample) {
         DiscScene scene = looped_truss(random);
         SmallStepSettings settings = sample % 2 ? careful_steps() : quick_steps();
-        settings.gravity = scene.gravity;
         settings.coloured = sample % 4 < 2;
         if (sample % 8 < 4) scene.bodies.u *= 1e-6;
         const Real energy = gained_in_small_steps(scene, settings, 100 * (1 + sample % 6));
@@ -214,7 +213,6 @@ TEST_CASE("no truss with loops gains energy in small steps", "[idea]")
     CHECK(trusses_that_gain(300, 89, most) == 0);
     CHECK(most < rounding);
     SmallStepSettings settings = quick_steps();
-    settings.gravity = {0, 0};
     CHECK(gained_in_small_steps(five_discs_in_loops(), settings, 600) < rounding);
 }
 
@@ -324,7 +322,6 @@ TEST_CASE("no impact without restitution gains energy whatever hits and whatever
             scene.bodies.u.array() -= 2;
         }
         SmallStepSettings small = sample % 2 ? careful_steps() : quick_steps();
-        small.gravity = {0, 0};
         small.coloured = sample % 4 < 2;
         CAPTURE(sample);
         CHECK(gained_in_small_steps(scene, small, 120) < rounding);

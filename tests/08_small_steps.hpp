@@ -75,7 +75,6 @@ inline VecX run_small(DiscScene scene, const SmallStepSettings& settings, int st
 
 inline PoseErrors watched(const EngineScene& from, SmallStepSettings settings, int steps)
 {
-    settings.gravity = from.scene.gravity;
     settings.collides = from.collides;
     PoseWatch watch(from, steps, settings.h);
     SmallStep now;
@@ -92,7 +91,6 @@ TEST_CASE("a small step of another length starts from the scaled impulses also w
 {
     DiscScene scene = engine_scene("column_20_1").scene;
     SmallStepSettings settings = quick_steps();
-    settings.gravity = scene.gravity;
     SmallStep now;
     for (int k = 0; k < 20; ++k) small_steps(scene, settings, now);
     REQUIRE(now.same_rows);
@@ -121,7 +119,6 @@ TEST_CASE("small steps are the warm step with nothing computed twice", "[idea]")
             infinity;  // how a limit is shared among visits, is each step's own
         const StepSettings same = same_settings(settings);
         WarmMethod method = same_method(settings);
-        warm.gravity = settings.gravity;
         SmallStep now;
         StepData<2> other;
         for (int k = 0; k < 12; ++k) {
@@ -267,6 +264,35 @@ TEST_CASE("small steps with settings that make no sense are refused", "[house]")
     CHECK(sentence([](auto& s) { s.correction.beta = 0.5; }).find("beta") != std::string::npos);
 }
 
+TEST_CASE("small steps fall with the gravity of the scene and refuse what they do not know", "[house]")
+{
+    DiscScene scene = column(1);
+    scene.walls.clear();
+    scene.gravity = {1, -2};
+    SmallStep now;
+    small_steps(scene, {.h = 0.25, .substeps = 1}, now);
+    CHECK(scene.bodies.velocity(0) == Vec2(0.25, -0.5));  // powers of two: exact
+
+    const auto sentence = [](const DiscScene& from) -> std::string {
+        DiscScene refused = from;
+        SmallStep memory;
+        try {
+            small_steps(refused, quick_steps(), memory);
+        } catch (const std::invalid_argument& error) {
+            CHECK(refused.bodies.x == from.bodies.x);
+            CHECK(refused.bodies.u == from.bodies.u);
+            return error.what();
+        }
+        return "accepted";
+    };
+    CHECK(sentence(ten_discs()).find("5 bends") != std::string::npos);
+    DiscScene jointed = column(3);
+    jointed.joints.resize(2);
+    CHECK(sentence(jointed).find("2 joints") != std::string::npos);
+    scene.gravity = {0, infinity};
+    CHECK(sentence(scene).find("gravity") != std::string::npos);
+}
+
 TEST_CASE("discs in one point and immovable pairs do not make a number that is none", "[house]")
 {
     DiscScene scene = column(4);
@@ -283,7 +309,7 @@ TEST_CASE("discs in one point and immovable pairs do not make a number that is n
     CHECK(scene.bodies.x.tail(4) == fixed);
 }
 
-TEST_CASE("every scene of the engines is valid and begins at rest without an error", "[house]")
+TEST_CASE("every scene of the engines is valid and begins at rest within two nanometres", "[house]")
 {
     const std::vector<EngineScene> scenes = engine_scenes();
     CHECK(scenes.size() == 27);
@@ -291,10 +317,32 @@ TEST_CASE("every scene of the engines is valid and begins at rest without an err
         CAPTURE(scene.name);
         require_valid(scene.scene);
         CHECK(scene.scene.bodies.u.isZero(0));
-        // Coordinates of up to 20 m, to rounding.
-        CHECK(largest_link_error(scene.scene) < 1e-14);
-        CHECK(deepest_penetration(scene.scene) < 1e-14);
+        // Two neighbours, each a nanometre off, and coordinates of up to 20 m to rounding; what swings is exact.
+        const Real off = scene.rests ? 2.0001 * nudge : 1e-14;
+        CHECK(largest_link_error(scene.scene) < off);
+        CHECK(deepest_penetration(scene.scene) < off);
         CHECK((scene.collides || deepest_penetration(scene.scene) == 0));
+    }
+}
+
+TEST_CASE("no scene that engines are compared on rests to the last bit", "[house]")
+{
+    for (const EngineScene& scene : engine_scenes()) {
+        if (!scene.rests) continue;
+        CAPTURE(scene.name);
+        const Bodies<2>& bodies = scene.scene.bodies;
+        // A chain and a column stand on the line x = 0; each of their discs is beside it by less than a nanometre. The
+        // discs of a triangle are half a disc apart, and its lowest row lies at the height of a radius.
+        const bool on_a_line = scene.name.rfind("triangle", 0) != 0;
+        Index count = 0;
+        for (Index k = 0; k < bodies.count(); ++k) {
+            if (!(bodies.inverse_mass[2 * k] > 0)) continue;
+            const Real off = on_a_line ? bodies.x[2 * k] : std::remainder(bodies.x[2 * k], 0.1);
+            CHECK(off != 0);
+            CHECK(std::abs(off) <= 1.0001 * nudge);
+            ++count;
+        }
+        CHECK(count >= 10);
     }
 }
 
@@ -339,7 +387,7 @@ TEST_CASE("the measure of errors sees each of them", "[house]")
         return watch.errors;
     };
     const PoseErrors none = errors_after([](DiscScene&) {});
-    CHECK(none.position() < 1e-14);
+    CHECK(none.position() < 2.0001 * nudge);  // as it began
     CHECK(none.drift == 0);
     CHECK(none.speed == 0);
     CHECK(none.in_order);
@@ -347,7 +395,7 @@ TEST_CASE("the measure of errors sees each of them", "[house]")
         [](DiscScene& scene) { scene.bodies.x[19] += 0.1; });  // the uppermost, by 0.1 m in half a second
     CHECK(up.drift == Approx(0.01));
     CHECK(up.speed == Approx(0.2));
-    CHECK(up.overlap < 1e-14);
+    CHECK(up.overlap < 2.0001 * nudge);
     const PoseErrors down = errors_after([](DiscScene& scene) { scene.bodies.x[19] -= 0.03; });
     CHECK(down.overlap == Approx(0.03));
     CHECK(down.late == Approx(0.03));

@@ -69,4 +69,25 @@ for command in "figures 1 9" "test 9 1" "figures 1 x"; do
     wants "$command" "$said" "there are: 1 2"
 done
 
+# The reader's own headers: a list of one chapter, a program of tests that fails one of three.
+cp -r "$(dirname "$script")/tests/mine" "$scratch/mine_tool"
+mkdir -p "$book/tests/mine" "$book/build/mine/bin"
+cp "$scratch/mine_tool/mine.py" "$book/tests/mine/"
+printf 'in     chapters/01_one/idea.hpp\nempty  half  return 0;\n' >"$book/tests/mine/01.txt"
+printf 'int half(int x)\n{\n    return x / 2;\n}\n' >"$book/chapters/01_one/idea.hpp"
+printf '#!/bin/sh\necho "tags $1"\necho "test cases:  3 |  2 passed | 1 failed"\nexit 1\n' >"$book/build/mine/bin/test_01_one"
+chmod +x "$book/build/mine/bin/test_01_one"
+said=$("$book/book" test 1 --mine 2>&1) && wants "test 1 --mine" "code 0" "a refusal"
+wants "test 1 --mine before it is begun" "$said" "begin with ./book mine 1"
+said=$("$book/book" test 2 --mine 2>&1) && wants "test 2 --mine" "code 0" "a refusal"
+wants "test 2 --mine" "$said" "chapter 2 has no header to write yourself"
+wants "mine 1" "$("$book/book" mine 1)" "write half()"
+wants "the emptied header" "$(cat "$book/mine/chapters/01_one/idea.hpp")" "return 0;"
+said=$("$book/book" test 1 --mine 2>&1) && wants "test 1 --mine" "code 0" "code 1"
+wants "test 1 --mine" "$said" "tags [idea]"
+wants "test 1 --mine" "$said" "chapter 1: 2 of 3 idea tests pass"
+wants "mine" "$("$book/book" mine)" "0 of 1 functions begun; 2 of 3 idea tests pass"
+said=$("$book/book" test 1 2 --mine 2>&1) && wants "test 1 2 --mine" "code 0" "a refusal"
+wants "test 1 2 --mine" "$said" "takes the number of one chapter"
+
 [ $faults = 0 ] && echo "book: all is well"

@@ -404,6 +404,30 @@ TEST_CASE("a triangle of discs touches the floor and both walls and each disc st
             CHECK(contact.normal.y() == Approx(std::sqrt(3.0) / 2).epsilon(1e-12));
 }
 
+TEST_CASE("a perturbation sets off each disc that can move by its amount in a direction of its own")
+{
+    const DiscScene at_rest = hanging_chain(40, 1000);
+    constexpr Real amount = 1e-3;
+    const DiscScene moved = perturbed(at_rest, 7, amount), again = perturbed(at_rest, 7, amount);
+    CHECK(moved.bodies.x == again.bodies.x);
+    CHECK(moved.bodies.x != perturbed(at_rest, 8, amount).bodies.x);
+    CHECK(moved.bodies.position(0) == at_rest.bodies.position(0));
+    CHECK(moved.bodies.u == at_rest.bodies.u);
+    Vec2 sum = Vec2::Zero();
+    for (Index k = 1; k <= 40; ++k) {
+        const Vec2 off = (moved.bodies.position(k) - at_rest.bodies.position(k)) / amount;
+        // A position of 4 m is rounded to 4e-16 m, and that is 4e-13 of a millimetre.
+        CHECK(std::abs(off.norm() - 1) < 1e-12);
+        sum += off;
+    }
+    // Forty directions drawn by lot: their mean is about 1/sqrt(40) long, and 1 if they were all the same.
+    CHECK(sum.norm() / 40 < 0.4);
+    CHECK(perturbed(at_rest, 7, 0).bodies.x == at_rest.bodies.x);
+    CHECK_THROWS_WITH(perturbed(at_rest, 7, -1),
+                      "the amount of a perturbation [m] is -1; it must be finite and not negative");
+    CHECK_THROWS_AS(perturbed(at_rest, 7, infinity), std::invalid_argument);
+}
+
 TEST_CASE("a swinging chain is a hanging chain turned by a quarter turn with its anchor in place")
 {
     const DiscScene hanging = hanging_chain(4, 3), swinging = swinging_chain(4, 3);

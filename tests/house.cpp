@@ -267,6 +267,28 @@ TEST_CASE("no name of a test holds what makes Catch print without end or choose 
     CHECK(is_safe_name("Newton's cradle with e = 1 (6.20) at 10:30"));
 }
 
+TEST_CASE("one runner takes the steps of all scenes of discs and no program has state to share by protected "
+          "members")
+{
+    // Three balls at once, each with its own e, and a body without discs: these are no DiscScene.
+    const std::vector<std::string> others = {"scene_bounce.hpp", "scene_one_row.hpp"};
+    int runners = 0;
+    for (const Source& source : all_sources()) {
+        if (source.path.find("chapters/") != 0 || source.path.find("/program/") == std::string::npos)
+            continue;
+        const std::string name = fs::path(source.path).filename().string();
+        const bool steps = source.text.find("rigid::step(") != std::string::npos;
+        if (steps && std::find(others.begin(), others.end(), name) == others.end()) {
+            ++runners;
+            if (name != "scene_run.hpp")
+                FAIL_CHECK(source.path + " takes a step of its own; see scene_run.hpp");
+        }
+        if (chapter_of(source.path) >= 3 && source.text.find("protected:") != std::string::npos)
+            FAIL_CHECK(source.path + " has protected members");
+    }
+    CHECK(runners == 1);
+}
+
 TEST_CASE("each chapter has its text and its program and its benchmark and its figures and its tests")
 {
     const fs::path root = RIGID_SOURCE_DIR;

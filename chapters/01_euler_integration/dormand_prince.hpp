@@ -3,9 +3,9 @@
 ///
 ///     y' = y + h Σ b_i k_i,   err = h Σ e_i k_i
 ///
-/// Seven slopes k_i give an answer of order 5 (1.38) and, for nothing, one of order 4;
+/// Seven slopes k_i give an answer of order 5 (1.38) and, for free, one of order 4;
 /// their difference (1.39) estimates the error. The seventh slope is the first of the next
-/// step, so a step costs six evaluations. What is done with the error stands in
+/// step, so a step costs six evaluations. What is done with the error is in
 /// adaptive.hpp. \cite dormand1980
 #pragma once
 

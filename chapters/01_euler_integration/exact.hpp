@@ -85,7 +85,7 @@ inline State<2> kepler_perihelion(const Kepler& kepler, Real e)
 ///     E − e sin E = t √GM
 inline State<2> exact_kepler(const Kepler& kepler, Real e, Real t)
 {
-    const Real n = std::sqrt(kepler.GM);  // mean motion for the half axis 1 m
+    const Real n = std::sqrt(kepler.GM);  // mean motion for the semi-major axis 1 m
     const Real M = std::remainder(n * t, 2 * pi);
     Real E =
         M + (M < 0 ? -e : e);  // for this start Newton's method converges from one side

@@ -185,7 +185,7 @@ State<N> march(const State<N>& start, Real h, Index steps, Step step)
     if (steps < 0)
         throw std::invalid_argument("the number of steps is " + std::to_string(steps) +
                                     "; it must be zero or more");
-    State<N> s = start;  // a copy that nobody else has seen can stay in registers
+    State<N> s = start;  // a copy with no other reference to it can stay in registers
     for (Index n = 0; n < steps; ++n) s = step(s, h);
     if (!s.x.allFinite() || !s.u.allFinite()) throw_not_finite(steps, h);
     return s;

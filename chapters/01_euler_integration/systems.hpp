@@ -2,7 +2,7 @@
 /// The four things that move in this chapter: acceleration and energy, for one kilogram.
 ///
 /// Each is a callable that the integrators take, with its energy beside it. What is known
-/// exactly of their motion stands in exact.hpp.
+/// exactly of their motion is in exact.hpp.
 #pragma once
 
 #include "chapters/01_euler_integration/integrators.hpp"
@@ -44,7 +44,7 @@ struct Pendulum {
     }
 };
 
-/// A planet around a sun that stands still in the origin: a(x) = −GM x / |x|³.
+/// A planet around a sun at rest in the origin: a(x) = −GM x / |x|³.
 struct Kepler {
     Real GM = 1;  ///< gravitational constant times the sun's mass [m³/s²]
 
@@ -78,7 +78,7 @@ struct Projectile {
     }
 };
 
-/// An acceleration that counts how often it is asked: the work of a method, the same on
+/// An acceleration that counts its evaluations: the work of a method, the same on
 /// every machine.
 template <class A>
 struct Counted {

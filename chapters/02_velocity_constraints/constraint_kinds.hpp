@@ -1,7 +1,7 @@
 /// \file constraint_kinds.hpp
-/// What geometry knows of a constraint at the present positions: C, its derivative J, and of which kind it is.
+/// What geometry gives for a constraint at the present positions: C, its derivative J, and of which kind it is.
 ///
-/// All later code asks for the kind, never for a row's place in a list.
+/// All later code uses the kind, never a row's place in a list.
 #pragma once
 
 #include "common/bodies.hpp"

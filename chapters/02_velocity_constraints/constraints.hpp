@@ -3,7 +3,7 @@
 ///
 ///     w = J u + b,   lo ≤ λ ≤ hi
 ///
-/// A `Constraint` is what geometry knows of it (constraint_kinds.hpp). A `Row` is what a solver needs: J, what one
+/// A `Constraint` is what geometry gives (constraint_kinds.hpp). A `Row` is what a solver needs: J, what one
 /// unit of λ does to the bodies, the bias and the bounds. `solve_row` answers one row exactly (2.7).
 ///
 /// The signs: C ≥ 0 means separated, and a positive λ pushes: body b along the normal,
@@ -135,7 +135,7 @@ Row<Dof> unilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass,
     return make_row(constraint, inverse_mass, bias, 0, infinity);
 }
 
-/// What can be said of one row, or of several that have to hold together.
+/// The verdict on one row, or on several that have to hold together.
 enum class Verdict {
     independent,  ///< every w is as wanted, by exactly one λ
     redundant,    ///< every w is as wanted, by many λ
@@ -152,7 +152,7 @@ struct RowAnswer {
 //! [solve_row]
 /// (2.7) and (2.20): the impulse that gives one row its wanted velocity, held within its bounds.
 ///
-/// A row whose bodies cannot move has nothing to act on. The verdict says whether it is met as
+/// A row whose bodies cannot move has nothing to act on. The verdict is whether it is met as
 /// it is (redundant) or whether no impulse can meet it (conflicting; λ is then zero).
 /// \param u  velocities before the impulse [m/s]; they are not changed, see Row::apply()
 template <int Dof>

@@ -59,9 +59,9 @@ inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 }
 //! [circle]
 
-/// (2.11): an ellipse about the origin with the half axes \f$a_1, a_2\f$ along x and y,
+/// (2.11): an ellipse about the origin with the semi-axes \f$a_1, a_2\f$ along x and y,
 /// \f$C = \tfrac12 (x^2/a_1^2 + y^2/a_2^2 - 1)\f$, a pure number; see normalised().
-/// Throws std::invalid_argument unless both half axes are positive.
+/// Throws std::invalid_argument unless both semi-axes are positive.
 inline Constraint<2> ellipse_constraint(const VecX& x, Index k, const Vec2& half_axes)
 {
     if (!(half_axes.minCoeff() > 0))

@@ -1,5 +1,5 @@
 /// \file row_checks.hpp
-/// Rows that make sense: what solvers of rows ask of their input.
+/// Rows that make sense: what solvers of rows require of their input.
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
@@ -11,6 +11,22 @@
 #include <vector>
 
 namespace rigid {
+
+/// Throws std::invalid_argument, naming the row, unless each row joins two of the bodies 0 … count − 1, or the world and
+/// one of them. One pass, before the sweeps: they look at no index.
+template <int Dof, class Rows>
+void require_bodies(const Rows& rows, Index count)
+{
+    std::size_t i = 0;
+    for (const Row<Dof>& row : rows) {
+        if (row.b < 0 || row.b >= count || row.a < world || row.a >= count)
+            throw std::invalid_argument("row " + std::to_string(i) + " joins bodies " +
+                                        std::to_string(row.a) + " and " + std::to_string(row.b) +
+                                        "; there are bodies 0 to " + std::to_string(count - 1) +
+                                        ", and -1 as first body is the world");
+        ++i;
+    }
+}
 
 /// Throws std::invalid_argument, naming row and value, unless the row's numbers are finite, its
 /// bodies are two of 0 … count-1 (or the world and one), and lo ≤ hi.

@@ -22,7 +22,7 @@ public:
 
     //! [accept]
     /// Holds a scaled λ, once pressed into its bounds, to the natural residual: that of what
-    /// would be handed out, in m/s. Returns whether it is an answer.
+    /// would be returned, in m/s. Returns whether it is an answer.
     bool accept(const VecX& candidate)
     {
         z_ = candidate.cwiseMax(dense_.lo).cwiseMin(dense_.hi);
@@ -38,8 +38,7 @@ public:
             return true;
         }
         // Two answers to ten digits: are they the same to seven? All of q and the first λ may be zero.
-        const Real size = std::max(
-            {dense_.q.cwiseAbs().maxCoeff(), first_.cwiseAbs().maxCoeff(), z_.cwiseAbs().maxCoeff()});
+        const Real size = std::max({size_of(dense_.q), size_of(first_), size_of(z_)});
         lambda_differs_ = lambda_differs_ || differ(z_, first_, size);
         w_differs_ = w_differs_ || differ(w_, first_w_, size);
         return true;
@@ -72,7 +71,7 @@ public:
     }
 
 private:
-    /// λ in N s; what stands at a bound stands there to the last digit.
+    /// λ in N s; what is at a bound is there to the last digit.
     VecX unscaled(const VecX& z) const
     {
         VecX lambda = z.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
@@ -83,14 +82,25 @@ private:
         return lambda;
     }
 
+    /// A row without entries shares no unit with the others.
+    bool is_alone(Index i) const { return dense_.A.row(i).isZero(0) && dense_.A.col(i).isZero(0); }
+
+    Real size_of(const VecX& v) const
+    {
+        Real size = 0;
+        for (Index i = 0; i < v.size(); ++i)
+            if (!is_alone(i)) size = std::max(size, std::abs(v[i]));
+        return size;
+    }
+
     /// A difference that is small beside the largest number, and large beside its own, may be rounding or not.
     bool differ(const VecX& a, const VecX& b, Real size)
     {
         constexpr Real rounding = 1e3 * std::numeric_limits<Real>::epsilon();
         for (Index i = 0; i < a.size(); ++i) {
-            const Real difference = std::abs(a[i] - b[i]);
-            if (difference > 1e-7 * size) return true;
-            if (!(difference <= 1e-7 * std::max(std::abs(a[i]), std::abs(b[i])) + rounding * size)) doubt();
+            const Real difference = std::abs(a[i] - b[i]), own = std::max(std::abs(a[i]), std::abs(b[i]));
+            if (difference > 1e-7 * (is_alone(i) ? own : size)) return true;
+            if (!(difference <= 1e-7 * own + rounding * size)) doubt();
         }
         return false;
     }

@@ -1,10 +1,13 @@
 /// \file case_conditions.hpp
-/// What is asked of one set of cases when its linear system has been solved: does the answer fit, and is it the only one
+/// What is checked in one set of cases when its linear system has been solved: does the answer fit, and is it the only one
 /// of its family?
 #pragma once
 
+#include "chapters/02_velocity_constraints/solve_rows.hpp"
 #include "chapters/03_mlcp_formulation/answers.hpp"
 
+#include <Eigen/LU>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -44,6 +47,28 @@ inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set
     return largest;
 }
 
+/// A pivot of rounding may be a pivot: rows that differ in their last digits have w = 0 at a large λ. True if none below
+/// 10¹¹ times the numbers gives block · λ = right: some y has yᵀ block = 0 to all digits of the products, yᵀ right not.
+inline bool is_contradiction(const MatX& block, const VecX& right, Real numbers)
+{
+    const MatX null = Eigen::FullPivLU<MatX>(block.transpose()).setThreshold(rank_tolerance).kernel();
+    for (Index c = 0; c < null.cols(); ++c) {
+        Real moved = 0;
+        for (Index k = 0; k < block.cols(); ++k) {
+            Real sum = 0, rest = 0;
+            for (Index r = 0; r < block.rows(); ++r) {
+                const Real product = null(r, c) * block(r, k);
+                sum += product;
+                rest += std::fma(null(r, c), block(r, k), -product);
+            }
+            moved += std::abs(sum + rest);
+        }
+        const Real left = std::abs(null.col(c).dot(right));
+        if (left > 1e-10 * numbers && left > 1e11 * moved * numbers) return true;
+    }
+    return false;
+}
+
 /// The least bound that is neither zero nor infinite, and 1 where there is none.
 inline Real least_bound(const DenseMlcp& dense)
 {
@@ -56,7 +81,7 @@ inline Real least_bound(const DenseMlcp& dense)
 
 //! [family]
 /// A set with a singular block fits: are there other answers in its family?  Along each null direction
-/// ask for a member a little to either side.
+/// look for a member a little to either side.
 /// \param null     null directions of the block, one a column
 /// \param free     row numbers of the block
 /// \param numbers  how large the numbers of the set are [m/s]

@@ -21,7 +21,7 @@ class CaseSets {
 public:
     /// \param first  the set to begin with; a row for which it is empty or impossible begins with what q
     /// alone
-    ///               says: what pushes is at work where q asks for it
+    ///               gives: what pushes is at work where q is negative
     CaseSets(const Mlcp& mlcp, const std::vector<BoundState>& first)
     {
         for (Index i = 0; i < mlcp.size(); ++i) {

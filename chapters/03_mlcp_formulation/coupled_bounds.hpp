@@ -1,9 +1,9 @@
 /// \file coupled_bounds.hpp
-/// Rows whose bounds another row's impulse sets, for solvers of the MLCP, which know fixed bounds only.
+/// Rows whose bounds another row's impulse sets, for solvers of the MLCP, which take fixed bounds only.
 ///
 ///     hi_i = μ λ_n,   lo_i = −μ λ_n
 ///
-/// Solve with the bounds that the present λ_n gives, set the bounds anew, and so on until they no longer change
+/// Solve with the bounds that the present λ_n gives, set the bounds again, and so on until they no longer change
 /// (Panagiotopoulos' iteration: friction with known normal forces, again and again \cite panagiotopoulos1975). It
 /// contracts where μ is small; what does not settle is reported as `iteration limit`. Chapter 13 has better answers.
 #pragma once

@@ -56,7 +56,7 @@ public:
         if (n == 0) return;
         ldlt_.compute(matrix_);
         // With a unit diagonal a pivot is what is left of the row when the others are taken out of it. After
-        // the first pivot of zero Eigen stops: what stands behind it is not looked at.
+        // the first pivot of zero Eigen stops: what comes after it is not factored.
         const VecX pivots = ldlt_.vectorD();
         least_pivot_ = pivots.cwiseAbs().minCoeff();
         definite_ = pivots.minCoeff() > 0;

@@ -1,5 +1,5 @@
 /// \file disc_constraints.hpp
-/// What a step wants to know of a scene of discs: the velocities that its forces lead to, and its constraints at any
+/// What a step needs from a scene of discs: the velocities that its forces lead to, and its constraints at any
 /// positions. A new kind of force enters in free_velocities(), a new kind of constraint in constraint_at().
 #pragma once
 
@@ -18,7 +18,7 @@ inline void free_velocities(DiscScene& scene, const StepSettings& settings, Step
         const Real inverse_mass = bodies.inverse_mass[2 * k];
         bodies.force(k) = inverse_mass > 0 ? Vec2(scene.gravity / inverse_mass) : Vec2(0, 0);
     }
-    add_bend_springs(bodies, now.bends, settings.stiffness, settings.damping);
+    add_bend_springs(bodies, now.bends, settings.stiffness, settings.damping, 9.81 * now.length);
     if (settings.pulled != world) add_pull(bodies, settings.pulled, settings.hand);
     // What the step doesn't look at has the velocity that it has: rows may join it to what moves.
     if (now.u_star.size() != bodies.u.size()) now.u_star = bodies.u;

@@ -1,10 +1,10 @@
 /// \file enumeration.hpp
 /// The plainest exact way: guess for each row which of its cases holds, solve, look whether it fits, and try
-/// all guesses. Slow, and the truth that every later solver is held to.
+/// all guesses. Slow, and the reference that every later solver is compared with.
 ///
 ///     A_FF λ_F = −(q_F + A_FB λ_B)     F the rows between their bounds, B those at a bound
 ///
-/// (3.22). An answer counts only by its natural residual; a singular block is asked for its whole family; how
+/// (3.22). An answer counts only by its natural residual; of a singular block the whole family is examined; how
 /// many answers there are is decided by comparing those that were found. \cite cottle1992
 #pragma once
 
@@ -133,7 +133,9 @@ private:
                 if (pivots[rank] > 1e-14 * pivots[0]) answers_.doubt();
                 const Real misfit = (block_ * free_z_ - right_).cwiseAbs().maxCoeff();
                 if (!(misfit <= 1e-9 * numbers_)) {  // no λ at all gives w = 0
-                    if (!(misfit > rounding(free_z_.cwiseAbs().maxCoeff()))) answers_.doubt();
+                    if (!(misfit > rounding(free_z_.cwiseAbs().maxCoeff())) ||
+                        (misfit <= 1e-4 * numbers_ && !is_contradiction(block_, right_, numbers_)))
+                        answers_.doubt();
                     return;
                 }
             } else {

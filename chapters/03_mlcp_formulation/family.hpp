@@ -1,10 +1,10 @@
 /// \file family.hpp
-/// What to ask of a set of cases whose block is singular: not one answer belongs to it but a family, and some
+/// What to check in a set of cases whose block is singular: not one answer belongs to it but a family, and some
 /// members may keep to the bounds while the one that elimination happens to give does not.
 ///
 ///     Is there a λ with   A_FF λ_F + A_FB λ_B + q_F = 0,   lo ≤ λ ≤ hi,   w_i ≥ 0 at lo,   w_i ≤ 0 at hi ?
 ///
-/// Written with nonnegative unknowns (distances from the bounds, and the w of the rows that stand at
+/// Written with nonnegative unknowns (distances from the bounds, and the w of the rows that are at
 /// a bound) it is E v = f, v ≥ 0. The least ‖E v − f‖² over v ≥ 0 answers it: zero means yes.
 /// \cite lawson1974, chapter 23
 #pragma once
@@ -37,7 +37,7 @@ struct DenseMlcp {
     }
 };
 
-/// The v ≥ 0 with the least ‖E v − f‖, by the method of Lawson and Hanson: free the unknown that wants to
+/// The v ≥ 0 with the least ‖E v − f‖, by the method of Lawson and Hanson: free the unknown that has to
 /// grow most, solve for the free ones, and send back to zero those that went below it.
 inline VecX nonnegative_least_squares(const MatX& E, const VecX& f)
 {
@@ -111,6 +111,7 @@ public:
         f_ = VecX::Zero(rows);
         const MatX A_from = problem.A * from_;
         const VecX w_base = problem.A * base_ + problem.q;
+        numbers_ = (problem.A.cwiseAbs() * base_.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
         Index line = 0;
         for (const Index i : used) {
             E_.row(line).head(lambdas) = A_from.row(i);
@@ -160,7 +161,7 @@ private:
     {
         const VecX v = nonnegative_least_squares(E, f);
         const VecX left = f - E * v;
-        if (left.norm() <= 1e-9 * f.norm()) return base_ + from_ * v.head(from_.cols());
+        if (left.norm() <= 1e-9 * f.norm() + 1e-14 * numbers_) return base_ + from_ * v.head(from_.cols());
         const Real most = E.cols() > 0 ? std::max((E.transpose() * left).maxCoeff(), Real{0}) : 0;
         const Real reach = E.cols() > 0 ? v.sum() + f.norm() / E.colwise().norm().maxCoeff() : 0;
         unsure_ = unsure_ || !(most * reach <= 1e-6 * f.dot(left));
@@ -172,6 +173,7 @@ private:
     VecX base_;
     MatX from_, E_;
     VecX f_;
+    Real numbers_ = 0;  ///< how large the numbers are that f is the sum of
     mutable bool unsure_ = false;
 };
 

@@ -26,6 +26,11 @@ struct MatrixSolver {
     AssemblyScratch scratch;
     Mlcp mlcp;
 
+    void require_valid() const
+    {
+        if constexpr (requires { find.require_valid(); }) find.require_valid();
+    }
+
     /// The least change of u* that keeps to the rows: w = A λ + q, complementary to λ (3.12); u = u* + M⁻¹ Jᵀ λ (3.9).
     template <int Dof>
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
@@ -55,17 +60,30 @@ struct MatrixSolver {
             if (second.left_out[i]) mlcp.lo[row] = mlcp.hi[row] = 0;
         }
         second.solution.lambda.setZero(mlcp.size());
-        hand_over(find, mlcp, second.solution);
+        find_in_lengths(second.solution, now.length);
         for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
         apply(now.rows, second.solution.lambda, v);
     }
 
 private:
+    /// A tolerance of m/s would be another one in a scene of another size: a solver gets speeds in ℓ a second.
+    void find_in_lengths(Solution& solution, Real length)
+    {
+        if (length != 1) {
+            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers /= length;
+        }
+        hand_over(find, mlcp, solution);
+        if (length != 1) {
+            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers *= length;
+            solution.residual *= length;
+        }
+    }
+
     template <int Dof>
     void solve_rows(StepData<Dof>& now)
     {
-        const auto solve = [this](const Mlcp& problem, Solution& solution) {
-            hand_over(find, problem, solution);
+        const auto solve = [this, &now](const Mlcp&, Solution& solution) {
+            find_in_lengths(solution, now.length);
         };
         if (is_coupled(now.rows)) solve_coupled(now.rows, solve, mlcp, now.solution);
         else solve(mlcp, now.solution);

@@ -52,7 +52,7 @@ constexpr std::string_view to_string(Status status)
     return "unknown";
 }
 
-/// How many answers there are. Only a solver that looked at all of them can tell.
+/// How many answers there are. Only a solver that examined all of them can report it.
 enum class Uniqueness {
     not_examined,
     unique,    ///< one λ
@@ -61,7 +61,7 @@ enum class Uniqueness {
     none       ///< no λ at all
 };
 
-/// The word of the problem files for it; "" if nobody looked.
+/// The word of the problem files for it; "" if it was not examined.
 constexpr std::string_view to_string(Uniqueness uniqueness)
 {
     switch (uniqueness) {

@@ -1,5 +1,5 @@
 /// \file problem_reader.hpp
-/// Reads a problem from text, line by line; the format is told in problem_file.hpp.
+/// Reads a problem from text, line by line; the format is described in problem_file.hpp.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"

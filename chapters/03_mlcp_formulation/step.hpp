@@ -3,7 +3,7 @@
 ///
 ///     forces → u* → contacts → C, J → rows (b, bounds) → λ start → λ → u → x
 ///
-/// A scene says what there is: bodies, forces, constraints. A method says how it is solved, by four stages, and from
+/// A scene has bodies, forces, constraints. A method is how it is solved, by four stages, and from
 /// here on each chapter replaces one of them:
 ///
 ///     contacts     which bodies and which contacts the step looks at      all pairs here; chapter 10
@@ -20,7 +20,7 @@
 namespace rigid {
 
 //! [whole_error]
-/// The correction stage in its plainest form: what we want is C(x + h u) = 0, or ≥ 0, after the step. To first
+/// The correction stage in its plainest form: what we need is C(x + h u) = 0, or ≥ 0, after the step. To first
 /// order that is C + h J u, hence the bias b = C/h, (3.30). It takes back the whole of an error in one step; why that
 /// is rash in general is a later chapter's subject.
 struct WholeError {
@@ -43,12 +43,15 @@ struct WholeError {
 struct ColdStart {
     Real factor = 0;  ///< part of λ that the next sub-step of the same step starts from, 0 … 1 (chapter 7)
 
-    template <int Dof>
-    void recall(const StepSettings&, StepData<Dof>& now) const
+    void require_valid() const
     {
         if (!(factor >= 0 && factor <= 1))
             throw std::invalid_argument("the warm start factor is " + shortest(factor) +
                                         "; it must be from 0 to 1");
+    }
+    template <int Dof>
+    void recall(const StepSettings&, StepData<Dof>& now) const
+    {
         now.solution.lambda.setZero(static_cast<Index>(now.sources.size()));
         now.same_rows = false;
     }
@@ -63,8 +66,22 @@ struct ColdStart {
     }
 };
 
+/// Asks each stage that has settings of its own whether they make sense, before the step touches anything.
+template <class Method>
+void require_valid_stages(const Method& method)
+{
+    const auto ask = [](const auto& stage) {
+        if constexpr (requires { stage.require_valid(); }) stage.require_valid();
+    };
+    ask(method.contacts);
+    ask(method.correction);
+    ask(method.start);
+    ask(method.solver);
+}
+
 //! [step]
-/// One time step. Depends on its arguments alone. If the solver throws, positions stand where they stood.
+/// One time step. Depends on its arguments alone. Settings that make no sense are refused before anything changes; if
+/// the solver throws, positions stay where they were.
 /// \param scene     what there is; it moves
 /// \param settings  of the step
 /// \param method    four stages with their settings and what they remember: contacts, correction, start, solver
@@ -73,6 +90,7 @@ template <class Scene, class Method>
 void step(Scene& scene, const StepSettings& settings, Method&& method, StepData<Scene::dof>& now)
 {
     require_valid(settings, scene.gravity, scene.bodies.count());
+    require_valid_stages(method);
     now.visits = 0;
     now.h = settings.part();
     method.contacts.begin(scene, settings, method, now);
@@ -99,6 +117,8 @@ template <class Correction = WholeError>
 void disc_rows(const DiscScene& scene, Real h, const std::vector<Contact>& contacts,
                std::vector<Row<2>>& rows, const Correction& correction = {})
 {
+    if constexpr (requires { correction.require_valid(); }) correction.require_valid();
+    require_bodies(scene);
     StepData<2> now;
     for (std::size_t i = 0; i < scene.links.size(); ++i)
         now.sources.push_back({Source::Of::link, static_cast<int>(i)});

@@ -16,13 +16,14 @@
 
 namespace rigid {
 
-/// What a step depends on besides the scene and the method.
+/// What a step depends on besides the scene and the method. Lengths are measured in the length ℓ of the scene,
+/// typical_length(), speeds and accelerations in ℓ a second and ℓ a second squared; h is in seconds.
 struct StepSettings {
     Real h = 1.0 / 60;     ///< time step [s]
     int substeps = 1;      ///< the step is taken in so many parts; contacts are found once
     Real stiffness = 0;    ///< k of the torsional springs, a pure number; see add_bend_springs()
     Real damping = 0;      ///< of the bends [1/s]
-    Real margin = 0.02;    ///< a contact gets its row when its gap is below this [m]
+    Real margin = 0.02;    ///< a contact gets its row when its gap is below this [ℓ]
     Index pulled = world;  ///< the disc that a hand pulls; world = none
     Vec2 hand = {0, 0};    ///< where to [m]
 
@@ -66,6 +67,8 @@ struct StepData {
     bool same_bodies = false;        ///< so are the active bodies, and what they hang on
     int substep = 0;                 ///< the number of the present one
     Real h = 0;                      ///< its length [s]
+    Real length = 1;                 ///< ℓ, of the scene [m]; the contacts stage writes it
+    bool second_half = false;        ///< the rows are those of its second half (chapter 9)
     VecX u_star;                     ///< velocities after the forces, before the impulses [m/s]
     Solution solution;               ///< of the last sub-step
     std::int64_t visits = 0;         ///< rows visited in this step, whatever for
@@ -97,13 +100,15 @@ struct AllPairs {
 
     void find(const DiscScene& scene, const StepSettings& settings, StepData<2>& now) const
     {
+        require_bodies(scene);
         const Bodies<2>& bodies = scene.bodies;
+        now.length = typical_length(scene);
         now.active.resize(static_cast<std::size_t>(bodies.count()));
         std::iota(now.active.begin(), now.active.end(), 0);
         now.bends = scene.bends;
         now.same_bodies = false;
         now.contacts.clear();
-        if (collides) find_contacts(scene, settings.margin, now.contacts);
+        if (collides) find_contacts(scene, settings.margin * now.length, now.contacts);
         // What cannot move cannot be pushed: two such bodies never are a row.
         const auto stand = [&](Index a, Index b) { return !bodies.can_move(a) && !bodies.can_move(b); };
         std::erase_if(now.contacts, [&](const Contact& contact) { return stand(contact.a, contact.b); });

@@ -1,5 +1,5 @@
 /// \file verification.hpp
-/// When is a λ an answer? The one rule by which every solver of this book says `solved`.
+/// When is a λ an answer? The one rule by which every solver of this book returns `solved`.
 ///
 ///     v_i = |w_i| between the bounds, max(0, −w_i) at lo, max(0, w_i) at hi                      (3.16a)
 ///     S_i = |q_i| + Σ_j |A_ij λ_j|,   U_i = min(max_j N_j, d_i max_j N_j/d_j),   d_i = √|A_ii|      (3.16b)
@@ -20,7 +20,7 @@ namespace rigid {
 /// How small a residual has to be.
 struct Acceptance {
     Real tolerance = 1e-10;  ///< τ, as a share of the numbers in the row
-    Real enough = 0;         ///< f [m/s]: so little is nothing; 0 where nobody knows the speeds
+    Real enough = 0;         ///< f [m/s]: so little is nothing; 0 where the speeds are unknown
 };
 
 /// The natural residual of a λ, and whether it makes λ an answer.
@@ -96,7 +96,7 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         if (diagonal > 0) least_speed = std::max(least_speed, least);
         least_energy = std::max(least_energy, std::max(least, floor) / unit);
         in_each_row = in_each_row && in_its_row;
-        small = small && (in_its_row || v <= enough);
+        small = small && (v <= 64 * epsilon * S || v <= enough);
     }
     const bool within = energy > 0 ? least_speed <= speed && least_energy <= energy : small;
     return {residual, possible && within && std::isfinite(energy), in_each_row};

@@ -60,6 +60,13 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
     return false;
 }
 
+inline void require_valid(const PgsSettings& settings)
+{
+    if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
+        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + " m/s and limit of " +
+                                    std::to_string(settings.max_sweeps) + " sweeps: neither may be negative");
+}
+
 /// Sweeps from `solution.lambda` on; solution.iterations counts the sweeps.
 ///
 /// `solved`: the natural residual was computed and met the tolerance, and rounding can't hide
@@ -71,9 +78,7 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
 inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory, Solution& solution)
 {
     require_valid(mlcp);
-    if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + " m/s and limit of " +
-                                    std::to_string(settings.max_sweeps) + " sweeps: neither may be negative");
+    require_valid(settings);
     if (solution.lambda.size() != mlcp.size() || !solution.lambda.allFinite())
         throw std::invalid_argument("the start has " + std::to_string(solution.lambda.size()) +
                                     " impulses or one that is not finite; the problem has " +

@@ -12,6 +12,7 @@ struct FindBySweeps {
     PgsSettings settings;
     PgsMemory memory;
 
+    void require_valid() const { rigid::require_valid(settings); }
     void operator()(const Mlcp& mlcp, Solution& solution) { pgs(mlcp, settings, memory, solution); }
 };
 

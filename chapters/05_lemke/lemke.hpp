@@ -24,6 +24,15 @@ struct LemkeSettings {
     Real enough = 0;         ///< f of (3.16c) [m/s]: a residual that is nothing, whatever the numbers
 };
 
+inline void require_valid(const LemkeSettings& settings)
+{
+    if (!(settings.tolerance > 0) || !(settings.enough >= 0) || settings.pivot_limit < 0)
+        throw std::invalid_argument("the tolerance is " + shortest(settings.tolerance) + ", enough " +
+                                    shortest(settings.enough) + " and the pivot limit " +
+                                    std::to_string(settings.pivot_limit) +
+                                    "; the tolerance must be positive, the others not negative");
+}
+
 /// A bound so far away that it would swallow q: 1e6 times the problem's own impulses U_i/d_i² of (3.16b).
 inline constexpr Real far_bound = 1e6;
 
@@ -104,11 +113,7 @@ inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit,
 inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
 {
     require_valid(mlcp);
-    if (!(settings.tolerance > 0) || !(settings.enough >= 0) || settings.pivot_limit < 0)
-        throw std::invalid_argument("the tolerance is " + shortest(settings.tolerance) + ", enough " +
-                                    shortest(settings.enough) + " and the pivot limit " +
-                                    std::to_string(settings.pivot_limit) +
-                                    "; the tolerance must be positive, the others not negative");
+    require_valid(settings);
     Solution solution;
     solution.lambda = VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
     const int limit =

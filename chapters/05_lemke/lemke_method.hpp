@@ -10,6 +10,7 @@ namespace rigid {
 struct FindByLemke {
     LemkeSettings settings;
 
+    void require_valid() const { rigid::require_valid(settings); }
     Solution operator()(const Mlcp& mlcp) const { return lemke(mlcp, settings); }
 };
 

@@ -52,14 +52,16 @@ struct ImpulseSolver {
     ImpulseMemory<Dof> memory;
     std::vector<Block> blocks;
 
+    void require_valid() const { rigid::require_valid(sweeps); }
+
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
-        require_valid(sweeps);
         const bool ordered = now.same_rows && ordering == Order::coloured && order.size() == now.rows.size();
         if (now.substep == 0 && !ordered)
             order_rows(now.rows, bodies.count(), ordering, random, colouring, order);
         ImpulseSettings how = sweeps;
         how.alternate = ordering == Order::alternating;
+        how.tolerance *= now.length;
         for (const int k : now.active) bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
         if (in_pairs)
             block_impulse(now.rows, std::span<const int>(order), how, memory, blocks, bodies.u, now.solution);

@@ -55,10 +55,11 @@ Real gap_bias(const Constraint<Dof>& c, Real h)
 }
 
 struct LeaveErrors : Restitution {
+    void require_valid() const { rigid::require_valid(static_cast<const Restitution&>(*this)); }
+
     template <class Scene>
     void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now) const
     {
-        require_valid(static_cast<const Restitution&>(*this));
         const Real h = settings.part();
         write_rows(scene.bodies, h, now, [h](const auto& c) { return gap_bias(c, h); });
         add_bounces(scene, *this, settings, now);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "common/random.hpp"
 
 #include <bit>
@@ -50,13 +51,12 @@ struct Colouring {
 //! [colour]
 /// Greedy colouring: each row takes the first colour that neither of its bodies has yet. One pass over the
 /// rows, and one to sort them by colour. Bodies that cannot move are not counted: nothing can be overwritten there.
-/// \param bodies  K
+/// \param memory  `used` is zero for each body that the rows name
 /// \param order   becomes the row numbers, colour by colour, those of one colour as they came
 template <int Dof>
-void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& memory, std::vector<int>& order)
+void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory, std::vector<int>& order)
 {
     constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
-    memory.used.assign(static_cast<std::size_t>(bodies), 0);
     memory.colour.resize(rows.size());
     memory.start.assign(Colouring::most + 1, 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -82,6 +82,16 @@ void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& mem
     memory.start[0] = 0;
 }
 //! [colour]
+
+/// The same for rows between K bodies.
+/// \param bodies  K
+template <int Dof>
+void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& memory, std::vector<int>& order)
+{
+    require_bodies<Dof>(rows, bodies);
+    memory.used.assign(static_cast<std::size_t>(bodies), 0);
+    colour_unused(rows, memory, order);
+}
 
 /// A random permutation of 0 … count − 1.
 inline void shuffle_rows(std::size_t count, Random& random, std::vector<int>& order)

@@ -7,6 +7,7 @@
 /// time of a sweep are linear in the rows whatever the rows have in common.
 #pragma once
 
+#include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
 #include "chapters/06_sequential_impulse/feedback.hpp"
 
@@ -101,6 +102,7 @@ bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order,
                   ImpulseMemory<Dof>& memory, const VecX& u, Solution& solution)
 {
     const auto m = static_cast<Index>(rows.size());
+    require_bodies<Dof>(rows, u.size() / Dof);
     require_order(order, rows.size(), memory.seen);
     if (solution.lambda.size() != m) solution.lambda.setZero(m);
     clamp_start(rows, solution.lambda);
@@ -159,7 +161,7 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
 /// \param order     row numbers in the order of the visits; empty = as they are
 /// \param u         in: u*, velocities before all impulses; out: u* + M⁻¹ Jᵀ λ [m/s]
 /// \param solution  in: the λ to start from (a vector of another length means zero); out: the answer
-/// \throws std::invalid_argument  for an order that does not name each row once
+/// \throws std::invalid_argument  for an order that does not name each row once, or a row of a body that is not there
 template <int Dof>
 void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> order,
                         const ImpulseSettings& settings, ImpulseMemory<Dof>& memory, VecX& u,

@@ -66,17 +66,18 @@ struct ImpactStep {
 //! [impact_step]
 /// One step: contacts that close in it hit first, by one of the two laws; then this chapter's step, in which
 /// nothing bounces any more.
-/// \param touching  a gap below this counts as none [m]: the simultaneous law depends on which bodies touch
+/// \param touching  a gap below this counts as none [ℓ]: the simultaneous law depends on which bodies touch
 inline void impact_step(DiscScene& scene, const StepSettings& settings, ImpactLaw law, ImpactStep& now,
                         Real touching = 1e-4)
 {
     Bodies<2>& bodies = scene.bodies;
     require_step(settings.h);
-    find_contacts(scene, settings.margin, now.contacts);
+    const Real length = typical_length(scene);
+    find_contacts(scene, settings.margin * length, now.contacts);
     now.rows.clear();
     for (const Contact& contact : now.contacts)
         now.rows.push_back(unilateral(contact_constraint(contact), bodies.inverse_mass,
-                                      contact.gap > touching ? contact.gap / settings.h : 0));
+                                      contact.gap > touching * length ? contact.gap / settings.h : 0));
     const Real e = now.restitution;
     if (law == ImpactLaw::sequential) {
         sequential_impacts(now.rows, e, 1e-12, 1000, bodies.u, now.solution);

@@ -17,15 +17,20 @@ struct Correction : StabilizerSettings, Restitution {
     VecX v;                  ///< pseudo-velocities of split_impulse [m/s]
     std::vector<Real> goal;  ///< of projection [m]
 
+    void require_valid() const
+    {
+        rigid::require_valid(static_cast<const Restitution&>(*this));
+        rigid::require_valid(static_cast<const StabilizerSettings&>(*this));
+    }
+
     //! [rows]
     /// b is what the way makes of C, or a bounce.
     template <class Scene>
     void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now) const
     {
-        require_valid(static_cast<const Restitution&>(*this));
-        require_valid(static_cast<const StabilizerSettings&>(*this));
         const Real h = settings.part();
-        write_rows(scene.bodies, h, now, [&](const auto& c) { return velocity_bias(c, *this, h); });
+        const StabilizerSettings how = in_metres(*this, now.length);
+        write_rows(scene.bodies, h, now, [&](const auto& c) { return velocity_bias(c, how, h); });
         add_bounces(scene, *this, settings, now);
     }
     //! [rows]
@@ -38,6 +43,7 @@ struct Correction : StabilizerSettings, Restitution {
         constexpr int Dof = Scene::dof;
         auto& bodies = scene.bodies;
         const Real h = settings.part();
+        const StabilizerSettings how = in_metres(*this, now.length);
         advance_positions(bodies, h, now);
 
         switch (method) {
@@ -45,11 +51,11 @@ struct Correction : StabilizerSettings, Restitution {
         case Stabilizer::baumgarte:
             break;
         case Stabilizer::relaxation:  // the velocity that was only there to correct is taken back
-            pose_relaxation<Dof>(now, *this, h, bodies.u, second);
+            pose_relaxation<Dof>(now, how, h, bodies.u, second);
             solver.solve_again(second, bodies, now);
             break;
         case Stabilizer::split_impulse:  // a velocity that is used once and forgotten
-            pose_split_impulse<Dof>(now, *this, h, bodies.u, second);
+            pose_split_impulse<Dof>(now, how, h, bodies.u, second);
             if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
             solver.solve_apart(second, v, now);
             for (const int k : now.active) bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
@@ -58,7 +64,7 @@ struct Correction : StabilizerSettings, Restitution {
             if (!at_the_end || now.substep + 1 == settings.substeps)
                 now.visits += project_positions<Dof>(
                     [&](std::size_t i, const VecX& x) { return constraint_at(scene, now, i, x); },
-                    now.constraints.size(), bodies.inverse_mass, *this, at_the_end ? settings.h : h, goal,
+                    now.constraints.size(), bodies.inverse_mass, how, at_the_end ? settings.h : h, goal,
                     bodies.x);
             break;
         }

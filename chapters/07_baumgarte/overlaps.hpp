@@ -19,6 +19,7 @@ inline DiscScene sunken_disc(Real depth)
     scene.bodies.x << 0, 0.5 - depth;
     scene.walls = {{{0, 1}, 0}};
     scene.half_size = {1.2, 1.2};
+    scene.length = 1;  // the settings of this chapter are metres
     return scene;
 }
 

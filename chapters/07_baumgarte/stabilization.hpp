@@ -27,12 +27,22 @@ enum class Stabilizer { none, baumgarte, relaxation, split_impulse, projection }
 struct StabilizerSettings {
     Stabilizer method = Stabilizer::baumgarte;
     Real beta = 0.2;          ///< part of an error that is corrected in a step; stable below 2, monotone to 1
-    Real slop = 0;            ///< an overlap of up to this much is left alone [m]
-    Real bilateral_slop = 0;  ///< the same for a bilateral row, to both sides [m]
-    Real max_correction_speed = infinity;  ///< an error is corrected at this speed at most [m/s]
+    Real slop = 0;            ///< an overlap of up to this much is left alone [ℓ]
+    Real bilateral_slop = 0;  ///< the same for a bilateral row, to both sides [ℓ]
+    Real max_correction_speed = infinity;  ///< an error is corrected at this speed at most [ℓ/s]
     int correction_sweeps = 10;            ///< at most, for relaxation, pseudo-velocities, projection
-    Real tolerance = 1e-9;  ///< these sweeps end when none of them changes a row by more than this [m/s]
+    Real tolerance = 1e-9;  ///< these sweeps end when none of them changes a row by more than this [ℓ/s]
 };
+
+/// What a step does with settings that are measured in the length ℓ of its scene [m]: all functions below take metres.
+inline StabilizerSettings in_metres(StabilizerSettings settings, Real length)
+{
+    settings.slop *= length;
+    settings.bilateral_slop *= length;
+    settings.max_correction_speed *= length;
+    settings.tolerance *= length;
+    return settings;
+}
 
 constexpr std::string_view to_string(Stabilizer method)
 {

@@ -4,12 +4,15 @@
 ///     φ(s λ) = s qᵀλ + ½ s² λᵀAλ,   least at   s = −qᵀλ / λᵀAλ        (8.14)
 ///
 /// No A is built: λᵀAλ = Σ m Δu² with Δu = M⁻¹Jᵀλ. Never worse than the previous answer nor than none, so that a
-/// stale guess cannot add energy: (8.13), and where b ≥ 0 (8.16). One pass over the rows. Bodies that no row joins
+/// stale guess cannot add energy: (8.13), and where b ≥ 0 (8.16). One pass over the rows, and over the bodies that they
+/// name. Bodies that no row joins
 /// have each their own s. The same idea with several old answers is \cite fischer1998.
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
+#include "chapters/02_velocity_constraints/row_checks.hpp"
 #include "common/text.hpp"
+#include "common/union_find.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,35 +26,44 @@ namespace rigid {
 
 /// Which bodies hang together, by rows between bodies that can move. Memory is kept.
 struct BodyGroups {
-    std::vector<Index> of;      ///< K: the lowest number of a body of the same group
+    std::vector<Index>
+        of;  ///< K: the lowest number of a body of the same group; of a body without a row its own
+    std::vector<Index> bodies;  ///< those that some row names, ascending
     std::vector<Index> of_row;  ///< m: the group of the row's bodies
 };
 
 //! [groups]
-/// Union and find: each body points to one of its group with a lower number, in the end to the lowest.
+/// Union and find: each body points to one of its group with a lower number, in the end to the lowest. Only bodies that
+/// rows name are looked at, so that this costs nothing where all others sleep.
 /// \param rows          m valid rows
 /// \param inverse_mass  [1/kg]; a body that cannot move joins no others
 /// \param groups        overwritten
 template <int Dof>
 void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyGroups& groups)
 {
-    std::vector<Index>& of = groups.of;
-    of.resize(static_cast<std::size_t>(inverse_mass.size() / Dof));
-    std::iota(of.begin(), of.end(), Index{0});
+    std::vector<Index>&of = groups.of, &bodies = groups.bodies;
+    const auto count = static_cast<std::size_t>(inverse_mass.size() / Dof);
+    require_bodies<Dof>(rows, static_cast<Index>(count));
     const auto above = [&of](Index k) -> Index& { return of[static_cast<std::size_t>(k)]; };
-    const auto lowest = [&above](Index k) {
-        while (above(k) != k) k = above(k) = above(above(k));  // shorten the path for later calls
-        return k;
-    };
+    if (of.size() != count) {
+        of.resize(count);
+        std::iota(of.begin(), of.end(), Index{0});
+    } else {
+        for (const Index k : bodies) above(k) = k;
+    }
+    bodies.clear();
+    for (const Row<Dof>& row : rows)
+        for (const Index k : {row.a, row.b})
+            if (k != world) bodies.push_back(k);
+    if (!std::is_sorted(bodies.begin(), bodies.end())) std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+
     const auto moves = [&inverse_mass](Index k) {
         return k != world && !inverse_mass.template segment<Dof>(Dof * k).isZero(0);
     };
-    for (const Row<Dof>& row : rows) {
-        if (!moves(row.a) || !moves(row.b)) continue;
-        const Index a = lowest(row.a), b = lowest(row.b);
-        above(std::max(a, b)) = std::min(a, b);
-    }
-    for (Index k = 0; k < static_cast<Index>(of.size()); ++k) above(k) = lowest(k);
+    for (const Row<Dof>& row : rows)
+        if (moves(row.a) && moves(row.b)) unite(of, row.a, row.b);
+    for (const Index k : bodies) above(k) = lowest_of(of, k);
     groups.of_row.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
         groups.of_row[i] = above(moves(rows[i].a) ? rows[i].a : rows[i].b);
@@ -91,14 +103,15 @@ inline void require_valid(const MultipleRule& rule)
                                     "; it must be 1 or more");
 }
 
-/// Numbers of each group, memory that is kept from step to step.
+/// Numbers of each group, memory that is kept from step to step. Only entries of bodies that rows name are written.
 struct MultipleScratch {
-    VecX change;             ///< 2K or 3K: Δu that the remembered λ makes [m/s]
-    VecX slope;              ///< qᵀλ [J]
-    VecX curvature;          ///< λᵀAλ [J]
-    VecX apart;              ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
-    VecX multiple;           ///< s
-    std::vector<char> asks;  ///< a row of the group has a bias that velocities at rest do not satisfy
+    std::vector<Index> written;  ///< those bodies, ascending
+    VecX change;                 ///< 2K or 3K: Δu that the remembered λ makes [m/s]
+    VecX slope;                  ///< qᵀλ [J]
+    VecX curvature;              ///< λᵀAλ [J]
+    VecX apart;                  ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
+    VecX multiple;               ///< s; 1 where there is no row
+    std::vector<char> asks;      ///< a row of the group has a bias that velocities at rest do not satisfy
 };
 
 //! [trusted]
@@ -117,6 +130,27 @@ bool asks(const Row<Dof>& row)
 }
 //! [trusted]
 
+/// Zero for all bodies and groups of rows; what the last call wrote is undone.
+template <int Dof>
+void begin_multiples(const BodyGroups& groups, MultipleScratch& scratch)
+{
+    const auto count = static_cast<Index>(groups.of.size());
+    if (scratch.multiple.size() != count) {
+        for (VecX* const sums : {&scratch.slope, &scratch.curvature, &scratch.apart}) sums->setZero(count);
+        scratch.change.setZero(Dof * count);
+        scratch.multiple.setOnes(count);
+        scratch.asks.assign(groups.of.size(), 0);
+        scratch.written.clear();
+    }
+    for (const Index k : scratch.written) scratch.multiple[k] = 1;
+    scratch.written = groups.bodies;
+    for (const Index k : scratch.written) {
+        scratch.change.template segment<Dof>(Dof * k).setZero();
+        scratch.slope[k] = scratch.curvature[k] = scratch.apart[k] = 0;
+        scratch.asks[static_cast<std::size_t>(k)] = 0;
+    }
+}
+
 //! [best_multiple]
 /// (8.14): scales the impulses of each group by the multiple that lowers the merit most, at least zero.
 /// \param rows          m valid rows
@@ -131,12 +165,7 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, con
                    const BodyGroups& groups, MultipleScratch& scratch, VecX& lambda,
                    const MultipleRule& rule = {})
 {
-    const auto count = static_cast<Index>(groups.of.size());
-    scratch.change.setZero(u_star.size());
-    scratch.slope.setZero(count);
-    scratch.curvature.setZero(count);
-    scratch.apart.setZero(count);
-    scratch.asks.assign(groups.of.size(), 0);
+    begin_multiples<Dof>(groups, scratch);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Real impulse = lambda[static_cast<Index>(i)];
         rows[i].apply(impulse, scratch.change);
@@ -145,12 +174,14 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, con
         scratch.curvature[groups.of_row[i]] += rows[i].softness * impulse * impulse;
         if (asks(rows[i])) scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
     }
-    for (Index i = 0; i < u_star.size(); ++i)
-        if (inverse_mass[i] > 0)
-            scratch.curvature[groups.of[static_cast<std::size_t>(i / Dof)]] +=
-                scratch.change[i] * scratch.change[i] / inverse_mass[i];
-    scratch.multiple.resize(count);
-    for (Index g = 0; g < count; ++g) {
+    for (const Index k : scratch.written)
+        for (Index i = Dof * k; i < Dof * (k + 1); ++i)
+            if (inverse_mass[i] > 0)
+                scratch.curvature[groups.of[static_cast<std::size_t>(k)]] +=
+                    scratch.change[i] * scratch.change[i] / inverse_mass[i];
+    for (const Index g : scratch.written) {
+        if (groups.of[static_cast<std::size_t>(g)] != g)
+            continue;  // not the body that the group is named after
         const Real part = scratch.asks[static_cast<std::size_t>(g)] ? cancelled : rounding_alone;
         const Real most = scratch.curvature[g] < part * scratch.apart[g] ? 1 : infinity;
         scratch.multiple[g] = multiple_of(scratch.slope[g], scratch.curvature[g], rule, most);

@@ -6,37 +6,16 @@
 
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
-#include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/best_multiple.hpp"
 #include "chapters/08_warm_starting/impulse_cache.hpp"
-#include "common/forces.hpp"
+#include "chapters/08_warm_starting/small_step_settings.hpp"
 #include "common/scenes.hpp"
-#include "common/text.hpp"
 
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace rigid {
-
-struct SmallStepSettings {
-    Real h = 1.0 / 60;          ///< time step [s]
-    Vec2 gravity = {0, -9.81};  ///< [m/s²]
-    int substeps = 8;           ///< n
-    int sweeps = 1;             ///< in each of them
-    int first_sweeps =
-        1000;  ///< in the very first, which has no previous answer: at most, while a visit changes
-    Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [m/s]
-    Real margin = 0.02;           ///< a contact gets its row when its gap is below this [m]
-    bool collides = true;         ///< false: nothing ever touches, and no contact is looked for
-    bool coloured = true;         ///< neighbours in the order of the visits share no body
-    /// Each substep starts from the best multiple of what the one before it left, or from nearly that: a pile that
-    /// only just balances topples when all its loads change a little together.
-    MultipleRule start = {0.2, 10};
-    /// What corrects the error after the last substep: all of it (β = 1) beyond the slops. An overlap of half a
-    /// millimetre is left alone: moving discs that nearly balance topples them.
-    StabilizerSettings correction = {Stabilizer::projection, 1, 0.0005, 0, 3, 1, 0};
-};
 
 /// How much of the impulses that it remembers a group starts from.
 struct StartOfGroup {
@@ -70,6 +49,7 @@ struct SmallStep {
     VecX mass;                              ///< K [kg]; 0 = cannot move
     VecX u, change;                         ///< [m/s]; Δu of the guess
     int sweeps = 0;                         ///< of the last step
+    Real length = 1;                        ///< ℓ, of the scene [m]
     bool same_rows = false;                 ///< nothing came or went since the step before
     bool forget_rows = false;  ///< in: make the rows anew though they may be the same; for one step
 };
@@ -85,6 +65,7 @@ inline std::pair<Index, Index> bodies_of(const DiscScene& scene, const SmallStep
 /// Which rows and bodies have a multiple in common.
 inline void number_groups(const DiscScene& scene, SmallStep& now)
 {
+    now.groups.of.clear();  // it holds the numbers of the last call
     find_groups<2>(now.bodies, scene.bodies.inverse_mass, now.groups);
     std::vector<Index>& of = now.groups.of;  // the lowest body of the group; becomes its number, from 0
     now.starts.clear();
@@ -156,32 +137,12 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
 /// Finds the contacts and makes the rows ready for the substeps. Throws std::invalid_argument for a bad setting.
 inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
 {
-    require_step(settings.h);
-    if (!scene.joints.empty())
-        throw std::invalid_argument(
-            "the scene has " + std::to_string(scene.joints.size()) +
-            " joints; small_steps() knows none: take step() by WarmMethod with sub-steps");
-    require_forces(settings.gravity, 0, 0, {0, 0});
-    require_margin(settings.margin);
-    require_valid(settings.correction);
-    require_valid(settings.start);
-    if (!(settings.first_tolerance >= 0))
-        throw std::invalid_argument("first_tolerance is " + shortest(settings.first_tolerance) +
-                                    "; it must be zero or positive");
-    if (settings.substeps < 1 || settings.sweeps < 1)
-        throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
-                                    std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
-    if (settings.correction.beta != 1)
-        throw std::invalid_argument("beta is " + shortest(settings.correction.beta) +
-                                    "; small steps repay the whole error, so it must be 1");
-    if (!scene.segments.empty())
-        throw std::invalid_argument(
-            "the scene has walls with ends; small steps take only half-spaces for walls, "
-            "whose normals stay");
+    require_valid(scene, settings);
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();
     now.contacts.clear();
-    if (settings.collides) find_contacts(scene, settings.margin, now.contacts);
+    now.length = typical_length(scene);
+    if (settings.collides) find_contacts(scene, settings.margin * now.length, now.contacts);
     now.keys.clear();
     for (std::size_t i = 0; i < links; ++i) now.keys.push_back(link_key(i));
     for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));

@@ -9,8 +9,8 @@
 /// The answer is that of step() by WarmMethod with the same substeps and sweeps and a projection at the end (no slop),
 /// to rounding: a test checks that. Left out is what does not change within a step, and the way from
 /// Constraint to Row to SolverRow: J, C and b are written where the sweep reads them. While the rows are
-/// those of the previous step, no key is looked up and no colour chosen: λ is where it was. Bends, restitution, a hand that pulls and
-/// joints are that method's alone.
+/// those of the previous step, no key is looked up and no colour chosen: λ is where it was. Restitution and a hand that pulls are that
+/// method's alone; a scene with bends or joints is refused.
 #pragma once
 
 #include "chapters/08_warm_starting/small_step_rows.hpp"
@@ -108,8 +108,8 @@ inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep
 /// \return        sweeps made in total
 inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep& now)
 {
-    for (Real change = infinity; sweeps < settings.first_sweeps && change > settings.first_tolerance;
-         ++sweeps) {
+    for (Real change = infinity;
+         sweeps < settings.first_sweeps && change > settings.first_tolerance * now.length; ++sweeps) {
         if (sweeps % 16 == 0) {
             for (StartOfGroup& group : now.starts) group = {};
             for (std::size_t k = 0; k < now.rows.size(); ++k) carry(k, now);
@@ -135,7 +135,7 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
     const bool no_yesterday = now.cache.h == 0;
     begin_rows(scene, settings, now);
     const Real h = settings.h / settings.substeps;
-    const Vec2 gain = h * settings.gravity;
+    const Vec2 gain = h * scene.gravity;
     now.u = bodies.u;
     now.change.setZero(now.u.size());
     now.sweeps = 0;
@@ -157,12 +157,13 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
 
     // The error goes out of x, row by row in the order that they were given: with colours the last one would
     // undo in its neighbours what the first had corrected.
-    for (int s = 0; s < settings.correction.correction_sweeps; ++s)
+    const StabilizerSettings correction = in_metres(settings.correction, now.length);
+    for (int s = 0; s < correction.correction_sweeps; ++s)
         for (const int k : now.place) {
             SolverRow<2>& row = now.rows[static_cast<std::size_t>(k)];
             const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[static_cast<std::size_t>(k)], row);
             const ConstraintKind kind = row.lo < 0 ? ConstraintKind::bilateral : ConstraintKind::unilateral;
-            const Real repaid = settings.h * baumgarte_bias(C, kind, settings.correction, settings.h);
+            const Real repaid = settings.h * baumgarte_bias(C, kind, correction, settings.h);
             if (repaid == 0) continue;
             bodies.x.segment<2>(row.a) -= row.Wa * (row.mass * repaid);
             bodies.x.segment<2>(row.b) -= row.Wb * (row.mass * repaid);

@@ -61,7 +61,6 @@ struct WarmStart {
     template <int Dof>
     void recall(const StepSettings& settings, StepData<Dof>& now)
     {
-        require_valid();
         keys.clear();
         for (const Source& source : now.sources) keys.push_back(key_of(source, now.contacts));
         now.same_rows = keys == arranged && started == from;

@@ -22,7 +22,8 @@ namespace rigid {
 struct AwakeBodies {
     RestSettings rest;
     bool sleep = true;   ///< false: no body falls asleep
-    Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [m]
+    Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [ℓ]
+    Real length = 1;     ///< ℓ, of the scene [m]; written by reset()
 
     AwakeSet set;
     BroadPhase broad;
@@ -48,6 +49,12 @@ struct AwakeBodies {
     /// Disc k = K − 1 is new in the scene, without links, bends or joints.
     void add(const DiscScene& scene, Index k);
 
+    void require_valid() const
+    {
+        rigid::require_valid(rest);
+        require_row_slack(row_slack);
+    }
+
     /// Which bodies, which contacts, which constraints this step looks at.
     template <class Method>
     void begin(const DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
@@ -70,10 +77,6 @@ private:
 inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,
                                          const RestConditions& present)
 {
-    require_valid(rest);
-    if (!(row_slack >= 0) || !std::isfinite(row_slack))
-        throw std::invalid_argument("row_slack is " + shortest(row_slack) +
-                                    "; it must be zero or positive and finite");
     if (static_cast<Index>(rests.size()) != scene.bodies.count())
         throw std::invalid_argument("the scene has " + std::to_string(scene.bodies.count()) +
                                     " discs; reset() was called with " + std::to_string(rests.size()));
@@ -144,7 +147,7 @@ inline void AwakeBodies::list_sources(const DiscScene& scene, const StepSettings
     now.same_bodies = !changed;
     collect_active(scene);
     if (row_slack > 0) {
-        keep_contacts(scene, set, broad, row_slack, kept, now.contacts);
+        keep_contacts(scene, set, broad, row_slack * length, kept, now.contacts);
     } else {
         awake_contacts(scene, set, broad, now.contacts);
         kept = {};
@@ -172,9 +175,9 @@ void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings, Me
     if constexpr (requires { method.correction.beta; }) present.correction = method.correction;
     wake_by_changes(scene, settings, present);
     now.active.clear();
-    if (settings.margin != broad.margin) change_margin(scene, settings.margin);
+    now.length = length;
+    if (settings.margin * length != broad.margin) change_margin(scene, settings.margin * length);
     if (set.awake.empty()) return;
-
     // Which discs may touch which; a disc that is touched wakes.
     update_pairs(scene, set, broad);
     if (!set.woken.empty()) {

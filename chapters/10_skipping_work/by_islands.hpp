@@ -27,14 +27,26 @@ struct IslandSolver {
     std::vector<ExactScratch> exact;
 
     // Of the last step.
-    int most_sweeps = 0;  ///< of the island that needed the most
-    int exact_count = 0;  ///< islands that were solved exactly
-    int unsolved = 0;     ///< islands whose residual did not meet the tolerance
+    int most_sweeps = 0;        ///< of the island that needed the most
+    int exact_count = 0;        ///< islands that were solved exactly
+    int unsolved = 0;           ///< islands whose residual did not meet the tolerance
+    ImpulseSettings in_metres;  ///< the sweeps, with a tolerance in m/s
+
+    void require_valid() const
+    {
+        rigid::require_valid(sweeps);
+        if (!std::isfinite(sweeps.tolerance))
+            throw std::invalid_argument("the tolerance of the sweeps is not finite");
+        if (ordering != Order::given && ordering != Order::coloured)
+            throw std::invalid_argument("the order is " + std::string(to_string(ordering)) +
+                                        "; this solver knows given and coloured");
+    }
 
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<2>& bodies, StepData<2>& now)
     {
-        require_known();
+        in_metres = sweeps;
+        in_metres.tolerance *= now.length;
         if (now.substep == 0) {
             most_sweeps = exact_count = unsolved = 0;
             arrange(bodies, now);
@@ -48,10 +60,8 @@ struct IslandSolver {
             bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
             bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
         }
-        if (!apart) solve_one(0, rows.size(), bodies.u, now);
-        for (int i = 0; apart && i < islands.count(); ++i)
-            solve_one(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
-                      islands.rows_of(i).size(), bodies.u, now);
+        for_each_problem(
+            [&](std::size_t first, std::size_t count) { solve_one(first, count, bodies.u, now); });
         for (std::size_t k = 0; k < rows.size(); ++k) lambda[islands.rows[k]] = rows[k].lambda;
         now.solution.iterations = most_sweeps;
         now.solution.status = unsolved > 0 ? Status::iteration_limit : Status::solved;
@@ -62,7 +72,7 @@ struct IslandSolver {
     void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
     {
         for (std::size_t k = 0; k < rows.size(); ++k) change_bias(k, second.bias[row_at(k)], rows, feedback);
-        now.visits += sweep_on<2>(rows, feedback, second.max_sweeps, second.tolerance, bodies.u);
+        sweep_each(second, bodies.u, now);
         for (std::size_t k = 0; k < rows.size(); ++k) now.solution.lambda[islands.rows[k]] = rows[k].lambda;
     }
 
@@ -75,20 +85,40 @@ struct IslandSolver {
             else change_bias(k, second.bias[row_at(k)], rows, feedback);
         }
         for (const int k : now.active) v.segment<2>(2 * k).setZero();
-        now.visits += sweep_on<2>(rows, feedback, second.max_sweeps, second.tolerance, v);
+        sweep_each(second, v, now);
     }
 
 private:
     std::size_t row_at(std::size_t k) const { return static_cast<std::size_t>(islands.rows[k]); }
 
-    void require_known() const
+    /// Calls visit(first, count) for the rows of each island, or for all of them.
+    template <class Visit>
+    void for_each_problem(const Visit& visit) const
     {
-        require_valid(sweeps);
-        if (!std::isfinite(sweeps.tolerance))
-            throw std::invalid_argument("the tolerance of the sweeps is not finite");
-        if (ordering != Order::given && ordering != Order::coloured)
-            throw std::invalid_argument("the order is " + std::string(to_string(ordering)) +
-                                        "; this solver knows given and coloured");
+        if (!apart) visit(std::size_t{0}, rows.size());
+        for (int i = 0; apart && i < islands.count(); ++i)
+            visit(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
+                  islands.rows_of(i).size());
+    }
+
+    /// The rows of one problem, and what they follow.
+    std::span<SolverRow<2>> some_rows(std::size_t first, std::size_t count)
+    {
+        return std::span<SolverRow<2>>(rows).subspan(first, count);
+    }
+    std::span<const Feedback> some_feedback(std::size_t first, std::size_t count) const
+    {
+        const std::span<const Feedback> follows(feedback);
+        return follows.empty() ? follows : follows.subspan(first, count);
+    }
+
+    /// An island that is done is done, however long another one goes on.
+    void sweep_each(const SecondProblem& second, VecX& v, StepData<2>& now)
+    {
+        for_each_problem([&](std::size_t first, std::size_t count) {
+            now.visits += sweep_on(some_rows(first, count), some_feedback(first, count), second.max_sweeps,
+                                   second.tolerance, v);
+        });
     }
 
     /// While the rows are those of the step before, so are the islands.
@@ -105,18 +135,16 @@ private:
     void solve_one(std::size_t first, std::size_t count, VecX& u, StepData<2>& now)
     {
         if (count == 0) return;
-        const std::span<SolverRow<2>> island = std::span<SolverRow<2>>(rows).subspan(first, count);
+        const std::span<SolverRow<2>> island = some_rows(first, count);
         if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
-            const IslandAnswer answer = solve_exactly(island, sweeps.tolerance, exact, u);
+            const IslandAnswer answer = solve_exactly(island, in_metres.tolerance, exact, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
                 ++exact_count;
                 return;
             }
         }
-        const std::span<const Feedback> follows(feedback);
-        const IslandAnswer answer =
-            sweep_island(island, follows.empty() ? follows : follows.subspan(first, count), sweeps, u);
+        const IslandAnswer answer = sweep_island(island, some_feedback(first, count), in_metres, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

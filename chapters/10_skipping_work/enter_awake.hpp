@@ -12,11 +12,13 @@ namespace rigid {
 
 inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
 {
+    require_bodies(scene);
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if (scene.bodies.inverse_mass[2 * k] != scene.bodies.inverse_mass[2 * k + 1])
             throw std::invalid_argument("disc " + std::to_string(k) + " has two different masses");
     set = everybody_awake(scene.bodies);
+    length = typical_length(scene);
     broad.reset(scene, std::move(filter));
     links_on = incidence(K, scene.links.size(), [&](std::size_t i, const auto& visit) {
         visit(scene.links[i].a);

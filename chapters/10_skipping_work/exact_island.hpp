@@ -3,8 +3,8 @@
 ///
 ///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
 ///
-/// (10.6): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. Memory is kept for
-/// each number of rows, so that islands of different sizes don't overwrite it.
+/// (10.6): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. The answer depends on
+/// the island's own rows, λ and u alone: room is kept for each number of rows, but no guess.
 #pragma once
 
 #include "chapters/06_sequential_impulse/block.hpp"
@@ -15,7 +15,7 @@
 
 namespace rigid {
 
-/// What is kept for islands of one number of rows.
+/// Room for islands of one number of rows. What one of them found is nothing to the next.
 struct ExactScratch {
     Mlcp mlcp;  ///< A is stored full: n columns in each line
     ActiveSetMemory memory;
@@ -38,6 +38,23 @@ bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
     return true;
 }
 //! [closed_form]
+
+//! [first_guess]
+/// Which rows are at a bound: those whose own λ is, but for a row whose w drives it off.
+template <int Dof>
+void guess_from_impulses(std::span<const SolverRow<Dof>> rows, const Mlcp& mlcp, ActiveSetMemory& memory)
+{
+    memory.cases.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Real w = mlcp.q[static_cast<Index>(i)];
+        memory.cases[i] = rows[i].lambda <= rows[i].lo && w >= 0   ? BoundState::at_lo
+                          : rows[i].lambda >= rows[i].hi && w <= 0 ? BoundState::at_hi
+                                                                   : BoundState::between;
+    }
+    memory.dependent = false;
+    memory.proximal.previous.setZero(mlcp.size());
+}
+//! [first_guess]
 
 /// Solves these rows exactly. Where chapter 9 cannot, λ and u are left as they are. `sweeps` counts guesses.
 /// \param enough   if the natural residual is below this as it is, there is nothing to solve [m/s]
@@ -79,6 +96,7 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vec
         mlcp.lo[i] = row.lo - row.lambda;
         mlcp.hi[i] = row.hi - row.lambda;
     }
+    guess_from_impulses<Dof>(rows, mlcp, memory);
     active_sets(mlcp, {}, memory, solution);
     //! [correction]
     answer.status = solution.status;

@@ -30,11 +30,12 @@ inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepD
 inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& settings,
                                     const StepData<2>& now)
 {
+    const RestSettings slow = in_metres(rest, length);
     bool any_kinematic = false;
     for (const int k : set.awake) {
         Rest& so_far = rests[static_cast<std::size_t>(k)];
         so_far =
-            still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), rest, settings.h);
+            still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), slow, settings.h);
         any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
     if (any_kinematic) stay_with_kinematic(scene, now);
@@ -61,10 +62,11 @@ void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& me
 {
     watch_rest(scene, settings, now);
     if (!sleep) return;
+    const RestSettings slow = in_metres(rest, length);
     Real noise = 0;
-    if constexpr (requires { method.solver.sweeps; }) noise = method.solver.sweeps.tolerance;
+    if constexpr (requires { method.solver.sweeps; }) noise = method.solver.sweeps.tolerance * length;
     const auto restless = [&](int k) {
-        return !may_sleep(rests[static_cast<std::size_t>(k)], scene.bodies.velocity(k).norm(), rest, noise);
+        return !may_sleep(rests[static_cast<std::size_t>(k)], scene.bodies.velocity(k).norm(), slow, noise);
     };
     if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
 
@@ -76,7 +78,7 @@ void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& me
         if (std::any_of(members.begin(), members.end(), restless)) continue;
 
         // Rest is only proved by an answer that is one.
-        if (!(natural_residual(now, rows, scene.bodies.u) <= rest.acceleration * settings.h)) continue;
+        if (!(natural_residual(now, rows, scene.bodies.u) <= slow.acceleration * settings.h)) continue;
 
         //! [fall_asleep]
         set.sleep(members);

@@ -11,10 +11,10 @@
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/06_sequential_impulse/row_order.hpp"
+#include "common/union_find.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <span>
 #include <vector>
 
@@ -33,25 +33,8 @@ struct Islands {
     std::span<const int> bodies_of(int i) const { return part(bodies, first_body, i); }
     std::span<const int> rows_of(int i) const { return part(rows, first_row, i); }
 
-    //! [find]
-    /// The lowest body of k's island. On the way each body is pointed one farther, so the next search is shorter.
-    int find(int k)
-    {
-        while (at(parent, k) != k) {
-            at(parent, k) = at(parent, at(parent, k));
-            k = at(parent, k);
-        }
-        return k;
-    }
-    /// From now on a and b are of one island.
-    void unite(int a, int b)
-    {
-        a = find(a);
-        b = find(b);
-        if (a < b) at(parent, b) = a;
-        else at(parent, a) = b;
-    }
-    //! [find]
+    int find(int k) { return lowest_of(parent, k); }          ///< the lowest body of k's island
+    void unite(int a, int b) { rigid::unite(parent, a, b); }  ///< from now on a and b are of one island
 
     static int& at(std::vector<int>& list, int i) { return list[static_cast<std::size_t>(i)]; }
 
@@ -133,26 +116,9 @@ template <int Dof>
 void colour_rows_of(std::span<const int> bodies, Index count, const std::vector<Row<Dof>>& rows,
                     Colouring& memory, std::vector<int>& order)
 {
-    constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
-    const auto size = [](Index i) { return static_cast<std::size_t>(i); };
-    memory.used.resize(size(count));
-    for (const int k : bodies) memory.used[size(k)] = 0;
-    memory.colour.resize(rows.size());
-    memory.start.assign(Colouring::most + 1, 0);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row<Dof>& row = rows[i];
-        std::uint64_t* const a = moves_a(row) ? &memory.used[size(row.a)] : nullptr;
-        std::uint64_t* const b = moves_b(row) ? &memory.used[size(row.b)] : nullptr;
-        const int colour = std::countr_one(((a ? *a : 0) | (b ? *b : 0)) & ~last);
-        for (std::uint64_t* const used : {a, b})
-            if (used) *used |= std::uint64_t{1} << colour;
-        memory.colour[i] = colour;
-        ++memory.start[size(colour) + 1];
-    }
-    for (std::size_t c = 1; c < memory.start.size(); ++c) memory.start[c] += memory.start[c - 1];
-    order.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        order[size(memory.start[size(memory.colour[i])]++)] = static_cast<int>(i);
+    memory.used.resize(static_cast<std::size_t>(count));
+    for (const int k : bodies) memory.used[static_cast<std::size_t>(k)] = 0;
+    colour_unused(rows, memory, order);
 }
 //! [colours]
 

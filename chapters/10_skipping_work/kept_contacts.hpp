@@ -9,11 +9,20 @@
 #pragma once
 
 #include "chapters/10_skipping_work/broad_phase.hpp"
+#include "common/text.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace rigid {
+
+/// Throws std::invalid_argument unless contacts can keep their rows while their discs have moved by less than this [m].
+inline void require_row_slack(Real row_slack)
+{
+    if (!(row_slack >= 0) || !std::isfinite(row_slack))
+        throw std::invalid_argument("row_slack is " + shortest(row_slack) +
+                                    "; it must be zero or positive and finite");
+}
 
 struct KeptContacts {
     struct Found {

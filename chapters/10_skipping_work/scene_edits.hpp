@@ -82,6 +82,35 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
         static_cast<int>(k));  // as if it had just woken: its pairs are found anew
 }
 
+/// Gives a disc another velocity, and wakes what that concerns. Written into `bodies.u` instead, the velocity of a
+/// sleeper would be lost: no step looks at it.
+/// \param u  [m/s]; of a fixed disc: it moves from now on, and nothing moves it
+/// \throws std::invalid_argument  for a disc that is not there, or a velocity that is not finite
+inline void set_velocity(SkippingWorld& now, Index k, const Vec2& u)
+{
+    require_disc(now, k);
+    const Vec2 x = now.scene.bodies.position(k);
+    change_disc(now, k, x, u, now.scene.bodies.inverse_mass[2 * k]);
+}
+
+/// Gives a disc an impulse: u ← u + P / m. It wakes, as in set_velocity().
+/// \param impulse  P [N s]
+/// \throws std::invalid_argument  for a disc that is not there or that no impulse moves, or one that is not finite
+inline void push(SkippingWorld& now, Index k, const Vec2& impulse)
+{
+    require_disc(now, k);
+    const Real inverse_mass = now.scene.bodies.inverse_mass[2 * k];
+    if (!(inverse_mass > 0))
+        throw std::invalid_argument("disc " + std::to_string(k) +
+                                    " is fixed; no impulse moves it, set_velocity() does");
+    const Vec2 u = now.scene.bodies.velocity(k) + inverse_mass * impulse;
+    if (!u.allFinite())
+        throw std::invalid_argument("disc " + std::to_string(k) + " is to get the impulse " +
+                                    shortest(impulse.x()) + ", " + shortest(impulse.y()) +
+                                    " N s; it must be finite, and so must the velocity that it gives");
+    set_velocity(now, k, u);
+}
+
 /// Adds a disc to the running world. Discs close to it wake; no other disc is looked at.
 /// \param u  velocity [m/s]
 /// \return   its number

@@ -40,10 +40,11 @@ struct SkippingSettings {
     ImpulseSettings sweeps;         ///< of each island; a tolerance of 0 makes all sweeps
     StabilizerSettings stabilizer;  ///< what becomes of position errors
     Restitution bounce;
-    Start start = Start::previous;  ///< where the sweeps start
+    Start start = Start::
+        best_multiple;  ///< where the sweeps start; the only warm start that is safe whatever the scene
     RestSettings rest;
     Order order = Order::coloured;  ///< of the rows in their island: given or coloured
-    Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [m]
+    Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [ℓ]
     int exact_rows = 8;             ///< islands of up to so many rows are solved exactly
     bool islands = true;            ///< false: all rows are one problem
     bool sleep = true;              ///< false: no body falls asleep
@@ -69,7 +70,7 @@ struct SkippingCounters {
 //! [world]
 struct SkippingWorld {
     DiscScene scene;     ///< read it; to change it, see scene_edits.hpp
-    Real margin = 0.02;  ///< a contact gets its row when its gap is below this [m]
+    Real margin = 0.02;  ///< a contact gets its row when its gap is below this [ℓ]
     SkippingMethod method;
     StepData<2> found;  ///< by the last step, on its way
     SkippingCounters counters;
@@ -77,8 +78,8 @@ struct SkippingWorld {
 //! [world]
 
 /// \param filter  which pairs collide; see filter_of() for what the scene itself says
-/// \param margin  [m], as in find_contacts()
-/// \param skin    how far a disc may move before it asks the grid again [m]; changes nothing but the time
+/// \param margin  as in StepSettings [ℓ]
+/// \param skin    how far a disc may move before it asks the grid again [ℓ]; changes nothing but the time
 /// \throws std::invalid_argument  for a scene or a filter that makes no sense
 inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real margin = 0.02, Real skin = 0.01)
 {
@@ -86,9 +87,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
     if (!(margin >= 0) || !std::isfinite(margin))
-        refuse("the margin is " + shortest(margin) + " m; it must be zero or positive and finite");
+        refuse("the margin is " + shortest(margin) + "; it must be zero or positive and finite");
     if (!(skin >= 0) || !std::isfinite(skin))
-        refuse("the skin is " + shortest(skin) + " m; it must be zero or positive and finite");
+        refuse("the skin is " + shortest(skin) + "; it must be zero or positive and finite");
     if (!filter.group.empty() && filter.group.size() != K)
         refuse("there are " + std::to_string(filter.group.size()) + " groups for " + std::to_string(K) +
                " discs");
@@ -100,8 +101,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
     SkippingWorld now;
     now.scene = std::move(scene);
     now.margin = margin;
-    now.method.contacts.broad.margin = margin;
-    now.method.contacts.broad.skin = skin;
+    const Real length = typical_length(now.scene);
+    now.method.contacts.broad.margin = margin * length;
+    now.method.contacts.broad.skin = skin * length;
     now.method.contacts.reset(now.scene, std::move(filter));
     return now;
 }
@@ -130,29 +132,34 @@ inline StepSettings configure(SkippingMethod& method, const SkippingSettings& se
     return step;
 }
 
+/// What the last step has done.
+inline SkippingCounters counters_of(const SkippingMethod& method, const StepData<2>& found)
+{
+    const AwakeBodies& bodies = method.contacts;
+    const IslandSolver& solver = method.solver;
+    SkippingCounters counters;
+    counters.woken = bodies.woken;
+    counters.fell_asleep = bodies.fell_asleep;
+    if (found.active.empty()) return counters;
+    counters.awake = static_cast<int>(found.active.size());
+    counters.islands = solver.islands.count();
+    counters.contacts = static_cast<int>(found.contacts.size());
+    counters.rows = static_cast<int>(found.rows.size());
+    counters.kept_rows = static_cast<int>(std::count(found.kept.begin(), found.kept.end(), std::uint8_t{1}));
+    counters.sweeps = solver.most_sweeps;
+    counters.exact = solver.exact_count;
+    counters.unsolved = solver.unsolved;
+    counters.queries = static_cast<int>(bodies.broad.queries);
+    counters.tested = bodies.broad.tested;
+    counters.visits = found.visits;
+    return counters;
+}
+
 /// One time step of the world, and what it has done.
 inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
 {
     step(now.scene, configure(now.method, settings, now.margin), now.method, now.found);
-
-    const AwakeBodies& bodies = now.method.contacts;
-    const IslandSolver& solver = now.method.solver;
-    now.counters = {};
-    now.counters.woken = bodies.woken;
-    now.counters.fell_asleep = bodies.fell_asleep;
-    if (now.found.active.empty()) return;
-    now.counters.awake = static_cast<int>(now.found.active.size());
-    now.counters.islands = solver.islands.count();
-    now.counters.contacts = static_cast<int>(now.found.contacts.size());
-    now.counters.rows = static_cast<int>(now.found.rows.size());
-    now.counters.kept_rows =
-        static_cast<int>(std::count(now.found.kept.begin(), now.found.kept.end(), std::uint8_t{1}));
-    now.counters.sweeps = solver.most_sweeps;
-    now.counters.exact = solver.exact_count;
-    now.counters.unsolved = solver.unsolved;
-    now.counters.queries = static_cast<int>(bodies.broad.queries);
-    now.counters.tested = bodies.broad.tested;
-    now.counters.visits = now.found.visits;
+    now.counters = counters_of(now.method, now.found);
 }
 
 }  // namespace rigid

@@ -21,12 +21,20 @@
 namespace rigid {
 
 struct RestSettings {
-    Real speed = 1e-3;         ///< v_rest [m/s]
-    Real acceleration = 0.02;  ///< a_rest [m/s²]
+    Real speed = 1e-3;         ///< v_rest [ℓ/s]
+    Real acceleration = 0.02;  ///< a_rest [ℓ/s²]
     Real time = 0.5;           ///< t_rest [s]
 
     bool operator==(const RestSettings&) const = default;
 };
+
+/// The same in metres, where the settings are measured in the length ℓ of the scene [m].
+inline RestSettings in_metres(RestSettings rest, Real length)
+{
+    rest.speed *= length;
+    rest.acceleration *= length;
+    return rest;
+}
 
 inline void require_valid(const RestSettings& rest)
 {

@@ -70,7 +70,6 @@ void add_small(Registry& registry, const SharedRun& run, const SmallStepSettings
     add_run(registry, run, "8", method, sweeps_text(1, substeps), quick, [=] {
         SmallStepSettings settings = preset;
         settings.h = run->h();
-        settings.gravity = run->engine.scene.gravity;
         settings.substeps = substeps;
         settings.collides = run->engine.collides;
         return [settings, now = SmallStep()](DiscScene& scene, std::int64_t& work, bool&) mutable {
@@ -93,7 +92,9 @@ void add_impulse_runs(Registry& registry, const SharedRun& run)
         for (const int sweeps : {10, 40}) add_warm(registry, run, start, sweeps);
     for (const int substeps : {4, 8, 16, 32})
         add_small(registry, run, quick_steps(), "small_steps", substeps, substeps == 8 && run->dense);
-    add_small(registry, run, careful_steps(), "careful_small_steps", careful_steps().substeps, run->dense);
+    for (const int substeps : {16, 32})
+        add_small(registry, run, careful_steps(), "careful_small_steps", substeps,
+                  substeps == 16 && run->dense);
 }
 
 }  // namespace rigid::results

@@ -1,14 +1,14 @@
 """The table of `bin/results`, and what can be asked of it.
 
 A scene is named with its own parameters (`links=40 end_mass=100`); what belongs to a method (`sweeps`, `substeps`,
-`tolerance`) makes the points of its curve. `unit` and `reference` say what was counted and what the error is
+`slop`, `tolerance`) makes the points of its curve. `unit` and `reference` say what was counted and what the error is
 measured against.
 """
 
 import csv
 import math
 
-OF_METHODS = ("sweeps", "substeps", "tolerance", "unit", "reference")
+OF_METHODS = ("sweeps", "substeps", "slop", "tolerance", "unit", "reference")
 FAILED = math.inf
 
 
@@ -19,7 +19,7 @@ NAMES = {"rk4": "RK4", "yoshida4": "Yoshida 4", "verlet": "Verlet", "explicit_eu
          "sequential_impulse_coloured": "sequential impulses, coloured", "one_shot": "dense factorisation",
          "direct": "sparse factorisation", "one_row_repaid": "one row, error repaid",
          "warm_impulses": "warm impulses", "warm": "warm sweeps", "warm_best_multiple": "warm, best multiple",
-         "active_sets_warm": "active sets, warm", "baumgarte": "Baumgarte", "ode_dantzig": "ODE (Dantzig)",
+         "active_sets_warm": "active sets, warm", "exact_steps": "exact small steps", "baumgarte": "Baumgarte", "ode_dantzig": "ODE (Dantzig)",
          "bullet_dantzig": "Bullet (Dantzig)", "bullet_gauss_seidel": "Bullet (Gauss-Seidel)", "siconos_lemke": "Siconos (Lemke)", "box2d": "Box2D",
          "box2d_sleeping": "Box2D, with its sleep", "chipmunk": "Chipmunk",
          "chipmunk_sleeping": "Chipmunk, with its sleep", "block_impulse": "impulses two by two",
@@ -62,6 +62,8 @@ class Point:
         for key, unit in (("sweeps", "sweeps"), ("substeps", "substeps")):
             if key in self.given and not (key == "sweeps" and self.given[key] == "1" and "substeps" in self.given):
                 words.append(f"{self.given[key]} {unit if self.given[key] != '1' else unit[:-1]}")
+        if "slop" in self.given:
+            words.append(f"slop {1000 * float(self.given['slop']):g} mm")
         if "tolerance" in self.given:
             words.append(f"tolerance {self.given['tolerance']}")
         return ", ".join(words)

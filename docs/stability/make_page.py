@@ -15,6 +15,8 @@ In page.txt stands, between « and »:
     mark                             the table of the mark
     methods                          the list of columns
     seeds                            how many runs the whole table is
+    stresses                         how many stresses, in a word
+    energy                           the section on gained and lost energy, from energy.csv beside the mark; nothing without it
 """
 
 import csv
@@ -36,11 +38,16 @@ def percent(found):
     return f"{100 * found[0]:.0f} ({found[1]})" if found else "does not apply"
 
 
+ENERGY = """Nothing brakes these three linkages, so their exact energy never changes: a double pendulum of unit rods, a four-bar linkage of 30.9 J, and a chain of ten links that swings from level. Ten seconds in steps of 1/60 s, the worst of four perturbations of the masses; gains and losses in per cent of what goes up and down. In the rows of the table above that bear their names both signs count: up to 1 % is accurate, up to 10 % holds, a larger loss is a failure and a larger gain an explosion. A method that only ever loses looks stable everywhere else; here it comes to rest. `rattle` is [chapter 9](../chapters/09_active_sets/README.md#a-repair-that-does-no-work)'s step whose repair does no work."""
+
+
 class Page:
     def __init__(self, matrix, mark):
         self.table = Table(matrix)
         with open(mark, encoding="utf-8") as file:
             self.marks = list(csv.DictReader(file))
+        beside = pathlib.Path(mark).with_name("energy.csv")
+        self.energies = list(csv.DictReader(beside.open(encoding="utf-8"))) if beside.exists() else []
 
     def level_of(self, stress, value):
         for level, words in self.table.values[stress].items():
@@ -98,6 +105,22 @@ class Page:
 
     def seeds(self):
         return f"{self.table.runs:,}"
+
+    def stresses(self):
+        count = len(self.table.stresses)
+        return {15: "fifteen", 16: "sixteen", 17: "seventeen", 18: "eighteen", 19: "nineteen"}.get(count, str(count))
+
+    def energy(self):
+        """What each method gains and loses where nothing should be gained or lost."""
+        if not self.energies:
+            return ""
+        scenes = [name.removesuffix(" gain") for name in self.energies[0] if name.endswith(" gain")]
+        lines = ["## Energy: gained and lost", "", ENERGY, "",
+                 "| method | chapter | it may spend | " + " | ".join(scenes) + " |", "|---|---|---|" + "---:|" * len(scenes)]
+        for row in self.energies:
+            cells = [f"+{row[f'{s} gain']} −{row[f'{s} loss']}" if row[f"{s} gain"] else "gains more than 10" for s in scenes]
+            lines.append(f"| {row['method']} | {chapter(int(row['chapter']))} | {row['budget']} | " + " | ".join(cells) + " |")
+        return "\n".join(lines) + "\n\n"
 
     def best(self):
         lines = ["| method | chapter | mean | cells | of these always 3 | of these ever 0 |", "|---|---|---:|---:|---:|---:|"]

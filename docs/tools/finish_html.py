@@ -9,6 +9,7 @@
   pictures/chapters/…         are copied from the book
   [1] for a citation          becomes its key, as in the texts
   packed words of the filter  are unpacked; a formula and its comma stay on one line
+  the sidebar                 has each chapter before what goes deeper
   Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
                               whose variable starts with a digit, as 01_euler_integration.cpp does
 """
@@ -54,6 +55,23 @@ def equation_pages(root):
     return found
 
 
+def in_order(sidebar):
+    """Doxygen sorts in_depth.md before README.md: the main road of a chapter comes first."""
+    entry = r'(    \[ "Chapter %s[^\n]*\n(?:(?!    \[ ")[^\n]*\n)*)'
+    return re.sub(entry % r"(?P<n>\d+) in depth" + entry % r"(?P=n)\. ", r"\3\1", sidebar)
+
+
+def places_in_order(index, deeper):
+    """The same in the table that says at which place of the sidebar a page is."""
+    def moved(m):
+        deep = m.group(1).endswith("_in_depth")
+        name = m.group(1)[:-len("_in_depth")] if deep else m.group(1)
+        step = (1 if deep else -1) if name in deeper else 0
+        return f'"{m.group(1)}.html{m.group(2)}":[{int(m.group(3)) + step}'
+
+    return re.sub(r'"(ch\d\d_\w+)\.html((?:#[^"]*)?)":\[(\d+)', moved, index)
+
+
 def finish(folder, tag_file, root):
     pages, equations = addresses(tag_file, root), equation_pages(root)
     pictures = set()
@@ -90,6 +108,15 @@ def finish(folder, tag_file, root):
         pictures.update(html.unescape(p) for p in re.findall(r'src="pictures/([^"]+)"', new))
         if new != old:
             page.write_text(new, encoding="utf-8")
+    sidebar = folder / "navtreedata.js"
+    if sidebar.is_file():
+        old = sidebar.read_text(encoding="utf-8")
+        new = in_order(old)
+        if new != old:
+            sidebar.write_text(new, encoding="utf-8")
+            deeper = {page.name[:-len("_in_depth.html")] for page in folder.glob("ch*_in_depth.html")}
+            for index in folder.glob("navtreeindex*.js"):
+                index.write_text(places_in_order(index.read_text(encoding="utf-8"), deeper), encoding="utf-8")
     digits = [f for f in folder.glob("[0-9]*.js")]
     for script in folder.glob("*.js"):
         if digits and script.name not in {f.name for f in digits}:

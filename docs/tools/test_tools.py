@@ -14,6 +14,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import check_html  # noqa: E402
 import check_text  # noqa: E402
+import finish_html  # noqa: E402
 from finish_html import finish  # noqa: E402
 import sync_snippets  # noqa: E402
 from booktext import TextError, blocks, comments, slug, test_names, tokens  # noqa: E402
@@ -472,6 +473,20 @@ class Site(unittest.TestCase):
     def test_raw_marks(self):
         for raw in ("\\f[ x \\f]", "let $x$ be", "see \\cite key", "[x](y.md)", "packq2020q"):
             self.assertIn("raw" if "$" not in raw else "not turned into", self.check(f"<p>{raw}</p>"), raw)
+
+
+class Sidebar(unittest.TestCase):
+    def test_a_chapter_comes_before_what_goes_deeper(self):
+        deep = '    [ "Chapter 1 in depth", "a.html", [\n      [ "1.A", "a.html#a", null ]\n    ] ],\n'
+        road = '    [ "Chapter 1. Euler", "b.html", [\n      [ "1.1", "b.html#b", null ]\n    ] ],\n'
+        last = '    [ "Notation", "c.html", null ],\n'
+        self.assertEqual(finish_html.in_order(deep + road + last), road + deep + last)
+        self.assertEqual(finish_html.in_order(road + last), road + last)
+
+    def test_its_table_of_places_follows(self):
+        old = '"ch01_a_in_depth.html":[0],\n"ch01_a.html":[1],\n"ch01_a.html#x":[1,2],\n"ch02_b.html":[2],\n'
+        new = '"ch01_a_in_depth.html":[1],\n"ch01_a.html":[0],\n"ch01_a.html#x":[0,2],\n"ch02_b.html":[2],\n'
+        self.assertEqual(finish_html.places_in_order(old, {"ch01_a"}), new)
 
 
 class Commands(Folder):

@@ -56,9 +56,12 @@ struct WideProblem {
         Wide largest = 0;
         for (Index i = 0; i < mlcp.size(); ++i) {
             const auto k = static_cast<std::size_t>(i);
-            Wide r = mlcp.q[i], a = 0;
+            Wide r = mlcp.q[i], a = 0, sum = magnitude(r);
             for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-                r += static_cast<Wide>(entry.value()) * lambda[static_cast<std::size_t>(entry.col())];
+                const Wide term =
+                    static_cast<Wide>(entry.value()) * lambda[static_cast<std::size_t>(entry.col())];
+                r += term;
+                sum += magnitude(term);
                 if (entry.col() == i && entry.value() > 0) a = entry.value();
             }
             const auto room = [&](Real bound) {  // a (λ − bound); without a diagonal nothing or everything
@@ -72,7 +75,9 @@ struct WideProblem {
             if (mlcp.hi[i] < infinity) r = std::max(r, room(mlcp.hi[i]));
             if (magnitude(r) <= std::max(enough, underflow)) continue;
             const Wide size = unit[k] > 0 ? unit[k] * given : speed;
-            const Wide share = size > 0 ? magnitude(r) / size : static_cast<Wide>(infinity);
+            Wide share = size > 0 ? magnitude(r) / size : static_cast<Wide>(infinity);
+            if (!(given > 0) && magnitude(r) <= 3e-14 * sum)
+                share = 0;  // nothing is given: only rounding is nothing
             if (!(share <= largest)) largest = share;
         }
         return largest;

@@ -131,6 +131,15 @@ TEST_CASE("redundant rows of a problem whose q is zero have one w")
     check_verdicts(problem_of({0, 0, 1, 0}, {0, 0}, {0, 0}, {2, 0}), true);
 }
 
+TEST_CASE("the family of a singular set is seen where its equations are all rounding")
+{
+    const Real inf = infinity;
+    const Mlcp mlcp = problem_of({1, -1, -1, 0, -1, 3, 0, 2, -1, 0, 2, -1, 0, 2, -1, 2}, {-3, 10, 0, 7},
+                                 {0, -inf, -inf, -inf}, {inf, inf, inf, -2});
+    CHECK(schur(mlcp).uniqueness != Uniqueness::unique);
+    check_verdicts(mlcp, true);
+}
+
 // ---- solved, and it was no answer -----------------------------------------------------------------------
 
 TEST_CASE("conflicting rods without bounds are not solved by impulses of 1e31")

@@ -56,10 +56,10 @@ Method warm(const std::string& name, const Spending& spending, Start start = Sta
     return spending_method(8, name, spending, by);
 }
 
-std::vector<Setting> small_settings(SmallStepSettings& s)
+std::vector<Setting> small_settings(DiscScene& scene, SmallStepSettings& s)
 {
-    return {{"gravity x", &s.gravity.x(), false},
-            {"gravity y", &s.gravity.y(), false},
+    return {{"gravity x", &scene.gravity.x(), false},
+            {"gravity y", &scene.gravity.y(), false},
             {"margin", &s.margin, true},
             {"first_tolerance", &s.first_tolerance, true},
             {"beta", &s.correction.beta, false},
@@ -77,15 +77,20 @@ Method preset(const std::string& name, const SmallStepSettings& chosen)
     method.name = name;
     method.budget = std::to_string(chosen.substeps) + " substeps of one sweep" +
                     (chosen.first_sweeps > 0 ? ", the very first to the end" : "");
-    SmallStepSettings names;
-    method.settings = names_of(small_settings(names));
+    {
+        DiscScene scene;
+        SmallStepSettings names;
+        method.settings = names_of(small_settings(scene, names));
+    }
     method.start = [=](const std::shared_ptr<const Wish>& wish) {
         const auto now = std::make_shared<SmallStep>();
         return checked([=](DiscScene& scene, Real h) {
             SmallStepSettings settings = chosen;
             settings.h = h;
-            settings.gravity = scene.gravity;
-            spoil(*wish, small_settings(settings), settings);
+            scene.bends
+                .clear();  // without a stiffness they are nothing to the others, and refused by this one
+            const GravityGuard guard(scene);
+            spoil(*wish, small_settings(scene, settings), settings);
             small_steps(scene, settings, *now);
         });
     };

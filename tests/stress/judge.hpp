@@ -2,6 +2,9 @@
 /// How well a method held a scene: 3 within the accuracy tolerance; 2 the scene holds (gaps below 5 % of a size,
 /// order kept); 1 finite and not above the energy of its start by more than 1 %, but the task failed; 0 not a number, an
 /// explosion, or an answer that calls itself right and isn't.
+///
+/// Where the exact motion keeps its energy both signs count: 3 within 1 %, 2 within 10 %, 1 more is lost, 0 more is
+/// gained.
 #pragma once
 
 #include "common/measure.hpp"
@@ -16,25 +19,29 @@ inline constexpr int lost = 0, failed = 1, held = 2, accurate = 3;
 
 /// What a scene should do, and for how long it is watched.
 struct Task {
-    Real h = 1.0 / 60;     ///< [s]
-    long steps = 120;      ///< two seconds at 60 Hz
-    Real size = 0.2;       ///< of a disc or a link: gaps are measured by it [m]
-    bool rests = true;     ///< it is to come to rest: no disc faster than 1 cm/s in the second half
-    bool upright = false;  ///< the discs stand above each other in the order of their numbers
-    Real energy = 0;       ///< by which a gain of energy is measured [J]; 0 = lifting()
-    Real gap = 0;          ///< a gap that the scene itself makes unavoidable [m]
+    Real h = 1.0 / 60;       ///< [s]
+    long steps = 120;        ///< two seconds at 60 Hz
+    Real size = 0.2;         ///< of a disc or a link: gaps are measured by it [m]
+    bool rests = true;       ///< it is to come to rest: no disc faster than 1 cm/s in the second half
+    bool upright = false;    ///< the discs stand above each other in the order of their numbers
+    Real energy = 0;         ///< by which a gain of energy is measured [J]; 0 = lifting()
+    Real gap = 0;            ///< a gap that the scene itself makes unavoidable [m]
+    bool conserves = false;  ///< the exact motion keeps its energy: a loss counts as a gain does
 };
 
 struct Verdict {
     int score = accurate;
     std::string why = "";  ///< why it is not more
     Real gap = 0;          ///< the largest one of the second half [m]
+    Real gain = 0;         ///< of energy at worst, as a share of what it is measured by
+    Real loss = 0;         ///< the same downwards
 };
 
 inline constexpr const char* silent = "silent error";
 inline constexpr Real accurate_gap = 0.005, held_gap = 0.05;  ///< shares of the size
 inline constexpr Real resting_speed = 0.01;  ///< [m/s]: a centimetre a second is seen as rest
 inline constexpr Real energy_gain = 0.01;
+inline constexpr Real accurate_energy = 0.01, held_energy = 0.1;  ///< where the exact motion keeps it
 
 inline Real total_energy(const DiscScene& scene)
 {
@@ -74,7 +81,8 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
     const Real start = total_energy(scene);
     const Real scale = task.energy > 0 ? task.energy : lifting(scene);
     Verdict verdict;
-    Real speed = 0, energy = start;
+    Real speed = 0;
+    const Real most_gain = task.conserves ? held_energy : energy_gain;
     // A look at the gaps tests all pairs; thirty looks are enough.
     const long look_every = std::max(1L, task.steps / 60);
     for (long n = 0; n < task.steps; ++n) {
@@ -86,8 +94,11 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
             return {lost, "not finite", infinity};
         }
         if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite()) return {lost, "not finite", infinity};
-        energy = std::max(energy, total_energy(scene));
-        if (!(energy - start <= energy_gain * scale)) return {lost, "energy", infinity};
+        const Real energy = total_energy(scene);
+        verdict.gain = std::max(verdict.gain, (energy - start) / scale);
+        verdict.loss = std::max(verdict.loss, (start - energy) / scale);
+        if (!(energy - start <= most_gain * scale))
+            return {lost, "energy", infinity, verdict.gain, verdict.loss};
         if (2 * n < task.steps) continue;
         speed = std::max(speed, scene.bodies.u.cwiseAbs().maxCoeff());
         if (n % look_every == 0 || n + 1 == task.steps)
@@ -98,6 +109,11 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
                   : task.rests && speed > resting_speed ? "unrest"
                                                         : "";
     verdict.score = verdict.why.empty() ? accurate : gap <= held_gap * task.size ? held : failed;
+    const Real change = std::max(verdict.gain, verdict.loss);
+    if (task.conserves && change > accurate_energy && verdict.score > failed) {
+        verdict.why = verdict.loss > verdict.gain ? "energy loss" : "energy gain";
+        verdict.score = change <= held_energy ? held : failed;
+    }
     if (task.upright && !stands_in_order(scene)) verdict.score = failed, verdict.why = "order";
     return verdict;
 }

@@ -49,6 +49,7 @@ Method skipping(const std::string& name, int sweeps)
             settings.h = h;
             settings.sweeps.max_sweeps = sweeps;
             settings.sweeps.tolerance = 1e-6;
+            settings.start = Start::previous;
             settings.stabilizer.method = Stabilizer::baumgarte;
             if (wish->beta >= 0) settings.stabilizer.beta = wish->beta;
             spoil(*wish, skipping_settings(scene, settings), settings);

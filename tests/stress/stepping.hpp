@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/07_baumgarte/corrected_method.hpp"
+#include "chapters/09_active_sets/rattle.hpp"
 #include "tests/stress/columns.hpp"
 
 namespace rigid::stress {
@@ -22,6 +23,13 @@ inline void add_settings(std::vector<Setting>& all, Correction& c)
     all.push_back({"bilateral_slop", &c.bilateral_slop, false});
     all.push_back({"max_correction_speed", &c.max_correction_speed, true});
     all.push_back({"correction tolerance", &c.tolerance, true});
+}
+
+inline void add_settings(std::vector<Setting>& all, Rattle& c)
+{
+    all.push_back({"restitution", &c.restitution, false});
+    all.push_back({"threshold", &c.threshold, true});
+    all.push_back({"position tolerance", &c.tolerance, false});
 }
 
 /// All settings of a method that are numbers.

@@ -2,6 +2,7 @@
 ///
 ///     stress [--quick] [--csv FILE] [--only STRESS] [--method NAME] [--threads N] [--check FILE]
 ///     stress --mark [--csv FILE]
+///     stress --energy [--csv FILE]
 ///
 /// Writes a table as it goes; a table that is there already is gone on with, so an interrupted run loses nothing. The
 /// table is the same for any number of threads.
@@ -27,7 +28,7 @@ namespace {
 
 struct Options {
     std::string file, only, method, check;
-    bool quick = false, mark = false;
+    bool quick = false, mark = false, energy = false;
     int threads = 0;
 };
 
@@ -206,6 +207,39 @@ int mark(const Options& options)
     return 0;
 }
 
+/// What each method gains and loses where the exact energy never changes: ten seconds of 1/60 s, in per cent.
+int energy(const Options& options)
+{
+    std::ofstream file;
+    if (!options.file.empty()) file.open(options.file);
+    std::ostream& out = options.file.empty() ? std::cout : file;
+    out << "method,chapter,budget";
+    for (const Conserving& one : conserving_scenes(1.0 / 60))
+        out << "," << one.name << " gain," << one.name << " loss";
+    out << "\n";
+    const auto wish = std::make_shared<const Wish>();
+    for (const Method& method : methods()) {
+        out << method.name << "," << method.chapter << ",\"" << method.budget << "\"";
+        for (Conserving& one : conserving_scenes(1.0 / 60)) {
+            Verdict worst;
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                DiscScene scene = one.scene;
+                vary_masses(scene, seed);
+                const Verdict verdict = judge(scene, one.task, method.start(wish));
+                worst.gain = std::max(worst.gain, verdict.score == lost ? infinity : verdict.gain);
+                worst.loss = std::max(worst.loss, verdict.loss);
+            }
+            const auto percent = [](Real share) {
+                return std::isfinite(share) ? significant(100 * share, 2) : std::string();
+            };
+            out << "," << percent(worst.gain) << "," << percent(worst.loss);
+        }
+        out << "\n" << std::flush;
+    }
+    if (!out) throw std::runtime_error("the table could not be written");
+    return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -219,9 +253,10 @@ int main(int argc, char** argv)
     app.add_option("--check", options.check, "a table that this one must agree with, cell by cell");
     app.add_flag("--quick", options.quick, "two perturbations a cell instead of sixteen, and no long runs");
     app.add_flag("--mark", options.mark, "two hard scenes with four sweeps a step: gaps in metres");
+    app.add_flag("--energy", options.energy, "what is gained and lost where energy never changes: per cent");
     CLI11_PARSE(app, argc, argv);
     try {
-        return options.mark ? mark(options) : run(options);
+        return options.mark ? mark(options) : options.energy ? energy(options) : run(options);
     } catch (const std::exception& error) {
         std::cerr << "stress: " << error.what() << '\n';
         return 2;

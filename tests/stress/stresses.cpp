@@ -1,6 +1,7 @@
 #include "tests/stress/stresses.hpp"
 
 #include "chapters/08_warm_starting/looped_trusses.hpp"
+#include "chapters/09_active_sets/linkages.hpp"
 #include "common/text.hpp"
 
 namespace rigid::stress {
@@ -14,6 +15,34 @@ void perturb(DiscScene& scene, std::uint64_t seed)
         const Real vy = random.uniform(-1e-3, 1e-3), vx = random.uniform(-1e-3, 1e-3);
         scene.bodies.velocity(k) = Vec2(vx, vy);
     }
+}
+
+void vary_masses(DiscScene& scene, std::uint64_t seed)
+{
+    Random random(seed);
+    for (Index k = 0; k < scene.bodies.count(); ++k)
+        if (scene.bodies.inverse_mass[2 * k] > 0)
+            scene.bodies.inverse_mass.segment<2>(2 * k) *= random.uniform(0.95, 1.05);
+}
+
+std::vector<Conserving> conserving_scenes(Real h)
+{
+    std::vector<Conserving> all = {
+        {"double pendulum", "two rods of 1 m with discs of 1 kg, the upper one level", linked_discs(2), {}},
+        {"four-bar", "a four-bar linkage of 30.9 J", four_bar(), {}},
+        {"swinging chain", "ten links of 0.1 m with discs of 1 kg, from level", free_swinging_chain(), {}}};
+    for (Conserving& one : all) {
+        one.task.h = h;
+        one.task.steps = std::lround(10 / h);
+        one.task.size = one.scene.links.front().length;
+        one.task.rests = false;
+        one.task.conserves = true;
+    }
+    // From the start down to where all hang straight; of the four-bar all that it has.
+    all[0].task.energy = 2 * 9.81;
+    all[1].task.energy = 30.9;
+    all[2].task.energy = 55 * 0.1 * 9.81;
+    return all;
 }
 
 Task standing()
@@ -123,6 +152,24 @@ Stress loaded_chain()
                 return run(method, {}, slanted_chain(40, R[static_cast<std::size_t>(level)]), swinging(),
                            seed);
             }};
+}
+
+/// A linkage whose exact energy never changes, at larger and larger steps.
+Stress energy_of(std::size_t which)
+{
+    const Values per_second = {960, 480, 240, 120, 60};
+    std::array<std::string, levels> words;
+    for (std::size_t i = 0; i < levels; ++i) words[i] = "1/" + readable(per_second[i]) + " s";
+    const Conserving one = conserving_scenes(1).at(which);
+    Stress stress{
+        one.name, one.what + ": ten seconds in steps of h, and no energy is gained or lost", words,
+        [=](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
+            Conserving now = conserving_scenes(1 / per_second[static_cast<std::size_t>(level)]).at(which);
+            vary_masses(now.scene, seed);
+            return judge(std::move(now.scene), now.task, method.start(std::make_shared<const Wish>()));
+        }};
+    stress.seeds = {4, 4, 4, 4, 4};
+    return stress;
 }
 
 Stress time_step()
@@ -315,9 +362,10 @@ Stress long_run()
 
 std::vector<Stress> stresses()
 {
-    return {heavy_top(),  heavy_bottom(), tall_column(), long_chain(),     loaded_chain(), time_step(),
-            beta(),       restitution(),  redundant(),   looped_trusses(), conflicting(),  far_away(),
-            small_mass(), coincident(),   bad_input(),   long_run()};
+    return {heavy_top(),   heavy_bottom(), tall_column(),    long_chain(),  loaded_chain(),
+            energy_of(0),  energy_of(1),   energy_of(2),     time_step(),   beta(),
+            restitution(), redundant(),    looped_trusses(), conflicting(), far_away(),
+            small_mass(),  coincident(),   bad_input(),      long_run()};
 }
 
 }  // namespace rigid::stress

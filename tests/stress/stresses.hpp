@@ -37,4 +37,15 @@ Task standing();
 DiscScene slanted_chain(Index count, Real end_mass);
 Task swinging();
 
+/// Scenes whose exact energy never changes, ten seconds in steps of h: linkages without contacts.
+struct Conserving {
+    std::string name, what;
+    DiscScene scene;
+    Task task;
+};
+std::vector<Conserving> conserving_scenes(Real h);
+
+/// Masses alone, by up to 5 %: a velocity must stay one that the rods allow.
+void vary_masses(DiscScene& scene, std::uint64_t seed);
+
 }  // namespace rigid::stress

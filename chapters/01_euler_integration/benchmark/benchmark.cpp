@@ -172,7 +172,7 @@ void table_work_precision()
     });
 }
 
-/// Errors over thousands of periods when every method may ask for the force equally often:
+/// Errors over thousands of periods when every method evaluates the force equally often:
 /// the largest within the last period, in place and in energy.
 void table_long_time(Index per_period)
 {
@@ -459,7 +459,7 @@ void table_pairs()
                                 std::log(pair.theirs));
         }
         // One run's error is a matter of luck. A straight line through the logarithms of
-        // the runs with an error within a factor of 30 of the wanted one says what it costs
+        // the runs with an error within a factor of 30 of the target gives its cost
         // on the whole.
         const auto time_for = [](const std::vector<Vec2>& curve, Real error) {
             Real n = 0, x = 0, y = 0, xx = 0, xy = 0;

@@ -17,7 +17,7 @@ namespace odeint = boost::numeric::odeint;
 
 /// Yoshida's composition in odeint's own frame for such methods, which drifts first and
 /// kicks then; the drift that is left over after the third kick is done by hand, because a
-/// fourth stage would ask for a force that nobody needs. Its mirror image is ours: the same
+/// fourth stage would evaluate a force that is not used. Its mirror image is ours: the same
 /// order, cost and size of error.
 template <class P>
 struct OdeintYoshida {

@@ -31,6 +31,7 @@ if [ "${3:-}" = measured ]; then
     exit
 fi
 
+plot areas none
 for name in energy phase stability modified long_time steps work_precision; do
     table $name
 done

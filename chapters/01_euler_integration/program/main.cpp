@@ -53,7 +53,7 @@ struct Mover {
     {
         require_finite(s);
         now = acceleration(a, s);
-        a.evaluations = 0;  // the first one is nobody's
+        a.evaluations = 0;  // the first evaluation belongs to no step
         if (method == Method::dormand_prince) run = start_adaptive(s, a, tolerance);
         stops = {s};
     }
@@ -318,7 +318,7 @@ private:
         return mover_.outcome == Outcome::event ? mover_.t >= mover_.run.t
                                                 : mover_.s.x.y() <= 0;
     }
-    /// When it met the ground: a fixed step only knows the end of the step that went below
+    /// When it met the ground: with a fixed step only the end of the step that went below is known
     /// it.
     Real time() const { return mover_.outcome == Outcome::event ? mover_.run.t : mover_.t; }
 

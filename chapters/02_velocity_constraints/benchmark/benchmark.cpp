@@ -32,7 +32,7 @@ Real angle_error(const VecX& x)
     return std::abs(std::remainder(difference, 2 * pi));
 }
 
-/// Every case has the same counters, as a table wants them.
+/// Every case has the same counters, as a table needs them.
 void report(benchmark::State& state, Real error, Real stretch, Real rounds, Real work)
 {
     state.counters["error"] = error;

@@ -11,7 +11,7 @@
 
 namespace rigid {
 
-/// The colours of this chapter: what a velocity or an impulse is can be told from its colour.
+/// The colours of this chapter: each kind of velocity and impulse has its own.
 namespace paint {
 inline constexpr Style body = {Colour::blue, 1.5, 0.35, true, false};
 inline constexpr Style fixed = {Colour::ink, 1.5, 0.5, true, false};

@@ -65,7 +65,7 @@ public:
 
         answer_ = {};
         if (settings.method == "row") {
-            const Real b = settings["repay"] * constraint.C / h;  // 0: the row forgets C, see (2.34)
+            const Real b = settings["repay"] * constraint.C / h;  // 0: C is ignored, see (2.34)
             const Row<2> row = bilateral(constraint, bodies_.inverse_mass, b);
             answer_ = solve_row(row, bodies_.u);   // (2.7)
             row.apply(answer_.lambda, bodies_.u);  // (2.5)

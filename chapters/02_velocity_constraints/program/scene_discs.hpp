@@ -87,7 +87,7 @@ public:
     {
         canvas.box({0, 0}, {1.5, 1}, 0, paint::wire);
         const Bodies<2>& bodies = scene_.bodies;
-        const bool few = bodies.count() <= 3;  // else the names would stand in each other's way
+        const bool few = bodies.count() <= 3;  // else the names would overlap
         const auto arrow = [&](const Vec2& tail, const Vec2& vector, const char* name, const Style& style) {
             labelled_arrow(canvas, tail, vector, few ? name : "", style, 0.05);
         };

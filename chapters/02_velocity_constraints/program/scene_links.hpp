@@ -1,5 +1,5 @@
 /// \file scene_links.hpp
-/// A chain of links, and three rods that ask for the impossible.
+/// A chain of links, and three rods that can't all be met.
 #pragma once
 
 #include "chapters/02_velocity_constraints/geometry.hpp"
@@ -113,7 +113,7 @@ inline Demo chain_scene()
     return scene;
 }
 
-/// A disc on three rods. Two hold it already; the third is redundant, or, told to grow, in conflict.
+/// A disc on three rods. Two hold it already; the third is redundant, or, made to grow, in conflict.
 class ConflictRun : public Run {
 public:
     explicit ConflictRun(const Settings& settings) : bodies_(1) { solve(settings); }
@@ -132,7 +132,7 @@ public:
     {
         std::vector<Row<2>> rows;
         for (std::size_t i = 0; i < 3; ++i) {
-            // The third rod is told to grow: ||x - p|| - L(t) = 0 with dL/dt = growth, so b = -growth.
+            // The third rod is made to grow: ||x - p|| - L(t) = 0 with dL/dt = growth, so b = -growth.
             const Real growth = i == 2 ? settings["growth"] : 0;
             rows.push_back(
                 bilateral(anchor_constraint(bodies_.x, 0, anchors[i], 1), bodies_.inverse_mass, -growth));

@@ -136,17 +136,24 @@ public:
     }
 
 private:
-    /// The two beads, with their velocities before and after.
+    /// The two beads twice: apart, with the velocities that they come with, and where they touch, with those after
+    /// the impulse. 3 m/s is drawn as 1.5 m, so that no arrow meets another.
     void draw_rail(Canvas& canvas, const Vec2& middle, const Vec2& mass) const
     {
-        canvas.segment(middle - Vec2(3, 0), middle + Vec2(3, 0), paint::wire);
-        for (int k = 0; k < 2; ++k) {
-            const Real radius = 0.25;
-            const Vec2 p = middle + Vec2((k == 0 ? -1 : 1) * radius, 0);
-            canvas.disc(p, radius, {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8), true, false});
-            canvas.text(p - Vec2(0, 0.08), k == 0 ? "1" : "2", 14, paint::label, Align::centre);
-            canvas.arrow(p + Vec2(0, 0.36), p + Vec2(0.5 * u_star_[k], 0.36), paint::wanted);
-            canvas.arrow(p - Vec2(0, 0.36), p + Vec2(0.5 * bodies_.u[k], -0.36), paint::allowed);
+        const Real radius = 0.25, scale = 0.5;
+        for (const bool after : {false, true}) {
+            const Vec2 rail = middle - Vec2(0, after ? 1.25 : 0);
+            const VecX& u = after ? bodies_.u : VecX(u_star_);
+            const auto& style = after ? paint::allowed : paint::wanted;
+            canvas.segment(rail - Vec2(3, 0), rail + Vec2(3, 0), paint::wire);
+            canvas.text(rail + Vec2(-3, 0.45), after ? "after" : "before", 14, style);
+            for (int k = 0; k < 2; ++k) {
+                const Vec2 p = rail + Vec2((k == 0 ? -1 : 1) * (after ? radius : 1.6), 0);
+                const Real up = after && k == 1 ? 0.58 : 0.36;  // equal velocities are not drawn as one arrow
+                canvas.disc(p, radius, {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8), true, false});
+                canvas.text(p - Vec2(0, 0.08), k == 0 ? "1" : "2", 14, paint::label, Align::centre);
+                if (u[k] != 0) canvas.arrow(p + Vec2(0, up), p + Vec2(scale * u[k], up), style);
+            }
         }
     }
 
@@ -162,7 +169,7 @@ inline Demo plane_scene()
     scene.name = "feasible";
     scene.summary =
         "Two beads on a rail: drag the point of their two velocities and see what the row makes of it";
-    scene.view = {{0, -0.4}, {3.4, 4}};
+    scene.view = {{0, -0.95}, {3.4, 4.55}};
     scene.methods = {"unilateral", "bilateral"};
     scene.tunables = {{"u1", "m/s", "velocity of bead 1 before the row", 2, -3, 3, false, false, false},
                       {"u2", "m/s", "velocity of bead 2 before the row", -2, -3, 3, false, false, false},

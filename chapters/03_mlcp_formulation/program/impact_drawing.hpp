@@ -122,7 +122,7 @@ inline void solve_set(const Mlcp& mlcp, int set, Index n, VecX& lambda)
         if (set >> i & 1) lambda[i] = -q[i] / A.coeff(i, i);
 }
 
-/// Each set of cases, what it leads to, and what speaks against it.
+/// Each set of cases, its result, and why it fails.
 inline void draw_sets(Canvas& canvas, const ImpactMoment& shown)
 {
     const Index n = std::min<Index>(shown.mlcp.size(), 2);

@@ -36,7 +36,7 @@ inline Problem read_problem(const std::string& file)
     return ProblemReader(in, file).read();
 }
 
-/// Prints name, n, status, residual and iterations as keys; the uniqueness as `solution` if the method knows
+/// Prints name, n, status, residual and iterations as keys; the uniqueness as `solution` if the method examined
 /// it; and z and w as sections, if there is an answer or what came near to one.
 inline void write_solution(std::ostream& out, const Problem& problem, const Solution& solution)
 {

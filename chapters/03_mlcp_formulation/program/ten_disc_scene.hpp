@@ -27,16 +27,15 @@ inline std::vector<Tunable> ten_discs_tunables()
              false}};
 }
 
-/// What a scene of the ten discs has in every chapter: its view, its time step, the pointer and what can be tuned.
-inline void set_up_ten_discs(Demo& scene)
+inline const View ten_discs_view = {{0, 0.03}, {0.8, 0.58}};  ///< the box alone
+
+/// What a scene of the ten discs has in every chapter: its time step and the pointer.
+inline void set_up_ten_discs(Demo& demo)
 {
-    scene.view = {{0, 0.03}, {0.8, 0.58}};
-    scene.h = ten_discs_h;
-    scene.h_low = ten_discs_h_low;
-    scene.h_high = ten_discs_h_high;
-    scene.steered = true;
-    const std::vector<Tunable> shared = ten_discs_tunables();
-    scene.tunables.insert(scene.tunables.begin(), shared.begin(), shared.end());
+    demo.h = ten_discs_h;
+    demo.h_low = ten_discs_h_low;
+    demo.h_high = ten_discs_h_high;
+    demo.steered = true;
 }
 
 /// Gravity towards the pointer: its place relative to the middle of the picture, in halves of the picture's

@@ -1,10 +1,8 @@
 /// \file drawing.hpp
-/// What this chapter's pictures share: a chart with a logarithmic axis, walls, and colours.
+/// What this chapter's pictures share beside the pieces of chapter 3: a chart with a logarithmic axis.
 #pragma once
 
-#include "common/canvas.hpp"
-#include "common/shapes.hpp"
-#include "common/text.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_drawing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,32 +12,8 @@
 
 namespace rigid::paint {
 
-inline constexpr Style label = {Colour::ink, 1.5, 1, false, false};
-inline constexpr Style axis = {Colour::ink, 1, 1, false, false};
-inline constexpr Style grid = {Colour::faint, 0.7, 0.6, false, false};
-inline constexpr Style body = {Colour::blue, 1.5, 0.3, true, false};
-inline constexpr Style fixed_body = {Colour::ink, 1.5, 0.5, true, false};
-inline constexpr Style wall = {Colour::ink, 2, 1, false, false};
-inline constexpr Style impulse = {Colour::red, 2.5, 1, false, false};
-inline constexpr Style link = {Colour::ink, 3, 1, false, false};
 inline constexpr Style error = {Colour::blue, 2, 1, false, false};
 inline constexpr Style residual = {Colour::orange, 2, 1, false, false};
-inline constexpr Style theory = {Colour::ink, 1.5, 1, false, true};
-
-/// A wall of a scene: it ends where the walls across it stand; a lone one goes `reach` to either side [m].
-/// \param zoom  from metres to the units of the picture
-inline void draw_wall(Canvas& canvas, const HalfSpace& plane, const std::vector<HalfSpace>& all, Real zoom,
-                      Real reach)
-{
-    const Vec2 along = perpendicular(plane.normal), middle = plane.normal * plane.offset;
-    Real from = -reach, to = reach;
-    for (const HalfSpace& other : all) {
-        const Real slope = other.normal.dot(along);
-        if (std::abs(slope) < 0.5) continue;
-        (slope > 0 ? from : to) = (other.offset - other.normal.dot(middle)) / slope;
-    }
-    canvas.segment(zoom * (middle + from * along), zoom * (middle + to * along), wall);
-}
 
 /// A chart of positive numbers against sweeps 0 … last, on decades low … high, in a box of the picture.
 class LogChart {

@@ -1,99 +1,89 @@
 /// Chapter 4: projected Gauss-Seidel.
 
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
-#include "chapters/04_pgs/program/disc_run.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_run.hpp"
+#include "chapters/04_pgs/program/cold_sweeps.hpp"
+#include "chapters/04_pgs/program/scene_picture.hpp"
 #include "chapters/04_pgs/program/scene_sweeps.hpp"
 #include "chapters/04_pgs/program/scene_zigzag.hpp"
+#include "chapters/04_pgs/program/tunables.hpp"
 
 using namespace rigid;
 
 namespace {
 
-/// What all scenes of discs have in common.
-Demo disc_scene(const std::string& name, const std::string& summary, int max_sweeps)
+using SweptMethod = MatrixMethod<ColdSweeps>;
+
+/// A scene whose every step is swept, from the reader's settings.
+SceneSetup<SweptMethod> swept(DiscScene scene, Real zoom, Pointer pointer = Pointer::pulls)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.h = scene.h_high = 1.0 / 60;
-    scene.h_low = 1e-4;
-    scene.methods = {"gauss_seidel", "sor", "symmetric", "jacobi"};
-    scene.tunables = {
-        {"max_sweeps", "", "after so many sweeps a step makes do with what it has",
-         static_cast<Real>(max_sweeps), 5, 2000, true, false, false},
-        {"digits", "", "the residual is to be below 10^-digits m/s", 6, 1, 12, false, false, false},
-        {"omega", "", "relaxation of method sor", 1.5, 0.2, 1.7, false, false, false},
-        {"order", "", "order of the visits: 0 as the rows come, 1 reversed, 2 shuffled", 0, 0, 2, true, false,
-         false}};
-    scene.columns = {{"sweeps", "", "sweeps of the step", true, false},
-                     {"residual", "m/s", "natural residual of the step's answer", true, true},
-                     {"row_visits", "", "rows visited: sweeps and computed residuals", false, false},
-                     {"rows", "", "links and contacts", false, false},
-                     {"unsolved", "", "steps so far that did not meet the tolerance", false, false},
-                     {"link_error", "m", "largest difference of a link from its length", true, true},
-                     {"penetration", "m", "deepest overlap", true, true},
-                     {"kinetic", "J", "kinetic energy", true, false},
-                     {"energy", "J", "kinetic energy and that of the weight", false, false}};
-    return scene;
+    SceneSetup<SweptMethod> setup;
+    setup.scene = std::move(scene);
+    setup.zoom = zoom;
+    setup.pointer = pointer;
+    setup.tune = [](const Settings& settings, RunState<SweptMethod>& state) {
+        tune_sweeps(settings, state.method.solver.find);
+    };
+    setup.draw = [](Canvas& canvas, const SceneState& state) { paint::draw_scene(canvas, state); };
+    return setup;
+}
+
+/// What all scenes of discs have in common.
+/// \param own  what the reader may change in this one alone
+Demo swept_demo(const std::string& name, const std::string& summary, const View& view,
+                const std::vector<Tunable>& own, int max_sweeps,
+                const std::function<SceneSetup<SweptMethod>(const Settings&)>& set_up)
+{
+    Demo demo;
+    demo.name = name;
+    demo.summary = summary;
+    demo.view = view;
+    demo.h = demo.h_high = 1.0 / 60;
+    demo.h_low = 1e-4;
+    demo.methods = {"gauss_seidel", "sor", "symmetric", "jacobi"};
+    demo.side_by_side = {"gauss_seidel", "sor"};
+    demo.tunables = with(own, {tunables::max_sweeps(max_sweeps, 5), tunables::digits(),
+                               tunables::number("omega", "", "relaxation of method sor", 1.5, 0.2, 1.7),
+                               tunables::order()});
+    run_scene<SweptMethod>(demo, matrix_columns<ColdSweeps>("sweeps", "sweeps of the step"), set_up);
+    return demo;
 }
 
 Demo ten_discs_scene()
 {
-    Demo scene = disc_scene(
-        "ten_discs", "Seven discs on a chain and three free ones in a box that the pointer tilts", 2000);
-    set_up_ten_discs(scene);
-    scene.start = [view = scene.view](const Settings&) {
-        return std::make_unique<DiscRun>(ten_discs(), 1, view, true);
-    };
-    return scene;
+    Demo demo =
+        swept_demo("ten_discs", "Seven discs on a chain and three free ones in a box that the pointer tilts",
+                   ten_discs_view, ten_discs_tunables(), 2000,
+                   [](const Settings&) { return swept(ten_discs(), 1, Pointer::steers); });
+    set_up_ten_discs(demo);
+    demo.side_by_side.clear();
+    return demo;
 }
 
-/// The scenes that show where sweeps do not suffice: few sweeps, long steps.
-Demo failing_scene(const std::string& name, const std::string& summary, const Tunable& size,
-                   const Tunable& mass)
-{
-    Demo scene = disc_scene(name, summary, 10);
-    scene.side_by_side = {"gauss_seidel", "sor"};
-    scene.tunables.insert(scene.tunables.begin(), mass);
-    if (!size.name.empty()) scene.tunables.insert(scene.tunables.begin(), size);
-    return scene;
-}
+// The scenes that show where sweeps do not suffice: few sweeps, long steps.
 
 Demo column_scene()
 {
-    Demo scene =
-        failing_scene("column", "A column of N discs with a heavy one on top: too few sweeps and it sinks",
-                      {"rows", "", "N, discs in the column", 15, 1, 100, true, true, false},
-                      {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 10, 0.01, 1000,
-                       false, true, false});
-    scene.view = {{0, 1.05}, {0.9, 1.2}};
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["rows"]);
-        return std::make_unique<DiscRun>(column(N, settings["top_mass"]), 10 / static_cast<Real>(N), view);
-    };
-    return scene;
+    return swept_demo("column", "A column of N discs with a heavy one on top: too few sweeps and it sinks",
+                      {{0, 1.05}, {0.9, 1.2}}, {tunables::in_column("rows", 15), tunables::top_mass(10)}, 10,
+                      [](const Settings& settings) {
+                          const auto N = static_cast<Index>(settings["rows"]);
+                          return swept(column(N, settings["top_mass"]), 10 / static_cast<Real>(N));
+                      });
 }
 
 Demo chain_scene()
 {
-    Demo scene = failing_scene(
+    Demo demo = swept_demo(
         "hanging_chain", "N links with a heavy end: pull it with the mouse; too few sweeps and it stretches",
-        {"links", "", "N, links of 0.1 m", 30, 1, 60, true, true, false},
-        {"end_mass", "kg", "mass of the lowest disc; the others have 1 kg", 10, 0.01, 1000, false, true,
-         false});
-    scene.view = {{0, -1.05}, {1, 1.45}};
-    scene.methods.push_back("cg");
-    scene.side_by_side.push_back("cg");
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["links"]);
-        DiscScene chain = hanging_chain(N, settings["end_mass"]);
-        // It starts a little aside, as a pendulum, and its discs never meet.
-        for (Index k = 1; k <= N; ++k)
-            chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
-        chain.linked = PairSet::all();
-        return std::make_unique<DiscRun>(std::move(chain), 20 / static_cast<Real>(N), view);
-    };
-    return scene;
+        {{0, -1.05}, {1, 1.45}}, {tunables::links(30, 1, 60), tunables::end_mass(10)}, 10,
+        [](const Settings& settings) {
+            const auto N = static_cast<Index>(settings["links"]);
+            return swept(leaning_chain(N, settings["end_mass"]), 20 / static_cast<Real>(N));
+        });
+    demo.methods.push_back("cg");
+    demo.side_by_side.push_back("cg");
+    return demo;
 }
 
 /// Two columns of two: R on 1 kg and 1 kg on R.
@@ -111,15 +101,12 @@ DiscScene two_columns(Real R)
 
 Demo mass_ratio_scene()
 {
-    Demo scene = failing_scene(
-        "mass_ratio", "Left a heavy disc on a light one, right the reverse, with the same sweeps", {},
-        {"ratio", "", "R, the mass of the heavy ones over that of the light ones", 100, 1, 10000, false, true,
-         false});
-    scene.view = {{0, 0.42}, {0.9, 0.5}};
-    scene.start = [view = scene.view](const Settings& settings) {
-        return std::make_unique<DiscRun>(two_columns(settings["ratio"]), 1.5, view);
-    };
-    return scene;
+    return swept_demo(
+        "mass_ratio", "Left a heavy disc on a light one, right the reverse, with the same sweeps",
+        {{0, 0.42}, {0.9, 0.5}},
+        {tunables::at_start("ratio", "", "R, the mass of the heavy ones over that of the light ones", 100, 1,
+                            10000)},
+        10, [](const Settings& settings) { return swept(two_columns(settings["ratio"]), 1.5); });
 }
 
 /// What --problem FILE --method NAME can solve by. Ten digits, or all the sweeps that patience allows.

@@ -4,30 +4,16 @@
 
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
+#include "chapters/04_pgs/program/cold_sweeps.hpp"
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/rates.hpp"
 #include "common/program/program.hpp"
-#include "common/random.hpp"
 
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace rigid {
-
-/// The order of the visits: 0 as given, 1 reversed, 2 shuffled.
-inline std::vector<int> row_order(Index count, int kind, std::uint64_t seed)
-{
-    if (kind == 0) return {};
-    std::vector<int> order(static_cast<std::size_t>(count));
-    std::iota(order.begin(), order.end(), 0);
-    if (kind == 1) std::reverse(order.begin(), order.end());
-    Random random(seed);
-    for (std::size_t k = order.size(); kind == 2 && k-- > 1;)
-        std::swap(order[k], order[static_cast<std::size_t>(random.index(static_cast<Index>(k) + 1))]);
-    return order;
-}
 
 /// A column of N discs at rest, whose answer (4.9) and rates (4.12), (4.14), (4.19) are known.
 class SweepsRun : public Run {

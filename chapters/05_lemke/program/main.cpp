@@ -1,7 +1,10 @@
 /// Chapter 5: Lemke's algorithm.
 
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
-#include "chapters/04_pgs/program/disc_run.hpp"
+#include "chapters/03_mlcp_formulation/program/scene_run.hpp"
+#include "chapters/04_pgs/program/cold_sweeps.hpp"
+#include "chapters/04_pgs/program/scene_picture.hpp"
+#include "chapters/04_pgs/program/tunables.hpp"
 #include "chapters/05_lemke/program/scene_plane.hpp"
 #include "chapters/05_lemke/program/scene_stack.hpp"
 #include "chapters/05_lemke/program/walk_run.hpp"
@@ -10,79 +13,74 @@ using namespace rigid;
 
 namespace {
 
-/// A scene of discs: chapter 3's step, solved exactly, or by chapter 4's sweeps to compare.
-class ExactDiscRun : public DiscRun {
-public:
-    using DiscRun::DiscRun;
+/// A solver of the MLCP: Lemke's algorithm, or chapter 4's sweeps to compare.
+struct LemkeOrSweeps : ColdSweeps {
+    bool by_pivots = true;
 
-    //! [step]
-    void step(const Settings& settings, const Input& input) override
+    void operator()(const Mlcp& mlcp, Solution& solution)
     {
-        if (settings.method != "lemke") return DiscRun::step(settings, input);
-        counted_ = "pivots";
-        listen(settings, input);
-        const auto solve = [](const Mlcp& mlcp) { return lemke(mlcp); };
-        advance(solve);
-        if (!scene_.bodies.x.allFinite()) throw StepFailure(first_lost_body());
-        unsolved_ += now_.solution.status != Status::solved;
+        if (by_pivots) solution = lemke(mlcp);
+        else ColdSweeps::operator()(mlcp, solution);
     }
-    //! [step]
 };
 
-Demo disc_scene(const std::string& name, const std::string& summary)
+using PivotMethod = MatrixMethod<LemkeOrSweeps>;
+
+SceneSetup<PivotMethod> solved_exactly(DiscScene scene, Real zoom, Pointer pointer = Pointer::pulls)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.h = 1.0 / 480;
-    scene.h_low = 1e-4;
-    scene.h_high = 1.0 / 60;
-    scene.methods = {"lemke", "gauss_seidel"};
-    scene.side_by_side = scene.methods;
-    scene.tunables = {{"max_sweeps", "", "of gauss_seidel: after so many it makes do with what it has", 10, 1,
-                       2000, true, false, false},
-                      {"digits", "", "of gauss_seidel: the residual is to be below 10^-digits m/s", 6, 1, 12,
-                       false, false, false},
-                      {"order", "", "of gauss_seidel: 0 as the rows come, 1 reversed, 2 shuffled", 0, 0, 2,
-                       true, false, false}};
-    scene.columns = {{"iterations", "", "pivots, or sweeps, of the step", true, false},
-                     {"residual", "m/s", "natural residual of the step's answer", true, true},
-                     {"row_visits", "", "of gauss_seidel: rows visited", false, false},
-                     {"rows", "", "links and contacts", false, false},
-                     {"unsolved", "", "steps so far that did not meet the tolerance", false, false},
-                     {"link_error", "m", "largest difference of a link from its length", true, true},
-                     {"penetration", "m", "deepest overlap", true, true},
-                     {"kinetic", "J", "kinetic energy", true, false},
-                     {"energy", "J", "kinetic energy and that of the weight", false, false}};
-    return scene;
+    SceneSetup<PivotMethod> setup;
+    setup.scene = std::move(scene);
+    setup.zoom = zoom;
+    setup.pointer = pointer;
+    setup.tune = [](const Settings& settings, RunState<PivotMethod>& state) {
+        tune_sweeps(settings, state.method.solver.find);
+        state.method.solver.find.by_pivots = settings.method == "lemke";
+    };
+    setup.draw = [](Canvas& canvas, const RunState<PivotMethod>& state) {
+        paint::draw_scene(canvas, state, state.method.solver.find.by_pivots ? "pivots" : "sweeps");
+    };
+    return setup;
+}
+
+/// What both scenes of discs have in common.
+/// \param own  what the reader may change in this one alone
+Demo exact_demo(const std::string& name, const std::string& summary, const View& view,
+                const std::vector<Tunable>& own,
+                const std::function<SceneSetup<PivotMethod>(const Settings&)>& set_up)
+{
+    Demo demo;
+    demo.name = name;
+    demo.summary = summary;
+    demo.view = view;
+    demo.h = 1.0 / 480;
+    demo.h_low = 1e-4;
+    demo.h_high = 1.0 / 60;
+    demo.methods = demo.side_by_side = {"lemke", "gauss_seidel"};
+    demo.tunables = with(own, tunables::sweeps_to_compare());
+    run_scene<PivotMethod>(
+        demo, matrix_columns<LemkeOrSweeps>("iterations", "pivots, or sweeps, of the step"), set_up);
+    return demo;
 }
 
 Demo ten_discs_scene()
 {
-    Demo scene =
-        disc_scene("ten_discs", "Seven discs on a chain and three free ones, each step solved exactly");
-    set_up_ten_discs(scene);
-    scene.start = [view = scene.view](const Settings&) {
-        return std::make_unique<ExactDiscRun>(ten_discs(), 1, view, true);
-    };
-    return scene;
+    Demo demo =
+        exact_demo("ten_discs", "Seven discs on a chain and three free ones, each step solved exactly",
+                   ten_discs_view, ten_discs_tunables(),
+                   [](const Settings&) { return solved_exactly(ten_discs(), 1, Pointer::steers); });
+    set_up_ten_discs(demo);
+    return demo;
 }
 
 Demo heavy_top_scene()
 {
-    Demo scene = disc_scene("heavy_top",
-                            "A column with a heavy disc on top: exact impulses hold what sweeps let sink");
-    scene.view = {{0, 1.1}, {0.9, 1.25}};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {{"rows", "", "discs in the column", 10, 1, 100, true, true, false},
-                           {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1000, 0.01,
-                            1000, false, true, false}});
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["rows"]);
-        return std::make_unique<ExactDiscRun>(column(N, settings["top_mass"]), 10 / static_cast<Real>(N),
-                                              view);
-    };
-    return scene;
+    return exact_demo("heavy_top",
+                      "A column with a heavy disc on top: exact impulses hold what sweeps let sink",
+                      {{0, 1.1}, {0.9, 1.25}}, {tunables::in_column("rows", 10), tunables::top_mass(1000)},
+                      [](const Settings& settings) {
+                          const auto N = static_cast<Index>(settings["rows"]);
+                          return solved_exactly(column(N, settings["top_mass"]), 10 / static_cast<Real>(N));
+                      });
 }
 
 /// What --problem FILE --method NAME can solve by: one walk for each tie rule.

@@ -8,27 +8,28 @@
 
 namespace rigid {
 
-class PlaneRun : public WalkRun {
+class PlaneRun : public Run {
 public:
     explicit PlaneRun(const Settings& settings)
-        : WalkRun(problem(settings), settings.method), A_(problem_.A), q_(problem_.q)
+        : walk_(problem(settings), settings.method), A_(walk_.problem.A), q_(walk_.problem.q)
     {
-        path_.push_back({Vec2(0, 0), lift()});
-        size_ = std::max({Real{1}, q_.cwiseAbs().maxCoeff(), lift()});
+        path_.push_back({Vec2(0, 0), walk_.lift()});
+        size_ = std::max({Real{1}, q_.cwiseAbs().maxCoeff(), walk_.lift()});
     }
 
-    void step(const Settings& settings, const Input& input) override
+    void step(const Settings&, const Input&) override
     {
-        const int before = walk_.pivots;
-        WalkRun::step(settings, input);
-        if (walk_.pivots > before) path_.push_back({walk_.z(), lift()});
+        const int before = walk_.walk.pivots;
+        walk_.step();
+        if (walk_.walk.pivots > before) path_.push_back({walk_.walk.z(), walk_.lift()});
     }
+    std::vector<Real> measure() const override { return walk_.measure(); }
 
     void draw(Canvas& canvas) const override
     {
         draw_cones(canvas);
         draw_path(canvas);
-        canvas.text({0, -1.27}, paint::told(walk_), 14, paint::label, Align::centre);
+        canvas.text({0, -1.27}, paint::told(walk_.walk), 14, paint::label, Align::centre);
     }
 
 private:
@@ -112,7 +113,8 @@ private:
         for (Index i = 0; i < 2; ++i) {
             const Colour colour = i == 0 ? Colour::purple : Colour::green;
             draw_line(canvas, shown, i, 0, reach, {colour, 1.5, 1, false, false});
-            if (lift() > 0) draw_line(canvas, shown, i, lift(), reach, {colour, 1, 0.8, false, true});
+            if (walk_.lift() > 0)
+                draw_line(canvas, shown, i, walk_.lift(), reach, {colour, 1, 0.8, false, true});
         }
         std::vector<Vec2> walked;
         for (const Vertex& vertex : path_) walked.push_back(shown(vertex.z));
@@ -143,6 +145,7 @@ private:
                     {style.colour, 1, 1, false, false});
     }
 
+    ProblemWalk walk_;
     Eigen::Matrix2d A_;
     Vec2 q_;
     std::vector<Vertex> path_;

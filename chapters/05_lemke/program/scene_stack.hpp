@@ -7,12 +7,15 @@
 
 namespace rigid {
 
-class StackRun : public WalkRun {
+class StackRun : public Run {
 public:
     StackRun(const BoxStack& stack, const std::string& method, Real tie_digits)
-        : WalkRun(stewart_trinkle(stack), method, tie_digits), stack_(stack), scene_(contact_rows(stack))
+        : walk_(stewart_trinkle(stack), method, tie_digits), stack_(stack), scene_(contact_rows(stack))
     {
     }
+
+    void step(const Settings&, const Input&) override { walk_.step(); }
+    std::vector<Real> measure() const override { return walk_.measure(); }
 
     void draw(Canvas& canvas) const override
     {
@@ -25,8 +28,8 @@ public:
             if (k + 1 == stack_.boxes && stack_.top_mass > stack_.mass) style.opacity = 0.7;
             canvas.box(shown(centre(k)), half, 0, style);
         }
-        const VecX z = walk_.z();
-        const Index m = problem_.size() / 4;
+        const VecX z = walk_.walk.z();
+        const Index m = walk_.problem.size() / 4;
         const Real largest = std::max(z.head(3 * m).maxCoeff(), 1e-12);
         for (Index i = 0; i < m; ++i) {
             const Row<3>& row = scene_.rows[static_cast<std::size_t>(i)];
@@ -39,8 +42,8 @@ public:
                 canvas.arrow(point, point + Vec2(drag, 0), {Colour::green, 2.5, 1, false, false});
         }
         canvas.text({-1.25, -1.0}, "red: normal, green: friction impulse", 13, paint::label, Align::centre);
-        paint::heat_map(canvas, {-0.3, 0.85}, 1.85, walk_);
-        canvas.text({0.1, -1.13}, paint::told(walk_), 14, paint::label, Align::centre);
+        paint::heat_map(canvas, {-0.3, 0.85}, 1.85, walk_.walk);
+        canvas.text({0.1, -1.13}, paint::told(walk_.walk), 14, paint::label, Align::centre);
     }
 
 private:
@@ -55,6 +58,7 @@ private:
         return {x, stack_.side * (static_cast<Real>(k) + 0.5)};
     }
 
+    ProblemWalk walk_;
     BoxStack stack_;
     ContactRows scene_;
 };

@@ -17,32 +17,32 @@ inline TieRule tie_rule(const std::string& method)
                                   : TieRule::lexicographic;
 }
 
-class WalkRun : public Run {
-public:
+/// A problem and the walk to its answer.
+struct ProblemWalk {
+    Mlcp problem;
+    LemkeWalk walk;
+
     /// \param tie_digits  the tie tolerance is 10^-tie_digits
-    WalkRun(const Mlcp& problem, const std::string& method, Real tie_digits = 8)
-        : problem_(problem), walk_(MatX(problem.A), problem.q, VecX::Ones(problem.size()), tie_rule(method),
-                                   {1e-10, std::pow(10, -tie_digits)})
+    ProblemWalk(const Mlcp& mlcp, const std::string& method, Real tie_digits = 8)
+        : problem(mlcp), walk(MatX(mlcp.A), mlcp.q, VecX::Ones(mlcp.size()), tie_rule(method),
+                              {1e-10, std::pow(10, -tie_digits)})
     {
     }
 
     //! [one_pivot]
-    void step(const Settings&, const Input&) override
+    void step()
     {
-        if (walk_.place == LemkeWalk::Place::on_the_way) walk_.step();
+        if (walk.place == LemkeWalk::Place::on_the_way) walk.step();
     }
     //! [one_pivot]
 
-    std::vector<Real> measure() const override
+    /// What z0 is now; before the first pivot as much as is needed.
+    Real lift() const
     {
-        const VecX z = walk_.z();
-        const Tableau& tableau = walk_.tableau;
-        return {static_cast<Real>(walk_.pivots),
-                lift(),
-                static_cast<Real>((z.array() > 0).count()),
-                natural_residual(problem_, z),
-                tableau.n > 0 ? tableau.entries().leftCols(tableau.n + 1).cwiseAbs().maxCoeff() : 0,
-                static_cast<Real>(walk_.place)};
+        const Tableau& tableau = walk.tableau;
+        if (walk.place == LemkeWalk::Place::solution) return 0;
+        if (walk.pivots > 0) return tableau.value(tableau.artificial());
+        return -tableau.values()[walk.most_negative_row()];
     }
 
     static std::vector<Column> columns()
@@ -54,25 +54,34 @@ public:
                 {"largest", "", "largest entry of the tableau but for the column r", true, true},
                 {"place", "", "0 on the way, 1 at the solution, 2 at a ray", false, false}};
     }
+    std::vector<Real> measure() const
+    {
+        const VecX z = walk.z();
+        const Tableau& tableau = walk.tableau;
+        return {static_cast<Real>(walk.pivots),
+                lift(),
+                static_cast<Real>((z.array() > 0).count()),
+                natural_residual(problem, z),
+                tableau.n > 0 ? tableau.entries().leftCols(tableau.n + 1).cwiseAbs().maxCoeff() : 0,
+                static_cast<Real>(walk.place)};
+    }
+};
 
+/// A walk by itself, its tableau as the picture.
+class TableauRun : public Run {
+public:
+    explicit TableauRun(ProblemWalk walk) : walk_(std::move(walk)) {}
+
+    void step(const Settings&, const Input&) override { walk_.step(); }
+    std::vector<Real> measure() const override { return walk_.measure(); }
     void draw(Canvas& canvas) const override
     {
-        paint::heat_map(canvas, {-0.86, 0.8}, 1.85, walk_);
-        canvas.text({0, -0.98}, paint::told(walk_), 14, paint::label, Align::centre);
+        paint::heat_map(canvas, {-0.86, 0.8}, 1.85, walk_.walk);
+        canvas.text({0, -0.98}, paint::told(walk_.walk), 14, paint::label, Align::centre);
     }
 
-protected:
-    /// What z0 is now; before the first pivot as much as is needed.
-    Real lift() const
-    {
-        const Tableau& tableau = walk_.tableau;
-        if (walk_.place == LemkeWalk::Place::solution) return 0;
-        if (walk_.pivots > 0) return tableau.value(tableau.artificial());
-        return -tableau.values()[walk_.most_negative_row()];
-    }
-
-    Mlcp problem_;
-    LemkeWalk walk_;
+private:
+    ProblemWalk walk_;
 };
 
 /// A scene of pivots: half a second for each when it plays by itself.
@@ -86,7 +95,7 @@ inline Demo walk_scene(const std::string& name, const std::string& summary)
     scene.h_high = 2;
     scene.view = {{0, -0.02}, {1.06, 1.06}};
     scene.methods = {"lexicographic", "first_row", "last_row"};
-    scene.columns = WalkRun::columns();
+    scene.columns = ProblemWalk::columns();
     return scene;
 }
 
@@ -123,7 +132,7 @@ inline Demo tableau_scene()
                 return random_spd(n, random);
             }
         };
-        return std::make_unique<WalkRun>(problem(), settings.method, settings["tie_digits"]);
+        return std::make_unique<TableauRun>(ProblemWalk(problem(), settings.method, settings["tie_digits"]));
     };
     return scene;
 }

@@ -13,62 +13,42 @@ namespace {
 
 Demo triangle_scene()
 {
-    Demo scene =
-        impulse_scene("triangle", "A triangle of discs between walls: it sinks, and to which side?", 10, 0);
-    scene.view = {{0, 0.7}, {1.1, 0.9}};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {"base", "", "discs in the lowest row", 10, 2, 30, true, true, true});
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto base = static_cast<Index>(settings["base"]);
-        return std::make_unique<ImpulseRun>(settings, triangle(base), 10 / static_cast<Real>(base), view);
-    };
-    return scene;
+    return impulse_demo("triangle", "A triangle of discs between walls: it sinks, and to which side?",
+                        {{0, 0.7}, {1.1, 0.9}}, {tunables::base(2, 30, true)}, 10, 0,
+                        [](const Settings& settings) {
+                            const auto base = static_cast<Index>(settings["base"]);
+                            return by_impulses(triangle(base), 10 / static_cast<Real>(base));
+                        });
 }
 
 Demo column_scene()
 {
-    Demo scene = impulse_scene("column", "A column of discs, with a heavy one on top if you like", 10, 0);
-    scene.view = {{0, 1.05}, {0.9, 1.2}};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {{"rows", "", "N, discs in the column", 15, 1, 100, true, true, true},
-                           {"top_mass", "kg", "mass of the uppermost; the others have 1 kg", 1, 0.01, 1000,
-                            false, true, false}});
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["rows"]);
-        return std::make_unique<ImpulseRun>(settings, column(N, settings["top_mass"]),
-                                            10 / static_cast<Real>(N), view);
-    };
-    return scene;
+    return impulse_demo("column", "A column of discs, with a heavy one on top if you like",
+                        {{0, 1.05}, {0.9, 1.2}},
+                        {tunables::in_column("rows", 15, 100, true), tunables::top_mass(1)}, 10, 0,
+                        [](const Settings& settings) {
+                            const auto N = static_cast<Index>(settings["rows"]);
+                            return by_impulses(column(N, settings["top_mass"]), 10 / static_cast<Real>(N));
+                        });
 }
 
 Demo chain_scene()
 {
-    Demo scene =
-        impulse_scene("hanging_chain", "A chain with a heavy end: pull it, and see it stretch", 100, 0);
-    scene.view = {{0, -1.05}, {1, 1.45}};
-    scene.tunables.insert(scene.tunables.begin(),
-                          {{"links", "", "N, links of 0.1 m", 20, 1, 60, true, true, true},
-                           {"end_mass", "kg", "mass of the lowest disc; the others have 1 kg", 10, 0.01, 1000,
-                            false, true, false}});
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["links"]);
-        DiscScene chain = hanging_chain(N, settings["end_mass"]);
-        for (Index k = 1; k <= N; ++k)  // a little aside
-            chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
-        chain.linked = PairSet::all();
-        return std::make_unique<ImpulseRun>(settings, std::move(chain), 20 / static_cast<Real>(N), view);
-    };
-    return scene;
+    return impulse_demo(
+        "hanging_chain", "A chain with a heavy end: pull it, and see it stretch", {{0, -1.05}, {1, 1.45}},
+        {tunables::links(20, 1, 60, true), tunables::end_mass(10)}, 100, 0, [](const Settings& settings) {
+            const auto N = static_cast<Index>(settings["links"]);
+            return by_impulses(leaning_chain(N, settings["end_mass"]), 20 / static_cast<Real>(N));
+        });
 }
 
 Demo ten_discs_scene()
 {
-    Demo scene = impulse_scene("ten_discs", "The ten discs, whose links nobody repairs yet", 200, 6);
-    set_up_ten_discs(scene);
-    scene.start = [view = scene.view](const Settings& settings) {
-        return std::make_unique<ImpulseRun>(settings, ten_discs(), 1, view, true);
-    };
-    return scene;
+    Demo demo = impulse_demo("ten_discs", "The ten discs, whose links nobody repairs yet", ten_discs_view,
+                             ten_discs_tunables(), 200, 6,
+                             [](const Settings&) { return by_impulses(ten_discs(), 1, Pointer::steers); });
+    set_up_ten_discs(demo);
+    return demo;
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 /// Three balls that bounce, with the height of each beside its closed form.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
-#include "chapters/06_sequential_impulse/program/impulse_run.hpp"
+#include "chapters/06_sequential_impulse/program/impulse_scenes.hpp"
 
 #include <array>
 #include <memory>

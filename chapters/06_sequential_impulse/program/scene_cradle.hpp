@@ -2,8 +2,7 @@
 /// Newton's cradle under the two laws of impact.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
-#include "chapters/06_sequential_impulse/program/impulse_run.hpp"
+#include "chapters/06_sequential_impulse/program/impulse_scenes.hpp"
 #include "chapters/06_sequential_impulse/small_scenes.hpp"
 
 #include <memory>
@@ -56,10 +55,7 @@ private:
         const Vec2 d = scene_.bodies.position(k) - scene_.bodies.position(count_ + k);
         return std::atan2(d.x(), -d.y()) * 180 / pi;
     }
-    Real energy() const
-    {
-        return kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity);
-    }
+    Real energy() const { return mechanical_energy(scene_); }
     Real energy_left() const { return start_ > 0 ? energy() / start_ : 1; }
 
     Index count_, held_ = world;
@@ -83,7 +79,7 @@ inline Demo cradle_scene()
     scene.tunables.push_back({"balls", "", "N", 5, 2, 9, true, true, false});
     scene.tunables.push_back({"lifted", "", "balls that are drawn aside", 1, 1, 8, true, true, true});
     scene.tunables.push_back({"angle", "°", "by so much", 30, 0, 60, false, true, false});
-    scene.tunables.push_back({"restitution", "", "e of every contact", 1, 0, 1, false, false, false});
+    scene.tunables.push_back(tunables::restitution(1));
     scene.columns = {{"first", "°", "angle of the first ball", true, false},
                      {"middle", "°", "angle of the middle one", true, false},
                      {"last", "°", "angle of the last one", true, false},

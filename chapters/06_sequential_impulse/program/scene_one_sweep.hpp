@@ -3,8 +3,8 @@
 /// iterates are those of chapter 4.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
-#include "chapters/06_sequential_impulse/program/impulse_run.hpp"
+#include "chapters/04_pgs/prescaled_sweeps.hpp"
+#include "chapters/06_sequential_impulse/program/impulse_scenes.hpp"
 
 #include <array>
 #include <memory>
@@ -60,8 +60,7 @@ public:
     {
         Real sideways = 0, difference = 0;
         for (Index k = 0; k < scene_.bodies.count(); ++k)
-            if (scene_.bodies.can_move(k))
-                sideways += memory_.u[2 * k] / scene_.bodies.inverse_mass[2 * k];
+            if (scene_.bodies.can_move(k)) sideways += memory_.u[2 * k] / scene_.bodies.inverse_mass[2 * k];
         for (std::size_t k = 0; k < memory_.rows.size(); ++k)
             difference =
                 std::max(difference, std::abs(memory_.rows[k].lambda - pgs_.lambda[static_cast<Index>(k)]));

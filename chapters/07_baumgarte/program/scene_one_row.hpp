@@ -7,7 +7,7 @@
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/07_baumgarte/one_row_step.hpp"
-#include "chapters/07_baumgarte/program/stabilized_run.hpp"
+#include "chapters/07_baumgarte/program/stabilized_scenes.hpp"
 #include "common/measure.hpp"
 
 #include <functional>
@@ -103,10 +103,9 @@ inline Demo one_row_scene(bool circle)
     scene.h_high = 0.5;
     scene.methods = stabilizer_names();
     scene.side_by_side = {"baumgarte", "none", "projection"};
-    scene.tunables = {
-        {"beta", "", "part of the error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
-        {"speed", "m/s", "at the start", circle ? 1.0 : 0.5, 0, 10, false, true, false}};
-    if (circle) scene.tunables.push_back({"gravity", "m/s²", "downwards", 0, 0, 20, false, false, false});
+    scene.tunables = {tunables::beta(0.2, 2.5, true),
+                      tunables::at_start("speed", "m/s", "at the start", circle ? 1.0 : 0.5, 0, 10)};
+    if (circle) scene.tunables.push_back(tunables::number("gravity", "m/s²", "downwards", 0, 0, 20));
     scene.columns = {{"error", "m", "distance from the wire, outwards", true, false},
                      {"theory", "m",
                       circle ? "(7.3) or (7.8), without gravity; 0 for the other ways" : "(7.5)", true,

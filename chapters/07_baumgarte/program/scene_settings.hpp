@@ -3,8 +3,9 @@
 /// visits that all ways to correct share.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/program/columns.hpp"
+#include "chapters/04_pgs/program/tunables.hpp"
 #include "chapters/07_baumgarte/corrected_method.hpp"
-#include "common/program/program.hpp"
 
 #include <algorithm>
 #include <string>
@@ -28,18 +29,16 @@ inline Stabilizer stabilizer_named(const std::string& name)
 /// What the reader may change in every scene of discs.
 inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
 {
-    return {{"beta", "", "part of an error that is corrected in a step", 0.2, 0, 2.5, false, false, true},
-            {"sweeps", "", "sweeps of a step in all; substeps and the correction share them", sweeps, 1, 512,
-             true, false, false},
-            {"substeps", "", "small steps in a step", 1, 1, 128, true, false, false},
-            {"factor", "", "part of the impulses that the next substep starts from", 0, 0, 1, false, false,
-             false},
-            {"slop", "m", "an overlap that is left alone", 0, 0, 0.02, false, false, false},
-            {"correction_speed", "m/s", "an error is corrected at this speed at most", 1000, 0.01, 1000,
-             false, false, false},
-            {"margin", "m", "a gap below this gets its row", 0.02, 0, 0.1, false, false, false},
-            {"order", "", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3, true, false,
-             false}};
+    return {tunables::beta(0.2, 2.5, true),
+            tunables::whole("sweeps", "sweeps of a step in all; substeps and the correction share them",
+                            sweeps, 1, 512),
+            tunables::substeps(128),
+            tunables::number("factor", "", "part of the impulses that the next substep starts from", 0, 0, 1),
+            tunables::slop(),
+            tunables::number("correction_speed", "m/s", "an error is corrected at this speed at most", 1000,
+                             0.01, 1000),
+            tunables::margin(0),
+            tunables::row_order()};
 }
 
 /// The settings of a step and its method. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half
@@ -62,16 +61,17 @@ inline void stabilized_settings(const Settings& settings, StepSettings& step, Co
     method.solver.sweeps.max_sweeps = correction.correction_sweeps = std::max(1, sweeps);
 }
 
-inline std::vector<Column> stabilized_columns()
+inline std::vector<Measured<RunState<CorrectedMethod>>> stabilized_columns()
 {
-    return {{"link_error", "m", "largest difference of a link from its length", true, true},
-            {"penetration", "m", "deepest overlap", true, true},
-            {"theory", "m", "what a formula of this chapter foretells for the scene; 0 = none", false, false},
-            {"highest", "m", "highest centre so far", false, false},
-            {"speed", "m/s", "greatest speed of a body", true, false},
-            {"energy", "J", "kinetic energy and that of the weight, less than at the start", true, false},
-            {"contacts", "", "contacts that have a row", false, false},
-            {"row_visits", "", "rows visited in the step", false, false}};
+    return {columns::link_error(),
+            columns::penetration(),
+            columns::theory<CorrectedMethod>(
+                "m", "what a formula of this chapter foretells for the scene; 0 = none"),
+            columns::highest(),
+            columns::speed(),
+            columns::energy_gained(),
+            columns::contacts(),
+            columns::row_visits()};
 }
 
 }  // namespace rigid

@@ -2,8 +2,10 @@
 /// The scenes that this book's step is measured on beside other engines. Each engine builds its world from the
 /// same DiscScene: nothing is tuned to one of them.
 ///
-/// g = 10 m/s², no friction, no restitution, no damping, no sleeping; everything starts at rest, with exact
-/// lengths and gaps of zero. The discs of a chain do not collide with anything.
+/// g = 10 m/s², no friction, no restitution, no damping; everything starts without velocity. Lengths are exact and gaps
+/// zero but for a nanometre: what rests is set off by so much, disc by disc in directions drawn by lot, since a chain
+/// that hangs straight to the last bit has no sideways motion that could grow. The discs of a chain do not collide
+/// with anything.
 #pragma once
 
 #include "common/scenes.hpp"
@@ -21,18 +23,28 @@ struct EngineScene {
     Real reach = 1000;     ///< walls are made as long as this to both sides [m]
 };
 
+/// What another engine is told besides the scene. Nothing else of it is changed.
+struct PeerSettings {
+    bool may_sleep = false;  ///< by its own rule
+    Real slop = 5e-3;        ///< an overlap of up to this much it leaves alone [m]; 5 mm is Box2D's own
+};
+
+/// How far each disc of a scene at rest is from where it would rest [m].
+inline constexpr Real nudge = 1e-9;
+
 /// What a chain of N links is, hanging or swinging, once nothing of it collides.
 inline EngineScene engine_chain(const std::string& name, DiscScene scene, bool rests)
 {
     scene.gravity = {0, -10};
     scene.linked = PairSet::all();
+    if (rests) scene = perturbed(std::move(scene), 1, nudge);
     return {name, std::move(scene), false, rests};
 }
 
 inline EngineScene engine_pile(const std::string& name, DiscScene scene)
 {
     scene.gravity = {0, -10};
-    return {name, std::move(scene), true, true};
+    return {name, perturbed(std::move(scene), 1, nudge), true, true};
 }
 
 /// All of them, by the names that the table has.

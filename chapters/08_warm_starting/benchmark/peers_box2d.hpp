@@ -1,10 +1,14 @@
 /// \file peers_box2d.hpp
-/// A scene of discs as a world of Box2D 2.4.1, where the library is installed.
+/// A scene of discs as a world of Box2D 2.4.1, where the library is installed: the one of Debian 12. (Box2D 3 exists and is another solver.)
 ///
-/// 8 velocity and 3 position iterations, its own advice; circles with fixed rotation, distance joints, warm
-/// starting on, continuous collision off (this book has none; it only saves Box2D time). Its numbers are floats. What
-/// cannot be set: an error of up to 5 mm (`b2_linearSlop`) is left alone, one that is larger is moved by at most
-/// 0.2 m an iteration, and no body moves farther than 2 m in a step, 120 m/s at h = 1/60 s.
+/// 8 velocity and 3 position iterations, its own advice, or one of each in a small step; circles with fixed rotation,
+/// distance joints, warm starting on, continuous collision off (this book has none; it only saves Box2D time). Its
+/// numbers are floats.
+///
+/// Its lengths are constants of the compiled library: an error of up to 5 mm (`b2_linearSlop`) is left alone, a larger
+/// one is moved by at most 0.2 m an iteration, no body moves farther than 2 m in a step, and one that is slower than
+/// 1 cm/s may fall asleep. So a slop of 0.5 mm is had by a world in which all lengths and gravity are ten times ours:
+/// the same motion, with all four lengths a tenth of that in our units. Positions come back in ours.
 #pragma once
 
 #include "chapters/08_warm_starting/benchmark/engine_scenes.hpp"
@@ -17,11 +21,11 @@ namespace rigid {
 
 class Box2dWorld {
 public:
-    /// \param may_sleep  its own rules of sleep: slower than 1 cm/s for half a second
-    explicit Box2dWorld(const EngineScene& from, bool may_sleep = false) : world_(vector(from.scene.gravity))
+    explicit Box2dWorld(const EngineScene& from, const PeerSettings& settings = {})
+        : scale_(static_cast<Real>(b2_linearSlop) / settings.slop), world_(vector(from.scene.gravity))
     {
         const DiscScene& scene = from.scene;
-        world_.SetAllowSleeping(may_sleep);
+        world_.SetAllowSleeping(settings.may_sleep);
         world_.SetContinuousPhysics(false);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];
@@ -33,7 +37,7 @@ public:
             b2Body* const body = world_.CreateBody(&def);
             if (from.collides) {
                 b2CircleShape circle;
-                circle.m_radius = static_cast<float>(scene.radius[k]);
+                circle.m_radius = static_cast<float>(scale_ * scene.radius[k]);
                 add(*body, circle);
             }
             if (inverse_mass > 0) {
@@ -47,7 +51,7 @@ public:
             b2Body* const b = bodies_[static_cast<std::size_t>(link.b)];
             b2DistanceJointDef def;
             def.Initialize(a, b, a->GetPosition(), b->GetPosition());
-            def.length = def.minLength = def.maxLength = static_cast<float>(link.length);
+            def.length = def.minLength = def.maxLength = static_cast<float>(scale_ * link.length);
             world_.CreateJoint(&def);
         }
         if (!from.collides) return;
@@ -56,7 +60,7 @@ public:
         for (const HalfSpace& wall : scene.walls) {
             // An edge has a skin of its own; it is set back by it, so that the wall is where the scene says.
             b2EdgeShape edge;
-            const Vec2 foot = (wall.offset - static_cast<Real>(edge.m_radius)) * wall.normal;
+            const Vec2 foot = (wall.offset - static_cast<Real>(edge.m_radius) / scale_) * wall.normal;
             const Vec2 along = from.reach * perpendicular(wall.normal);
             edge.SetTwoSided(vector(foot - along), vector(foot + along));
             add(*ground, edge);
@@ -85,12 +89,17 @@ public:
     {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
             const b2Vec2& p = bodies_[k]->GetPosition();
-            scene.bodies.position(static_cast<Index>(k)) << static_cast<Real>(p.x), static_cast<Real>(p.y);
+            scene.bodies.position(static_cast<Index>(k)) << static_cast<Real>(p.x) / scale_,
+                static_cast<Real>(p.y) / scale_;
         }
     }
 
 private:
-    static b2Vec2 vector(const Vec2& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+    /// A place, a velocity or gravity in this world's lengths.
+    b2Vec2 vector(const Vec2& v) const
+    {
+        return {static_cast<float>(scale_ * v.x()), static_cast<float>(scale_ * v.y())};
+    }
 
     static void add(b2Body& body, const b2Shape& shape)
     {
@@ -101,6 +110,7 @@ private:
         body.CreateFixture(&def);
     }
 
+    Real scale_;  ///< its metres in one of ours
     b2World world_;
     std::vector<b2Body*> bodies_;
 };

@@ -1,9 +1,9 @@
 /// \file peers_chipmunk.hpp
 /// A scene of discs as a space of Chipmunk 7, where the library is installed.
 ///
-/// 10 iterations, its own choice; slop 0.005 m, as Box2D's; circles of infinite moment, pin joints; a tenth of an
-/// error is repaid in a sixtieth of a second, its own choice for contacts and joints. Its numbers are doubles.
-/// Debian builds it with its assertions on.
+/// 10 iterations, its own choice, or one in a small step; the slop that it is given (its own choice is 0.1 m); circles
+/// of infinite moment, pin joints; a tenth of an error is repaid in a sixtieth of a second, its own choice for contacts
+/// and joints. Its numbers are doubles. Debian builds it with its assertions on.
 #pragma once
 
 #include "chapters/08_warm_starting/benchmark/engine_scenes.hpp"
@@ -17,14 +17,15 @@ namespace rigid {
 
 class ChipmunkSpace {
 public:
-    /// \param may_sleep  its own rule of sleep: slower than g h, for half a second
-    explicit ChipmunkSpace(const EngineScene& from, bool may_sleep = false) : space_(cpSpaceNew())
+    /// It may sleep by its own rule: slower than g h, for half a second.
+    explicit ChipmunkSpace(const EngineScene& from, const PeerSettings& settings = {}) : space_(cpSpaceNew())
     {
         const DiscScene& scene = from.scene;
         cpSpaceSetGravity(space_, vector(scene.gravity));
         cpSpaceSetDamping(space_, 1);  // what is left of a velocity after a second: all
-        cpSpaceSetCollisionSlop(space_, 0.005);
-        cpSpaceSetSleepTimeThreshold(space_, may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
+        cpSpaceSetCollisionSlop(space_, settings.slop);
+        cpSpaceSetSleepTimeThreshold(space_,
+                                     settings.may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];
             cpBody* const body = inverse_mass > 0 ? cpBodyNew(1 / inverse_mass, infinity) : cpBodyNewStatic();

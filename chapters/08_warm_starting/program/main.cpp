@@ -3,7 +3,7 @@
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/08_warm_starting/looped_trusses.hpp"
-#include "chapters/08_warm_starting/program/warm_run.hpp"
+#include "chapters/08_warm_starting/program/warm_scenes.hpp"
 
 #include <array>
 
@@ -11,57 +11,33 @@ using namespace rigid;
 
 namespace {
 
-Demo warm_scene(const std::string& name, const std::string& summary, const View& view)
-{
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.view = view;
-    scene.h = scene.h_high = 1.0 / 60;
-    scene.h_low = 1e-4;
-    scene.methods = start_names();
-    scene.side_by_side = {"cold", "previous", "best_multiple"};
-    scene.columns = warm_columns();
-    return scene;
-}
-
-/// `first` in front of the tunables that all scenes share.
-std::vector<Tunable> with(std::vector<Tunable> first, const std::vector<Tunable>& shared)
-{
-    first.insert(first.end(), shared.begin(), shared.end());
-    return first;
-}
-
+/// The ten discs to the same residual as chapter 4.
 Demo ten_discs_scene()
 {
-    Demo scene =
-        warm_scene("ten_discs", "Chapter 4's ten discs to the same residual in each step: count the sweeps",
-                   {{0, 0.03}, {0.8, 0.58}});
-    scene.h = ten_discs_h;
-    scene.h_low = ten_discs_h_low;
-    scene.h_high = ten_discs_h_high;
-    scene.steered = true;
     std::vector<Tunable> shared =
         warm_tunables(2000, Stabilizer::baumgarte, 1);           // b = C/h, as chapter 4 has it
     for (Tunable& tunable : shared) tunable.arrow_keys = false;  // k has the arrow keys here
-    scene.tunables = with(ten_discs_tunables(), shared);
-    scene.start = [view = scene.view](const Settings&) {
-        return std::make_unique<WarmRun>(ten_discs(), 1, view, nullptr, nullptr, true);
-    };
-    return scene;
+    Demo demo =
+        warm_demo("ten_discs", "Chapter 4's ten discs to the same residual in each step: count the sweeps",
+                  ten_discs_view, with(ten_discs_tunables(), shared), [](const Settings&) {
+                      WarmSetup setup = warm(ten_discs(), 1);
+                      setup.pointer = Pointer::steers;
+                      return setup;
+                  });
+    set_up_ten_discs(demo);
+    return demo;
 }
 
 /// (8.8): how far N equal discs sink in total that start from the previous answer [m]; the last settings are
 /// remembered.
-WarmRun::Theory sinking(Index N)
+std::function<Real(const WarmState&)> sinking(Index N)
 {
-    return [N, sweeps = -1, h = Real{0}, sunk = Real{0}](const StepSettings& settings,
-                                                         const WarmMethod& method) mutable {
-        const int max_sweeps = method.solver.sweeps.max_sweeps;
+    return [N, sweeps = -1, h = Real{0}, sunk = Real{0}](const WarmState& state) mutable {
+        const int max_sweeps = state.method.solver.sweeps.max_sweeps;
         if (N > 30 || max_sweeps > 200) return Real{0};  // a minute of matrix products
-        if (max_sweeps != sweeps || settings.h != h) {
+        if (max_sweeps != sweeps || state.step.h != h) {
             sweeps = max_sweeps;
-            h = settings.h;
+            h = state.step.h;
             // The rows of the program: contacts from the lowest pair up, then the floor.
             const MatX line = line_problem(N, 1, 9.81 * h).A;
             const VecX carried = line_answer(N, 1, 9.81 * h);
@@ -76,94 +52,88 @@ WarmRun::Theory sinking(Index N)
 
 Demo column_scene()
 {
-    Demo scene =
-        warm_scene("column", "A column of N discs with ten sweeps a step: it falls through itself, or stands",
-                   {{0, 1.05}, {0.9, 1.2}});
-    scene.tunables = with({{"discs", "", "N, discs in the column", 20, 1, 200, true, true, false},
-                           {"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1, 0.01,
-                            1000, false, true, false}},
-                          warm_tunables(10, Stabilizer::none));
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["discs"]);
-        return std::make_unique<WarmRun>(column(N, settings["top_mass"]), 10 / static_cast<Real>(N), view,
-                                         settings["top_mass"] == 1 ? sinking(N) : nullptr);
-    };
-    return scene;
+    return warm_demo("column",
+                     "A column of N discs with ten sweeps a step: it falls through itself, or stands",
+                     {{0, 1.05}, {0.9, 1.2}},
+                     with({tunables::in_column("discs", 20, 200), tunables::top_mass(1)},
+                          warm_tunables(10, Stabilizer::none)),
+                     [](const Settings& settings) {
+                         const auto N = static_cast<Index>(settings["discs"]);
+                         WarmSetup setup = warm(column(N, settings["top_mass"]), 10 / static_cast<Real>(N));
+                         if (settings["top_mass"] == 1) setup.theory = sinking(N);
+                         return setup;
+                     });
 }
 
 Demo triangle_scene()
 {
-    Demo scene =
-        warm_scene("triangle", "Discs packed as a triangle between walls: how many sweeps until it rests?",
-                   {{0, 0.95}, {1.15, 1.15}});
-    scene.tunables = with({{"base", "", "discs in the lowest row", 10, 1, 40, true, true, false}},
-                          warm_tunables(10, Stabilizer::split_impulse));
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto base = static_cast<Index>(settings["base"]);
-        return std::make_unique<WarmRun>(triangle(base), 10 / static_cast<Real>(base), view);
-    };
-    return scene;
+    return warm_demo("triangle", "Discs packed as a triangle between walls: how many sweeps until it rests?",
+                     {{0, 0.95}, {1.15, 1.15}},
+                     with({tunables::base(1, 40)}, warm_tunables(10, Stabilizer::split_impulse)),
+                     [](const Settings& settings) {
+                         const auto base = static_cast<Index>(settings["base"]);
+                         return warm(triangle(base), 10 / static_cast<Real>(base));
+                     });
 }
 
 /// F1: the heavy disc on top is taken away.
 Demo removed_scene()
 {
-    Demo scene = warm_scene("removed", "A heavy disc on two light ones is taken away: does the next one fly?",
-                            {{0, 0.42}, {0.9, 0.5}});
-    scene.tunables =
-        with({{"top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 100, 1, 1000, false,
-               true, false},
-              {"when", "", "step before which it is taken away", 120, 1, 10000, true, true, false}},
-             warm_tunables(10, Stabilizer::none));
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto when = static_cast<int>(settings["when"]);
-        const auto take_away = [when](DiscScene& discs, int step) {
-            if (step != when) return;
-            DiscScene two = column(2);
-            two.bodies.x = discs.bodies.x.head(4);
-            two.bodies.u = discs.bodies.u.head(4);
-            discs = std::move(two);
-        };
-        return std::make_unique<WarmRun>(column(3, settings["top_mass"]), 1, view, nullptr, take_away);
-    };
-    return scene;
+    return warm_demo("removed", "A heavy disc on two light ones is taken away: does the next one fly?",
+                     {{0, 0.42}, {0.9, 0.5}},
+                     with({tunables::top_mass(100, 1),
+                           tunables::count("when", "step before which it is taken away", 120, 1, 10000)},
+                          warm_tunables(10, Stabilizer::none)),
+                     [](const Settings& settings) {
+                         WarmSetup setup = warm(column(3, settings["top_mass"]), 1);
+                         setup.before = [](const Settings& now, const Input&, WarmState& state) {
+                             if (state.steps != static_cast<int>(now["when"])) return;
+                             DiscScene two = column(2);
+                             two.bodies.x = state.scene.bodies.x.head(4);
+                             two.bodies.u = state.scene.bodies.u.head(4);
+                             state.scene = std::move(two);
+                         };
+                         return setup;
+                     });
 }
 
-/// All rows bilateral: the theory of (8.10) holds to the letter.
+/// (8.10), of the mode that grows most. All rows are bilateral: the theory holds to the letter.
+Real chain_rate(Index N, const WarmMethod& method)
+{
+    const bool in_the_bias = method.correction.method == Stabilizer::baumgarte;
+    const Real beta = in_the_bias ? method.correction.beta : 0;
+    const Real factor = method.start.from == Start::cold ? 0 : method.start.factor;
+    Real largest = 0;
+    for (Index mode = 0; mode < N; ++mode) {
+        const Real theta = pi * static_cast<Real>(2 * mode + 1) / static_cast<Real>(2 * N);
+        const Real gamma = std::pow(std::cos(theta), 2 * method.solver.sweeps.max_sweeps);
+        largest = std::max(largest, step_rate(gamma, factor, beta));
+    }
+    return largest;
+}
+
 Demo chain_scene()
 {
-    Demo scene =
-        warm_scene("hanging_chain", "A chain at rest whose memory and Baumgarte's bias build each other up",
-                   {{0, -1.05}, {1, 1.45}});
-    scene.tunables = with({{"links", "", "N, links of 0.1 m", 20, 2, 60, true, true, false},
-                           {"weight", "", "gravity in parts of 9.81 m/s²; small = linear for long", 1, 0, 1,
-                            false, true, false}},
-                          warm_tunables(10, Stabilizer::baumgarte));
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["links"]);
-        DiscScene chain = hanging_chain(N);
-        chain.linked = PairSet::all();
-        chain.gravity *= settings["weight"];
-        const auto rate = [N](const StepSettings&, const WarmMethod& method) {  // of the mode that grows most
-            const bool in_the_bias = method.correction.method == Stabilizer::baumgarte;
-            const Real beta = in_the_bias ? method.correction.beta : 0;
-            const Real factor = method.start.from == Start::cold ? 0 : method.start.factor;
-            Real largest = 0;
-            for (Index mode = 0; mode < N; ++mode) {
-                const Real theta = pi * static_cast<Real>(2 * mode + 1) / static_cast<Real>(2 * N);
-                const Real gamma = std::pow(std::cos(theta), 2 * method.solver.sweeps.max_sweeps);
-                largest = std::max(largest, step_rate(gamma, factor, beta));
-            }
-            return largest;
-        };
-        return std::make_unique<WarmRun>(std::move(chain), 20 / static_cast<Real>(N), view, rate);
-    };
-    return scene;
+    return warm_demo(
+        "hanging_chain", "A chain at rest whose memory and Baumgarte's bias build each other up",
+        {{0, -1.05}, {1, 1.45}},
+        with({tunables::links(20, 2, 60),
+              tunables::at_start("weight", "", "gravity in parts of 9.81 m/s²; small = linear for long", 1, 0,
+                                 1)},
+             warm_tunables(10, Stabilizer::baumgarte)),
+        [](const Settings& settings) {
+            const auto N = static_cast<Index>(settings["links"]);
+            WarmSetup setup = warm(never_meeting(hanging_chain(N)), 20 / static_cast<Real>(N));
+            setup.scene.gravity *= settings["weight"];
+            setup.theory = [N](const WarmState& state) { return chain_rate(N, state.method); };
+            return setup;
+        });
 }
 
 /// What (8.6) does in a step to the largest error of the five discs, if all that is remembered is used.
-Real loop_rate(const StepSettings& settings, const WarmMethod& method)
+Real loop_rate(const WarmState& state)
 {
+    const WarmMethod& method = state.method;
     if (method.start.from != Start::previous || method.start.factor != 1 ||
         method.solver.ordering == Order::shuffled)
         return 0;
@@ -190,54 +160,53 @@ Real loop_rate(const StepSettings& settings, const WarmMethod& method)
     MatX G = MatX::Identity(m, m);
     for (int k = 0; k < method.solver.sweeps.max_sweeps; ++k)
         G = ((method.solver.ordering == Order::alternating && k % 2 == 1 ? back : there) * G).eval();
-    return std::pow(memory_rate(G), settings.substeps);
+    return std::pow(memory_rate(G), state.step.substeps);
+}
+
+/// The same, computed again where the settings are others.
+std::function<Real(const WarmState&)> remembered_loop_rate()
+{
+    return [of = std::array<Real, 5>{-1, -1, -1, -1, -1}, last = Real{0}](const WarmState& state) mutable {
+        const WarmMethod& method = state.method;
+        const std::array<Real, 5> now = {static_cast<Real>(method.solver.sweeps.max_sweeps),
+                                         static_cast<Real>(state.step.substeps),
+                                         static_cast<Real>(method.solver.ordering),
+                                         static_cast<Real>(method.start.from), method.start.factor};
+        if (now != of) last = loop_rate(state);
+        of = now;
+        return last;
+    };
 }
 
 /// Rods in loops: what is remembered whole explodes, though nothing pulls.
 Demo loop_scene()
 {
-    Demo scene =
-        warm_scene("loop", "Five discs and seven rods, nudged: a remembered impulse makes them explode",
-                   {{0.2, -0.15}, {1.1, 1.1}});
-    scene.tunables =
-        with({{"nudge", "m/s", "speed of one disc at the beginning", 1e-6, 1e-9, 1, false, true, false}},
-             warm_tunables(1, Stabilizer::projection, 1));
-    for (Tunable& tunable : scene.tunables)
-        if (tunable.name == "substeps") tunable.value = 8;
-    scene.start = [view = scene.view](const Settings& settings) {
-        DiscScene discs = five_discs_in_loops();
-        discs.bodies.u *= settings["nudge"] / 1e-6;
-        const auto rate = [asked = std::array<Real, 5>{-1, -1, -1, -1, -1},
-                           last = Real{0}](const StepSettings& step, const WarmMethod& method) mutable {
-            const std::array<Real, 5> now = {static_cast<Real>(method.solver.sweeps.max_sweeps),
-                                             static_cast<Real>(step.substeps),
-                                             static_cast<Real>(method.solver.ordering),
-                                             static_cast<Real>(method.start.from), method.start.factor};
-            if (now != asked) last = loop_rate(step, method);
-            asked = now;
-            return last;
-        };
-        return std::make_unique<WarmRun>(std::move(discs), 1, view, rate);
-    };
-    return scene;
+    Demo demo = warm_demo(
+        "loop", "Five discs and seven rods, nudged: a remembered impulse makes them explode",
+        {{0.2, -0.15}, {1.1, 1.1}},
+        with({tunables::at_start("nudge", "m/s", "speed of one disc at the beginning", 1e-6, 1e-9, 1)},
+             warm_tunables(1, Stabilizer::projection, 1)),
+        [](const Settings& settings) {
+            WarmSetup setup = warm(five_discs_in_loops(), 1);
+            setup.scene.bodies.u *= settings["nudge"] / 1e-6;
+            setup.theory = remembered_loop_rate();
+            return setup;
+        });
+    preset(demo, "substeps", 8);
+    return demo;
 }
 
 Demo swing_scene()
 {
-    Demo scene = warm_scene("swinging_chain",
-                            "A chain falls and swings, a heavy disc at its end: small steps beat sweeps",
-                            {{0, 0}, {1.1, 1.1}});
-    scene.tunables = with({{"links", "", "N, links of 0.1 m", 10, 1, 60, true, true, false},
-                           {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 10, 0.01, 1000,
-                            false, true, false}},
-                          warm_tunables(8, Stabilizer::projection, 1));
-    scene.start = [view = scene.view](const Settings& settings) {
-        const auto N = static_cast<Index>(settings["links"]);
-        DiscScene chain = swinging_chain(N, settings["end_mass"]);
-        chain.linked = PairSet::all();
-        return std::make_unique<WarmRun>(std::move(chain), 10 / static_cast<Real>(N), view);
-    };
-    return scene;
+    return warm_demo(
+        "swinging_chain", "A chain falls and swings, a heavy disc at its end: small steps beat sweeps",
+        {{0, 0}, {1.1, 1.1}},
+        with({tunables::links(10, 1, 60), tunables::end_mass(10)},
+             warm_tunables(8, Stabilizer::projection, 1)),
+        [](const Settings& settings) {
+            const auto N = static_cast<Index>(settings["links"]);
+            return warm(never_meeting(swinging_chain(N, settings["end_mass"])), 10 / static_cast<Real>(N));
+        });
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include "chapters/03_mlcp_formulation/program/problem_file.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
-#include "chapters/09_active_sets/program/exact_run.hpp"
+#include "chapters/09_active_sets/program/exact_scenes.hpp"
 #include "chapters/09_active_sets/program/scene_cycle.hpp"
 #include "chapters/09_active_sets/program/scene_fill.hpp"
 #include "chapters/09_active_sets/program/scene_guess.hpp"
+#include "chapters/09_active_sets/program/scene_linkage.hpp"
+#include "chapters/09_active_sets/program/scene_long_chain.hpp"
 #include "chapters/09_active_sets/program/scene_plane.hpp"
 
 using namespace rigid;
@@ -28,8 +30,8 @@ int main(int argc, char** argv)
         program.name = "09_active_sets";
         program.title = "Chapter 9. Active sets";
         program.scenes = {
-            plane_scene(),     cycle_scene(), guess_scene(), fill_scene(), ten_discs_exactly_scene(),
-            long_chain_scene()};
+            plane_scene(),      cycle_scene(),  guess_scene(), fill_scene(), ten_discs_exactly_scene(),
+            long_chain_scene(), linkage_scene()};
         program.problem_methods = names_of(problem_methods());
         program.solve_problem = [](const std::string& file, const std::string& method) {
             return solve_problem_file(file, method, problem_methods());

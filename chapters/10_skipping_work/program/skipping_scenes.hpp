@@ -30,6 +30,7 @@ inline DiscScene empty_scene(Index count)
     DiscScene scene;
     scene.bodies = Bodies<2>(count);
     scene.radius = VecX::Ones(count);
+    scene.length = 1;  // whatever the radii: the settings of this chapter are metres
     return scene;
 }
 
