@@ -66,6 +66,7 @@ struct AllBodies {
     void begin(const RigidScene& scene, const StepSettings& settings, Method&, StepData<3>& now) const
     {
         require_valid(scene);
+        now.length = typical_length(scene);
         const Bodies<3>& bodies = scene.bodies;
         now.active.resize(static_cast<std::size_t>(bodies.count()));
         std::iota(now.active.begin(), now.active.end(), 0);
@@ -79,7 +80,7 @@ struct AllBodies {
             const std::size_t corners = scene.shapes[static_cast<std::size_t>(b)].vertices.size();
             for (std::size_t k = 0; k < corners * scene.walls.size(); ++k) {
                 const Constraint<3> c = corner_constraint(scene, bodies.x, k / corners, b, k % corners);
-                if (!(c.C < settings.margin)) continue;
+                if (!(c.C < settings.margin * now.length)) continue;
                 now.sources.push_back({Source::Of::contact, static_cast<int>(now.contacts.size())});
                 now.contacts.push_back(
                     {world, b, scene.walls[k / corners].normal, c.C, static_cast<Index>(k)});

@@ -4,7 +4,7 @@
 
 #include "chapters/06_sequential_impulse/impulse_solver.hpp"
 #include "chapters/08_warm_starting/warm_start.hpp"
-#include "chapters/09_active_sets/exact_method.hpp"
+#include "chapters/09_active_sets/rattle.hpp"
 #include "chapters/11_rotation/rigid_constraints.hpp"
 
 namespace rigid {
@@ -20,6 +20,13 @@ struct RigidSweeps {
 struct RigidExact {
     AllBodies contacts;
     Correction correction;
+    ColdStart start;
+    ExactSolver solver;
+};
+
+struct RigidRattle {
+    AllBodies contacts;
+    Rattle correction;
     ColdStart start;
     ExactSolver solver;
 };

@@ -71,6 +71,7 @@ int main(int argc, char** argv)
             made->RangeMultiplier(2)->Range(64, 4096)->Unit(benchmark::kMicrosecond);
         };
         add("exact", exact);
+        add("rattle", RigidRattle{});
         add("projection_10", ten);
         add("projection_1", one);
         add("baumgarte_10", baumgarte);

@@ -6,12 +6,12 @@
 # Pictures of scenes.
 run --scene rod --steps 1 --svg "$out/ch11_rod.svg"
 run --scene percussion --steps 5 --svg "$out/ch11_percussion.svg"
-run --scene double --method baumgarte --steps 1680 --svg "$out/ch11_double.svg"
+run --scene double --method rattle --steps 1680 --svg "$out/ch11_double.svg"
 run --scene ladder --steps 200 --svg "$out/ch11_ladder.svg"
 run --scene gears --steps 480 --svg "$out/ch11_gears.svg"
 
 # The rod pendulum after 1 s and what is off at its pin, against the step; and one step cut into parts.
-for method in exact sweeps baumgarte; do
+for method in exact rattle baumgarte; do
     for n in 30 60 120 240 480 960 1920; do
         run --scene pendulum --method $method --h "$(awk "BEGIN { printf \"%.17g\", 1 / $n }")" --steps $n --csv "$data/run"
         awk -F, -v n=$n 'END { print 1 / n, $5, $7 }' "$data/run" >>"$data/order_$method"

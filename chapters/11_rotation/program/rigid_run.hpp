@@ -54,6 +54,9 @@ public:
             exact_.correction = exact_repair();
             exact_.correction.restitution = e;
             rigid::step(scene, how, exact_, state_.now);
+        } else if (settings.method == "rattle") {
+            rattle_.correction.restitution = e;
+            rigid::step(scene, how, rattle_, state_.now);
         } else {
             sweeps_.correction.method =
                 settings.method == "baumgarte" ? Stabilizer::baumgarte : Stabilizer::projection;
@@ -131,6 +134,7 @@ private:
     RigidSetup setup_;
     RigidState state_;
     RigidExact exact_;
+    RigidRattle rattle_;
     RigidSweeps sweeps_;
 };
 
@@ -143,7 +147,7 @@ inline Demo rigid_demo(const std::string& name, const std::string& summary, cons
     scene.summary = summary;
     scene.view = view;
     scene.h = 1.0 / 240;
-    scene.methods = {"exact", "sweeps", "baumgarte"};
+    scene.methods = {"exact", "rattle", "sweeps", "baumgarte"};
     scene.tunables = {
         {"substeps", "", "parts of a step", 1, 1, 64, true, false, true},
         {"sweeps", "", "sweeps a sub-step, of the methods that sweep", 10, 1, 200, true, false, false}};
