@@ -148,7 +148,8 @@ TEST_CASE("a rod struck at its end by hand gets the impulse and the spin of (11.
           1e-12);
 }
 
-TEST_CASE("sweeps and Lemke and sequential impulses and active sets give the struck rod the same impulse", "[idea]")
+TEST_CASE("sweeps and Lemke and sequential impulses and active sets give the struck rod the same impulse",
+          "[idea]")
 {
     const auto check = [](auto method) {
         RigidScene scene = struck_rod(pi / 6);

@@ -198,8 +198,8 @@ void visits(benchmark::State& state, Problem (*make)(Index))
                                             block.coupling, 0, memory[4].u);
                         }
                     else
-                        benchmark::DoNotOptimize(sweep(memory[i], 0,
-                                                       orders[i % 4] == Order::alternating && backwards));
+                        benchmark::DoNotOptimize(
+                            sweep(memory[i], 0, orders[i % 4] == Order::alternating && backwards));
                 }
             });
         timed(6, [&] { prepare(problem.rows, order[3], VecX::Zero(static_cast<Index>(m)), memory[3].rows); });
