@@ -1644,16 +1644,16 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         CHECK(since.cwiseAbs().maxCoeff() < 1e-6);
         CHECK(cold == 6);
         CHECK(says(
-            "chapters/10_skipping_work/README.md",
+            "chapters/10_skipping_work/in_depth.md",
             "the first six steps find all impulses from zero, hit the limit of 400 sweeps, and lose up to " +
                 printed(1e3 * worst_start, 2) +
                 " mm a gap. In all steps after them no disc moves by a whole µm."));
-        CHECK(says("chapters/10_skipping_work/README.md",
+        CHECK(says("chapters/10_skipping_work/in_depth.md",
                    "in 2,000 steps of 1/60 s, " + printed(1e6 * of_a_gap, 0) +
                        " µm. That is for *one* row, and while each step meets the tolerance."));
-        CHECK(says("chapters/10_skipping_work/README.md",
+        CHECK(says("chapters/10_skipping_work/in_depth.md",
                    "the top of a column of 20 by up to " + printed(20 * 1e3 * of_a_gap, 2) + " mm."));
-        CHECK(says("chapters/10_skipping_work/README.md",
+        CHECK(says("chapters/10_skipping_work/in_depth.md",
                    "at most 400 | 1.0 | 40 | " + printed(1e3 * off, 2) + " mm |"));
     }
 }

@@ -87,6 +87,7 @@ Run by_small_steps(const SmallStepSettings& chosen)
     return [chosen](DiscScene& scene, Real h, int steps) {
         SmallStepSettings settings = chosen;
         settings.h = h;
+        scene.bends.clear();  // small steps refuse bends; without a stiffness they are nothing to the others
         SmallStep now;
         for (int n = 0; n < steps; ++n) small_steps(scene, settings, now);
     };

@@ -4,6 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "chapters/03_mlcp_formulation/coupled_bounds.hpp"
+#include "chapters/03_mlcp_formulation/separate_blocks.hpp"
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 
 #include <type_traits>
@@ -73,6 +74,9 @@ private:
             for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers /= length;
         }
         hand_over(find, mlcp, solution);
+        if (has_no_answer(solution.status))  // then others must not lose theirs
+            solve_by_blocks(
+                mlcp, [this](const Mlcp& block, Solution& one) { hand_over(find, block, one); }, solution);
         if (length != 1) {
             for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers *= length;
             solution.residual *= length;

@@ -87,8 +87,13 @@ Method preset(const std::string& name, const SmallStepSettings& chosen)
         return checked([=](DiscScene& scene, Real h) {
             SmallStepSettings settings = chosen;
             settings.h = h;
-            scene.bends
-                .clear();  // without a stiffness they are nothing to the others, and refused by this one
+            // Small steps refuse bends, and without a stiffness they are nothing to the other methods. One that makes no
+            // sense is bad input all the same.
+            for (const Bend& bend : scene.bends)
+                if (!(bend.length > 0) || !std::isfinite(bend.length))
+                    throw std::invalid_argument("a bend has the length " + shortest(bend.length) +
+                                                "; it must be positive and finite");
+            scene.bends.clear();
             const GravityGuard guard(scene);
             spoil(*wish, small_settings(scene, settings), settings);
             small_steps(scene, settings, *now);

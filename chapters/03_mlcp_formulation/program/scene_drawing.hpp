@@ -42,8 +42,8 @@ inline void draw_wall(Canvas& canvas, const HalfSpace& plane, const std::vector<
 
 inline void draw_walls(Canvas& canvas, const SceneState& state, Real reach)
 {
-    for (const HalfSpace& wall : state.scene.walls)
-        draw_wall(canvas, wall, state.scene.walls, state.zoom, reach);
+    for (const HalfSpace& half : state.scene.walls)
+        draw_wall(canvas, half, state.scene.walls, state.zoom, reach);
     for (const Segment& segment : state.scene.segments) {
         canvas.segment(state.zoom * segment.p, state.zoom * segment.q, wall);
         if (segment.radius <= 0) continue;
@@ -60,8 +60,8 @@ inline void draw_walls(Canvas& canvas, const SceneState& state, Real reach)
 template <class StyleOf>
 void draw_links(Canvas& canvas, const SceneState& state, const StyleOf& style_of)
 {
-    for (const Link& link : state.scene.links)
-        canvas.segment(shown(state, link.a), shown(state, link.b), style_of(link));
+    for (const Link& rod : state.scene.links)
+        canvas.segment(shown(state, rod.a), shown(state, rod.b), style_of(rod));
 }
 
 /// \param style_of  Style (Index)

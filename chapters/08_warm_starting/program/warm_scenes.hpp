@@ -70,10 +70,10 @@ inline std::vector<Measured<WarmState>> warm_columns()
     const Measured<WarmState> multiple = {
         {"multiple", "", "of the previous impulses, for the last body's group"}, [](const WarmState& s) {
             const WarmStart& start = s.method.start;
-            const VecX& multiple = start.multiple.multiple;
+            const VecX& of_groups = start.multiple.multiple;
             const Index last = s.scene.bodies.count() - 1;
-            const bool scaled = start.from == Start::best_multiple && multiple.size() > last;
-            return scaled ? multiple[start.groups.of[static_cast<std::size_t>(last)]] : 1;
+            const bool scaled = start.from == Start::best_multiple && of_groups.size() > last;
+            return scaled ? of_groups[start.groups.of[static_cast<std::size_t>(last)]] : 1;
         }};
     return {columns::iterations("sweeps", "sweeps of the step"),
             columns::residual(),

@@ -51,25 +51,25 @@ inline Index disc_in_grid(SkippingState& state, const Vec2& point)
 template <class Edit>
 void edit(SkippingState& state, const Edit& change)
 {
-    SkippingWorld world;
-    world.margin = state.step.margin;
-    std::swap(world.scene, state.scene);
-    std::swap(world.method, state.method);
-    std::swap(world.found, state.now);
-    change(world);
-    std::swap(world.scene, state.scene);
-    std::swap(world.method, state.method);
-    std::swap(world.found, state.now);
+    SkippingWorld borrowed;
+    borrowed.margin = state.step.margin;
+    std::swap(borrowed.scene, state.scene);
+    std::swap(borrowed.method, state.method);
+    std::swap(borrowed.found, state.now);
+    change(borrowed);
+    std::swap(borrowed.scene, state.scene);
+    std::swap(borrowed.method, state.method);
+    std::swap(borrowed.found, state.now);
 }
 
 /// A scene that is stepped by this chapter's method, from the reader's settings.
 /// \param margin, skin  as in make_world()
 inline SkippingSetup skipping(DiscScene scene, CollisionFilter filter, Real margin, Real skin)
 {
-    SkippingWorld world = make_world(std::move(scene), std::move(filter), margin, skin);
+    SkippingWorld made = make_world(std::move(scene), std::move(filter), margin, skin);
     SkippingSetup setup;
-    setup.scene = std::move(world.scene);
-    setup.method = std::move(world.method);
+    setup.scene = std::move(made.scene);
+    setup.method = std::move(made.method);
     setup.tune = [margin](const Settings& settings, SkippingState& state) { tune(settings, margin, state); };
     setup.pick = disc_in_grid;
     const auto island_of =

@@ -1,0 +1,89 @@
+/// \file separate_blocks.hpp
+/// Rows that share no body are separate problems: where the whole has no answer, most of them still have theirs.
+///
+/// A is block diagonal when its rows are grouped by what meets what, (3.18). A solver that takes all rows as one problem
+/// says `infeasible` of all of them if two rods at the other end of the scene contradict each other. So the blocks are
+/// found, and each is solved by itself; the status is the worst of theirs.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "common/union_find.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace rigid {
+
+/// The number of each row's block: that of its lowest row.
+inline std::vector<int> blocks_of(const Mlcp& mlcp)
+{
+    std::vector<int> block(static_cast<std::size_t>(mlcp.size()));
+    std::iota(block.begin(), block.end(), 0);
+    for (int i = 0; i < static_cast<int>(mlcp.size()); ++i)
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            if (entry.value() < 0 || entry.value() > 0) unite(block, i, static_cast<int>(entry.col()));
+    for (int i = 0; i < static_cast<int>(mlcp.size()); ++i)
+        block[static_cast<std::size_t>(i)] = lowest_of(block, i);
+    return block;
+}
+
+/// The problem of some of its rows, given in ascending order, that meet no others.
+inline Mlcp part_of(const Mlcp& mlcp, const std::vector<int>& rows)
+{
+    const auto n = static_cast<Index>(rows.size());
+    std::vector<int> place(static_cast<std::size_t>(mlcp.size()), -1);
+    for (Index k = 0; k < n; ++k) place[static_cast<std::size_t>(rows[static_cast<std::size_t>(k)])] = int(k);
+    Mlcp part{SparseMatrix(n, n), VecX(n), VecX(n), VecX(n)};
+    std::vector<Eigen::Triplet<Real>> entries;
+    for (Index k = 0; k < n; ++k) {
+        const int i = rows[static_cast<std::size_t>(k)];
+        part.q[k] = mlcp.q[i];
+        part.lo[k] = mlcp.lo[i];
+        part.hi[k] = mlcp.hi[i];
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+            if (const int j = place[static_cast<std::size_t>(entry.col())]; j >= 0)
+                entries.emplace_back(int(k), j, entry.value());
+    }
+    part.A.setFromTriplets(entries.begin(), entries.end());
+    return part;
+}
+
+/// What a solver says of a problem that it has given up, whatever it was: no λ, or none that it can find.
+constexpr bool has_no_answer(Status status)
+{
+    return status == Status::infeasible || status == Status::singular || status == Status::ray_termination;
+}
+
+//! [by_blocks]
+/// Solves block by block, from a cold start. Leaves the solution as it is if there is only one block.
+/// \param solve     void(const Mlcp&, Solution&), where the Solution holds the λ to start from
+/// \param solution  out: λ of each block as its own solve left it, the last status that is not `solved`, the largest
+///                  residual, and all iterations, those of the whole included
+template <class Solve>
+void solve_by_blocks(const Mlcp& mlcp, const Solve& solve, Solution& solution)
+{
+    const std::vector<int> block = blocks_of(mlcp);
+    const int m = static_cast<int>(block.size());
+    if (std::all_of(block.begin(), block.end(), [](int number) { return number == 0; })) return;
+    VecX lambda = VecX::Zero(m).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
+    solution.status = Status::solved;
+    solution.residual = 0;
+    for (int first = 0; first < m; ++first) {
+        if (block[static_cast<std::size_t>(first)] != first) continue;
+        std::vector<int> rows;
+        for (int i = first; i < m; ++i)
+            if (block[static_cast<std::size_t>(i)] == first) rows.push_back(i);
+        Solution one;
+        one.lambda = lambda(rows);
+        solve(part_of(mlcp, rows), one);
+        lambda(rows) = one.lambda;
+        solution.iterations += one.iterations;
+        solution.residual = std::max(solution.residual, one.residual);
+        if (one.status != Status::solved) solution.status = one.status;
+    }
+    solution.lambda = lambda;
+}
+//! [by_blocks]
+
+}  // namespace rigid
