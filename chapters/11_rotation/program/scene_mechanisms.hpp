@@ -21,7 +21,7 @@ inline Demo ladder_scene()
                 Real floor = 0, wall = 0;
                 for (std::size_t i = 0; i < s.now.contacts.size(); ++i)
                     (s.now.contacts[i].normal.y() > 0.5 ? floor : wall) +=
-                        s.now.solution.lambda[static_cast<Index>(i)] / s.h;
+                        s.now.solution.lambda[static_cast<Index>(i)] / s.now.h;
                 return {s.scene.bodies.x[1] / start, floor, wall, energy(s.scene)};
             };
             setup.picture = [start](Canvas& canvas, const RigidState&) {
@@ -32,8 +32,8 @@ inline Demo ladder_scene()
         });
     scene.tunables.push_back({"angle", "°", "from the wall at the start", 10, 1, 80, false, true, false});
     scene.columns = {{"height", "", "of the centre, as a part of that at the start", true, false},
-                     {"floor", "N", "force of the floor, of the last sub-step times its part", true, false},
-                     {"wall", "N", "force of the wall, likewise", true, false},
+                     {"floor", "N", "force of the floor in the last sub-step", true, false},
+                     {"wall", "N", "force of the wall", true, false},
                      {"energy", "J", "kinetic and potential", true, false}};
     return scene;
 }
