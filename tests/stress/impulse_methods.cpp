@@ -93,7 +93,12 @@ Method preset(const std::string& name, const SmallStepSettings& chosen)
                 if (!(bend.length > 0) || !std::isfinite(bend.length))
                     throw std::invalid_argument("a bend has the length " + shortest(bend.length) +
                                                 "; it must be positive and finite");
-            scene.bends.clear();
+            struct Aside {  // the scene has them back after the step, whatever happens in it
+                DiscScene& scene;
+                std::vector<Bend> bends;
+                explicit Aside(DiscScene& from) : scene(from) { bends.swap(scene.bends); }
+                ~Aside() { bends.swap(scene.bends); }
+            } const aside(scene);
             const GravityGuard guard(scene);
             spoil(*wish, small_settings(scene, settings), settings);
             small_steps(scene, settings, *now);
