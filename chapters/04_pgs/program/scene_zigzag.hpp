@@ -7,6 +7,7 @@
 #include "common/program/program.hpp"
 #include "common/text.hpp"
 
+#include <Eigen/LU>
 #include <array>
 #include <memory>
 #include <vector>
