@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace rigid {
@@ -80,6 +81,12 @@ public:
 private:
     static constexpr Real R = 5.2;
 
+    static std::string singular(Real coupling, Real a22)
+    {
+        return "rows 1 and 2 have no single answer: coupling " + shortest(coupling) + " and a22 " +
+               shortest(a22) + " make the matrix singular";
+    }
+
     bool changed(const Settings& settings) const { return settings.tunables != tunables_; }
 
     void restart(const Settings& settings, const Vec2& start)
@@ -87,9 +94,7 @@ private:
         tunables_ = settings.tunables;
         const Real c = settings["coupling"], s = settings["skew"];
         A_ << 1, c + s, c - s, settings["a22"];
-        if (!(A_.determinant() > 1e-6))
-            throw StepFailure("rows 1 and 2 have no single answer: coupling " + shortest(c) + " and a22 " +
-                              shortest(A_(1, 1)) + " make the matrix singular");
+        if (!(A_.determinant() > 1e-6)) throw StepFailure(singular(c, A_(1, 1)));
         q_ << settings["q1"], settings["q2"];
         mlcp_.A = MatX(A_).sparseView();
         mlcp_.q = q_;
@@ -186,7 +191,13 @@ inline Demo zigzag_scene()
                      {"merit", "J", "½ λᵀAλ + qᵀλ", true, false},
                      {"residual", "m/s", "natural residual", true, true},
                      {"error", "N s", "distance from the answer", true, true}};
-    scene.start = [](const Settings& settings) { return std::make_unique<ZigzagRun>(settings); };
+    scene.start = [](const Settings& settings) {
+        try {
+            return std::make_unique<ZigzagRun>(settings);
+        } catch (const StepFailure& singular) {  // of settings that were so from the start
+            throw std::invalid_argument(singular.what());
+        }
+    };
     return scene;
 }
 
