@@ -185,7 +185,7 @@ void broad(benchmark::State& state, const std::string& method, const std::string
     const auto one_round = [&] {
         std::int64_t tested = N * (N - 1) / 2;
         if (method == "all") {
-            find_contacts(scene.bodies.x, scene.radius, scene.walls, {}, margin, contacts);
+            find_contacts(scene, margin, contacts);
         } else if (method == "sweep") {
             contacts_by_sweep(scene, memory, pairs, contacts);
             tested = memory.tested;
@@ -384,7 +384,7 @@ constexpr Real rain_margin = 0.03, rain_h = 1.0 / 120;
 Real deepest_overlap(const DiscScene& scene)
 {
     std::vector<Contact> contacts;
-    find_contacts(scene.bodies.x, scene.radius, scene.walls, {}, 0, contacts);
+    find_contacts(scene, 0, contacts);
     Real deepest = 0;
     const auto movable = [&](Index k) { return scene.bodies.can_move(k); };
     for (const Contact& contact : contacts)
