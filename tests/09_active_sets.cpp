@@ -447,7 +447,7 @@ TEST_CASE("a border of changed rows solves as a new factorisation does", "[house
 TEST_CASE("the sparse factor of any active rows solves their system in the pattern of the whole", "[house]")
 {
     Random random(22);
-    for (const Mlcp& problem : {chain_on_hills(40).mlcp(), pile_problem(box_column(20), beside).mlcp(),
+    for (const Mlcp& problem : {chain_on_hills(40).mlcp(), pile_problem(box_column(20), nudged).mlcp(),
                                 line_problem(50, 1, 0.1), chain_on_hills(8).mlcp()}) {
         const MatX A = problem.A;
         GuessedProblem asked = guessed(problem);
@@ -539,7 +539,7 @@ TEST_CASE("a box on redundant contacts is carried whole", "[house]")
 TEST_CASE("pyramids are solved at rest and in impact by guessing alone", "[house]")
 {
     for (const Index levels : {3, 8, 16, 22})
-        for (const Motion& motion : {at_rest, beside, in_impact}) {
+        for (const Motion& motion : {at_rest, nudged, in_impact}) {
             const Mlcp problem = pile_problem(box_pyramid(levels), motion).mlcp();
             ActiveSetMemory memory;
             Solution solution;
@@ -563,7 +563,7 @@ TEST_CASE("the entries of the factor grow in proportion to the rows of columns a
     for (const Index n : {50, 100, 200, 400, 800}) {
         ActiveSetMemory memory;
         Solution solution;
-        active_sets(pile_problem(box_column(n), beside).mlcp(), {}, memory, solution);
+        active_sets(pile_problem(box_column(n), nudged).mlcp(), {}, memory, solution);
         REQUIRE(solution.status == Status::solved);
         column.push_back(static_cast<Real>(memory.work.entries));
         active_sets(chain_on_hills(n).mlcp(), {}, memory, solution);
@@ -601,7 +601,7 @@ TEST_CASE("an unchanged active set costs one factorisation and gives the same an
 {
     for (const Mlcp& problem : {pile_problem(box_column(60), in_impact).mlcp(), chain_on_hills(100).mlcp(),
                                 pile_problem(box_pyramid(10), in_impact).mlcp(),
-                                pile_problem(box_column(40), beside, 0.5).mlcp()}) {
+                                pile_problem(box_column(40), nudged, 0.5).mlcp()}) {
         ActiveSetMemory memory;
         Solution cold, warm;
         active_sets(problem, {}, memory, cold);
@@ -898,7 +898,7 @@ TEST_CASE("columns with friction boxes are solved by the bounds of their own ans
 {
     for (const Real mu : {0.0, 0.1, 0.5, 1.0})
         for (const Index count : {5, 50, 150})
-            for (const Motion& motion : {beside, in_impact}) {
+            for (const Motion& motion : {nudged, in_impact}) {
                 const Mlcp problem = pile_problem(box_column(count), motion, 0.5).mlcp();
                 const std::vector<FrictionBox> boxes = boxes_of(problem, mu);
                 const Solution solution = active_sets(problem, boxes);
@@ -1075,10 +1075,10 @@ TEST_CASE("a chain that hangs straight to the last bit hides the step that a nan
     const auto of_chapter_3 = by_matrix(FindActiveSets{});
     ExactMethod of_chapter_9;
     of_chapter_9.correction = exact_correction();
-    const DiscScene straight = hanging_chain(40, 1000), beside = perturbed(straight, 1);
-    CHECK(longest(straight, of_chapter_3, 1) < 1e-12);     // rounding of 4 m
-    CHECK(longest(beside, of_chapter_3, 1) > 0.1);         // a link of 0.1 m is twice as long
-    CHECK(longest(beside, of_chapter_9, 16) < 2.0001e-9);  // never more than what it began with
+    const DiscScene straight = hanging_chain(40, 1000), torn = perturbed(straight, 1);
+    CHECK(longest(straight, of_chapter_3, 1) < 1e-12);   // rounding of 4 m
+    CHECK(longest(torn, of_chapter_3, 1) > 0.1);         // a link of 0.1 m is twice as long
+    CHECK(longest(torn, of_chapter_9, 16) < 2.0001e-9);  // never more than what it began with
 }
 
 TEST_CASE("a chain of 1000 links stays as long as it is and gains no energy in 16 exact small steps",
