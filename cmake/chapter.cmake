@@ -32,7 +32,9 @@ function(add_chapter chapter)
   endif()
 
   if(COMMAND add_catch_tests AND EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cpp)
-    add_catch_tests(${chapter} ch${number} FILES tests/${chapter}.cpp)
+    file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${number}_*.cpp)   # one executable a chapter
+    list(FILTER tests EXCLUDE REGEX "_trace\\.cpp$")
+    add_catch_tests(${chapter} ch${number} FILES ${tests})
     if(EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)   # tests that run the program
       include(${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)
     endif()

@@ -125,7 +125,7 @@ inline ArrowShape arrow_shape(const Vec2& tail, const Vec2& tip, Real width)
 }
 
 /// How far from the picture anything is painted [pixels]. What explodes goes farther than a painter
-/// can count; nobody sees the difference.
+/// can count; the difference cannot be seen.
 inline constexpr Real far_away = 1e5;
 
 inline bool is_near(const Vec2& p) { return p.cwiseAbs().maxCoeff() <= far_away; }

@@ -57,8 +57,8 @@ void require_bodies(const DiscScene& scene);
 /// \throws std::invalid_argument  for a mass or a radius that makes no sense
 Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius);
 
-/// Throws std::invalid_argument, "the number of discs in a column is 0; …", unless there is one at least. For those
-/// who build scenes by number.
+/// Throws std::invalid_argument, "the number of discs in a column is 0; …", unless there is one at least. For functions
+/// that build scenes by number.
 void require_count(const std::string& what, Index count);
 
 /// The scene that this book grew from: a chain of seven discs of 0.1 kg and three free discs

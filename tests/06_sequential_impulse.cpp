@@ -19,6 +19,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/order.hpp"
 #include "tests/sentence.hpp"
 
 #include <functional>
@@ -951,12 +952,6 @@ DiscScene pendulum(Real angle)
     scene.links[0].length = 1;
     scene.bodies.position(1) = Vec2(std::sin(angle), -std::cos(angle));
     return scene;
-}
-
-Real order_of(const std::vector<Real>& errors)
-{
-    // Mean of log2 of the ratios of errors at h, h/2, h/4, …
-    return std::log2(std::abs(errors.front() / errors.back())) / static_cast<Real>(errors.size() - 1);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/order.hpp"
 #include "tests/says.hpp"
 
 #include <functional>
@@ -27,7 +28,7 @@ namespace {
 constexpr std::array all_ways = {Stabilizer::none, Stabilizer::baumgarte, Stabilizer::relaxation,
                                  Stabilizer::split_impulse, Stabilizer::projection};
 
-/// One body and one bilateral row, without gravity: the constraint is evaluated anew in each step.
+/// One body and one bilateral row, without gravity: the constraint is evaluated in each step.
 struct OneRow {
     OneRowScene<std::function<Constraint<2>(const VecX&)>> scene;
     StepSettings settings = {.h = 0.01};
@@ -356,18 +357,6 @@ TEST_CASE("what repays an overlap may use up a gap beside it and neither keeps n
 }
 
 // ---- order of convergence -----------------------------------------------------------------------------
-
-/// The slope of log y over log x by least squares.
-static Real slope(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-    Real sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const Real a = std::log(x[i]), b = std::log(y[i]);
-        sx += a, sy += b, sxx += a * a, sxy += a * b;
-    }
-    const auto n = static_cast<Real>(x.size());
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
 
 TEST_CASE("a pendulum on a distance row converges with order 1 under each way to correct", "[idea]")
 {

@@ -1245,6 +1245,3 @@ TEST_CASE("settings that make no sense are refused", "[house]")
     CHECK(sentence([](auto& s, auto&) { s.substeps = 0; }) == "substeps is 0; it must be 1 or more");
     CHECK(sentence([](auto& s, auto&) { s.h = 0; }).find("time step") != std::string::npos);
 }
-
-#include "tests/08_loops.hpp"
-#include "tests/08_small_steps.hpp"

@@ -33,7 +33,3 @@ foreach(method active_sets dantzig)
 endforeach()
 
 add_same_bits_test(ch09 09_active_sets "ten discs, a column and a pyramid are the same bits without and with optimisation")
-
-# The step whose repair does no work: an executable of its own.
-add_catch_tests(09_rattle ch09 FILES tests/09_rattle.cpp)
-add_dependencies(test_09_active_sets test_09_rattle)   # ./book test 9 builds test_09_active_sets

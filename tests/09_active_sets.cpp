@@ -17,6 +17,7 @@
 #include "common/measure.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/order.hpp"
 #include "tests/random_problems.hpp"
 
 #include <functional>
@@ -67,18 +68,6 @@ VecX active_answer(const MatX& A, const std::vector<BoundState>& cases, const Ve
     const VecX part = A(active, active).fullPivLu().solve(VecX(right(active)));
     for (std::size_t k = 0; k < active.size(); ++k) x[active[k]] = part[static_cast<Index>(k)];
     return x;
-}
-
-/// The slope of log y over log x, by least squares.
-Real fitted_slope(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-    Real sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        const Real u = std::log(x[k]), v = std::log(y[k]);
-        sx += u, sy += v, sxx += u * u, sxy += u * v;
-    }
-    const auto n = static_cast<Real>(x.size());
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 std::vector<FrictionBox> boxes_of(const Mlcp& mlcp, Real mu)
@@ -516,7 +505,7 @@ TEST_CASE("the ten discs of chapter 3 move as by its exact solver", "[house]")
         // Rounding grows by what the impacts multiply it; after a second it is still far below a nanometre.
         CHECK((one.bodies.x - two.bodies.x).cwiseAbs().maxCoeff() <= 1e-9);
     }
-    CHECK(warm > 300);  // yesterday's guess is right most of the time
+    CHECK(warm > 300);  // the previous guess is right most of the time
 }
 
 TEST_CASE("a box on redundant contacts is carried whole", "[house]")
@@ -571,8 +560,8 @@ TEST_CASE("the entries of the factor grow in proportion to the rows of columns a
         chain.push_back(static_cast<Real>(memory.work.entries));
         rows.push_back(static_cast<Real>(n));
     }
-    CHECK(std::abs(fitted_slope(rows, column) - 1) <= 0.15);
-    CHECK(std::abs(fitted_slope(rows, chain) - 1) <= 0.15);
+    CHECK(std::abs(slope(rows, column) - 1) <= 0.15);
+    CHECK(std::abs(slope(rows, chain) - 1) <= 0.15);
 }
 
 TEST_CASE("a step is of first order in h whoever solves its rows", "[idea]")
@@ -592,7 +581,7 @@ TEST_CASE("a step is of first order in h whoever solves its rows", "[idea]")
     const VecX a = swing(200), b = swing(400), c = swing(800), d = swing(1600);
     h = {1, 0.5, 0.25};
     error = {(a - b).norm(), (b - c).norm(), (c - d).norm()};
-    CHECK(std::abs(fitted_slope(h, error) - 1) <= 0.15);
+    CHECK(std::abs(slope(h, error) - 1) <= 0.15);
 }
 
 // ---- warm starts ----------------------------------------------------------------------------------------

@@ -1,5 +1,7 @@
 /// Chapter 9, the step whose repair does no work: its order, what it keeps, and what it says where it can't.
 
+#include "tests/counted_eigen.hpp"
+
 #include "chapters/09_active_sets/linkages.hpp"
 #include "chapters/09_active_sets/rattle.hpp"
 #include "chapters/10_skipping_work/awake_bodies.hpp"
@@ -9,6 +11,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/order.hpp"
 
 #include <array>
 #include <cmath>
@@ -91,18 +94,6 @@ Vec2 lower_disc_after(Real seconds)
         for (std::size_t i = 0; i < 4; ++i) y[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
     }
     return {std::sin(y[0]) + std::sin(y[1]), -std::cos(y[0]) - std::cos(y[1])};
-}
-
-/// Slope of log error against log h, by least squares.
-Real slope(const std::vector<Real>& h, const std::vector<Real>& error)
-{
-    Real sx = 0, sy = 0, sxx = 0, sxy = 0;
-    const auto n = static_cast<Real>(h.size());
-    for (std::size_t i = 0; i < h.size(); ++i) {
-        const Real x = std::log(h[i]), y = std::log(error[i]);
-        sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 struct Orders {

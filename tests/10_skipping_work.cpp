@@ -14,7 +14,9 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/order.hpp"
 #include "tests/says.hpp"
+#include "tests/sentence.hpp"
 
 #include <map>
 #include <set>
@@ -153,33 +155,6 @@ DiscScene columns(Index count, Index height)
             set_disc(scene, c * height + i, {static_cast<Real>(c), 0.1 + 0.2 * static_cast<Real>(i)}, 0.1);
     scene.walls = {{{0, 1}, 0}};
     return scene;
-}
-
-/// The sentence that a call is refused with.
-template <class Call>
-std::string refusal(const Call& call)
-{
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "not refused";
-}
-
-Real slope(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-    Real mx = 0, my = 0, xy = 0, xx = 0;
-    const auto n = static_cast<Real>(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        mx += std::log(x[i]) / n;
-        my += std::log(y[i]) / n;
-    }
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xy += (std::log(x[i]) - mx) * (std::log(y[i]) - my);
-        xx += (std::log(x[i]) - mx) * (std::log(x[i]) - mx);
-    }
-    return xy / xx;
 }
 
 }  // namespace
@@ -1408,22 +1383,22 @@ TEST_CASE("a velocity or a push that a sleeper gets is not lost", "[house]")
     }
     SkippingWorld now = three_columns_asleep(settings);
     const VecX x = now.scene.bodies.x;
-    CHECK(refusal([&] { set_velocity(now, 99, u); }).find("there is no disc 99") != std::string::npos);
-    CHECK(refusal([&] {
+    CHECK(sentence_of([&] { set_velocity(now, 99, u); }).find("there is no disc 99") != std::string::npos);
+    CHECK(sentence_of([&] {
               set_velocity(now, 1, {std::nan(""), 0});
           }).find("the velocity nan, 0; it must be finite") != std::string::npos);
-    CHECK(refusal([&] {
+    CHECK(sentence_of([&] {
               push(now, 1, {0, infinity});
           }).find("the impulse 0, inf N s; it must be finite") != std::string::npos);
     change_disc(now, 0, now.scene.bodies.position(0), {0, 0}, 0);
-    CHECK(refusal([&] { push(now, 0, u); }).find("disc 0 is fixed; no impulse moves it") !=
+    CHECK(sentence_of([&] { push(now, 0, u); }).find("disc 0 is fixed; no impulse moves it") !=
           std::string::npos);
     CHECK(now.scene.bodies.x == x);
 }
 
 TEST_CASE("settings that nobody touched let no column be thrown up", "[house]")
 {
-    // What section 8.6 forbids, the whole of yesterday's answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
+    // What section 8.6 forbids, the whole of the previous answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
     // sweeps are still few for fifty discs: it sinks, and comes back with a swing of less than a radius.
     for (const Index height : {20, 50}) {
         SkippingWorld now = world_of(column(height));

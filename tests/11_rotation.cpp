@@ -11,6 +11,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/order.hpp"
 #include "tests/says.hpp"
 #include "tests/sentence.hpp"
 
@@ -32,12 +33,6 @@ RigidExact exact_method()
     RigidExact method;
     method.correction = exact_repair();
     return method;
-}
-
-/// p with which the error shrinks as h^p from one halving to the next, the mean of all.
-Real order_of(const std::vector<Real>& errors)
-{
-    return std::log2(errors.front() / errors.back()) / static_cast<Real>(errors.size() - 1);
 }
 
 Polygon random_polygon(Random& random, int corners)

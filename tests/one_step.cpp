@@ -1,7 +1,7 @@
 /// Every combination of stages that makes sense runs, and whoever solves the rows, the bodies move the same.
 ///
 ///     {given, coloured} × {rows, pairs, islands, active sets} × {cold, previous, best multiple}
-///         × {each correction} × {1, 4, 16 sub-steps} × {all awake, who rests sleeps}, on three scenes
+///         × {each correction} × {1, 4, 16 sub-steps} × {all awake, asleep at rest}, on three scenes
 
 #include "chapters/08_warm_starting/warm_method.hpp"
 #include "chapters/09_active_sets/exact_method.hpp"
@@ -96,7 +96,7 @@ struct Cell {
     End end;
 };
 
-/// All cells of one solver, cold and remembering, with all awake and with those asleep who rest.
+/// All cells of one solver, cold and remembering, with all awake and with sleep.
 template <class Solver>
 void add_cells(const NamedScene& named, const std::string& name, const Solver& solver, Stabilizer correction,
                int substeps, std::vector<Cell>& cells)

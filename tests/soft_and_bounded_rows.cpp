@@ -321,6 +321,25 @@ TEST_CASE("a spring never adds energy at any step")
     }
 }
 
+TEST_CASE("the best multiple of one soft row is its answer")
+{
+    Random random(15);
+    for (int trial = 0; trial < 20; ++trial) {
+        Problem problem = random_bodies(2, random);
+        const Real bias = random.uniform(0.1, 1);
+        problem.rows.push_back(between(problem, 0, 1, direction(random), bias, -infinity, infinity));
+        Row<2>& row = problem.rows[0];
+        row.softness = random.uniform(0.1, 5);
+        BodyGroups groups;
+        find_groups<2>(problem.rows, problem.bodies.inverse_mass, groups);
+        MultipleScratch scratch;
+        const Real answer = -row.velocity(problem.u_star) / row.diagonal();
+        VecX lambda = VecX::Constant(1, 0.3 * answer);
+        best_multiple<2>(problem.rows, problem.bodies.inverse_mass, problem.u_star, groups, scratch, lambda);
+        CHECK(lambda[0] == Approx(answer).epsilon(1e-12));  // a division and a few products
+    }
+}
+
 TEST_CASE("a body on a slope sticks below the angle of friction and slides above it as the closed form says")
 {
     const Real mu = 0.3, h = 1.0 / 60, g = 9.81;
@@ -369,7 +388,7 @@ TEST_CASE("rows with feedback elsewhere do not change one bit of the rows withou
             const Vec2 n = direction(random);
             plain.rows.push_back(between(plain, a, b, n, 0, i % 2 ? 0 : -infinity, infinity));
         }
-        Problem more = plain;  // bodies 6 and 7 are joined to nobody else
+        Problem more = plain;  // bodies 6 and 7 are joined to no other
         more.rows.push_back(between(more, 6, 7, {1, 0}, 0.1, 0, infinity));
         more.rows.push_back(between(more, 6, 7, {0, 1}, 0.1, -infinity, infinity));
         more.rows.back().bounded_by = 8;

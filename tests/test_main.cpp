@@ -1,3 +1,30 @@
+// main() of every test executable, and an operator new that counts where a NoAllocation lives.
+
+#include "tests/counted_eigen.hpp"
+
+#include <cstdlib>
+#include <new>
+
+// AddressSanitizer has its own operator new; there only Eigen's allocations are counted.
+#if defined(__SANITIZE_ADDRESS__)
+#define RIGID_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RIGID_ADDRESS_SANITIZER
+#endif
+#endif
+#ifndef RIGID_ADDRESS_SANITIZER
+// Not inlined: else the compiler sees malloc() and delete meet and warns.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+    if (rigid::allocation::forbidden) ++rigid::allocation::count;
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif
+
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 int main(int argc, char** argv) { return Catch::Session().run(argc, argv); }

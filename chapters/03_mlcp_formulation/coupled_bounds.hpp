@@ -48,13 +48,10 @@ void solve_coupled(const std::vector<Row<Dof>>& rows, Solve&& solve, Mlcp& mlcp,
         solve(mlcp, solution);
         if (solution.status != Status::solved) return;
         set_bounds(rows, solution.lambda, mlcp);
-        const VecX inside = solution.lambda.cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
-        const Verification verified = verify(mlcp, inside, accept);
+        solution.lambda = solution.lambda.cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
+        const Verification verified = verify(mlcp, solution.lambda, accept);
         solution.residual = verified.residual;
-        if (verified.solved) {
-            solution.lambda = inside;
-            return;
-        }
+        if (verified.solved) return;
     }
     solution.status = Status::iteration_limit;
 }

@@ -3,7 +3,7 @@
 ///
 /// A is block diagonal when its rows are grouped by what meets what, (3.18). A solver that takes all rows as one problem
 /// says `infeasible` of all of them if two rods at the other end of the scene contradict each other. So the blocks are
-/// found, and each is solved by itself; the status is the worst of theirs.
+/// found, and each is solved by itself. Of the whole it stays true that it is not solved.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
@@ -15,25 +15,31 @@
 
 namespace rigid {
 
-/// The number of each row's block: that of its lowest row.
-inline std::vector<int> blocks_of(const Mlcp& mlcp)
+/// The rows of each block, ascending; the block of the lowest row comes first.
+inline std::vector<std::vector<int>> blocks_of(const Mlcp& mlcp)
 {
-    std::vector<int> block(static_cast<std::size_t>(mlcp.size()));
-    std::iota(block.begin(), block.end(), 0);
-    for (int i = 0; i < static_cast<int>(mlcp.size()); ++i)
+    const auto m = static_cast<std::size_t>(mlcp.size());
+    std::vector<int> above(m), number(m, -1);
+    std::iota(above.begin(), above.end(), 0);
+    for (int i = 0; i < static_cast<int>(m); ++i)
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            if (entry.value() < 0 || entry.value() > 0) unite(block, i, static_cast<int>(entry.col()));
-    for (int i = 0; i < static_cast<int>(mlcp.size()); ++i)
-        block[static_cast<std::size_t>(i)] = lowest_of(block, i);
-    return block;
+            if (entry.value() < 0 || entry.value() > 0) unite(above, i, static_cast<int>(entry.col()));
+    std::vector<std::vector<int>> blocks;
+    for (int i = 0; i < static_cast<int>(m); ++i) {
+        int& of_block = number[static_cast<std::size_t>(lowest_of(above, i))];
+        if (of_block < 0) {
+            of_block = static_cast<int>(blocks.size());
+            blocks.emplace_back();
+        }
+        blocks[static_cast<std::size_t>(of_block)].push_back(i);
+    }
+    return blocks;
 }
 
 /// The problem of some of its rows, given in ascending order, that meet no others.
 inline Mlcp part_of(const Mlcp& mlcp, const std::vector<int>& rows)
 {
     const auto n = static_cast<Index>(rows.size());
-    std::vector<int> place(static_cast<std::size_t>(mlcp.size()), -1);
-    for (Index k = 0; k < n; ++k) place[static_cast<std::size_t>(rows[static_cast<std::size_t>(k)])] = int(k);
     Mlcp part{SparseMatrix(n, n), VecX(n), VecX(n), VecX(n)};
     std::vector<Eigen::Triplet<Real>> entries;
     for (Index k = 0; k < n; ++k) {
@@ -42,8 +48,9 @@ inline Mlcp part_of(const Mlcp& mlcp, const std::vector<int>& rows)
         part.lo[k] = mlcp.lo[i];
         part.hi[k] = mlcp.hi[i];
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            if (const int j = place[static_cast<std::size_t>(entry.col())]; j >= 0)
-                entries.emplace_back(int(k), j, entry.value());
+            if (const auto j = std::lower_bound(rows.begin(), rows.end(), static_cast<int>(entry.col()));
+                j != rows.end() && *j == entry.col())
+                entries.emplace_back(int(k), int(j - rows.begin()), entry.value());
     }
     part.A.setFromTriplets(entries.begin(), entries.end());
     return part;
@@ -63,17 +70,12 @@ constexpr bool has_no_answer(Status status)
 template <class Solve>
 void solve_by_blocks(const Mlcp& mlcp, const Solve& solve, Solution& solution)
 {
-    const std::vector<int> block = blocks_of(mlcp);
-    const int m = static_cast<int>(block.size());
-    if (std::all_of(block.begin(), block.end(), [](int number) { return number == 0; })) return;
-    VecX lambda = VecX::Zero(m).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
+    const std::vector<std::vector<int>> blocks = blocks_of(mlcp);
+    if (blocks.size() < 2) return;
+    VecX lambda = VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
     solution.status = Status::solved;
     solution.residual = 0;
-    for (int first = 0; first < m; ++first) {
-        if (block[static_cast<std::size_t>(first)] != first) continue;
-        std::vector<int> rows;
-        for (int i = first; i < m; ++i)
-            if (block[static_cast<std::size_t>(i)] == first) rows.push_back(i);
+    for (const std::vector<int>& rows : blocks) {
         Solution one;
         one.lambda = lambda(rows);
         solve(part_of(mlcp, rows), one);

@@ -4,7 +4,7 @@
 ///
 ///     x ← x + M⁻¹ Jᵀ Λ,   Λ = (goal − C(x)) / (J M⁻¹ Jᵀ),   goal = (1 − β) C at the start
 ///
-/// (7.18). No velocity is touched. C and J are computed anew at each visit, so the rows follow the curve and not its
+/// (7.18). No velocity is touched. C and J are computed again at each visit, so the rows follow the curve and not its
 /// tangent. The goal keeps β's meaning: the part that one step corrects, however many sweeps it makes.
 #pragma once
 

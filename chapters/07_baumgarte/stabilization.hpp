@@ -6,7 +6,7 @@
 ///     relaxation     the same; once the positions have moved, the sweeps go on with b = 0 and take the
 ///                    correcting velocity away again
 ///     split_impulse  b = 0; a second, pseudo-velocity v corrects β C', is added to x, and is forgotten
-///     projection     b = 0; after the step x itself is moved along M⁻¹ Jᵀ, C and J anew at each visit
+///     projection     b = 0; after the step x itself is moved along M⁻¹ Jᵀ, C and J computed again at each visit
 ///
 /// A gap, C > 0 of a contact, is no error: all five let it close and no more, b = C / h (3.30).
 #pragma once

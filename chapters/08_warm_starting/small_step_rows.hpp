@@ -51,7 +51,7 @@ struct SmallStep {
     int sweeps = 0;                         ///< of the last step
     Real length = 1;                        ///< ℓ, of the scene [m]
     bool same_rows = false;                 ///< nothing came or went since the step before
-    bool forget_rows = false;  ///< in: make the rows anew though they may be the same; for one step
+    bool forget_rows = false;  ///< in: make the rows again though they may be the same; for one step
 };
 
 /// The two bodies of a row by its number: links first, then contacts.

@@ -132,7 +132,7 @@ inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep
 inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
 {
     Bodies<2>& bodies = scene.bodies;
-    const bool no_yesterday = now.cache.h == 0;
+    const bool first_step = now.cache.h == 0;
     begin_rows(scene, settings, now);
     const Real h = settings.h / settings.substeps;
     const Vec2 gain = h * scene.gravity;
@@ -147,7 +147,7 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
             now.rows[k].lambda *= now.starts[now.group_of_row[k]].multiple;
             visit(now.rows[k], now.u);
         }
-        int sweeps = no_yesterday && n == 0 ? first_sweeps(settings, 1, now) : 1;
+        int sweeps = first_step && n == 0 ? first_sweeps(settings, 1, now) : 1;
         for (; sweeps < settings.sweeps; ++sweeps)
             for (SolverRow<2>& row : now.rows) visit(row, now.u);
         now.sweeps += sweeps;

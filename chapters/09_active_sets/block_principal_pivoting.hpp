@@ -19,7 +19,7 @@ namespace rigid {
 
 /// What a solve cost.
 struct ActiveSetWork {
-    int factorisations = 0;  ///< of the active rows, anew
+    int factorisations = 0;  ///< of the active rows, from the beginning
     int updates = 0;         ///< solves by an older factorisation and a border of the rows that changed
     int guesses = 0;         ///< sets that were tried
     int flips = 0;           ///< rows that changed their case

@@ -161,7 +161,7 @@ private:
     }
     //! [direction]
 
-    /// λ_F anew from what is left of w_F.
+    /// λ_F again from what is left of w_F.
     void refine()
     {
         for (int round = 0; round < 2; ++round) {

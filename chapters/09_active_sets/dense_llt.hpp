@@ -189,7 +189,7 @@ private:
         if (k == 0) return true;
         S_.compute(S);
         const auto pivots = S_.matrixLU().diagonal().cwiseAbs();
-        return pivots.minCoeff() > 1e-8 && pivots.maxCoeff() < 1e8;  // else too much is lost: factor anew
+        return pivots.minCoeff() > 1e-8 && pivots.maxCoeff() < 1e8;  // else too much is lost: factor again
     }
     //! [border]
 

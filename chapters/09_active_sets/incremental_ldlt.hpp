@@ -1,5 +1,5 @@
 /// \file incremental_ldlt.hpp
-/// L D Lᵀ of a set of rows to which one row is appended, or from which one is removed, without factoring anew.
+/// L D Lᵀ of a set of rows to which one row is appended, or from which one is removed, without factoring again.
 ///
 ///     append: L D l = a,  d = a_kk − lᵀ D l                                     (9.18), one triangular solve
 ///     remove: L₃ D₃ L₃ᵀ + d l lᵀ for the rows behind the one that goes          (9.19), a rank-one change

@@ -79,7 +79,7 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
         now.method.contacts.set.awake.push_back(static_cast<int>(k));
     now.method.contacts.set.activity[static_cast<std::size_t>(k)] = moves ? Activity::awake : Activity::fixed;
     now.method.contacts.set.woken.push_back(
-        static_cast<int>(k));  // as if it had just woken: its pairs are found anew
+        static_cast<int>(k));  // as if it had just woken: its pairs are found again
 }
 
 /// Gives a disc another velocity, and wakes what that concerns. Written into `bodies.u` instead, the velocity of a

@@ -25,7 +25,7 @@ struct Tunable {
     std::string help;  ///< one line
     Real value = 0, low = 0, high = 1;
     bool whole = false;       ///< a count: only whole numbers
-    bool restarts = false;    ///< changing it starts the scene anew (a number of discs, say)
+    bool restarts = false;    ///< changing it starts the scene again (a number of discs, say)
     bool arrow_keys = false;  ///< the up and down keys change it too
 };
 

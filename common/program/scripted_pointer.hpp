@@ -1,5 +1,5 @@
 /// \file scripted_pointer.hpp
-/// The hand that steers a scene when nobody is there: a smooth path all over the picture.
+/// The hand that steers a scene when there is no reader: a smooth path all over the picture.
 ///
 ///     pointer(t) = centre + 0.9 half_size · Σ_k a_k sin(2π f_k t + φ_k),   a = (0.55, 0.30, 0.15)
 ///

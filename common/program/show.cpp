@@ -62,7 +62,7 @@ void Show::start()
     histories_.assign(methods.size(), std::vector<History>(scene_->columns.size()));
     if (!options_.csv.empty()) {
         table_.reset();
-        table_.emplace(options_.csv, *scene_, methods.size());  // what is shown anew is written anew
+        table_.emplace(options_.csv, *scene_, methods.size());  // what is shown again is written again
     }
     remember();
 }

@@ -52,7 +52,7 @@ public:
     /// History of the plotted column c of the track k.
     const History& history(std::size_t k, std::size_t c) const { return histories_[k][c]; }
 
-    // What the reader changes. Those marked * start the scene anew.
+    // What the reader changes. Those marked * start the scene again.
     void choose_scene(std::size_t index);                  ///< *
     void choose_method(std::size_t index, bool on);        ///< * the last one can't be put out
     void set_tunable(const Tunable& tunable, Real value);  ///< * only if it is flagged

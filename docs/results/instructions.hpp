@@ -2,7 +2,7 @@
 /// How many instructions a task takes, counted by Valgrind's callgrind: the same number on each run of the same
 /// program.
 ///
-/// The program starts itself anew under callgrind, which looks on only while a task runs and leaves a file for
+/// The program starts itself again under callgrind, which looks on only while a task runs and leaves a file for
 /// each case.
 #pragma once
 

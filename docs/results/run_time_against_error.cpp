@@ -60,7 +60,7 @@ std::map<std::string, TableRow> read_table(const std::string& file)
     return rows;
 }
 
-/// What a time ratio of 1 is on this machine: a last line of the table, told anew when something was measured.
+/// What a time ratio of 1 is on this machine: a last line of the table, written again when something was measured.
 const std::string yardstick = "0,baseline,baseline,microseconds=";
 
 std::string yardstick_line(const std::map<std::string, TableRow>& rows)

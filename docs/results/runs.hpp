@@ -38,7 +38,7 @@ inline Result judged(const PoseWatch& watch, std::optional<std::int64_t> work, c
 }
 
 /// Adds a way to step.
-/// \param make  make() gives step(DiscScene&, std::int64_t& work, bool& solved): a new one knows no yesterday
+/// \param make  make() gives step(DiscScene&, std::int64_t& work, bool& solved): a new one remembers no step
 template <class Make>
 void add_run(Registry& registry, const SharedRun& run, const std::string& chapter, const std::string& method,
              const std::string& parameters, bool quick, const Make& make)

@@ -1,4 +1,4 @@
-// Chapters 6 to 8 step a scene: sweeps on the velocities, five ways to repay an error, yesterday's impulses.
+// Chapters 6 to 8 step a scene: sweeps on the velocities, five ways to correct an error, the previous impulses.
 #include "docs/results/runs.hpp"
 
 #include "chapters/06_sequential_impulse/impulse_method.hpp"

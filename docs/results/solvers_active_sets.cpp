@@ -17,7 +17,7 @@ ActiveSets new_active_sets()
 
 namespace {
 
-/// How chapter 9 is asked: as it comes, from yesterday's guess, or by one of its two nets from the beginning.
+/// How chapter 9 is asked: as it comes, from the previous guess, or by one of its two nets from the beginning.
 enum class Way { plain, warm, descent, proximal };
 
 void add_guesses(Registry& registry, const SharedScene& scene, const std::string& method, Way way)

@@ -214,10 +214,10 @@ def chapter_of(path):
     """The test executables that a list is for: 04.txt → test_04_pgs."""
     if path.stem == "common":
         return "test_common"
-    found = sorted((ROOT / "tests").glob(f"{path.stem}_*.cpp"))
+    found = sorted((ROOT / "chapters").glob(f"{path.stem}_*"))
     if not found:
-        raise ListError(f"{path.name} is for no chapter: there is no tests/{path.stem}_….cpp")
-    return "test_" + min(found, key=lambda p: len(p.stem)).stem
+        raise ListError(f"{path.name} is for no chapter: there is no chapters/{path.stem}_…")
+    return "test_" + found[0].name
 
 
 def judge(program, mutants, seconds, say):

@@ -10,7 +10,7 @@
 
 namespace rigid {
 
-/// A guess on its way: what the solver has after so many corrections. It is asked anew each time, with that
+/// A guess on its way: what the solver has after so many corrections. It is solved again each time, with that
 /// many allowed: a solver depends on its arguments alone, so it comes the same way, one correction further.
 struct GuessWalk {
     Mlcp problem;

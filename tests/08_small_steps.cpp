@@ -1,6 +1,4 @@
-/// Chapter 8, the second half of 08_warm_starting.cpp: small steps, and how they and other engines are measured.
-
-#pragma once
+/// Chapter 8, small steps: what they are held to, and how they and other engines are measured.
 
 #include "tests/no_allocation.hpp"
 
@@ -16,7 +14,7 @@
 
 namespace rigid::small_steps_tests {
 
-inline EngineScene engine_scene(const std::string& name)
+EngineScene engine_scene(const std::string& name)
 {
     for (EngineScene& scene : engine_scenes())
         if (scene.name == name) return scene;
@@ -24,7 +22,7 @@ inline EngineScene engine_scene(const std::string& name)
 }
 
 /// Discs that fall over each other between walls; some pairs are linked.
-inline DiscScene heap(Random& random)
+DiscScene heap(Random& random)
 {
     const Index count = 4 + random.index(8);
     DiscScene scene;
@@ -44,7 +42,7 @@ inline DiscScene heap(Random& random)
 }
 
 /// The settings of a step for what small steps do.
-inline StepSettings same_settings(const SmallStepSettings& small)
+StepSettings same_settings(const SmallStepSettings& small)
 {
     StepSettings settings;
     settings.h = small.h;
@@ -54,7 +52,7 @@ inline StepSettings same_settings(const SmallStepSettings& small)
 }
 
 /// And the method.
-inline WarmMethod same_method(const SmallStepSettings& small)
+WarmMethod same_method(const SmallStepSettings& small)
 {
     WarmMethod method;
     static_cast<StabilizerSettings&>(method.correction) = small.correction;
@@ -66,14 +64,14 @@ inline WarmMethod same_method(const SmallStepSettings& small)
     return method;
 }
 
-inline VecX run_small(DiscScene scene, const SmallStepSettings& settings, int steps)
+VecX run_small(DiscScene scene, const SmallStepSettings& settings, int steps)
 {
     SmallStep now;
     for (int k = 0; k < steps; ++k) small_steps(scene, settings, now);
     return scene.bodies.x;
 }
 
-inline PoseErrors watched(const EngineScene& from, SmallStepSettings settings, int steps)
+PoseErrors watched(const EngineScene& from, SmallStepSettings settings, int steps)
 {
     settings.collides = from.collides;
     PoseWatch watch(from, steps, settings.h);

@@ -1,6 +1,6 @@
 /// Chapter 8, loops of rods and impacts: what a remembered impulse must not do to the energy.
 
-#pragma once
+#include "tests/counted_eigen.hpp"
 
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/08_warm_starting/looped_trusses.hpp"
@@ -35,7 +35,7 @@ struct WarmSteps {
 };
 
 /// A in the order of the visits.
-inline MatX matrix_of(const std::vector<Row<2>>& rows, const std::vector<int>& order, Index numbers)
+MatX matrix_of(const std::vector<Row<2>>& rows, const std::vector<int>& order, Index numbers)
 {
     const auto m = static_cast<Index>(rows.size());
     const auto row = [&](Index i) -> const Row<2>& {
@@ -52,17 +52,14 @@ inline MatX matrix_of(const std::vector<Row<2>>& rows, const std::vector<int>& o
 }
 
 /// What a sweep leaves of the error of λ: G, and the same for a sweep backwards.
-inline MatX sweep_matrix(const MatX& A, bool backwards)
+MatX sweep_matrix(const MatX& A, bool backwards)
 {
     MatX triangle = A.triangularView<Eigen::Lower>();
     if (backwards) triangle = A.triangularView<Eigen::Upper>();
     return MatX::Identity(A.rows(), A.cols()) - triangle.partialPivLu().solve(A);
 }
 
-inline Eigen::VectorXcd modes_of(const MatX& matrix)
-{
-    return Eigen::EigenSolver<MatX>(matrix).eigenvalues();
-}
+Eigen::VectorXcd modes_of(const MatX& matrix) { return Eigen::EigenSolver<MatX>(matrix).eigenvalues(); }
 
 /// The greatest rise of the kinetic energy above an earlier value, as a part of what there was at the beginning.
 template <class Step>
@@ -80,13 +77,13 @@ Real energy_gained(DiscScene scene, int steps, const Step& step)
     return gained / began;
 }
 
-inline Real gained_in_small_steps(const DiscScene& scene, const SmallStepSettings& settings, int steps)
+Real gained_in_small_steps(const DiscScene& scene, const SmallStepSettings& settings, int steps)
 {
     SmallStep now;
     return energy_gained(scene, steps, [&](DiscScene& s) { small_steps(s, settings, now); });
 }
 
-inline Real gained_in_warm_steps(const DiscScene& scene, WarmSteps& warm, int steps)
+Real gained_in_warm_steps(const DiscScene& scene, WarmSteps& warm, int steps)
 {
     return energy_gained(scene, steps, [&](DiscScene& s) { warm(s); });
 }
@@ -97,7 +94,7 @@ constexpr Real rounding = 1e-11;
 /// Presets and orders in turns, 100 to 600 steps, at 1 m/s and at 1e-6 m/s; where the truss turns by much and where
 /// its rows stay.
 /// \return  trusses whose energy rose
-inline int trusses_that_gain(int count, std::uint64_t seed, Real& most)
+int trusses_that_gain(int count, std::uint64_t seed, Real& most)
 {
     Random random(seed);
     int gained = 0;
@@ -237,7 +234,7 @@ TEST_CASE("no truss with loops gains energy in warm steps from a best multiple",
 }
 
 /// A disc of 1 kg over a groove whose walls rise at this angle, `above` its place of rest.
-inline DiscScene groove(Real degrees, Real above)
+DiscScene groove(Real degrees, Real above)
 {
     const Real angle = degrees * pi / 180, c = std::cos(angle), s = std::sin(angle);
     DiscScene scene;
@@ -282,7 +279,7 @@ TEST_CASE("a disc that falls into a groove without restitution hardly rises agai
 }
 
 /// Discs of up to 10⁴ : 1 kg that fly at each other and at the walls of a box, some of them linked.
-inline DiscScene crash(Random& random)
+DiscScene crash(Random& random)
 {
     DiscScene scene;
     const Index count = 3 + random.index(10);
