@@ -378,6 +378,23 @@ TEST_CASE("a belt takes a body along until it has the belt's speed")
     });
 }
 
+TEST_CASE("the residual of a row that another one bounds is that of the bounds of this moment")
+{
+    Problem problem;
+    problem.bodies = Bodies<2>(1);
+    problem.rows.push_back(between(problem, world, 0, {0, 1}, 0, 0, infinity));
+    problem.rows.push_back(between(problem, world, 0, {1, 0}, 0, -infinity, infinity));
+    problem.rows[1].bounded_by = 0;
+    problem.rows[1].friction = 0.5;
+    ImpulseMemory<2> memory;
+    Solution solution;
+    solution.lambda = Vec2(2, 0.75);
+    begin_sweeps<2>(problem.rows, {}, 0, memory, VecX(Vec2(-0.75, -2)), solution);
+    CHECK(natural_residual(memory) == 0);  // both rows have w = 0
+    memory.rows[0].lambda = 1;             // now half of it is the most that friction may give
+    CHECK(natural_residual(memory) == 0.25);
+}
+
 TEST_CASE("rows with feedback elsewhere do not change one bit of the rows without")
 {
     Random random(13);
