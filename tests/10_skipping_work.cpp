@@ -2097,6 +2097,21 @@ TEST_CASE("a disc that is added to a sleeping world falls on those who sleep and
     CHECK(now.scene.bodies.position(k).y() == Approx(0.7).margin(2e-3));
 }
 
+TEST_CASE("a disc that is added on top of another is held from its first step", "[idea]")
+{
+    for (const bool asleep : {false, true}) {
+        SkippingWorld now = make_world(column(1), filter_of(column(1)));
+        const SkippingSettings settings;
+        for (int n = 0; n < (asleep ? 240 : 1); ++n) skipping_step(now, settings);
+        REQUIRE((now.counters.awake == 0) == asleep);
+        add_disc(now, now.scene.bodies.position(0) + Vec2(0, 0.2), {0, 0}, 1, 0.1);
+        skipping_step(now, settings);
+        CHECK(now.counters.rows == 2);
+        // It has not begun to fall: h g would be 0.16 m/s, and two rows are solved exactly.
+        CHECK(std::abs(now.scene.bodies.velocity(1).y()) < 1e-9);
+    }
+}
+
 TEST_CASE(
     "a hundred discs that are added one by one end where the same discs end that were there from the start",
     "[idea]")
