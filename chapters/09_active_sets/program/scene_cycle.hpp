@@ -65,9 +65,11 @@ public:
         for (std::size_t k = 0; k < 8; ++k) {
             const Colour colour = next_[k] == k ? Colour::green : in_cycle_[k] ? Colour::red : Colour::ink;
             canvas.disc(corner(k), 0.045, {colour, 1.5, 1, true, false});
-            const Vec2 beside(k % 2 == 1 ? 0.08 : -0.08, (k >> 1) % 2 == 1 ? 0.05 : -0.1);
+            // Outwards; but outside of the corner 1, 2, which lies before the others, an arrow goes past.
+            const bool right = k % 2 == 1 && k != 3, above = (k >> 1) % 2 == 1;
+            const Vec2 beside(right ? 0.08 : -0.08, above ? 0.05 : -0.1);
             canvas.text(corner(k) + beside, name(k), 14, {colour, 1, 1, false, false},
-                        k % 2 == 1 ? Align::left : Align::right);
+                        right ? Align::left : Align::right);
         }
     }
 
