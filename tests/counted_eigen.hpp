@@ -9,6 +9,15 @@
 
 #include <cstdlib>
 
+// Whether AddressSanitizer is in: it is known here, since what is counted depends on it.
+#if defined(__SANITIZE_ADDRESS__)
+#define RIGID_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RIGID_ADDRESS_SANITIZER
+#endif
+#endif
+
 namespace rigid::allocation {
 inline bool forbidden = false;
 inline int count = 0;

@@ -5,15 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-// AddressSanitizer has its own operator new; there only Eigen's allocations are counted.
-#if defined(__SANITIZE_ADDRESS__)
-#define RIGID_ADDRESS_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RIGID_ADDRESS_SANITIZER
-#endif
-#endif
-#ifndef RIGID_ADDRESS_SANITIZER
+#ifndef RIGID_ADDRESS_SANITIZER  // AddressSanitizer has its own operator new; there only Eigen's allocations are counted
 // Not inlined: else the compiler sees malloc() and delete meet and warns.
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
