@@ -9,12 +9,15 @@
 namespace rigid {
 
 //! [find]
-/// The lowest of k's set. On the way each is pointed one farther, so the next walk is shorter.
+/// The lowest of k's set. On the way each is pointed one farther, so the next walk
+/// is shorter.
 template <class Number>
 Number lowest_of(std::vector<Number>& parent, Number k)
 {
-    const auto above = [&parent](Number i) -> Number& { return parent[static_cast<std::size_t>(i)]; };
-    while (above(k) != k) k = above(k) = above(above(k));
+    const auto up = [&parent](Number i) -> Number& {
+        return parent[static_cast<std::size_t>(i)];
+    };
+    while (up(k) != k) k = up(k) = up(up(k));
     return k;
 }
 

@@ -91,7 +91,8 @@ std::vector<std::string> broken_rules(const Source& source)
         }
     }
     const auto lines = std::count(source.text.begin(), source.text.end(), '\n');
-    if (source.path.ends_with(".hpp") && lines > 220)
+    const bool narrow = source.path.starts_with("chapters/");  // 84 columns, so a tenth more lines
+    if (source.path.ends_with(".hpp") && lines > (narrow ? 245 : 220))
         broken.push_back(source.path + " has " + std::to_string(lines) + " lines: two ideas?");
     return broken;
 }

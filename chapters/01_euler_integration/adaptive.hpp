@@ -47,15 +47,17 @@ inline const char* to_string(Outcome outcome)
 }
 
 //! [norm]
-/// (1.40): the square of the error in units of what the tolerance allows. Vectors are
-/// measured by their length, so it does not matter how the axes lie; a NaN anywhere gives
-/// NaN.
+/// (1.40): the square of the error in units of what the tolerance allows. Vectors
+/// are measured by their length, so it does not matter how the axes lie; a NaN
+/// anywhere gives NaN.
 template <int N>
 Real scaled_error2(const Slope<N>& error, const State<N>& from, const State<N>& to,
                    const Tolerance& tolerance)
 {
-    const Real size_x = std::sqrt(std::max(from.x.squaredNorm(), to.x.squaredNorm()));
-    const Real size_u = std::sqrt(std::max(from.u.squaredNorm(), to.u.squaredNorm()));
+    const Real size_x =
+        std::sqrt(std::max(from.x.squaredNorm(), to.x.squaredNorm()));
+    const Real size_u =
+        std::sqrt(std::max(from.u.squaredNorm(), to.u.squaredNorm()));
     const Real allowed_x = tolerance.position + tolerance.relative * size_x;
     const Real allowed_u = tolerance.velocity + tolerance.relative * size_u;
     return error.u.squaredNorm() / (allowed_x * allowed_x) +
@@ -80,13 +82,15 @@ struct Adaptive {
 /// Two evaluations. \throws std::invalid_argument  for a state that isn't finite or a
 /// tolerance that isn't positive
 template <int N, Acceleration<N> A>
-Adaptive<N> start_adaptive(const State<N>& s, const A& a, const Tolerance& tolerance)
+Adaptive<N> start_adaptive(const State<N>& s, const A& a,
+                           const Tolerance& tolerance)
 {
     require_finite(s);
-    const auto require_positive = [](Real value, const char* name, const char* unit) {
+    const auto require_positive = [](Real value, const char* name,
+                                     const char* unit) {
         if (!(value > 0) || !std::isfinite(value))
-            throw std::invalid_argument(std::string("the ") + name + " tolerance is " +
-                                        shortest(value) + unit +
+            throw std::invalid_argument(std::string("the ") + name +
+                                        " tolerance is " + shortest(value) + unit +
                                         "; it must be positive and finite");
     };
     require_positive(tolerance.relative, "relative", "");
@@ -121,28 +125,31 @@ void require_end(const Adaptive<N>& run, Real t_end)
 
 //! [advance]
 /// Takes one accepted step, at most to t_end, after as many tries as it needs.
-/// \return  `reached` when it did (t < t_end or t = t_end), otherwise why it couldn't
+/// \return  `reached` when it did (t < t_end or t = t_end), otherwise why it
+///     couldn't
 template <int N, Acceleration<N> A>
-Outcome advance(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& tolerance)
+Outcome advance(Adaptive<N>& run, Real t_end, const A& a,
+                const Tolerance& tolerance)
 {
     const Real smallest =
         16 * std::numeric_limits<Real>::epsilon() * std::max(run.t, run.h);
     for (bool first_try = true;; first_try = false) {
-        if (run.accepted + run.rejected >= run.step_limit) return Outcome::step_limit;
-        const bool last = run.t + 1.01 * run.h >=
-                          t_end;  // rather a slightly longer step than a tiny last one
+        if (run.accepted + run.rejected >= run.step_limit)
+            return Outcome::step_limit;
+        // rather a slightly longer step than a tiny last one
+        const bool last = run.t + 1.01 * run.h >= t_end;
         const Real h = last ? t_end - run.t : run.h;
         const PairStep<N> step = dormand_prince_step(run.s, run.a, h, a);
         run.evaluations += 6;
         const Real error2 = scaled_error2(step.error, run.s, step.s, tolerance);
-        const auto factor =
-            [error2] {  // (1.41), in single precision: enough for a guess, and quicker
-                return static_cast<Real>(
-                    0.8f * std::pow(static_cast<float>(std::min(error2, 1e30)), -0.1f));
-            };
+        // (1.41), in single precision: enough for a guess, and quicker
+        const auto factor = [error2] {
+            return static_cast<Real>(
+                0.8f * std::pow(static_cast<float>(std::min(error2, 1e30)), -0.1f));
+        };
         if (error2 <= 1) {
-            // Between 0.2 and 0.5 the step is as good as right: no power, and the next step
-            // need not wait.
+            // Between 0.2 and 0.5 the step is as good as right: no power, and the
+            // next step need not wait.
             if (error2 < 0.04 || error2 > 0.25) {
                 const Real wanted = h * std::min(factor(), first_try ? 5. : 1.);
                 run.h = last ? std::max(wanted, run.h) : wanted;
@@ -158,7 +165,8 @@ Outcome advance(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& toler
         ++run.rejected;
         run.h = h * (error2 < infinity ? std::max(0.2, factor()) : 0.2);
         if (!(run.h > smallest))
-            return error2 < infinity ? Outcome::step_too_small : Outcome::not_finite;
+            return error2 < infinity ? Outcome::step_too_small
+                                     : Outcome::not_finite;
     }
 }
 //! [advance]
@@ -166,7 +174,8 @@ Outcome advance(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& toler
 /// Steps until t_end [s], not before run.t. The motion of the last step stays in run.last.
 /// \throws std::invalid_argument  for a t_end that is not finite or lies in the past
 template <int N, Acceleration<N> A>
-Outcome integrate(Adaptive<N>& run, Real t_end, const A& a, const Tolerance& tolerance)
+Outcome integrate(Adaptive<N>& run, Real t_end, const A& a,
+                  const Tolerance& tolerance)
 {
     require_end(run, t_end);
     Outcome outcome = Outcome::reached;

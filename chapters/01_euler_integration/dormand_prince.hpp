@@ -48,7 +48,8 @@ struct PairStep {
 /// (1.38) and (1.39): one step of Dormand and Prince's pair. Six evaluations.
 /// \param now  a(s) [m/s²], the last slope of the step before
 template <int N, Acceleration<N> A>
-PairStep<N> dormand_prince_step(const State<N>& s, const Vec<N>& now, Real h, const A& a)
+PairStep<N> dormand_prince_step(const State<N>& s, const Vec<N>& now, Real h,
+                                const A& a)
 {
     const auto slope = [&a](const State<N>& y) {
         return Slope<N>{y.u, acceleration(a, y)};
@@ -56,14 +57,16 @@ PairStep<N> dormand_prince_step(const State<N>& s, const Vec<N>& now, Real h, co
     const Slope<N> k1{s.u, now};
     const Slope<N> k2 = slope(s + 1. / 5 * h * k1);
     const Slope<N> k3 = slope(s + 3. / 40 * h * k1 + 9. / 40 * h * k2);
-    const Slope<N> k4 = slope(s + 44. / 45 * h * k1 - 56. / 15 * h * k2 + 32. / 9 * h * k3);
+    const Slope<N> k4 =
+        slope(s + 44. / 45 * h * k1 - 56. / 15 * h * k2 + 32. / 9 * h * k3);
     const Slope<N> k5 = slope(s + 19372. / 6561 * h * k1 - 25360. / 2187 * h * k2 +
                               64448. / 6561 * h * k3 - 212. / 729 * h * k4);
     const Slope<N> k6 =
-        slope(s + 9017. / 3168 * h * k1 - 355. / 33 * h * k2 + 46732. / 5247 * h * k3 +
-              49. / 176 * h * k4 - 5103. / 18656 * h * k5);
-    const State<N> y = s + 35. / 384 * h * k1 + 500. / 1113 * h * k3 + 125. / 192 * h * k4 -
-                       2187. / 6784 * h * k5 + 11. / 84 * h * k6;
+        slope(s + 9017. / 3168 * h * k1 - 355. / 33 * h * k2 +
+              46732. / 5247 * h * k3 + 49. / 176 * h * k4 - 5103. / 18656 * h * k5);
+    const State<N> y = s + 35. / 384 * h * k1 + 500. / 1113 * h * k3 +
+                       125. / 192 * h * k4 - 2187. / 6784 * h * k5 +
+                       11. / 84 * h * k6;
     const Slope<N> k7 = slope(y);
     return {y, k7.a,
             71. / 57600 * h * k1 - 71. / 16695 * h * k3 + 71. / 1920 * h * k4 -

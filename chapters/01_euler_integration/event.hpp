@@ -18,10 +18,11 @@ namespace rigid {
 inline constexpr int event_samples = 8;
 
 //! [polish]
-/// Puts a run that has just taken a step back to the event between the parts `open` and
-/// `closed` of it.
+/// Puts a run that has just taken a step back to the event between the parts `open`
+/// and `closed` of it.
 template <int N, Acceleration<N> A, class Gap>
-void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, const Gap& gap)
+void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a,
+                      const Gap& gap)
 {
     const Hermite<N> whole = run.last;
     const auto gap_at = [&](Real theta) { return gap(whole.at(theta)); };
@@ -31,9 +32,10 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
          theta = (open + closed) / 2)
         (gap_at(theta) > 0 ? open : closed) = theta;
 
-    // (1.47): Newton's method with real steps; the slope of the polynomial is good enough
-    // for it.
-    const Real slope = (gap_at(closed + 1e-3) - gap_at(closed - 1e-3)) / (2e-3 * whole.h);
+    // (1.47): Newton's method with real steps; the slope of the polynomial is good
+    // enough for it.
+    const Real slope =
+        (gap_at(closed + 1e-3) - gap_at(closed - 1e-3)) / (2e-3 * whole.h);
     Real h = closed * whole.h;
     for (int i = 0;; ++i) {
         const PairStep<N> step = dormand_prince_step(whole.s0, whole.a0, h, a);
@@ -42,8 +44,8 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
         run.a = step.a;
         run.last = {whole.s0, step.s, whole.a0, step.a, h};
         const Real next = std::clamp(h - gap(step.s) / slope, h / 2, whole.h);
-        const bool close =
-            !(std::abs(next - h) > 4 * std::numeric_limits<Real>::epsilon() * run.t);
+        const bool close = !(std::abs(next - h) >
+                             4 * std::numeric_limits<Real>::epsilon() * run.t);
         if (close || i == 9) break;
         h = next;
     }
@@ -52,11 +54,12 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a, cons
 //! [polish]
 
 //! [event]
-/// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to zero or
-/// below on the way, the run goes back to that moment and the outcome is `event`. Whoever
-/// then changes run.s (a bounce) sets run.a to its acceleration too. A run that starts at
-/// gap ≤ 0 has no event before it was above zero.
-/// \param gap  gap(s): a number with the sign of the distance, continuous in the state
+/// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to
+/// zero or below on the way, the run goes back to that moment and the outcome is
+/// `event`. Whoever then changes run.s (a bounce) sets run.a to its acceleration
+/// too. A run that starts at gap ≤ 0 has no event before it was above zero.
+/// \param gap  gap(s): a number with the sign of the distance, continuous in the
+///             state
 template <int N, Acceleration<N> A, class Gap>
 Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a,
                          const Tolerance& tolerance, const Gap& gap)
@@ -69,7 +72,8 @@ Outcome advance_to_event(Adaptive<N>& run, Real t_end, const A& a,
     bool open = gap(run.last.s0) > 0;
     for (int i = 1; i <= event_samples; ++i) {
         const Real theta = static_cast<Real>(i) / event_samples;
-        const bool still_open = (i < event_samples ? gap_at(theta) : gap(run.last.s1)) > 0;
+        const bool still_open =
+            (i < event_samples ? gap_at(theta) : gap(run.last.s1)) > 0;
         if (open && !still_open) {
             go_back_to_event(run, theta - 1. / event_samples, theta, a, gap);
             return Outcome::event;

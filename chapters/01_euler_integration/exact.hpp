@@ -67,7 +67,8 @@ inline State<1> exact_pendulum(const Pendulum& pendulum, Real theta0, Real t)
     const Real dn = std::sqrt(1 - k * k * sn * sn);
     const Real theta = 2 * std::asin(k * std::cos(phase) / dn);
     // From the derivative of cn/dn, −k'² sn/dn², and cos(θ/2) = k'/dn, with k' = cos(θ₀/2).
-    return {Vec<1>(theta), Vec<1>(-2 * omega0 * k * std::cos(theta0 / 2) * sn / dn)};
+    return {Vec<1>(theta),
+            Vec<1>(-2 * omega0 * k * std::cos(theta0 / 2) * sn / dn)};
 }
 
 /// A Kepler orbit at its point nearest to the sun, with half major axis 1 m.
@@ -87,8 +88,8 @@ inline State<2> exact_kepler(const Kepler& kepler, Real e, Real t)
 {
     const Real n = std::sqrt(kepler.GM);  // mean motion for the semi-major axis 1 m
     const Real M = std::remainder(n * t, 2 * pi);
-    Real E =
-        M + (M < 0 ? -e : e);  // for this start Newton's method converges from one side
+    // for this start Newton's method converges from one side
+    Real E = M + (M < 0 ? -e : e);
     for (int i = 0; i < 100; ++i) {
         const Real change = (E - e * std::sin(E) - M) / (1 - e * std::cos(E));
         E -= change;

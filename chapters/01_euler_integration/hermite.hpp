@@ -19,8 +19,9 @@ struct Hermite {
     Real h = 0;  ///< [s]
 
     //! [hermite]
-    /// (1.45): the state at the part 0 ≤ θ ≤ 1 of the step; its velocity is the derivative
-    /// of its position. Error O(h⁶) in x, O(h⁵) in u. Costs no evaluation.
+    /// (1.45): the state at the part 0 ≤ θ ≤ 1 of the step; its velocity is the
+    /// derivative of its position. Error O(h⁶) in x, O(h⁵) in u. Costs no
+    /// evaluation.
     State<N> at(Real theta) const
     {
         const Vec<N> D = s1.x - s0.x - h * s0.u - h * h / 2 * a0;
@@ -33,7 +34,8 @@ struct Hermite {
         const Real q = theta * theta;
         return {s0.x + th * s0.u + th * th / 2 * a0 +
                     q * theta * (c3 + theta * (c4 + theta * c5)),
-                s0.u + th * a0 + q / h * (3 * c3 + theta * (4 * c4 + 5 * theta * c5))};
+                s0.u + th * a0 +
+                    q / h * (3 * c3 + theta * (4 * c4 + 5 * theta * c5))};
     }
     //! [hermite]
 };

@@ -40,7 +40,8 @@ concept PositionAcceleration = requires(const A& a, const Vec<N>& x)
 
 /// Any acceleration: a(x), or a(x, u) where there is drag.
 template <class A, int N>
-concept Acceleration = PositionAcceleration<A, N> || requires(const A& a, const Vec<N>& x)
+concept Acceleration = PositionAcceleration<A, N> ||
+    requires(const A& a, const Vec<N>& x)
 {
     {
         a(x, x)
@@ -82,7 +83,8 @@ State<N> symplectic_euler(State<N> s, Real h, const A& a)
 //! [symplectic]
 
 //! [implicit]
-/// (1.14): implicit Euler for the linear spring a(x) = −ω² x, solved by hand. Order 1.
+/// (1.14): implicit Euler for the linear spring a(x) = −ω² x, solved by hand. Order
+/// 1.
 /// \param omega  angular frequency ω [rad/s]
 template <int N>
 State<N> implicit_euler_spring(State<N> s, Real h, Real omega)
@@ -94,9 +96,10 @@ State<N> implicit_euler_spring(State<N> s, Real h, Real omega)
 //! [implicit]
 
 //! [verlet]
-/// (1.24): velocity Verlet \cite verlet1967. Order 2; one evaluation, because the acceleration
-/// at the end of a step is the one at the start of the next.
-/// \param now  a(x) at the state going in; at the state that comes out on return [m/s²]
+/// (1.24): velocity Verlet \cite verlet1967. Order 2; one evaluation, because the
+/// acceleration at the end of a step is the one at the start of the next.
+/// \param now  a(x) at the state going in; at the state that comes out on return
+///             [m/s²]
 template <int N, PositionAcceleration<N> A>
 State<N> velocity_verlet(State<N> s, Vec<N>& now, Real h, const A& a)
 {
@@ -109,8 +112,9 @@ State<N> velocity_verlet(State<N> s, Vec<N>& now, Real h, const A& a)
 //! [verlet]
 
 //! [yoshida]
-/// (1.34): three steps of drift, kick, drift, the middle one backwards, whose errors of
-/// third order cancel; drifts that follow each other are one. Order 4; three evaluations.
+/// (1.34): three steps of drift, kick, drift, the middle one backwards, whose
+/// errors of third order cancel; drifts that follow each other are one. Order 4;
+/// three evaluations.
 /// \cite forest1990 \cite yoshida1990
 template <int N, PositionAcceleration<N> A>
 State<N> yoshida4(State<N> s, Real h, const A& a)
@@ -129,8 +133,8 @@ State<N> yoshida4(State<N> s, Real h, const A& a)
 //! [yoshida]
 
 //! [rk4]
-/// (1.29): the classical Runge-Kutta method. Order 4; four evaluations. What the last of
-/// them gives is added last: the next step waits for it.
+/// (1.29): the classical Runge-Kutta method. Order 4; four evaluations. What the
+/// last of them gives is added last: the next step waits for it.
 template <int N, Acceleration<N> A>
 State<N> rk4(const State<N>& s, Real h, const A& a)
 {
@@ -138,7 +142,8 @@ State<N> rk4(const State<N>& s, Real h, const A& a)
     const Vec<N> end = s.x + h * s.u;
     const Vec<N> a1 = acceleration(a, s);
     const Vec<N> a2 = acceleration(a, State<N>{middle, s.u + h / 2 * a1});
-    const Vec<N> a3 = acceleration(a, State<N>{middle + h * h / 4 * a1, s.u + h / 2 * a2});
+    const Vec<N> a3 =
+        acceleration(a, State<N>{middle + h * h / 4 * a1, s.u + h / 2 * a2});
     const Vec<N> a4 = acceleration(a, State<N>{end + h * h / 2 * a2, s.u + h * a3});
     return {end + h * h / 6 * (a1 + a2) + h * h / 6 * a3,
             s.u + h / 6 * (a1 + 2 * (a2 + a3)) + h / 6 * a4};
@@ -152,11 +157,13 @@ void require_finite(const State<N>& s)
 {
     for (Index i = 0; i < N; ++i) {
         if (!std::isfinite(s.x[i]))
-            throw std::invalid_argument("the position x[" + std::to_string(i) + "] is " +
-                                        shortest(s.x[i]) + "; it must be a finite number");
+            throw std::invalid_argument("the position x[" + std::to_string(i) +
+                                        "] is " + shortest(s.x[i]) +
+                                        "; it must be a finite number");
         if (!std::isfinite(s.u[i]))
-            throw std::invalid_argument("the velocity u[" + std::to_string(i) + "] is " +
-                                        shortest(s.u[i]) + "; it must be a finite number");
+            throw std::invalid_argument("the velocity u[" + std::to_string(i) +
+                                        "] is " + shortest(s.u[i]) +
+                                        "; it must be a finite number");
     }
 }
 
@@ -183,9 +190,11 @@ State<N> march(const State<N>& start, Real h, Index steps, Step step)
     require_finite(start);
     require_step(h);
     if (steps < 0)
-        throw std::invalid_argument("the number of steps is " + std::to_string(steps) +
+        throw std::invalid_argument("the number of steps is " +
+                                    std::to_string(steps) +
                                     "; it must be zero or more");
-    State<N> s = start;  // a copy with no other reference to it can stay in registers
+    // a copy with no other reference to it can stay in registers
+    State<N> s = start;
     for (Index n = 0; n < steps; ++n) s = step(s, h);
     if (!s.x.allFinite() || !s.u.allFinite()) throw_not_finite(steps, h);
     return s;

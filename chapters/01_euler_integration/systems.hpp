@@ -40,7 +40,8 @@ struct Pendulum {
     /// ½L²u² − gL cos θ [J/kg], zero for a pendulum at rest on the level of its pivot
     Real energy(const State<1>& s) const
     {
-        return length * length * s.u.squaredNorm() / 2 - g * length * std::cos(s.x[0]);
+        return length * length * s.u.squaredNorm() / 2 -
+               g * length * std::cos(s.x[0]);
     }
 };
 
@@ -55,7 +56,10 @@ struct Kepler {
     }
 
     /// ½u² − GM/|x| [J/kg]
-    Real energy(const State<2>& s) const { return s.u.squaredNorm() / 2 - GM / s.x.norm(); }
+    Real energy(const State<2>& s) const
+    {
+        return s.u.squaredNorm() / 2 - GM / s.x.norm();
+    }
 
     /// x × u [m²/s], constant because the force points at the sun
     Real angular_momentum(const State<2>& s) const { return cross2(s.x, s.u); }
@@ -63,7 +67,8 @@ struct Kepler {
 
 /// A throw with quadratic drag: a(u) = g − k |u| u.
 struct Projectile {
-    Real drag = 0;  ///< k = ½ · density of air · drag coefficient · area / mass [1/m]
+    /// k = ½ · density of air · drag coefficient · area / mass [1/m]
+    Real drag = 0;
     Vec2 gravity = {0, -9.81};  ///< g [m/s²]
 
     Vec2 operator()(const Vec2&, const Vec2& u) const

@@ -10,11 +10,14 @@ namespace rigid {
 
 /// What the impulse of a constraint may do, and whether C is an error to be corrected.
 enum class ConstraintKind : unsigned char {
+    /// C is to grow at a given speed, as far as a force allows; C itself is no
+    /// error
     bilateral,   ///< pushes and pulls: C = 0, and any other C is an error
     unilateral,  ///< only pushes: C ≥ 0, and C < 0 is an error
-    motor,       ///< C is to grow at a given speed, as far as a force allows; C itself is no error
-    friction,    ///< the same, as far as the impulse of another constraint allows (chapter 13)
-    spring,      ///< pulls C back by itself, the more the larger C is (chapter 15)
+    motor,
+    /// the same, as far as the impulse of another constraint allows (chapter 13)
+    friction,
+    spring,  ///< pulls C back by itself, the more the larger C is (chapter 15)
 };
 
 /// Whether C is an error that a method may correct. What a motor, friction or a spring does about C is its own affair.
@@ -28,17 +31,21 @@ template <int Dof>
 struct Constraint {
     Index a = world;  ///< the world is always a
     Index b = 0;
-    Real C = 0;  ///< ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
-    RowVec<Dof> Ja = RowVec<Dof>::Zero();  ///< block of J for body a; zero for the world
+    /// ≥ 0 means separated (unilateral), = 0 means fulfilled (bilateral) [m]
+    Real C = 0;
+    /// block of J for body a; zero for the world
+    RowVec<Dof> Ja = RowVec<Dof>::Zero();
     RowVec<Dof> Jb = RowVec<Dof>::Zero();  ///< block of J for body b
     ConstraintKind kind = ConstraintKind::bilateral;
-    bool bounces = false;  ///< a contact: its bodies may part faster than they need to (chapter 6)
-    Real speed = 0;        ///< of a motor or friction: the wanted J u [m/s]
-    Real force = 0;        ///< of a motor: at most this, to either side [N]
-    int bounded_by = -1;   ///< of friction: the number of the constraint whose λ bounds it
-    Real friction = 0;     ///< of friction: μ, |λ| ≤ μ λ of that constraint
-    Real stiffness = 0;    ///< of a spring [N/m]
-    Real damping = 0;      ///< of a spring [N s/m]
+    /// a contact: its bodies may part faster than they need to (chapter 6)
+    bool bounces = false;
+    Real speed = 0;  ///< of a motor or friction: the wanted J u [m/s]
+    Real force = 0;  ///< of a motor: at most this, to either side [N]
+    /// of friction: the number of the constraint whose λ bounds it
+    int bounded_by = -1;
+    Real friction = 0;   ///< of friction: μ, |λ| ≤ μ λ of that constraint
+    Real stiffness = 0;  ///< of a spring [N/m]
+    Real damping = 0;    ///< of a spring [N s/m]
 };
 
 /// b of a constraint without an error to correct [m/s]: minus the wanted speed; of a spring k C / (h k + c), with which
@@ -46,7 +53,8 @@ struct Constraint {
 template <int Dof>
 Real own_bias(const Constraint<Dof>& c, Real h)
 {
-    if (c.kind == ConstraintKind::spring) return c.stiffness * c.C / (h * c.stiffness + c.damping);
+    if (c.kind == ConstraintKind::spring)
+        return c.stiffness * c.C / (h * c.stiffness + c.damping);
     return -c.speed;
 }
 

@@ -26,7 +26,8 @@ struct Row {
     Index b = 0;
     RowVec<Dof> Ja = RowVec<Dof>::Zero();
     RowVec<Dof> Jb = RowVec<Dof>::Zero();
-    Vec<Dof> Wa = Vec<Dof>::Zero();  ///< \f$M_a^{-1} J_a^T\f$: one unit of λ changes a's velocity so [1/kg]
+    /// \f$M_a^{-1} J_a^T\f$: one unit of λ changes a's velocity so [1/kg]
+    Vec<Dof> Wa = Vec<Dof>::Zero();
     Vec<Dof> Wb = Vec<Dof>::Zero();  ///< \f$M_b^{-1} J_b^T\f$ [1/kg]
     Real bias = 0;                   ///< b [m/s]
     Real lo = 0;                     ///< [N s]
@@ -40,10 +41,12 @@ struct Row {
         return w;
     }
 
-    /// \f$J M^{-1} J^T\f$ [1/kg]: how readily the row's velocity follows its impulse.
+    /// \f$J M^{-1} J^T\f$ [1/kg]: how readily the row's velocity follows its
+    /// impulse.
     Real inverse_effective_mass() const { return Ja.dot(Wa) + Jb.dot(Wb); }
 
-    /// \f$A_{ii} = J M^{-1} J^T + \gamma\f$ [1/kg]: what one unit of λ does to the row's own w.
+    /// \f$A_{ii} = J M^{-1} J^T + \gamma\f$ [1/kg]: what one unit of λ does to the
+    /// row's own w.
     Real diagonal() const { return inverse_effective_mass() + softness; }
 
     /// \f$u \leftarrow u + M^{-1} J^T \lambda\f$, (2.5).
@@ -53,10 +56,13 @@ struct Row {
         u.template segment<Dof>(Dof * b) += Wb * lambda;
     }
 
-    // Of rows that follow an impulse (chapters 13 and 15); until then they stay as they are here.
-    Real softness = 0;  ///< γ ≥ 0 [1/kg]: w = J u + b + γ λ, so that the row gives way under its impulse
-    int bounded_by = -1;  ///< the row n whose impulse bounds this one, |λ| ≤ μ λ_n; −1: lo and hi do
-    Real friction = 0;    ///< μ ≥ 0
+    // Of rows that follow an impulse (chapters 13 and 15); until then they stay as
+    // they are here.
+    /// γ ≥ 0 [1/kg]: w = J u + b + γ λ, so that the row gives way under its impulse
+    Real softness = 0;
+    /// the row n whose impulse bounds this one, |λ| ≤ μ λ_n; −1: lo and hi do
+    int bounded_by = -1;
+    Real friction = 0;  ///< μ ≥ 0
 };
 //! [row]
 
@@ -67,7 +73,8 @@ struct Row {
 /// \param lo            least impulse [N s]
 /// \param hi            greatest impulse [N s]
 template <int Dof>
-Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias, Real lo, Real hi)
+Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass,
+                  Real bias, Real lo, Real hi)
 {
     Row<Dof> row;
     row.a = constraint.a;
@@ -75,8 +82,10 @@ Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass, R
     row.Ja = constraint.Ja;
     row.Jb = constraint.Jb;
     if (row.a != world)
-        row.Wa = inverse_mass.template segment<Dof>(Dof * row.a).cwiseProduct(row.Ja.transpose());
-    row.Wb = inverse_mass.template segment<Dof>(Dof * row.b).cwiseProduct(row.Jb.transpose());
+        row.Wa = inverse_mass.template segment<Dof>(Dof * row.a)
+                     .cwiseProduct(row.Ja.transpose());
+    row.Wb = inverse_mass.template segment<Dof>(Dof * row.b)
+                 .cwiseProduct(row.Jb.transpose());
     row.bias = bias;
     row.lo = lo;
     row.hi = hi;
@@ -84,14 +93,17 @@ Row<Dof> make_row(const Constraint<Dof>& constraint, const VecX& inverse_mass, R
 }
 
 //! [row_of]
-/// The row of a constraint by its kind. An impulse is a force times h, so a motor of ±F has the bounds ±hF.
+/// The row of a constraint by its kind. An impulse is a force times h, so a motor
+/// of ±F has the bounds ±hF.
 /// \param bias  b [m/s]; of a kind without an error own_bias()
 /// \param h     time step [s]
 template <int Dof>
-Row<Dof> row_of(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias, Real h)
+Row<Dof> row_of(const Constraint<Dof>& constraint, const VecX& inverse_mass,
+                Real bias, Real h)
 {
     const bool pulls = constraint.kind != ConstraintKind::unilateral;
-    Row<Dof> row = make_row(constraint, inverse_mass, bias, pulls ? -infinity : 0, infinity);
+    Row<Dof> row =
+        make_row(constraint, inverse_mass, bias, pulls ? -infinity : 0, infinity);
     switch (constraint.kind) {
     case ConstraintKind::bilateral:
     case ConstraintKind::unilateral:
@@ -123,14 +135,16 @@ std::pair<Real, Real> bounds_of(const Row<Dof>& row, const VecX& lambda)
 
 /// \f$w = 0\f$: the impulse may push and pull.
 template <int Dof>
-Row<Dof> bilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias = 0)
+Row<Dof> bilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass,
+                   Real bias = 0)
 {
     return make_row(constraint, inverse_mass, bias, -infinity, infinity);
 }
 
 /// \f$0 \le \lambda \perp w \ge 0\f$: the impulse may only push.
 template <int Dof>
-Row<Dof> unilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real bias = 0)
+Row<Dof> unilateral(const Constraint<Dof>& constraint, const VecX& inverse_mass,
+                    Real bias = 0)
 {
     return make_row(constraint, inverse_mass, bias, 0, infinity);
 }
@@ -150,18 +164,23 @@ struct RowAnswer {
 };
 
 //! [solve_row]
-/// (2.7) and (2.20): the impulse that gives one row its wanted velocity, held within its bounds.
+/// (2.7) and (2.20): the impulse that gives one row its wanted velocity, held
+/// within its bounds.
 ///
-/// A row whose bodies cannot move has nothing to act on. The verdict is whether it is met as
-/// it is (redundant) or whether no impulse can meet it (conflicting; λ is then zero).
-/// \param u  velocities before the impulse [m/s]; they are not changed, see Row::apply()
+/// A row whose bodies cannot move has nothing to act on. The verdict is whether it
+/// is met as it is (redundant) or whether no impulse can meet it (conflicting; λ is
+/// then zero).
+/// \param u  velocities before the impulse [m/s]; they are not changed, see
+///           Row::apply()
 template <int Dof>
 RowAnswer solve_row(const Row<Dof>& row, const VecX& u)
 {
     const Real w = row.velocity(u);
     const Real A = row.diagonal();  // J M⁻¹ Jᵀ
     if (!(A > 0)) {
-        const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : std::clamp<Real>(0, row.lo, row.hi);
+        const Real bound = w > 0   ? row.lo
+                           : w < 0 ? row.hi
+                                   : std::clamp<Real>(0, row.lo, row.hi);
         if (std::isfinite(bound)) return {bound, w, Verdict::redundant};
         return {0, w, Verdict::conflicting};
     }

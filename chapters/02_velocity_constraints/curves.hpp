@@ -24,14 +24,16 @@ namespace rigid {
 /// \param g         any callable: a point to a number
 /// \param gradient  any callable: a point to the gradient of g there
 template <class G, class Gradient>
-Constraint<2> curve_constraint(const VecX& x, Index k, const G& g, const Gradient& gradient)
+Constraint<2> curve_constraint(const VecX& x, Index k, const G& g,
+                               const Gradient& gradient)
 {
     const Vec2 p = x.segment<2>(2 * k);
     const Vec2 J = gradient(p);
     return {world, k, g(p), RowVec<2>::Zero(), J.transpose()};
 }
 
-/// The same without a gradient: g is evaluated once, on numbers that carry their derivative.
+/// The same without a gradient: g is evaluated once, on numbers that carry their
+/// derivative.
 /// \param x  positions [m]
 /// \param k  the body
 /// \param g  a callable that takes a 2-vector of any number type T and returns a T
@@ -39,37 +41,43 @@ template <class G>
 Constraint<2> curve_constraint(const VecX& x, Index k, const G& g)
 {
     using Dual = Eigen::AutoDiffScalar<Vec2>;  // a value and its two derivatives
-    const Eigen::Matrix<Dual, 2, 1> p(Dual(x[2 * k], 2, 0), Dual(x[2 * k + 1], 2, 1));
+    const Eigen::Matrix<Dual, 2, 1> p(Dual(x[2 * k], 2, 0),
+                                      Dual(x[2 * k + 1], 2, 1));
     const Dual value = g(p);
-    return {world, k, value.value(), RowVec<2>::Zero(), value.derivatives().transpose()};
+    return {world, k, value.value(), RowVec<2>::Zero(),
+            value.derivatives().transpose()};
 }
 //! [curve]
 
 //! [circle]
-/// (2.10): a circle about the origin, \f$C = (x^T x - r^2) / 2r\f$ [m]. The divisor makes J a unit vector on
-/// the wire. Throws std::invalid_argument unless the radius is positive.
+/// (2.10): a circle about the origin, \f$C = (x^T x - r^2) / 2r\f$ [m]. The divisor
+/// makes J a unit vector on the wire. Throws std::invalid_argument unless the
+/// radius is positive.
 inline Constraint<2> circle_constraint(const VecX& x, Index k, Real radius)
 {
     if (!(radius > 0))
-        throw std::invalid_argument("the radius of the wire is " + shortest(radius) +
-                                    " m; it must be positive");
+        throw std::invalid_argument("the radius of the wire is " +
+                                    shortest(radius) + " m; it must be positive");
     const Vec2 p = x.segment<2>(2 * k);
-    return {world, k, (p.squaredNorm() - radius * radius) / (2 * radius), RowVec<2>::Zero(),
-            p.transpose() / radius};
+    return {world, k, (p.squaredNorm() - radius * radius) / (2 * radius),
+            RowVec<2>::Zero(), p.transpose() / radius};
 }
 //! [circle]
 
 /// (2.11): an ellipse about the origin with the semi-axes \f$a_1, a_2\f$ along x and y,
 /// \f$C = \tfrac12 (x^2/a_1^2 + y^2/a_2^2 - 1)\f$, a pure number; see normalised().
 /// Throws std::invalid_argument unless both semi-axes are positive.
-inline Constraint<2> ellipse_constraint(const VecX& x, Index k, const Vec2& half_axes)
+inline Constraint<2> ellipse_constraint(const VecX& x, Index k,
+                                        const Vec2& half_axes)
 {
     if (!(half_axes.minCoeff() > 0))
-        throw std::invalid_argument("the shorter half axis of the wire is " + shortest(half_axes.minCoeff()) +
+        throw std::invalid_argument("the shorter half axis of the wire is " +
+                                    shortest(half_axes.minCoeff()) +
                                     " m; both must be positive");
     const Vec2 p = x.segment<2>(2 * k);
     const Vec2 gradient = p.cwiseQuotient(half_axes.cwiseAbs2());
-    return {world, k, (gradient.dot(p) - 1) / 2, RowVec<2>::Zero(), gradient.transpose()};
+    return {world, k, (gradient.dot(p) - 1) / 2, RowVec<2>::Zero(),
+            gradient.transpose()};
 }
 
 /// The same constraint divided by ‖J‖: C is then, near the curve, the distance from it [m], and
@@ -77,7 +85,8 @@ inline Constraint<2> ellipse_constraint(const VecX& x, Index k, const Vec2& half
 /// A zero gradient (the centre of a circle) is left alone.
 inline Constraint<2> normalised(Constraint<2> constraint)
 {
-    const Real length = std::sqrt(constraint.Ja.squaredNorm() + constraint.Jb.squaredNorm());
+    const Real length =
+        std::sqrt(constraint.Ja.squaredNorm() + constraint.Jb.squaredNorm());
     if (!(length > 0)) return constraint;
     constraint.C /= length;
     constraint.Ja /= length;

@@ -12,7 +12,8 @@
 namespace rigid {
 
 //! [rope]
-/// The distance of two bodies is at most that of the link: \f$C = L - \lVert x_b - x_a \rVert\f$, unilateral.
+/// The distance of two bodies is at most that of the link: \f$C = L - \lVert x_b -
+/// x_a \rVert\f$, unilateral.
 inline Constraint<2> slack_constraint(const VecX& x, const Link& link)
 {
     Constraint<2> rod = distance_constraint(x, link);
@@ -24,8 +25,10 @@ inline Constraint<2> slack_constraint(const VecX& x, const Link& link)
 /// C and J of a joint at the positions x.
 inline Constraint<2> joint_constraint(const VecX& x, const Joint& joint)
 {
-    if (joint.kind == Joint::Kind::rope) return slack_constraint(x, {joint.a, joint.b, joint.length});
-    Constraint<2> along = alignment_constraint<2>(x, joint.a, joint.b, joint.direction, joint.length);
+    if (joint.kind == Joint::Kind::rope)
+        return slack_constraint(x, {joint.a, joint.b, joint.length});
+    Constraint<2> along =
+        alignment_constraint<2>(x, joint.a, joint.b, joint.direction, joint.length);
     if (joint.kind == Joint::Kind::stop) along.kind = ConstraintKind::unilateral;
     if (joint.kind == Joint::Kind::motor) {
         along.kind = ConstraintKind::motor;

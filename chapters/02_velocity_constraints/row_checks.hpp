@@ -20,10 +20,11 @@ void require_bodies(const Rows& rows, Index count)
     std::size_t i = 0;
     for (const Row<Dof>& row : rows) {
         if (row.b < 0 || row.b >= count || row.a < world || row.a >= count)
-            throw std::invalid_argument("row " + std::to_string(i) + " joins bodies " +
-                                        std::to_string(row.a) + " and " + std::to_string(row.b) +
-                                        "; there are bodies 0 to " + std::to_string(count - 1) +
-                                        ", and -1 as first body is the world");
+            throw std::invalid_argument(
+                "row " + std::to_string(i) + " joins bodies " +
+                std::to_string(row.a) + " and " + std::to_string(row.b) +
+                "; there are bodies 0 to " + std::to_string(count - 1) +
+                ", and -1 as first body is the world");
         ++i;
     }
 }
@@ -36,19 +37,24 @@ void require_bodies(const Rows& rows, Index count)
 template <int Dof>
 void require_valid(const Row<Dof>& row, const std::string& name, Index count)
 {
-    const auto refuse = [&name](const std::string& what) { throw std::invalid_argument(name + " " + what); };
+    const auto refuse = [&name](const std::string& what) {
+        throw std::invalid_argument(name + " " + what);
+    };
     if (row.b < 0 || row.b >= count || row.a < world || row.a >= count)
-        refuse("joins bodies " + std::to_string(row.a) + " and " + std::to_string(row.b) +
-               "; there are bodies 0 to " + std::to_string(count - 1) +
-               ", and -1 as first body is the world");
-    if (row.a == row.b) refuse("joins body " + std::to_string(row.a) + " to itself");
-    if (!row.Ja.allFinite() || !row.Jb.allFinite()) refuse("has an entry of J that is not finite");
+        refuse("joins bodies " + std::to_string(row.a) + " and " +
+               std::to_string(row.b) + "; there are bodies 0 to " +
+               std::to_string(count - 1) + ", and -1 as first body is the world");
+    if (row.a == row.b)
+        refuse("joins body " + std::to_string(row.a) + " to itself");
+    if (!row.Ja.allFinite() || !row.Jb.allFinite())
+        refuse("has an entry of J that is not finite");
     if (!row.Wa.allFinite() || !row.Wb.allFinite())
         refuse("has an entry of the inverse mass times J that is not finite");
-    if (!std::isfinite(row.bias)) refuse("has the bias " + shortest(row.bias) + " m/s; it must be finite");
+    if (!std::isfinite(row.bias))
+        refuse("has the bias " + shortest(row.bias) + " m/s; it must be finite");
     if (!(row.lo <= row.hi))
-        refuse("has the bounds lo = " + shortest(row.lo) + " and hi = " + shortest(row.hi) +
-               " N s; lo must not be above hi");
+        refuse("has the bounds lo = " + shortest(row.lo) +
+               " and hi = " + shortest(row.hi) + " N s; lo must not be above hi");
     if (!(row.softness >= 0) || !std::isfinite(row.softness))
         refuse("has the softness " + shortest(row.softness) +
                " 1/kg; it must be zero or positive and finite");
@@ -66,14 +72,16 @@ void require_bounds(const std::vector<Row<Dof>>& rows)
         const int n = rows[i].bounded_by;
         if (n < 0) continue;
         const auto refuse = [&](const std::string& why) {
-            throw std::invalid_argument("row " + std::to_string(i) + " is bounded by row " +
-                                        std::to_string(n) + why);
+            throw std::invalid_argument("row " + std::to_string(i) +
+                                        " is bounded by row " + std::to_string(n) +
+                                        why);
         };
         if (static_cast<std::size_t>(n) >= rows.size())
             refuse("; there are " + std::to_string(rows.size()) + " rows");
         const Row<Dof>& other = rows[static_cast<std::size_t>(n)];
         if (other.bounded_by >= 0) refuse(", which another row bounds itself");
-        if (!(other.lo >= 0)) refuse(", which may pull; a row that bounds others must only push");
+        if (!(other.lo >= 0))
+            refuse(", which may pull; a row that bounds others must only push");
     }
 }
 

@@ -25,23 +25,27 @@ struct RowsAnswer {
     Real residual = 0;  ///< the largest |w_i| [m/s]
     Index rank = 0;     ///< how many of the m rows say something new
     Verdict verdict = Verdict::independent;
-    std::vector<Index> at_odds;  ///< the rows that contradict each other; empty unless conflicting
+    /// the rows that contradict each other; empty unless conflicting
+    std::vector<Index> at_odds;
 };
 
 /// The answer in one sentence, for a reader.
 inline std::string sentence(const RowsAnswer& answer)
 {
-    const std::string rows =
-        std::to_string(answer.lambda.size()) + " rows of rank " + std::to_string(answer.rank);
-    if (answer.verdict == Verdict::independent) return rows + ": each has its own say, one answer";
+    const std::string rows = std::to_string(answer.lambda.size()) +
+                             " rows of rank " + std::to_string(answer.rank);
+    if (answer.verdict == Verdict::independent)
+        return rows + ": each has its own say, one answer";
     if (answer.verdict == Verdict::redundant)
-        return rows + ": redundant, the velocity is certain but lambda is not; the smallest is given";
+        return rows + ": redundant, the velocity is certain but lambda is not; the "
+                      "smallest is given";
     std::string names;
     for (std::size_t i = 0; i < answer.at_odds.size() && i < 8; ++i)
         names += (i ? ", " : "") + std::to_string(answer.at_odds[i]);
     if (answer.at_odds.size() > 8) names += ", ...";
-    return rows + ": no velocity meets row(s) " + names + " together; the best compromise misses by " +
-           readable(answer.residual) + " m/s";
+    return rows + ": no velocity meets row(s) " + names +
+           " together; the best compromise misses by " + readable(answer.residual) +
+           " m/s";
 }
 
 /// How much smaller than the largest pivot one must be to count as zero. The rows are scaled to
@@ -89,19 +93,22 @@ public:
         scale_.resize(m);
         for (Index i = 0; i < m; ++i) {  // (2.24): A = J M⁻¹ Jᵀ and q = J u + b
             q_[i] = row(rows, i).velocity(u);
-            for (Index j = 0; j <= i; ++j) A_(i, j) = coupling(row(rows, i), row(rows, j));
+            for (Index j = 0; j <= i; ++j)
+                A_(i, j) = coupling(row(rows, i), row(rows, j));
             A_(i, i) += row(rows, i).softness;
             scale_[i] = A_(i, i) > 0 ? 1 / std::sqrt(A_(i, i)) : 1;
         }
         for (Index i = 0; i < m; ++i)  // to a unit diagonal
-            for (Index j = 0; j <= i; ++j) A_(j, i) = A_(i, j) *= scale_[i] * scale_[j];
+            for (Index j = 0; j <= i; ++j)
+                A_(j, i) = A_(i, j) *= scale_[i] * scale_[j];
         q_.array() *= scale_.array();
 
         ldlt_.compute(A_);
         answer_.rank = m;
         if (ldlt_.vectorD().minCoeff() > rank_tolerance) {
             answer_.lambda = ldlt_.solve(-q_);
-        } else {  // rows that repeat others: the least λ of those that leave the least w
+        } else {
+            // rows that repeat others: the least λ of those that leave the least w
             orthogonal_.setThreshold(rank_tolerance);
             orthogonal_.compute(A_);
             answer_.rank = orthogonal_.rank();
@@ -125,10 +132,12 @@ private:
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::string name = "row " + std::to_string(i);
             require_valid(rows[i], name, u.size() / Dof);
-            if (rows[i].lo != -infinity || rows[i].hi != infinity || rows[i].bounded_by >= 0)
-                throw std::invalid_argument(name +
-                                            " is bounded; rows are solved together only if they may push and "
-                                            "pull without bound (lo = -infinity, hi = infinity)");
+            if (rows[i].lo != -infinity || rows[i].hi != infinity ||
+                rows[i].bounded_by >= 0)
+                throw std::invalid_argument(
+                    name + " is bounded; rows are solved together only if they may "
+                           "push and "
+                           "pull without bound (lo = -infinity, hi = infinity)");
         }
     }
 
@@ -141,23 +150,29 @@ private:
         answer_.w.resize(m);
         Real worst = 0, speed = 0;  // of the scaled rows
         for (Index i = 0; i < m; ++i) {
-            answer_.w[i] = row(rows, i).velocity(u_) + row(rows, i).softness * answer_.lambda[i];
+            answer_.w[i] = row(rows, i).velocity(u_) +
+                           row(rows, i).softness * answer_.lambda[i];
             worst = std::max(worst, scale_[i] * std::abs(answer_.w[i]));
-            speed = std::max(speed, scale_[i] * std::max(reach(row(rows, i), u), reach(row(rows, i), u_)));
+            speed = std::max(speed, scale_[i] * std::max(reach(row(rows, i), u),
+                                                         reach(row(rows, i), u_)));
         }
         answer_.residual = answer_.w.cwiseAbs().maxCoeff();
-        answer_.verdict = answer_.rank == m ? Verdict::independent : Verdict::redundant;
+        answer_.verdict =
+            answer_.rank == m ? Verdict::independent : Verdict::redundant;
         if (worst <= conflict_tolerance * speed) return;
         answer_.verdict = Verdict::conflicting;
         for (Index i = 0; i < m; ++i)
-            if (scale_[i] * std::abs(answer_.w[i]) > 1e-6 * worst) answer_.at_odds.push_back(i);
+            if (scale_[i] * std::abs(answer_.w[i]) > 1e-6 * worst)
+                answer_.at_odds.push_back(i);
     }
 
     /// The sum of the sizes of what J u + b is made of: lengths, so that it does not matter how the axes lie.
     static Real reach(const Row<Dof>& row, const VecX& u)
     {
-        Real sum = std::abs(row.bias) + row.Jb.norm() * u.template segment<Dof>(Dof * row.b).norm();
-        if (row.a != world) sum += row.Ja.norm() * u.template segment<Dof>(Dof * row.a).norm();
+        Real sum = std::abs(row.bias) +
+                   row.Jb.norm() * u.template segment<Dof>(Dof * row.b).norm();
+        if (row.a != world)
+            sum += row.Ja.norm() * u.template segment<Dof>(Dof * row.a).norm();
         return sum;
     }
 
@@ -179,7 +194,8 @@ RowsAnswer solve_rows(const std::vector<Row<Dof>>& rows, const VecX& u)
 template <int Dof>
 void apply(const std::vector<Row<Dof>>& rows, const VecX& lambda, VecX& u)
 {
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].apply(lambda[static_cast<Index>(i)], u);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].apply(lambda[static_cast<Index>(i)], u);
 }
 
 }  // namespace rigid

@@ -16,29 +16,32 @@ public:
     /// \param tolerance  of the natural residual, relative to the numbers in the problem
     Answers(const Mlcp& mlcp, const DenseMlcp& dense, Real tolerance)
         : mlcp_(mlcp), dense_(dense), tolerance_(tolerance),
-          first_(VecX::Zero(mlcp.size()).cwiseMax(dense.lo).cwiseMin(dense.hi)), first_w_(mlcp.size())
+          first_(VecX::Zero(mlcp.size()).cwiseMax(dense.lo).cwiseMin(dense.hi)),
+          first_w_(mlcp.size())
     {
     }
 
     //! [accept]
-    /// Holds a scaled λ, once pressed into its bounds, to the natural residual: that of what
-    /// would be returned, in m/s. Returns whether it is an answer.
+    /// Holds a scaled λ, once pressed into its bounds, to the natural residual:
+    /// that of what would be returned, in m/s. Returns whether it is an answer.
     bool accept(const VecX& candidate)
     {
         z_ = candidate.cwiseMax(dense_.lo).cwiseMin(dense_.hi);
         lambda_ = unscaled(z_);
         const Verification verified = verify(mlcp_, lambda_, {tolerance_, 0});
         if (!verified.solved) return false;
-        if (!verified.in_each_row)
-            leave_count_open();  // it may be one of several between which rounding can't choose
+        // it may be one of several between which rounding can't choose
+        if (!verified.in_each_row) leave_count_open();
         w_ = dense_.A * z_ + dense_.q;
         if (count_++ == 0) {
             first_ = z_;
             first_w_ = w_;
             return true;
         }
-        // Two answers to ten digits: are they the same to seven? All of q and the first λ may be zero.
-        const Real size = std::max({size_of(dense_.q), size_of(first_), size_of(z_)});
+        // Two answers to ten digits: are they the same to seven? All of q and the
+        // first λ may be zero.
+        const Real size =
+            std::max({size_of(dense_.q), size_of(first_), size_of(z_)});
         lambda_differs_ = lambda_differs_ || differ(z_, first_, size);
         w_differs_ = w_differs_ || differ(w_, first_w_, size);
         return true;
@@ -74,7 +77,8 @@ private:
     /// λ in N s; what is at a bound is there to the last digit.
     VecX unscaled(const VecX& z) const
     {
-        VecX lambda = z.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
+        VecX lambda =
+            z.cwiseProduct(dense_.scale).cwiseMax(mlcp_.lo).cwiseMin(mlcp_.hi);
         for (Index i = 0; i < z.size(); ++i) {
             if (z[i] <= dense_.lo[i]) lambda[i] = mlcp_.lo[i];
             else if (z[i] >= dense_.hi[i]) lambda[i] = mlcp_.hi[i];
@@ -83,7 +87,10 @@ private:
     }
 
     /// A row without entries shares no unit with the others.
-    bool is_alone(Index i) const { return dense_.A.row(i).isZero(0) && dense_.A.col(i).isZero(0); }
+    bool is_alone(Index i) const
+    {
+        return dense_.A.row(i).isZero(0) && dense_.A.col(i).isZero(0);
+    }
 
     Real size_of(const VecX& v) const
     {
@@ -98,7 +105,8 @@ private:
     {
         constexpr Real rounding = 1e3 * std::numeric_limits<Real>::epsilon();
         for (Index i = 0; i < a.size(); ++i) {
-            const Real difference = std::abs(a[i] - b[i]), own = std::max(std::abs(a[i]), std::abs(b[i]));
+            const Real difference = std::abs(a[i] - b[i]),
+                       own = std::max(std::abs(a[i]), std::abs(b[i]));
             if (difference > 1e-7 * (is_alone(i) ? own : size)) return true;
             if (!(difference <= 1e-7 * own + rounding * size)) doubt();
         }
@@ -110,7 +118,8 @@ private:
     Real tolerance_;
     VecX first_, first_w_, z_, w_, lambda_;
     long count_ = 0;
-    bool lambda_differs_ = false, w_differs_ = false, doubtful_ = false, open_ = false;
+    bool lambda_differs_ = false, w_differs_ = false, doubtful_ = false,
+         open_ = false;
 };
 
 }  // namespace rigid

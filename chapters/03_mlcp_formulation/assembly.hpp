@@ -17,11 +17,13 @@ namespace rigid {
 
 /// Memory that is kept from step to step, and what the last assembly cost.
 struct AssemblyScratch {
-    std::vector<int>
-        first;  ///< K + 1: the rows that move body k are on_body[first[k]] … on_body[first[k+1] − 1]
+    /// K + 1: the rows that move body k are on_body[first[k]] … on_body[first[k+1]
+    /// − 1]
+    std::vector<int> first;
     std::vector<int> on_body;  ///< row numbers, ascending for each body
     std::vector<int> next;     ///< where the next entry goes
-    Index pairs = 0;  ///< how often J_i M⁻¹ J_jᵀ was computed: entries on and below the diagonal
+    /// how often J_i M⁻¹ J_jᵀ was computed: entries on and below the diagonal
+    Index pairs = 0;
 };
 
 /// True if the row's impulse changes the velocity of its body a (or b). The world and bodies that cannot move
@@ -39,7 +41,8 @@ bool moves_b(const Row<Dof>& row)
 
 /// Calls visit(j), ascending, for each row j ≤ i that moves a body which row i moves too.
 template <int Dof, class Visit>
-void for_each_partner(const Row<Dof>& row, int i, const AssemblyScratch& scratch, const Visit& visit)
+void for_each_partner(const Row<Dof>& row, int i, const AssemblyScratch& scratch,
+                      const Visit& visit)
 {
     const auto begin = [&](Index k) {
         return scratch.on_body.data() + scratch.first[static_cast<std::size_t>(k)];
@@ -56,8 +59,9 @@ void for_each_partner(const Row<Dof>& row, int i, const AssemblyScratch& scratch
 }
 
 //! [assemble]
-/// (3.18): A with ascending columns, q, and the bounds of the rows, in their order. A is symmetric
-/// to the bit. Does not allocate when the scene has as many rows as before.
+/// (3.18): A with ascending columns, q, and the bounds of the rows, in their order.
+/// A is symmetric to the bit. Does not allocate when the scene has as many rows as
+/// before.
 /// \param rows     m rows; their bodies must exist in u_star
 /// \param u_star   velocities after the forces, before the impulses [m/s]
 /// \param scratch  reused memory
@@ -67,7 +71,10 @@ void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star,  //
               AssemblyScratch& scratch, Mlcp& mlcp)
 {
     const int m = static_cast<int>(rows.size());
-    const auto at = [](auto& list, Index i) -> auto& { return list[static_cast<std::size_t>(i)]; };
+    const auto at = [](auto& list, Index i) -> auto&
+    {
+        return list[static_cast<std::size_t>(i)];
+    };
 
     // Which rows move body k?  Count, add up, fill in.
     scratch.first.assign(static_cast<std::size_t>(u_star.size() / Dof) + 1, 0);
@@ -75,7 +82,8 @@ void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star,  //
         if (moves_a(row)) ++at(scratch.first, row.a + 1);
         if (moves_b(row)) ++at(scratch.first, row.b + 1);
     }
-    for (std::size_t k = 1; k < scratch.first.size(); ++k) scratch.first[k] += scratch.first[k - 1];
+    for (std::size_t k = 1; k < scratch.first.size(); ++k)
+        scratch.first[k] += scratch.first[k - 1];
     scratch.on_body.resize(static_cast<std::size_t>(scratch.first.back()));
     scratch.next.assign(scratch.first.begin(), scratch.first.end());
     for (int i = 0; i < m; ++i) {
@@ -97,8 +105,9 @@ void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star,  //
     for (int i = 0; i < m; ++i) begin[i + 1] += begin[i];
     mlcp.A.resizeNonZeros(begin[m]);
 
-    // Multiply each pair once and write it twice. Line j gets its entries right of the diagonal
-    // from the later lines i, in their order: the columns ascend by themselves.
+    // Multiply each pair once and write it twice. Line j gets its entries right of
+    // the diagonal from the later lines i, in their order: the columns ascend by
+    // themselves.
     mlcp.q.resize(m);
     mlcp.lo.resize(m);
     mlcp.hi.resize(m);
@@ -111,7 +120,8 @@ void assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star,  //
     for (int i = 0; i < m; ++i) {
         const Row<Dof>& row = at(rows, i);
         for_each_partner(row, i, scratch, [&](int j) {
-            const Real value = coupling(row, at(rows, j)) + (j == i ? row.softness : 0);
+            const Real value =
+                coupling(row, at(rows, j)) + (j == i ? row.softness : 0);
             append(i, j, value);
             if (j != i) append(j, i, value);
         });

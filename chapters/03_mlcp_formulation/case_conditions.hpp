@@ -29,8 +29,8 @@ inline bool is_spread(const DenseMlcp& dense)
 }
 
 /// By how much what came out misses the set's conditions.
-inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set, const VecX& z,
-                      const VecX& w)
+inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set,
+                      const VecX& z, const VecX& w)
 {
     Real largest = 0;
     const auto miss = [&largest](Real by) {
@@ -51,7 +51,9 @@ inline Real violation(const DenseMlcp& dense, const std::vector<BoundState>& set
 /// 10¹¹ times the numbers gives block · λ = right: some y has yᵀ block = 0 to all digits of the products, yᵀ right not.
 inline bool is_contradiction(const MatX& block, const VecX& right, Real numbers)
 {
-    const MatX null = Eigen::FullPivLU<MatX>(block.transpose()).setThreshold(rank_tolerance).kernel();
+    const MatX null = Eigen::FullPivLU<MatX>(block.transpose())
+                          .setThreshold(rank_tolerance)
+                          .kernel();
     for (Index c = 0; c < null.cols(); ++c) {
         Real moved = 0;
         for (Index k = 0; k < block.cols(); ++k) {
@@ -80,20 +82,23 @@ inline Real least_bound(const DenseMlcp& dense)
 }
 
 //! [family]
-/// A set with a singular block fits: are there other answers in its family?  Along each null direction
-/// look for a member a little to either side.
+/// A set with a singular block fits: are there other answers in its family?  Along
+/// each null direction look for a member a little to either side.
 /// \param null     null directions of the block, one a column
 /// \param free     row numbers of the block
 /// \param numbers  how large the numbers of the set are [m/s]
-inline void look_around(const DenseMlcp& dense, const std::vector<BoundState>& set, const MatX& null,
-                        std::span<const Index> free, Real numbers, Answers& answers)
+inline void look_around(const DenseMlcp& dense, const std::vector<BoundState>& set,
+                        const MatX& null, std::span<const Index> free, Real numbers,
+                        Answers& answers)
 {
     const VecX here = answers.last();
     const Index k = null.rows();
     MatX moves_w = MatX::Zero(dense.q.size(), null.cols());
-    for (Index r = 0; r < k; ++r) moves_w += dense.A.col(free[static_cast<std::size_t>(r)]) * null.row(r);
+    for (Index r = 0; r < k; ++r)
+        moves_w += dense.A.col(free[static_cast<std::size_t>(r)]) * null.row(r);
     Real size = std::max(numbers, here.cwiseAbs().maxCoeff());
-    if (!(size > 0)) size = least_bound(dense);  // q = 0 and λ = 0: the answers are a cone
+    // q = 0 and λ = 0: the answers are a cone
+    if (!(size > 0)) size = least_bound(dense);
     const Real step = 1e-5 * size;
     const Family family(dense, set);
     const auto try_member = [&](const std::optional<VecX>& other) {
@@ -105,8 +110,10 @@ inline void look_around(const DenseMlcp& dense, const std::vector<BoundState>& s
             const Index i = free[static_cast<std::size_t>(r)];
             try_member(family.member_with_lambda(i, here[i] + side * step));
             const Real bound = side > 0 ? dense.hi[i] : dense.lo[i];
-            const Real half = std::abs(bound - here[i]) / 2;  // there may be less room than a step
-            if (half > 0 && half < step) try_member(family.member_with_lambda(i, here[i] + side * half));
+            // there may be less room than a step
+            const Real half = std::abs(bound - here[i]) / 2;
+            if (half > 0 && half < step)
+                try_member(family.member_with_lambda(i, here[i] + side * half));
         }
         for (Index i = 0; i < dense.q.size() && !answers.w_differs(); ++i)
             if (set[static_cast<std::size_t>(i)] != BoundState::between &&

@@ -29,12 +29,16 @@ public:
             std::vector<BoundState>& cases = cases_.emplace_back();
             if (room) cases.push_back(BoundState::between);
             if (std::isfinite(mlcp.lo[i])) cases.push_back(BoundState::at_lo);
-            if (room && std::isfinite(mlcp.hi[i])) cases.push_back(BoundState::at_hi);
+            if (room && std::isfinite(mlcp.hi[i]))
+                cases.push_back(BoundState::at_hi);
             count_ *= static_cast<Real>(cases.size());
             if (cases.size() > 1) choices_.push_back(static_cast<std::size_t>(i));
-            BoundState guess = mlcp.q[i] < 0 ? BoundState::between : BoundState::at_lo;
-            if (static_cast<Index>(first.size()) == mlcp.size()) guess = first[static_cast<std::size_t>(i)];
-            const bool possible = std::find(cases.begin(), cases.end(), guess) != cases.end();
+            BoundState guess =
+                mlcp.q[i] < 0 ? BoundState::between : BoundState::at_lo;
+            if (static_cast<Index>(first.size()) == mlcp.size())
+                guess = first[static_cast<std::size_t>(i)];
+            const bool possible =
+                std::find(cases.begin(), cases.end(), guess) != cases.end();
             set_.push_back(possible ? guess : cases.front());
         }
     }
@@ -43,8 +47,9 @@ public:
     const std::vector<BoundState>& now() const { return set_; }
 
     //! [order]
-    /// Calls try_set() once for each set until it returns true. Sets near the first one come
-    /// first: it itself, then those that differ from it in one row, then in two, …
+    /// Calls try_set() once for each set until it returns true. Sets near the first
+    /// one come first: it itself, then those that differ from it in one row, then
+    /// in two, …
     template <class Try>
     void visit_all(const Try& try_set)
     {
@@ -53,7 +58,8 @@ public:
     }
 
 private:
-    /// The sets that differ from the present one in so many of the rows choices_[from], …
+    /// The sets that differ from the present one in so many of the rows
+    /// choices_[from], …
     template <class Try>
     bool visit(std::size_t from, std::size_t distance, const Try& try_set)
     {

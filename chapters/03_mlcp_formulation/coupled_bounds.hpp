@@ -21,7 +21,8 @@ inline constexpr int most_bound_rounds = 100;
 template <int Dof>
 bool is_coupled(const std::vector<Row<Dof>>& rows)
 {
-    return std::any_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.bounded_by >= 0; });
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const Row<Dof>& row) { return row.bounded_by >= 0; });
 }
 
 /// Sets the bounds that other rows set, by λ.
@@ -29,18 +30,21 @@ template <int Dof>
 void set_bounds(const std::vector<Row<Dof>>& rows, const VecX& lambda, Mlcp& mlcp)
 {
     for (std::size_t i = 0; i < rows.size(); ++i)
-        std::tie(mlcp.lo[static_cast<Index>(i)], mlcp.hi[static_cast<Index>(i)]) = bounds_of(rows[i], lambda);
+        std::tie(mlcp.lo[static_cast<Index>(i)], mlcp.hi[static_cast<Index>(i)]) =
+            bounds_of(rows[i], lambda);
 }
 
 //! [rounds]
 /// Solves the MLCP of these rows, of which some are bounded by others.
 /// \param solve     void(const Mlcp&, Solution&)
-/// \param mlcp      in: A and q; the bounds are overwritten, at the end those of the answer
-/// \param solution  in: the λ to start from; out: the answer. `solved` if λ, brought into the bounds that it sets
-///                  itself, is an answer with these bounds by (3.16c) and (3.16d), with the share of `accept`
+/// \param mlcp      in: A and q; the bounds are overwritten, at the end those of
+///                  the answer
+/// \param solution  in: the λ to start from; out: the answer. `solved` if λ,
+///                  brought into the bounds that it sets itself, is an answer with
+///                  these bounds by (3.16c) and (3.16d), with the share of `accept`
 template <int Dof, class Solve>
-void solve_coupled(const std::vector<Row<Dof>>& rows, Solve&& solve, Mlcp& mlcp, Solution& solution,
-                   const Acceptance& accept = {1e-9, 0})
+void solve_coupled(const std::vector<Row<Dof>>& rows, Solve&& solve, Mlcp& mlcp,
+                   Solution& solution, const Acceptance& accept = {1e-9, 0})
 {
     if (solution.lambda.size() != mlcp.size()) solution.lambda.setZero(mlcp.size());
     set_bounds(rows, solution.lambda, mlcp);

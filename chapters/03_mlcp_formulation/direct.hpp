@@ -32,7 +32,8 @@ public:
     {
         const auto n = static_cast<Index>(rows.size());
         std::vector<Index> place(static_cast<std::size_t>(A.rows()), -1);
-        for (Index k = 0; k < n; ++k) place[static_cast<std::size_t>(rows[static_cast<std::size_t>(k)])] = k;
+        for (Index k = 0; k < n; ++k)
+            place[static_cast<std::size_t>(rows[static_cast<std::size_t>(k)])] = k;
         scale_ = VecX::Ones(n);
         for (Index k = 0; k < n; ++k) {
             const Index i = rows[static_cast<std::size_t>(k)];
@@ -41,7 +42,9 @@ public:
         }
         entries_.clear();
         for (Index k = 0; k < n; ++k)
-            for (SparseMatrix::InnerIterator entry(A, rows[static_cast<std::size_t>(k)]); entry; ++entry) {
+            for (SparseMatrix::InnerIterator entry(
+                     A, rows[static_cast<std::size_t>(k)]);
+                 entry; ++entry) {
                 const Index l = place[static_cast<std::size_t>(entry.col())];
                 if (l < 0) continue;
                 require_symmetric(A, entry.row(), entry.col(), entry.value());
@@ -62,12 +65,16 @@ public:
         definite_ = pivots.minCoeff() > 0;
         for (Index k = 0; k < n && singular_row_ < 0; ++k)
             if (!(std::abs(pivots[k]) > rank_tolerance))
-                singular_row_ = rows[static_cast<std::size_t>(ldlt_.permutationPinv().indices()[k])];
+                singular_row_ = rows[static_cast<std::size_t>(
+                    ldlt_.permutationPinv().indices()[k])];
     }
 
     /// True if the block is known to be regular, and not by luck: small pivots of a matrix that is not definite
     /// make the later ones grow, and with them the rounding.
-    bool surely_regular() const { return singular_row_ < 0 && (definite_ || least_pivot_ > 1e-6); }
+    bool surely_regular() const
+    {
+        return singular_row_ < 0 && (definite_ || least_pivot_ > 1e-6);
+    }
     /// The least pivot: the share of the digits of 1 that are left after it was divided by.
     Real least_pivot() const { return least_pivot_; }
 
@@ -85,14 +92,17 @@ public:
     }
 
 private:
-    static void require_symmetric(const SparseMatrix& A, Index i, Index j, Real value)
+    static void require_symmetric(const SparseMatrix& A, Index i, Index j,
+                                  Real value)
     {
         const Real mirrored = A.coeff(j, i);
-        if (std::abs(mirrored - value) > 1e-9 * (std::abs(value) + std::abs(mirrored)))
-            throw std::invalid_argument("A is not symmetric in its bilateral rows: A[" + std::to_string(i) +
-                                        "," + std::to_string(j) + "] is " + shortest(value) + " and A[" +
-                                        std::to_string(j) + "," + std::to_string(i) + "] is " +
-                                        shortest(mirrored) + "; a Cholesky decomposition needs them equal");
+        if (std::abs(mirrored - value) >
+            1e-9 * (std::abs(value) + std::abs(mirrored)))
+            throw std::invalid_argument(
+                "A is not symmetric in its bilateral rows: A[" + std::to_string(i) +
+                "," + std::to_string(j) + "] is " + shortest(value) + " and A[" +
+                std::to_string(j) + "," + std::to_string(i) + "] is " +
+                shortest(mirrored) + "; a Cholesky decomposition needs them equal");
     }
 
     VecX scale_;
@@ -105,7 +115,8 @@ private:
 };
 
 /// Says `solved` if solution.lambda is an answer by (3.16c) and (3.16d), else `otherwise`.
-inline void conclude(const Mlcp& mlcp, Solution& solution, Real tolerance, Status otherwise)
+inline void conclude(const Mlcp& mlcp, Solution& solution, Real tolerance,
+                     Status otherwise)
 {
     const Verification verified = verify(mlcp, solution.lambda, {tolerance, 0});
     solution.residual = verified.residual;
@@ -113,10 +124,13 @@ inline void conclude(const Mlcp& mlcp, Solution& solution, Real tolerance, Statu
 }
 
 //! [direct]
-/// (3.25): all rows bilateral, w = 0. `solved`, or `singular` (λ is then zero) if a row adds nothing to the
-/// others, whether or not they contradict each other: λ is not determined.
-/// \param tolerance  of the natural residual, relative to the numbers in the problem
-/// \throws std::invalid_argument  for an invalid problem, a row with a bound, or an A that is not symmetric
+/// (3.25): all rows bilateral, w = 0. `solved`, or `singular` (λ is then zero) if a
+/// row adds nothing to the others, whether or not they contradict each other: λ is
+/// not determined.
+/// \param tolerance  of the natural residual, relative to the numbers in the
+///                   problem
+/// \throws std::invalid_argument  for an invalid problem, a row with a bound, or an
+///     A that is not symmetric
 inline Solution direct(const Mlcp& mlcp, Real tolerance = 1e-10)
 {
     require_valid(mlcp);
@@ -126,9 +140,10 @@ inline Solution direct(const Mlcp& mlcp, Real tolerance = 1e-10)
     std::vector<Index> rows;
     for (Index i = 0; i < mlcp.size(); ++i) {
         if (!is_bilateral(mlcp, i))
-            throw std::invalid_argument("row " + std::to_string(i) + " has the bounds " +
-                                        shortest(mlcp.lo[i]) + " and " + shortest(mlcp.hi[i]) +
-                                        "; the direct solve needs all rows without bounds (-inf and inf)");
+            throw std::invalid_argument(
+                "row " + std::to_string(i) + " has the bounds " +
+                shortest(mlcp.lo[i]) + " and " + shortest(mlcp.hi[i]) +
+                "; the direct solve needs all rows without bounds (-inf and inf)");
         rows.push_back(i);
     }
     BilateralBlock block;

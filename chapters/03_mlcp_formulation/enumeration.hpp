@@ -22,9 +22,12 @@
 namespace rigid {
 
 struct EnumerationSettings {
-    bool stop_at_first = false;     ///< take the first set that fits; nothing is then said about uniqueness
-    std::vector<BoundState> first;  ///< the guess to begin with; the others follow by how many rows differ
-    Real tolerance = 1e-10;         ///< of the natural residual, relative to the numbers in the problem
+    /// take the first set that fits; nothing is then said about uniqueness
+    bool stop_at_first = false;
+    /// the guess to begin with; the others follow by how many rows differ
+    std::vector<BoundState> first;
+    /// of the natural residual, relative to the numbers in the problem
+    Real tolerance = 1e-10;
     /// 3¹⁶: a problem with more sets is refused; with stop_at_first, give up after so many.
     long most_sets = 43'046'721;
 };
@@ -35,25 +38,31 @@ class Enumerator {
 public:
     /// The problem must outlive it.
     Enumerator(const Mlcp& mlcp, const EnumerationSettings& settings)
-        : mlcp_(checked(mlcp)), settings_(settings), sets_(mlcp, settings.first), dense_(mlcp),
-          answers_(mlcp_, dense_, settings.tolerance), z_(mlcp.size())
+        : mlcp_(checked(mlcp)), settings_(settings), sets_(mlcp, settings.first),
+          dense_(mlcp), answers_(mlcp_, dense_, settings.tolerance), z_(mlcp.size())
     {
         if (mlcp.size() > 0)
-            given_ =
-                (dense_.q.cwiseAbs() + dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs()).maxCoeff();
-        if (mlcp.size() > 0) reach_ = 1 + dense_.A.cwiseAbs().rowwise().sum().maxCoeff();
+            given_ = (dense_.q.cwiseAbs() +
+                      dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs())
+                         .maxCoeff();
+        if (mlcp.size() > 0)
+            reach_ = 1 + dense_.A.cwiseAbs().rowwise().sum().maxCoeff();
         if (is_spread(dense_)) answers_.leave_count_open();
-        if (!settings.stop_at_first && sets_.count() > static_cast<Real>(settings.most_sets))
+        if (!settings.stop_at_first &&
+            sets_.count() > static_cast<Real>(settings.most_sets))
             throw std::invalid_argument(
-                "the " + std::to_string(mlcp.size()) + " rows have " + readable(sets_.count()) +
-                " sets of cases; enumeration looks at no more than " + std::to_string(settings.most_sets));
+                "the " + std::to_string(mlcp.size()) + " rows have " +
+                readable(sets_.count()) +
+                " sets of cases; enumeration looks at no more than " +
+                std::to_string(settings.most_sets));
     }
 
     Solution run()
     {
         try_all();
         if (answers_.count() == 0 && !given_up_ && settings_.stop_at_first) {
-            families_ = true;  // perhaps one is another member of a singular set's family
+            // perhaps one is another member of a singular set's family
+            families_ = true;
             try_all();
         }
         Solution solution;
@@ -73,8 +82,9 @@ private:
     {
         require_valid(mlcp);
         if (mlcp.size() > most_rows)
-            throw std::invalid_argument("the problem has " + std::to_string(mlcp.size()) +
-                                        " rows; enumeration takes at most " + std::to_string(most_rows));
+            throw std::invalid_argument(
+                "the problem has " + std::to_string(mlcp.size()) +
+                " rows; enumeration takes at most " + std::to_string(most_rows));
         return mlcp;
     }
 
@@ -82,12 +92,14 @@ private:
     {
         sets_.visit_all([this] {
             try_set(sets_.now());
-            return given_up_ || answers_.w_differs() || (settings_.stop_at_first && answers_.count() > 0);
+            return given_up_ || answers_.w_differs() ||
+                   (settings_.stop_at_first && answers_.count() > 0);
         });
     }
 
     //! [set]
-    /// (3.22): the rows that are between their bounds make a linear system; the others are known.
+    /// (3.22): the rows that are between their bounds make a linear system; the
+    /// others are known.
     void try_set(const std::vector<BoundState>& set)
     {
         if (settings_.stop_at_first && tried_ >= settings_.most_sets) {
@@ -99,8 +111,11 @@ private:
         Index k = 0;
         for (Index i = 0; i < n; ++i) {
             const BoundState here = set[static_cast<std::size_t>(i)];
-            if (here == BoundState::between) free_[static_cast<std::size_t>(k++)] = i;
-            z_[i] = here == BoundState::at_lo ? dense_.lo[i] : here == BoundState::at_hi ? dense_.hi[i] : 0;
+            if (here == BoundState::between)
+                free_[static_cast<std::size_t>(k++)] = i;
+            z_[i] = here == BoundState::at_lo   ? dense_.lo[i]
+                    : here == BoundState::at_hi ? dense_.hi[i]
+                                                : 0;
         }
         w_ = dense_.q;
         sizes_ = dense_.q.cwiseAbs();
@@ -109,32 +124,38 @@ private:
                 w_ += dense_.A.col(j) * z_[j];
                 sizes_ += dense_.A.col(j).cwiseAbs() * std::abs(z_[j]);
             }
-        numbers_ =
-            n > 0 ? std::max(given_, sizes_.maxCoeff()) : 0;  // the measure for what is small in this system
+        // the measure for what is small in this system
+        numbers_ = n > 0 ? std::max(given_, sizes_.maxCoeff()) : 0;
 
         bool singular = false;
         if (k > 0) {
             block_.resize(k, k);
             right_.resize(k);
             for (Index r = 0; r < k; ++r) {
-                for (Index c = 0; c < k; ++c) block_(r, c) = dense_.A(free_at(r), free_at(c));
+                for (Index c = 0; c < k; ++c)
+                    block_(r, c) = dense_.A(free_at(r), free_at(c));
                 right_[r] = -w_[free_at(r)];
             }
             lu_.setThreshold(rank_tolerance);
             lu_.compute(block_);
             const Index rank = lu_.rank();
             singular = rank < k;
-            if (families_ && !singular) return;  // it had its say in the first round
+            // it had its say in the first round
+            if (families_ && !singular) return;
             free_z_ = lu_.solve(right_);
             const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
-            least_pivot_ = rank > 0 && pivots[0] > 0 ? pivots[rank - 1] / pivots[0] : 1;
+            least_pivot_ =
+                rank > 0 && pivots[0] > 0 ? pivots[rank - 1] / pivots[0] : 1;
             if (singular) {
-                // Too small for a pivot and too large for rounding; a misfit neither large nor small.
+                // Too small for a pivot and too large for rounding; a misfit
+                // neither large nor small.
                 if (pivots[rank] > 1e-14 * pivots[0]) answers_.doubt();
-                const Real misfit = (block_ * free_z_ - right_).cwiseAbs().maxCoeff();
+                const Real misfit =
+                    (block_ * free_z_ - right_).cwiseAbs().maxCoeff();
                 if (!(misfit <= 1e-9 * numbers_)) {  // no λ at all gives w = 0
                     if (!(misfit > rounding(free_z_.cwiseAbs().maxCoeff())) ||
-                        (misfit <= 1e-4 * numbers_ && !is_contradiction(block_, right_, numbers_)))
+                        (misfit <= 1e-4 * numbers_ &&
+                         !is_contradiction(block_, right_, numbers_)))
                         answers_.doubt();
                     return;
                 }
@@ -167,7 +188,8 @@ private:
     /// What rounding may have done to the λ and w of the present set.
     Real rounding(Real largest_z) const
     {
-        return 1e3 * std::numeric_limits<Real>::epsilon() * (numbers_ + reach_ * largest_z / least_pivot_);
+        return 1e3 * std::numeric_limits<Real>::epsilon() *
+               (numbers_ + reach_ * largest_z / least_pivot_);
     }
 
     /// Is some other member of a singular set's family an answer?
@@ -185,8 +207,8 @@ private:
     Index free_at(Index r) const { return free_[static_cast<std::size_t>(r)]; }
 
     template <int Columns>
-    using Small =
-        Eigen::Matrix<Real, Eigen::Dynamic, Columns, 0, most_rows, Columns == 1 ? 1 : int(most_rows)>;
+    using Small = Eigen::Matrix<Real, Eigen::Dynamic, Columns, 0, most_rows,
+                                Columns == 1 ? 1 : int(most_rows)>;
 
     const Mlcp& mlcp_;
     EnumerationSettings settings_;
@@ -199,7 +221,8 @@ private:
     Eigen::FullPivLU<Small<Eigen::Dynamic>> lu_;
     VecX z_, w_, sizes_;
     Real numbers_ = 0;
-    Real given_ = 0;        ///< numbers_ at the point of the bounds that is nearest to zero
+    /// numbers_ at the point of the bounds that is nearest to zero
+    Real given_ = 0;
     Real reach_ = 1;        ///< what a unit of λ can add to any row
     Real least_pivot_ = 1;  ///< of the present block, beside its largest
     long tried_ = 0;
@@ -211,7 +234,8 @@ private:
 /// `solved` with one of them, or `infeasible` if no set has any; `singular` if rounding leaves that open. Then, and
 /// where it leaves open whether two answers are one, nothing is said about uniqueness. `iterations` counts the sets.
 /// \throws std::invalid_argument  for an invalid problem or one with too many sets
-inline Solution enumerate(const Mlcp& mlcp, const EnumerationSettings& settings = {})
+inline Solution enumerate(const Mlcp& mlcp,
+                          const EnumerationSettings& settings = {})
 {
     return Enumerator(mlcp, settings).run();
 }

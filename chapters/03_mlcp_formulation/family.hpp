@@ -26,10 +26,12 @@ struct DenseMlcp {
     VecX q, lo, hi, scale;
 
     DenseMlcp() = default;
-    explicit DenseMlcp(const Mlcp& mlcp) : A(mlcp.A), q(mlcp.q), lo(mlcp.lo), hi(mlcp.hi)
+    explicit DenseMlcp(const Mlcp& mlcp)
+        : A(mlcp.A), q(mlcp.q), lo(mlcp.lo), hi(mlcp.hi)
     {
         scale.resize(mlcp.size());
-        for (Index i = 0; i < mlcp.size(); ++i) scale[i] = 1 / row_unit(mlcp, i, A(i, i));
+        for (Index i = 0; i < mlcp.size(); ++i)
+            scale[i] = 1 / row_unit(mlcp, i, A(i, i));
         A = scale.asDiagonal() * A * scale.asDiagonal();
         q.array() *= scale.array();
         lo.array() /= scale.array();
@@ -44,7 +46,8 @@ inline VecX nonnegative_least_squares(const MatX& E, const VecX& f)
     const Index n = E.cols();
     VecX v = VecX::Zero(n);
     std::vector<Index> free;
-    const Real small = 1e-13 * (f.norm() + 1e-300) * (E.cols() ? E.colwise().norm().maxCoeff() : 1);
+    const Real small = 1e-13 * (f.norm() + 1e-300) *
+                       (E.cols() ? E.colwise().norm().maxCoeff() : 1);
     for (Index round = 0; round < 5 * n; ++round) {
         VecX wish = E.transpose() * (f - E * v);
         for (const Index j : free) wish[j] = 0;
@@ -53,12 +56,15 @@ inline VecX nonnegative_least_squares(const MatX& E, const VecX& f)
         free.push_back(grows);
         while (!free.empty()) {
             MatX columns(E.rows(), static_cast<Index>(free.size()));
-            for (std::size_t k = 0; k < free.size(); ++k) columns.col(static_cast<Index>(k)) = E.col(free[k]);
+            for (std::size_t k = 0; k < free.size(); ++k)
+                columns.col(static_cast<Index>(k)) = E.col(free[k]);
             const VecX wanted = columns.colPivHouseholderQr().solve(f);
             Real reach = 1;  // how far towards it all stay ≥ 0
             for (std::size_t k = 0; k < free.size(); ++k) {
                 const Real to = wanted[static_cast<Index>(k)], from = v[free[k]];
-                if (to <= 0) reach = std::min(reach, from > 0 ? from / (from - to) : Real{0});
+                if (to <= 0)
+                    reach =
+                        std::min(reach, from > 0 ? from / (from - to) : Real{0});
             }
             for (std::size_t k = 0; k < free.size(); ++k)
                 v[free[k]] += reach * (wanted[static_cast<Index>(k)] - v[free[k]]);
@@ -77,14 +83,17 @@ inline VecX nonnegative_least_squares(const MatX& E, const VecX& f)
 class Family {
 public:
     Family(const DenseMlcp& problem, const std::vector<BoundState>& set)
-        : problem_(problem), n_(problem.q.size()), base_(VecX::Zero(n_)), from_(MatX::Zero(n_, 0))
+        : problem_(problem), n_(problem.q.size()), base_(VecX::Zero(n_)),
+          from_(MatX::Zero(n_, 0))
     {
         // λ = base + from · v, a column for each nonnegative unknown.
         std::vector<std::pair<Index, Real>> columns;
         for (Index i = 0; i < n_; ++i) {
             const BoundState here = set[static_cast<std::size_t>(i)];
-            const bool low = std::isfinite(problem.lo[i]), high = std::isfinite(problem.hi[i]);
-            if (here == BoundState::at_lo || (here == BoundState::between && low)) base_[i] = problem.lo[i];
+            const bool low = std::isfinite(problem.lo[i]),
+                       high = std::isfinite(problem.hi[i]);
+            if (here == BoundState::at_lo || (here == BoundState::between && low))
+                base_[i] = problem.lo[i];
             else if (here == BoundState::at_hi || high) base_[i] = problem.hi[i];
             if (here != BoundState::between) continue;
             if (low || !high) columns.emplace_back(i, 1);
@@ -99,26 +108,31 @@ public:
         std::vector<Index> used, boxed;
         for (Index i = 0; i < n_; ++i) {
             const BoundState here = set[static_cast<std::size_t>(i)];
-            if (!(problem.lo[i] < problem.hi[i])) continue;  // a pinned row may have any w
+            // a pinned row may have any w
+            if (!(problem.lo[i] < problem.hi[i])) continue;
             used.push_back(i);
             if (here == BoundState::at_lo) slacks(i, i) = -1;
             if (here == BoundState::at_hi) slacks(i, i) = 1;
-            if (here == BoundState::between && std::isfinite(problem.lo[i]) && std::isfinite(problem.hi[i]))
+            if (here == BoundState::between && std::isfinite(problem.lo[i]) &&
+                std::isfinite(problem.hi[i]))
                 boxed.push_back(i);
         }
-        const Index rows = static_cast<Index>(used.size() + boxed.size()), lambdas = from_.cols();
+        const Index rows = static_cast<Index>(used.size() + boxed.size()),
+                    lambdas = from_.cols();
         E_ = MatX::Zero(rows, lambdas + n_ + static_cast<Index>(boxed.size()));
         f_ = VecX::Zero(rows);
         const MatX A_from = problem.A * from_;
         const VecX w_base = problem.A * base_ + problem.q;
-        numbers_ = (problem.A.cwiseAbs() * base_.cwiseAbs() + problem.q.cwiseAbs()).maxCoeff();
+        numbers_ = (problem.A.cwiseAbs() * base_.cwiseAbs() + problem.q.cwiseAbs())
+                       .maxCoeff();
         Index line = 0;
         for (const Index i : used) {
             E_.row(line).head(lambdas) = A_from.row(i);
             E_.row(line).segment(lambdas, n_) = slacks.row(i);
             f_[line++] = -w_base[i];
         }
-        for (std::size_t k = 0; k < boxed.size(); ++k, ++line) {  // λ − lo + slack = hi − lo
+        // λ − lo + slack = hi − lo
+        for (std::size_t k = 0; k < boxed.size(); ++k, ++line) {
             E_.row(line).head(lambdas) = from_.row(boxed[k]);
             E_(line, lambdas + n_ + static_cast<Index>(k)) = 1;
             f_[line] = problem.hi[boxed[k]] - problem.lo[boxed[k]];
@@ -145,7 +159,8 @@ public:
     bool unsure() const { return unsure_; }
 
 private:
-    std::optional<VecX> member_with(const Eigen::RowVectorXd& line, Real value) const
+    std::optional<VecX> member_with(const Eigen::RowVectorXd& line,
+                                    Real value) const
     {
         MatX E = MatX::Zero(E_.rows() + 1, E_.cols());
         VecX f(f_.size() + 1);
@@ -161,9 +176,12 @@ private:
     {
         const VecX v = nonnegative_least_squares(E, f);
         const VecX left = f - E * v;
-        if (left.norm() <= 1e-9 * f.norm() + 1e-14 * numbers_) return base_ + from_ * v.head(from_.cols());
-        const Real most = E.cols() > 0 ? std::max((E.transpose() * left).maxCoeff(), Real{0}) : 0;
-        const Real reach = E.cols() > 0 ? v.sum() + f.norm() / E.colwise().norm().maxCoeff() : 0;
+        if (left.norm() <= 1e-9 * f.norm() + 1e-14 * numbers_)
+            return base_ + from_ * v.head(from_.cols());
+        const Real most =
+            E.cols() > 0 ? std::max((E.transpose() * left).maxCoeff(), Real{0}) : 0;
+        const Real reach =
+            E.cols() > 0 ? v.sum() + f.norm() / E.colwise().norm().maxCoeff() : 0;
         unsure_ = unsure_ || !(most * reach <= 1e-6 * f.dot(left));
         return std::nullopt;
     }

@@ -16,7 +16,8 @@ namespace rigid {
 template <class Solve>
 void hand_over(Solve& solve, const Mlcp& mlcp, Solution& solution)
 {
-    if constexpr (std::is_invocable_v<Solve&, const Mlcp&, Solution&>) solve(mlcp, solution);
+    if constexpr (std::is_invocable_v<Solve&, const Mlcp&, Solution&>)
+        solve(mlcp, solution);
     else solution = solve(mlcp);
 }
 
@@ -32,7 +33,8 @@ struct MatrixSolver {
         if constexpr (requires { find.require_valid(); }) find.require_valid();
     }
 
-    /// The least change of u* that keeps to the rows: w = A λ + q, complementary to λ (3.12); u = u* + M⁻¹ Jᵀ λ (3.9).
+    /// The least change of u* that keeps to the rows: w = A λ + q, complementary to
+    /// λ (3.12); u = u* + M⁻¹ Jᵀ λ (3.9).
     template <int Dof>
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
@@ -67,18 +69,25 @@ struct MatrixSolver {
     }
 
 private:
-    /// A tolerance of m/s would be another one in a scene of another size: a solver gets speeds in ℓ a second.
+    /// A tolerance of m/s would be another one in a scene of another size: a solver
+    /// gets speeds in ℓ a second.
     void find_in_lengths(Solution& solution, Real length)
     {
         if (length != 1) {
-            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers /= length;
+            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda})
+                *numbers /= length;
         }
         hand_over(find, mlcp, solution);
         if (has_no_answer(solution.status))  // then others must not lose theirs
             solve_by_blocks(
-                mlcp, [this](const Mlcp& block, Solution& one) { hand_over(find, block, one); }, solution);
+                mlcp,
+                [this](const Mlcp& block, Solution& one) {
+                    hand_over(find, block, one);
+                },
+                solution);
         if (length != 1) {
-            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda}) *numbers *= length;
+            for (VecX* numbers : {&mlcp.q, &mlcp.lo, &mlcp.hi, &solution.lambda})
+                *numbers *= length;
             solution.residual *= length;
         }
     }
@@ -89,14 +98,17 @@ private:
         const auto solve = [this, &now](const Mlcp&, Solution& solution) {
             find_in_lengths(solution, now.length);
         };
-        if (is_coupled(now.rows)) solve_coupled(now.rows, solve, mlcp, now.solution);
+        if (is_coupled(now.rows))
+            solve_coupled(now.rows, solve, mlcp, now.solution);
         else solve(mlcp, now.solution);
     }
 
     template <int Dof>
-    static void apply_impulses(const VecX& lambda, Bodies<Dof>& bodies, const StepData<Dof>& now)
+    static void apply_impulses(const VecX& lambda, Bodies<Dof>& bodies,
+                               const StepData<Dof>& now)
     {
-        for (const int k : now.active) bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
+        for (const int k : now.active)
+            bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
         apply(now.rows, lambda, bodies.u);
     }
 };

@@ -32,7 +32,13 @@ struct Mlcp {
 };
 //! [mlcp]
 
-enum class Status { solved, iteration_limit, ray_termination, infeasible, singular };
+enum class Status {
+    solved,
+    iteration_limit,
+    ray_termination,
+    infeasible,
+    singular
+};
 
 /// The status in the words of the book.
 constexpr std::string_view to_string(Status status)
@@ -80,16 +86,20 @@ constexpr std::string_view to_string(Uniqueness uniqueness)
 }
 
 struct Solution {
-    VecX lambda;                              ///< m [N s]
-    Status status = Status::iteration_limit;  ///< `solved` only if the residual met the tolerance
-    int iterations = 0;                       ///< sweeps, pivots or tried sets: what the method counts
-    Real residual = infinity;                 ///< natural residual of lambda [m/s]
+    VecX lambda;  ///< m [N s]
+    /// `solved` only if the residual met the tolerance
+    Status status = Status::iteration_limit;
+    /// sweeps, pivots or tried sets: what the method counts
+    int iterations = 0;
+    Real residual = infinity;  ///< natural residual of lambda [m/s]
     Uniqueness uniqueness = Uniqueness::not_examined;
 };
 
 //! [residual]
-/// (3.15), row i of the natural residual [m/s]: how far λ_i is from its own best answer.
-/// \param a  the diagonal entry A_ii [1/kg]; a row without one (a ≤ 0) is measured with 1
+/// (3.15), row i of the natural residual [m/s]: how far λ_i is from its own best
+/// answer.
+/// \param a  the diagonal entry A_ii [1/kg]; a row without one (a ≤ 0) is measured
+///           with 1
 /// \return   NaN if λ_i is not finite
 inline Real natural_residual_row(Real a, Real lambda, Real w, Real lo, Real hi)
 {
@@ -99,7 +109,8 @@ inline Real natural_residual_row(Real a, Real lambda, Real w, Real lo, Real hi)
     return std::abs(std::clamp(w, scale * (lambda - hi), scale * (lambda - lo)));
 }
 
-/// The natural residual of λ [m/s], the one definition of error in this book; 0 for the solution.
+/// The natural residual of λ [m/s], the one definition of error in this book; 0 for
+/// the solution.
 inline Real natural_residual(const Mlcp& mlcp, const VecX& lambda)
 {
     Real largest = 0;
@@ -110,7 +121,8 @@ inline Real natural_residual(const Mlcp& mlcp, const VecX& lambda)
             w += entry.value() * lambda[entry.col()];
             if (entry.col() == i) diagonal = entry.value();
         }
-        const Real r = natural_residual_row(diagonal, lambda[i], w, mlcp.lo[i], mlcp.hi[i]);
+        const Real r =
+            natural_residual_row(diagonal, lambda[i], w, mlcp.lo[i], mlcp.hi[i]);
         if (!(r <= largest)) largest = r;  // also takes over a NaN
         if (std::isnan(largest)) return largest;
     }
@@ -123,26 +135,33 @@ inline Real natural_residual(const Mlcp& mlcp, const VecX& lambda)
 inline void require_valid(const Mlcp& mlcp)
 {
     const Index n = mlcp.size();
-    const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
+    const auto refuse = [](const std::string& sentence) {
+        throw std::invalid_argument(sentence);
+    };
     if (mlcp.A.rows() != n || mlcp.A.cols() != n)
-        refuse("A is " + std::to_string(mlcp.A.rows()) + " x " + std::to_string(mlcp.A.cols()) + "; q has " +
-               std::to_string(n) + " entries");
+        refuse("A is " + std::to_string(mlcp.A.rows()) + " x " +
+               std::to_string(mlcp.A.cols()) + "; q has " + std::to_string(n) +
+               " entries");
     if (mlcp.lo.size() != n || mlcp.hi.size() != n)
-        refuse("lo has " + std::to_string(mlcp.lo.size()) + " and hi " + std::to_string(mlcp.hi.size()) +
-               " entries; q has " + std::to_string(n));
+        refuse("lo has " + std::to_string(mlcp.lo.size()) + " and hi " +
+               std::to_string(mlcp.hi.size()) + " entries; q has " +
+               std::to_string(n));
     for (Index i = 0; i < n; ++i) {
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
             if (!std::isfinite(entry.value()))
-                refuse("A[" + std::to_string(i) + "," + std::to_string(entry.col()) + "] is " +
+                refuse("A[" + std::to_string(i) + "," +
+                       std::to_string(entry.col()) + "] is " +
                        shortest(entry.value()) + "; it must be finite");
         if (!std::isfinite(mlcp.q[i]))
-            refuse("q[" + std::to_string(i) + "] is " + shortest(mlcp.q[i]) + "; it must be finite");
+            refuse("q[" + std::to_string(i) + "] is " + shortest(mlcp.q[i]) +
+                   "; it must be finite");
         if (!(mlcp.lo[i] <= mlcp.hi[i]))
-            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
-                   " > hi = " + shortest(mlcp.hi[i]));
+            refuse("row " + std::to_string(i) + " has lo = " +
+                   shortest(mlcp.lo[i]) + " > hi = " + shortest(mlcp.hi[i]));
         if (mlcp.lo[i] == infinity || mlcp.hi[i] == -infinity)
-            refuse("row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
-                   " and hi = " + shortest(mlcp.hi[i]) + "; no impulse is that large");
+            refuse(
+                "row " + std::to_string(i) + " has lo = " + shortest(mlcp.lo[i]) +
+                " and hi = " + shortest(mlcp.hi[i]) + "; no impulse is that large");
     }
 }
 

@@ -17,13 +17,16 @@ namespace rigid {
 struct Problem {
     std::string name;
     Mlcp mlcp;
-    Uniqueness kind = Uniqueness::not_examined;  ///< what the file says of its answer
-    VecX z, w;                                   ///< the known answer; empty if there is none
+    /// what the file says of its answer
+    Uniqueness kind = Uniqueness::not_examined;
+    /// the known answer; empty if there is none
+    VecX z, w;
 };
 
-inline constexpr std::size_t longest_line =
-    1'000'000;                                   ///< characters; 10000 numbers of 25 take a quarter of it
-inline constexpr Index largest_problem = 10000;  ///< rows; a file of so many is dense and has 200 MB or more
+/// characters; 10000 numbers of 25 take a quarter of it
+inline constexpr std::size_t longest_line = 1'000'000;
+/// rows; a file of so many is dense and has 200 MB or more
+inline constexpr Index largest_problem = 10000;
 
 /// Reads a problem line by line and remembers where it is, so that each refusal names the line.
 class ProblemReader {
@@ -40,13 +43,15 @@ public:
         while (next_line()) {
             const std::string key = words_.front();
             if (!given_.emplace(key, line_).second)
-                refuse(quoted(key) + " is there twice, first in line " + std::to_string(given_.at(key)));
+                refuse(quoted(key) + " is there twice, first in line " +
+                       std::to_string(given_.at(key)));
             if (key == "name" || key == "n" || key == "solution") read_key(key);
             else read_section(key);
         }
         ++line_;  // what is missing is missing after the last line
         for (const char* key : {"n", "A", "q"})
-            if (!given_.count(key)) refuse("the file ends here, and " + quoted(key) + " is missing");
+            if (!given_.count(key))
+                refuse("the file ends here, and " + quoted(key) + " is missing");
         require_bounds();
         return std::move(problem_);
     }
@@ -93,7 +98,8 @@ private:
         if (key == "n") {
             const auto n = parse_whole(value);
             if (!n || *n < 1 || *n > static_cast<std::uint64_t>(largest_problem))
-                refuse("n is " + quoted(value) + "; it must be a whole number from 1 to " +
+                refuse("n is " + quoted(value) +
+                       "; it must be a whole number from 1 to " +
                        std::to_string(largest_problem));
             const auto rows = static_cast<Index>(*n);
             problem_.mlcp.A.resize(rows, rows);
@@ -101,11 +107,12 @@ private:
             problem_.mlcp.hi = VecX::Constant(rows, infinity);
         }
         if (key == "solution") {
-            for (const Uniqueness kind :
-                 {Uniqueness::unique, Uniqueness::w_unique, Uniqueness::any, Uniqueness::none})
+            for (const Uniqueness kind : {Uniqueness::unique, Uniqueness::w_unique,
+                                          Uniqueness::any, Uniqueness::none})
                 if (value == to_string(kind)) problem_.kind = kind;
             if (problem_.kind == Uniqueness::not_examined)
-                refuse("the solution is " + quoted(value) + "; it must be unique, w_unique, any or none");
+                refuse("the solution is " + quoted(value) +
+                       "; it must be unique, w_unique, any or none");
         }
     }
 
@@ -117,11 +124,14 @@ private:
                                                        {"z", &problem_.z},
                                                        {"w", &problem_.w}};
         if (key != "A" && !sections.count(key))
-            refuse(quoted(key) + " is no key and no section; the keys are name, n and solution, the sections "
+            refuse(quoted(key) + " is no key and no section; the keys are name, n "
+                                 "and solution, the sections "
                                  "A, q, lo, hi, z and w");
         if (words_.size() > 1)
-            refuse("the name of the section " + quoted(key) + " must stand alone on its line");
-        if (!given_.count("n")) refuse("section " + quoted(key) + " begins before n was given");
+            refuse("the name of the section " + quoted(key) +
+                   " must stand alone on its line");
+        if (!given_.count("n"))
+            refuse("section " + quoted(key) + " begins before n was given");
         const Index n = problem_.mlcp.A.rows();
         if (key != "A") {
             *sections.at(key) = numbers(key, "section " + quoted(key), n);
@@ -130,10 +140,12 @@ private:
         }
         std::vector<Eigen::Triplet<Real>> entries;
         for (Index i = 0; i < n; ++i) {
-            const VecX line = numbers(key, "row " + std::to_string(i + 1) + " of A", n);
+            const VecX line =
+                numbers(key, "row " + std::to_string(i + 1) + " of A", n);
             for (Index j = 0; j < n; ++j)
                 if (line[j] < 0 || line[j] > 0)
-                    entries.emplace_back(static_cast<int>(i), static_cast<int>(j), line[j]);
+                    entries.emplace_back(static_cast<int>(i), static_cast<int>(j),
+                                         line[j]);
         }
         problem_.mlcp.A.setFromTriplets(entries.begin(), entries.end());
     }
@@ -146,17 +158,19 @@ private:
             refuse("the file ends where " + what + " should be");
         }
         if (static_cast<Index>(words_.size()) != n)
-            refuse(what + " has " + std::to_string(words_.size()) + " entries; it must have " +
-                   std::to_string(n));
+            refuse(what + " has " + std::to_string(words_.size()) +
+                   " entries; it must have " + std::to_string(n));
         VecX result(n);
         for (Index i = 0; i < n; ++i) {
             const std::string& word = words_[static_cast<std::size_t>(i)];
             const auto value = parse_real(word);
             if (value) result[i] = *value;
-            else if (key == "hi" && (word == "inf" || word == "+inf")) result[i] = infinity;
+            else if (key == "hi" && (word == "inf" || word == "+inf"))
+                result[i] = infinity;
             else if (key == "lo" && word == "-inf") result[i] = -infinity;
             else
-                refuse(what + " has the entry " + quoted(word) + "; it must be a finite number" +
+                refuse(what + " has the entry " + quoted(word) +
+                       "; it must be a finite number" +
                        (key == "hi"   ? " or inf"
                         : key == "lo" ? " or -inf"
                                       : ""));
@@ -170,13 +184,15 @@ private:
         const Mlcp& mlcp = problem_.mlcp;
         for (Index i = 0; i < mlcp.A.rows(); ++i)
             if (!(mlcp.lo[i] <= mlcp.hi[i]))
-                refuse("entry " + std::to_string(i + 1) + " has lo = " + shortest(mlcp.lo[i]) + " and hi = " +
-                       shortest(mlcp.hi[i]) + "; lo must not be above hi (without a section lo is 0)");
+                refuse("entry " + std::to_string(i + 1) + " has lo = " +
+                       shortest(mlcp.lo[i]) + " and hi = " + shortest(mlcp.hi[i]) +
+                       "; lo must not be above hi (without a section lo is 0)");
     }
 
     [[noreturn]] void refuse(const std::string& sentence) const
     {
-        throw std::invalid_argument(file_ + "line " + std::to_string(line_) + ": " + sentence);
+        throw std::invalid_argument(file_ + "line " + std::to_string(line_) + ": " +
+                                    sentence);
     }
 
     static std::string quoted(const std::string& word)

@@ -19,9 +19,11 @@ namespace rigid {
 struct SchurComplement {
     std::vector<Index> bilateral, others;  ///< row numbers of the whole problem
     BilateralBlock block;                  ///< A_BB
-    Eigen::SparseMatrix<Real> A_BN;        ///< by columns: each is a right side to solve for
-    Mlcp rest;                             ///< S, r and the bounds of the others
-    Real kept = 1;                         ///< least share that the elimination left of an A_ii or a q_i
+    /// by columns: each is a right side to solve for
+    Eigen::SparseMatrix<Real> A_BN;
+    Mlcp rest;  ///< S, r and the bounds of the others
+    /// least share that the elimination left of an A_ii or a q_i
+    Real kept = 1;
 
     /// λ of the whole problem from the λ of the others: \f$\lambda_B = -A_{BB}^{-1}(q_B + A_{BN}
     /// \lambda_N)\f$, (3.27).
@@ -41,30 +43,35 @@ struct SchurComplement {
 };
 
 //! [eliminate]
-/// (3.28): takes the bilateral rows out of the problem. If block.singular_row() says that they are redundant,
-/// `rest` is not computed.
+/// (3.28): takes the bilateral rows out of the problem. If block.singular_row()
+/// says that they are redundant, `rest` is not computed.
 inline void eliminate_bilateral(const Mlcp& mlcp, SchurComplement& schur)
 {
     schur.bilateral.clear();
     schur.others.clear();
-    std::vector<int> place(static_cast<std::size_t>(mlcp.size()));  // of a row within its part
+    // of a row within its part
+    std::vector<int> place(static_cast<std::size_t>(mlcp.size()));
     for (Index i = 0; i < mlcp.size(); ++i) {
-        std::vector<Index>& part = is_bilateral(mlcp, i) ? schur.bilateral : schur.others;
+        std::vector<Index>& part =
+            is_bilateral(mlcp, i) ? schur.bilateral : schur.others;
         place[static_cast<std::size_t>(i)] = static_cast<int>(part.size());
         part.push_back(i);
     }
-    const auto B = static_cast<Index>(schur.bilateral.size()), N = static_cast<Index>(schur.others.size());
+    const auto B = static_cast<Index>(schur.bilateral.size()),
+               N = static_cast<Index>(schur.others.size());
     schur.block.factor(mlcp.A, schur.bilateral);
     if (schur.block.singular_row() >= 0) return;
 
     std::vector<Eigen::Triplet<Real>> BN, NB, NN;
     for (Index i = 0; i < mlcp.size(); ++i)
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            const bool row = is_bilateral(mlcp, i), column = is_bilateral(mlcp, entry.col());
+            const bool row = is_bilateral(mlcp, i),
+                       column = is_bilateral(mlcp, entry.col());
             if (row && column) continue;
             auto& part = row ? BN : column ? NB : NN;
             part.emplace_back(place[static_cast<std::size_t>(i)],
-                              place[static_cast<std::size_t>(entry.col())], entry.value());
+                              place[static_cast<std::size_t>(entry.col())],
+                              entry.value());
         }
     schur.A_BN.resize(B, N);
     schur.A_BN.setFromTriplets(BN.begin(), BN.end());
@@ -76,7 +83,8 @@ inline void eliminate_bilateral(const Mlcp& mlcp, SchurComplement& schur)
     schur.rest.q.resize(N);
     schur.rest.lo.resize(N);
     schur.rest.hi.resize(N);
-    for (Index k = 0; k < B; ++k) q_B[k] = mlcp.q[schur.bilateral[static_cast<std::size_t>(k)]];
+    for (Index k = 0; k < B; ++k)
+        q_B[k] = mlcp.q[schur.bilateral[static_cast<std::size_t>(k)]];
     for (Index k = 0; k < N; ++k) {
         const Index i = schur.others[static_cast<std::size_t>(k)];
         schur.rest.q[k] = mlcp.q[i];
@@ -85,7 +93,8 @@ inline void eliminate_bilateral(const Mlcp& mlcp, SchurComplement& schur)
     }
     MatX S = A_NN;
     const VecX A_ii = S.diagonal(), q_i = schur.rest.q;
-    for (Index k = 0; k < N; ++k) S.col(k) -= A_NB * schur.block.solve(VecX(schur.A_BN.col(k)));
+    for (Index k = 0; k < N; ++k)
+        S.col(k) -= A_NB * schur.block.solve(VecX(schur.A_BN.col(k)));
     schur.rest.A = S.sparseView();
     schur.rest.q -= A_NB * schur.block.solve(q_B);
     schur.kept = 1;
@@ -101,12 +110,12 @@ inline void eliminate_bilateral(const Mlcp& mlcp, SchurComplement& schur)
 //! [eliminate]
 
 //! [schur]
-/// Eliminates the bilateral rows, enumerates the cases of the others, and substitutes back.
-/// `singular` if the bilateral rows are redundant, else the status of the enumeration, once the
-/// whole λ has proved itself.
+/// Eliminates the bilateral rows, enumerates the cases of the others, and
+/// substitutes back. `singular` if the bilateral rows are redundant, else the
+/// status of the enumeration, once the whole λ has proved itself.
 /// \param settings  of the enumeration; `first` names all rows of the whole problem
-/// \throws std::invalid_argument  for an invalid problem, too many rows with bounds, or an A that
-///                                is not symmetric in its bilateral rows
+/// \throws std::invalid_argument  for an invalid problem, too many rows with
+///     bounds, or an A that is not symmetric in its bilateral rows
 inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {})
 {
     require_valid(mlcp);
@@ -114,7 +123,8 @@ inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {}
     eliminate_bilateral(mlcp, parts);
     Solution solution;
     if (parts.block.singular_row() >= 0) {
-        solution.lambda = VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
+        solution.lambda =
+            VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
         solution.residual = natural_residual(mlcp, solution.lambda);
         solution.status = Status::singular;
         return solution;
@@ -127,13 +137,15 @@ inline Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings = {}
     }
     solution = enumerate(parts.rest, of_rest);
     solution.lambda = parts.whole(mlcp, solution.lambda);
-    // Where A_BB is nearly singular S has lost digits: what was found has to prove itself, and what was not found or
-    // not seen twice proves nothing.
+    // Where A_BB is nearly singular S has lost digits: what was found has to prove
+    // itself, and what was not found or not seen twice proves nothing.
     if (!(std::min(parts.block.least_pivot(), parts.kept) >= 1e-3)) {
         solution.uniqueness = Uniqueness::not_examined;
-        if (solution.status == Status::infeasible) solution.status = Status::singular;
+        if (solution.status == Status::infeasible)
+            solution.status = Status::singular;
     }
-    if (solution.status == Status::solved) conclude(mlcp, solution, settings.tolerance, Status::singular);
+    if (solution.status == Status::solved)
+        conclude(mlcp, solution, settings.tolerance, Status::singular);
     else solution.residual = natural_residual(mlcp, solution.lambda);
     return solution;
 }

@@ -23,7 +23,8 @@ inline std::vector<std::vector<int>> blocks_of(const Mlcp& mlcp)
     std::iota(above.begin(), above.end(), 0);
     for (int i = 0; i < static_cast<int>(m); ++i)
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            if (entry.value() < 0 || entry.value() > 0) unite(above, i, static_cast<int>(entry.col()));
+            if (entry.value() < 0 || entry.value() > 0)
+                unite(above, i, static_cast<int>(entry.col()));
     std::vector<std::vector<int>> blocks;
     for (int i = 0; i < static_cast<int>(m); ++i) {
         int& of_block = number[static_cast<std::size_t>(lowest_of(above, i))];
@@ -48,7 +49,8 @@ inline Mlcp part_of(const Mlcp& mlcp, const std::vector<int>& rows)
         part.lo[k] = mlcp.lo[i];
         part.hi[k] = mlcp.hi[i];
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            if (const auto j = std::lower_bound(rows.begin(), rows.end(), static_cast<int>(entry.col()));
+            if (const auto j = std::lower_bound(rows.begin(), rows.end(),
+                                                static_cast<int>(entry.col()));
                 j != rows.end() && *j == entry.col())
                 entries.emplace_back(int(k), int(j - rows.begin()), entry.value());
     }
@@ -59,14 +61,18 @@ inline Mlcp part_of(const Mlcp& mlcp, const std::vector<int>& rows)
 /// What a solver says of a problem that it has given up, whatever it was: no λ, or none that it can find.
 constexpr bool has_no_answer(Status status)
 {
-    return status == Status::infeasible || status == Status::singular || status == Status::ray_termination;
+    return status == Status::infeasible || status == Status::singular ||
+           status == Status::ray_termination;
 }
 
 //! [by_blocks]
-/// Solves block by block, from a cold start. Leaves the solution as it is if there is only one block.
-/// \param solve     void(const Mlcp&, Solution&), where the Solution holds the λ to start from
-/// \param solution  out: λ of each block as its own solve left it, the last status that is not `solved`, the largest
-///                  residual, and all iterations, those of the whole included
+/// Solves block by block, from a cold start. Leaves the solution as it is if there
+/// is only one block.
+/// \param solve     void(const Mlcp&, Solution&), where the Solution holds the λ to
+///                  start from
+/// \param solution  out: λ of each block as its own solve left it, the last status
+///                  that is not `solved`, the largest residual, and all iterations,
+///                  those of the whole included
 template <class Solve>
 void solve_by_blocks(const Mlcp& mlcp, const Solve& solve, Solution& solution)
 {

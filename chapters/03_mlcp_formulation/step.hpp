@@ -20,19 +20,23 @@
 namespace rigid {
 
 //! [whole_error]
-/// The correction stage in its plainest form: what we need is C(x + h u) = 0, or ≥ 0, after the step. To first
-/// order that is C + h J u, hence the bias b = C/h, (3.30). It takes back the whole of an error in one step; why that
-/// is rash in general is a later chapter's subject.
+/// The correction stage in its plainest form: what we need is C(x + h u) = 0, or ≥
+/// 0, after the step. To first order that is C + h J u, hence the bias b = C/h,
+/// (3.30). It takes back the whole of an error in one step; why that is rash in
+/// general is a later chapter's subject.
 struct WholeError {
     template <class Scene>
-    void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now) const
+    void rows(const Scene& scene, const StepSettings& settings,
+              StepData<Scene::dof>& now) const
     {
         const Real h = settings.part();
-        write_rows(scene.bodies, h, now,
-                   [h](const auto& c) { return has_error(c.kind) ? c.C / h : own_bias(c, h); });
+        write_rows(scene.bodies, h, now, [h](const auto& c) {
+            return has_error(c.kind) ? c.C / h : own_bias(c, h);
+        });
     }
     template <class Scene, class Solver>
-    void move(Scene& scene, const StepSettings& settings, Solver&, StepData<Scene::dof>& now) const
+    void move(Scene& scene, const StepSettings& settings, Solver&,
+              StepData<Scene::dof>& now) const
     {
         advance_positions(scene.bodies, settings.part(), now);  // (1.10)
     }
@@ -41,12 +45,15 @@ struct WholeError {
 
 /// The start stage in its plainest form: nothing is remembered from step to step, λ = 0.
 struct ColdStart {
-    Real factor = 0;  ///< part of λ that the next sub-step of the same step starts from, 0 … 1 (chapter 7)
+    /// part of λ that the next sub-step of the same step starts from, 0 … 1
+    /// (chapter 7)
+    Real factor = 0;
 
     void require_valid() const
     {
         if (!(factor >= 0 && factor <= 1))
-            throw std::invalid_argument("the warm start factor is " + shortest(factor) +
+            throw std::invalid_argument("the warm start factor is " +
+                                        shortest(factor) +
                                         "; it must be from 0 to 1");
     }
     template <int Dof>
@@ -80,14 +87,17 @@ void require_valid_stages(const Method& method)
 }
 
 //! [step]
-/// One time step. Depends on its arguments alone. Settings that make no sense are refused before anything changes; if
-/// the solver throws, positions stay where they were.
+/// One time step. Depends on its arguments alone. Settings that make no sense are
+/// refused before anything changes; if the solver throws, positions stay where they
+/// were.
 /// \param scene     what there is; it moves
 /// \param settings  of the step
-/// \param method    four stages with their settings and what they remember: contacts, correction, start, solver
+/// \param method    four stages with their settings and what they remember:
+///                  contacts, correction, start, solver
 /// \param now       what was found on the way
 template <class Scene, class Method>
-void step(Scene& scene, const StepSettings& settings, Method&& method, StepData<Scene::dof>& now)
+void step(Scene& scene, const StepSettings& settings, Method&& method,
+          StepData<Scene::dof>& now)
 {
     require_valid(settings, scene.gravity, scene.bodies.count());
     require_valid_stages(method);
@@ -98,11 +108,15 @@ void step(Scene& scene, const StepSettings& settings, Method&& method, StepData<
     method.start.recall(settings, now);
 
     for (now.substep = 0; now.substep < settings.substeps; ++now.substep) {
-        free_velocities(scene, settings, now);         // forces, and u* that they alone lead to (3.4)
-        evaluate_constraints(scene, now);              // C and J where the bodies are now
-        method.correction.rows(scene, settings, now);  // w = J u + b with the bounds of λ
-        method.start.choose(scene.bodies, now);        // where λ starts
-        method.solver.solve(scene.bodies, now);        // λ, and u = u* + M⁻¹ Jᵀ λ (3.9)
+        // forces, and u* that they alone lead to (3.4)
+        free_velocities(scene, settings, now);
+        // C and J where the bodies are now
+        evaluate_constraints(scene, now);
+        // w = J u + b with the bounds of λ
+        method.correction.rows(scene, settings, now);
+        method.start.choose(scene.bodies, now);  // where λ starts
+        // λ, and u = u* + M⁻¹ Jᵀ λ (3.9)
+        method.solver.solve(scene.bodies, now);
         method.correction.move(scene, settings, method.solver, now);  // x
     }
 
@@ -117,7 +131,8 @@ template <class Correction = WholeError>
 void disc_rows(const DiscScene& scene, Real h, const std::vector<Contact>& contacts,
                std::vector<Row<2>>& rows, const Correction& correction = {})
 {
-    if constexpr (requires { correction.require_valid(); }) correction.require_valid();
+    if constexpr (requires { correction.require_valid(); })
+        correction.require_valid();
     require_bodies(scene);
     StepData<2> now;
     for (std::size_t i = 0; i < scene.links.size(); ++i)

@@ -19,11 +19,14 @@ namespace rigid {
 /// What a step depends on besides the scene and the method. Lengths are measured in the length ℓ of the scene,
 /// typical_length(), speeds and accelerations in ℓ a second and ℓ a second squared; h is in seconds.
 struct StepSettings {
-    Real h = 1.0 / 60;     ///< time step [s]
-    int substeps = 1;      ///< the step is taken in so many parts; contacts are found once
-    Real stiffness = 0;    ///< k of the torsional springs, a pure number; see add_bend_springs()
-    Real damping = 0;      ///< of the bends [1/s]
-    Real margin = 0.02;    ///< a contact gets its row when its gap is below this [ℓ]
+    Real h = 1.0 / 60;  ///< time step [s]
+    /// the step is taken in so many parts; contacts are found once
+    int substeps = 1;
+    /// k of the torsional springs, a pure number; see add_bend_springs()
+    Real stiffness = 0;
+    Real damping = 0;  ///< of the bends [1/s]
+    /// a contact gets its row when its gap is below this [ℓ]
+    Real margin = 0.02;
     Index pulled = world;  ///< the disc that a hand pulls; world = none
     Vec2 hand = {0, 0};    ///< where to [m]
 
@@ -32,16 +35,19 @@ struct StepSettings {
 
 /// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
 /// \param bodies  K
-inline void require_valid(const StepSettings& settings, const Vec2& gravity, Index bodies)
+inline void require_valid(const StepSettings& settings, const Vec2& gravity,
+                          Index bodies)
 {
     require_step(settings.h);
     require_forces(gravity, settings.stiffness, settings.damping, settings.hand);
     require_margin(settings.margin);
     if (settings.substeps < 1)
-        throw std::invalid_argument("substeps is " + std::to_string(settings.substeps) +
+        throw std::invalid_argument("substeps is " +
+                                    std::to_string(settings.substeps) +
                                     "; it must be 1 or more");
     if (settings.pulled < world || settings.pulled >= bodies)
-        throw std::invalid_argument("the hand pulls disc " + std::to_string(settings.pulled) + " among " +
+        throw std::invalid_argument("the hand pulls disc " +
+                                    std::to_string(settings.pulled) + " among " +
                                     std::to_string(bodies));
 }
 
@@ -58,20 +64,27 @@ struct StepData {
     std::vector<int> active;      ///< bodies that the step looks at, ascending
     std::span<const Bend> bends;  ///< springs that it looks at
     std::vector<Contact> contacts;
-    VecX x_found;  ///< where the active bodies were when the contacts were found [m]
+    /// where the active bodies were when the contacts were found [m]
+    VecX x_found;
     std::vector<Source> sources;
     std::vector<Constraint<Dof>> constraints;  ///< one for each source
     std::vector<Row<Dof>> rows;                ///< one for each constraint
-    std::vector<std::uint8_t> kept;  ///< 1: the row has its J of the step before (chapter 10); empty = none
-    bool same_rows = false;          ///< the rows are those of the step before, one for one
-    bool same_bodies = false;        ///< so are the active bodies, and what they hang on
-    int substep = 0;                 ///< the number of the present one
-    Real h = 0;                      ///< its length [s]
-    Real length = 1;                 ///< ℓ, of the scene [m]; the contacts stage writes it
-    bool second_half = false;        ///< the rows are those of its second half (chapter 9)
-    VecX u_star;                     ///< velocities after the forces, before the impulses [m/s]
-    Solution solution;               ///< of the last sub-step
-    std::int64_t visits = 0;         ///< rows visited in this step, whatever for
+    /// 1: the row has its J of the step before (chapter 10); empty = none
+    std::vector<std::uint8_t> kept;
+    /// the rows are those of the step before, one for one
+    bool same_rows = false;
+    /// so are the active bodies, and what they hang on
+    bool same_bodies = false;
+    int substep = 0;  ///< the number of the present one
+    Real h = 0;       ///< its length [s]
+    /// ℓ, of the scene [m]; the contacts stage writes it
+    Real length = 1;
+    /// the rows are those of its second half (chapter 9)
+    bool second_half = false;
+    /// velocities after the forces, before the impulses [m/s]
+    VecX u_star;
+    Solution solution;        ///< of the last sub-step
+    std::int64_t visits = 0;  ///< rows visited in this step, whatever for
 };
 
 /// A second problem on the rows of a step: the same J, other biases (chapter 7 corrects positions by it).
@@ -79,26 +92,32 @@ struct SecondProblem {
     std::vector<Real> bias;      ///< b of each row [m/s]
     std::vector<char> left_out;  ///< 1: the row gets no impulse in this problem
     int max_sweeps = 10;         ///< of solvers that sweep
-    Real tolerance = 1e-9;       ///< their sweeps end when none changes a row by more than this [m/s]
-    Solution solution;           ///< of this problem, by those that answer it apart
+    /// their sweeps end when none changes a row by more than this [m/s]
+    Real tolerance = 1e-9;
+    Solution solution;  ///< of this problem, by those that answer it apart
 };
 
 //! [all_pairs]
-/// The contacts stage in its plainest form: every body is looked at, and every pair is tested.
+/// The contacts stage in its plainest form: every body is looked at, and every pair
+/// is tested.
 struct AllPairs {
-    bool collides = true;  ///< false: nothing in this scene ever touches, and no pair is tested
+    /// false: nothing in this scene ever touches, and no pair is tested
+    bool collides = true;
 
     template <class Method>
-    void begin(const DiscScene& scene, const StepSettings& settings, Method&, StepData<2>& now) const
+    void begin(const DiscScene& scene, const StepSettings& settings, Method&,
+               StepData<2>& now) const
     {
         find(scene, settings, now);
     }
     template <class Method>
-    void end(const DiscScene&, const StepSettings&, Method&, const StepData<2>&) const
+    void end(const DiscScene&, const StepSettings&, Method&,
+             const StepData<2>&) const
     {
     }
 
-    void find(const DiscScene& scene, const StepSettings& settings, StepData<2>& now) const
+    void find(const DiscScene& scene, const StepSettings& settings,
+              StepData<2>& now) const
     {
         require_bodies(scene);
         const Bodies<2>& bodies = scene.bodies;
@@ -108,10 +127,15 @@ struct AllPairs {
         now.bends = scene.bends;
         now.same_bodies = false;
         now.contacts.clear();
-        if (collides) find_contacts(scene, settings.margin * now.length, now.contacts);
+        if (collides)
+            find_contacts(scene, settings.margin * now.length, now.contacts);
         // What cannot move cannot be pushed: two such bodies never are a row.
-        const auto stand = [&](Index a, Index b) { return !bodies.can_move(a) && !bodies.can_move(b); };
-        std::erase_if(now.contacts, [&](const Contact& contact) { return stand(contact.a, contact.b); });
+        const auto stand = [&](Index a, Index b) {
+            return !bodies.can_move(a) && !bodies.can_move(b);
+        };
+        std::erase_if(now.contacts, [&](const Contact& contact) {
+            return stand(contact.a, contact.b);
+        });
         now.x_found = bodies.x;
 
         now.sources.clear();

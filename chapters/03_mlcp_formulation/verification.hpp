@@ -20,15 +20,16 @@ namespace rigid {
 /// How small a residual has to be.
 struct Acceptance {
     Real tolerance = 1e-10;  ///< τ, as a share of the numbers in the row
-    Real enough = 0;         ///< f [m/s]: so little is nothing; 0 where the speeds are unknown
+    /// f [m/s]: so little is nothing; 0 where the speeds are unknown
+    Real enough = 0;
 };
 
 /// The natural residual of a λ, and whether it makes λ an answer.
 struct Verification {
     Real residual = infinity;  ///< (3.15) [m/s]
     bool solved = false;       ///< by (3.16c) and (3.16d)
-    bool in_each_row =
-        false;  ///< without the help of f and of ε max N_j: each v_i is small beside its own S_i
+    /// without the help of f and of ε max N_j: each v_i is small beside its own S_i
+    bool in_each_row = false;
 };
 
 /// d_i: row i has the unit d_i √J. √|A_ii|, and in a row without a diagonal what its neighbours make of it.
@@ -38,7 +39,8 @@ inline Real row_unit(const Mlcp& mlcp, Index i, Real diagonal)
     Real unit = 0, largest = 0;
     for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
         const Real neighbour = std::abs(mlcp.A.coeff(entry.col(), entry.col()));
-        if (neighbour > 0) unit = std::max(unit, std::abs(entry.value()) / std::sqrt(neighbour));
+        if (neighbour > 0)
+            unit = std::max(unit, std::abs(entry.value()) / std::sqrt(neighbour));
         largest = std::max(largest, std::abs(entry.value()));
     }
     return unit > 0 ? unit : largest > 0 ? std::sqrt(largest) : 1;
@@ -52,20 +54,25 @@ inline Real violation(Real lambda, Real w, Real lo, Real hi)
 }
 
 //! [verify]
-/// Holds λ to (3.16c) and (3.16d), in one pass over A. `solved` needs lo ≤ λ ≤ hi to the last digit.
-/// Does not allocate.
-inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptance& acceptance = {})
+/// Holds λ to (3.16c) and (3.16d), in one pass over A. `solved` needs lo ≤ λ ≤ hi
+/// to the last digit. Does not allocate.
+inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
+                           const Acceptance& acceptance = {})
 {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    const Real tau = std::max(acceptance.tolerance, epsilon), enough = acceptance.enough;
+    const Real tau = std::max(acceptance.tolerance, epsilon),
+               enough = acceptance.enough;
     Real residual = 0;
-    Real speed = 0, energy = 0;              // max N_j, max N_j / d_j: what U_i is made of
-    Real least_speed = 0, least_energy = 0;  // and how large they have to be for these v_i
+    // max N_j, max N_j / d_j: what U_i is made of
+    Real speed = 0, energy = 0;
+    // and how large they have to be for these v_i
+    Real least_speed = 0, least_energy = 0;
     bool possible = true, small = true, in_each_row = true;
     for (Index i = 0; i < mlcp.size(); ++i) {
         const Real lo = mlcp.lo[i], hi = mlcp.hi[i];
         Real w = mlcp.q[i], S = std::abs(w), N = S, diagonal = 0, terms = 1;
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry, ++terms) {
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry;
+             ++entry, ++terms) {
             const Index j = entry.col();
             const Real term = entry.value() * lambda[j];
             w += term;
@@ -77,7 +84,8 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         const Real natural = natural_residual_row(diagonal, lambda[i], w, lo, hi);
         if (!(natural <= residual)) residual = natural;  // also takes over a NaN
         if (std::isnan(residual)) return {residual, false, false};
-        possible = possible && std::isfinite(S) && lambda[i] >= lo && lambda[i] <= hi;
+        possible =
+            possible && std::isfinite(S) && lambda[i] >= lo && lambda[i] <= hi;
         const Real unit = row_unit(mlcp, i, diagonal);
         if (terms > 1) {
             speed = std::max(speed, N);
@@ -85,20 +93,22 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda, const Acceptanc
         }
         const Real hidden = epsilon / 2 * terms * S;
         const Real v = violation(lambda[i], w, lo, hi);
-        const Real worst =
-            std::max(violation(lambda[i], w - hidden, lo, hi), violation(lambda[i], w + hidden, lo, hi));
+        const Real worst = std::max(violation(lambda[i], w - hidden, lo, hi),
+                                    violation(lambda[i], w + hidden, lo, hi));
         const bool in_its_row = v <= tau * S;
         Real least = 0;  // U_i
         if (v > enough && in_its_row) least = v / tau;
         const Real floor = v > enough && !in_its_row ? v / epsilon : 0;
         least_speed = std::max(least_speed, floor);
-        if (worst > 100 * enough) least = std::max(least, worst / (100 * std::max(tau, 64 * epsilon)));
+        if (worst > 100 * enough)
+            least = std::max(least, worst / (100 * std::max(tau, 64 * epsilon)));
         if (diagonal > 0) least_speed = std::max(least_speed, least);
         least_energy = std::max(least_energy, std::max(least, floor) / unit);
         in_each_row = in_each_row && in_its_row;
         small = small && (v <= 64 * epsilon * S || v <= enough);
     }
-    const bool within = energy > 0 ? least_speed <= speed && least_energy <= energy : small;
+    const bool within =
+        energy > 0 ? least_speed <= speed && least_energy <= energy : small;
     return {residual, possible && within && std::isfinite(energy), in_each_row};
 }
 //! [verify]

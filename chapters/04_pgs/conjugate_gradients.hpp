@@ -24,7 +24,8 @@ inline void multiply(const SparseMatrix& A, const VecX& x, VecX& y)
     y.resize(A.rows());
     for (Index i = 0; i < A.rows(); ++i) {
         Real sum = 0;
-        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry) sum += entry.value() * x[entry.col()];
+        for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+            sum += entry.value() * x[entry.col()];
         y[i] = sum;
     }
 }
@@ -36,22 +37,25 @@ inline void multiply(const SparseMatrix& A, const VecX& x, VecX& y)
 /// away along one that has nearly none; else `iteration limit`.
 /// \param tolerance  [m/s]
 /// \throws std::invalid_argument  if the problem is invalid or a row has a bound
-inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterations, CgMemory& memory,
+inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance,
+                                int max_iterations, CgMemory& memory,
                                 Solution& solution)
 {
     require_valid(mlcp);
     if (!(tolerance >= 0) || max_iterations < 0)
-        throw std::invalid_argument("tolerance " + shortest(tolerance) + " m/s and limit of " +
+        throw std::invalid_argument("tolerance " + shortest(tolerance) +
+                                    " m/s and limit of " +
                                     std::to_string(max_iterations) +
                                     " iterations: both must be zero or positive");
     const Index n = mlcp.size();
     for (Index i = 0; i < n; ++i)
         if (mlcp.lo[i] > -infinity || mlcp.hi[i] < infinity)
-            throw std::invalid_argument("row " + std::to_string(i) +
-                                        " has a bound; conjugate gradients take bilateral rows only");
+            throw std::invalid_argument(
+                "row " + std::to_string(i) +
+                " has a bound; conjugate gradients take bilateral rows only");
     if (solution.lambda.size() != n || !solution.lambda.allFinite())
-        throw std::invalid_argument("the start of conjugate gradients must have " + std::to_string(n) +
-                                    " finite impulses");
+        throw std::invalid_argument("the start of conjugate gradients must have " +
+                                    std::to_string(n) + " finite impulses");
     auto& [r, y, p, Ap, inverse_diagonal] = memory;
     inverse_diagonal.resize(n);
     for (Index i = 0; i < n; ++i) {
@@ -79,15 +83,20 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
         r -= alpha * Ap;
         y = inverse_diagonal.cwiseProduct(r);
         const Real next_slope = r.dot(y);
-        p = y + (next_slope / slope) * p;  // (4.22): conjugate to all directions so far
+        // (4.22): conjugate to all directions so far
+        p = y + (next_slope / slope) * p;
         slope = next_slope;
     }
     //! [cg]
 
     solution.iterations = k;
-    solution.residual = natural_residual(mlcp, lambda);  // of the answer itself, not of the recurrence
-    if (solution.residual <= tolerance)  // and if it can't be trusted, λ is as good as infinite
-        solution.status = verify(mlcp, lambda, {0, tolerance}).solved ? Status::solved : Status::singular;
+    // of the answer itself, not of the recurrence
+    solution.residual = natural_residual(mlcp, lambda);
+    // and if it can't be trusted, λ is as good as infinite
+    if (solution.residual <= tolerance)
+        solution.status = verify(mlcp, lambda, {0, tolerance}).solved
+                              ? Status::solved
+                              : Status::singular;
     if (!std::isfinite(solution.residual)) {
         lambda.setZero();
         solution.residual = natural_residual(mlcp, lambda);
@@ -96,7 +105,8 @@ inline void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterat
 }
 
 /// The same from zero, with memory of its own.
-inline Solution conjugate_gradients(const Mlcp& mlcp, Real tolerance = 1e-9, int max_iterations = 10000)
+inline Solution conjugate_gradients(const Mlcp& mlcp, Real tolerance = 1e-9,
+                                    int max_iterations = 10000)
 {
     CgMemory memory;
     Solution solution;

@@ -23,37 +23,44 @@ enum class Sweeps {
 };
 
 struct PgsSettings {
-    Real tolerance = 1e-9;  ///< of the natural residual [m/s]; 0 = always make all sweeps
+    /// of the natural residual [m/s]; 0 = always make all sweeps
+    Real tolerance = 1e-9;
     int max_sweeps = 10000;
     Real omega = 1;  ///< relaxation, 0 < ω < 2
     Sweeps sweeps = Sweeps::gauss_seidel;
-    std::vector<int> order;  ///< row numbers in the order of the visits; empty = as they are
+    /// row numbers in the order of the visits; empty = as they are
+    std::vector<int> order;
 };
 
 /// Memory that is kept from solve to solve, and what the last solve cost.
 struct PgsMemory {
     SweepRows rows;
-    int checks = 0;  ///< how often the residual was computed: each costs about as much as a sweep
+    /// how often the residual was computed: each costs about as much as a sweep
+    int checks = 0;
 };
 
 /// A cold start: the point within the bounds that is nearest to 0.
 inline void cold_start(const Mlcp& mlcp, VecX& lambda)
 {
     lambda.resize(mlcp.size());
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = std::clamp(Real{0}, mlcp.lo[i], mlcp.hi[i]);
+    for (Index i = 0; i < mlcp.size(); ++i)
+        lambda[i] = std::clamp(Real{0}, mlcp.lo[i], mlcp.hi[i]);
 }
 
 /// True if some row has w = q whatever λ is, and only an infinite λ would make that right.
-inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tolerance)
+inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep,
+                             Real tolerance)
 {
-    const auto moves_it = [&mlcp](Index i) {  // by the entries as they were given: scaled ones may vanish
+    // by the entries as they were given: scaled ones may vanish
+    const auto moves_it = [&mlcp](Index i) {
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
             if (entry.value() < 0 || entry.value() > 0) return true;
         return false;
     };
     for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
         const SweepRow& row = sweep.rows[k];
-        if (is_empty(sweep, k) && row.lo < row.hi && std::abs(mlcp.q[sweep.row_at[k]]) > tolerance &&
+        if (is_empty(sweep, k) && row.lo < row.hi &&
+            std::abs(mlcp.q[sweep.row_at[k]]) > tolerance &&
             !moves_it(sweep.row_at[k]))
             return true;
     }
@@ -63,8 +70,10 @@ inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tole
 inline void require_valid(const PgsSettings& settings)
 {
     if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + " m/s and limit of " +
-                                    std::to_string(settings.max_sweeps) + " sweeps: neither may be negative");
+        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) +
+                                    " m/s and limit of " +
+                                    std::to_string(settings.max_sweeps) +
+                                    " sweeps: neither may be negative");
 }
 
 /// Sweeps from `solution.lambda` on; solution.iterations counts the sweeps.
@@ -75,39 +84,48 @@ inline void require_valid(const PgsSettings& settings)
 /// (λ is then the cold start). Does not allocate once it has seen a problem of this size.
 /// \param solution  in: the λ to start from (see cold_start()); out: the answer
 /// \throws std::invalid_argument  for an invalid problem, setting or start
-inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory, Solution& solution)
+inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory,
+                Solution& solution)
 {
     require_valid(mlcp);
     require_valid(settings);
     if (solution.lambda.size() != mlcp.size() || !solution.lambda.allFinite())
-        throw std::invalid_argument("the start has " + std::to_string(solution.lambda.size()) +
-                                    " impulses or one that is not finite; the problem has " +
-                                    std::to_string(mlcp.size()) + " rows");
+        throw std::invalid_argument(
+            "the start has " + std::to_string(solution.lambda.size()) +
+            " impulses or one that is not finite; the problem has " +
+            std::to_string(mlcp.size()) + " rows");
     SweepRows& rows = memory.rows;
     prepare(mlcp, settings.omega, settings.order, rows);
-    for (Index i = 0; i < mlcp.size(); ++i)  // into the bounds, which the caller may have moved
+    // into the bounds, which the caller may have moved
+    for (Index i = 0; i < mlcp.size(); ++i)
         rows.lambda[rows.place_of[static_cast<std::size_t>(i)]] =
             std::clamp(solution.lambda[i], mlcp.lo[i], mlcp.hi[i]);
 
     //! [stop]
-    // The residual costs as much as a sweep; the change is free, but it is not the error. So keep the ratio of
-    // the two, and compute the residual again when that ratio predicts that it meets the tolerance, or when half
-    // as many sweeps again have been made.
+    // The residual costs as much as a sweep; the change is free, but it is not the
+    // error. So keep the ratio of the two, and compute the residual again when that
+    // ratio predicts that it meets the tolerance, or when half as many sweeps again
+    // have been made.
     const bool hopeless = has_hopeless_row(mlcp, rows, settings.tolerance);
     const int limit = hopeless ? 0 : settings.max_sweeps;
     int sweeps = 0, next_check = 0;
     Real change = 0, residual_per_change = 1;
     memory.checks = 0;
     for (;; ++sweeps) {
-        // A sweep that changed nothing is the last one: the next would change nothing either.
+        // A sweep that changed nothing is the last one: the next would change
+        // nothing either.
         const bool last = sweeps >= limit || (sweeps > 0 && change <= 0);
         if (last || (settings.tolerance > 0 &&
-                     (sweeps >= next_check || residual_per_change * change <= settings.tolerance))) {
+                     (sweeps >= next_check ||
+                      residual_per_change * change <= settings.tolerance))) {
             for (Index i = 0; i < mlcp.size(); ++i)
-                solution.lambda[i] = rows.lambda[rows.place_of[static_cast<std::size_t>(i)]];
+                solution.lambda[i] =
+                    rows.lambda[rows.place_of[static_cast<std::size_t>(i)]];
             solution.residual = natural_residual(mlcp, solution.lambda);
             ++memory.checks;
-            if (last || solution.residual <= settings.tolerance || !std::isfinite(solution.residual)) break;
+            if (last || solution.residual <= settings.tolerance ||
+                !std::isfinite(solution.residual))
+                break;
             if (change > 0) residual_per_change = solution.residual / change;
             next_check = sweeps + std::max(1, sweeps / 2);
         }
@@ -129,7 +147,8 @@ inline void pgs(const Mlcp& mlcp, const PgsSettings& settings, PgsMemory& memory
     const bool met = solution.residual <= settings.tolerance &&
                      verify(mlcp, solution.lambda, {0, settings.tolerance}).solved;
     solution.status = met ? Status::solved : Status::iteration_limit;
-    if (!std::isfinite(solution.residual)) {  // the iteration grew without bound: return finite impulses
+    // the iteration grew without bound: return finite impulses
+    if (!std::isfinite(solution.residual)) {
         cold_start(mlcp, solution.lambda);
         solution.residual = natural_residual(mlcp, solution.lambda);
         solution.status = Status::iteration_limit;

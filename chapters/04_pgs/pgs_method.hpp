@@ -13,7 +13,10 @@ struct FindBySweeps {
     PgsMemory memory;
 
     void require_valid() const { rigid::require_valid(settings); }
-    void operator()(const Mlcp& mlcp, Solution& solution) { pgs(mlcp, settings, memory, solution); }
+    void operator()(const Mlcp& mlcp, Solution& solution)
+    {
+        pgs(mlcp, settings, memory, solution);
+    }
 };
 
 //! [method]

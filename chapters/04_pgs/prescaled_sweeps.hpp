@@ -20,21 +20,26 @@
 namespace rigid {
 
 //! [layout]
-/// One row in the form (4.24). Its neighbours in the order of the visits have fields of their own: in a column or
-/// a chain there are no other entries, and the λ that was just written stays in a register.
+/// One row in the form (4.24). Its neighbours in the order of the visits have
+/// fields of their own: in a column or a chain there are no other entries, and the
+/// λ that was just written stays in a register.
 struct SweepRow {
-    Real keep;           ///< 1 − ω A_ii / s_i, which is 1 − ω
-    Real constant;       ///< −ω q_i / s_i [N s]
-    Real before, after;  ///< −ω A_ij / s_i for the rows visited just before and just after
-    Real lo, hi;         ///< [N s]
-    Real scale;          ///< s_i / ω [1/kg]: the velocity that a change of λ_i stands for
+    Real keep;      ///< 1 − ω A_ii / s_i, which is 1 − ω
+    Real constant;  ///< −ω q_i / s_i [N s]
+    /// −ω A_ij / s_i for the rows visited just before and just after
+    Real before, after;
+    Real lo, hi;  ///< [N s]
+    /// s_i / ω [1/kg]: the velocity that a change of λ_i stands for
+    Real scale;
 };
 
-/// The rows in the order of the visits. The other entries of row k: start[k] … start[k+1] − 1.
+/// The rows in the order of the visits. The other entries of row k: start[k] …
+/// start[k+1] − 1.
 struct SweepRows {
     std::vector<SweepRow> rows;
-    std::vector<int> start;         ///< n + 1
-    std::vector<int> column;        ///< places in this order, not row numbers of the problem
+    std::vector<int> start;  ///< n + 1
+    /// places in this order, not row numbers of the problem
+    std::vector<int> column;
     std::vector<Real> coefficient;  ///< −ω A_ij / s_i
     std::vector<int> row_at;        ///< row number of the problem at each place
     std::vector<int> place_of;      ///< and back
@@ -47,29 +52,34 @@ struct SweepRows {
 inline bool is_empty(const SweepRows& sweep, std::size_t k)
 {
     const SweepRow& row = sweep.rows[k];
-    return row.keep == 1 && row.before == 0 && row.after == 0 && sweep.start[k] == sweep.start[k + 1];
+    return row.keep == 1 && row.before == 0 && row.after == 0 &&
+           sweep.start[k] == sweep.start[k + 1];
 }
 
 /// Writes the rows of a valid problem as (4.24). Allocates only if the problem is larger than all before it.
 /// \param omega  0 < ω < 2: 1 is plain Gauss-Seidel
 /// \param order  the row numbers in the order of the visits; empty = as they are
 /// \throws std::invalid_argument  for an ω out of range or an order that is not a permutation
-inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, SweepRows& sweep)
+inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order,
+                    SweepRows& sweep)
 {
     if (!(omega > 0 && omega < 2))
         throw std::invalid_argument("the relaxation omega is " + shortest(omega) +
                                     "; it must lie between 0 and 2");
     const auto n = static_cast<std::size_t>(mlcp.size());
     if (!order.empty() && order.size() != n)
-        throw std::invalid_argument("the order names " + std::to_string(order.size()) +
+        throw std::invalid_argument("the order names " +
+                                    std::to_string(order.size()) +
                                     " rows; the problem has " + std::to_string(n));
     sweep.row_at.resize(n);
     sweep.place_of.assign(n, -1);
     for (std::size_t k = 0; k < n; ++k) {
         const int i = order.empty() ? static_cast<int>(k) : order[k];
-        if (i < 0 || static_cast<std::size_t>(i) >= n || sweep.place_of[static_cast<std::size_t>(i)] >= 0)
-            throw std::invalid_argument("the order names row " + std::to_string(i) +
-                                        " twice or out of range; it must name each row once");
+        if (i < 0 || static_cast<std::size_t>(i) >= n ||
+            sweep.place_of[static_cast<std::size_t>(i)] >= 0)
+            throw std::invalid_argument(
+                "the order names row " + std::to_string(i) +
+                " twice or out of range; it must name each row once");
         sweep.row_at[k] = i;
         sweep.place_of[static_cast<std::size_t>(i)] = static_cast<int>(k);
     }
@@ -92,10 +102,13 @@ inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, Sw
             if (distance == 0) diagonal = entry.value();
             else if (distance == -1) before = entry.value();
             else if (distance == 1) after = entry.value();
-            else sweep.column[filled] = place, sweep.coefficient[filled++] = entry.value();
+            else
+                sweep.column[filled] = place,
+                sweep.coefficient[filled++] = entry.value();
         }
         sweep.start[k + 1] = static_cast<int>(filled);
-        const Real scale = diagonal > 0 ? diagonal : 1;  // as in the natural residual
+        // as in the natural residual
+        const Real scale = diagonal > 0 ? diagonal : 1;
         const Real factor = -omega / scale;
         for (std::size_t e = first; e < filled; ++e) sweep.coefficient[e] *= factor;
         SweepRow& row = sweep.rows[k];
@@ -115,8 +128,10 @@ inline void prepare(const Mlcp& mlcp, Real omega, std::span<const int> order, Sw
 }
 
 //! [visit]
-/// (4.18): the λ of row k that is right for the present λ of the others. A NaN stays a NaN.
-inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda, Real before, Real after)
+/// (4.18): the λ of row k that is right for the present λ of the others. A NaN
+/// stays a NaN.
+inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda,
+                  Real before, Real after)
 {
     const SweepRow& row = sweep.rows[k];
     Real value = row.constant + row.keep * lambda[k];
@@ -133,20 +148,24 @@ inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda, Rea
 /// The same, with the neighbours looked up.
 inline Real visit(const SweepRows& sweep, std::size_t k, const Real* lambda)
 {
-    return visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, k + 1 < sweep.rows.size() ? lambda[k + 1] : 0);
+    return visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0,
+                 k + 1 < sweep.rows.size() ? lambda[k + 1] : 0);
 }
 
 //! [forward]
 /// One Gauss-Seidel sweep: each visit uses what the visits before it have changed.
-/// \return  the largest change of a λ_i, as a velocity s_i |Δλ_i| / ω [m/s]; not the residual, see (4.7)
+/// \return  the largest change of a λ_i, as a velocity s_i |Δλ_i| / ω [m/s]; not
+///     the residual, see (4.7)
 inline Real sweep_forward(SweepRows& sweep)
 {
     const std::size_t n = sweep.rows.size();
     Real* const lambda = sweep.lambda.data();
     Real largest = 0, before = 0;
     for (std::size_t k = 0; k < n; ++k) {
-        const Real value = visit(sweep, k, lambda, before, k + 1 < n ? lambda[k + 1] : 0);
-        largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
+        const Real value =
+            visit(sweep, k, lambda, before, k + 1 < n ? lambda[k + 1] : 0);
+        largest =
+            std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
         before = lambda[k] = value;
     }
     return largest;
@@ -159,8 +178,10 @@ inline Real sweep_backward(SweepRows& sweep)
     Real* const lambda = sweep.lambda.data();
     Real largest = 0, after = 0;
     for (std::size_t k = sweep.rows.size(); k-- > 0;) {
-        const Real value = visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, after);
-        largest = std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
+        const Real value =
+            visit(sweep, k, lambda, k > 0 ? lambda[k - 1] : 0, after);
+        largest =
+            std::max(largest, sweep.rows[k].scale * std::abs(value - lambda[k]));
         after = lambda[k] = value;
     }
     return largest;
@@ -174,7 +195,8 @@ inline Real sweep_jacobi(SweepRows& sweep)
     for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
         const auto i = static_cast<Index>(k);
         sweep.next[i] = visit(sweep, k, sweep.lambda.data());
-        largest = std::max(largest, sweep.rows[k].scale * std::abs(sweep.next[i] - sweep.lambda[i]));
+        largest = std::max(largest, sweep.rows[k].scale *
+                                        std::abs(sweep.next[i] - sweep.lambda[i]));
     }
     sweep.lambda.swap(sweep.next);
     return largest;

@@ -15,7 +15,8 @@ namespace rigid {
 /// (4.8): N rows in a line, a column of touching discs at rest on a floor. All have 1 kg but one.
 /// \param end_mass  mass of the uppermost, or of the lowest, which rests on the floor [kg]
 /// \param impulse   what gravity adds to each kilogram in the step, g h [N s/kg]
-inline Mlcp line_problem(Index count, Real end_mass, Real impulse, bool heavy_at_the_floor = false)
+inline Mlcp line_problem(Index count, Real end_mass, Real impulse,
+                         bool heavy_at_the_floor = false)
 {
     VecX inverse_mass = VecX::Ones(count);
     inverse_mass[heavy_at_the_floor ? 0 : count - 1] = 1 / end_mass;
@@ -36,7 +37,8 @@ inline Mlcp line_problem(Index count, Real end_mass, Real impulse, bool heavy_at
 }
 
 /// (4.9): its answer. Row k carries all that is above it.
-inline VecX line_answer(Index count, Real end_mass, Real impulse, bool heavy_at_the_floor = false)
+inline VecX line_answer(Index count, Real end_mass, Real impulse,
+                        bool heavy_at_the_floor = false)
 {
     VecX lambda(count);
     Real above = 0;
@@ -57,7 +59,8 @@ inline Real line_angle(Index count, Real ratio)
     Real low = 0, high = pi / (2 * static_cast<Real>(count - 1));
     for (int halving = 0; halving < 100; ++halving) {
         const Real theta = (low + high) / 2;
-        const Real side = std::tan(theta) * std::tan(static_cast<Real>(count - 1) * theta);
+        const Real side =
+            std::tan(theta) * std::tan(static_cast<Real>(count - 1) * theta);
         (side < 1 / ratio ? low : high) = theta;
     }
     return (low + high) / 2;

@@ -23,7 +23,8 @@ inline Real visit(const Mlcp& mlcp, Index i, const VecX& lambda, Real omega = 1)
 {
     Real w = mlcp.q[i], A_ii = 0;
     for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-        w += entry.value() * lambda[entry.col()];  // (4.3): w_i = Σ_j A_ij λ_j + q_i
+        // (4.3): w_i = Σ_j A_ij λ_j + q_i
+        w += entry.value() * lambda[entry.col()];
         if (entry.col() == i) A_ii = entry.value();
     }
     if (!(A_ii > 0)) A_ii = 1;  // as in the natural residual
@@ -32,10 +33,12 @@ inline Real visit(const Mlcp& mlcp, Index i, const VecX& lambda, Real omega = 1)
 //! [visit]
 
 //! [gauss-seidel]
-/// One Gauss-Seidel sweep, forward: each visit uses what the visits before it have changed.
+/// One Gauss-Seidel sweep, forward: each visit uses what the visits before it have
+/// changed.
 inline void sweep_forward(const Mlcp& mlcp, VecX& lambda, Real omega = 1)
 {
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = visit(mlcp, i, lambda, omega);
+    for (Index i = 0; i < mlcp.size(); ++i)
+        lambda[i] = visit(mlcp, i, lambda, omega);
 }
 //! [gauss-seidel]
 
@@ -48,10 +51,12 @@ inline void sweep_backward(const Mlcp& mlcp, VecX& lambda, Real omega = 1)
 //! [jacobi]
 /// One Jacobi sweep: each visit uses what all λ were before the sweep.
 /// \param before  memory for a copy of λ
-inline void sweep_jacobi(const Mlcp& mlcp, VecX& lambda, VecX& before, Real omega = 1)
+inline void sweep_jacobi(const Mlcp& mlcp, VecX& lambda, VecX& before,
+                         Real omega = 1)
 {
     before = lambda;
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = visit(mlcp, i, before, omega);
+    for (Index i = 0; i < mlcp.size(); ++i)
+        lambda[i] = visit(mlcp, i, before, omega);
 }
 //! [jacobi]
 

@@ -35,15 +35,22 @@ inline Mlcp murty(Index n)
 {
     VecX q(n);
     for (Index i = 0; i < n; ++i)
-        q[i] = -(std::ldexp(1, static_cast<int>(n) + 1) - std::ldexp(1, static_cast<int>(i) + 1));
+        q[i] = -(std::ldexp(1, static_cast<int>(n) + 1) -
+                 std::ldexp(1, static_cast<int>(i) + 1));
     return plain_lcp(murty_matrix(n), q);
 }
 
 /// Uᵀ with q = -1: nothing but ties, and all depends on how they are broken. The answer is z = e₁.
-inline Mlcp murty_transposed(Index n) { return plain_lcp(murty_matrix(n).transpose(), -VecX::Ones(n)); }
+inline Mlcp murty_transposed(Index n)
+{
+    return plain_lcp(murty_matrix(n).transpose(), -VecX::Ones(n));
+}
 
 /// U with q = -1: two pivots.
-inline Mlcp murty_equal(Index n) { return plain_lcp(murty_matrix(n), -VecX::Ones(n)); }
+inline Mlcp murty_equal(Index n)
+{
+    return plain_lcp(murty_matrix(n), -VecX::Ones(n));
+}
 
 /// a_ii = 4i - 3, a_ij = 4 min(i, j) - 2, q = -1: symmetric positive definite, and no better. The answer is
 /// z = e₁. \cite fathi1979
@@ -52,7 +59,8 @@ inline Mlcp fathi(Index n)
     MatX A(n, n);
     for (Index i = 0; i < n; ++i)
         for (Index j = 0; j < n; ++j)
-            A(i, j) = static_cast<Real>(i == j ? 4 * i + 1 : 4 * std::min(i, j) + 2);
+            A(i, j) =
+                static_cast<Real>(i == j ? 4 * i + 1 : 4 * std::min(i, j) + 2);
     return plain_lcp(A, -VecX::Ones(n));
 }
 

@@ -15,23 +15,26 @@
 namespace rigid {
 
 //! [proof]
-/// (5.15) with bounds and rounding: does v prove that there is no answer that doubles could hold? An answer would
-/// need Σ x_j / Λ_j > 1e13, where Λ_j is the size of the problem's own impulses: the bounds of row j, and U_j/d_j²
-/// of (3.16b).
+/// (5.15) with bounds and rounding: does v prove that there is no answer that
+/// doubles could hold? An answer would need Σ x_j / Λ_j > 1e13, where Λ_j is the
+/// size of the problem's own impulses: the bounds of row j, and U_j/d_j² of
+/// (3.16b).
 ///
-/// The bounds say which w have a sign: w_i ≥ 0 where only lo is finite, w_i ≤ 0 where only hi is, w_i = 0
-/// where neither is; v_i gets the same sign, or 0. With x_j the way from a finite bound, or λ_j itself,
+/// The bounds say which w have a sign: w_i ≥ 0 where only lo is finite, w_i ≤ 0
+/// where only hi is, w_i = 0 where neither is; v_i gets the same sign, or 0. With
+/// x_j the way from a finite bound, or λ_j itself,
 ///
 ///     0 ≤ vᵀw ≤ qᵀv + Σ_j (Aᵀv)_j bound_j + Σ_j δ_j x_j
 ///
-/// and δ_j is what is left of (Aᵀv)_j in the direction in which λ_j is free, rounding included. It must be
-/// rounding: what is larger is no zero.
+/// and δ_j is what is left of (Aᵀv)_j in the direction in which λ_j is free,
+/// rounding included. It must be rounding: what is larger is no zero.
 /// \param v  one number for each row; cleaned of what the bounds forbid
 inline bool proves_infeasibility(const Mlcp& mlcp, VecX v)
 {
     const Index n = mlcp.size();
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon(), absurd = 1e13;
-    VecX image = VecX::Zero(n), sizes = VecX::Zero(n), terms = VecX::Constant(n, 2);  // Aᵀv, |A|ᵀ|v|
+    // Aᵀv, |A|ᵀ|v|
+    VecX image = VecX::Zero(n), sizes = VecX::Zero(n), terms = VecX::Constant(n, 2);
     VecX unit(n);
     Real gain = 0, size = 0, given = 0, open = 0;
     if (v.size() != n || !v.allFinite()) return false;
@@ -57,10 +60,11 @@ inline bool proves_infeasibility(const Mlcp& mlcp, VecX v)
         const bool below = mlcp.lo[j] > -infinity, above = mlcp.hi[j] < infinity;
         const Real hidden = epsilon / 2 * terms[j] * sizes[j];
         const Real most = image[j] + hidden, least = image[j] - hidden;
-        const Real from = below && above ? std::max(std::abs(mlcp.lo[j]), std::abs(mlcp.hi[j]))
-                          : below        ? std::abs(mlcp.lo[j])
-                          : above        ? std::abs(mlcp.hi[j])
-                                         : 0;
+        const Real from = below && above
+                              ? std::max(std::abs(mlcp.lo[j]), std::abs(mlcp.hi[j]))
+                          : below ? std::abs(mlcp.lo[j])
+                          : above ? std::abs(mlcp.hi[j])
+                                  : 0;
         size += sizes[j] * from;
         if (below && above) {
             gain -= std::max(std::max(most * mlcp.lo[j], least * mlcp.lo[j]),
@@ -71,7 +75,8 @@ inline bool proves_infeasibility(const Mlcp& mlcp, VecX v)
             const Real bound = below ? mlcp.lo[j] : mlcp.hi[j];
             gain -= std::max(most * bound, least * bound);
         }
-        const Real up = above ? 0 : std::max(most, Real{0}), down = below ? 0 : std::max(-least, Real{0});
+        const Real up = above ? 0 : std::max(most, Real{0}),
+                   down = below ? 0 : std::max(-least, Real{0});
         const Real delta = std::max(up, down);
         if (delta > 8 * hidden) return false;
         open = std::max(open, delta * (given / unit[j] + from));

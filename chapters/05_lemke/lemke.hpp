@@ -18,19 +18,24 @@ namespace rigid {
 
 struct LemkeSettings {
     TieRule ties = TieRule::lexicographic;
-    Tolerances tolerances;   ///< of pivots and ties
-    int pivot_limit = 0;     ///< of all walks together; 0 = 10,000 + 50 n: far beyond what contacts need
-    Real tolerance = 1e-10;  ///< τ of (3.16c): of the natural residual, as a share of the numbers in a row
-    Real enough = 0;         ///< f of (3.16c) [m/s]: a residual that is nothing, whatever the numbers
+    Tolerances tolerances;  ///< of pivots and ties
+    /// of all walks together; 0 = 10,000 + 50 n: far beyond what contacts need
+    int pivot_limit = 0;
+    /// τ of (3.16c): of the natural residual, as a share of the numbers in a row
+    Real tolerance = 1e-10;
+    /// f of (3.16c) [m/s]: a residual that is nothing, whatever the numbers
+    Real enough = 0;
 };
 
 inline void require_valid(const LemkeSettings& settings)
 {
-    if (!(settings.tolerance > 0) || !(settings.enough >= 0) || settings.pivot_limit < 0)
-        throw std::invalid_argument("the tolerance is " + shortest(settings.tolerance) + ", enough " +
-                                    shortest(settings.enough) + " and the pivot limit " +
-                                    std::to_string(settings.pivot_limit) +
-                                    "; the tolerance must be positive, the others not negative");
+    if (!(settings.tolerance > 0) || !(settings.enough >= 0) ||
+        settings.pivot_limit < 0)
+        throw std::invalid_argument(
+            "the tolerance is " + shortest(settings.tolerance) + ", enough " +
+            shortest(settings.enough) + " and the pivot limit " +
+            std::to_string(settings.pivot_limit) +
+            "; the tolerance must be positive, the others not negative");
 }
 
 /// A bound so far away that it would swallow q: 1e6 times the problem's own impulses U_i/d_i² of (3.16b).
@@ -60,19 +65,22 @@ inline bool without_far_bounds(const Mlcp& mlcp, Mlcp& near)
 }
 
 //! [walk]
-/// One walk along d_i = 1 … last, on `given`, judged on `mlcp`. Adds its pivots to solution.iterations.
+/// One walk along d_i = 1 … last, on `given`, judged on `mlcp`. Adds its pivots to
+/// solution.iterations.
 /// \return true if there is no need for another one
 inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit,
                       const LemkeSettings& settings, Solution& solution)
 {
     const StandardForm form(given);
-    LemkeWalk walk(form.A, form.q, VecX::LinSpaced(form.q.size(), 1, last), settings.ties,
-                   settings.tolerances);
-    while (walk.place == LemkeWalk::Place::on_the_way && solution.iterations + walk.pivots < limit)
+    LemkeWalk walk(form.A, form.q, VecX::LinSpaced(form.q.size(), 1, last),
+                   settings.ties, settings.tolerances);
+    while (walk.place == LemkeWalk::Place::on_the_way &&
+           solution.iterations + walk.pivots < limit)
         walk.step();
     solution.iterations += walk.pivots;
     const auto accepted = [&](const VecX& lambda, Status otherwise) {
-        const Verification verified = verify(mlcp, lambda, {settings.tolerance, settings.enough});
+        const Verification verified =
+            verify(mlcp, lambda, {settings.tolerance, settings.enough});
         if (!verified.solved && solution.residual <= verified.residual) {
             solution.status = otherwise;
             return false;
@@ -104,24 +112,29 @@ inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit,
 //! [lemke]
 /// Solves an MLCP. `iterations` counts pivots, the first one (z0 enters) included.
 ///
-/// `solved`: by the rule of chapter 3, (3.16c) and (3.16d). `infeasible`: a ray that proves it (5.15). `ray
-/// termination`: a ray that proves nothing. `singular`: the last vertex is no answer to that many digits.
-/// `iteration limit`: of pivots. If not solved, lambda is the best of the vertices where the walks ended, the
+/// `solved`: by the rule of chapter 3, (3.16c) and (3.16d). `infeasible`: a ray
+/// that proves it (5.15). `ray termination`: a ray that proves nothing. `singular`:
+/// the last vertex is no answer to that many digits. `iteration limit`: of pivots.
+/// If not solved, lambda is the best of the vertices where the walks ended, the
 /// status that of the last, and the residual says how wrong it is.
 ///
-/// \throws std::invalid_argument  for a malformed problem or settings that make no sense
+/// \throws std::invalid_argument  for a malformed problem or settings that make no
+///     sense
 inline Solution lemke(const Mlcp& mlcp, const LemkeSettings& settings = {})
 {
     require_valid(mlcp);
     require_valid(settings);
     Solution solution;
     solution.lambda = VecX::Zero(mlcp.size()).cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
-    const int limit =
-        settings.pivot_limit > 0 ? settings.pivot_limit : 10000 + 50 * static_cast<int>(mlcp.size());
+    const int limit = settings.pivot_limit > 0
+                          ? settings.pivot_limit
+                          : 10000 + 50 * static_cast<int>(mlcp.size());
     Mlcp near;
-    if (without_far_bounds(mlcp, near) && walk_once(mlcp, near, 1, limit, settings, solution))
+    if (without_far_bounds(mlcp, near) &&
+        walk_once(mlcp, near, 1, limit, settings, solution))
         return solution;
-    // If rounding led the first walk astray, another covering vector is another way.
+    // If rounding led the first walk astray, another covering vector is another
+    // way.
     if (!walk_once(mlcp, mlcp, 1, limit, settings, solution))
         walk_once(mlcp, mlcp, 2, limit, settings, solution);
     return solution;

@@ -17,9 +17,9 @@ namespace rigid {
 enum class TieRule { lexicographic, first_row, last_row };
 
 //! [lexicographic]
-/// Keeps the row that reaches zero first when each q_k is raised by ε^k, ε > ε² > … (5.13). The
-/// coefficient of ε^k in row i is 1 if w_k is the basic variable of that row, else -T_ik, k being the
-/// column of w_k (5.12).
+/// Keeps the row that reaches zero first when each q_k is raised by ε^k, ε > ε² > …
+/// (5.13). The coefficient of ε^k in row i is 1 if w_k is the basic variable of
+/// that row, else -T_ik, k being the column of w_k (5.12).
 inline void break_tie(const Tableau& tableau, Index c, std::vector<Index>& tied)
 {
     const Index n = tableau.n;
@@ -33,14 +33,17 @@ inline void break_tie(const Tableau& tableau, Index c, std::vector<Index>& tied)
     }
     std::size_t left = tied.size();
     for (Index k = 0; k < n && left > 1; ++k) {
-        if (tableau.is_basic(n + k)) {  // in its own row 1, in all others 0: that row comes later
+        // in its own row 1, in all others 0: that row comes later
+        if (tableau.is_basic(n + k)) {
             const Index i = tableau.row_of(n + k);
-            if (!in[static_cast<std::size_t>(i)] || 1 / -slope[i] <= tie * scale) continue;
+            if (!in[static_cast<std::size_t>(i)] || 1 / -slope[i] <= tie * scale)
+                continue;
             in[static_cast<std::size_t>(i)] = false;
             --left;
             continue;
         }
-        std::erase_if(tied, [&](Index i) { return !in[static_cast<std::size_t>(i)]; });
+        std::erase_if(tied,
+                      [&](Index i) { return !in[static_cast<std::size_t>(i)]; });
         const auto w = tableau.column(tableau.column_of(n + k));
         Real least = infinity;
         for (const Index i : tied) {
@@ -58,7 +61,8 @@ inline void break_tie(const Tableau& tableau, Index c, std::vector<Index>& tied)
 //! [lexicographic]
 
 //! [ratio_test]
-/// (5.10): the row that reaches zero first while the variable of column c grows; -1 if none does: a ray.
+/// (5.10): the row that reaches zero first while the variable of column c grows; -1
+/// if none does: a ray.
 inline Index ratio_test(const Tableau& tableau, Index c, TieRule rule)
 {
     const Index n = tableau.n;
@@ -80,7 +84,8 @@ inline Index ratio_test(const Tableau& tableau, Index c, TieRule rule)
             return i;  // z0 can go: that is the end of the walk
         tied.push_back(i);
     }
-    if (rule == TieRule::lexicographic && tied.size() > 1) break_tie(tableau, c, tied);
+    if (rule == TieRule::lexicographic && tied.size() > 1)
+        break_tie(tableau, c, tied);
     return rule == TieRule::last_row ? tied.back() : tied.front();
 }
 //! [ratio_test]

@@ -42,7 +42,8 @@ public:
         std::vector<Index> boxed;  // which z have an upper bound
         box_.clear();
         for (Index i = 0; i < rest.size(); ++i) {
-            const bool below = rest.lo[i] > -infinity, above = rest.hi[i] < infinity;
+            const bool below = rest.lo[i] > -infinity,
+                       above = rest.hi[i] < infinity;
             first_.push_back(row_.size());
             if (below || above) fixed_[i] = below ? rest.lo[i] : rest.hi[i];
             if (rest.lo[i] == rest.hi[i]) continue;
@@ -53,7 +54,8 @@ public:
         }
         first_.push_back(row_.size());
 
-        const auto m = static_cast<Index>(row_.size()), s = static_cast<Index>(boxed.size());
+        const auto m = static_cast<Index>(row_.size()),
+                   s = static_cast<Index>(boxed.size());
         const VecX w = rest.A * fixed_ + rest.q;  // where all z are zero
         q.resize(m + s);
         A = MatX::Zero(m + s, m + s);
@@ -95,21 +97,24 @@ public:
     }
 
     //! [vertex]
-    /// What a vertex says of the rows of the MLCP: λ where it stands at a bound, and which rows are between. Of a
-    /// row that was split and has no basic z, λ = 0.
+    /// What a vertex says of the rows of the MLCP: λ where it stands at a bound,
+    /// and which rows are between. Of a row that was split and has no basic z, λ =
+    /// 0.
     VecX bounds_at(const Tableau& tableau, std::vector<Index>& between) const
     {
         VecX lambda = VecX::Zero(mlcp_.size());
         between = eliminated_ ? schur_.bilateral : std::vector<Index>{};
         for (Index i = 0; i < fixed_.size(); ++i) {
-            const Index row = eliminated_ ? schur_.others[static_cast<std::size_t>(i)] : i;
+            const Index row =
+                eliminated_ ? schur_.others[static_cast<std::size_t>(i)] : i;
             lambda[row] = fixed_[i];
             const auto first = first_[static_cast<std::size_t>(i)],
                        last = first_[static_cast<std::size_t>(i) + 1];
             for (auto k = first; k < last; ++k) {
                 if (!tableau.is_basic(static_cast<Index>(k))) continue;
                 const Index m = static_cast<Index>(row_.size()), box = box_[k];
-                if (box >= 0 && !tableau.is_basic(tableau.n + m + box)) lambda[row] = mlcp_.hi[row];
+                if (box >= 0 && !tableau.is_basic(tableau.n + m + box))
+                    lambda[row] = mlcp_.hi[row];
                 else between.push_back(row);
                 break;
             }
@@ -170,7 +175,8 @@ private:
     std::vector<Real> sign_;          ///< and which way
     std::vector<std::size_t> first_;  ///< of each row, its first z
     std::vector<Index> box_;          ///< of each z, its row of (5.19), or -1
-    VecX unit_;                       ///< of each z, what its row and column were divided by
+    /// of each z, what its row and column were divided by
+    VecX unit_;
 };
 
 }  // namespace rigid

@@ -26,7 +26,9 @@ struct BoxStack {
     Real side = 1;      ///< of the square boxes [m]
     Real mass = 1;      ///< of each [kg]
     Real top_mass = 1;  ///< of the topmost [kg]
-    Real offset = 0.1;  ///< each box is moved sideways against the one below by up to this share of its side
+    /// each box is moved sideways against the one below by up to this share of its
+    /// side
+    Real offset = 0.1;
     Real friction = 0.5;    ///< μ
     Real fall = 9.81 / 60;  ///< downward speed that gravity gives in one step [m/s]
     Real jostle = 0.1;      ///< size of the random speeds of the boxes [m/s, rad/s]
@@ -42,8 +44,8 @@ struct ContactRows {
 /// The rows with lever arms: ra and rb [m] lead from the centres of mass of a and b to the point, n is the normal.
 ///
 ///     C' = n·(u_b + ω_b × r_b) - n·(u_a + ω_a × r_a)
-inline Row<3> contact_row(Index a, Index b, const Vec2& n, const Vec2& ra, const Vec2& rb,
-                          const VecX& inverse_mass)
+inline Row<3> contact_row(Index a, Index b, const Vec2& n, const Vec2& ra,
+                          const Vec2& rb, const VecX& inverse_mass)
 {
     Constraint<3> constraint;
     constraint.a = a;
@@ -56,17 +58,24 @@ inline Row<3> contact_row(Index a, Index b, const Vec2& n, const Vec2& ra, const
 /// Throws std::invalid_argument for a stack that cannot be built.
 inline ContactRows contact_rows(const BoxStack& stack)
 {
-    const auto refuse = [](const std::string& thing, Real value, const std::string& right) {
-        throw std::invalid_argument(thing + " is " + shortest(value) + "; " + right);
+    const auto refuse = [](const std::string& thing, Real value,
+                           const std::string& right) {
+        throw std::invalid_argument(thing + " is " + shortest(value) + "; " +
+                                    right);
     };
     if (stack.boxes < 1)
-        refuse("the number of boxes", static_cast<Real>(stack.boxes), "it must be at least 1");
+        refuse("the number of boxes", static_cast<Real>(stack.boxes),
+               "it must be at least 1");
     if (!(stack.mass > 0) || !(stack.top_mass > 0))
-        refuse("the mass of a box", std::min(stack.mass, stack.top_mass), "it must be positive");
-    if (!(stack.side > 0)) refuse("the side of a box", stack.side, "it must be positive");
+        refuse("the mass of a box", std::min(stack.mass, stack.top_mass),
+               "it must be positive");
+    if (!(stack.side > 0))
+        refuse("the side of a box", stack.side, "it must be positive");
     if (!(stack.offset >= 0 && stack.offset < 0.5))
         refuse("the offset", stack.offset, "it must be between 0 and 0.5");
-    if (!(stack.friction >= 0)) refuse("the friction coefficient", stack.friction, "it must not be negative");
+    if (!(stack.friction >= 0))
+        refuse("the friction coefficient", stack.friction,
+               "it must not be negative");
 
     Random random(stack.seed);
     const Real s = stack.side;
@@ -74,26 +83,32 @@ inline ContactRows contact_rows(const BoxStack& stack)
     ContactRows scene;
     scene.u_star.resize(3 * stack.boxes);
     for (Index k = 0; k < stack.boxes; ++k) {
-        x[k] = (k > 0 ? x[k - 1] : 0) + s * random.uniform(-stack.offset, stack.offset);
+        x[k] = (k > 0 ? x[k - 1] : 0) +
+               s * random.uniform(-stack.offset, stack.offset);
         const Real mass = k + 1 == stack.boxes ? stack.top_mass : stack.mass;
         inverse_mass.segment<3>(3 * k) << 1 / mass, 1 / mass,
             6 / (mass * s * s);  // a square about its centre
-        for (Index d = 0; d < 3; ++d) scene.u_star[3 * k + d] = stack.jostle * random.uniform(-1, 1);
+        for (Index d = 0; d < 3; ++d)
+            scene.u_star[3 * k + d] = stack.jostle * random.uniform(-1, 1);
         scene.u_star[3 * k + 1] -= stack.fall;
     }
     for (const Vec2& direction : {Vec2(0, 1), Vec2(1, 0)})
         for (Index b = 0; b < stack.boxes; ++b) {
-            const Real left = b > 0 ? std::max(x[b - 1], x[b]) - s / 2 : x[b] - s / 2;
-            const Real right = b > 0 ? std::min(x[b - 1], x[b]) + s / 2 : x[b] + s / 2;
+            const Real left =
+                b > 0 ? std::max(x[b - 1], x[b]) - s / 2 : x[b] - s / 2;
+            const Real right =
+                b > 0 ? std::min(x[b - 1], x[b]) + s / 2 : x[b] + s / 2;
             for (const Real p : {left, right})
-                scene.rows.push_back(contact_row(b - 1, b, direction, {b > 0 ? p - x[b - 1] : 0, s / 2},
+                scene.rows.push_back(contact_row(b - 1, b, direction,
+                                                 {b > 0 ? p - x[b - 1] : 0, s / 2},
                                                  {p - x[b], -s / 2}, inverse_mass));
         }
     return scene;
 }
 
 //! [stewart_trinkle]
-/// (5.22): the LCP of m contacts with friction, in the order λ_n, β₊, β₋, γ: n = 4m.
+/// (5.22): the LCP of m contacts with friction, in the order λ_n, β₊, β₋, γ: n =
+/// 4m.
 /// \param rows  A and q of the m normal rows followed by the m tangential ones
 /// \param mu    coefficient of friction
 inline Mlcp stewart_trinkle(const Mlcp& rows, Real mu)

@@ -31,16 +31,20 @@ struct Tolerances {
 struct Tableau {
     Tolerances tolerances;
     Index n = 0;
-    std::vector<Index> basic;         ///< the variable of each row: z_i has the number i, w_i n + i, z0 2n
-    std::vector<Index> nonbasic;      ///< the variable of each column
-    std::vector<Index> place;         ///< of each variable: its column, or -1 - its row
+    /// the variable of each row: z_i has the number i, w_i n + i, z0 2n
+    std::vector<Index> basic;
+    std::vector<Index> nonbasic;  ///< the variable of each column
+    /// of each variable: its column, or -1 - its row
+    std::vector<Index> place;
     mutable long column_updates = 0;  ///< how often a pivot was applied to a column
 
     Tableau() = default;
     /// (5.5): w = q + d z0 + A z.
-    Tableau(const MatX& A, const VecX& q, const VecX& d, const Tolerances& nothing = {})
-        : tolerances(nothing), n(q.size()), basic(size(n)), nonbasic(size(n + 1)), place(size(2 * n + 1)),
-          T_(whole_lines(n), n + 2), U_(T_.rows(), std::max<Index>(n, 8)), applied_(size(n + 2), 0)
+    Tableau(const MatX& A, const VecX& q, const VecX& d,
+            const Tolerances& nothing = {})
+        : tolerances(nothing), n(q.size()), basic(size(n)), nonbasic(size(n + 1)),
+          place(size(2 * n + 1)), T_(whole_lines(n), n + 2),
+          U_(T_.rows(), std::max<Index>(n, 8)), applied_(size(n + 2), 0)
     {
         T_.bottomRows(T_.rows() - n).setZero();
         T_.topLeftCorner(n, n) = A;
@@ -54,7 +58,10 @@ struct Tableau {
     }
 
     Index artificial() const { return 2 * n; }
-    Index complement(Index variable) const { return variable < n ? variable + n : variable - n; }
+    Index complement(Index variable) const
+    {
+        return variable < n ? variable + n : variable - n;
+    }
     bool is_basic(Index variable) const { return place[size(variable)] < 0; }
     Index row_of(Index variable) const { return -1 - place[size(variable)]; }
     Index column_of(Index variable) const { return place[size(variable)]; }
@@ -66,7 +73,10 @@ struct Tableau {
     }
     auto values() const { return column(n + 1); }  ///< r, of the basic variables
     /// The value of any variable.
-    Real value(Index variable) const { return is_basic(variable) ? values()[row_of(variable)] : 0; }
+    Real value(Index variable) const
+    {
+        return is_basic(variable) ? values()[row_of(variable)] : 0;
+    }
     /// All of [T r].
     MatX entries() const
     {
@@ -75,8 +85,9 @@ struct Tableau {
     }
 
     //! [pivot]
-    /// (5.8): the basic variable of row p and the nonbasic one of column c change places. Here the pivot is
-    /// only recorded: its row, -1/T_pc, and its column with a zero for T_pc.
+    /// (5.8): the basic variable of row p and the nonbasic one of column c change
+    /// places. Here the pivot is only recorded: its row, -1/T_pc, and its column
+    /// with a zero for T_pc.
     void pivot(Index p, Index c)
     {
         if (pivots_.size() == size(U_.cols())) forget();
@@ -85,7 +96,8 @@ struct Tableau {
         u = T_.col(c);
         u[p] = 0;
         const Real inverse = -1 / T_(p, c);
-        T_.col(c).setZero();  // the column of the variable that leaves: it was a unit vector
+        // the column of the variable that leaves: it was a unit vector
+        T_.col(c).setZero();
         T_(p, c) = -1;
         Index first = 0, last = n;  // only rows first … last-1 can change
         while (first < last && u[first] == 0) ++first;
@@ -105,7 +117,8 @@ struct Tableau {
             const Real multiplier = past.inverse * T_(past.row, j);
             if (multiplier == 0) continue;  // a multiplier of zero changes nothing
             T_.col(j).segment(past.first, past.count) +=
-                multiplier * U_.col(static_cast<Index>(k)).segment(past.first, past.count);
+                multiplier *
+                U_.col(static_cast<Index>(k)).segment(past.first, past.count);
             T_(past.row, j) = multiplier;
             ++column_updates;
         }
@@ -118,7 +131,8 @@ private:
         Real inverse;        ///< -1/T_pc
         Index first, count;  ///< the rows that it changes
     };
-    static constexpr Index line = 8;  ///< numbers in a cache line: every column starts at one
+    /// numbers in a cache line: every column starts at one
+    static constexpr Index line = 8;
 
     static std::size_t size(Index i) { return static_cast<std::size_t>(i); }
     static Index whole_lines(Index rows) { return (rows + line - 1) / line * line; }
@@ -142,10 +156,12 @@ private:
         place[size(variable)] = c;
     }
 
-    mutable MatX T_;  ///< n rows, and zeros to fill the cache lines; a column for each y_N, then r
-    MatX U_;          ///< the columns of the past pivots
+    /// n rows, and zeros to fill the cache lines; a column for each y_N, then r
+    mutable MatX T_;
+    MatX U_;  ///< the columns of the past pivots
     std::vector<PastPivot> pivots_;
-    mutable std::vector<std::size_t> applied_;  ///< how many of them were applied to each column of T_
+    /// how many of them were applied to each column of T_
+    mutable std::vector<std::size_t> applied_;
 };
 
 }  // namespace rigid

@@ -15,10 +15,12 @@
 namespace rigid {
 
 //! [units]
-/// (5.20a) with one d for all rows that have a diagonal: its square is the largest A_ii, but for a factor below 4
-/// that makes d a power of two, so that nothing is rounded and no pivot changes. A row without a diagonal gets the
-/// d_i that makes its largest entry beside one of those as large as the largest A_ii; without even that, the root of
-/// its largest entry. With another unit of mass or length all entries change by the same factor.
+/// (5.20a) with one d for all rows that have a diagonal: its square is the largest
+/// A_ii, but for a factor below 4 that makes d a power of two, so that nothing is
+/// rounded and no pivot changes. A row without a diagonal gets the d_i that makes
+/// its largest entry beside one of those as large as the largest A_ii; without even
+/// that, the root of its largest entry. With another unit of mass or length all
+/// entries change by the same factor.
 inline VecX row_units(const MatX& A)
 {
     const Index n = A.rows();

@@ -31,11 +31,13 @@ struct LemkeWalk {
     /// \param d     the covering vector, n positive numbers
     /// \param ties_ which row leaves in a tie
     /// \param tolerances what counts as zero
-    LemkeWalk(const MatX& A, const VecX& q, const VecX& d, TieRule ties_, const Tolerances& tolerances = {})
+    LemkeWalk(const MatX& A, const VecX& q, const VecX& d, TieRule ties_,
+              const Tolerances& tolerances = {})
         : tableau(A, q, d, tolerances), ties(ties_)
     {
         entering = tableau.artificial();
-        if (q.size() == 0 || q.minCoeff() >= 0) place = Place::solution;  // z = 0 will do
+        // z = 0 will do
+        if (q.size() == 0 || q.minCoeff() >= 0) place = Place::solution;
     }
     //! [start]
 
@@ -66,8 +68,10 @@ struct LemkeWalk {
     /// (5.6): the row that needs the largest z0; ties by the rule, where ε^k is least for the last row.
     Index most_negative_row() const
     {
-        const VecX need = -tableau.values().cwiseQuotient(tableau.column(tableau.n));
-        const Real enough = need.maxCoeff() - tableau.tolerances.tie * need.cwiseAbs().maxCoeff();
+        const VecX need =
+            -tableau.values().cwiseQuotient(tableau.column(tableau.n));
+        const Real enough =
+            need.maxCoeff() - tableau.tolerances.tie * need.cwiseAbs().maxCoeff();
         Index best = 0;
         while (need[best] < enough) ++best;
         for (Index i = best + 1; i < tableau.n && ties != TieRule::first_row; ++i)
@@ -78,18 +82,21 @@ struct LemkeWalk {
     VecX z() const
     {
         VecX answer(tableau.n);
-        for (Index i = 0; i < tableau.n; ++i) answer[i] = std::max(Real{0}, tableau.value(i));
+        for (Index i = 0; i < tableau.n; ++i)
+            answer[i] = std::max(Real{0}, tableau.value(i));
         return answer;
     }
 
     //! [ray]
-    /// At a ray: its direction, how fast each z grows along it. It may prove that there is no answer (5.15).
+    /// At a ray: its direction, how fast each z grows along it. It may prove that
+    /// there is no answer (5.15).
     VecX ray() const
     {
         const VecX direction = tableau.column(tableau.column_of(entering));
         VecX y = VecX::Zero(tableau.n);
         for (Index i = 0; i < tableau.n; ++i)
-            if (tableau.is_basic(i)) y[i] = std::max(Real{0}, direction[tableau.row_of(i)]);
+            if (tableau.is_basic(i))
+                y[i] = std::max(Real{0}, direction[tableau.row_of(i)]);
         if (entering < tableau.n) y[entering] = 1;
         return y;
     }
@@ -97,32 +104,40 @@ struct LemkeWalk {
 };
 
 //! [refine]
-/// λ computed again from the bound states alone (5.16): at its bound, or between, where w = 0 is a linear system in the original A
-/// and q. No error of the walk is left in it, and no large bound.
+/// λ computed again from the bound states alone (5.16): at its bound, or between,
+/// where w = 0 is a linear system in the original A and q. No error of the walk is
+/// left in it, and no large bound.
 /// \param lambda   the λ at their bounds; zero where it is between
 /// \param between  these rows
-inline VecX solve_between(const Mlcp& mlcp, VecX lambda, const std::vector<Index>& between)
+inline VecX solve_between(const Mlcp& mlcp, VecX lambda,
+                          const std::vector<Index>& between)
 {
     const auto k = static_cast<Index>(between.size());
     if (k == 0) return lambda;
     std::vector<Index> place(static_cast<std::size_t>(mlcp.size()), -1);
-    for (Index r = 0; r < k; ++r) place[static_cast<std::size_t>(between[static_cast<std::size_t>(r)])] = r;
+    for (Index r = 0; r < k; ++r)
+        place[static_cast<std::size_t>(between[static_cast<std::size_t>(r)])] = r;
     MatX block = MatX::Zero(k, k);
     for (Index r = 0; r < k; ++r)
-        for (SparseMatrix::InnerIterator entry(mlcp.A, between[static_cast<std::size_t>(r)]); entry; ++entry)
-            if (const Index c = place[static_cast<std::size_t>(entry.col())]; c >= 0)
+        for (SparseMatrix::InnerIterator entry(
+                 mlcp.A, between[static_cast<std::size_t>(r)]);
+             entry; ++entry)
+            if (const Index c = place[static_cast<std::size_t>(entry.col())];
+                c >= 0)
                 block(r, c) = entry.value();
     VecX unit(k);
     for (Index r = 0; r < k; ++r) {
         const Index i = between[static_cast<std::size_t>(r)];
         unit[r] = row_unit(mlcp, i, mlcp.A.coeff(i, i));
     }
-    const Eigen::PartialPivLU<MatX> factors(unit.cwiseInverse().asDiagonal() * block *
+    const Eigen::PartialPivLU<MatX> factors(unit.cwiseInverse().asDiagonal() *
+                                            block *
                                             unit.cwiseInverse().asDiagonal());
     for (int round = 0; round < 3; ++round) {  // once, and twice what is left of w
         const VecX w = mlcp.A * lambda + mlcp.q;
         const VecX step = factors.solve(VecX(w(between).cwiseQuotient(unit)));
-        for (Index r = 0; r < k; ++r) lambda[between[static_cast<std::size_t>(r)]] -= step[r] / unit[r];
+        for (Index r = 0; r < k; ++r)
+            lambda[between[static_cast<std::size_t>(r)]] -= step[r] / unit[r];
     }
     return lambda.cwiseMax(mlcp.lo).cwiseMin(mlcp.hi);
 }

@@ -21,8 +21,9 @@ namespace rigid {
 //! [contact_bias]
 /// The bias of a contact whose gap C may close in this step, (6.17).
 ///
-/// A gap may close and no more, b = C/h. If it would close, and the bodies approach faster than the threshold,
-/// they part with e times the speed instead. An overlap closes if the bodies still approach after the forces.
+/// A gap may close and no more, b = C/h. If it would close, and the bodies approach
+/// faster than the threshold, they part with e times the speed instead. An overlap
+/// closes if the bodies still approach after the forces.
 /// \param C       gap [m]; an overlap, C < 0, is left as it is
 /// \param before  v⁻ = J u before the forces of this step [m/s]
 /// \param after   J u*, after them [m/s]
@@ -30,7 +31,8 @@ namespace rigid {
 /// \param slowest approaches slower than this do not bounce [m/s]
 /// \param h       time step [s]
 /// \return        b [m/s]
-inline Real contact_bias(Real C, Real before, Real after, Real e, Real slowest, Real h)
+inline Real contact_bias(Real C, Real before, Real after, Real e, Real slowest,
+                         Real h)
 {
     const Real gap = std::max(Real{0}, C);
     const bool closes = gap + h * after < 0;
@@ -39,12 +41,14 @@ inline Real contact_bias(Real C, Real before, Real after, Real e, Real slowest, 
 //! [contact_bias]
 
 //! [motor]
-/// A motor along J: C grows at `speed`, as far as a force of ±`force` can bring it there.
+/// A motor along J: C grows at `speed`, as far as a force of ±`force` can bring it
+/// there.
 /// \param speed  wanted J u [m/s]
 /// \param force  F ≥ 0 [N]
 /// \param h      time step [s]
 template <int Dof>
-Row<Dof> motor(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real speed, Real force, Real h)
+Row<Dof> motor(const Constraint<Dof>& constraint, const VecX& inverse_mass,
+               Real speed, Real force, Real h)
 {
     if (!(force >= 0))
         throw std::invalid_argument("the force of a motor is " + shortest(force) +
@@ -55,9 +59,11 @@ Row<Dof> motor(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real
 
 /// A unilateral row whose gap may close in this step and no more, b = max(0, C)/h: contacts, ropes and stops.
 template <int Dof>
-Row<Dof> one_sided(const Constraint<Dof>& constraint, const VecX& inverse_mass, Real h)
+Row<Dof> one_sided(const Constraint<Dof>& constraint, const VecX& inverse_mass,
+                   Real h)
 {
-    return unilateral(constraint, inverse_mass, std::max(Real{0}, constraint.C) / h);
+    return unilateral(constraint, inverse_mass,
+                      std::max(Real{0}, constraint.C) / h);
 }
 
 }  // namespace rigid

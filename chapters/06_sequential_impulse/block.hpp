@@ -19,12 +19,16 @@ using Mat2 = Eigen::Matrix<Real, 2, 2>;
 /// \param A  2×2 [1/kg], symmetric, positive definite
 /// \param q  [m/s]
 /// \return   λ [N s]; if rounding leaves no guess that fits, the one that fits best
-inline Vec2 solve_block(const Mat2& A, const Vec2& q, const Vec2& lo, const Vec2& hi)
+inline Vec2 solve_block(const Mat2& A, const Vec2& q, const Vec2& lo,
+                        const Vec2& hi)
 {
     // Both between their bounds: w = 0 in both rows, Cramer's rule.
     const Real determinant = A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
-    const Vec2 both = Vec2(A(0, 1) * q[1] - A(1, 1) * q[0], A(1, 0) * q[0] - A(0, 0) * q[1]) / determinant;
-    if ((both.array() >= lo.array()).all() && (both.array() <= hi.array()).all()) return both;
+    const Vec2 both =
+        Vec2(A(0, 1) * q[1] - A(1, 1) * q[0], A(1, 0) * q[0] - A(0, 0) * q[1]) /
+        determinant;
+    if ((both.array() >= lo.array()).all() && (both.array() <= hi.array()).all())
+        return both;
 
     // One at a bound: then the other is a single row.
     Vec2 best = both.cwiseMax(lo).cwiseMin(hi);
@@ -35,10 +39,13 @@ inline Vec2 solve_block(const Mat2& A, const Vec2& q, const Vec2& lo, const Vec2
             const Index j = 1 - i;
             Vec2 lambda;
             lambda[i] = bound;
-            lambda[j] = std::clamp(-(q[j] + A(j, i) * bound) / A(j, j), lo[j], hi[j]);
+            lambda[j] =
+                std::clamp(-(q[j] + A(j, i) * bound) / A(j, j), lo[j], hi[j]);
             const Real w = A(i, 0) * lambda[0] + A(i, 1) * lambda[1] + q[i];
-            const Real residual = natural_residual_row(A(i, i), bound, w, lo[i], hi[i]);
-            if (residual <= 0) return lambda;  // w has the sign that (4.1) requires at the bound
+            const Real residual =
+                natural_residual_row(A(i, i), bound, w, lo[i], hi[i]);
+            // w has the sign that (4.1) requires at the bound
+            if (residual <= 0) return lambda;
             if (residual < smallest) smallest = residual, best = lambda;
         }
     return best;
@@ -64,8 +71,9 @@ Real coupling(const SolverRow<Dof>& r, const SolverRow<Dof>& s)
 }
 
 //! [pair]
-/// Pairs each row with the next one, in the order of the visits, if they share a body and are not so nearly
-/// the same row that A is singular: then they are visited one by one.
+/// Pairs each row with the next one, in the order of the visits, if they share a
+/// body and are not so nearly the same row that A is singular: then they are
+/// visited one by one.
 template <int Dof>
 void pair_rows(const std::vector<SolverRow<Dof>>& rows, std::vector<Block>& blocks)
 {
@@ -74,9 +82,12 @@ void pair_rows(const std::vector<SolverRow<Dof>>& rows, std::vector<Block>& bloc
         Block block{static_cast<int>(k), -1, 0};
         if (k + 1 < rows.size() && rows[k].mass > 0 && rows[k + 1].mass > 0) {
             const Real A12 = coupling(rows[k], rows[k + 1]);
-            const Real share = A12 * A12 * rows[k].mass * rows[k + 1].mass;  // cos² of the rows' angle
-            // 1 − share loses about 1e-16: with 1e-8 left, λ still has eight digits.
-            if (share > 0 && share < 1 - 1e-8) block.second = static_cast<int>(++k), block.coupling = A12;
+            // cos² of the rows' angle
+            const Real share = A12 * A12 * rows[k].mass * rows[k + 1].mass;
+            // 1 − share loses about 1e-16: with 1e-8 left, λ still has eight
+            // digits.
+            if (share > 0 && share < 1 - 1e-8)
+                block.second = static_cast<int>(++k), block.coupling = A12;
         }
         blocks.push_back(block);
     }
@@ -87,15 +98,18 @@ void pair_rows(const std::vector<SolverRow<Dof>>& rows, std::vector<Block>& bloc
 /// One visit of two rows.
 /// \return  how many of them were off by more than the tolerance [m/s]
 template <int Dof>
-int visit_block(SolverRow<Dof>& r, SolverRow<Dof>& s, Real coupling, Real tolerance, VecX& u)
+int visit_block(SolverRow<Dof>& r, SolverRow<Dof>& s, Real coupling, Real tolerance,
+                VecX& u)
 {
     const auto w_of = [&u](const SolverRow<Dof>& row) {
-        return velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
+        return velocity<Dof>(row, u.template segment<Dof>(row.a),
+                             u.template segment<Dof>(row.b));
     };
     Mat2 A;
     A << 1 / r.mass, coupling, coupling, 1 / s.mass;
     const Vec2 before(r.lambda, s.lambda);
-    const Vec2 after = solve_block(A, Vec2(w_of(r), w_of(s)) - A * before, {r.lo, s.lo}, {r.hi, s.hi});
+    const Vec2 after = solve_block(A, Vec2(w_of(r), w_of(s)) - A * before,
+                                   {r.lo, s.lo}, {r.hi, s.hi});
     const Vec2 change = after - before;
     u.template segment<Dof>(r.a) += r.Wa * change[0];
     u.template segment<Dof>(r.b) += r.Wb * change[0];
@@ -103,40 +117,47 @@ int visit_block(SolverRow<Dof>& r, SolverRow<Dof>& s, Real coupling, Real tolera
     u.template segment<Dof>(s.b) += s.Wb * change[1];
     r.lambda = after[0];
     s.lambda = after[1];
-    return !(std::abs(change[0]) <= tolerance * r.mass) + !(std::abs(change[1]) <= tolerance * s.mass);
+    return !(std::abs(change[0]) <= tolerance * r.mass) +
+           !(std::abs(change[1]) <= tolerance * s.mass);
 }
 //! [visit_block]
 
 /// sequential_impulse() two rows at a time.
 template <int Dof>
 void block_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> order,
-                   const ImpulseSettings& settings, ImpulseMemory<Dof>& memory, std::vector<Block>& blocks,
-                   VecX& u, Solution& solution)
+                   const ImpulseSettings& settings, ImpulseMemory<Dof>& memory,
+                   std::vector<Block>& blocks, VecX& u, Solution& solution)
 {
-    const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
+    const bool hopeless =
+        begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
     pair_rows(memory.rows, blocks);
     const std::span<SolverRow<Dof>> all(memory.rows);
     const std::span<const Feedback> feedback(memory.feedback);
     const auto of_both = [&](const Block& block, const auto& what) {
         if (feedback.empty()) return;
         for (const int k : {block.first, block.second})
-            if (k >= 0) what(&all[static_cast<std::size_t>(k)], feedback[static_cast<std::size_t>(k)]);
+            if (k >= 0)
+                what(&all[static_cast<std::size_t>(k)],
+                     feedback[static_cast<std::size_t>(k)]);
     };
     const auto visit_one = [&](const Block& block) {
         const auto first = static_cast<std::size_t>(block.first);
         if (block.second < 0)
-            return sweep(all.subspan(first, 1), feedback.empty() ? feedback : feedback.subspan(first, 1),
+            return sweep(all.subspan(first, 1),
+                         feedback.empty() ? feedback : feedback.subspan(first, 1),
                          memory.u, settings.tolerance);
         of_both(block, take_bounds<Dof>);
-        const int off = visit_block(all[first], all[static_cast<std::size_t>(block.second)], block.coupling,
-                                    settings.tolerance, memory.u);
+        const int off =
+            visit_block(all[first], all[static_cast<std::size_t>(block.second)],
+                        block.coupling, settings.tolerance, memory.u);
         of_both(block, give_way<Dof>);
         return off;
     };
     const auto one_sweep = [&](int number) {
         int off = 0;
         if (settings.alternate && number % 2 == 1)
-            for (std::size_t k = blocks.size(); k-- > 0;) off += visit_one(blocks[k]);
+            for (std::size_t k = blocks.size(); k-- > 0;)
+                off += visit_one(blocks[k]);
         else
             for (const Block& block : blocks) off += visit_one(block);
         return off;

@@ -17,7 +17,8 @@ struct Feedback {
     Real softness = 0;  ///< γ [1/kg]
     Real bias = 0;      ///< b without γλ [m/s]
     Real friction = 0;  ///< μ
-    int bounding = 0;   ///< places from this row to the one whose λ bounds it; 0 = none does
+    /// places from this row to the one whose λ bounds it; 0 = none does
+    int bounding = 0;
 };
 
 /// The feedback of the rows in the order of the visits; empty where no row has any.
@@ -28,21 +29,28 @@ struct Feedback {
 /// \param feedback  out: m, or none
 template <int Dof>
 void prepare_feedback(const std::vector<Row<Dof>>& rows, std::span<const int> order,
-                      std::vector<SolverRow<Dof>>& prepared, std::vector<int>& place_of,
-                      std::vector<Feedback>& feedback)
+                      std::vector<SolverRow<Dof>>& prepared,
+                      std::vector<int>& place_of, std::vector<Feedback>& feedback)
 {
     feedback.clear();
-    const auto follows = [](const Row<Dof>& row) { return row.softness > 0 || row.bounded_by >= 0; };
+    const auto follows = [](const Row<Dof>& row) {
+        return row.softness > 0 || row.bounded_by >= 0;
+    };
     if (std::none_of(rows.begin(), rows.end(), follows)) return;
     feedback.resize(rows.size());
     place_of.resize(rows.size());
-    const auto row_at = [&](std::size_t k) { return order.empty() ? k : static_cast<std::size_t>(order[k]); };
-    for (std::size_t k = 0; k < rows.size(); ++k) place_of[row_at(k)] = static_cast<int>(k);
+    const auto row_at = [&](std::size_t k) {
+        return order.empty() ? k : static_cast<std::size_t>(order[k]);
+    };
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        place_of[row_at(k)] = static_cast<int>(k);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const Row<Dof>& row = rows[row_at(k)];
         const int n = row.bounded_by;
         feedback[k] = {row.softness, row.bias, row.friction,
-                       n < 0 ? 0 : place_of[static_cast<std::size_t>(n)] - static_cast<int>(k)};
+                       n < 0 ? 0
+                             : place_of[static_cast<std::size_t>(n)] -
+                                   static_cast<int>(k)};
         prepared[k].bias += row.softness * prepared[k].lambda;
     }
 }
@@ -67,14 +75,17 @@ void give_way(SolverRow<Dof>* row, const Feedback& feedback)
 
 /// All bounds by the present impulses: before a residual is computed.
 template <int Dof>
-void take_all_bounds(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback)
+void take_all_bounds(std::span<SolverRow<Dof>> rows,
+                     std::span<const Feedback> feedback)
 {
-    for (std::size_t k = 0; k < feedback.size(); ++k) take_bounds(&rows[k], feedback[k]);
+    for (std::size_t k = 0; k < feedback.size(); ++k)
+        take_bounds(&rows[k], feedback[k]);
 }
 
 /// Another b for the row at place k, which keeps its λ.
 template <int Dof>
-void change_bias(std::size_t k, Real b, std::vector<SolverRow<Dof>>& rows, std::vector<Feedback>& feedback)
+void change_bias(std::size_t k, Real b, std::vector<SolverRow<Dof>>& rows,
+                 std::vector<Feedback>& feedback)
 {
     rows[k].bias = b;
     if (feedback.empty()) return;
@@ -85,8 +96,8 @@ void change_bias(std::size_t k, Real b, std::vector<SolverRow<Dof>>& rows, std::
 /// sweep() of rows that may have feedback.
 /// \param feedback   of the rows; empty = none of them has any
 template <int Dof>
-int sweep(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback, VecX& u, Real tolerance,
-          bool backwards = false)
+int sweep(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback,
+          VecX& u, Real tolerance, bool backwards = false)
 {
     if (feedback.empty()) return sweep(rows, u, tolerance, backwards);
     int changed = 0;

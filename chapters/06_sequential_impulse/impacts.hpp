@@ -36,18 +36,20 @@ void newton_biases(std::vector<Row<Dof>>& rows, Real e, const VecX& u)
 /// \param tolerance  [m/s]
 /// \param u          in: before the impact, out: after it [m/s]
 template <int Dof>
-void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real tolerance, int max_sweeps, VecX& u,
-                        Solution& solution)
+void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real tolerance,
+                        int max_sweeps, VecX& u, Solution& solution)
 {
     solution.lambda.setZero(static_cast<Index>(rows.size()));
     solution.status = Status::iteration_limit;
     solution.iterations = 0;
     //! [sequential]
-    for (bool any = true; any && solution.iterations < max_sweeps; ++solution.iterations) {
+    for (bool any = true; any && solution.iterations < max_sweeps;
+         ++solution.iterations) {
         any = false;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const Row<Dof>& row = rows[i];
-            const Real w = row.velocity(u), approach = w - row.bias, A = row.inverse_effective_mass();
+            const Real w = row.velocity(u), approach = w - row.bias,
+                       A = row.inverse_effective_mass();
             if (!(w < -tolerance) || !(A > 0)) continue;
             const Real lambda = -(1 + e) * approach / A;
             row.apply(lambda, u);

@@ -17,7 +17,8 @@ namespace rigid {
 /// \param tolerance   [m/s]
 /// \return            rows visited
 template <int Dof>
-std::int64_t sweep_on(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback, int max_sweeps,
+std::int64_t sweep_on(std::span<SolverRow<Dof>> rows,
+                      std::span<const Feedback> feedback, int max_sweeps,
                       Real tolerance, VecX& u)
 {
     int sweeps = 0;
@@ -30,10 +31,12 @@ std::int64_t sweep_on(std::span<SolverRow<Dof>> rows, std::span<const Feedback> 
 inline void require_valid(const ImpulseSettings& sweeps)
 {
     if (!(sweeps.tolerance >= 0))
-        throw std::invalid_argument("the tolerance of the sweeps is " + shortest(sweeps.tolerance) +
+        throw std::invalid_argument("the tolerance of the sweeps is " +
+                                    shortest(sweeps.tolerance) +
                                     "; it must be zero or positive");
     if (sweeps.max_sweeps < 0)
-        throw std::invalid_argument("the number of sweeps is " + std::to_string(sweeps.max_sweeps) +
+        throw std::invalid_argument("the number of sweeps is " +
+                                    std::to_string(sweeps.max_sweeps) +
                                     "; it must be zero or positive");
 }
 
@@ -56,33 +59,43 @@ struct ImpulseSolver {
 
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
-        const bool ordered = now.same_rows && ordering == Order::coloured && order.size() == now.rows.size();
+        const bool ordered = now.same_rows && ordering == Order::coloured &&
+                             order.size() == now.rows.size();
         if (now.substep == 0 && !ordered)
-            order_rows(now.rows, bodies.count(), ordering, random, colouring, order);
+            order_rows(now.rows, bodies.count(), ordering, random, colouring,
+                       order);
         ImpulseSettings how = sweeps;
         how.alternate = ordering == Order::alternating;
         how.tolerance *= now.length;
-        for (const int k : now.active) bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
+        for (const int k : now.active)
+            bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
         if (in_pairs)
-            block_impulse(now.rows, std::span<const int>(order), how, memory, blocks, bodies.u, now.solution);
-        else sequential_impulse(now.rows, std::span<const int>(order), how, memory, bodies.u, now.solution);
+            block_impulse(now.rows, std::span<const int>(order), how, memory,
+                          blocks, bodies.u, now.solution);
+        else
+            sequential_impulse(now.rows, std::span<const int>(order), how, memory,
+                               bodies.u, now.solution);
         now.visits += memory.visits;
     }
     //! [sweeps]
 
     /// The number of the row that is visited as number k.
-    std::size_t row_at(std::size_t k) const { return order.empty() ? k : static_cast<std::size_t>(order[k]); }
+    std::size_t row_at(std::size_t k) const
+    {
+        return order.empty() ? k : static_cast<std::size_t>(order[k]);
+    }
 
     /// Other biases, the same u*: the sweeps go on from the present λ and u.
     void solve_again(SecondProblem& second, Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         for (std::size_t k = 0; k < memory.rows.size(); ++k)
             change_bias(k, second.bias[row_at(k)], memory.rows, memory.feedback);
-        now.visits +=
-            sweep_on<Dof>(memory.rows, memory.feedback, second.max_sweeps, second.tolerance, memory.u);
+        now.visits += sweep_on<Dof>(memory.rows, memory.feedback, second.max_sweeps,
+                                    second.tolerance, memory.u);
         bodies.u = memory.u;
         for (std::size_t k = 0; k < memory.rows.size(); ++k)
-            now.solution.lambda[static_cast<Index>(row_at(k))] = memory.rows[k].lambda;
+            now.solution.lambda[static_cast<Index>(row_at(k))] =
+                memory.rows[k].lambda;
     }
 
     /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ. The λ of `memory` are those of v afterwards.
@@ -92,10 +105,13 @@ struct ImpulseSolver {
             SolverRow<Dof>& row = memory.rows[k];
             row.lambda = 0;
             if (second.left_out[row_at(k)]) row.mass = 0;
-            else change_bias(k, second.bias[row_at(k)], memory.rows, memory.feedback);
+            else
+                change_bias(k, second.bias[row_at(k)], memory.rows,
+                            memory.feedback);
         }
         for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
-        now.visits += sweep_on<Dof>(memory.rows, memory.feedback, second.max_sweeps, second.tolerance, v);
+        now.visits += sweep_on<Dof>(memory.rows, memory.feedback, second.max_sweeps,
+                                    second.tolerance, v);
     }
 };
 

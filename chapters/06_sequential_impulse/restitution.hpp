@@ -12,25 +12,29 @@ namespace rigid {
 
 struct Restitution {
     Real restitution = 0;  ///< e of every contact, 0 … 1
-    Real threshold = 2;    ///< contacts that approach slower than threshold · |gravity| · h do not bounce
+    /// contacts that approach slower than threshold · |gravity| · h do not bounce
+    Real threshold = 2;
 };
 
 /// Throws std::invalid_argument, naming the setting and its value, unless both make sense.
 inline void require_valid(const Restitution& settings)
 {
     if (!(settings.restitution >= 0 && settings.restitution <= 1))
-        throw std::invalid_argument("the restitution is " + shortest(settings.restitution) +
+        throw std::invalid_argument("the restitution is " +
+                                    shortest(settings.restitution) +
                                     "; it must be from 0 to 1");
     if (!(settings.threshold >= 0))
-        throw std::invalid_argument("the threshold of bounces is " + shortest(settings.threshold) +
+        throw std::invalid_argument("the threshold of bounces is " +
+                                    shortest(settings.threshold) +
                                     "; it must be zero or positive");
 }
 
 //! [restitution]
-/// Contacts that bounce, (6.17): a bounce that is faster than what the row has as its bias takes the bias' place.
+/// Contacts that bounce, (6.17): a bounce that is faster than what the row has as
+/// its bias takes the bias' place.
 template <class Scene>
-void add_bounces(const Scene& scene, const Restitution& bounce, const StepSettings& settings,
-                 StepData<Scene::dof>& now)
+void add_bounces(const Scene& scene, const Restitution& bounce,
+                 const StepSettings& settings, StepData<Scene::dof>& now)
 {
     if (!(bounce.restitution > 0)) return;
     const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
@@ -38,15 +42,17 @@ void add_bounces(const Scene& scene, const Restitution& bounce, const StepSettin
         if (!now.constraints[i].bounces) continue;
         auto& row = now.rows[i];
         const Real correcting = std::exchange(row.bias, 0);
-        const Real b = contact_bias(now.constraints[i].C, row.velocity(scene.bodies.u),
-                                    row.velocity(now.u_star), bounce.restitution, slowest, settings.part());
+        const Real b = contact_bias(
+            now.constraints[i].C, row.velocity(scene.bodies.u),
+            row.velocity(now.u_star), bounce.restitution, slowest, settings.part());
         row.bias = b < 0 ? std::min(b, correcting) : correcting;
     }
 }
 //! [restitution]
 
 //! [leave_errors]
-/// b of a row whose error is left as it is: a gap may close and no more, a motor runs at its speed.
+/// b of a row whose error is left as it is: a gap may close and no more, a motor
+/// runs at its speed.
 template <int Dof>
 Real gap_bias(const Constraint<Dof>& c, Real h)
 {
@@ -55,17 +61,23 @@ Real gap_bias(const Constraint<Dof>& c, Real h)
 }
 
 struct LeaveErrors : Restitution {
-    void require_valid() const { rigid::require_valid(static_cast<const Restitution&>(*this)); }
+    void require_valid() const
+    {
+        rigid::require_valid(static_cast<const Restitution&>(*this));
+    }
 
     template <class Scene>
-    void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now) const
+    void rows(const Scene& scene, const StepSettings& settings,
+              StepData<Scene::dof>& now) const
     {
         const Real h = settings.part();
-        write_rows(scene.bodies, h, now, [h](const auto& c) { return gap_bias(c, h); });
+        write_rows(scene.bodies, h, now,
+                   [h](const auto& c) { return gap_bias(c, h); });
         add_bounces(scene, *this, settings, now);
     }
     template <class Scene, class Solver>
-    void move(Scene& scene, const StepSettings& settings, Solver&, StepData<Scene::dof>& now) const
+    void move(Scene& scene, const StepSettings& settings, Solver&,
+              StepData<Scene::dof>& now) const
     {
         advance_positions(scene.bodies, settings.part(), now);
     }

@@ -42,30 +42,39 @@ constexpr std::string_view to_string(Order order)
 
 /// Memory of a colouring, kept from step to step.
 struct Colouring {
-    static constexpr int most = 64;   ///< colours; rows that would need more share the last one
-    std::vector<std::uint64_t> used;  ///< of each body: bit c is set if one of its rows has colour c
-    std::vector<int> colour;          ///< of each row
-    std::vector<int> start;           ///< where each colour begins in the order; one more for the end
+    /// colours; rows that would need more share the last one
+    static constexpr int most = 64;
+    /// of each body: bit c is set if one of its rows has colour c
+    std::vector<std::uint64_t> used;
+    std::vector<int> colour;  ///< of each row
+    /// where each colour begins in the order; one more for the end
+    std::vector<int> start;
 };
 
 //! [colour]
-/// Greedy colouring: each row takes the first colour that neither of its bodies has yet. One pass over the
-/// rows, and one to sort them by colour. Bodies that cannot move are not counted: nothing can be overwritten there.
+/// Greedy colouring: each row takes the first colour that neither of its bodies has
+/// yet. One pass over the rows, and one to sort them by colour. Bodies that cannot
+/// move are not counted: nothing can be overwritten there.
 /// \param memory  `used` is zero for each body that the rows name
-/// \param order   becomes the row numbers, colour by colour, those of one colour as they came
+/// \param order   becomes the row numbers, colour by colour, those of one colour as
+///                they came
 template <int Dof>
-void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory, std::vector<int>& order)
+void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory,
+                   std::vector<int>& order)
 {
     constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
     memory.colour.resize(rows.size());
     memory.start.assign(Colouring::most + 1, 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row<Dof>& row = rows[i];
-        std::uint64_t* const a =
-            row.a != world && !row.Wa.isZero(0) ? &memory.used[std::size_t(row.a)] : nullptr;
-        std::uint64_t* const b = !row.Wb.isZero(0) ? &memory.used[std::size_t(row.b)] : nullptr;
+        std::uint64_t* const a = row.a != world && !row.Wa.isZero(0)
+                                     ? &memory.used[std::size_t(row.a)]
+                                     : nullptr;
+        std::uint64_t* const b =
+            !row.Wb.isZero(0) ? &memory.used[std::size_t(row.b)] : nullptr;
         //! [greedy]
-        const std::uint64_t taken = ((a ? *a : 0) | (b ? *b : 0)) & ~last;  // the last colour is never full
+        // the last colour is never full
+        const std::uint64_t taken = ((a ? *a : 0) | (b ? *b : 0)) & ~last;
         const int colour = std::countr_one(taken);
         const std::uint64_t bit = std::uint64_t{1} << colour;
         if (a) *a |= bit;
@@ -74,11 +83,15 @@ void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory, std::ve
         //! [greedy]
         ++memory.start[static_cast<std::size_t>(colour) + 1];
     }
-    std::partial_sum(memory.start.begin(), memory.start.end(), memory.start.begin());
+    std::partial_sum(memory.start.begin(), memory.start.end(),
+                     memory.start.begin());
     order.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)  // advances each start to the next one's
-        order[static_cast<std::size_t>(memory.start[static_cast<std::size_t>(memory.colour[i])]++)] = int(i);
-    for (std::size_t c = Colouring::most; c > 0; --c) memory.start[c] = memory.start[c - 1];
+    // advances each start to the next one's
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        order[static_cast<std::size_t>(
+            memory.start[static_cast<std::size_t>(memory.colour[i])]++)] = int(i);
+    for (std::size_t c = Colouring::most; c > 0; --c)
+        memory.start[c] = memory.start[c - 1];
     memory.start[0] = 0;
 }
 //! [colour]
@@ -86,7 +99,8 @@ void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory, std::ve
 /// The same for rows between K bodies.
 /// \param bodies  K
 template <int Dof>
-void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& memory, std::vector<int>& order)
+void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& memory,
+                 std::vector<int>& order)
 {
     require_bodies<Dof>(rows, bodies);
     memory.used.assign(static_cast<std::size_t>(bodies), 0);
@@ -99,7 +113,8 @@ inline void shuffle_rows(std::size_t count, Random& random, std::vector<int>& or
     order.resize(count);
     std::iota(order.begin(), order.end(), 0);
     for (std::size_t k = count; k-- > 1;)
-        std::swap(order[k], order[static_cast<std::size_t>(random.index(static_cast<Index>(k) + 1))]);
+        std::swap(order[k], order[static_cast<std::size_t>(
+                                random.index(static_cast<Index>(k) + 1))]);
 }
 
 /// Fills `order` for a sweep over these rows; empty = as they are (also for `alternating`, which is a setting of
@@ -107,8 +122,8 @@ inline void shuffle_rows(std::size_t count, Random& random, std::vector<int>& or
 /// \param bodies  K
 /// \param random  used by `shuffled` alone
 template <int Dof>
-void order_rows(const std::vector<Row<Dof>>& rows, Index bodies, Order kind, Random& random,
-                Colouring& memory, std::vector<int>& order)
+void order_rows(const std::vector<Row<Dof>>& rows, Index bodies, Order kind,
+                Random& random, Colouring& memory, std::vector<int>& order)
 {
     order.clear();
     if (kind == Order::coloured) colour_rows(rows, bodies, memory, order);

@@ -17,20 +17,25 @@ namespace rigid {
 
 struct ImpulseSettings {
     int max_sweeps = 10;
-    Real tolerance =
-        0;  ///< of the natural residual [m/s]; 0 = not computed; sweeps until one changes nothing
+    /// of the natural residual [m/s]; 0 = not computed; sweeps until one changes
+    /// nothing
+    Real tolerance = 0;
     bool alternate = false;  ///< every second sweep runs backwards
 };
 
 /// Memory that is kept from step to step, and what has been done with it.
 template <int Dof>
 struct ImpulseMemory {
-    std::vector<SolverRow<Dof>> rows;  ///< in the order of the visits, each with its λ
-    std::vector<Feedback> feedback;    ///< of each of them; empty = none has any
-    std::vector<int> place_of;         ///< of each row in that order, where rows have feedback
-    VecX u;                            ///< Dof·K: the velocities that the sweeps work on [m/s]
-    std::vector<char> seen;            ///< rows that an order has named
-    std::int64_t visits = 0;           ///< rows visited by the last solve, those of its residuals included
+    /// in the order of the visits, each with its λ
+    std::vector<SolverRow<Dof>> rows;
+    std::vector<Feedback> feedback;  ///< of each of them; empty = none has any
+    /// of each row in that order, where rows have feedback
+    std::vector<int> place_of;
+    /// Dof·K: the velocities that the sweeps work on [m/s]
+    VecX u;
+    std::vector<char> seen;  ///< rows that an order has named
+    /// rows visited by the last solve, those of its residuals included
+    std::int64_t visits = 0;
 };
 
 /// The natural residual of the present λ and u [m/s], (3.15), without A: the diagonal and w are all it needs.
@@ -39,7 +44,8 @@ Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
 {
     Real largest = 0;
     for (const SolverRow<Dof>& row : rows) {
-        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
+        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a),
+                                     u.template segment<Dof>(row.b));
         const Real A = row.mass > 0 ? 1 / row.mass : 0;
         const Real r = natural_residual_row(A, row.lambda, w, row.lo, row.hi);
         if (!(r <= largest)) largest = r;  // also takes over a NaN
@@ -51,12 +57,14 @@ Real natural_residual(std::span<const SolverRow<Dof>> rows, const VecX& u)
 /// A row whose bodies cannot move keeps its w whatever λ is: it takes the bound that is right for that w.
 /// \return  true if some row would need an infinite one, and w is off by more than the tolerance
 template <int Dof>
-bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>& rows, const VecX& u, Real tolerance)
+bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>& rows,
+                                    const VecX& u, Real tolerance)
 {
     bool hopeless = false;
     for (SolverRow<Dof>& row : rows) {
         if (row.mass > 0) continue;
-        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
+        const Real w = velocity<Dof>(row, u.template segment<Dof>(row.a),
+                                     u.template segment<Dof>(row.b));
         const Real bound = w > 0 ? row.lo : w < 0 ? row.hi : row.lambda;
         if (std::isfinite(bound)) row.lambda = bound;
         else hopeless = hopeless || std::abs(w) > tolerance;
@@ -91,15 +99,17 @@ void clamp_start(const std::vector<Row<Dof>>& rows, VecX& lambda)
     }
     for (std::size_t i = 0; coupled && i < rows.size(); ++i) {
         const auto [lo, hi] = bounds_of(rows[i], lambda);
-        lambda[static_cast<Index>(i)] = std::clamp(lambda[static_cast<Index>(i)], lo, hi);
+        lambda[static_cast<Index>(i)] =
+            std::clamp(lambda[static_cast<Index>(i)], lo, hi);
     }
 }
 
 /// What comes before the sweeps: the rows in order, λ within its bounds, and u = u* + M⁻¹ Jᵀ λ.
 /// \return  true if a row cannot be solved
 template <int Dof>
-bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order, Real tolerance,
-                  ImpulseMemory<Dof>& memory, const VecX& u, Solution& solution)
+bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order,
+                  Real tolerance, ImpulseMemory<Dof>& memory, const VecX& u,
+                  Solution& solution)
 {
     const auto m = static_cast<Index>(rows.size());
     require_bodies<Dof>(rows, u.size() / Dof);
@@ -109,7 +119,8 @@ bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order,
     prepare(rows, order, solution.lambda, memory.rows);
     prepare_feedback(rows, order, memory.rows, memory.place_of, memory.feedback);
     memory.u = u;
-    for (const SolverRow<Dof>& row : memory.rows) {  // b after a: a row of the world has a = b, and Wa = 0
+    // b after a: a row of the world has a = b, and Wa = 0
+    for (const SolverRow<Dof>& row : memory.rows) {
         memory.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
         memory.u.template segment<Dof>(row.b) += row.Wb * row.lambda;
     }
@@ -119,20 +130,24 @@ bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order,
 
 /// What comes after them: λ by row number.
 template <int Dof>
-void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory, VecX& u, Solution& solution)
+void end_sweeps(std::span<const int> order, const ImpulseMemory<Dof>& memory,
+                VecX& u, Solution& solution)
 {
     for (std::size_t k = 0; k < memory.rows.size(); ++k)
-        solution.lambda[order.empty() ? static_cast<Index>(k) : order[k]] = memory.rows[k].lambda;
+        solution.lambda[order.empty() ? static_cast<Index>(k) : order[k]] =
+            memory.rows[k].lambda;
     u = memory.u;
 }
 
 //! [until]
 /// Sweeps of any kind, until there is nothing left to do.
-/// \param one_sweep  int(int number): visits each row of memory.rows once and returns how many of them it found off
-///                   by more than the tolerance
+/// \param one_sweep  int(int number): visits each row of memory.rows once and
+///                   returns how many of them it found off by more than the
+///                   tolerance
 template <int Dof, class OneSweep>
-void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep& one_sweep,
-                 ImpulseMemory<Dof>& memory, Solution& solution)
+void sweep_until(const ImpulseSettings& settings, bool hopeless,
+                 const OneSweep& one_sweep, ImpulseMemory<Dof>& memory,
+                 Solution& solution)
 {
     const auto m = static_cast<std::int64_t>(memory.rows.size());
     solution.status = hopeless ? Status::infeasible : Status::iteration_limit;
@@ -141,11 +156,15 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
     for (int off = 1; solution.iterations < settings.max_sweeps && off > 0;) {
         off = one_sweep(solution.iterations++);
         memory.visits += m;
-        // The residual costs as much as a sweep: compute it when the sweep found nothing, or was the last.
-        if (!(settings.tolerance > 0) || (off > 0 && solution.iterations < settings.max_sweeps)) continue;
+        // The residual costs as much as a sweep: compute it when the sweep found
+        // nothing, or was the last.
+        if (!(settings.tolerance > 0) ||
+            (off > 0 && solution.iterations < settings.max_sweeps))
+            continue;
         solution.residual = natural_residual(memory);
         memory.visits += m;
-        if (solution.residual <= settings.tolerance) solution.status = Status::solved;
+        if (solution.residual <= settings.tolerance)
+            solution.status = Status::solved;
         else off = hopeless ? 0 : 1;  // a small change is no small residual: go on
         if (solution.status == Status::solved) return;
     }
@@ -163,13 +182,15 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless, const OneSweep&
 /// \param solution  in: the λ to start from (a vector of another length means zero); out: the answer
 /// \throws std::invalid_argument  for an order that does not name each row once, or a row of a body that is not there
 template <int Dof>
-void sequential_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> order,
-                        const ImpulseSettings& settings, ImpulseMemory<Dof>& memory, VecX& u,
-                        Solution& solution)
+void sequential_impulse(const std::vector<Row<Dof>>& rows,
+                        std::span<const int> order, const ImpulseSettings& settings,
+                        ImpulseMemory<Dof>& memory, VecX& u, Solution& solution)
 {
-    const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
+    const bool hopeless =
+        begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
     const auto one_sweep = [&](int number) {
-        return sweep(memory, settings.tolerance, settings.alternate && number % 2 == 1);
+        return sweep(memory, settings.tolerance,
+                     settings.alternate && number % 2 == 1);
     };
     sweep_until(settings, hopeless, one_sweep, memory, solution);
     end_sweeps(order, memory, u, solution);

@@ -18,7 +18,8 @@ inline DiscScene groove(Real angle)
     scene.bodies = Bodies<2>(1);
     scene.radius = VecX::Constant(1, 0.1);
     scene.bodies.position(0) = Vec2(0, 0.1 / std::cos(angle));
-    scene.walls = {{{std::sin(angle), std::cos(angle)}, 0}, {{-std::sin(angle), std::cos(angle)}, 0}};
+    scene.walls = {{{std::sin(angle), std::cos(angle)}, 0},
+                   {{-std::sin(angle), std::cos(angle)}, 0}};
     scene.half_size = {0.4, 0.3};
     return scene;
 }
@@ -39,7 +40,8 @@ inline DiscScene cradle(Index count, Index lifted, Real angle)
         const Vec2 pivot(radius * static_cast<Real>(2 * k + 1 - count), length);
         const Real aside = k < lifted ? angle : 0;
         scene.bodies.position(count + k) = pivot;
-        scene.bodies.position(k) = pivot - length * Vec2(std::sin(aside), std::cos(aside));
+        scene.bodies.position(k) =
+            pivot - length * Vec2(std::sin(aside), std::cos(aside));
         scene.bodies.inverse_mass.segment<2>(2 * (count + k)).setZero();
         scene.links.push_back({count + k, k, length});
     }
@@ -64,11 +66,12 @@ struct ImpactStep {
 };
 
 //! [impact_step]
-/// One step: contacts that close in it hit first, by one of the two laws; then this chapter's step, in which
-/// nothing bounces any more.
-/// \param touching  a gap below this counts as none [ℓ]: the simultaneous law depends on which bodies touch
-inline void impact_step(DiscScene& scene, const StepSettings& settings, ImpactLaw law, ImpactStep& now,
-                        Real touching = 1e-4)
+/// One step: contacts that close in it hit first, by one of the two laws; then this
+/// chapter's step, in which nothing bounces any more.
+/// \param touching  a gap below this counts as none [ℓ]: the simultaneous law
+///                  depends on which bodies touch
+inline void impact_step(DiscScene& scene, const StepSettings& settings,
+                        ImpactLaw law, ImpactStep& now, Real touching = 1e-4)
 {
     Bodies<2>& bodies = scene.bodies;
     require_step(settings.h);
@@ -76,15 +79,17 @@ inline void impact_step(DiscScene& scene, const StepSettings& settings, ImpactLa
     find_contacts(scene, settings.margin * length, now.contacts);
     now.rows.clear();
     for (const Contact& contact : now.contacts)
-        now.rows.push_back(unilateral(contact_constraint(contact), bodies.inverse_mass,
-                                      contact.gap > touching * length ? contact.gap / settings.h : 0));
+        now.rows.push_back(unilateral(
+            contact_constraint(contact), bodies.inverse_mass,
+            contact.gap > touching * length ? contact.gap / settings.h : 0));
     const Real e = now.restitution;
     if (law == ImpactLaw::sequential) {
         sequential_impacts(now.rows, e, 1e-12, 1000, bodies.u, now.solution);
     } else {
         newton_biases(now.rows, e, bodies.u);
         now.solution.lambda.resize(0);
-        sequential_impulse(now.rows, {}, {10000, 1e-12, false}, now.memory, bodies.u, now.solution);
+        sequential_impulse(now.rows, {}, {10000, 1e-12, false}, now.memory,
+                           bodies.u, now.solution);
     }
     now.method.solver.sweeps = now.sweeps;
     step(scene, settings, now.method, now.rest);

@@ -23,10 +23,13 @@ struct SolverRow {
     RowVec<Dof> Ja, Jb;  ///< blocks of J
     Vec<Dof> Wa, Wb;     ///< \f$M^{-1} J^T\f$ [1/kg]
     Real bias;           ///< b [m/s]
-    Real mass;           ///< effective mass 1 / A_ii [kg]; 0 = no impulse changes this row
-    Real lo, hi;         ///< bounds of λ [N s]
-    Real lambda;         ///< accumulated impulse [N s]
-    int a, b;  ///< where the velocities of the bodies begin; a row of the world has a = b and Ja = 0
+    /// effective mass 1 / A_ii [kg]; 0 = no impulse changes this row
+    Real mass;
+    Real lo, hi;  ///< bounds of λ [N s]
+    Real lambda;  ///< accumulated impulse [N s]
+    /// where the velocities of the bodies begin; a row of the world has a = b and
+    /// Ja = 0
+    int a, b;
 };
 
 /// The rows in the order of the visits.
@@ -38,12 +41,13 @@ struct SolverRow {
 /// \param lambda  m: the impulses to begin with [N s]
 /// \param out     m rows; memory is kept
 template <int Dof>
-void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, const VecX& lambda,
-             std::vector<SolverRow<Dof>>& out)
+void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order,
+             const VecX& lambda, std::vector<SolverRow<Dof>>& out)
 {
     out.resize(rows.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        const std::size_t i = order.empty() ? k : static_cast<std::size_t>(order[k]);
+        const std::size_t i =
+            order.empty() ? k : static_cast<std::size_t>(order[k]);
         const Row<Dof>& row = rows[i];
         SolverRow<Dof>& visited = out[k];
         visited.Jb = row.Jb;
@@ -60,7 +64,8 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, cons
             visited.a = static_cast<int>(Dof * row.a);
         }
         //! [world]
-        const Real A = visited.Ja.dot(visited.Wa) + visited.Jb.dot(visited.Wb) + row.softness;
+        const Real A =
+            visited.Ja.dot(visited.Wa) + visited.Jb.dot(visited.Wb) + row.softness;
         visited.mass = A > 0 ? 1 / A : 0;
         visited.bias = row.bias;
         visited.lo = row.lo;
@@ -71,26 +76,33 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order, cons
 
 /// Throws std::invalid_argument unless the order is empty or names each of m rows once.
 /// \param seen  memory
-inline void require_order(std::span<const int> order, std::size_t m, std::vector<char>& seen)
+inline void require_order(std::span<const int> order, std::size_t m,
+                          std::vector<char>& seen)
 {
     if (order.empty()) return;
     if (order.size() != m)
-        throw std::invalid_argument("the order names " + std::to_string(order.size()) + " rows; there are " +
-                                    std::to_string(m));
+        throw std::invalid_argument("the order names " +
+                                    std::to_string(order.size()) +
+                                    " rows; there are " + std::to_string(m));
     seen.assign(m, 0);
     for (const int i : order) {
-        if (i < 0 || static_cast<std::size_t>(i) >= m || seen[static_cast<std::size_t>(i)])
-            throw std::invalid_argument("the order names row " + std::to_string(i) +
-                                        " twice or out of range; it must name each row once");
+        if (i < 0 || static_cast<std::size_t>(i) >= m ||
+            seen[static_cast<std::size_t>(i)])
+            throw std::invalid_argument(
+                "the order names row " + std::to_string(i) +
+                " twice or out of range; it must name each row once");
         seen[static_cast<std::size_t>(i)] = 1;
     }
 }
 
 /// \f$J u + b\f$ [m/s]. The sums of both bodies are made side by side.
 template <int Dof>
-inline Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua, const Vec<Dof>& ub)
+inline Real velocity(const SolverRow<Dof>& row, const Vec<Dof>& ua,
+                     const Vec<Dof>& ub)
 {
-    return row.bias + (row.Ja.transpose().cwiseProduct(ua) + row.Jb.transpose().cwiseProduct(ub)).sum();
+    return row.bias + (row.Ja.transpose().cwiseProduct(ua) +
+                       row.Jb.transpose().cwiseProduct(ub))
+                          .sum();
 }
 
 //! [visit]
@@ -103,8 +115,10 @@ inline Real visit(SolverRow<Dof>& row, VecX& u)
     const Vec<Dof> ua = u.template segment<Dof>(row.a);
     const Vec<Dof> ub = u.template segment<Dof>(row.b);
     const Real w = velocity(row, ua, ub);
-    Real lambda = row.lambda - row.mass * w;     // (6.3): the total that brings w to zero
-    lambda = lambda < row.lo ? row.lo : lambda;  // (6.4): clamp the sum, not the correction
+    // (6.3): the total that brings w to zero
+    Real lambda = row.lambda - row.mass * w;
+    // (6.4): clamp the sum, not the correction
+    lambda = lambda < row.lo ? row.lo : lambda;
     lambda = lambda > row.hi ? row.hi : lambda;
     const Real change = lambda - row.lambda;
     row.lambda = lambda;
@@ -118,15 +132,20 @@ inline Real visit(SolverRow<Dof>& row, VecX& u)
 //! [sweep]
 /// Visits each row once.
 /// \param tolerance  [m/s]
-/// \return           how many rows were found off by more than the tolerance, expressed as the velocity Δλ_i A_ii
+/// \return           how many rows were found off by more than the tolerance,
+///     expressed as the velocity Δλ_i A_ii
 template <int Dof>
-int sweep(std::span<SolverRow<Dof>> rows, VecX& u, Real tolerance, bool backwards = false)
+int sweep(std::span<SolverRow<Dof>> rows, VecX& u, Real tolerance,
+          bool backwards = false)
 {
     int changed = 0;
     const std::ptrdiff_t step = backwards ? -1 : 1;
-    SolverRow<Dof>* row = rows.data() + (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
+    SolverRow<Dof>* row =
+        rows.data() +
+        (backwards ? static_cast<std::ptrdiff_t>(rows.size()) - 1 : 0);
+    // a NaN counts
     for (std::size_t k = rows.size(); k > 0; --k, row += step)
-        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);  // a NaN counts
+        changed += !(std::abs(visit(*row, u)) <= tolerance * row->mass);
     return changed;
 }
 //! [sweep]

@@ -30,15 +30,19 @@ Real visit_clamping_the_correction(SolverRow<Dof>& row, VecX& u)
 /// sequential_impulse() with that visit. It may come to rest, all visits giving nothing, at a wrong answer: then
 /// the status is `iteration limit`, because the residual is not met.
 template <int Dof>
-void impulse_clamping_corrections(const std::vector<Row<Dof>>& rows, std::span<const int> order,
-                                  const ImpulseSettings& settings, ImpulseMemory<Dof>& memory, VecX& u,
+void impulse_clamping_corrections(const std::vector<Row<Dof>>& rows,
+                                  std::span<const int> order,
+                                  const ImpulseSettings& settings,
+                                  ImpulseMemory<Dof>& memory, VecX& u,
                                   Solution& solution)
 {
-    const bool hopeless = begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
+    const bool hopeless =
+        begin_sweeps(rows, order, settings.tolerance, memory, u, solution);
     const auto one_sweep = [&](int) {
         int off = 0;
         for (SolverRow<Dof>& row : memory.rows)
-            off += !(std::abs(visit_clamping_the_correction(row, memory.u)) <= settings.tolerance * row.mass);
+            off += !(std::abs(visit_clamping_the_correction(row, memory.u)) <=
+                     settings.tolerance * row.mass);
         return off;
     };
     sweep_until(settings, hopeless, one_sweep, memory, solution);
@@ -53,8 +57,10 @@ struct WrongClampingSolver : ImpulseSolver<2> {
     {
         if (!wrong) return ImpulseSolver::solve(bodies, now);
         order_rows(now.rows, bodies.count(), ordering, random, colouring, order);
-        for (const int k : now.active) bodies.velocity(k) = now.u_star.segment<2>(2 * k);
-        impulse_clamping_corrections<2>(now.rows, order, sweeps, memory, bodies.u, now.solution);
+        for (const int k : now.active)
+            bodies.velocity(k) = now.u_star.segment<2>(2 * k);
+        impulse_clamping_corrections<2>(now.rows, order, sweeps, memory, bodies.u,
+                                        now.solution);
         now.visits += memory.visits;
     }
 };

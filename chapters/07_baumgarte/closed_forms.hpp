@@ -20,7 +20,8 @@ inline Real next_bead(Real D, Real beta, Real hL)
 }
 
 //! [settled]
-/// (7.9): where a bead on a wire of radius 1 m comes to rest with β, as \f$D = r^2 - 1\f$ [m²].
+/// (7.9): where a bead on a wire of radius 1 m comes to rest with β, as \f$D = r^2
+/// - 1\f$ [m²].
 /// \param hL  as for next_bead() [m²]
 inline Real settled_bead(Real beta, Real hL)
 {
@@ -30,7 +31,8 @@ inline Real settled_bead(Real beta, Real hL)
 //! [settled]
 
 //! [hop]
-/// (7.15): how far a body rises that leaves with the speed v, under symplectic Euler [m].
+/// (7.15): how far a body rises that leaves with the speed v, under symplectic
+/// Euler [m].
 inline Real rise(Real v, Real g, Real h)
 {
     const Real n = std::floor(v / (g * h)) + 1;  // steps in which it still moves up
@@ -48,13 +50,15 @@ inline Real one_sweep_sag(Index k, Index N, Real g, Real beta, Real h)
 inline MatX gauss_seidel_matrix(const MatX& A)
 {
     const MatX lower = A.triangularView<Eigen::Lower>();
-    return MatX::Identity(A.rows(), A.cols()) - lower.triangularView<Eigen::Lower>().solve(A);
+    return MatX::Identity(A.rows(), A.cols()) -
+           lower.triangularView<Eigen::Lower>().solve(A);
 }
 
 inline MatX power(const MatX& G, int exponent)
 {
     if (exponent < 0)
-        throw std::invalid_argument("the number of sweeps is " + std::to_string(exponent) +
+        throw std::invalid_argument("the number of sweeps is " +
+                                    std::to_string(exponent) +
                                     "; it must be zero or positive");
     MatX product = MatX::Identity(G.rows(), G.cols());
     for (int k = 0; k < exponent; ++k) product = product * G;
@@ -62,28 +66,34 @@ inline MatX power(const MatX& G, int exponent)
 }
 
 //! [sag]
-/// (7.12): the error C that rows at rest carry when a step makes too few sweeps [m].
+/// (7.12): the error C that rows at rest carry when a step makes too few sweeps
+/// [m].
 /// \param A       m×m [1/kg]
 /// \param lambda  the exact impulses of one step at rest [N s]
 /// \param sweeps  from the first row to the last
 /// \param beta    Baumgarte's
 /// \param h       time step [s]
 /// \param carry   part of λ that the next step starts from, (7.21); 0 = cold
-inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h, Real carry = 0)
+inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h,
+                Real carry = 0)
 {
-    const MatX G = power(gauss_seidel_matrix(A), sweeps), one = MatX::Identity(A.rows(), A.cols());
+    const MatX G = power(gauss_seidel_matrix(A), sweeps),
+               one = MatX::Identity(A.rows(), A.cols());
     return -h / beta * (1 - carry) * A * (one - G).partialPivLu().solve(G * lambda);
 }
 //! [sag]
 
 /// (7.19): the same where velocities only forget C and pseudo-velocities correct it, each with its own sweeps [m].
-inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps, int correction_sweeps, Real beta, Real h)
+inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps,
+                      int correction_sweeps, Real beta, Real h)
 {
     const MatX one = MatX::Identity(A.rows(), A.cols());
-    const VecX sinking = sag(A, lambda, sweeps, 1, h);  // h J u, the error that each step adds [m]
+    // h J u, the error that each step adds [m]
+    const VecX sinking = sag(A, lambda, sweeps, 1, h);
     // Repaying multiplies C by I − β A (I − Gˢ) A⁻¹.
-    const MatX repaid =
-        beta * A * (one - power(gauss_seidel_matrix(A), correction_sweeps)) * A.partialPivLu().inverse();
+    const MatX repaid = beta * A *
+                        (one - power(gauss_seidel_matrix(A), correction_sweeps)) *
+                        A.partialPivLu().inverse();
     return repaid.partialPivLu().solve((one - repaid) * sinking);
 }
 

@@ -10,7 +10,8 @@
 namespace rigid {
 
 struct Correction : StabilizerSettings, Restitution {
-    bool at_the_end = false;  ///< projection after the last sub-step only, instead of after each
+    /// projection after the last sub-step only, instead of after each
+    bool at_the_end = false;
 
     // What is kept from step to step.
     SecondProblem second;
@@ -26,11 +27,13 @@ struct Correction : StabilizerSettings, Restitution {
     //! [rows]
     /// b is what the way makes of C, or a bounce.
     template <class Scene>
-    void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now) const
+    void rows(const Scene& scene, const StepSettings& settings,
+              StepData<Scene::dof>& now) const
     {
         const Real h = settings.part();
         const StabilizerSettings how = in_metres(*this, now.length);
-        write_rows(scene.bodies, h, now, [&](const auto& c) { return velocity_bias(c, how, h); });
+        write_rows(scene.bodies, h, now,
+                   [&](const auto& c) { return velocity_bias(c, how, h); });
         add_bounces(scene, *this, settings, now);
     }
     //! [rows]
@@ -38,7 +41,8 @@ struct Correction : StabilizerSettings, Restitution {
     //! [move]
     /// The new positions, and what corrects the error outside of b.
     template <class Scene, class Solver>
-    void move(Scene& scene, const StepSettings& settings, Solver& solver, StepData<Scene::dof>& now)
+    void move(Scene& scene, const StepSettings& settings, Solver& solver,
+              StepData<Scene::dof>& now)
     {
         constexpr int Dof = Scene::dof;
         auto& bodies = scene.bodies;
@@ -50,22 +54,27 @@ struct Correction : StabilizerSettings, Restitution {
         case Stabilizer::none:
         case Stabilizer::baumgarte:
             break;
-        case Stabilizer::relaxation:  // the velocity that was only there to correct is taken back
+        // the velocity that was only there to correct is taken back
+        case Stabilizer::relaxation:
             pose_relaxation<Dof>(now, how, h, bodies.u, second);
             solver.solve_again(second, bodies, now);
             break;
-        case Stabilizer::split_impulse:  // a velocity that is used once and forgotten
+        // a velocity that is used once and forgotten
+        case Stabilizer::split_impulse:
             pose_split_impulse<Dof>(now, how, h, bodies.u, second);
             if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
             solver.solve_apart(second, v, now);
-            for (const int k : now.active) bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
+            for (const int k : now.active)
+                bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
             break;
         case Stabilizer::projection:
             if (!at_the_end || now.substep + 1 == settings.substeps)
                 now.visits += project_positions<Dof>(
-                    [&](std::size_t i, const VecX& x) { return constraint_at(scene, now, i, x); },
-                    now.constraints.size(), bodies.inverse_mass, how, at_the_end ? settings.h : h, goal,
-                    bodies.x);
+                    [&](std::size_t i, const VecX& x) {
+                        return constraint_at(scene, now, i, x);
+                    },
+                    now.constraints.size(), bodies.inverse_mass, how,
+                    at_the_end ? settings.h : h, goal, bodies.x);
             break;
         }
     }

@@ -18,16 +18,19 @@ struct OneRowScene {
 };
 
 template <class ConstraintAt>
-void free_velocities(OneRowScene<ConstraintAt>& scene, const StepSettings& settings, StepData<2>& now)
+void free_velocities(OneRowScene<ConstraintAt>& scene, const StepSettings& settings,
+                     StepData<2>& now)
 {
     scene.bodies.f.setZero();
     add_gravity(scene.bodies, scene.gravity);
-    now.u_star = scene.bodies.u + settings.part() * scene.bodies.inverse_mass.cwiseProduct(scene.bodies.f);
+    now.u_star =
+        scene.bodies.u +
+        settings.part() * scene.bodies.inverse_mass.cwiseProduct(scene.bodies.f);
 }
 
 template <class ConstraintAt>
-Constraint<2> constraint_at(const OneRowScene<ConstraintAt>& scene, const StepData<2>&, std::size_t,
-                            const VecX& x)
+Constraint<2> constraint_at(const OneRowScene<ConstraintAt>& scene,
+                            const StepData<2>&, std::size_t, const VecX& x)
 {
     return scene.at(x);
 }

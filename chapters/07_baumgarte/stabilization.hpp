@@ -26,12 +26,16 @@ enum class Stabilizer { none, baumgarte, relaxation, split_impulse, projection }
 
 struct StabilizerSettings {
     Stabilizer method = Stabilizer::baumgarte;
-    Real beta = 0.2;          ///< part of an error that is corrected in a step; stable below 2, monotone to 1
+    /// part of an error that is corrected in a step; stable below 2, monotone to 1
+    Real beta = 0.2;
     Real slop = 0;            ///< an overlap of up to this much is left alone [ℓ]
     Real bilateral_slop = 0;  ///< the same for a bilateral row, to both sides [ℓ]
-    Real max_correction_speed = infinity;  ///< an error is corrected at this speed at most [ℓ/s]
-    int correction_sweeps = 10;            ///< at most, for relaxation, pseudo-velocities, projection
-    Real tolerance = 1e-9;  ///< these sweeps end when none of them changes a row by more than this [ℓ/s]
+    /// an error is corrected at this speed at most [ℓ/s]
+    Real max_correction_speed = infinity;
+    /// at most, for relaxation, pseudo-velocities, projection
+    int correction_sweeps = 10;
+    /// these sweeps end when none of them changes a row by more than this [ℓ/s]
+    Real tolerance = 1e-9;
 };
 
 /// What a step does with settings that are measured in the length ℓ of its scene [m]: all functions below take metres.
@@ -67,52 +71,61 @@ inline void require_valid(const StabilizerSettings& settings)
 {
     const auto at_least_zero = [](Real value, const char* name, bool finite) {
         if (!(value >= 0) || (finite && !std::isfinite(value)))
-            throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
-                                        "; it must be zero or positive" + (finite ? " and finite" : ""));
+            throw std::invalid_argument(
+                std::string(name) + " is " + shortest(value) +
+                "; it must be zero or positive" + (finite ? " and finite" : ""));
     };
     at_least_zero(settings.beta, "beta", true);
     at_least_zero(settings.slop, "slop", true);
     at_least_zero(settings.bilateral_slop, "bilateral_slop", true);
     at_least_zero(settings.max_correction_speed, "max_correction_speed", false);
-    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps", false);
+    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps",
+                  false);
     if (settings.correction_sweeps < 0)
-        throw std::invalid_argument("correction_sweeps is " + std::to_string(settings.correction_sweeps) +
+        throw std::invalid_argument("correction_sweeps is " +
+                                    std::to_string(settings.correction_sweeps) +
                                     "; it must be zero or positive");
 }
 
 //! [error]
-/// (7.16): the part of C that is to be corrected [m]: what lies beyond the slop; of a contact only an overlap, C < 0; of
-/// a motor nothing.
-inline Real position_error(Real C, ConstraintKind kind, const StabilizerSettings& settings)
+/// (7.16): the part of C that is to be corrected [m]: what lies beyond the slop; of
+/// a contact only an overlap, C < 0; of a motor nothing.
+inline Real position_error(Real C, ConstraintKind kind,
+                           const StabilizerSettings& settings)
 {
     if (!has_error(kind)) return 0;
-    if (kind == ConstraintKind::unilateral) return std::min(Real{0}, C + settings.slop);
+    if (kind == ConstraintKind::unilateral)
+        return std::min(Real{0}, C + settings.slop);
     return C - std::clamp(C, -settings.bilateral_slop, settings.bilateral_slop);
 }
 //! [error]
 
 //! [baumgarte]
-/// (7.4): the bias that corrects the part β of C in one step, at no more than the maximum speed.
+/// (7.4): the bias that corrects the part β of C in one step, at no more than the
+/// maximum speed.
 /// \param C     position error of the row [m]
 /// \param kind  of its constraint
 /// \param h     time step [s]
 /// \return      velocity bias b [m/s]
-inline Real baumgarte_bias(Real C, ConstraintKind kind, const StabilizerSettings& settings, Real h)
+inline Real baumgarte_bias(Real C, ConstraintKind kind,
+                           const StabilizerSettings& settings, Real h)
 {
     const Real repaid = settings.beta / h * position_error(C, kind, settings);
-    return std::clamp(repaid, -settings.max_correction_speed, settings.max_correction_speed);
+    return std::clamp(repaid, -settings.max_correction_speed,
+                      settings.max_correction_speed);
 }
 //! [baumgarte]
 
 //! [velocity_bias]
 /// The bias of a row in the sweeps that find the velocity.
 template <int Dof>
-Real velocity_bias(const Constraint<Dof>& c, const StabilizerSettings& settings, Real h)
+Real velocity_bias(const Constraint<Dof>& c, const StabilizerSettings& settings,
+                   Real h)
 {
     if (!has_error(c.kind)) return own_bias(c, h);
     if (c.kind == ConstraintKind::unilateral && c.C > 0) return c.C / h;
-    const bool corrects =
-        settings.method == Stabilizer::baumgarte || settings.method == Stabilizer::relaxation;
+    const bool corrects = settings.method == Stabilizer::baumgarte ||
+                          settings.method == Stabilizer::relaxation;
     return corrects ? baumgarte_bias(c.C, c.kind, settings, h) : 0;
 }
 //! [velocity_bias]
@@ -128,7 +141,8 @@ Real predicted(const Row<Dof>& row, Real C, const VecX& u, Real h)
 
 /// As many rows as the step has, and the sweeps that the settings allow.
 template <int Dof>
-void begin_second(const StepData<Dof>& now, const StabilizerSettings& settings, SecondProblem& second)
+void begin_second(const StepData<Dof>& now, const StabilizerSettings& settings,
+                  SecondProblem& second)
 {
     second.bias.assign(now.rows.size(), 0);
     second.left_out.assign(now.rows.size(), 0);
@@ -137,32 +151,36 @@ void begin_second(const StepData<Dof>& now, const StabilizerSettings& settings, 
 }
 
 //! [relax]
-/// The second problem of relaxation: it takes back the velocity that was only there to correct. The rows keep their
-/// u*, and get b = 0, or what is left of a gap.
+/// The second problem of relaxation: it takes back the velocity that was only there
+/// to correct. The rows keep their u*, and get b = 0, or what is left of a gap.
 /// \param now  the rows, as they were solved
 /// \param u    velocities of that answer [m/s]
 template <int Dof>
-void pose_relaxation(const StepData<Dof>& now, const StabilizerSettings& settings, Real h, const VecX& u,
-                     SecondProblem& second)
+void pose_relaxation(const StepData<Dof>& now, const StabilizerSettings& settings,
+                     Real h, const VecX& u, SecondProblem& second)
 {
     begin_second(now, settings, second);
     for (std::size_t i = 0; i < now.rows.size(); ++i) {
         const Constraint<Dof>& c = now.constraints[i];
         const Row<Dof>& row = now.rows[i];
         second.bias[i] = row.bias;
-        if (!has_error(c.kind)) continue;                        // a speed is wanted, or a spring pulls
+        // a speed is wanted, or a spring pulls
+        if (!has_error(c.kind)) continue;
         if (row.bias < velocity_bias(c, settings, h)) continue;  // it bounces
-        const Real C = c.kind == ConstraintKind::bilateral ? 0 : predicted(row, c.C, u, h);
+        const Real C =
+            c.kind == ConstraintKind::bilateral ? 0 : predicted(row, c.C, u, h);
         second.bias[i] = std::max(Real{0}, C) / h;
     }
 }
 //! [relax]
 
 //! [split]
-/// The second problem of split impulse, (7.17): pseudo-velocities v that correct the part β of the error that the step
-/// will leave, C' = C + h J u. They are found on the same rows, and only ever added to x.
+/// The second problem of split impulse, (7.17): pseudo-velocities v that correct
+/// the part β of the error that the step will leave, C' = C + h J u. They are found
+/// on the same rows, and only ever added to x.
 template <int Dof>
-void pose_split_impulse(const StepData<Dof>& now, const StabilizerSettings& settings, Real h, const VecX& u,
+void pose_split_impulse(const StepData<Dof>& now,
+                        const StabilizerSettings& settings, Real h, const VecX& u,
                         SecondProblem& second)
 {
     begin_second(now, settings, second);
@@ -171,8 +189,9 @@ void pose_split_impulse(const StepData<Dof>& now, const StabilizerSettings& sett
         second.left_out[i] = !has_error(c.kind);
         if (second.left_out[i]) continue;
         const Real C = predicted(now.rows[i], c.C, u, h);
-        second.bias[i] =
-            c.kind == ConstraintKind::unilateral && C > 0 ? C / h : baumgarte_bias(C, c.kind, settings, h);
+        second.bias[i] = c.kind == ConstraintKind::unilateral && C > 0
+                             ? C / h
+                             : baumgarte_bias(C, c.kind, settings, h);
     }
 }
 //! [split]

@@ -26,25 +26,30 @@ namespace rigid {
 
 /// Which bodies hang together, by rows between bodies that can move. Memory is kept.
 struct BodyGroups {
-    std::vector<Index>
-        of;  ///< K: the lowest number of a body of the same group; of a body without a row its own
+    /// K: the lowest number of a body of the same group; of a body without a row
+    /// its own
+    std::vector<Index> of;
     std::vector<Index> bodies;  ///< those that some row names, ascending
     std::vector<Index> of_row;  ///< m: the group of the row's bodies
 };
 
 //! [groups]
-/// Union and find: each body points to one of its group with a lower number, in the end to the lowest. Only bodies that
-/// rows name are looked at, so that this costs nothing where all others sleep.
+/// Union and find: each body points to one of its group with a lower number, in the
+/// end to the lowest. Only bodies that rows name are looked at, so that this costs
+/// nothing where all others sleep.
 /// \param rows          m valid rows
 /// \param inverse_mass  [1/kg]; a body that cannot move joins no others
 /// \param groups        overwritten
 template <int Dof>
-void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyGroups& groups)
+void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
+                 BodyGroups& groups)
 {
     std::vector<Index>&of = groups.of, &bodies = groups.bodies;
     const auto count = static_cast<std::size_t>(inverse_mass.size() / Dof);
     require_bodies<Dof>(rows, static_cast<Index>(count));
-    const auto above = [&of](Index k) -> Index& { return of[static_cast<std::size_t>(k)]; };
+    const auto above = [&of](Index k) -> Index& {
+        return of[static_cast<std::size_t>(k)];
+    };
     if (of.size() != count) {
         of.resize(count);
         std::iota(of.begin(), of.end(), Index{0});
@@ -55,7 +60,8 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
     for (const Row<Dof>& row : rows)
         for (const Index k : {row.a, row.b})
             if (k != world) bodies.push_back(k);
-    if (!std::is_sorted(bodies.begin(), bodies.end())) std::sort(bodies.begin(), bodies.end());
+    if (!std::is_sorted(bodies.begin(), bodies.end()))
+        std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
 
     const auto moves = [&inverse_mass](Index k) {
@@ -71,11 +77,12 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass, BodyG
 //! [groups]
 
 //! [rule]
-/// What may be taken instead of the s of (8.14). The merit of sλ is at most zero for every s between 0 and twice the
-/// best, so that none of it touches (8.16).
+/// What may be taken instead of the s of (8.14). The merit of sλ is at most zero
+/// for every s between 0 and twice the best, so that none of it touches (8.16).
 struct MultipleRule {
-    Real near_one =
-        0;  ///< a multiple is moved towards 1 by this much, and to 1 if it is no farther; see section 8.8
+    /// a multiple is moved towards 1 by this much, and to 1 if it is no farther;
+    /// see section 8.8
+    Real near_one = 0;
     Real most = infinity;  ///< and it is at most this, 1 …
 };
 
@@ -83,10 +90,12 @@ struct MultipleRule {
 /// \param slope      qᵀλ [J]
 /// \param curvature  λᵀAλ [J]; zero = the guess moves nothing, and stays as it is
 /// \param most       1 where a greater one cannot be trusted, else infinity
-inline Real multiple_of(Real slope, Real curvature, const MultipleRule& rule, Real most = infinity)
+inline Real multiple_of(Real slope, Real curvature, const MultipleRule& rule,
+                        Real most = infinity)
 {
     if (!(curvature > 0)) return 1;
-    const Real best = std::clamp(-slope / curvature, Real{0}, std::min(most, rule.most));
+    const Real best =
+        std::clamp(-slope / curvature, Real{0}, std::min(most, rule.most));
     if (best > 1) return std::max(Real{1}, best - rule.near_one);
     return std::min({Real{1}, best + rule.near_one, 2 * best});
 }
@@ -99,30 +108,35 @@ inline void require_valid(const MultipleRule& rule)
         throw std::invalid_argument("near_one is " + shortest(rule.near_one) +
                                     "; it must be zero or positive");
     if (!(rule.most >= 1))
-        throw std::invalid_argument("the greatest multiple is " + shortest(rule.most) +
-                                    "; it must be 1 or more");
+        throw std::invalid_argument("the greatest multiple is " +
+                                    shortest(rule.most) + "; it must be 1 or more");
 }
 
 /// Numbers of each group, memory that is kept from step to step. Only entries of bodies that rows name are written.
 struct MultipleScratch {
     std::vector<Index> written;  ///< those bodies, ascending
-    VecX change;                 ///< 2K or 3K: Δu that the remembered λ makes [m/s]
-    VecX slope;                  ///< qᵀλ [J]
-    VecX curvature;              ///< λᵀAλ [J]
-    VecX apart;                  ///< Σ A_ii λ_i²: what the curvature would be if no row met another [J]
-    VecX multiple;               ///< s; 1 where there is no row
-    std::vector<char> asks;      ///< a row of the group has a bias that velocities at rest do not satisfy
+    VecX change;     ///< 2K or 3K: Δu that the remembered λ makes [m/s]
+    VecX slope;      ///< qᵀλ [J]
+    VecX curvature;  ///< λᵀAλ [J]
+    /// Σ A_ii λ_i²: what the curvature would be if no row met another [J]
+    VecX apart;
+    VecX multiple;  ///< s; 1 where there is no row
+    /// a row of the group has a bias that velocities at rest do not satisfy
+    std::vector<char> asks;
 };
 
 //! [trusted]
-/// Where λᵀAλ is below this part of Σ A_ii λ_i², its digits are rounding: those of Δu are 1e-16 of what is summed up.
-/// A thousand equal discs in a column have 1e-6, 1e8 kg on four discs 1e-9.
+/// Where λᵀAλ is below this part of Σ A_ii λ_i², its digits are rounding: those of
+/// Δu are 1e-16 of what is summed up. A thousand equal discs in a column have 1e-6,
+/// 1e8 kg on four discs 1e-9.
 inline constexpr Real rounding_alone = 1e-20;
-/// And where the bias of some row requires a velocity against its error (b < 0, or b ≠ 0 of a bilateral one), rows may be in
-/// conflict: their merit has no least value, and below this part the multiple would let them grow forever.
+/// And where the bias of some row requires a velocity against its error (b < 0, or
+/// b ≠ 0 of a bilateral one), rows may be in conflict: their merit has no least
+/// value, and below this part the multiple would let them grow forever.
 inline constexpr Real cancelled = 1e-8;
 
-/// Velocities of zero satisfy each row whose bias requires nothing, so such rows are never in conflict.
+/// Velocities of zero satisfy each row whose bias requires nothing, so such rows
+/// are never in conflict.
 template <int Dof>
 bool asks(const Row<Dof>& row)
 {
@@ -136,7 +150,9 @@ void begin_multiples(const BodyGroups& groups, MultipleScratch& scratch)
 {
     const auto count = static_cast<Index>(groups.of.size());
     if (scratch.multiple.size() != count) {
-        for (VecX* const sums : {&scratch.slope, &scratch.curvature, &scratch.apart}) sums->setZero(count);
+        for (VecX* const sums :
+             {&scratch.slope, &scratch.curvature, &scratch.apart})
+            sums->setZero(count);
         scratch.change.setZero(Dof * count);
         scratch.multiple.setOnes(count);
         scratch.asks.assign(groups.of.size(), 0);
@@ -152,17 +168,20 @@ void begin_multiples(const BodyGroups& groups, MultipleScratch& scratch)
 }
 
 //! [best_multiple]
-/// (8.14): scales the impulses of each group by the multiple that lowers the merit most, at least zero.
+/// (8.14): scales the impulses of each group by the multiple that lowers the merit
+/// most, at least zero.
 /// \param rows          m valid rows
 /// \param inverse_mass  [1/kg]
 /// \param u_star        velocities before all impulses [m/s]
 /// \param groups        of these rows
 /// \param scratch       what was found
-/// \param lambda        m: the remembered impulses [N s], each within its bounds; scaled
+/// \param lambda        m: the remembered impulses [N s], each within its bounds;
+///                      scaled
 /// \param rule          what may be taken instead of the best
 template <int Dof>
-void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, const VecX& u_star,
-                   const BodyGroups& groups, MultipleScratch& scratch, VecX& lambda,
+void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
+                   const VecX& u_star, const BodyGroups& groups,
+                   MultipleScratch& scratch, VecX& lambda,
                    const MultipleRule& rule = {})
 {
     begin_multiples<Dof>(groups, scratch);
@@ -172,7 +191,8 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, con
         scratch.slope[groups.of_row[i]] += rows[i].velocity(u_star) * impulse;
         scratch.apart[groups.of_row[i]] += rows[i].diagonal() * impulse * impulse;
         scratch.curvature[groups.of_row[i]] += rows[i].softness * impulse * impulse;
-        if (asks(rows[i])) scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
+        if (asks(rows[i]))
+            scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
     }
     for (const Index k : scratch.written)
         for (Index i = Dof * k; i < Dof * (k + 1); ++i)
@@ -182,9 +202,12 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass, con
     for (const Index g : scratch.written) {
         if (groups.of[static_cast<std::size_t>(g)] != g)
             continue;  // not the body that the group is named after
-        const Real part = scratch.asks[static_cast<std::size_t>(g)] ? cancelled : rounding_alone;
-        const Real most = scratch.curvature[g] < part * scratch.apart[g] ? 1 : infinity;
-        scratch.multiple[g] = multiple_of(scratch.slope[g], scratch.curvature[g], rule, most);
+        const Real part =
+            scratch.asks[static_cast<std::size_t>(g)] ? cancelled : rounding_alone;
+        const Real most =
+            scratch.curvature[g] < part * scratch.apart[g] ? 1 : infinity;
+        scratch.multiple[g] =
+            multiple_of(scratch.slope[g], scratch.curvature[g], rule, most);
     }
     for (std::size_t i = 0; i < rows.size(); ++i)
         lambda[static_cast<Index>(i)] *= scratch.multiple[groups.of_row[i]];

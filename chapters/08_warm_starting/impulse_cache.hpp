@@ -21,9 +21,11 @@
 namespace rigid {
 
 //! [key]
-/// Which row it is. The number of a row changes whenever a contact comes or goes; its key does not.
+/// Which row it is. The number of a row changes whenever a contact comes or goes;
+/// its key does not.
 struct ImpulseKey {
-    std::int32_t first = 0;    ///< body a, or the world (−1), or `of_a_joint`, or `of_a_machine`
+    /// body a, or the world (−1), or `of_a_joint`, or `of_a_machine`
+    std::int32_t first = 0;
     std::int32_t second = 0;   ///< body b, or the number of the joint or machine
     std::int32_t feature = 0;  ///< which of several rows of this pair or joint
 
@@ -43,14 +45,16 @@ inline ImpulseKey joint_key(std::size_t machine)
 
 inline ImpulseKey contact_key(const Contact& contact)
 {
-    return {static_cast<std::int32_t>(contact.a), static_cast<std::int32_t>(contact.b),
+    return {static_cast<std::int32_t>(contact.a),
+            static_cast<std::int32_t>(contact.b),
             static_cast<std::int32_t>(contact.feature)};
 }
 //! [key]
 
 inline std::string to_string(const ImpulseKey& key)
 {
-    return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " + std::to_string(key.feature);
+    return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " +
+           std::to_string(key.feature);
 }
 
 /// What was remembered, in ascending order of the keys. All memory is kept from step to step.
@@ -63,9 +67,11 @@ struct ImpulseCache {
     std::vector<Entry> entries;
     std::vector<Entry> spare;  ///< where store() writes before it swaps
     Real h = 0;                ///< time step of the impulses that are stored [s]
-    int keep = 0;              ///< steps that an impulse outlives its row; 0 = a row that goes is forgotten
-    int found = 0;             ///< rows that the last load() found
-    int searched = 0;          ///< rows that it had to search for, because they were not the next in line
+    /// steps that an impulse outlives its row; 0 = a row that goes is forgotten
+    int keep = 0;
+    int found = 0;  ///< rows that the last load() found
+    /// rows that it had to search for, because they were not the next in line
+    int searched = 0;
 };
 
 //! [load]
@@ -74,19 +80,24 @@ struct ImpulseCache {
 /// \param keys    one for each row of this step, in any order
 /// \param h       time step [s]
 /// \param lambda  becomes one number for each key [N s]
-inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h, VecX& lambda)
+inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h,
+                 VecX& lambda)
 {
     lambda.setZero(static_cast<Index>(keys.size()));
     cache.found = cache.searched = 0;
-    const Real scale = cache.h > 0 ? h / cache.h : 0;  // an impulse is a force times h
+    // an impulse is a force times h
+    const Real scale = cache.h > 0 ? h / cache.h : 0;
     auto next = cache.entries.begin();
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        // Most rows are those of the previous step in the same order: then the next entry is the right one.
+        // Most rows are those of the previous step in the same order: then the next
+        // entry is the right one.
         if (next == cache.entries.end() || next->key != keys[i]) {
             ++cache.searched;
             next = std::lower_bound(
                 cache.entries.begin(), cache.entries.end(), keys[i],
-                [](const ImpulseCache::Entry& entry, const ImpulseKey& key) { return entry.key < key; });
+                [](const ImpulseCache::Entry& entry, const ImpulseKey& key) {
+                    return entry.key < key;
+                });
             if (next == cache.entries.end() || next->key != keys[i]) continue;
         }
         lambda[static_cast<Index>(i)] = scale * next->lambda;
@@ -97,18 +108,23 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h, 
 //! [load]
 
 //! [store]
-/// Remembers the answer of a step, and for `cache.keep` more steps the impulses of rows that are gone.
-/// An impulse that is not finite is not remembered. Does not allocate once it has seen so many rows.
+/// Remembers the answer of a step, and for `cache.keep` more steps the impulses of
+/// rows that are gone. An impulse that is not finite is not remembered. Does not
+/// allocate once it has seen so many rows.
 /// \param cache   is overwritten
-/// \param keys    one for each row, each key once; throws std::invalid_argument otherwise
+/// \param keys    one for each row, each key once; throws std::invalid_argument
+///                otherwise
 /// \param lambda  one for each key [N s]
 /// \param h       time step of these impulses [s]
-inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys, const VecX& lambda, Real h)
+inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
+                  const VecX& lambda, Real h)
 {
     if (static_cast<Index>(keys.size()) != lambda.size())
-        throw std::invalid_argument("there are " + std::to_string(keys.size()) + " keys for " +
-                                    std::to_string(lambda.size()) + " impulses");
-    const auto ascending = [](const ImpulseCache::Entry& a, const ImpulseCache::Entry& b) {
+        throw std::invalid_argument("there are " + std::to_string(keys.size()) +
+                                    " keys for " + std::to_string(lambda.size()) +
+                                    " impulses");
+    const auto ascending = [](const ImpulseCache::Entry& a,
+                              const ImpulseCache::Entry& b) {
         return a.key < b.key;
     };
     std::vector<ImpulseCache::Entry>& today = cache.spare;
@@ -119,7 +135,8 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys, const V
         std::sort(today.begin(), today.end(), ascending);
     for (std::size_t i = 1; i < today.size(); ++i)
         if (today[i - 1].key == today[i].key)
-            throw std::invalid_argument("two rows have the key " + to_string(today[i].key));
+            throw std::invalid_argument("two rows have the key " +
+                                        to_string(today[i].key));
 
     // What is missing in this step but still remembered goes behind its rows.
     const std::size_t rows = today.size();
@@ -132,7 +149,9 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys, const V
     }
     if (today.size() > rows) std::sort(today.begin(), today.end(), ascending);
 
-    std::erase_if(today, [](const ImpulseCache::Entry& entry) { return !std::isfinite(entry.lambda); });
+    std::erase_if(today, [](const ImpulseCache::Entry& entry) {
+        return !std::isfinite(entry.lambda);
+    });
     std::swap(cache.entries, cache.spare);
     cache.h = h;
 }

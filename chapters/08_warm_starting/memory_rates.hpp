@@ -36,24 +36,28 @@ Real spectral_radius(Matrix power)
 }
 
 //! [step_rate]
-/// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a step, in the long run.
-/// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an error, 0 … 1
+/// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a
+/// step, in the long run.
+/// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an
+///               error, 0 … 1
 /// \param share  σ, of the previous impulses; 0 = cold
-/// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid outside of the velocities.
-///               Then (8.10) has a factor z − 1, the error that stays; the two other roots are meant
+/// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid
+///               outside of the velocities. Then (8.10) has a factor z − 1, the
+///               error that stays; the two other roots are meant
 inline Real step_rate(Real gamma, Real share, Real beta)
 {
-    Eigen::Matrix<Real, 3, 3> companion;  // the matrix whose characteristic polynomial is (8.10)
-    companion << 1 - beta + gamma * (1 + share + beta), -gamma * (1 + 2 * share), gamma * share,  //
-        1, 0, 0,                                                                                  //
-        0, 1, 0;
+    // the matrix whose characteristic polynomial is (8.10)
+    Eigen::Matrix<Real, 3, 3> companion;
+    companion << 1 - beta + gamma * (1 + share + beta), -gamma * (1 + 2 * share),
+        gamma * share, 1, 0, 0, 0, 1, 0;
     if (beta == 0) companion.row(0) << gamma * (1 + share), -gamma * share, 0;
     return spectral_radius(companion);
 }
 //! [step_rate]
 
 //! [settles]
-/// (8.7a): do steps that start from all of the remembered impulses settle? b = 0, and rows that stay and push or pull.
+/// (8.7a): do steps that start from all of the remembered impulses settle? b = 0,
+/// and rows that stay and push or pull.
 /// \param gamma  an eigenvalue of Gᵏ, what the sweeps of a step leave of an error
 inline bool memory_settles(std::complex<Real> gamma)
 {
@@ -61,7 +65,8 @@ inline bool memory_settles(std::complex<Real> gamma)
     return 2 * size * std::abs(Real{1} - gamma) < 1 - size * size;
 }
 
-/// What (8.6) does to the largest error in a step, in the long run. No mode is needed.
+/// What (8.6) does to the largest error in a step, in the long run. No mode is
+/// needed.
 /// \param G  m×m: what the sweeps of a step leave of the error of λ
 inline Real memory_rate(const MatX& G)
 {

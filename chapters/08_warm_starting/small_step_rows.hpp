@@ -38,24 +38,31 @@ struct SmallStep {
     ImpulseCache cache;              ///< its h is 0 until a step has been made
     VecX remembered;                 ///< λ by the number of the row [N s]
     std::vector<SolverRow<2>> rows;  ///< in the order of the visits
-    std::vector<Real> rest;          ///< distance at which C = 0, in the same order [m]
-    std::vector<int> order, place;   ///< row number of each visit; and where each row number is visited
-    std::vector<Row<2>> bodies;      ///< bodies and M⁻¹ of the rows as given: all that colours depend on
+    /// distance at which C = 0, in the same order [m]
+    std::vector<Real> rest;
+    /// row number of each visit; and where each row number is visited
+    std::vector<int> order, place;
+    /// bodies and M⁻¹ of the rows as given: all that colours depend on
+    std::vector<Row<2>> bodies;
     Colouring colouring;
     BodyGroups groups;
-    std::vector<std::size_t> group_of_row;  ///< the place in `starts`, in the order of the visits
-    std::vector<BodyRun> runs;              ///< all bodies, in their order
-    std::vector<StartOfGroup> starts;       ///< of each group
-    VecX mass;                              ///< K [kg]; 0 = cannot move
-    VecX u, change;                         ///< [m/s]; Δu of the guess
-    int sweeps = 0;                         ///< of the last step
-    Real length = 1;                        ///< ℓ, of the scene [m]
-    bool same_rows = false;                 ///< nothing came or went since the step before
-    bool forget_rows = false;  ///< in: make the rows again though they may be the same; for one step
+    /// the place in `starts`, in the order of the visits
+    std::vector<std::size_t> group_of_row;
+    std::vector<BodyRun> runs;         ///< all bodies, in their order
+    std::vector<StartOfGroup> starts;  ///< of each group
+    VecX mass;                         ///< K [kg]; 0 = cannot move
+    VecX u, change;                    ///< [m/s]; Δu of the guess
+    int sweeps = 0;                    ///< of the last step
+    Real length = 1;                   ///< ℓ, of the scene [m]
+    /// nothing came or went since the step before
+    bool same_rows = false;
+    /// in: make the rows again though they may be the same; for one step
+    bool forget_rows = false;
 };
 
 /// The two bodies of a row by its number: links first, then contacts.
-inline std::pair<Index, Index> bodies_of(const DiscScene& scene, const SmallStep& now, std::size_t i)
+inline std::pair<Index, Index> bodies_of(const DiscScene& scene,
+                                         const SmallStep& now, std::size_t i)
 {
     const std::size_t links = scene.links.size();
     if (i < links) return {scene.links[i].a, scene.links[i].b};
@@ -67,7 +74,8 @@ inline void number_groups(const DiscScene& scene, SmallStep& now)
 {
     now.groups.of.clear();  // it holds the numbers of the last call
     find_groups<2>(now.bodies, scene.bodies.inverse_mass, now.groups);
-    std::vector<Index>& of = now.groups.of;  // the lowest body of the group; becomes its number, from 0
+    // the lowest body of the group; becomes its number, from 0
+    std::vector<Index>& of = now.groups.of;
     now.starts.clear();
     now.runs.clear();
     now.mass.resize(scene.bodies.count());
@@ -79,25 +87,31 @@ inline void number_groups(const DiscScene& scene, SmallStep& now)
             group = static_cast<Index>(now.starts.size());
             now.starts.emplace_back();
         } else {
-            group = of[static_cast<std::size_t>(group)];  // a lower body: it has its number
+            // a lower body: it has its number
+            group = of[static_cast<std::size_t>(group)];
         }
         const auto number = static_cast<std::size_t>(group);
-        if (now.runs.empty() || now.runs.back().group != number) now.runs.push_back({k, k, number});
+        if (now.runs.empty() || now.runs.back().group != number)
+            now.runs.push_back({k, k, number});
         now.runs.back().end = k + 1;
     }
     now.group_of_row.resize(now.bodies.size());
     for (std::size_t i = 0; i < now.bodies.size(); ++i)
         now.group_of_row[static_cast<std::size_t>(now.place[i])] =
-            static_cast<std::size_t>(of[static_cast<std::size_t>(now.groups.of_row[i])]);
+            static_cast<std::size_t>(
+                of[static_cast<std::size_t>(now.groups.of_row[i])]);
 }
 
 /// The previous λ goes to the keys of its rows, and from there to the present rows. Then their order.
-inline void change_rows(const DiscScene& scene, const SmallStepSettings& settings, Real h, SmallStep& now)
+inline void change_rows(const DiscScene& scene, const SmallStepSettings& settings,
+                        Real h, SmallStep& now)
 {
     const std::size_t m = now.keys.size();
     now.remembered.resize(static_cast<Index>(now.rows.size()));
-    for (std::size_t k = 0; k < now.rows.size(); ++k) now.remembered[now.order[k]] = now.rows[k].lambda;
-    if (now.cache.h > 0) store(now.cache, now.keys_before, now.remembered, now.cache.h);
+    for (std::size_t k = 0; k < now.rows.size(); ++k)
+        now.remembered[now.order[k]] = now.rows[k].lambda;
+    if (now.cache.h > 0)
+        store(now.cache, now.keys_before, now.remembered, now.cache.h);
     load(now.cache, now.keys, h, now.remembered);
     now.keys_before = now.keys;
 
@@ -106,10 +120,12 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
         const auto [a, b] = bodies_of(scene, now, i);
         now.bodies[i].a = a;
         now.bodies[i].b = b;
-        if (a != world) now.bodies[i].Wa = scene.bodies.inverse_mass.segment<2>(2 * a);
+        if (a != world)
+            now.bodies[i].Wa = scene.bodies.inverse_mass.segment<2>(2 * a);
         now.bodies[i].Wb = scene.bodies.inverse_mass.segment<2>(2 * b);
     }
-    if (settings.coloured) colour_rows(now.bodies, scene.bodies.count(), now.colouring, now.order);
+    if (settings.coloured)
+        colour_rows(now.bodies, scene.bodies.count(), now.colouring, now.order);
     else {
         now.order.resize(m);
         std::iota(now.order.begin(), now.order.end(), 0);
@@ -125,7 +141,8 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
         now.place[i] = static_cast<int>(k);
         row.a = static_cast<int>(2 * (a == world ? b : a));
         row.b = static_cast<int>(2 * b);
-        const Real A = (a == world ? 0 : scene.bodies.inverse_mass[row.a]) + scene.bodies.inverse_mass[row.b];
+        const Real A = (a == world ? 0 : scene.bodies.inverse_mass[row.a]) +
+                       scene.bodies.inverse_mass[row.b];
         row.mass = A > 0 ? 1 / A : 0;
         row.lo = i < scene.links.size() ? -infinity : 0;
         row.hi = infinity;
@@ -135,19 +152,23 @@ inline void change_rows(const DiscScene& scene, const SmallStepSettings& setting
 }
 
 /// Finds the contacts and makes the rows ready for the substeps. Throws std::invalid_argument for a bad setting.
-inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
+inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings,
+                       SmallStep& now)
 {
     require_valid(scene, settings);
     const Real h = settings.h / settings.substeps;
     const std::size_t links = scene.links.size();
     now.contacts.clear();
     now.length = typical_length(scene);
-    if (settings.collides) find_contacts(scene, settings.margin * now.length, now.contacts);
+    if (settings.collides)
+        find_contacts(scene, settings.margin * now.length, now.contacts);
     now.keys.clear();
     for (std::size_t i = 0; i < links; ++i) now.keys.push_back(link_key(i));
-    for (const Contact& contact : now.contacts) now.keys.push_back(contact_key(contact));
+    for (const Contact& contact : now.contacts)
+        now.keys.push_back(contact_key(contact));
 
-    now.same_rows = !std::exchange(now.forget_rows, false) && now.cache.h == h && now.keys == now.keys_before;
+    now.same_rows = !std::exchange(now.forget_rows, false) && now.cache.h == h &&
+                    now.keys == now.keys_before;
     if (!now.same_rows) change_rows(scene, settings, h, now);
     now.cache.h = h;
 
@@ -168,7 +189,8 @@ inline void begin_rows(const DiscScene& scene, const SmallStepSettings& settings
         row.Wa.setZero();
         row.Jb = contact.normal.transpose();
         row.Wb = scene.bodies.inverse_mass[row.b] * contact.normal;
-        now.rest[k] = contact.normal.dot(scene.bodies.x.segment<2>(row.b)) - contact.gap;
+        now.rest[k] =
+            contact.normal.dot(scene.bodies.x.segment<2>(row.b)) - contact.gap;
     }
 }
 

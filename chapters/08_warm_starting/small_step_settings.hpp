@@ -17,12 +17,17 @@ struct SmallStepSettings {
     Real h = 1.0 / 60;  ///< time step [s]
     int substeps = 8;   ///< n
     int sweeps = 1;     ///< in each of them
-    int first_sweeps =
-        1000;  ///< in the very first, which has no previous answer: at most, while a visit changes
-    Real first_tolerance = 1e-5;  ///< the velocity of its row by more than this [ℓ/s]
-    Real margin = 0.02;           ///< a contact gets its row when its gap is below this [ℓ]
-    bool collides = true;         ///< false: nothing ever touches, and no contact is looked for
-    bool coloured = true;         ///< neighbours in the order of the visits share no body
+    /// in the very first, which has no previous answer: at most, while a visit
+    /// changes
+    int first_sweeps = 1000;
+    /// the velocity of its row by more than this [ℓ/s]
+    Real first_tolerance = 1e-5;
+    /// a contact gets its row when its gap is below this [ℓ]
+    Real margin = 0.02;
+    /// false: nothing ever touches, and no contact is looked for
+    bool collides = true;
+    /// neighbours in the order of the visits share no body
+    bool coloured = true;
     /// Each substep starts from the best multiple of what the one before it left, or from nearly that: a pile that
     /// only just balances topples when all its loads change a little together.
     MultipleRule start = {0.2, 10};
@@ -38,30 +43,35 @@ inline void require_valid(const DiscScene& scene, const SmallStepSettings& setti
     require_step(settings.h);
     require_bodies(scene);
     if (!scene.joints.empty())
-        throw std::invalid_argument(
-            "the scene has " + std::to_string(scene.joints.size()) +
-            " joints; small_steps() knows none: take step() by WarmMethod with sub-steps");
+        throw std::invalid_argument("the scene has " +
+                                    std::to_string(scene.joints.size()) +
+                                    " joints; small_steps() knows none: take "
+                                    "step() by WarmMethod with sub-steps");
     if (!scene.bends.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.bends.size()) +
-            " bends; small_steps() knows no torsional springs: take step() by WarmMethod with sub-steps");
+            " bends; small_steps() knows no torsional springs: take step() by "
+            "WarmMethod with sub-steps");
     require_forces(scene.gravity, 0, 0, {0, 0});
     require_margin(settings.margin);
     require_valid(settings.correction);
     require_valid(settings.start);
     if (!(settings.first_tolerance >= 0))
-        throw std::invalid_argument("first_tolerance is " + shortest(settings.first_tolerance) +
+        throw std::invalid_argument("first_tolerance is " +
+                                    shortest(settings.first_tolerance) +
                                     "; it must be zero or positive");
     if (settings.substeps < 1 || settings.sweeps < 1)
-        throw std::invalid_argument("there are " + std::to_string(settings.substeps) + " substeps of " +
-                                    std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
-    if (settings.correction.beta != 1)
-        throw std::invalid_argument("beta is " + shortest(settings.correction.beta) +
-                                    "; small steps repay the whole error, so it must be 1");
-    if (!scene.segments.empty())
         throw std::invalid_argument(
-            "the scene has walls with ends; small steps take only half-spaces for walls, "
-            "whose normals stay");
+            "there are " + std::to_string(settings.substeps) + " substeps of " +
+            std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
+    if (settings.correction.beta != 1)
+        throw std::invalid_argument(
+            "beta is " + shortest(settings.correction.beta) +
+            "; small steps repay the whole error, so it must be 1");
+    if (!scene.segments.empty())
+        throw std::invalid_argument("the scene has walls with ends; small steps "
+                                    "take only half-spaces for walls, "
+                                    "whose normals stay");
 }
 
 }  // namespace rigid

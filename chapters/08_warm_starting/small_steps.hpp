@@ -36,9 +36,11 @@ inline SmallStepSettings careful_steps()
 /// J and M⁻¹ Jᵀ of a row where the bodies are now.
 /// \param rest  distance at which C = 0 [m]
 /// \return      C [m]
-inline Real refresh(const VecX& x, const VecX& inverse_mass, Real rest, SolverRow<2>& row)
+inline Real refresh(const VecX& x, const VecX& inverse_mass, Real rest,
+                    SolverRow<2>& row)
 {
-    if (row.a == row.b) return row.Jb.dot(x.segment<2>(row.b)) - rest;  // a wall is flat: its normal stays
+    // a wall is flat: its normal stays
+    if (row.a == row.b) return row.Jb.dot(x.segment<2>(row.b)) - rest;
     Vec2 n = x.segment<2>(row.b) - x.segment<2>(row.a);
     const Real distance = n.norm();
     if (distance > 0) n /= distance;
@@ -57,11 +59,13 @@ inline void carry(std::size_t k, SmallStep& now)
     const SolverRow<2>& row = now.rows[k];
     now.change.segment<2>(row.a) += row.Wa * row.lambda;
     now.change.segment<2>(row.b) += row.Wb * row.lambda;
-    if (row.bias > 0) now.starts[now.group_of_row[k]].slope += row.bias * row.lambda;
+    if (row.bias > 0)
+        now.starts[now.group_of_row[k]].slope += row.bias * row.lambda;
 }
 
 //! [start_rows]
-/// C, J and b where the bodies are now, and what the remembered impulses do along this J.
+/// C, J and b where the bodies are now, and what the remembered impulses do along
+/// this J.
 /// \param h  a substep [s]
 inline void begin_substep(const Bodies<2>& bodies, Real h, SmallStep& now)
 {
@@ -75,23 +79,27 @@ inline void begin_substep(const Bodies<2>& bodies, Real h, SmallStep& now)
     }
 }
 
-/// u becomes u* + s M⁻¹ Jᵀ λ with the multiple s of each group, (8.14): qᵀλ = bᵀλ + Σ m u*·Δu, λᵀAλ = Σ m Δu².
+/// u becomes u* + s M⁻¹ Jᵀ λ with the multiple s of each group, (8.14): qᵀλ = bᵀλ +
+/// Σ m u*·Δu, λᵀAλ = Σ m Δu².
 /// \param gain  h g [m/s]
-inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep& now)
+inline void take_multiples(const MultipleRule& rule, const Vec2& gain,
+                           SmallStep& now)
 {
     for (const BodyRun& run : now.runs) {
         Vec2 slope = {0, 0}, curvature = {0, 0};
         for (Index k = run.begin; k < run.end; ++k) {
             auto u = now.u.segment<2>(2 * k);
             if (now.mass[k] > 0) u += gain;
-            const Vec2 change = now.change.segment<2>(2 * k), momentum = now.mass[k] * change;
+            const Vec2 change = now.change.segment<2>(2 * k),
+                       momentum = now.mass[k] * change;
             slope += momentum.cwiseProduct(u);
             curvature += momentum.cwiseProduct(change);
         }
         now.starts[run.group].slope += slope.sum();
         now.starts[run.group].curvature += curvature.sum();
     }
-    for (StartOfGroup& group : now.starts) group.multiple = multiple_of(group.slope, group.curvature, rule);
+    for (StartOfGroup& group : now.starts)
+        group.multiple = multiple_of(group.slope, group.curvature, rule);
     for (const BodyRun& run : now.runs) {
         const Real multiple = now.starts[run.group].multiple;
         for (Index k = 2 * run.begin; k < 2 * run.end; k += 2) {
@@ -106,10 +114,12 @@ inline void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep
 /// load that is too small or too large as a whole, so in between they go on from the best multiple of what they have.
 /// \param sweeps  made before
 /// \return        sweeps made in total
-inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep& now)
+inline int first_sweeps(const SmallStepSettings& settings, int sweeps,
+                        SmallStep& now)
 {
-    for (Real change = infinity;
-         sweeps < settings.first_sweeps && change > settings.first_tolerance * now.length; ++sweeps) {
+    for (Real change = infinity; sweeps < settings.first_sweeps &&
+                                 change > settings.first_tolerance * now.length;
+         ++sweeps) {
         if (sweeps % 16 == 0) {
             for (StartOfGroup& group : now.starts) group = {};
             for (std::size_t k = 0; k < now.rows.size(); ++k) carry(k, now);
@@ -129,7 +139,8 @@ inline int first_sweeps(const SmallStepSettings& settings, int sweeps, SmallStep
 
 //! [small_steps]
 /// One time step. Depends on its arguments alone.
-inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, SmallStep& now)
+inline void small_steps(DiscScene& scene, const SmallStepSettings& settings,
+                        SmallStep& now)
 {
     Bodies<2>& bodies = scene.bodies;
     const bool first_step = now.cache.h == 0;
@@ -155,15 +166,20 @@ inline void small_steps(DiscScene& scene, const SmallStepSettings& settings, Sma
     }
     bodies.u = now.u;
 
-    // The error goes out of x, row by row in the order that they were given: with colours the last one would
-    // undo in its neighbours what the first had corrected.
-    const StabilizerSettings correction = in_metres(settings.correction, now.length);
+    // The error goes out of x, row by row in the order that they were given: with
+    // colours the last one would undo in its neighbours what the first had
+    // corrected.
+    const StabilizerSettings correction =
+        in_metres(settings.correction, now.length);
     for (int s = 0; s < correction.correction_sweeps; ++s)
         for (const int k : now.place) {
             SolverRow<2>& row = now.rows[static_cast<std::size_t>(k)];
-            const Real C = refresh(bodies.x, bodies.inverse_mass, now.rest[static_cast<std::size_t>(k)], row);
-            const ConstraintKind kind = row.lo < 0 ? ConstraintKind::bilateral : ConstraintKind::unilateral;
-            const Real repaid = settings.h * baumgarte_bias(C, kind, correction, settings.h);
+            const Real C = refresh(bodies.x, bodies.inverse_mass,
+                                   now.rest[static_cast<std::size_t>(k)], row);
+            const ConstraintKind kind =
+                row.lo < 0 ? ConstraintKind::bilateral : ConstraintKind::unilateral;
+            const Real repaid =
+                settings.h * baumgarte_bias(C, kind, correction, settings.h);
             if (repaid == 0) continue;
             bodies.x.segment<2>(row.a) -= row.Wa * (row.mass * repaid);
             bodies.x.segment<2>(row.b) -= row.Wb * (row.mass * repaid);

@@ -15,9 +15,10 @@ namespace rigid {
 
 /// Where the sweeps start.
 enum class Start {
-    cold,           ///< λ = 0
-    previous,       ///< the answer of the step before, or a part of it
-    best_multiple,  ///< that answer times the multiple that fits this step best (8.14)
+    /// that answer times the multiple that fits this step best (8.14)
+    cold,      ///< λ = 0
+    previous,  ///< the answer of the step before, or a part of it
+    best_multiple,
 };
 
 constexpr std::string_view to_string(Start start)
@@ -45,8 +46,10 @@ inline ImpulseKey key_of(const Source& source, const std::vector<Contact>& conta
 //! [warm_start]
 struct WarmStart {
     Start from = Start::best_multiple;
-    Real factor = 1;  ///< σ, the part of the previous impulses that the sweeps start from, 0 … 1; see (8.11)
-    int keep = 0;     ///< steps that an impulse outlives its row
+    /// σ, the part of the previous impulses that the sweeps start from, 0 … 1; see
+    /// (8.11)
+    Real factor = 1;
+    int keep = 0;       ///< steps that an impulse outlives its row
     MultipleRule rule;  ///< of best_multiple: what may be taken instead of the best
 
     // What is kept from step to step.
@@ -62,21 +65,26 @@ struct WarmStart {
     void recall(const StepSettings& settings, StepData<Dof>& now)
     {
         keys.clear();
-        for (const Source& source : now.sources) keys.push_back(key_of(source, now.contacts));
+        for (const Source& source : now.sources)
+            keys.push_back(key_of(source, now.contacts));
         now.same_rows = keys == arranged && started == from;
-        if (from == Start::cold) now.solution.lambda.setZero(static_cast<Index>(keys.size()));
+        if (from == Start::cold)
+            now.solution.lambda.setZero(static_cast<Index>(keys.size()));
         else load(cache, keys, settings.part(), now.solution.lambda);
     }
 
-    /// Where the sweeps of this sub-step start: λ is what was remembered, and becomes the guess.
+    /// Where the sweeps of this sub-step start: λ is what was remembered, and
+    /// becomes the guess.
     template <int Dof>
     void choose(const Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         VecX& lambda = now.solution.lambda;
         lambda *= from == Start::cold ? 0 : factor;
         if (from != Start::best_multiple) return;
-        if (now.substep == 0 && !now.same_rows) find_groups<Dof>(now.rows, bodies.inverse_mass, groups);
-        best_multiple<Dof>(now.rows, bodies.inverse_mass, now.u_star, groups, multiple, lambda, rule);
+        if (now.substep == 0 && !now.same_rows)
+            find_groups<Dof>(now.rows, bodies.inverse_mass, groups);
+        best_multiple<Dof>(now.rows, bodies.inverse_mass, now.u_star, groups,
+                           multiple, lambda, rule);
         now.visits += static_cast<std::int64_t>(now.rows.size());
     }
 
@@ -94,11 +102,13 @@ struct WarmStart {
     void require_valid() const
     {
         if (!(factor >= 0 && factor <= 1))
-            throw std::invalid_argument("the warm start factor is " + shortest(factor) +
+            throw std::invalid_argument("the warm start factor is " +
+                                        shortest(factor) +
                                         "; it must be from 0 to 1");
         rigid::require_valid(rule);
         if (keep < 0)
-            throw std::invalid_argument("keep is " + std::to_string(keep) + "; it must be zero or positive");
+            throw std::invalid_argument("keep is " + std::to_string(keep) +
+                                        "; it must be zero or positive");
     }
 };
 

@@ -19,14 +19,17 @@
 
 namespace rigid {
 
-inline constexpr Index most_walked_rows = 2000;  ///< larger problems are not handed to Lemke's algorithm
+/// larger problems are not handed to Lemke's algorithm
+inline constexpr Index most_walked_rows = 2000;
 
 /// Memory that is kept from solve to solve, the previous guess, and what the last solve cost.
 struct ActiveSetMemory {
-    std::vector<BoundState> cases;  ///< of the last answer: which rows are at a bound, and at which
-    ActiveSetWork work;             ///< of the last solve
-    bool sparse = false;            ///< which of the two factors was used
-    bool dependent = false;  ///< the active rows of the last answer depend on each other: begin with the term
+    /// of the last answer: which rows are at a bound, and at which
+    std::vector<BoundState> cases;
+    ActiveSetWork work;   ///< of the last solve
+    bool sparse = false;  ///< which of the two factors was used
+    /// the active rows of the last answer depend on each other: begin with the term
+    bool dependent = false;
 
     SparseLdlt sparse_factor;
     DenseLlt dense_factor;
@@ -38,26 +41,29 @@ struct ActiveSetMemory {
 
 inline int guess_limit(const Mlcp& mlcp, const ActiveSetSettings& settings)
 {
-    return settings.limit > 0 ? settings.limit : 500 + static_cast<int>(mlcp.size());
+    return settings.limit > 0 ? settings.limit
+                              : 500 + static_cast<int>(mlcp.size());
 }
 
 //! [guesses]
-/// Guesses with the plain A, then, if rows depend on each other, with the proximal term. True if that settled
-/// it: solved, or infeasible with a proof.
+/// Guesses with the plain A, then, if rows depend on each other, with the proximal
+/// term. True if that settled it: solved, or infeasible with a proof.
 template <class Factor>
-bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor, ActiveSetMemory& memory,
-            Solution& solution)
+bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor,
+            ActiveSetMemory& memory, Solution& solution)
 {
     GuessedProblem& problem = memory.problem;
     ActiveSetWork& work = memory.work;
     const int limit = guess_limit(mlcp, settings);
     if (!memory.dependent) {
-        GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
+        GuessEnd end = guess_or_descend(problem, factor, settings.patience, limit,
+                                        memory.guess, work);
         bool verified = verify_guess(mlcp, settings, memory.guess.lambda, solution);
-        if (end == GuessEnd::right &&
-            !verified) {  // right to the tolerance, but not to the numbers of each row
+        // right to the tolerance, but not to the numbers of each row
+        if (end == GuessEnd::right && !verified) {
             problem.tolerance = 0;
-            end = guess_or_descend(problem, factor, settings.patience, limit, memory.guess, work);
+            end = guess_or_descend(problem, factor, settings.patience, limit,
+                                   memory.guess, work);
             verified = verify_guess(mlcp, settings, memory.guess.lambda, solution);
         }
         if (verified) return true;
@@ -66,11 +72,14 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor,
             return false;
         }
     }
-    if (memory.cases.size() != memory.guess.cases.size()) memory.proximal.previous.resize(0);  // cold
-    const ProximalEnd end =
-        proximal_steps(problem, factor, settings.patience, limit, wanted_residual(mlcp, settings),
-                       memory.proximal, memory.guess, work);
-    memory.dependent = !factor.is_independent(problem);  // else the next solve needs no term
+    // cold
+    if (memory.cases.size() != memory.guess.cases.size())
+        memory.proximal.previous.resize(0);
+    const ProximalEnd end = proximal_steps(problem, factor, settings.patience,
+                                           limit, wanted_residual(mlcp, settings),
+                                           memory.proximal, memory.guess, work);
+    // else the next solve needs no term
+    memory.dependent = !factor.is_independent(problem);
     if (verify_guess(mlcp, settings, memory.guess.lambda, solution)) return true;
     solution.status = end == ProximalEnd::infeasible ? Status::infeasible
                       : end == ProximalEnd::limit    ? Status::iteration_limit
@@ -80,8 +89,8 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor,
 //! [guesses]
 
 /// Asks Lemke's algorithm (chapter 5), and takes over its answer if it has one.
-inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
-                 Solution& solution)
+inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings,
+                 ActiveSetMemory& memory, Solution& solution)
 {
     LemkeSettings lemke_settings;
     lemke_settings.tolerance = settings.tolerance;
@@ -93,35 +102,39 @@ inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetM
         return;  // the last guess is as good, and its status says what is wrong
     solution = walked;
     for (Index i = 0; i < mlcp.size(); ++i)
-        memory.guess.cases[static_cast<std::size_t>(i)] = walked.lambda[i] <= mlcp.lo[i] ? BoundState::at_lo
-                                                          : walked.lambda[i] >= mlcp.hi[i]
-                                                              ? BoundState::at_hi
-                                                              : BoundState::between;
+        memory.guess.cases[static_cast<std::size_t>(i)] =
+            walked.lambda[i] <= mlcp.lo[i]   ? BoundState::at_lo
+            : walked.lambda[i] >= mlcp.hi[i] ? BoundState::at_hi
+                                             : BoundState::between;
 }
 
 //! [active_sets]
-/// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if there are as many as rows.
+/// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if
+/// there are as many as rows.
 ///
-/// `solved`: by the one rule of the book (3.16c). `infeasible`: with a proof (9.15), or one by Lemke's ray. Else
-/// what went wrong, and lambda is the last guess, pressed into its bounds. Where no |q| is above settings.enough
-/// and λ = 0 will do, nothing is guessed and the memory stays as it is.
-/// \throws std::invalid_argument  for a malformed problem or settings that make no sense
-inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, ActiveSetMemory& memory,
-                        Solution& solution)
+/// `solved`: by the one rule of the book (3.16c). `infeasible`: with a proof
+/// (9.15), or one by Lemke's ray. Else what went wrong, and lambda is the last
+/// guess, pressed into its bounds. Where no |q| is above settings.enough and λ = 0
+/// will do, nothing is guessed and the memory stays as it is.
+/// \throws std::invalid_argument  for a malformed problem or settings that make no
+///     sense
+inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings,
+                        ActiveSetMemory& memory, Solution& solution)
 {
     require_valid(mlcp);
     require_valid(settings);
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;
-    if (n > 0 &&
-        mlcp.q.lpNorm<Eigen::Infinity>() <= settings.enough) {  // nothing drives the rows: does λ = 0 do?
+    // nothing drives the rows: does λ = 0 do?
+    if (n > 0 && mlcp.q.lpNorm<Eigen::Infinity>() <= settings.enough) {
         memory.guess.lambda.setZero(n);
         solution.iterations = 0;
         if (verify_guess(mlcp, settings, memory.guess.lambda, solution)) return;
     }
     const auto known = static_cast<Index>(memory.cases.size());
-    if (known > 0 && known != n) memory.dependent = false;  // that was another problem
+    // that was another problem
+    if (known > 0 && known != n) memory.dependent = false;
     GuessedProblem& problem = memory.problem;
     Guess& guess = memory.guess;
     set_up(mlcp, {settings.tolerance, settings.enough}, problem);
@@ -131,10 +144,12 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
         GeneralLu factor;
         factor.load(mlcp);
         begin(problem, memory.cases, false, guess);
-        const GuessEnd end = correct_guess(problem, factor, settings.patience, guess_limit(mlcp, settings),
-                                           true, guess, memory.work);
+        const GuessEnd end =
+            correct_guess(problem, factor, settings.patience,
+                          guess_limit(mlcp, settings), true, guess, memory.work);
         settled = verify_guess(mlcp, settings, guess.lambda, solution);
-        if (!settled && end == GuessEnd::limit) solution.status = Status::iteration_limit;
+        if (!settled && end == GuessEnd::limit)
+            solution.status = Status::iteration_limit;
     } else {
         memory.sparse = n > 32 && 4 * mlcp.A.nonZeros() < n * n;
         if (memory.sparse) {
@@ -142,20 +157,24 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings, Act
             memory.sparse = 6 * memory.sparse_factor.elimination.entries() < n * n;
         }
         begin(problem, memory.cases, memory.sparse || n <= 32, guess);
-        if (memory.sparse) settled = settle(mlcp, settings, memory.sparse_factor, memory, solution);
+        if (memory.sparse)
+            settled =
+                settle(mlcp, settings, memory.sparse_factor, memory, solution);
         else {
             memory.dense_factor.load(mlcp);
             settled = settle(mlcp, settings, memory.dense_factor, memory, solution);
         }
     }
-    if (!settled && settings.limit == 0 && n <= most_walked_rows) walk(mlcp, settings, memory, solution);
+    if (!settled && settings.limit == 0 && n <= most_walked_rows)
+        walk(mlcp, settings, memory, solution);
     solution.iterations = memory.work.guesses;
     memory.cases = guess.cases;
 }
 //! [active_sets]
 
 /// Cold: from a guess that knows nothing.
-inline Solution active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings = {})
+inline Solution active_sets(const Mlcp& mlcp,
+                            const ActiveSetSettings& settings = {})
 {
     ActiveSetMemory memory;
     Solution solution;

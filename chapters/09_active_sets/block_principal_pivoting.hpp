@@ -20,32 +20,37 @@ namespace rigid {
 /// What a solve cost.
 struct ActiveSetWork {
     int factorisations = 0;  ///< of the active rows, from the beginning
-    int updates = 0;         ///< solves by an older factorisation and a border of the rows that changed
-    int guesses = 0;         ///< sets that were tried
-    int flips = 0;           ///< rows that changed their case
-    int single_flips = 0;    ///< of these, one at a time
-    int descents = 0;        ///< guesses that were lowest points of faces (descent.hpp)
-    int outer_steps = 0;     ///< proximal steps; 0 = A needed none
-    int walks = 0;           ///< times that Lemke's algorithm had to be asked
-    Index entries = 0;       ///< entries of the last factor
+    /// solves by an older factorisation and a border of the rows that changed
+    int updates = 0;
+    int guesses = 0;       ///< sets that were tried
+    int flips = 0;         ///< rows that changed their case
+    int single_flips = 0;  ///< of these, one at a time
+    /// guesses that were lowest points of faces (descent.hpp)
+    int descents = 0;
+    int outer_steps = 0;  ///< proximal steps; 0 = A needed none
+    int walks = 0;        ///< times that Lemke's algorithm had to be asked
+    Index entries = 0;    ///< entries of the last factor
 };
 
 /// The problem as the guesses see it: A + diag(shift), and a q of its own.
 struct GuessedProblem {
     const Mlcp* mlcp = nullptr;
-    VecX q;                 ///< that of the problem, or of a proximal step (9.12)
-    VecX shift;             ///< ε A_ii of the proximal step, or zero
-    bool shifted = false;   ///< whether shift is used
-    VecX diagonal;          ///< A_ii; 1 where it is not positive
-    VecX unit;              ///< √A_ii: rows of heavy and of light bodies are compared by w_i / √A_ii
-    Real tolerance = 0;     ///< a row whose w is wrong by less than this in its unit is right,
+    VecX q;                ///< that of the problem, or of a proximal step (9.12)
+    VecX shift;            ///< ε A_ii of the proximal step, or zero
+    bool shifted = false;  ///< whether shift is used
+    VecX diagonal;         ///< A_ii; 1 where it is not positive
+    /// √A_ii: rows of heavy and of light bodies are compared by w_i / √A_ii
+    VecX unit;
+    /// a row whose w is wrong by less than this in its unit is right,
+    Real tolerance = 0;
     Real ceiling = 0;       ///< if that is not more than this [m/s],
     Real enough = 0;        ///< and so is one that is wrong by less than this [m/s]
     Acceptance acceptance;  ///< what the answer will be held to (3.16c)
 };
 
 /// The problem itself, without a term.
-inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance, GuessedProblem& problem)
+inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance,
+                   GuessedProblem& problem)
 {
     const Index n = mlcp.size();
     problem.mlcp = &mlcp;
@@ -62,7 +67,8 @@ inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance, GuessedProble
         largest = std::max(largest, std::abs(mlcp.q[i]) / problem.unit[i]);
     }
     problem.tolerance = 0.01 * acceptance.tolerance * largest;
-    problem.ceiling = n > 0 ? 0.01 * acceptance.tolerance * mlcp.q.lpNorm<Eigen::Infinity>() : 0;
+    problem.ceiling =
+        n > 0 ? 0.01 * acceptance.tolerance * mlcp.q.lpNorm<Eigen::Infinity>() : 0;
     problem.enough = 0.5 * acceptance.enough;
 }
 
@@ -78,8 +84,8 @@ enum class GuessEnd { right, singular, limit };
 
 //! [correct]
 /// (9.4): the case that a row should have, by what its own case led to.
-inline BoundState corrected(const GuessedProblem& problem, Index i, BoundState now, Real lambda, Real w,
-                            Real tolerance)
+inline BoundState corrected(const GuessedProblem& problem, Index i, BoundState now,
+                            Real lambda, Real w, Real tolerance)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const Real allowed = tolerance / problem.diagonal[i];
@@ -89,7 +95,8 @@ inline BoundState corrected(const GuessedProblem& problem, Index i, BoundState n
         if (lambda > mlcp.hi[i] + allowed) return BoundState::at_hi;
         return now;
     case BoundState::at_lo:
-        return w < -tolerance && mlcp.lo[i] < mlcp.hi[i] ? BoundState::between : now;
+        return w < -tolerance && mlcp.lo[i] < mlcp.hi[i] ? BoundState::between
+                                                         : now;
     case BoundState::at_hi:
         return w > tolerance && mlcp.lo[i] < mlcp.hi[i] ? BoundState::between : now;
     }
@@ -99,7 +106,8 @@ inline BoundState corrected(const GuessedProblem& problem, Index i, BoundState n
 
 /// w = (A + diag(shift)) λ + q.
 template <class Factor>
-void velocities(const GuessedProblem& problem, const Factor& factor, const VecX& lambda, VecX& w)
+void velocities(const GuessedProblem& problem, const Factor& factor,
+                const VecX& lambda, VecX& w)
 {
     factor.multiply(*problem.mlcp, lambda, w);
     w += problem.q;
@@ -122,7 +130,10 @@ template <class Factor>
 void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 {
     for (Index i = 0; i < guess.w.size(); ++i)
-        guess.step[i] = guess.cases[static_cast<std::size_t>(i)] == BoundState::between ? -guess.w[i] : 0;
+        guess.step[i] =
+            guess.cases[static_cast<std::size_t>(i)] == BoundState::between
+                ? -guess.w[i]
+                : 0;
     factor.solve(guess.step);
     guess.lambda += guess.step;
     velocities(problem, factor, guess.lambda, guess.w);
@@ -133,21 +144,27 @@ void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
 {
     const Index n = guess.w.size();
-    const Real largest = n > 0 ? guess.lambda.cwiseProduct(problem.unit).lpNorm<Eigen::Infinity>() : 0;
-    const Real rounding = std::max(10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest);
+    const Real largest =
+        n > 0 ? guess.lambda.cwiseProduct(problem.unit).lpNorm<Eigen::Infinity>()
+              : 0;
+    const Real rounding =
+        std::max(10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest);
     guess.wrong.clear();
     for (Index i = 0; i < n; ++i) {
         const BoundState now = guess.cases[static_cast<std::size_t>(i)];
         const Real unit = problem.unit[i];
-        const Real tolerance =
-            std::max({rounding * unit, std::min(problem.tolerance * unit, problem.ceiling), problem.enough});
-        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) != now)
+        const Real tolerance = std::max(
+            {rounding * unit, std::min(problem.tolerance * unit, problem.ceiling),
+             problem.enough});
+        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) !=
+            now)
             guess.wrong.push_back(i);
     }
 }
 
 //! [solve]
-/// (9.2): λ and w of the guess, and which rows they show to be wrong. The factor must be that of guess.cases.
+/// (9.2): λ and w of the guess, and which rows they show to be wrong. The factor
+/// must be that of guess.cases.
 template <class Factor>
 void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 {
@@ -155,7 +172,9 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
     bool zero = true;
     for (Index i = 0; i < mlcp.size(); ++i) {
         const BoundState here = guess.cases[static_cast<std::size_t>(i)];
-        guess.lambda[i] = here == BoundState::at_lo ? mlcp.lo[i] : here == BoundState::at_hi ? mlcp.hi[i] : 0;
+        guess.lambda[i] = here == BoundState::at_lo   ? mlcp.lo[i]
+                          : here == BoundState::at_hi ? mlcp.hi[i]
+                                                      : 0;
         zero = zero && guess.lambda[i] == 0;
     }
     if (zero) guess.w = problem.q;
@@ -167,7 +186,8 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
         left = active_residual(problem, guess);
     }
     find_wrong(problem, left, guess);
-    if (guess.wrong.empty() && left > 0.01 * problem.tolerance) {  // nothing large is wrong: look closer
+    // nothing large is wrong: look closer
+    if (guess.wrong.empty() && left > 0.01 * problem.tolerance) {
         improve(problem, factor, guess);
         find_wrong(problem, 0, guess);
     }
@@ -175,12 +195,14 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
 //! [solve]
 
 //! [loop]
-/// Corrects the guess until nothing is wrong. `singular`: the active rows of some guess depend on each other.
-/// \param patience  flips of all wrong rows without fewer of them, before one row at a time
+/// Corrects the guess until nothing is wrong. `singular`: the active rows of some
+/// guess depend on each other.
+/// \param patience  flips of all wrong rows without fewer of them, before one row
+///                  at a time
 /// \param limit     of work.guesses
 template <class Factor>
-GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience, int limit, bool singly,
-                       Guess& guess, ActiveSetWork& work)
+GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience,
+                       int limit, bool singly, Guess& guess, ActiveSetWork& work)
 {
     std::size_t fewest = guess.cases.size() + 1;
     int chances = patience;
@@ -199,11 +221,13 @@ GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patien
         else if (singly) all = false;
         else break;
         const std::size_t count = all ? guess.wrong.size() : 1;
-        for (std::size_t k = 0; k < count; ++k) {  // (9.5), or the first alone (9.6)
+        // (9.5), or the first alone (9.6)
+        for (std::size_t k = 0; k < count; ++k) {
             const Index i = guess.wrong[k];
             BoundState& here = guess.cases[static_cast<std::size_t>(i)];
-            here = corrected(problem, i, here, guess.lambda[i], guess.w[i],
-                             std::min(problem.tolerance * problem.unit[i], problem.ceiling));
+            here = corrected(
+                problem, i, here, guess.lambda[i], guess.w[i],
+                std::min(problem.tolerance * problem.unit[i], problem.ceiling));
         }
         work.flips += static_cast<int>(count);
         if (!all) ++work.single_flips;

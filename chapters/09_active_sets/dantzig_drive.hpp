@@ -23,8 +23,9 @@ public:
     enum class Place { right, ray, limit };
 
     DantzigDrive(const Mlcp& mlcp, int limit)
-        : lambda(VecX::Zero(mlcp.size())), w(mlcp.size()), mlcp_(mlcp), A_(mlcp.A), factor_(mlcp.size()),
-          limit_(limit), is_done_(static_cast<std::size_t>(mlcp.size()), false), depends_(is_done_)
+        : lambda(VecX::Zero(mlcp.size())), w(mlcp.size()), mlcp_(mlcp), A_(mlcp.A),
+          factor_(mlcp.size()), limit_(limit),
+          is_done_(static_cast<std::size_t>(mlcp.size()), false), depends_(is_done_)
     {
         clamp_into_bounds(mlcp, lambda);
         cases.resize(is_done_.size());
@@ -65,26 +66,35 @@ public:
             Index stops = d;
             bool at_bound = true;
             Real length = (up ? mlcp_.hi[d] - lambda[d] : lambda[d] - mlcp_.lo[d]);
-            if (w_slope_[d] * direction_[d] > 1e-11 * diagonal(d)) {  // else it depends on F: w_d cannot move
+            // else it depends on F: w_d cannot move
+            if (w_slope_[d] * direction_[d] > 1e-11 * diagonal(d)) {
                 const Real to_zero = -w[d] / w_slope_[d];
                 if (to_zero <= length) length = to_zero, at_bound = false;
             }
             for (const Index i : factor_.rows) {
                 const Real slope = direction_[i];
                 if (slope == 0) continue;
-                const Real way = ((slope < 0 ? mlcp_.lo[i] : mlcp_.hi[i]) - lambda[i]) / slope;
-                if (way < length) length = std::max(way, Real{0}), stops = i, at_bound = true;
+                const Real way =
+                    ((slope < 0 ? mlcp_.lo[i] : mlcp_.hi[i]) - lambda[i]) / slope;
+                if (way < length)
+                    length = std::max(way, Real{0}), stops = i, at_bound = true;
             }
             for (Index i = 0; i < mlcp_.size(); ++i) {
                 const BoundState here = cases[index(i)];
-                if (!is_done_[index(i)] || here == BoundState::between || mlcp_.lo[i] == mlcp_.hi[i])
+                if (!is_done_[index(i)] || here == BoundState::between ||
+                    mlcp_.lo[i] == mlcp_.hi[i])
                     continue;
                 // What depends on F has a slope by rounding alone.
                 const Real none =
-                    depends_[index(i)] ? infinity : 1e-12 * std::sqrt(diagonal(i) * diagonal(d));
-                if (here == BoundState::at_lo ? w_slope_[i] >= -none : w_slope_[i] <= none) continue;
+                    depends_[index(i)]
+                        ? infinity
+                        : 1e-12 * std::sqrt(diagonal(i) * diagonal(d));
+                if (here == BoundState::at_lo ? w_slope_[i] >= -none
+                                              : w_slope_[i] <= none)
+                    continue;
                 const Real way = -w[i] / w_slope_[i];
-                if (way < length) length = std::max(way, Real{0}), stops = i, at_bound = false;
+                if (way < length)
+                    length = std::max(way, Real{0}), stops = i, at_bound = false;
             }
             if (!(length < infinity)) return Place::ray;
             lambda += length * direction_;
@@ -115,7 +125,8 @@ private:
     /// What rounding can do to a w.
     Real noise(Index i) const
     {
-        return 1e-14 * (std::abs(mlcp_.q[i]) + A_.col(i).cwiseAbs().dot(lambda.cwiseAbs()));
+        return 1e-14 *
+               (std::abs(mlcp_.q[i]) + A_.col(i).cwiseAbs().dot(lambda.cwiseAbs()));
     }
 
     /// A row that is right where it is.
@@ -125,29 +136,34 @@ private:
         cases[index(d)] = !inside && lambda[d] <= mlcp_.lo[d] ? BoundState::at_lo
                           : !inside                           ? BoundState::at_hi
                                                               : BoundState::between;
-        if (inside && !join(d)) waiting_.push_back(d);  // F already keeps its w at zero
+        // F already keeps its w at zero
+        if (inside && !join(d)) waiting_.push_back(d);
         return Place::right;
     }
 
     bool join(Index i)
     {
         VecX couplings(factor_.size());
-        for (Index k = 0; k < factor_.size(); ++k) couplings[k] = A_(i, factor_.rows[index(k)]);
+        for (Index k = 0; k < factor_.size(); ++k)
+            couplings[k] = A_(i, factor_.rows[index(k)]);
         return factor_.append(i, couplings, A_(i, i), 1e-11 * diagonal(i));
     }
 
     Index place_of(Index row) const
     {
-        return std::find(factor_.rows.begin(), factor_.rows.end(), row) - factor_.rows.begin();
+        return std::find(factor_.rows.begin(), factor_.rows.end(), row) -
+               factor_.rows.begin();
     }
 
     //! [direction]
-    /// (9.16): how λ_F answers when λ_d grows, so that w_F stays zero, and what that does to all w.
+    /// (9.16): how λ_F answers when λ_d grows, so that w_F stays zero, and what
+    /// that does to all w.
     void find_direction(Index d, Real sign)
     {
         const Index f = factor_.size();
         VecX answer(f);
-        for (Index k = 0; k < f; ++k) answer[k] = -sign * A_(factor_.rows[index(k)], d);
+        for (Index k = 0; k < f; ++k)
+            answer[k] = -sign * A_(factor_.rows[index(k)], d);
         factor_.solve(answer);
         direction_ = VecX::Zero(mlcp_.size());
         direction_[d] = sign;
@@ -167,9 +183,11 @@ private:
         for (int round = 0; round < 2; ++round) {
             w = A_ * lambda + mlcp_.q;
             VecX step(factor_.size());
-            for (Index k = 0; k < factor_.size(); ++k) step[k] = -w[factor_.rows[index(k)]];
+            for (Index k = 0; k < factor_.size(); ++k)
+                step[k] = -w[factor_.rows[index(k)]];
             factor_.solve(step);
-            for (Index k = 0; k < factor_.size(); ++k) lambda[factor_.rows[index(k)]] += step[k];
+            for (Index k = 0; k < factor_.size(); ++k)
+                lambda[factor_.rows[index(k)]] += step[k];
         }
     }
 
@@ -177,10 +195,11 @@ private:
     MatX A_;
     IncrementalLdlt factor_;
     int limit_;
-    std::vector<bool> is_done_, depends_;  ///< rows that are right; rows that F would not take in
+    /// rows that are right; rows that F would not take in
+    std::vector<bool> is_done_, depends_;
     std::vector<Index> order_;
-    std::vector<Index>
-        waiting_;  ///< rows between their bounds that depend on F: in, once a row is removed from F
+    /// rows between their bounds that depend on F: in, once a row is removed from F
+    std::vector<Index> waiting_;
     VecX direction_, w_slope_;
 };
 

@@ -46,12 +46,14 @@ public:
     bool is_independent(const GuessedProblem& problem) const
     {
         for (Index r = 0; r < base(); ++r)
-            if (!(L_(r, r) * L_(r, r) > 100 * problem.shift[base_[index(r)]])) return false;
+            if (!(L_(r, r) * L_(r, r) > 100 * problem.shift[base_[index(r)]]))
+                return false;
         return changed_.empty() && !factored_.empty();
     }
 
     /// Factors the rows that are `between`, or borders the last factor. False if they depend on each other.
-    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases, ActiveSetWork& work)
+    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases,
+                ActiveSetWork& work)
     {
         if (factored_ == cases) return true;
         if (!factored_.empty() && border(problem, cases)) ++work.updates;
@@ -77,9 +79,11 @@ public:
             //! [bordered]
             VecX y(k);  // (9.11): S y = c − Yᵀ z, then Lᵀ x = z − Y y
             for (Index c = 0; c < k; ++c)
-                y[c] = came_in(c) * x[changed_[index(c)]] - Y_.col(column_[index(c)]).head(f).dot(z);
+                y[c] = came_in(c) * x[changed_[index(c)]] -
+                       Y_.col(column_[index(c)]).head(f).dot(z);
             y = S_.solve(y);
-            for (Index c = 0; c < k; ++c) z -= y[c] * Y_.col(column_[index(c)]).head(f);
+            for (Index c = 0; c < k; ++c)
+                z -= y[c] * Y_.col(column_[index(c)]).head(f);
             upper_solve(L_, f, z);
             //! [bordered]
             for (Index c = 0; c < k; ++c) x[changed_[index(c)]] = came_in(c) * y[c];
@@ -116,7 +120,8 @@ private:
     Real came_in(Index c) const { return in_[index(c)]; }
 
     //! [anew]
-    bool factor_anew(const GuessedProblem& problem, const std::vector<BoundState>& cases)
+    bool factor_anew(const GuessedProblem& problem,
+                     const std::vector<BoundState>& cases)
     {
         base_.clear();
         changed_.clear();
@@ -136,8 +141,9 @@ private:
         if (!llt_in_place(L_, f)) return false;
         for (Index r = 0; r < f; ++r) {
             const Index i = base_[index(r)];
-            const Real nothing =
-                problem.shifted ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
+            const Real nothing = problem.shifted
+                                     ? 0.01 * problem.shift[i]
+                                     : rank_tolerance * problem.diagonal[i];
             if (!(L_(r, r) * L_(r, r) > nothing)) return false;
         }
         return true;
@@ -145,13 +151,15 @@ private:
     //! [anew]
 
     //! [border]
-    /// (9.11): the rows that differ from the base as a border; false if there are too many of them.
+    /// (9.11): the rows that differ from the base as a border; false if there are
+    /// too many of them.
     bool border(const GuessedProblem& problem, const std::vector<BoundState>& cases)
     {
         const Index f = base(), most = f / 6;
         changed_.clear();
         for (Index i = 0; i < size(cases); ++i)
-            if ((cases[index(i)] == BoundState::between) != (place_[index(i)] >= 0)) changed_.push_back(i);
+            if ((cases[index(i)] == BoundState::between) != (place_[index(i)] >= 0))
+                changed_.push_back(i);
         const Index k = size(changed_);
         if (k > most) return false;
         in_.resize(changed_.size());
@@ -165,10 +173,12 @@ private:
             column_[index(c)] = slot;
             if (slot < size(slots_)) continue;  // it has been solved for already
             if (slot >= 2 * most) return false;
-            if (Y_.rows() < A_.rows() || Y_.cols() <= slot) Y_.conservativeResize(A_.rows(), 2 * most);
+            if (Y_.rows() < A_.rows() || Y_.cols() <= slot)
+                Y_.conservativeResize(A_.rows(), 2 * most);
             auto y = Y_.col(slot).head(f);
             if (in)
-                for (Index r = 0; r < f; ++r) y[r] = in_[index(c)] * A_(base_[index(r)], i);
+                for (Index r = 0; r < f; ++r)
+                    y[r] = in_[index(c)] * A_(base_[index(r)], i);
             else {
                 y.setZero();
                 y[place_[index(i)]] = std::sqrt(problem.diagonal[i]);
@@ -182,22 +192,29 @@ private:
             for (Index d = 0; d <= c; ++d) {
                 const Index i = changed_[index(c)], j = changed_[index(d)];
                 Real entry = in_[index(c)] * in_[index(d)] * A_(i, j);
-                if (i == j && problem.shifted) entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
-                entry -= Y_.col(column_[index(c)]).head(f).dot(Y_.col(column_[index(d)]).head(f));
+                if (i == j && problem.shifted)
+                    entry += in_[index(c)] * in_[index(c)] * problem.shift[i];
+                entry -= Y_.col(column_[index(c)])
+                             .head(f)
+                             .dot(Y_.col(column_[index(d)]).head(f));
                 S(c, d) = S(d, c) = entry;
             }
         if (k == 0) return true;
         S_.compute(S);
         const auto pivots = S_.matrixLU().diagonal().cwiseAbs();
-        return pivots.minCoeff() > 1e-8 && pivots.maxCoeff() < 1e8;  // else too much is lost: factor again
+        // else too much is lost: factor again
+        return pivots.minCoeff() > 1e-8 && pivots.maxCoeff() < 1e8;
     }
     //! [border]
 
-    static constexpr Real rank_tolerance = 1e-11;  ///< share of A_ii that a pivot must keep
+    /// share of A_ii that a pivot must keep
+    static constexpr Real rank_tolerance = 1e-11;
 
     MatX A_, L_, Y_, schur_;
-    std::vector<Index> base_, place_;  ///< the rows of the factor; of a row, its place there or -1
-    std::vector<Index> slots_, changed_, column_;  ///< rows that Y has a column for; rows that differ now
+    /// the rows of the factor; of a row, its place there or -1
+    std::vector<Index> base_, place_;
+    /// rows that Y has a column for; rows that differ now
+    std::vector<Index> slots_, changed_, column_;
     std::vector<Real> in_;
     Eigen::PartialPivLU<MatX> S_;
     mutable VecX x_;

@@ -24,8 +24,8 @@ inline Real merit(const GuessedProblem& problem, const VecX& lambda, const VecX&
 /// From guess.lambda down to the answer. Each guess is the lowest point of a face.
 /// \param visits  of all rows between two faces
 template <class Factor>
-GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int limit, Guess& guess,
-                 ActiveSetWork& work)
+GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits,
+                 int limit, Guess& guess, ActiveSetWork& work)
 {
     const Mlcp& mlcp = *problem.mlcp;
     VecX &here = guess.here, &trial = guess.trial, &way = guess.way;
@@ -39,19 +39,24 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits, int 
             cases_of(mlcp, here, guess.cases);
             ++work.guesses;
             ++work.descents;
-            if (!factor.factor(problem, guess.cases, work)) return GuessEnd::singular;
+            if (!factor.factor(problem, guess.cases, work))
+                return GuessEnd::singular;
             solve_guess(problem, factor, guess);
             if (!guess.lambda.allFinite()) return GuessEnd::singular;
             if (guess.wrong.empty()) return GuessEnd::right;
 
-            // The part of the way to the lowest point of the face that no bound interrupts: always downhill.
+            // The part of the way to the lowest point of the face that no bound
+            // interrupts: always downhill.
             way = guess.lambda - here;
             Real free_way = 1;
             for (const Index i : guess.wrong)
-                if (way[i] < 0) free_way = std::min(free_way, (mlcp.lo[i] - here[i]) / way[i]);
-                else if (way[i] > 0) free_way = std::min(free_way, (mlcp.hi[i] - here[i]) / way[i]);
+                if (way[i] < 0)
+                    free_way = std::min(free_way, (mlcp.lo[i] - here[i]) / way[i]);
+                else if (way[i] > 0)
+                    free_way = std::min(free_way, (mlcp.hi[i] - here[i]) / way[i]);
             arrived = free_way >= 1;
-            for (Real share = 1;; share *= 0.5) {  // more than that, pressed into the bounds, if it is lower
+            // more than that, pressed into the bounds, if it is lower
+            for (Real share = 1;; share *= 0.5) {
                 const bool last = share <= free_way;
                 if (last) share = free_way;
                 trial = here + share * way;

@@ -18,21 +18,28 @@ namespace rigid {
 
 class Elimination {
 public:
-    std::vector<int> order;           ///< order[k]: the row that is eliminated k-th
-    std::vector<int> row_begin;       ///< n + 1: row k of L has its entries in row_columns from here
-    std::vector<int> row_columns;     ///< an order in which no column comes before one that it depends on
-    std::vector<int> column_begin;    ///< n + 1: room for the entries of each column
-    std::vector<int> lower_begin;     ///< n + 1: entries of A left of the diagonal of row k …
-    std::vector<int> lower_column;    ///< … their places in the order …
-    std::vector<int> lower_value;     ///< … and where A has their values
-    std::vector<int> diagonal_value;  ///< the same for the diagonal; -1 = A has none
-    bool analysed = false;            ///< whether the last analyse_pattern() had to work
+    std::vector<int> order;  ///< order[k]: the row that is eliminated k-th
+    /// n + 1: row k of L has its entries in row_columns from here
+    std::vector<int> row_begin;
+    /// an order in which no column comes before one that it depends on
+    std::vector<int> row_columns;
+    /// n + 1: room for the entries of each column
+    std::vector<int> column_begin;
+    /// n + 1: entries of A left of the diagonal of row k …
+    std::vector<int> lower_begin;
+    std::vector<int> lower_column;  ///< … their places in the order …
+    std::vector<int> lower_value;   ///< … and where A has their values
+    /// the same for the diagonal; -1 = A has none
+    std::vector<int> diagonal_value;
+    /// whether the last analyse_pattern() had to work
+    bool analysed = false;
 
     Index size() const { return static_cast<Index>(order.size()); }
     Index entries() const { return static_cast<Index>(row_columns.size()); }
 
     //! [analyse_pattern]
-    /// Finds the order and the pattern, unless the structure is the one of last time.
+    /// Finds the order and the pattern, unless the structure is the one of last
+    /// time.
     /// \param A  of symmetric structure, compressed
     void analyse_pattern(const SparseMatrix& A)
     {
@@ -40,21 +47,25 @@ public:
         const int* const outer = A.outerIndexPtr();
         const int* const inner = A.innerIndexPtr();
         const auto entries_of_A = static_cast<std::size_t>(A.nonZeros());
-        analysed = !(seen_outer_.size() == n + 1 && seen_inner_.size() == entries_of_A &&
-                     std::equal(outer, outer + n + 1, seen_outer_.begin()) &&
-                     std::equal(inner, inner + entries_of_A, seen_inner_.begin()));
+        analysed =
+            !(seen_outer_.size() == n + 1 && seen_inner_.size() == entries_of_A &&
+              std::equal(outer, outer + n + 1, seen_outer_.begin()) &&
+              std::equal(inner, inner + entries_of_A, seen_inner_.begin()));
         if (!analysed) return;
         seen_outer_.assign(outer, outer + n + 1);
         seen_inner_.assign(inner, inner + entries_of_A);
 
-        // Rows in the order in which they stand are best for columns and chains, and cost nothing.
+        // Rows in the order in which they stand are best for columns and chains,
+        // and cost nothing.
         order.resize(n);
         for (std::size_t k = 0; k < n; ++k) order[k] = static_cast<int>(k);
         if (find_pattern(A, 2 * entries_of_A)) return;
         Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
         const Eigen::SparseMatrix<Real> by_columns = A;
-        Eigen::AMDOrdering<int>()(by_columns.selfadjointView<Eigen::Lower>(), permutation);
-        std::copy(permutation.indices().begin(), permutation.indices().end(), order.begin());
+        Eigen::AMDOrdering<int>()(by_columns.selfadjointView<Eigen::Lower>(),
+                                  permutation);
+        std::copy(permutation.indices().begin(), permutation.indices().end(),
+                  order.begin());
         find_pattern(A, n * n);
     }
     //! [analyse_pattern]
@@ -64,7 +75,10 @@ private:
     bool find_pattern(const SparseMatrix& A, std::size_t most)
     {
         const auto n = static_cast<int>(A.rows());
-        const auto at = [](auto& list, int i) -> auto& { return list[static_cast<std::size_t>(i)]; };
+        const auto at = [](auto& list, int i) -> auto&
+        {
+            return list[static_cast<std::size_t>(i)];
+        };
         place_.resize(order.size());
         for (int k = 0; k < n; ++k) at(place_, at(order, k)) = k;
         lower_begin.assign(1, 0);
@@ -80,7 +94,9 @@ private:
 
         //! [tree]
         for (int k = 0; k < n; ++k) {
-            int top = n;  // path_[top], …: row k of L, later columns behind the earlier ones they need
+            // path_[top], …: row k of L, later columns behind the earlier ones they
+            // need
+            int top = n;
             at(met_, k) = k;
             const int i = at(order, k);
             for (int p = A.outerIndexPtr()[i]; p < A.outerIndexPtr()[i + 1]; ++p) {
@@ -89,7 +105,8 @@ private:
                 if (j >= k) continue;
                 lower_column.push_back(j);
                 lower_value.push_back(p);
-                int length = 0;  // up the tree until a node that row k has met already
+                // up the tree until a node that row k has met already
+                int length = 0;
                 for (; at(met_, j) != k; j = at(parent_, j)) {
                     if (at(parent_, j) == -1) at(parent_, j) = k;
                     at(path_, length++) = j;

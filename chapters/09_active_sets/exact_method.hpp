@@ -21,21 +21,29 @@ struct FindActiveSets {
 
     void require_valid() const { rigid::require_valid(settings); }
 
-    void operator()(const Mlcp& mlcp, Solution& solution) { active_sets(mlcp, settings, memory, solution); }
+    void operator()(const Mlcp& mlcp, Solution& solution)
+    {
+        active_sets(mlcp, settings, memory, solution);
+    }
 };
 
 //! [exact_solver]
-/// The solver stage: active sets for the velocities, and, with a memory of their own, for the position errors.
+/// The solver stage: active sets for the velocities, and, with a memory of their
+/// own, for the position errors.
 struct ExactSolver : MatrixSolver<FindActiveSets> {
-    FindActiveSets errors;  ///< both problems have the same A, and each its own active rows
-    Real enough = 0;  ///< a residual below this is none [ℓ/s]; never less than what rounding makes, (9.21a)
+    /// both problems have the same A, and each its own active rows
+    FindActiveSets errors;
+    /// a residual below this is none [ℓ/s]; never less than what rounding makes,
+    /// (9.21a)
+    Real enough = 0;
     int unsolved = 0;  ///< problems of this step that have no exact answer
 
     void require_valid() const
     {
         if (!(enough >= 0 && enough < infinity))
-            throw std::invalid_argument("the residual that is nothing is " + shortest(enough) +
-                                        " m/s; it must be zero or positive, and finite");
+            throw std::invalid_argument(
+                "the residual that is nothing is " + shortest(enough) +
+                " m/s; it must be zero or positive, and finite");
         find.require_valid();
     }
 
@@ -43,8 +51,9 @@ struct ExactSolver : MatrixSolver<FindActiveSets> {
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         if (now.substep == 0 && !now.second_half) unsolved = 0;
+        // (9.21a)
         find.settings.enough =
-            std::max(enough, rounded_speed(bodies.x, bodies.u, now.h) / now.length);  // (9.21a)
+            std::max(enough, rounded_speed(bodies.x, bodies.u, now.h) / now.length);
         MatrixSolver::solve(bodies, now);
         unsolved += now.solution.status != Status::solved;
     }

@@ -22,30 +22,35 @@ inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
             w += problem.shift[i] * lambda[i];
             a += problem.shift[i];
         }
-        if (a > 0) lambda[i] = std::clamp(lambda[i] - w / a, mlcp.lo[i], mlcp.hi[i]);
+        if (a > 0)
+            lambda[i] = std::clamp(lambda[i] - w / a, mlcp.lo[i], mlcp.hi[i]);
     }
 }
 
 inline void clamp_into_bounds(const Mlcp& mlcp, VecX& lambda)
 {
-    for (Index i = 0; i < mlcp.size(); ++i) lambda[i] = std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
+    for (Index i = 0; i < mlcp.size(); ++i)
+        lambda[i] = std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
 }
 
 /// The case that each λ is in.
-inline void cases_of(const Mlcp& mlcp, const VecX& lambda, std::vector<BoundState>& cases)
+inline void cases_of(const Mlcp& mlcp, const VecX& lambda,
+                     std::vector<BoundState>& cases)
 {
     for (Index i = 0; i < mlcp.size(); ++i)
-        cases[static_cast<std::size_t>(i)] = lambda[i] <= mlcp.lo[i]   ? BoundState::at_lo
-                                             : lambda[i] >= mlcp.hi[i] ? BoundState::at_hi
-                                                                       : BoundState::between;
+        cases[static_cast<std::size_t>(i)] =
+            lambda[i] <= mlcp.lo[i]   ? BoundState::at_lo
+            : lambda[i] >= mlcp.hi[i] ? BoundState::at_hi
+                                      : BoundState::between;
 }
 
 //! [begin]
-/// The previous cases, where a row can have them. Without any: every row active where a factor is cheap,
-/// since piles rest on most of their contacts; else what two sweeps from zero say.
+/// The previous cases, where a row can have them. Without any: every row active
+/// where a factor is cheap, since piles rest on most of their contacts; else what
+/// two sweeps from zero say.
 /// \param cheap  whether A is sparse or small
-inline void begin(const GuessedProblem& problem, const std::vector<BoundState>& previous, bool cheap,
-                  Guess& guess)
+inline void begin(const GuessedProblem& problem,
+                  const std::vector<BoundState>& previous, bool cheap, Guess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
     const auto n = static_cast<std::size_t>(mlcp.size());
@@ -54,8 +59,8 @@ inline void begin(const GuessedProblem& problem, const std::vector<BoundState>& 
     guess.wrong.clear();
     guess.w = problem.q;
     guess.step.resize(mlcp.size());
-    guess.lambda.setZero(
-        mlcp.size());  // if no guess can be solved, this is what is left: it must be a number
+    // if no guess can be solved, this is what is left: it must be a number
+    guess.lambda.setZero(mlcp.size());
     clamp_into_bounds(mlcp, guess.lambda);
     if (!known && !cheap) {
         visit_rows(problem, guess.lambda);
@@ -64,10 +69,15 @@ inline void begin(const GuessedProblem& problem, const std::vector<BoundState>& 
     }
     for (std::size_t k = 0; k < n; ++k) {
         const auto i = static_cast<Index>(k);
-        const BoundState wish = known ? previous[k] : cheap ? BoundState::between : guess.cases[k];
-        const bool possible = (wish != BoundState::at_lo || mlcp.lo[i] > -infinity) &&
-                              (wish != BoundState::at_hi || mlcp.hi[i] < infinity);
-        guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? BoundState::at_lo : possible ? wish : BoundState::between;
+        const BoundState wish = known   ? previous[k]
+                                : cheap ? BoundState::between
+                                        : guess.cases[k];
+        const bool possible =
+            (wish != BoundState::at_lo || mlcp.lo[i] > -infinity) &&
+            (wish != BoundState::at_hi || mlcp.hi[i] < infinity);
+        guess.cases[k] = mlcp.lo[i] == mlcp.hi[i] ? BoundState::at_lo
+                         : possible               ? wish
+                                                  : BoundState::between;
     }
 }
 //! [begin]

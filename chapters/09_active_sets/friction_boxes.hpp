@@ -23,7 +23,8 @@ struct FrictionBox {
 
 //! [bounds]
 /// The bounds that the λ of the normal rows leave to the others.
-inline void bound_by(std::span<const FrictionBox> boxes, const VecX& lambda, Mlcp& mlcp)
+inline void bound_by(std::span<const FrictionBox> boxes, const VecX& lambda,
+                     Mlcp& mlcp)
 {
     for (const FrictionBox& box : boxes) {
         mlcp.hi[box.row] = box.mu * std::max(lambda[box.normal], Real{0});
@@ -33,13 +34,15 @@ inline void bound_by(std::span<const FrictionBox> boxes, const VecX& lambda, Mlc
 //! [bounds]
 
 /// A λ that is at its bound by the guess is that bound to the last digit, and no λ is outside.
-inline void to_bounds(const Mlcp& mlcp, const std::vector<BoundState>& cases, VecX& lambda)
+inline void to_bounds(const Mlcp& mlcp, const std::vector<BoundState>& cases,
+                      VecX& lambda)
 {
     for (Index i = 0; i < mlcp.size(); ++i) {
         const BoundState here = cases[static_cast<std::size_t>(i)];
-        lambda[i] = here == BoundState::at_lo   ? mlcp.lo[i]
-                    : here == BoundState::at_hi ? mlcp.hi[i]
-                                                : std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
+        lambda[i] = here == BoundState::at_lo ? mlcp.lo[i]
+                    : here == BoundState::at_hi
+                        ? mlcp.hi[i]
+                        : std::clamp(lambda[i], mlcp.lo[i], mlcp.hi[i]);
     }
 }
 
@@ -48,7 +51,10 @@ inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
                        const std::vector<BoundState>& cases, VecX& lambda)
 {
     const Index n = mlcp.size();
-    const auto at = [](auto& list, Index i) -> auto& { return list[static_cast<std::size_t>(i)]; };
+    const auto at = [](auto& list, Index i) -> auto&
+    {
+        return list[static_cast<std::size_t>(i)];
+    };
     std::vector<Index> place(static_cast<std::size_t>(n), -1), active;
     for (Index i = 0; i < n; ++i)
         if (at(cases, i) == BoundState::between) {
@@ -59,14 +65,17 @@ inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     std::vector<Eigen::Triplet<Real>> tie;
     VecX fixed = VecX::Zero(n);
     for (Index i = 0; i < n; ++i) {
-        if (at(place, i) >= 0) tie.emplace_back(static_cast<int>(i), static_cast<int>(at(place, i)), 1);
+        if (at(place, i) >= 0)
+            tie.emplace_back(static_cast<int>(i), static_cast<int>(at(place, i)),
+                             1);
         else fixed[i] = at(cases, i) == BoundState::at_lo ? mlcp.lo[i] : mlcp.hi[i];
     }
     for (const FrictionBox& box : boxes) {
         if (at(place, box.row) >= 0 || at(place, box.normal) < 0) continue;
         fixed[box.row] = 0;
-        tie.emplace_back(static_cast<int>(box.row), static_cast<int>(at(place, box.normal)),
-                         at(cases, box.row) == BoundState::at_lo ? -box.mu : box.mu);
+        tie.emplace_back(
+            static_cast<int>(box.row), static_cast<int>(at(place, box.normal)),
+            at(cases, box.row) == BoundState::at_lo ? -box.mu : box.mu);
     }
     const auto f = static_cast<Index>(active.size());
     if (f == 0) return false;
@@ -78,9 +87,11 @@ inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     VecX right(f);
     for (Index k = 0; k < f; ++k) {
         right[k] = -w[at(active, k)];
-        for (Eigen::SparseMatrix<Real, Eigen::RowMajor>::InnerIterator entry(AT, at(active, k)); entry;
-             ++entry)
-            entries.emplace_back(static_cast<int>(k), static_cast<int>(entry.col()), entry.value());
+        for (Eigen::SparseMatrix<Real, Eigen::RowMajor>::InnerIterator entry(
+                 AT, at(active, k));
+             entry; ++entry)
+            entries.emplace_back(static_cast<int>(k), static_cast<int>(entry.col()),
+                                 entry.value());
     }
     Eigen::SparseMatrix<Real> system(f, f);
     system.setFromTriplets(entries.begin(), entries.end());
@@ -95,21 +106,23 @@ inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
 }
 
 //! [boxes]
-/// Solves a problem with friction boxes; the bounds that mlcp gives for their rows are not looked at.
-/// `iterations` counts the guesses of all rounds.
+/// Solves a problem with friction boxes; the bounds that mlcp gives for their rows
+/// are not looked at. `iterations` counts the guesses of all rounds.
 /// \param boxes  of rows that exist, each row at most once, mu ≥ 0
 /// \throws std::invalid_argument  for a malformed problem, box or setting
 inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
-                        const ActiveSetSettings& settings, ActiveSetMemory& memory, Solution& solution)
+                        const ActiveSetSettings& settings, ActiveSetMemory& memory,
+                        Solution& solution)
 {
     const Index n = mlcp.size();
     for (const FrictionBox& box : boxes)
-        if (box.row < 0 || box.row >= n || box.normal < 0 || box.normal >= n || box.row == box.normal ||
-            !(box.mu >= 0) || !std::isfinite(box.mu))
-            throw std::invalid_argument("a friction box for row " + std::to_string(box.row) + " by row " +
-                                        std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
-                                        "; rows go from 0 to " + std::to_string(n - 1) +
-                                        ", mu is at least 0");
+        if (box.row < 0 || box.row >= n || box.normal < 0 || box.normal >= n ||
+            box.row == box.normal || !(box.mu >= 0) || !std::isfinite(box.mu))
+            throw std::invalid_argument(
+                "a friction box for row " + std::to_string(box.row) + " by row " +
+                std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
+                "; rows go from 0 to " + std::to_string(n - 1) +
+                ", mu is at least 0");
     Mlcp fixed = mlcp;
     solution.lambda.setZero(n);
     bound_by(boxes, solution.lambda, fixed);  // first without friction
@@ -121,11 +134,13 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
         solution.iterations = guesses;
         if (solution.status != Status::solved) return;
         bound_by(boxes, solution.lambda,
-                 fixed);  // the bounds of this very λ, which it may miss by its last digit
+                 // the bounds of this very λ, which it may miss by its last digit
+                 fixed);
         to_bounds(fixed, memory.cases, solution.lambda);
         bool right = verify_guess(fixed, settings, VecX(solution.lambda), solution);
         VecX tied;
-        if ((right || memory.cases == last) && solve_tied(fixed, boxes, memory.cases, tied)) {
+        if ((right || memory.cases == last) &&
+            solve_tied(fixed, boxes, memory.cases, tied)) {
             Mlcp own = fixed;
             Solution other = solution;
             bound_by(boxes, tied, own);

@@ -16,7 +16,8 @@ namespace rigid {
 
 class IncrementalLdlt {
 public:
-    std::vector<Index> rows;  ///< whose factor it is, in the order in which they came
+    /// whose factor it is, in the order in which they came
+    std::vector<Index> rows;
 
     explicit IncrementalLdlt(Index most) : L_(most, most), d_(most) {}
 
@@ -47,7 +48,8 @@ public:
     //! [append]
 
     //! [remove]
-    /// (9.19): lets the row at a place go. What it had explained of the rows behind it goes back to them.
+    /// (9.19): lets the row at a place go. What it had explained of the rows behind
+    /// it goes back to them.
     void remove(Index place)
     {
         const Index f = size() - 1;
@@ -79,7 +81,8 @@ public:
         const Index f = size();
         for (Index i = 0; i < f; ++i) x[i] -= L_.row(i).head(i).dot(x.head(i));
         for (Index i = 0; i < f; ++i) x[i] /= d_[i];
-        for (Index i = f; i-- > 0;) x.head(i) -= x[i] * L_.row(i).head(i).transpose();
+        for (Index i = f; i-- > 0;)
+            x.head(i) -= x[i] * L_.row(i).head(i).transpose();
     }
 
 private:

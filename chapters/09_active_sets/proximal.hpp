@@ -16,7 +16,8 @@
 
 namespace rigid {
 
-inline constexpr Real proximal_share = 1e-8;  ///< ε: the root of what a double can tell apart
+/// ε: the root of what a double can tell apart
+inline constexpr Real proximal_share = 1e-8;
 
 struct ProximalMemory {
     VecX previous, candidate;
@@ -24,10 +25,12 @@ struct ProximalMemory {
 
 /// Corrects the guess; if that makes no progress, descends.
 template <class Factor>
-GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int patience, int limit,
-                          Guess& guess, ActiveSetWork& work)
+GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor,
+                          int patience, int limit, Guess& guess,
+                          ActiveSetWork& work)
 {
-    const GuessEnd end = correct_guess(problem, factor, patience, limit, false, guess, work);
+    const GuessEnd end =
+        correct_guess(problem, factor, patience, limit, false, guess, work);
     if (end != GuessEnd::limit) return end;
     return descend(problem, factor, 10, limit, guess, work);
 }
@@ -35,14 +38,17 @@ GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor, int pat
 enum class ProximalEnd { right, infeasible, singular, limit };
 
 //! [outer]
-/// Outer steps until the residual of the original problem is small and falls no more; guess.lambda, pressed
-/// into its bounds, is the answer. Where rows depend on each other flipping all at once cycles more
-/// often, so the patience with it is a quarter.
+/// Outer steps until the residual of the original problem is small and falls no
+/// more; guess.lambda, pressed into its bounds, is the answer. Where rows depend on
+/// each other flipping all at once cycles more often, so the patience with it is a
+/// quarter.
 /// \param memory   memory.previous: λ⁰, zero unless it has the size of the problem
-/// \param allowed  the natural residual that is wanted [m/s]; whether it is an answer is for verify() to say
+/// \param allowed  the natural residual that is wanted [m/s]; whether it is an
+///                 answer is for verify() to say
 template <class Factor>
-ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience, int limit, Real allowed,
-                           ProximalMemory& memory, Guess& guess, ActiveSetWork& work)
+ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience,
+                           int limit, Real allowed, ProximalMemory& memory,
+                           Guess& guess, ActiveSetWork& work)
 {
     const Mlcp& mlcp = *problem.mlcp;
     Real share = proximal_share;
@@ -57,15 +63,20 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
     for (int outer = 0; outer < 50; ++outer) {
         ++work.outer_steps;
         problem.q = mlcp.q - problem.shift.cwiseProduct(memory.previous);  // (9.12)
-        const GuessEnd inner = guess_or_descend(problem, factor, patience / 4, limit, guess, work);
+        const GuessEnd inner =
+            guess_or_descend(problem, factor, patience / 4, limit, guess, work);
         if (inner != GuessEnd::right)
-            return inner == GuessEnd::limit ? ProximalEnd::limit : ProximalEnd::singular;
+            return inner == GuessEnd::limit ? ProximalEnd::limit
+                                            : ProximalEnd::singular;
         clamp_into_bounds(mlcp, guess.lambda);
         const Real residual = natural_residual(mlcp, guess.lambda);
-        if (!(residual < 0.5 * last)) {  // it falls no more: which of the two was better?
+        // it falls no more: which of the two was better?
+        if (!(residual < 0.5 * last)) {
             if (residual > last) guess.lambda = memory.candidate;
-            if (verify(mlcp, guess.lambda, problem.acceptance).solved) return ProximalEnd::right;
-            if (proves_infeasibility(mlcp, guess.lambda - memory.previous)) return ProximalEnd::infeasible;
+            if (verify(mlcp, guess.lambda, problem.acceptance).solved)
+                return ProximalEnd::right;
+            if (proves_infeasibility(mlcp, guess.lambda - memory.previous))
+                return ProximalEnd::infeasible;
         }
         if (residual > allowed && !(residual <= 0.01 * last) &&
             share > 1e-11) {  // too slow: a smaller term is gone sooner
@@ -76,7 +87,9 @@ ProximalEnd proximal_steps(GuessedProblem& problem, Factor& factor, int patience
         last = residual;
         memory.candidate = memory.previous = guess.lambda;
         end = residual <= allowed ? ProximalEnd::right : ProximalEnd::limit;
-        if (residual <= 1e-4 * allowed && verify(mlcp, guess.lambda, problem.acceptance).solved) break;
+        if (residual <= 1e-4 * allowed &&
+            verify(mlcp, guess.lambda, problem.acceptance).solved)
+            break;
     }
     return end;
 }

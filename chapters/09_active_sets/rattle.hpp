@@ -16,7 +16,8 @@
 namespace rigid {
 
 struct RattleSettings {
-    Real tolerance = 1e-12;   ///< C is to be met to this [ℓ]; never less than what rounding makes
+    /// C is to be met to this [ℓ]; never less than what rounding makes
+    Real tolerance = 1e-12;
     int max_iterations = 50;  ///< of Newton's method in a sub-step
 };
 
@@ -24,18 +25,23 @@ struct RattleSettings {
 inline void require_valid(const RattleSettings& settings)
 {
     if (!(settings.tolerance > 0) || !std::isfinite(settings.tolerance))
-        throw std::invalid_argument("the tolerance of the positions is " + shortest(settings.tolerance) +
+        throw std::invalid_argument("the tolerance of the positions is " +
+                                    shortest(settings.tolerance) +
                                     "; it must be positive and finite");
     if (settings.max_iterations < 1)
         throw std::invalid_argument("max_iterations of the positions is " +
-                                    std::to_string(settings.max_iterations) + "; it must be 1 or more");
+                                    std::to_string(settings.max_iterations) +
+                                    "; it must be 1 or more");
 }
 
 struct Rattle : RattleSettings, Restitution {
     // Of the last step.
-    int iterations = 0;     ///< of Newton's method, in the sub-step that needed the most
+    /// of Newton's method, in the sub-step that needed the most
+    int iterations = 0;
     int not_converged = 0;  ///< sub-steps whose positions did not meet C
-    int repairs = 0;  ///< sub-steps in which an error of position was moved out, apart from the velocities
+    /// sub-steps in which an error of position was moved out, apart from the
+    /// velocities
+    int repairs = 0;
 
     // Memory.
     std::vector<Real> goal;      ///< of each row [m]
@@ -46,9 +52,11 @@ struct Rattle : RattleSettings, Restitution {
     VecX u_first, lambda_first;  ///< of the first pass; λ of the first half
 
     //! [rattle_rows]
-    /// The first half: half of the forces, and rows that hold C where it is, (9.24). A gap may close.
+    /// The first half: half of the forces, and rows that hold C where it is,
+    /// (9.24). A gap may close.
     template <class Scene>
-    void rows(const Scene& scene, const StepSettings& settings, StepData<Scene::dof>& now)
+    void rows(const Scene& scene, const StepSettings& settings,
+              StepData<Scene::dof>& now)
     {
         require_valid(static_cast<const RattleSettings&>(*this));
         require_valid(static_cast<const Restitution&>(*this));
@@ -62,27 +70,33 @@ struct Rattle : RattleSettings, Restitution {
         for (std::size_t i = 0; i < now.rows.size(); ++i) {
             const auto& c = now.constraints[i];
             if (c.kind == ConstraintKind::spring)
-                throw std::invalid_argument("constraint " + std::to_string(i) +
-                                            " is a spring; RATTLE takes springs as forces, not as rows");
-            goal[i] = c.kind == ConstraintKind::unilateral ? std::min(Real{0}, c.C) : c.C;
+                throw std::invalid_argument(
+                    "constraint " + std::to_string(i) +
+                    " is a spring; RATTLE takes springs as forces, not as rows");
+            goal[i] =
+                c.kind == ConstraintKind::unilateral ? std::min(Real{0}, c.C) : c.C;
             now.rows[i] = row_of(c, scene.bodies.inverse_mass, 0, h / 2);
             approach[i] = now.rows[i].velocity(scene.bodies.u);
-            now.rows[i].bias = has_error(c.kind) ? (c.C - goal[i]) / h : own_bias(c, h);
+            now.rows[i].bias =
+                has_error(c.kind) ? (c.C - goal[i]) / h : own_bias(c, h);
         }
     }
     //! [rattle_rows]
 
     //! [rattle_move]
     template <class Scene, class Solver>
-    void move(Scene& scene, const StepSettings& settings, Solver& solver, StepData<Scene::dof>& now)
+    void move(Scene& scene, const StepSettings& settings, Solver& solver,
+              StepData<Scene::dof>& now)
     {
         constexpr int Dof = Scene::dof;
         auto& bodies = scene.bodies;
         const Real h = settings.part();
-        const Real close = std::max(tolerance * now.length, h * rounded_speed(bodies.x, bodies.u, h));
+        const Real close = std::max(tolerance * now.length,
+                                    h * rounded_speed(bodies.x, bodies.u, h));
         meet_positions(scene, h, close, solver, now);
         advance_positions(bodies, h, now);
-        repair(scene, h, 4 * close, solver, now);  // what was there before the step, without a velocity
+        // what was there before the step, without a velocity
+        repair(scene, h, 4 * close, solver, now);
         const Status first = now.solution.status;
         const Real first_residual = now.solution.residual;
         lambda_first = now.solution.lambda;
@@ -92,11 +106,15 @@ struct Rattle : RattleSettings, Restitution {
         half_of_the_forces(bodies, now);
         const Real slowest = threshold * scene.gravity.norm() * settings.h;
         for (std::size_t i = 0; i < now.rows.size(); ++i) {
-            const Constraint<Dof> c = now.constraints[i] = constraint_at(scene, now, i, bodies.x);
-            const bool touches = c.kind != ConstraintKind::unilateral || c.C <= 4 * close ||
+            const Constraint<Dof> c = now.constraints[i] =
+                constraint_at(scene, now, i, bodies.x);
+            const bool touches = c.kind != ConstraintKind::unilateral ||
+                                 c.C <= 4 * close ||
                                  lambda_first[static_cast<Index>(i)] > 0;
-            const bool bounces = c.bounces && restitution > 0 && approach[i] < -slowest;
-            now.rows[i] = row_of(c, bodies.inverse_mass, bounces ? restitution * approach[i] : 0, h / 2);
+            const bool bounces =
+                c.bounces && restitution > 0 && approach[i] < -slowest;
+            now.rows[i] = row_of(c, bodies.inverse_mass,
+                                 bounces ? restitution * approach[i] : 0, h / 2);
             if (!has_error(c.kind)) now.rows[i].bias = own_bias(c, h);
             if (!touches) now.rows[i].lo = now.rows[i].hi = 0;
         }
@@ -121,10 +139,12 @@ private:
     }
 
     //! [meet_positions]
-    /// (9.26): Newton's method on C(x + h u) = goal, or ≥ and complementary to λ, with the A of the step. If it does not
-    /// arrive, u is that of the first pass, whose rows are met to first order, and the status says so.
+    /// (9.26): Newton's method on C(x + h u) = goal, or ≥ and complementary to λ,
+    /// with the A of the step. If it does not arrive, u is that of the first pass,
+    /// whose rows are met to first order, and the status says so.
     template <class Scene, class Solver>
-    void meet_positions(Scene& scene, Real h, Real close, Solver& solver, StepData<Scene::dof>& now)
+    void meet_positions(Scene& scene, Real h, Real close, Solver& solver,
+                        StepData<Scene::dof>& now)
     {
         auto& bodies = scene.bodies;
         u_first = bodies.u;
@@ -132,27 +152,33 @@ private:
         second.max_sweeps = 1000;
         second.tolerance = close / h / 10;
         if (now.solution.status != Status::solved) return;
-        for (int n = 1; n <= max_iterations && now.solution.status == Status::solved; ++n) {
+        for (int n = 1;
+             n <= max_iterations && now.solution.status == Status::solved; ++n) {
             iterations = std::max(iterations, n);
             if (is_met(scene, h, close, now)) return;
             if (!x.allFinite()) break;
             solver.solve_again(second, bodies, now);
-            for (std::size_t i = 0; i < now.rows.size(); ++i) now.rows[i].bias = second.bias[i];
+            for (std::size_t i = 0; i < now.rows.size(); ++i)
+                now.rows[i].bias = second.bias[i];
         }
         ++not_converged;
         bodies.u = u_first;
         now.solution.lambda = lambda_first;
-        if (now.solution.status == Status::solved) now.solution.status = Status::iteration_limit;
+        if (now.solution.status == Status::solved)
+            now.solution.status = Status::iteration_limit;
     }
 
-    /// Whether each row is where it should be after the step, and the biases that would bring it there.
+    /// Whether each row is where it should be after the step, and the biases that
+    /// would bring it there.
     template <class Scene>
-    bool is_met(const Scene& scene, Real h, Real close, const StepData<Scene::dof>& now)
+    bool is_met(const Scene& scene, Real h, Real close,
+                const StepData<Scene::dof>& now)
     {
         constexpr int Dof = Scene::dof;
         const auto& bodies = scene.bodies;
         x = bodies.x;
-        for (const int k : now.active) x.template segment<Dof>(Dof * k) += h * bodies.velocity(k);
+        for (const int k : now.active)
+            x.template segment<Dof>(Dof * k) += h * bodies.velocity(k);
         second.bias.assign(now.rows.size(), 0);
         second.left_out.assign(now.rows.size(), 0);
         bool met = true;
@@ -162,9 +188,10 @@ private:
             second.bias[i] = row.bias;
             if (!has_error(c.kind)) continue;
             const Real off = c.C - goal[i];
-            second.bias[i] += off / h - row.velocity(bodies.u);  // (C − goal)/h − J u
-            const bool holds =
-                c.kind == ConstraintKind::bilateral || now.solution.lambda[static_cast<Index>(i)] > 0;
+            // (C − goal)/h − J u
+            second.bias[i] += off / h - row.velocity(bodies.u);
+            const bool holds = c.kind == ConstraintKind::bilateral ||
+                               now.solution.lambda[static_cast<Index>(i)] > 0;
             met = met && (holds ? std::abs(off) <= close : off >= -close);
         }
         return met;
@@ -173,7 +200,8 @@ private:
 
     /// (7.17), all of it at once: errors of position are moved out, and leave no velocity.
     template <class Scene, class Solver>
-    void repair(Scene& scene, Real h, Real left_alone, Solver& solver, StepData<Scene::dof>& now)
+    void repair(Scene& scene, Real h, Real left_alone, Solver& solver,
+                StepData<Scene::dof>& now)
     {
         constexpr int Dof = Scene::dof;
         auto& bodies = scene.bodies;
@@ -185,15 +213,20 @@ private:
             second.left_out[i] = !has_error(c.kind);
             if (second.left_out[i]) continue;
             second.bias[i] = c.C / h;
-            wanted = wanted || (c.kind == ConstraintKind::bilateral ? std::abs(c.C) : -c.C) > left_alone;
+            wanted = wanted ||
+                     (c.kind == ConstraintKind::bilateral ? std::abs(c.C) : -c.C) >
+                         left_alone;
         }
         if (!wanted) return;
         ++repairs;
         if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
         solver.solve_apart(second, v, now);
-        if constexpr (requires { solver.errors; })  // a solver that says how the second problem ended
-            if (second.solution.status != Status::solved) now.solution.status = second.solution.status;
-        for (const int k : now.active) bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
+        // a solver that says how the second problem ended
+        if constexpr (requires { solver.errors; })
+            if (second.solution.status != Status::solved)
+                now.solution.status = second.solution.status;
+        for (const int k : now.active)
+            bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
     }
 };
 

@@ -38,7 +38,8 @@ inline bool llt_in_place(MatX& L, Index f)
 template <class Vector>
 void lower_solve(const MatX& L, Index f, Vector&& z)
 {
-    if (f > small_llt) L.topLeftCorner(f, f).triangularView<Eigen::Lower>().solveInPlace(z);
+    if (f > small_llt)
+        L.topLeftCorner(f, f).triangularView<Eigen::Lower>().solveInPlace(z);
     else
         for (Index c = 0; c < f; ++c) {
             z[c] /= L(c, c);
@@ -50,7 +51,11 @@ void lower_solve(const MatX& L, Index f, Vector&& z)
 template <class Vector>
 void upper_solve(const MatX& L, Index f, Vector&& z)
 {
-    if (f > small_llt) L.topLeftCorner(f, f).triangularView<Eigen::Lower>().transpose().solveInPlace(z);
+    if (f > small_llt)
+        L.topLeftCorner(f, f)
+            .triangularView<Eigen::Lower>()
+            .transpose()
+            .solveInPlace(z);
     else
         for (Index c = f; c-- > 0;) {
             for (Index r = c + 1; r < f; ++r) z[c] -= L(r, c) * z[r];

@@ -35,9 +35,10 @@ public:
     }
 
     //! [factor]
-    /// Factors the rows that are `between`. Returns false at a pivot that is nothing: that row depends on
-    /// others.
-    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases, ActiveSetWork& work)
+    /// Factors the rows that are `between`. Returns false at a pivot that is
+    /// nothing: that row depends on others.
+    bool factor(const GuessedProblem& problem, const std::vector<BoundState>& cases,
+                ActiveSetWork& work)
     {
         if (factored_ == cases) return true;
         factored_.clear();
@@ -62,8 +63,10 @@ public:
                 y[at(e.lower_column, p)] = A[at(e.lower_value, p)];
             const int place = at(e.diagonal_value, k);
             Real d = (place < 0 ? 0 : A[place]) + (shifted ? problem.shift[i] : 0);
-            const Real nothing = shifted ? 0.01 * problem.shift[i] : rank_tolerance * problem.diagonal[i];
-            for (int p = at(e.row_begin, k); p < at(e.row_begin, k + 1); ++p) {  // (9.8)
+            const Real nothing = shifted ? 0.01 * problem.shift[i]
+                                         : rank_tolerance * problem.diagonal[i];
+            // (9.8)
+            for (int p = at(e.row_begin, k); p < at(e.row_begin, k + 1); ++p) {
                 const int j = at(e.row_columns, p);
                 const Real y_j = y[j];
                 y[j] = 0;
@@ -120,7 +123,8 @@ public:
         product.resize(x.size());
         for (Index i = 0; i < x.size(); ++i) {
             Real sum = 0;
-            for (int p = outer[i]; p < outer[i + 1]; ++p) sum += A[p] * known[inner[p]];
+            for (int p = outer[i]; p < outer[i + 1]; ++p)
+                sum += A[p] * known[inner[p]];
             product[i] = sum;
         }
     }
@@ -131,14 +135,17 @@ public:
     bool is_independent(const GuessedProblem& problem) const
     {
         for (const int k : active_)
-            if (!(pivot_[k] > 100 * problem.shift[at(elimination.order, k)])) return false;
+            if (!(pivot_[k] > 100 * problem.shift[at(elimination.order, k)]))
+                return false;
         return !factored_.empty();
     }
 
 private:
-    static constexpr Real rank_tolerance = 1e-11;  ///< share of A_ii that a pivot must keep
+    /// share of A_ii that a pivot must keep
+    static constexpr Real rank_tolerance = 1e-11;
 
-    std::vector<int> row_, filled_, active_;  ///< of the entries of L, column by column
+    /// of the entries of L, column by column
+    std::vector<int> row_, filled_, active_;
     std::vector<Real> value_;
     VecX pivot_;
     mutable VecX y_;                    ///< all zero between calls

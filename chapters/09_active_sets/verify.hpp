@@ -13,22 +13,27 @@
 namespace rigid {
 
 struct ActiveSetSettings {
-    Real tolerance = 1e-10;  ///< of the natural residual, as a share of the numbers in a row (3.16c)
-    Real enough = 0;         ///< [m/s] so little is nothing, whatever q is; a step knows it: rounded_speed()
-    int limit = 0;           ///< of guesses; 0 = 500 + n
-    int patience = 5;        ///< flips of all wrong rows without progress before one row at a time
+    /// of the natural residual, as a share of the numbers in a row (3.16c)
+    Real tolerance = 1e-10;
+    /// [m/s] so little is nothing, whatever q is; a step knows it: rounded_speed()
+    Real enough = 0;
+    int limit = 0;  ///< of guesses; 0 = 500 + n
+    /// flips of all wrong rows without progress before one row at a time
+    int patience = 5;
 };
 
 inline void require_valid(const ActiveSetSettings& settings)
 {
     if (!(settings.enough >= 0) || !(settings.enough < infinity))
-        throw std::invalid_argument("the residual that is nothing is " + shortest(settings.enough) +
-                                    " m/s; it must be zero or positive, and finite");
+        throw std::invalid_argument(
+            "the residual that is nothing is " + shortest(settings.enough) +
+            " m/s; it must be zero or positive, and finite");
     if (!(settings.tolerance > 0) || settings.limit < 0 || settings.patience < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) + ", limit " +
-                                    std::to_string(settings.limit) + ", patience " +
-                                    std::to_string(settings.patience) +
-                                    ": the tolerance must be positive, the others not negative");
+        throw std::invalid_argument(
+            "tolerance " + shortest(settings.tolerance) + ", limit " +
+            std::to_string(settings.limit) + ", patience " +
+            std::to_string(settings.patience) +
+            ": the tolerance must be positive, the others not negative");
 }
 
 /// True if A is symmetric but for rounding. One pass: of the entries a_ji, in the order of i, each line's next one
@@ -57,7 +62,9 @@ inline bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)
 /// becomes a velocity by 1/h; a velocity itself is known to ε u. Four of them meet in a row.
 inline Real rounded_speed(const VecX& x, const VecX& u, Real h)
 {
-    const auto largest = [](const VecX& v) { return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0; };
+    const auto largest = [](const VecX& v) {
+        return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0;
+    };
     return 4 * std::numeric_limits<Real>::epsilon() * (largest(x) / h + largest(u));
 }
 
@@ -69,12 +76,13 @@ inline Real wanted_residual(const Mlcp& mlcp, const ActiveSetSettings& settings)
 }
 
 /// Presses the guess into its bounds and holds it to chapter 3's rule, (3.16c).
-inline bool verify_guess(const Mlcp& mlcp, const ActiveSetSettings& settings, const VecX& lambda,
-                         Solution& solution)
+inline bool verify_guess(const Mlcp& mlcp, const ActiveSetSettings& settings,
+                         const VecX& lambda, Solution& solution)
 {
     solution.lambda = lambda;
     clamp_into_bounds(mlcp, solution.lambda);
-    const Verification found = verify(mlcp, solution.lambda, {settings.tolerance, settings.enough});
+    const Verification found =
+        verify(mlcp, solution.lambda, {settings.tolerance, settings.enough});
     solution.residual = found.residual;
     solution.status = found.solved ? Status::solved : Status::singular;
     return found.solved;

@@ -21,24 +21,29 @@ namespace rigid {
 //! [awake_bodies]
 struct AwakeBodies {
     RestSettings rest;
-    bool sleep = true;   ///< false: no body falls asleep
-    Real row_slack = 0;  ///< contacts keep their normal while their discs have moved by less [ℓ]
-    Real length = 1;     ///< ℓ, of the scene [m]; written by reset()
+    bool sleep = true;  ///< false: no body falls asleep
+    /// contacts keep their normal while their discs have moved by less [ℓ]
+    Real row_slack = 0;
+    Real length = 1;  ///< ℓ, of the scene [m]; written by reset()
 
     AwakeSet set;
     BroadPhase broad;
     Incidence links_on, bends_on, joints_on;  ///< by body
-    std::vector<Rest> rests;                  ///< K: how long each body has been at rest
-    SleepingForces forces;                    ///< of the bodies that sleep
-    RestConditions conditions;                ///< of the last step
+    /// K: how long each body has been at rest
+    std::vector<Rest> rests;
+    SleepingForces forces;      ///< of the bodies that sleep
+    RestConditions conditions;  ///< of the last step
 
     // What the last step found on its way.
     std::vector<int> links, bends, joints;  ///< of the bodies that are awake
     std::vector<Bend> active_bends;
-    bool changed = true;             ///< the set of awake bodies has changed since these were listed
-    KeptContacts kept;               ///< used where row_slack > 0
-    Islands islands;                 ///< of the bodies that are awake, where the solver doesn't know them
-    VecX u_before;                   ///< velocities before the step, of the bodies that are awake [m/s]
+    /// the set of awake bodies has changed since these were listed
+    bool changed = true;
+    KeptContacts kept;  ///< used where row_slack > 0
+    /// of the bodies that are awake, where the solver doesn't know them
+    Islands islands;
+    /// velocities before the step, of the bodies that are awake [m/s]
+    VecX u_before;
     int woken = 0, fell_asleep = 0;  ///< bodies, in the last step
     //! [awake_bodies]
 
@@ -57,29 +62,36 @@ struct AwakeBodies {
 
     /// Which bodies, which contacts, which constraints this step looks at.
     template <class Method>
-    void begin(const DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
+    void begin(const DiscScene& scene, const StepSettings& settings, Method& method,
+               StepData<2>& now);
 
     /// Islands that have been at rest for long enough fall asleep.
     template <class Method>
-    void end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now);
+    void end(DiscScene& scene, const StepSettings& settings, Method& method,
+             StepData<2>& now);
 
 private:
-    void wake_by_changes(const DiscScene& scene, const StepSettings& settings, const RestConditions& present);
+    void wake_by_changes(const DiscScene& scene, const StepSettings& settings,
+                         const RestConditions& present);
     void change_margin(const DiscScene& scene, Real margin);
     void take_in_the_woken(ImpulseCache* cache);
     void collect_active(const DiscScene& scene);
-    void list_sources(const DiscScene& scene, const StepSettings& settings, StepData<2>& now);
-    void watch_rest(const DiscScene& scene, const StepSettings& settings, const StepData<2>& now);
+    void list_sources(const DiscScene& scene, const StepSettings& settings,
+                      StepData<2>& now);
+    void watch_rest(const DiscScene& scene, const StepSettings& settings,
+                    const StepData<2>& now);
     void stay_with_kinematic(const DiscScene& scene, const StepData<2>& now);
 };
 
 /// What has changed since the last step wakes the bodies that it concerns. Costs the same however many sleep.
-inline void AwakeBodies::wake_by_changes(const DiscScene& scene, const StepSettings& settings,
+inline void AwakeBodies::wake_by_changes(const DiscScene& scene,
+                                         const StepSettings& settings,
                                          const RestConditions& present)
 {
     if (static_cast<Index>(rests.size()) != scene.bodies.count())
-        throw std::invalid_argument("the scene has " + std::to_string(scene.bodies.count()) +
-                                    " discs; reset() was called with " + std::to_string(rests.size()));
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.bodies.count()) +
+            " discs; reset() was called with " + std::to_string(rests.size()));
     woken = fell_asleep = 0;
     if (!same_rest(present, conditions))
         for (Index k = 0; k < scene.bodies.count(); ++k) set.wake(k);  // this once
@@ -118,10 +130,13 @@ inline void AwakeBodies::collect_active(const DiscScene& scene)
 {
     if (!changed) return;
     const auto counts = [&](Index k) {
-        return k == world || set.activity[static_cast<std::size_t>(k)] != Activity::gone;
+        return k == world ||
+               set.activity[static_cast<std::size_t>(k)] != Activity::gone;
     };
     const auto moves = [&](Index k) { return scene.bodies.can_move(k); };
-    const auto is_row = [&](Index a, Index b) { return counts(a) && counts(b) && (moves(a) || moves(b)); };
+    const auto is_row = [&](Index a, Index b) {
+        return counts(a) && counts(b) && (moves(a) || moves(b));
+    };
     collect(links_on, set.awake, links);
     std::erase_if(links, [&](int i) {
         const Link& link = scene.links[static_cast<std::size_t>(i)];
@@ -136,13 +151,16 @@ inline void AwakeBodies::collect_active(const DiscScene& scene)
     active_bends.clear();
     for (const int i : bends) {
         const Bend& bend = scene.bends[static_cast<std::size_t>(i)];
-        if (counts(bend.left) && counts(bend.middle) && counts(bend.right)) active_bends.push_back(bend);
+        if (counts(bend.left) && counts(bend.middle) && counts(bend.right))
+            active_bends.push_back(bend);
     }
     changed = false;
 }
 
 /// The contacts of the bodies that are awake, and where the constraints come from.
-inline void AwakeBodies::list_sources(const DiscScene& scene, const StepSettings& settings, StepData<2>& now)
+inline void AwakeBodies::list_sources(const DiscScene& scene,
+                                      const StepSettings& settings,
+                                      StepData<2>& now)
 {
     now.same_bodies = !changed;
     collect_active(scene);
@@ -160,7 +178,8 @@ inline void AwakeBodies::list_sources(const DiscScene& scene, const StepSettings
 
     // A contact that has kept its normal keeps its row, where the rows are those of the step before, one for one.
     now.kept.clear();
-    if (!kept.same || !now.same_bodies || settings.substeps > 1 || now.rows.size() != now.sources.size())
+    if (!kept.same || !now.same_bodies || settings.substeps > 1 ||
+        now.rows.size() != now.sources.size())
         return;
     now.kept.resize(links.size(), 0);
     now.kept.insert(now.kept.end(), kept.kept.begin(), kept.kept.end());
@@ -168,20 +187,24 @@ inline void AwakeBodies::list_sources(const DiscScene& scene, const StepSettings
 }
 
 template <class Method>
-void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings, Method& method,
-                        StepData<2>& now)
+void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings,
+                        Method& method, StepData<2>& now)
 {
-    RestConditions present{scene.gravity, settings.stiffness, settings.damping, rest, {}, sleep};
-    if constexpr (requires { method.correction.beta; }) present.correction = method.correction;
+    RestConditions present{
+        scene.gravity, settings.stiffness, settings.damping, rest, {}, sleep};
+    if constexpr (requires { method.correction.beta; })
+        present.correction = method.correction;
     wake_by_changes(scene, settings, present);
     now.active.clear();
     now.length = length;
-    if (settings.margin * length != broad.margin) change_margin(scene, settings.margin * length);
+    if (settings.margin * length != broad.margin)
+        change_margin(scene, settings.margin * length);
     if (set.awake.empty()) return;
     // Which discs may touch which; a disc that is touched wakes.
     update_pairs(scene, set, broad);
     if (!set.woken.empty()) {
-        if constexpr (requires { method.start.cache; }) take_in_the_woken(&method.start.cache);
+        if constexpr (requires { method.start.cache; })
+            take_in_the_woken(&method.start.cache);
         else take_in_the_woken(nullptr);
     }
     list_sources(scene, settings, now);

@@ -25,11 +25,19 @@ enum class Activity : std::uint8_t {
 struct AwakeSet {
     std::vector<Activity> activity;  ///< K
     std::vector<int> awake;          ///< ascending after tidy()
-    std::vector<int> ring;           ///< K: of a sleeper, the next of its island; else itself
-    std::vector<int> woken;          ///< since the caller last cleared it; may name one twice before tidy()
+    /// K: of a sleeper, the next of its island; else itself
+    std::vector<int> ring;
+    /// since the caller last cleared it; may name one twice before tidy()
+    std::vector<int> woken;
 
-    bool is_awake(Index k) const { return activity[static_cast<std::size_t>(k)] == Activity::awake; }
-    bool is_asleep(Index k) const { return activity[static_cast<std::size_t>(k)] == Activity::asleep; }
+    bool is_awake(Index k) const
+    {
+        return activity[static_cast<std::size_t>(k)] == Activity::awake;
+    }
+    bool is_asleep(Index k) const
+    {
+        return activity[static_cast<std::size_t>(k)] == Activity::asleep;
+    }
 
     //! [wake]
     /// Wakes body k and its whole island; nothing if it is not asleep.
@@ -49,12 +57,14 @@ struct AwakeSet {
     template <int Dof>
     void add(const Bodies<Dof>& bodies, Index k)
     {
-        const bool moves = bodies.inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0 ||
-                           bodies.velocity(k).cwiseAbs().maxCoeff() > 0;
+        const bool moves =
+            bodies.inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0 ||
+            bodies.velocity(k).cwiseAbs().maxCoeff() > 0;
         activity.push_back(moves ? Activity::awake : Activity::fixed);
         ring.push_back(static_cast<int>(k));
         if (moves) awake.push_back(static_cast<int>(k));
-        woken.push_back(static_cast<int>(k));  // as if it had just woken: its pairs are found
+        // as if it had just woken: its pairs are found
+        woken.push_back(static_cast<int>(k));
         // Room for the worst case, so that no step has to ask for memory.
         awake.reserve(ring.capacity());
         woken.reserve(ring.capacity());
@@ -75,7 +85,8 @@ struct AwakeSet {
     {
         std::erase_if(awake, [this](int k) { return !is_awake(k); });
         for (std::vector<int>* const list : {&awake, &woken}) {
-            if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
+            if (!std::is_sorted(list->begin(), list->end()))
+                std::sort(list->begin(), list->end());
             list->erase(std::unique(list->begin(), list->end()), list->end());
         }
     }

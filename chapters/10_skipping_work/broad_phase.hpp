@@ -23,14 +23,16 @@ struct BroadPhase {
     DiscGrid grid;
     CollisionFilter filter;
     Real margin = 0.02;  ///< a pair is a contact when its gap is below this [m]
-    Real skin = 0.01;    ///< how far a disc may move before it queries the grid again [m]
+    /// how far a disc may move before it queries the grid again [m]
+    Real skin = 0.01;
 
     std::vector<std::uint64_t> pairs;  ///< a · 2³² + b, a < b, ascending
     std::vector<std::uint64_t> kept, fresh;
     std::vector<int> stale;              ///< discs that query the grid in this step
     std::vector<std::uint8_t> is_stale;  ///< K: is in that list
-    std::int64_t tested = 0;             ///< distances of two discs that were computed in this step
-    std::int64_t queries = 0;            ///< discs that queried the grid
+    /// distances of two discs that were computed in this step
+    std::int64_t tested = 0;
+    std::int64_t queries = 0;  ///< discs that queried the grid
 
     /// How far from its centre a disc looks for the surfaces of others [m]: the right side of (10.4).
     Real reach_of(Real radius) const { return radius + margin + 2 * skin; }
@@ -42,7 +44,8 @@ struct BroadPhase {
         const Index K = scene.bodies.count();
         grid.reset(K, margin + 2 * skin);
         for (Index k = 0; k < K; ++k)
-            grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k], filter.group_of(k));
+            grid.insert(static_cast<int>(k), scene.bodies.position(k),
+                        scene.radius[k], filter.group_of(k));
         pairs.clear();
         is_stale.assign(static_cast<std::size_t>(K), 1);  // no disc has queried yet
         stale.clear();
@@ -55,25 +58,32 @@ struct BroadPhase {
         if (!filter.group.empty()) filter.group.push_back(0);
         if (!filter.first.empty()) filter.first.push_back(filter.first.back());
         grid.grow(k + 1);
-        grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k], filter.group_of(k));
+        grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k],
+                    filter.group_of(k));
         is_stale.push_back(0);
     }
 };
 
 inline std::uint64_t pair_code(int a, int b)
 {
-    return static_cast<std::uint64_t>(a < b ? a : b) << 32 | static_cast<std::uint64_t>(a < b ? b : a);
+    return static_cast<std::uint64_t>(a < b ? a : b) << 32 |
+           static_cast<std::uint64_t>(a < b ? b : a);
 }
 inline int first_of(std::uint64_t pair) { return static_cast<int>(pair >> 32); }
-inline int second_of(std::uint64_t pair) { return static_cast<int>(pair & 0xffffffffu); }
+inline int second_of(std::uint64_t pair)
+{
+    return static_cast<int>(pair & 0xffffffffu);
+}
 inline int other_of(std::uint64_t pair, int k)
 {
     return first_of(pair) == k ? second_of(pair) : first_of(pair);
 }
 
 //! [touches]
-/// The contact of two discs, if their gap is below the margin: the test of find_contacts() for one pair.
-inline bool touches(const DiscScene& scene, Index a, Index b, Real margin, Contact& contact)
+/// The contact of two discs, if their gap is below the margin: the test of
+/// find_contacts() for one pair.
+inline bool touches(const DiscScene& scene, Index a, Index b, Real margin,
+                    Contact& contact)
 {
     const Vec2 d = scene.bodies.position(b) - scene.bodies.position(a);
     const Real reach = scene.radius[a] + scene.radius[b] + margin;
@@ -91,12 +101,20 @@ inline bool touches(const DiscScene& scene, Index a, Index b, Real margin, Conta
 inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broad)
 {
     const VecX& x = scene.bodies.x;
-    const auto at = [](auto& list, int i) -> auto& { return list[static_cast<std::size_t>(i)]; };
+    const auto at = [](auto& list, int i) -> auto&
+    {
+        return list[static_cast<std::size_t>(i)];
+    };
     const auto movable = [&](int k) { return scene.bodies.can_move(k); };
-    const auto is = [&](int k, Activity activity) { return at(set.activity, k) == activity; };
-    const auto may_ask = [&](int k) { return !is(k, Activity::asleep) && !is(k, Activity::gone); };
+    const auto is = [&](int k, Activity activity) {
+        return at(set.activity, k) == activity;
+    };
+    const auto may_ask = [&](int k) {
+        return !is(k, Activity::asleep) && !is(k, Activity::gone);
+    };
     const auto renew = [&](int k) {  // all move before the first query
-        if (std::exchange(at(broad.is_stale, k), std::uint8_t{1}) == 0) broad.stale.push_back(k);
+        if (std::exchange(at(broad.is_stale, k), std::uint8_t{1}) == 0)
+            broad.stale.push_back(k);
         if (!is(k, Activity::gone)) broad.grid.move(k, x.segment<2>(2 * k));
     };
     const auto wake_if_close = [&](int a, int b) {
@@ -111,17 +129,22 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     broad.tested = 0;
 
     //! [kept]
-    // (10.4): which discs have left their skins? (Discs woken since the last step query too: their pairs were not kept.)
+    // (10.4): which discs have left their skins? (Discs woken since the last step
+    // query too: their pairs were not kept.)
     const Real allowed = broad.skin * broad.skin;
     for (const int k : set.woken) renew(k);
     for (const int k : set.awake)
-        if (!((x.segment<2>(2 * k) - broad.grid.position(k)).squaredNorm() <= allowed)) renew(k);
+        if (!((x.segment<2>(2 * k) - broad.grid.position(k)).squaredNorm() <=
+              allowed))
+            renew(k);
 
     // What is still true of the old list.
     broad.kept.clear();
     for (const std::uint64_t pair : broad.pairs) {
         const int a = first_of(pair), b = second_of(pair);
-        if (at(broad.is_stale, a) || at(broad.is_stale, b) || !(set.is_awake(a) || set.is_awake(b))) continue;
+        if (at(broad.is_stale, a) || at(broad.is_stale, b) ||
+            !(set.is_awake(a) || set.is_awake(b)))
+            continue;
         if (is(a, Activity::gone) || is(b, Activity::gone)) continue;
         broad.kept.push_back(pair);
         if (set.is_asleep(b)) wake_if_close(a, b);
@@ -130,25 +153,34 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     //! [kept]
 
     //! [ask]
-    // Query the grid. The list may grow on the way: a sleeper that is found close by is woken, and queries too.
+    // Query the grid. The list may grow on the way: a sleeper that is found close
+    // by is woken, and queries too.
     broad.fresh.clear();
     broad.grid.tested = broad.grid.cells = 0;
     const std::size_t before_asking = broad.stale.size();
     for (std::size_t i = 0; i < broad.stale.size(); ++i) {
         const int k = broad.stale[i];
         if (!may_ask(k)) continue;
-        const std::uint64_t groups = at(broad.filter.meets, broad.filter.group_of(k));
+        const std::uint64_t groups =
+            at(broad.filter.meets, broad.filter.group_of(k));
         const std::size_t found = broad.fresh.size();
-        broad.grid.near(x.segment<2>(2 * k), broad.reach_of(scene.radius[k]), groups, [&](int b) {
-            // Of two that query, the lower one finds the other; but its query may have been before k was woken and moved.
-            if (b == k || (i < before_asking && b < k && at(broad.is_stale, b) && may_ask(b))) return;
-            if (!movable(k) && !movable(b)) return;
-            if (!set.is_awake(k) && !set.is_awake(b)) return;
-            if (broad.filter.forbids(std::min(b, k), std::max(b, k))) return;
-            broad.fresh.push_back(pair_code(b, k));
-        });
-        for (std::size_t j = found; j < broad.fresh.size(); ++j)  // the grid may change again
-            if (const int b = other_of(broad.fresh[j], k); set.is_asleep(b)) wake_if_close(k, b);
+        broad.grid.near(
+            x.segment<2>(2 * k), broad.reach_of(scene.radius[k]), groups,
+            [&](int b) {
+                // Of two that query, the lower one finds the other; but its query
+                // may have been before k was woken and moved.
+                if (b == k || (i < before_asking && b < k &&
+                               at(broad.is_stale, b) && may_ask(b)))
+                    return;
+                if (!movable(k) && !movable(b)) return;
+                if (!set.is_awake(k) && !set.is_awake(b)) return;
+                if (broad.filter.forbids(std::min(b, k), std::max(b, k))) return;
+                broad.fresh.push_back(pair_code(b, k));
+            });
+        // the grid may change again
+        for (std::size_t j = found; j < broad.fresh.size(); ++j)
+            if (const int b = other_of(broad.fresh[j], k); set.is_asleep(b))
+                wake_if_close(k, b);
     }
     //! [ask]
     broad.queries = static_cast<std::int64_t>(broad.stale.size());
@@ -160,15 +192,16 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
     if (!std::is_sorted(broad.fresh.begin(), broad.fresh.end()))
         std::sort(broad.fresh.begin(), broad.fresh.end());
     broad.pairs.resize(broad.kept.size() + broad.fresh.size());
-    std::merge(broad.kept.begin(), broad.kept.end(), broad.fresh.begin(), broad.fresh.end(),
-               broad.pairs.begin());
-    broad.pairs.erase(std::unique(broad.pairs.begin(), broad.pairs.end()), broad.pairs.end());
+    std::merge(broad.kept.begin(), broad.kept.end(), broad.fresh.begin(),
+               broad.fresh.end(), broad.pairs.begin());
+    broad.pairs.erase(std::unique(broad.pairs.begin(), broad.pairs.end()),
+                      broad.pairs.end());
 }
 
 /// The contacts of awake discs, with each other, with what is fixed and with the walls: what
 /// find_contacts() says of them, in the same order.
-inline void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhase& broad,
-                           std::vector<Contact>& contacts)
+inline void awake_contacts(const DiscScene& scene, const AwakeSet& set,
+                           BroadPhase& broad, std::vector<Contact>& contacts)
 {
     contacts.clear();
     Contact contact;
@@ -178,7 +211,8 @@ inline void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPha
             contacts.push_back(contact);
     for (const int b : set.awake) {
         if (!scene.bodies.can_move(b)) continue;
-        for_each_wall(scene, b, broad.margin, [&](const Contact& wall) { contacts.push_back(wall); });
+        for_each_wall(scene, b, broad.margin,
+                      [&](const Contact& wall) { contacts.push_back(wall); });
     }
 }
 

@@ -11,34 +11,41 @@ namespace rigid {
 
 //! [by_islands]
 struct IslandSolver {
-    ImpulseSettings sweeps;            ///< of each island; a tolerance of 0 makes all sweeps
-    Order ordering = Order::coloured;  ///< of the rows in their island: given or coloured
-    int exact_rows = 8;                ///< islands of up to so many rows are solved exactly
-    bool apart = true;                 ///< false: all rows are one problem
+    /// of each island; a tolerance of 0 makes all sweeps
+    ImpulseSettings sweeps;
+    /// of the rows in their island: given or coloured
+    Order ordering = Order::coloured;
+    /// islands of up to so many rows are solved exactly
+    int exact_rows = 8;
+    bool apart = true;  ///< false: all rows are one problem
 
     // What is kept from step to step.
     Islands islands;
     Colouring colouring;
     std::vector<int> order;
-    Order ordered = Order::given;    ///< how the rows were ordered when the islands were found
+    /// how the rows were ordered when the islands were found
+    Order ordered = Order::given;
     std::vector<SolverRow<2>> rows;  ///< island by island
     std::vector<Feedback> feedback;  ///< of each of them; empty = none has any
     std::vector<int> place_of;
     std::vector<ExactScratch> exact;
 
     // Of the last step.
-    int most_sweeps = 0;        ///< of the island that needed the most
-    int exact_count = 0;        ///< islands that were solved exactly
-    int unsolved = 0;           ///< islands whose residual did not meet the tolerance
+    int most_sweeps = 0;  ///< of the island that needed the most
+    int exact_count = 0;  ///< islands that were solved exactly
+    /// islands whose residual did not meet the tolerance
+    int unsolved = 0;
     ImpulseSettings in_metres;  ///< the sweeps, with a tolerance in m/s
 
     void require_valid() const
     {
         rigid::require_valid(sweeps);
         if (!std::isfinite(sweeps.tolerance))
-            throw std::invalid_argument("the tolerance of the sweeps is not finite");
+            throw std::invalid_argument(
+                "the tolerance of the sweeps is not finite");
         if (ordering != Order::given && ordering != Order::coloured)
-            throw std::invalid_argument("the order is " + std::string(to_string(ordering)) +
+            throw std::invalid_argument("the order is " +
+                                        std::string(to_string(ordering)) +
                                         "; this solver knows given and coloured");
     }
 
@@ -53,27 +60,33 @@ struct IslandSolver {
         }
         VecX& lambda = now.solution.lambda;
         clamp_start(now.rows, lambda);
-        for (const int k : now.active) bodies.velocity(k) = now.u_star.segment<2>(2 * k);
+        for (const int k : now.active)
+            bodies.velocity(k) = now.u_star.segment<2>(2 * k);
         prepare<2>(now.rows, islands.rows, lambda, rows);
         prepare_feedback<2>(now.rows, islands.rows, rows, place_of, feedback);
         for (const SolverRow<2>& row : rows) {
             bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
             bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
         }
-        for_each_problem(
-            [&](std::size_t first, std::size_t count) { solve_one(first, count, bodies.u, now); });
-        for (std::size_t k = 0; k < rows.size(); ++k) lambda[islands.rows[k]] = rows[k].lambda;
+        for_each_problem([&](std::size_t first, std::size_t count) {
+            solve_one(first, count, bodies.u, now);
+        });
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            lambda[islands.rows[k]] = rows[k].lambda;
         now.solution.iterations = most_sweeps;
-        now.solution.status = unsolved > 0 ? Status::iteration_limit : Status::solved;
+        now.solution.status =
+            unsolved > 0 ? Status::iteration_limit : Status::solved;
     }
     //! [by_islands]
 
     /// Other biases, the same u*: the sweeps go on from the present λ and u.
     void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
     {
-        for (std::size_t k = 0; k < rows.size(); ++k) change_bias(k, second.bias[row_at(k)], rows, feedback);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            change_bias(k, second.bias[row_at(k)], rows, feedback);
         sweep_each(second, bodies.u, now);
-        for (std::size_t k = 0; k < rows.size(); ++k) now.solution.lambda[islands.rows[k]] = rows[k].lambda;
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            now.solution.lambda[islands.rows[k]] = rows[k].lambda;
     }
 
     /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
@@ -89,7 +102,10 @@ struct IslandSolver {
     }
 
 private:
-    std::size_t row_at(std::size_t k) const { return static_cast<std::size_t>(islands.rows[k]); }
+    std::size_t row_at(std::size_t k) const
+    {
+        return static_cast<std::size_t>(islands.rows[k]);
+    }
 
     /// Calls visit(first, count) for the rows of each island, or for all of them.
     template <class Visit>
@@ -97,7 +113,8 @@ private:
     {
         if (!apart) visit(std::size_t{0}, rows.size());
         for (int i = 0; apart && i < islands.count(); ++i)
-            visit(static_cast<std::size_t>(islands.first_row[static_cast<std::size_t>(i)]),
+            visit(static_cast<std::size_t>(
+                      islands.first_row[static_cast<std::size_t>(i)]),
                   islands.rows_of(i).size());
     }
 
@@ -106,7 +123,8 @@ private:
     {
         return std::span<SolverRow<2>>(rows).subspan(first, count);
     }
-    std::span<const Feedback> some_feedback(std::size_t first, std::size_t count) const
+    std::span<const Feedback> some_feedback(std::size_t first,
+                                            std::size_t count) const
     {
         const std::span<const Feedback> follows(feedback);
         return follows.empty() ? follows : follows.subspan(first, count);
@@ -116,8 +134,9 @@ private:
     void sweep_each(const SecondProblem& second, VecX& v, StepData<2>& now)
     {
         for_each_problem([&](std::size_t first, std::size_t count) {
-            now.visits += sweep_on(some_rows(first, count), some_feedback(first, count), second.max_sweeps,
-                                   second.tolerance, v);
+            now.visits +=
+                sweep_on(some_rows(first, count), some_feedback(first, count),
+                         second.max_sweeps, second.tolerance, v);
         });
     }
 
@@ -127,7 +146,8 @@ private:
         if (now.same_bodies && now.same_rows && ordering == ordered) return;
         order.clear();
         if (ordering == Order::coloured)
-            colour_rows_of<2>(now.active, bodies.count(), now.rows, colouring, order);
+            colour_rows_of<2>(now.active, bodies.count(), now.rows, colouring,
+                              order);
         find_islands(bodies, now, order, islands);
         ordered = ordering;
     }
@@ -137,14 +157,16 @@ private:
         if (count == 0) return;
         const std::span<SolverRow<2>> island = some_rows(first, count);
         if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
-            const IslandAnswer answer = solve_exactly(island, in_metres.tolerance, exact, u);
+            const IslandAnswer answer =
+                solve_exactly(island, in_metres.tolerance, exact, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
                 ++exact_count;
                 return;
             }
         }
-        const IslandAnswer answer = sweep_island(island, some_feedback(first, count), in_metres, u);
+        const IslandAnswer answer =
+            sweep_island(island, some_feedback(first, count), in_metres, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

@@ -22,22 +22,29 @@ namespace rigid {
 inline constexpr int most_groups = 64;
 
 struct CollisionFilter {
-    std::vector<std::uint8_t> group;                 ///< K numbers below most_groups; empty = all in group 0
-    std::array<std::uint64_t, most_groups> meets{};  ///< bit g of meets[f]: the groups f and g collide
-    std::vector<int> first;  ///< K + 1: the partners of a are partner[first[a]] … partner[first[a + 1] − 1]
+    /// K numbers below most_groups; empty = all in group 0
+    std::vector<std::uint8_t> group;
+    /// bit g of meets[f]: the groups f and g collide
+    std::array<std::uint64_t, most_groups> meets{};
+    /// K + 1: the partners of a are partner[first[a]] … partner[first[a + 1] − 1]
+    std::vector<int> first;
     std::vector<int> partner;  ///< ascending for each a; all are > a
 
     CollisionFilter() { meets.fill(~std::uint64_t{0}); }
 
-    int group_of(Index k) const { return group.empty() ? 0 : group[static_cast<std::size_t>(k)]; }
+    int group_of(Index k) const
+    {
+        return group.empty() ? 0 : group[static_cast<std::size_t>(k)];
+    }
 
     /// Says whether bodies of the groups f and g collide. \throws std::invalid_argument  if there is no such group
     void set_meets(int f, int g, bool yes)
     {
         if (f < 0 || g < 0 || f >= most_groups || g >= most_groups)
-            throw std::invalid_argument("groups " + std::to_string(f) + " and " + std::to_string(g) +
-                                        " cannot be told apart; they go from 0 to " +
-                                        std::to_string(most_groups - 1));
+            throw std::invalid_argument(
+                "groups " + std::to_string(f) + " and " + std::to_string(g) +
+                " cannot be told apart; they go from 0 to " +
+                std::to_string(most_groups - 1));
         const auto bit = [](int i) { return std::uint64_t{1} << i; };
         auto& of_f = meets[static_cast<std::size_t>(f)];
         auto& of_g = meets[static_cast<std::size_t>(g)];
@@ -46,7 +53,8 @@ struct CollisionFilter {
     }
 
     //! [forbids]
-    /// True for a pair on the list, a < b. (Groups are looked at earlier, when the grid is asked.)
+    /// True for a pair on the list, a < b. (Groups are looked at earlier, when the
+    /// grid is asked.)
     bool forbids(Index a, Index b) const
     {
         if (first.empty()) return false;
@@ -59,14 +67,17 @@ struct CollisionFilter {
 
 /// A filter that forbids these pairs; an order in a pair, or a pair that is named twice, does not matter.
 /// \param count  K
-inline CollisionFilter forbid_pairs(Index count, std::vector<std::pair<Index, Index>> pairs)
+inline CollisionFilter forbid_pairs(Index count,
+                                    std::vector<std::pair<Index, Index>> pairs)
 {
     CollisionFilter filter;
     for (auto& [a, b] : pairs) {
         if (a < 0 || b < 0 || a >= count || b >= count || a == b)
-            throw std::invalid_argument("the pair of bodies " + std::to_string(a) + " and " +
-                                        std::to_string(b) + " cannot be kept apart; there are bodies 0 to " +
-                                        std::to_string(count - 1));
+            throw std::invalid_argument(
+                "the pair of bodies " + std::to_string(a) + " and " +
+                std::to_string(b) +
+                " cannot be kept apart; there are bodies 0 to " +
+                std::to_string(count - 1));
         if (a > b) std::swap(a, b);
     }
     std::sort(pairs.begin(), pairs.end());
@@ -76,7 +87,8 @@ inline CollisionFilter forbid_pairs(Index count, std::vector<std::pair<Index, In
         ++filter.first[static_cast<std::size_t>(a) + 1];
         filter.partner.push_back(static_cast<int>(b));
     }
-    for (std::size_t k = 1; k < filter.first.size(); ++k) filter.first[k] += filter.first[k - 1];
+    for (std::size_t k = 1; k < filter.first.size(); ++k)
+        filter.first[k] += filter.first[k - 1];
     return filter;
 }
 
@@ -91,7 +103,8 @@ inline CollisionFilter filter_of_links(Index count, std::span<const Link> links)
 /// What the scene's `linked` says.
 inline CollisionFilter filter_of(const DiscScene& scene)
 {
-    CollisionFilter filter = forbid_pairs(scene.bodies.count(), scene.linked.pairs());
+    CollisionFilter filter =
+        forbid_pairs(scene.bodies.count(), scene.linked.pairs());
     if (scene.linked.is_all()) filter.set_meets(0, 0, false);
     return filter;
 }

@@ -20,7 +20,8 @@ namespace rigid {
 
 class DiscGrid {
 public:
-    std::int64_t cells = 0;   ///< cells looked into since the caller last set this to zero
+    /// cells looked into since the caller last set this to zero
+    std::int64_t cells = 0;
     std::int64_t tested = 0;  ///< discs whose distance was computed
 
     /// Empties the grid and makes room for discs 0 … count − 1.
@@ -63,15 +64,22 @@ public:
     {
         leave(k);
         Place& place = at(k);
-        std::vector<int>& members = layers_[static_cast<std::size_t>(place.layer)].members;
+        std::vector<int>& members =
+            layers_[static_cast<std::size_t>(place.layer)].members;
         at(members.back()).member = place.member;
         members[static_cast<std::size_t>(place.member)] = members.back();
         members.pop_back();
         place.layer = nobody;
     }
 
-    bool contains(int k) const { return places_[static_cast<std::size_t>(k)].layer != nobody; }
-    const Vec2& position(int k) const { return places_[static_cast<std::size_t>(k)].x; }
+    bool contains(int k) const
+    {
+        return places_[static_cast<std::size_t>(k)].layer != nobody;
+    }
+    const Vec2& position(int k) const
+    {
+        return places_[static_cast<std::size_t>(k)].x;
+    }
 
     void move(int k, const Vec2& x)
     {
@@ -85,8 +93,8 @@ public:
     }
 
     //! [near]
-    /// Calls visit(b) for each disc b whose surface is less than `reach` away from x, or a billionth more, so that
-    /// rounding loses none; in no particular order.
+    /// Calls visit(b) for each disc b whose surface is less than `reach` away from
+    /// x, or a billionth more, so that rounding loses none; in no particular order.
     /// \param groups  bit g: discs of group g are looked for
     /// \param visit   must not change the grid
     template <class Visit>
@@ -101,10 +109,14 @@ public:
                 const Real close = (reach + place.radius) * (1 + 1e-9);
                 if ((place.x - x).squaredNorm() < close * close) visit(b);
             };
-            const int left = cell(x.x() - around, layer), right = cell(x.x() + around, layer);
-            const int low = cell(x.y() - around, layer), high = cell(x.y() + around, layer);
-            const std::int64_t wide = std::int64_t{right} - left + 1, tall = std::int64_t{high} - low + 1;
-            // A giant over many small cells: then it is quicker to ask the small ones one by one.
+            const int left = cell(x.x() - around, layer),
+                      right = cell(x.x() + around, layer);
+            const int low = cell(x.y() - around, layer),
+                      high = cell(x.y() + around, layer);
+            const std::int64_t wide = std::int64_t{right} - left + 1,
+                               tall = std::int64_t{high} - low + 1;
+            // A giant over many small cells: then it is quicker to ask the small
+            // ones one by one.
             if (wide * tall > 8 + static_cast<std::int64_t>(layer.members.size())) {
                 for (const int b : layer.members) test(b, at(b));
                 continue;
@@ -112,7 +124,9 @@ public:
             cells += wide * tall;
             for (int line = low; line <= high; ++line)
                 for (int column = left; column <= right; ++column)
-                    for (int b = buckets_[bucket(static_cast<int>(l), column, line)]; b != nobody;) {
+                    for (int b =
+                             buckets_[bucket(static_cast<int>(l), column, line)];
+                         b != nobody;) {
                         const Place& place = at(b);
                         if (place.column == column && place.line == line &&
                             place.layer == static_cast<int>(l))
@@ -132,7 +146,8 @@ private:
         int column = 0, line = 0;  ///< the cell
         int layer = nobody;
         int next = nobody, before = nobody;  ///< in the same list
-        int member = 0;                      ///< where in the layer's list of members
+        /// where in the layer's list of members
+        int member = 0;
     };
     struct Layer {
         int group = 0;
@@ -156,20 +171,22 @@ private:
     /// Cells that are side by side are side by side in the table, too.
     std::size_t bucket(int layer, int column, int line) const
     {
-        const std::uint64_t mixed = (static_cast<std::uint64_t>(line) * 0x9E3779B97F4A7C15u) >> 20;
-        const std::uint64_t place =
-            mixed + static_cast<std::uint64_t>(column) + static_cast<std::uint64_t>(layer) * 0x85EBCA6Bu;
+        const std::uint64_t mixed =
+            (static_cast<std::uint64_t>(line) * 0x9E3779B97F4A7C15u) >> 20;
+        const std::uint64_t place = mixed + static_cast<std::uint64_t>(column) +
+                                    static_cast<std::uint64_t>(layer) * 0x85EBCA6Bu;
         return place & (buckets_.size() - 1);
     }
 
     int layer_of(int group, Real radius)
     {
         int level = 0;
-        const Real fraction =
-            std::frexp(2 * radius + extra_, &level);  // = fraction · 2^level, ½ ≤ fraction < 1
+        // = fraction · 2^level, ½ ≤ fraction < 1
+        const Real fraction = std::frexp(2 * radius + extra_, &level);
         if (fraction == 0.5) --level;
         for (std::size_t l = 0; l < layers_.size(); ++l)
-            if (layers_[l].group == group && layers_[l].level == level) return static_cast<int>(l);
+            if (layers_[l].group == group && layers_[l].level == level)
+                return static_cast<int>(l);
         layers_.push_back({group, level, std::ldexp(1.0, -level), 0, {}});
         return static_cast<int>(layers_.size()) - 1;
     }
@@ -195,7 +212,8 @@ private:
     }
 
     Real extra_ = 0;
-    std::vector<int> buckets_;  ///< first disc of each list; the size is a power of two
+    /// first disc of each list; the size is a power of two
+    std::vector<int> buckets_;
     std::vector<Place> places_;
     std::vector<Layer> layers_;
 };

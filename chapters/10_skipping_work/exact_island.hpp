@@ -23,8 +23,9 @@ struct ExactScratch {
 };
 
 //! [closed_form]
-/// One row is solved by one visit, two rows by chapter 6's block (6.22). False where the two are so nearly the same
-/// row that rounding would make the answer useless.
+/// One row is solved by one visit, two rows by chapter 6's block (6.22). False
+/// where the two are so nearly the same row that rounding would make the answer
+/// useless.
 template <int Dof>
 bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
 {
@@ -40,16 +41,19 @@ bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
 //! [closed_form]
 
 //! [first_guess]
-/// Which rows are at a bound: those whose own λ is, but for a row whose w drives it off.
+/// Which rows are at a bound: those whose own λ is, but for a row whose w drives it
+/// off.
 template <int Dof>
-void guess_from_impulses(std::span<const SolverRow<Dof>> rows, const Mlcp& mlcp, ActiveSetMemory& memory)
+void guess_from_impulses(std::span<const SolverRow<Dof>> rows, const Mlcp& mlcp,
+                         ActiveSetMemory& memory)
 {
     memory.cases.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Real w = mlcp.q[static_cast<Index>(i)];
-        memory.cases[i] = rows[i].lambda <= rows[i].lo && w >= 0   ? BoundState::at_lo
-                          : rows[i].lambda >= rows[i].hi && w <= 0 ? BoundState::at_hi
-                                                                   : BoundState::between;
+        memory.cases[i] = rows[i].lambda <= rows[i].lo && w >= 0 ? BoundState::at_lo
+                          : rows[i].lambda >= rows[i].hi && w <= 0
+                              ? BoundState::at_hi
+                              : BoundState::between;
     }
     memory.dependent = false;
     memory.proximal.previous.setZero(mlcp.size());
@@ -60,8 +64,8 @@ void guess_from_impulses(std::span<const SolverRow<Dof>> rows, const Mlcp& mlcp,
 /// \param enough   if the natural residual is below this as it is, there is nothing to solve [m/s]
 /// \param scratch  one for each number of rows; grows
 template <int Dof>
-IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vector<ExactScratch>& scratch,
-                           VecX& u)
+IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough,
+                           std::vector<ExactScratch>& scratch, VecX& u)
 {
     IslandAnswer answer;
     answer.residual = natural_residual<Dof>(rows, u);
@@ -71,7 +75,8 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vec
         return answer;
     }
     if (rows.size() <= 2 && solve_in_closed_form(rows, u)) {
-        const Real before = std::exchange(answer.residual, natural_residual<Dof>(rows, u));
+        const Real before =
+            std::exchange(answer.residual, natural_residual<Dof>(rows, u));
         answer.visits += 2 * static_cast<std::int64_t>(rows.size());
         answer.sweeps = 1;
         if (answer.residual <= std::max(enough, 1e-10 * before)) {
@@ -92,7 +97,8 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough, std::vec
         for (Index j = 0; j <= i; ++j)
             mlcp.A.valuePtr()[i * n + j] = mlcp.A.valuePtr()[j * n + i] =
                 coupling(row, rows[static_cast<std::size_t>(j)]);
-        mlcp.q[i] = velocity<Dof>(row, u.template segment<Dof>(row.a), u.template segment<Dof>(row.b));
+        mlcp.q[i] = velocity<Dof>(row, u.template segment<Dof>(row.a),
+                                  u.template segment<Dof>(row.b));
         mlcp.lo[i] = row.lo - row.lambda;
         mlcp.hi[i] = row.hi - row.lambda;
     }

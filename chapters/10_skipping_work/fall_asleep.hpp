@@ -10,7 +10,8 @@
 namespace rigid {
 
 /// A body that moves and can't be stopped keeps awake what it carries, pulls or bends, however slowly it goes.
-inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepData<2>& now)
+inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene,
+                                             const StepData<2>& now)
 {
     const auto kinematic = [&](Index k) {
         return k != world && set.is_awake(k) && !scene.bodies.can_move(k);
@@ -23,26 +24,29 @@ inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene, const StepD
             if (k != world) rests[static_cast<std::size_t>(k)] = {};
     };
     for (const Row<2>& row : now.rows) together({row.a, row.b});
-    for (const Bend& bend : active_bends) together({bend.left, bend.middle, bend.right});
+    for (const Bend& bend : active_bends)
+        together({bend.left, bend.middle, bend.right});
 }
 
 /// How long each body that is awake has been at rest.
-inline void AwakeBodies::watch_rest(const DiscScene& scene, const StepSettings& settings,
+inline void AwakeBodies::watch_rest(const DiscScene& scene,
+                                    const StepSettings& settings,
                                     const StepData<2>& now)
 {
     const RestSettings slow = in_metres(rest, length);
     bool any_kinematic = false;
     for (const int k : set.awake) {
         Rest& so_far = rests[static_cast<std::size_t>(k)];
-        so_far =
-            still_at_rest<2>(so_far, scene.bodies.velocity(k), u_before.segment<2>(2 * k), slow, settings.h);
+        so_far = still_at_rest<2>(so_far, scene.bodies.velocity(k),
+                                  u_before.segment<2>(2 * k), slow, settings.h);
         any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
     if (any_kinematic) stay_with_kinematic(scene, now);
 }
 
 /// The natural residual of some rows of a step at the velocities u [m/s].
-inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, const VecX& u)
+inline Real natural_residual(const StepData<2>& now, std::span<const int> rows,
+                             const VecX& u)
 {
     Real largest = 0;
     for (const int i : rows) {
@@ -58,33 +62,42 @@ inline Real natural_residual(const StepData<2>& now, std::span<const int> rows, 
 
 /// (10.8). An island that falls asleep is put where its contacts were found.
 template <class Method>
-void AwakeBodies::end(DiscScene& scene, const StepSettings& settings, Method& method, StepData<2>& now)
+void AwakeBodies::end(DiscScene& scene, const StepSettings& settings,
+                      Method& method, StepData<2>& now)
 {
     watch_rest(scene, settings, now);
     if (!sleep) return;
     const RestSettings slow = in_metres(rest, length);
     Real noise = 0;
-    if constexpr (requires { method.solver.sweeps; }) noise = method.solver.sweeps.tolerance * length;
+    if constexpr (requires { method.solver.sweeps; })
+        noise = method.solver.sweeps.tolerance * length;
     const auto restless = [&](int k) {
-        return !may_sleep(rests[static_cast<std::size_t>(k)], scene.bodies.velocity(k).norm(), slow, noise);
+        return !may_sleep(rests[static_cast<std::size_t>(k)],
+                          scene.bodies.velocity(k).norm(), slow, noise);
     };
     if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
 
     const Islands* known = &islands;
-    if constexpr (requires { method.solver.islands; }) known = &method.solver.islands;
+    if constexpr (requires { method.solver.islands; })
+        known = &method.solver.islands;
     else find_islands(scene.bodies, now, {}, islands);
     for (int i = 0; i < known->count(); ++i) {
-        const std::span<const int> members = known->bodies_of(i), rows = known->rows_of(i);
+        const std::span<const int> members = known->bodies_of(i),
+                                   rows = known->rows_of(i);
         if (std::any_of(members.begin(), members.end(), restless)) continue;
 
         // Rest is only proved by an answer that is one.
-        if (!(natural_residual(now, rows, scene.bodies.u) <= slow.acceleration * settings.h)) continue;
+        if (!(natural_residual(now, rows, scene.bodies.u) <=
+              slow.acceleration * settings.h))
+            continue;
 
         //! [fall_asleep]
         set.sleep(members);
         for (const int row : rows)
-            forces.put(members[0], key_of(now.sources[static_cast<std::size_t>(row)], now.contacts),
-                       now.solution.lambda[row] / settings.part());
+            forces.put(
+                members[0],
+                key_of(now.sources[static_cast<std::size_t>(row)], now.contacts),
+                now.solution.lambda[row] / settings.part());
         for (const int k : members) {
             scene.bodies.velocity(k).setZero();
             scene.bodies.position(k) = now.x_found.segment<2>(2 * k);

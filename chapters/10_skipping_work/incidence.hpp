@@ -18,7 +18,8 @@ struct Incidence {
     std::span<const int> of(int k) const
     {
         const auto i = static_cast<std::size_t>(k);
-        return {item.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
+        return {item.data() + first[i],
+                static_cast<std::size_t>(first[i + 1] - first[i])};
     }
 };
 
@@ -37,18 +38,21 @@ Incidence incidence(std::size_t bodies, std::size_t items, const ForEach& for_ea
     std::vector<int> next(on.first.begin(), on.first.end() - 1);
     for (std::size_t i = 0; i < items; ++i)
         for_each(i, [&](auto k) {
-            on.item[static_cast<std::size_t>(next[static_cast<std::size_t>(k)]++)] = static_cast<int>(i);
+            on.item[static_cast<std::size_t>(next[static_cast<std::size_t>(k)]++)] =
+                static_cast<int>(i);
         });
     return on;
 }
 
 /// The items of these bodies, ascending, none twice. Memory is kept.
-inline void collect(const Incidence& on, std::span<const int> bodies, std::vector<int>& items)
+inline void collect(const Incidence& on, std::span<const int> bodies,
+                    std::vector<int>& items)
 {
     items.clear();
     for (const int k : bodies)
         for (const int i : on.of(k)) items.push_back(i);
-    if (!std::is_sorted(items.begin(), items.end())) std::sort(items.begin(), items.end());
+    if (!std::is_sorted(items.begin(), items.end()))
+        std::sort(items.begin(), items.end());
     items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 

@@ -22,23 +22,28 @@ struct IslandAnswer {
 };
 
 //! [sweep_island]
-/// Sweeps over the rows of one island from their present λ, whose effect is in u already. With tolerance 0 all
-/// sweeps are made, or until one changes nothing.
+/// Sweeps over the rows of one island from their present λ, whose effect is in u
+/// already. With tolerance 0 all sweeps are made, or until one changes nothing.
 /// \param feedback  of the rows; empty = none of them has any
 /// \param u         Dof·K; changed where the rows move something [m/s]
 template <int Dof>
-IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback,
+IslandAnswer sweep_island(std::span<SolverRow<Dof>> rows,
+                          std::span<const Feedback> feedback,
                           const ImpulseSettings& settings, VecX& u)
 {
     IslandAnswer answer;
     int changed = 1;
     while (answer.sweeps < settings.max_sweeps && changed > 0) {
-        changed = sweep(rows, feedback, u, settings.tolerance, settings.alternate && answer.sweeps % 2 == 1);
+        changed = sweep(rows, feedback, u, settings.tolerance,
+                        settings.alternate && answer.sweeps % 2 == 1);
         ++answer.sweeps;
         answer.visits += static_cast<std::int64_t>(rows.size());
 
-        // A small change is no small residual (chapter 4): it only says that it is time to look.
-        if (!(settings.tolerance > 0) || (changed > 0 && answer.sweeps < settings.max_sweeps)) continue;
+        // A small change is no small residual (chapter 4): it only says that it is
+        // time to look.
+        if (!(settings.tolerance > 0) ||
+            (changed > 0 && answer.sweeps < settings.max_sweeps))
+            continue;
         take_all_bounds(rows, feedback);
         answer.residual = natural_residual<Dof>(rows, u);
         answer.visits += static_cast<std::int64_t>(rows.size());

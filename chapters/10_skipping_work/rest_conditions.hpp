@@ -23,10 +23,13 @@ struct RestConditions {
 inline bool same_rest(const RestConditions& a, const RestConditions& b)
 {
     const auto correction = [](const StabilizerSettings& s) {
-        return std::tuple(s.method, s.beta, s.slop, s.bilateral_slop, s.max_correction_speed);
+        return std::tuple(s.method, s.beta, s.slop, s.bilateral_slop,
+                          s.max_correction_speed);
     };
-    return a.gravity == b.gravity && a.stiffness == b.stiffness && a.damping == b.damping &&
-           correction(a.correction) == correction(b.correction) && a.rest == b.rest && a.sleep == b.sleep;
+    return a.gravity == b.gravity && a.stiffness == b.stiffness &&
+           a.damping == b.damping &&
+           correction(a.correction) == correction(b.correction) &&
+           a.rest == b.rest && a.sleep == b.sleep;
 }
 
 }  // namespace rigid

@@ -17,21 +17,26 @@ namespace rigid {
 inline void require_disc(const SkippingWorld& now, Index k)
 {
     if (k < 0 || k >= now.scene.bodies.count())
-        throw std::invalid_argument("there is no disc " + std::to_string(k) + " among " +
+        throw std::invalid_argument("there is no disc " + std::to_string(k) +
+                                    " among " +
                                     std::to_string(now.scene.bodies.count()));
-    if (now.method.contacts.set.activity[static_cast<std::size_t>(k)] == Activity::gone)
-        throw std::invalid_argument("disc " + std::to_string(k) + " was taken away");
+    if (now.method.contacts.set.activity[static_cast<std::size_t>(k)] ==
+        Activity::gone)
+        throw std::invalid_argument("disc " + std::to_string(k) +
+                                    " was taken away");
 }
 
 //! [scene_edits]
-/// Disc k wakes, and all discs within its margin, and those that a link or a bend joins to it.
+/// Disc k wakes, and all discs within its margin, and those that a link or a bend
+/// joins to it.
 inline void wake_around(SkippingWorld& now, Index k)
 {
     const auto i = static_cast<int>(k);
     now.method.contacts.set.wake(k);
-    now.method.contacts.broad.grid.near(now.method.contacts.broad.grid.position(i),
-                                        now.method.contacts.broad.reach_of(now.scene.radius[k]),
-                                        ~std::uint64_t{0}, [&](int b) { now.method.contacts.set.wake(b); });
+    now.method.contacts.broad.grid.near(
+        now.method.contacts.broad.grid.position(i),
+        now.method.contacts.broad.reach_of(now.scene.radius[k]), ~std::uint64_t{0},
+        [&](int b) { now.method.contacts.set.wake(b); });
     for (const int l : now.method.contacts.links_on.of(i)) {
         const Link& link = now.scene.links[static_cast<std::size_t>(l)];
         now.method.contacts.set.wake(link.a == k ? link.b : link.a);
@@ -43,49 +48,61 @@ inline void wake_around(SkippingWorld& now, Index k)
     }
     for (const int l : now.method.contacts.bends_on.of(i)) {
         const Bend& bend = now.scene.bends[static_cast<std::size_t>(l)];
-        for (const Index b : {bend.left, bend.middle, bend.right}) now.method.contacts.set.wake(b);
+        for (const Index b : {bend.left, bend.middle, bend.right})
+            now.method.contacts.set.wake(b);
     }
 }
 
-/// Gives a disc another place, velocity and mass, and wakes the bodies that this concerns, where it was and where it is.
+/// Gives a disc another place, velocity and mass, and wakes the bodies that this
+/// concerns, where it was and where it is.
 /// \param x             [m]
 /// \param u             [m/s]
-/// \param inverse_mass  [1/kg]; 0 makes it a fixed disc, or, with a velocity, one that moves and is not moved
-/// \throws std::invalid_argument  for a disc that is not there, or a number that makes no sense
-inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& u, Real inverse_mass)
+/// \param inverse_mass  [1/kg]; 0 makes it a fixed disc, or, with a velocity, one
+///                      that moves and is not moved
+/// \throws std::invalid_argument  for a disc that is not there, or a number that
+///     makes no sense
+inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& u,
+                        Real inverse_mass)
 {
     require_disc(now, k);
     const auto refuse = [k](const std::string& what) {
-        throw std::invalid_argument("disc " + std::to_string(k) + " is to get the " + what);
+        throw std::invalid_argument("disc " + std::to_string(k) +
+                                    " is to get the " + what);
     };
     const auto check = [&](const std::string& name, const Vec2& v) {
         if (!v.allFinite())
-            refuse(name + ' ' + shortest(v.x()) + ", " + shortest(v.y()) + "; it must be finite");
+            refuse(name + ' ' + shortest(v.x()) + ", " + shortest(v.y()) +
+                   "; it must be finite");
     };
     check("place", x);
     check("velocity", u);
     if (!(inverse_mass >= 0) || !std::isfinite(inverse_mass))
-        refuse("inverse mass " + shortest(inverse_mass) + " 1/kg; it must be zero or positive and finite");
+        refuse("inverse mass " + shortest(inverse_mass) +
+               " 1/kg; it must be zero or positive and finite");
     wake_around(now, k);
     now.scene.bodies.position(k) = x;
     now.scene.bodies.velocity(k) = u;
     if (now.found.u_star.size() > 2 * k) now.found.u_star.segment<2>(2 * k) = u;
-    if (now.method.correction.v.size() > 2 * k) now.method.correction.v.segment<2>(2 * k).setZero();
+    if (now.method.correction.v.size() > 2 * k)
+        now.method.correction.v.segment<2>(2 * k).setZero();
     now.scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(inverse_mass);
     now.method.contacts.broad.grid.move(static_cast<int>(k), x);
     wake_around(now, k);
     const bool moves = inverse_mass > 0 || u.squaredNorm() > 0;
     if (moves && !now.method.contacts.set.is_awake(k))
         now.method.contacts.set.awake.push_back(static_cast<int>(k));
-    now.method.contacts.set.activity[static_cast<std::size_t>(k)] = moves ? Activity::awake : Activity::fixed;
+    now.method.contacts.set.activity[static_cast<std::size_t>(k)] =
+        moves ? Activity::awake : Activity::fixed;
     now.method.contacts.set.woken.push_back(
         static_cast<int>(k));  // as if it had just woken: its pairs are found again
 }
 
-/// Gives a disc another velocity, and wakes what that concerns. Written into `bodies.u` instead, the velocity of a
-/// sleeper would be lost: no step looks at it.
+/// Gives a disc another velocity, and wakes what that concerns. Written into
+/// `bodies.u` instead, the velocity of a sleeper would be lost: no step looks at
+/// it.
 /// \param u  [m/s]; of a fixed disc: it moves from now on, and nothing moves it
-/// \throws std::invalid_argument  for a disc that is not there, or a velocity that is not finite
+/// \throws std::invalid_argument  for a disc that is not there, or a velocity that
+///     is not finite
 inline void set_velocity(SkippingWorld& now, Index k, const Vec2& u)
 {
     require_disc(now, k);
@@ -95,31 +112,37 @@ inline void set_velocity(SkippingWorld& now, Index k, const Vec2& u)
 
 /// Gives a disc an impulse: u ← u + P / m. It wakes, as in set_velocity().
 /// \param impulse  P [N s]
-/// \throws std::invalid_argument  for a disc that is not there or that no impulse moves, or one that is not finite
+/// \throws std::invalid_argument  for a disc that is not there or that no impulse
+///     moves, or one that is not finite
 inline void push(SkippingWorld& now, Index k, const Vec2& impulse)
 {
     require_disc(now, k);
     const Real inverse_mass = now.scene.bodies.inverse_mass[2 * k];
     if (!(inverse_mass > 0))
-        throw std::invalid_argument("disc " + std::to_string(k) +
-                                    " is fixed; no impulse moves it, set_velocity() does");
+        throw std::invalid_argument(
+            "disc " + std::to_string(k) +
+            " is fixed; no impulse moves it, set_velocity() does");
     const Vec2 u = now.scene.bodies.velocity(k) + inverse_mass * impulse;
     if (!u.allFinite())
-        throw std::invalid_argument("disc " + std::to_string(k) + " is to get the impulse " +
-                                    shortest(impulse.x()) + ", " + shortest(impulse.y()) +
-                                    " N s; it must be finite, and so must the velocity that it gives");
+        throw std::invalid_argument(
+            "disc " + std::to_string(k) + " is to get the impulse " +
+            shortest(impulse.x()) + ", " + shortest(impulse.y()) +
+            " N s; it must be finite, and so must the velocity that it gives");
     set_velocity(now, k, u);
 }
 
-/// Adds a disc to the running world. Discs close to it wake; no other disc is looked at.
+/// Adds a disc to the running world. Discs close to it wake; no other disc is
+/// looked at.
 /// \param u  velocity [m/s]
 /// \return   its number
 /// \throws std::invalid_argument  for a number that makes no sense
-inline Index add_disc(SkippingWorld& now, const Vec2& x, const Vec2& u, Real mass, Real radius)
+inline Index add_disc(SkippingWorld& now, const Vec2& x, const Vec2& u, Real mass,
+                      Real radius)
 {
     if (!u.allFinite())
-        throw std::invalid_argument("the velocity of a new disc is " + shortest(u.x()) + ", " +
-                                    shortest(u.y()) + "; it must be finite");
+        throw std::invalid_argument("the velocity of a new disc is " +
+                                    shortest(u.x()) + ", " + shortest(u.y()) +
+                                    "; it must be finite");
     const Index k = add_disc(now.scene, x, mass, radius);
     now.scene.bodies.velocity(k) = u;
     now.method.contacts.add(now.scene, k);
@@ -150,7 +173,8 @@ inline void change_walls(SkippingWorld& now, std::vector<HalfSpace> walls)
     only.walls = std::move(walls);
     require_valid(only);
     now.scene.walls = std::move(only.walls);
-    for (Index k = 0; k < now.scene.bodies.count(); ++k) now.method.contacts.set.wake(k);
+    for (Index k = 0; k < now.scene.bodies.count(); ++k)
+        now.method.contacts.set.wake(k);
     now.method.contacts.changed = true;
 }
 //! [scene_edits]

@@ -31,23 +31,30 @@ struct SkippingMethod {
 
 /// What a step depends on besides the world: the settings of all stages in one place.
 struct SkippingSettings {
-    Real h = 1.0 / 60;              ///< time step [s]
-    int substeps = 1;               ///< the step is taken in so many parts
-    Real stiffness = 0;             ///< k of the torsional springs, a pure number; see add_bend_springs()
-    Real damping = 0;               ///< of the bends [1/s]
-    Index pulled = world;           ///< the disc that a hand pulls; world = none
-    Vec2 hand = {0, 0};             ///< where to [m]
-    ImpulseSettings sweeps;         ///< of each island; a tolerance of 0 makes all sweeps
+    Real h = 1.0 / 60;  ///< time step [s]
+    int substeps = 1;   ///< the step is taken in so many parts
+    /// k of the torsional springs, a pure number; see add_bend_springs()
+    Real stiffness = 0;
+    Real damping = 0;      ///< of the bends [1/s]
+    Index pulled = world;  ///< the disc that a hand pulls; world = none
+    Vec2 hand = {0, 0};    ///< where to [m]
+    /// of each island; a tolerance of 0 makes all sweeps
+    ImpulseSettings sweeps;
     StabilizerSettings stabilizer;  ///< what becomes of position errors
     Restitution bounce;
     Start start = Start::
-        best_multiple;  ///< where the sweeps start; the only warm start that is safe whatever the scene
+        /// where the sweeps start; the only warm start that is safe whatever the
+        /// scene
+        best_multiple;
     RestSettings rest;
-    Order order = Order::coloured;  ///< of the rows in their island: given or coloured
-    Real row_slack = 0;             ///< contacts keep their normal while their discs have moved by less [ℓ]
-    int exact_rows = 8;             ///< islands of up to so many rows are solved exactly
-    bool islands = true;            ///< false: all rows are one problem
-    bool sleep = true;              ///< false: no body falls asleep
+    /// of the rows in their island: given or coloured
+    Order order = Order::coloured;
+    /// contacts keep their normal while their discs have moved by less [ℓ]
+    Real row_slack = 0;
+    /// islands of up to so many rows are solved exactly
+    int exact_rows = 8;
+    bool islands = true;  ///< false: all rows are one problem
+    bool sleep = true;    ///< false: no body falls asleep
 };
 
 /// What a step has done. Each number is one of this step alone.
@@ -55,8 +62,9 @@ struct SkippingCounters {
     int awake = 0;    ///< bodies that the step looked at
     int islands = 0;  ///< of these, single bodies included
     int contacts = 0;
-    int rows = 0;             ///< solved
-    int kept_rows = 0;        ///< of these, kept from the step before but for C and b
+    int rows = 0;  ///< solved
+    /// of these, kept from the step before but for C and b
+    int kept_rows = 0;
     int sweeps = 0;           ///< of the island that needed the most
     int exact = 0;            ///< islands that were solved exactly
     int unsolved = 0;         ///< islands whose residual did not meet the tolerance
@@ -81,22 +89,29 @@ struct SkippingWorld {
 /// \param margin  as in StepSettings [ℓ]
 /// \param skin    how far a disc may move before it asks the grid again [ℓ]; changes nothing but the time
 /// \throws std::invalid_argument  for a scene or a filter that makes no sense
-inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real margin = 0.02, Real skin = 0.01)
+inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter,
+                                Real margin = 0.02, Real skin = 0.01)
 {
     require_valid(scene);
     const auto K = static_cast<std::size_t>(scene.bodies.count());
-    const auto refuse = [](const std::string& sentence) { throw std::invalid_argument(sentence); };
+    const auto refuse = [](const std::string& sentence) {
+        throw std::invalid_argument(sentence);
+    };
     if (!(margin >= 0) || !std::isfinite(margin))
-        refuse("the margin is " + shortest(margin) + "; it must be zero or positive and finite");
+        refuse("the margin is " + shortest(margin) +
+               "; it must be zero or positive and finite");
     if (!(skin >= 0) || !std::isfinite(skin))
-        refuse("the skin is " + shortest(skin) + "; it must be zero or positive and finite");
+        refuse("the skin is " + shortest(skin) +
+               "; it must be zero or positive and finite");
     if (!filter.group.empty() && filter.group.size() != K)
-        refuse("there are " + std::to_string(filter.group.size()) + " groups for " + std::to_string(K) +
-               " discs");
+        refuse("there are " + std::to_string(filter.group.size()) + " groups for " +
+               std::to_string(K) + " discs");
     for (const std::uint8_t group : filter.group)
-        if (group >= most_groups) refuse("there is a group " + std::to_string(group) + "; they go to 63");
+        if (group >= most_groups)
+            refuse("there is a group " + std::to_string(group) + "; they go to 63");
     if (!filter.first.empty() && filter.first.size() != K + 1)
-        refuse("the filter was made for another number of discs than " + std::to_string(K));
+        refuse("the filter was made for another number of discs than " +
+               std::to_string(K));
 
     SkippingWorld now;
     now.scene = std::move(scene);
@@ -109,7 +124,8 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter, Real ma
 }
 
 /// The settings of a step, written into the stages.
-inline StepSettings configure(SkippingMethod& method, const SkippingSettings& settings, Real margin)
+inline StepSettings configure(SkippingMethod& method,
+                              const SkippingSettings& settings, Real margin)
 {
     method.contacts.rest = settings.rest;
     method.contacts.sleep = settings.sleep;
@@ -133,7 +149,8 @@ inline StepSettings configure(SkippingMethod& method, const SkippingSettings& se
 }
 
 /// What the last step has done.
-inline SkippingCounters counters_of(const SkippingMethod& method, const StepData<2>& found)
+inline SkippingCounters counters_of(const SkippingMethod& method,
+                                    const StepData<2>& found)
 {
     const AwakeBodies& bodies = method.contacts;
     const IslandSolver& solver = method.solver;
@@ -145,7 +162,8 @@ inline SkippingCounters counters_of(const SkippingMethod& method, const StepData
     counters.islands = solver.islands.count();
     counters.contacts = static_cast<int>(found.contacts.size());
     counters.rows = static_cast<int>(found.rows.size());
-    counters.kept_rows = static_cast<int>(std::count(found.kept.begin(), found.kept.end(), std::uint8_t{1}));
+    counters.kept_rows = static_cast<int>(
+        std::count(found.kept.begin(), found.kept.end(), std::uint8_t{1}));
     counters.sweeps = solver.most_sweeps;
     counters.exact = solver.exact_count;
     counters.unsolved = solver.unsolved;
@@ -158,7 +176,8 @@ inline SkippingCounters counters_of(const SkippingMethod& method, const StepData
 /// One time step of the world, and what it has done.
 inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
 {
-    step(now.scene, configure(now.method, settings, now.margin), now.method, now.found);
+    step(now.scene, configure(now.method, settings, now.margin), now.method,
+         now.found);
     now.counters = counters_of(now.method, now.found);
 }
 

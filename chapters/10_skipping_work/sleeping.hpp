@@ -42,10 +42,12 @@ inline void require_valid(const RestSettings& rest)
         throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
                                     "; it must be positive and finite");
     };
-    if (!(rest.speed > 0) || !std::isfinite(rest.speed)) refuse("the speed of rest", rest.speed);
+    if (!(rest.speed > 0) || !std::isfinite(rest.speed))
+        refuse("the speed of rest", rest.speed);
     if (!(rest.acceleration > 0) || !std::isfinite(rest.acceleration))
         refuse("the acceleration of rest", rest.acceleration);
-    if (!(rest.time > 0) || !std::isfinite(rest.time)) refuse("the time of rest", rest.time);
+    if (!(rest.time > 0) || !std::isfinite(rest.time))
+        refuse("the time of rest", rest.time);
 }
 
 /// How long a body has been at rest without a break, and its greatest speed in that time.
@@ -60,8 +62,8 @@ struct Rest {
 /// \param u       velocity after the step [m/s]
 /// \param before  and before it [m/s]
 template <int Dof>
-Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, const RestSettings& settings,
-                   Real h)
+Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before,
+                   const RestSettings& settings, Real h)
 {
     const bool slow = u.squaredNorm() <= settings.speed * settings.speed;
     const Real change = settings.acceleration * h;
@@ -70,12 +72,16 @@ Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before, 
     return {rest.time + h, std::max(rest.top_speed, u.norm())};
 }
 
-/// And once it has lasted for long enough: does what is left of the motion die out? What glides on does not, nor
-/// what has begun to topple: that is faster than before.
-/// \param noise  slower than this it can't be distinguished from the error of the answers [m/s]
-inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings, Real noise)
+/// And once it has lasted for long enough: does what is left of the motion die out?
+/// What glides on does not, nor what has begun to topple: that is faster than
+/// before.
+/// \param noise  slower than this it can't be distinguished from the error of the
+///               answers [m/s]
+inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings,
+                      Real noise)
 {
-    return rest.time >= settings.time && speed <= std::max(rest.top_speed / 2, noise);
+    return rest.time >= settings.time &&
+           speed <= std::max(rest.top_speed / 2, noise);
 }
 //! [rests]
 
@@ -87,7 +93,8 @@ struct SleepingForces {
         int next = -1;   ///< of the same island, or of the free places
     };
     std::vector<Entry> entries;
-    std::vector<int> head;  ///< K: first entry of the island whose first body this is
+    /// K: first entry of the island whose first body this is
+    std::vector<int> head;
     int free = -1;
 
     void put(int body, const ImpulseKey& key, Real force)
@@ -120,7 +127,8 @@ struct SleepingForces {
 };
 
 /// The impulses of woken bodies go back to the cache from which the next sweeps start.
-inline void remember_woken(SleepingForces& forces, std::span<const int> woken, ImpulseCache& cache)
+inline void remember_woken(SleepingForces& forces, std::span<const int> woken,
+                           ImpulseCache& cache)
 {
     const std::size_t before = cache.entries.size();
     for (const int k : woken)

@@ -34,12 +34,13 @@ struct SortAndSweep {
 /// \param radius  [m], K numbers
 /// \param axis    0 = along x, 1 = along y
 template <class Visit>
-void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis, SortAndSweep& memory,
-                    const Visit& visit)
+void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis,
+                    SortAndSweep& memory, const Visit& visit)
 {
     const auto K = static_cast<std::size_t>(radius.size());
     auto& shadows = memory.shadows;
-    const auto by_left = [](const SortAndSweep::Shadow& a, const SortAndSweep::Shadow& b) {
+    const auto by_left = [](const SortAndSweep::Shadow& a,
+                            const SortAndSweep::Shadow& b) {
         return a.left < b.left;
     };
     const bool known = shadows.size() == K;
@@ -48,7 +49,8 @@ void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis, So
         SortAndSweep::Shadow& s = shadows[i];
         if (!known) s.k = static_cast<int>(i);
         const Real along = x[2 * s.k + axis];
-        s = {along - radius[s.k], along + radius[s.k] + margin, x[2 * s.k + 1 - axis], radius[s.k], s.k};
+        s = {along - radius[s.k], along + radius[s.k] + margin,
+             x[2 * s.k + 1 - axis], radius[s.k], s.k};
     }
     memory.tested = memory.exchanged = 0;
     if (!known) std::sort(shadows.begin(), shadows.end(), by_left);
@@ -59,11 +61,13 @@ void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis, So
         }
     //! [sweep]
     for (std::size_t i = 0; i < K; ++i)
-        for (std::size_t j = i + 1; j < K && shadows[j].left < shadows[i].right; ++j) {
+        for (std::size_t j = i + 1; j < K && shadows[j].left < shadows[i].right;
+             ++j) {
             const SortAndSweep::Shadow &a = shadows[i], &b = shadows[j];
             ++memory.tested;
             const Real apart = std::abs(a.other - b.other);
-            if (apart < a.half + b.half + margin) visit(std::min(a.k, b.k), std::max(a.k, b.k));
+            if (apart < a.half + b.half + margin)
+                visit(std::min(a.k, b.k), std::max(a.k, b.k));
         }
     //! [sweep]
 }

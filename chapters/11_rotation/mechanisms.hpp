@@ -35,7 +35,8 @@ inline RigidScene rod_pendulum(std::span<const Real> angles)
     Vec2 end(0, 0);
     for (const Real angle : angles) {
         const Vec2 along(std::sin(angle), -std::cos(angle));
-        const Index k = add_body(scene, capsule(1, 0), thin_rod(1, 1), end + along / 2, angle - pi / 2);
+        const Index k = add_body(scene, capsule(1, 0), thin_rod(1, 1),
+                                 end + along / 2, angle - pi / 2);
         add_pin(scene, k - 1, k == 0 ? Vec2(0, 0) : Vec2(0.5, 0), k, {-0.5, 0});
         end += along;
     }
@@ -43,7 +44,10 @@ inline RigidScene rod_pendulum(std::span<const Real> angles)
 }
 
 /// The angle of rod k of such a row from straight down [rad].
-inline Real rod_angle(const RigidScene& scene, Index k) { return scene.bodies.x[3 * k + 2] + pi / 2; }
+inline Real rod_angle(const RigidScene& scene, Index k)
+{
+    return scene.bodies.x[3 * k + 2] + pi / 2;
+}
 
 /// A ladder of 2 m and 10 kg between a wall and a floor, both without friction, at rest.
 /// \param angle  from the wall [rad]
@@ -51,7 +55,8 @@ inline RigidScene ladder(Real angle)
 {
     RigidScene scene;
     scene.walls = {{{0, 1}, 0}, {{1, 0}, 0}};
-    add_body(scene, capsule(2, 0), thin_rod(2, 10), Vec2(std::sin(angle), std::cos(angle)), angle + pi / 2);
+    add_body(scene, capsule(2, 0), thin_rod(2, 10),
+             Vec2(std::sin(angle), std::cos(angle)), angle + pi / 2);
     return scene;
 }
 
@@ -63,7 +68,8 @@ inline RigidScene seesaw(Real left, Real right)
     add_pin(scene, world, {0, 0}, 0, {0, 0});
     for (const Real side : {-1.0, 1.0}) {
         const Real mass = side < 0 ? left : right;
-        const Index k = add_body(scene, box(0.4, 0.4), mass / 0.16, {2 * side, -0.7});
+        const Index k =
+            add_body(scene, box(0.4, 0.4), mass / 0.16, {2 * side, -0.7});
         PointJoint rope;
         rope.a = 0, rope.b = k;
         rope.at_a = {2 * side, 0}, rope.at_b = {0, 0.2};
@@ -102,7 +108,8 @@ inline RigidScene gear_train(std::span<const Real> radii, Real speed, Real torqu
 inline Real gear_inertia(std::span<const Real> radii)
 {
     Real sum = 0;
-    for (const Real r : radii) sum += mass_of(disc(r), 10).inertia * (radii[0] / r) * (radii[0] / r);
+    for (const Real r : radii)
+        sum += mass_of(disc(r), 10).inertia * (radii[0] / r) * (radii[0] / r);
     return sum;
 }
 

@@ -17,8 +17,12 @@
 namespace rigid {
 
 //! [point_row]
-/// (11.6): n·(velocity of a point) as a row: (n, r × n), with r from the centroid to the point.
-inline RowVec<3> point_row(const Vec2& r, const Vec2& n) { return {n.x(), n.y(), cross2(r, n)}; }
+/// (11.6): n·(velocity of a point) as a row: (n, r × n), with r from the centroid
+/// to the point.
+inline RowVec<3> point_row(const Vec2& r, const Vec2& n)
+{
+    return {n.x(), n.y(), cross2(r, n)};
+}
 //! [point_row]
 
 /// Throws std::invalid_argument, naming the joint and the value, unless it makes sense among so many bodies.
@@ -27,16 +31,21 @@ inline void require_valid(const PointJoint& joint, std::size_t number, Index bod
     const auto refuse = [number](const std::string& what) {
         throw std::invalid_argument("joint " + std::to_string(number) + " " + what);
     };
-    if (joint.a < world || joint.a >= bodies || joint.b < 0 || joint.b >= bodies || joint.a == joint.b)
-        refuse("joins bodies " + std::to_string(joint.a) + " and " + std::to_string(joint.b) + " among " +
-               std::to_string(bodies) + "; they must be two, and only a may be the world (−1)");
-    if (!joint.at_a.allFinite() || !joint.at_b.allFinite() || !std::isfinite(joint.length) ||
-        !std::isfinite(joint.gear_a) || !std::isfinite(joint.gear_b) || !std::isfinite(joint.speed))
+    if (joint.a < world || joint.a >= bodies || joint.b < 0 || joint.b >= bodies ||
+        joint.a == joint.b)
+        refuse("joins bodies " + std::to_string(joint.a) + " and " +
+               std::to_string(joint.b) + " among " + std::to_string(bodies) +
+               "; they must be two, and only a may be the world (−1)");
+    if (!joint.at_a.allFinite() || !joint.at_b.allFinite() ||
+        !std::isfinite(joint.length) || !std::isfinite(joint.gear_a) ||
+        !std::isfinite(joint.gear_b) || !std::isfinite(joint.speed))
         refuse("has a point, a length, a gear or a speed that is not finite");
     if (!(std::abs(joint.direction.norm() - 1) <= 1e-9))
-        refuse("has a direction of the length " + shortest(joint.direction.norm()) + "; it must be 1");
+        refuse("has a direction of the length " + shortest(joint.direction.norm()) +
+               "; it must be 1");
     if (!(joint.force >= 0))
-        refuse("has the force " + shortest(joint.force) + "; it must be zero or positive");
+        refuse("has the force " + shortest(joint.force) +
+               "; it must be zero or positive");
     if (joint.sense != 1 && joint.sense != -1)
         refuse("has the sense " + shortest(joint.sense) + "; it must be 1 or -1");
 }
@@ -47,15 +56,19 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
 {
     using Measure = PointJoint::Measure;
     Constraint<3> c;
-    c.a = joint.a, c.b = joint.b, c.kind = joint.kind, c.speed = joint.speed, c.force = joint.force;
-    const auto centre = [&x](Index k) { return k == world ? Vec2(0, 0) : Vec2(x.segment<2>(3 * k)); };
+    c.a = joint.a, c.b = joint.b, c.kind = joint.kind, c.speed = joint.speed,
+    c.force = joint.force;
+    const auto centre = [&x](Index k) {
+        return k == world ? Vec2(0, 0) : Vec2(x.segment<2>(3 * k));
+    };
     const auto angle = [&x](Index k) { return k == world ? 0 : x[3 * k + 2]; };
     if (joint.measure == Measure::angle) {
         c.C = joint.gear_a * angle(c.a) + joint.gear_b * angle(c.b) - joint.length;
         c.Ja = {0, 0, joint.gear_a};
         c.Jb = {0, 0, joint.gear_b};
     } else {
-        const Vec2 pa = point_of(x, c.a, joint.at_a), pb = point_of(x, c.b, joint.at_b), d = pb - pa;
+        const Vec2 pa = point_of(x, c.a, joint.at_a),
+                   pb = point_of(x, c.b, joint.at_b), d = pb - pa;
         Vec2 n = joint.direction, arm = pa - centre(c.a);
         if (joint.measure == Measure::distance) n = Direction(d).n;
         if (joint.measure == Measure::turning && c.a != world) {
@@ -74,7 +87,8 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
 
 //! [corner]
 /// (11.14): vertex `corner` of body b over a wall.
-inline Constraint<3> corner_constraint(const RigidScene& scene, const VecX& x, std::size_t wall, Index b,
+inline Constraint<3> corner_constraint(const RigidScene& scene, const VecX& x,
+                                       std::size_t wall, Index b,
                                        std::size_t corner)
 {
     const HalfSpace& half = scene.walls[wall];

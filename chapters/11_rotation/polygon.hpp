@@ -23,8 +23,9 @@
 namespace rigid {
 
 struct Polygon {
-    std::vector<Vec2> vertices;  ///< counterclockwise, convex; one or two are allowed [m]
-    Real radius = 0;             ///< [m]
+    /// counterclockwise, convex; one or two are allowed [m]
+    std::vector<Vec2> vertices;
+    Real radius = 0;  ///< [m]
 };
 
 /// What a body needs to know of how its mass is spread.
@@ -42,7 +43,10 @@ inline Polygon box(Real width, Real height, Real radius = 0)
 }
 
 /// The capsule along x about the origin; `length` is the distance of its two centres.
-inline Polygon capsule(Real length, Real radius) { return {{{-length / 2, 0}, {length / 2, 0}}, radius}; }
+inline Polygon capsule(Real length, Real radius)
+{
+    return {{{-length / 2, 0}, {length / 2, 0}}, radius};
+}
 
 inline Polygon disc(Real radius) { return {{{0, 0}}, radius}; }
 
@@ -51,38 +55,48 @@ inline Polygon disc(Real radius) { return {{{0, 0}}, radius}; }
 inline void require_valid(const Polygon& shape)
 {
     const std::size_t n = shape.vertices.size();
-    if (n == 0) throw std::invalid_argument("the polygon has no vertex; it needs one or more");
+    if (n == 0)
+        throw std::invalid_argument(
+            "the polygon has no vertex; it needs one or more");
     if (!(shape.radius >= 0) || !std::isfinite(shape.radius))
-        throw std::invalid_argument("the radius of the polygon is " + shortest(shape.radius) +
+        throw std::invalid_argument("the radius of the polygon is " +
+                                    shortest(shape.radius) +
                                     " m; it must be zero or positive and finite");
     for (std::size_t i = 0; i < n; ++i)
         if (!shape.vertices[i].allFinite())
-            throw std::invalid_argument("vertex " + std::to_string(i) + " of the polygon is (" +
-                                        shortest(shape.vertices[i].x()) + ", " +
-                                        shortest(shape.vertices[i].y()) + "); it must be finite");
+            throw std::invalid_argument(
+                "vertex " + std::to_string(i) + " of the polygon is (" +
+                shortest(shape.vertices[i].x()) + ", " +
+                shortest(shape.vertices[i].y()) + "); it must be finite");
     Real turned = 0;  // all exterior angles together: once around
     for (std::size_t i = 0; i < n && n > 1; ++i) {
         const Vec2 before = shape.vertices[(i + 1) % n] - shape.vertices[i];
-        const Vec2 after = shape.vertices[(i + 2) % n] - shape.vertices[(i + 1) % n];
+        const Vec2 after =
+            shape.vertices[(i + 2) % n] - shape.vertices[(i + 1) % n];
         if (before.norm() == 0)
-            throw std::invalid_argument("vertices " + std::to_string(i) + " and " +
-                                        std::to_string((i + 1) % n) +
-                                        " of the polygon are the same point; each must be its own");
+            throw std::invalid_argument(
+                "vertices " + std::to_string(i) + " and " +
+                std::to_string((i + 1) % n) +
+                " of the polygon are the same point; each must be its own");
         if (n == 2) break;
         const Real angle = std::atan2(cross2(before, after), before.dot(after));
         if (!(angle > 0 && angle < pi))
-            throw std::invalid_argument(
-                "the polygon turns by " + shortest(angle) + " rad at vertex " + std::to_string((i + 1) % n) +
-                "; a convex one, counterclockwise, turns by more than 0 and less than π");
+            throw std::invalid_argument("the polygon turns by " + shortest(angle) +
+                                        " rad at vertex " +
+                                        std::to_string((i + 1) % n) +
+                                        "; a convex one, counterclockwise, turns "
+                                        "by more than 0 and less than π");
         turned += angle;
     }
     if (turned > 3 * pi)
-        throw std::invalid_argument("the polygon goes around " + shortest(std::round(turned / (2 * pi))) +
+        throw std::invalid_argument("the polygon goes around " +
+                                    shortest(std::round(turned / (2 * pi))) +
                                     " times; a convex one goes around once");
 }
 
 //! [pieces]
-/// Calls visit(area, centroid, polar moment about that centroid) for each piece of the shape, (11.12).
+/// Calls visit(area, centroid, polar moment about that centroid) for each piece of
+/// the shape, (11.12).
 template <class Visit>
 void for_each_piece(const Polygon& shape, const Visit& visit)
 {
@@ -92,17 +106,26 @@ void for_each_piece(const Polygon& shape, const Visit& visit)
     for (std::size_t i = 1; i + 1 < n; ++i) {  // triangles
         const Vec2 e = v[i] - v[0], f = v[i + 1] - v[0];
         const Real area = cross2(e, f) / 2;
-        visit(area, Vec2(v[0] + (e + f) / 3), area * (e.dot(e) + f.dot(f) - e.dot(f)) / 18);
+        visit(area, Vec2(v[0] + (e + f) / 3),
+              area * (e.dot(e) + f.dot(f) - e.dot(f)) / 18);
     }
     if (rho == 0) return;
-    for (std::size_t i = 0; i < n && n > 1; ++i) {  // rectangles on the edges, sectors between them
-        const Vec2 edge = v[(i + 1) % n] - v[i], next = v[(i + 2) % n] - v[(i + 1) % n];
-        const Real l = edge.norm(), alpha = std::abs(std::atan2(cross2(edge, next), edge.dot(next))) / 2;
+    // rectangles on the edges, sectors between them
+    for (std::size_t i = 0; i < n && n > 1; ++i) {
+        const Vec2 edge = v[(i + 1) % n] - v[i],
+                   next = v[(i + 2) % n] - v[(i + 1) % n];
+        const Real l = edge.norm(),
+                   alpha =
+                       std::abs(std::atan2(cross2(edge, next), edge.dot(next))) / 2;
         const Vec2 out = -perpendicular(edge) / l;
-        visit(l * rho, Vec2(v[i] + edge / 2 + out * (rho / 2)), l * rho * (l * l + rho * rho) / 12);
-        const Vec2 middle = std::cos(alpha) * out + std::sin(alpha) * Vec2(edge / l);
-        const Real area = alpha * rho * rho, far = 2 * rho * std::sin(alpha) / (3 * alpha);
-        visit(area, Vec2(v[(i + 1) % n] + far * middle), area * (rho * rho / 2 - far * far));
+        visit(l * rho, Vec2(v[i] + edge / 2 + out * (rho / 2)),
+              l * rho * (l * l + rho * rho) / 12);
+        const Vec2 middle =
+            std::cos(alpha) * out + std::sin(alpha) * Vec2(edge / l);
+        const Real area = alpha * rho * rho,
+                   far = 2 * rho * std::sin(alpha) / (3 * alpha);
+        visit(area, Vec2(v[(i + 1) % n] + far * middle),
+              area * (rho * rho / 2 - far * far));
     }
     if (n == 1) visit(pi * rho * rho, v[0], pi * rho * rho * rho * rho / 2);
 }
@@ -111,7 +134,8 @@ void for_each_piece(const Polygon& shape, const Visit& visit)
 //! [mass]
 /// Mass, centroid and moment of inertia of a uniform body.
 /// \param density  [kg/m²]
-/// Throws std::invalid_argument for a polygon that is not convex, one without area, or a density that is not positive.
+/// Throws std::invalid_argument for a polygon that is not convex, one without area,
+/// or a density that is not positive.
 inline Mass mass_of(const Polygon& shape, Real density)
 {
     require_valid(shape);
@@ -125,11 +149,14 @@ inline Mass mass_of(const Polygon& shape, Real density)
         all.centroid += piece * (centroid - shape.vertices[0]);
     });
     if (!(area > 0))
-        throw std::invalid_argument("the polygon has the area " + shortest(area) +
-                                    " m²; it must be positive: three vertices, or a radius");
+        throw std::invalid_argument(
+            "the polygon has the area " + shortest(area) +
+            " m²; it must be positive: three vertices, or a radius");
     all.centroid = shape.vertices[0] + all.centroid / area;
-    for_each_piece(shape, [&](Real piece, const Vec2& centroid, Real moment) {  // (11.11)
-        all.inertia += density * (moment + piece * (centroid - all.centroid).squaredNorm());
+    // (11.11)
+    for_each_piece(shape, [&](Real piece, const Vec2& centroid, Real moment) {
+        all.inertia +=
+            density * (moment + piece * (centroid - all.centroid).squaredNorm());
     });
     all.mass = density * area;
     return all;
@@ -137,6 +164,9 @@ inline Mass mass_of(const Polygon& shape, Real density)
 //! [mass]
 
 /// A rod so thin that its thickness does not count: m L²/12, the limit of box and capsule.
-inline Mass thin_rod(Real length, Real mass) { return {mass, {0, 0}, mass * length * length / 12}; }
+inline Mass thin_rod(Real length, Real mass)
+{
+    return {mass, {0, 0}, mass * length * length / 12};
+}
 
 }  // namespace rigid

@@ -10,7 +10,8 @@ namespace rigid {
 
 //! [forces]
 /// Weight acts at the centroid: it turns nothing. So does the hand.
-inline void free_velocities(RigidScene& scene, const StepSettings& settings, StepData<3>& now)
+inline void free_velocities(RigidScene& scene, const StepSettings& settings,
+                            StepData<3>& now)
 {
     Bodies<3>& bodies = scene.bodies;
     now.u_star = bodies.u;
@@ -20,24 +21,28 @@ inline void free_velocities(RigidScene& scene, const StepSettings& settings, Ste
         if (!(inverse_mass > 0)) continue;
         Vec2 acceleration = scene.gravity;
         if (settings.pulled == k)
-            acceleration +=
-                400 * (settings.hand - bodies.position(k).head<2>()) - 40 * bodies.velocity(k).head<2>();
+            acceleration += 400 * (settings.hand - bodies.position(k).head<2>()) -
+                            40 * bodies.velocity(k).head<2>();
         bodies.force(k).head<2>() = acceleration / inverse_mass;
-        now.u_star.segment<3>(3 * k) += settings.part() * bodies.apply_inverse_mass(k, bodies.force(k));
+        now.u_star.segment<3>(3 * k) +=
+            settings.part() * bodies.apply_inverse_mass(k, bodies.force(k));
     }
 }
 //! [forces]
 
 /// Constraint i of the step at any positions x.
-inline Constraint<3> constraint_at(const RigidScene& scene, const StepData<3>& now, std::size_t i,
-                                   const VecX& x)
+inline Constraint<3> constraint_at(const RigidScene& scene, const StepData<3>& now,
+                                   std::size_t i, const VecX& x)
 {
     const auto index = static_cast<std::size_t>(now.sources[i].index);
-    if (now.sources[i].of == Source::Of::joint) return joint_constraint(x, scene.joints[index]);
+    if (now.sources[i].of == Source::Of::joint)
+        return joint_constraint(x, scene.joints[index]);
     const Contact& contact = now.contacts[index];
-    const std::size_t corners = scene.shapes[static_cast<std::size_t>(contact.b)].vertices.size();
+    const std::size_t corners =
+        scene.shapes[static_cast<std::size_t>(contact.b)].vertices.size();
     const auto feature = static_cast<std::size_t>(contact.feature);
-    return corner_constraint(scene, x, feature / corners, contact.b, feature % corners);
+    return corner_constraint(scene, x, feature / corners, contact.b,
+                             feature % corners);
 }
 
 inline void evaluate_constraints(const RigidScene& scene, StepData<3>& now)
@@ -52,18 +57,21 @@ inline void require_valid(const RigidScene& scene)
 {
     require_valid(scene.bodies);
     if (static_cast<Index>(scene.shapes.size()) != scene.bodies.count())
-        throw std::invalid_argument("the scene has " + std::to_string(scene.shapes.size()) + " shapes and " +
-                                    std::to_string(scene.bodies.count()) + " bodies; each needs its own");
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.shapes.size()) +
+            " shapes and " + std::to_string(scene.bodies.count()) +
+            " bodies; each needs its own");
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
         require_valid(scene.joints[i], i, scene.bodies.count());
 }
 
 //! [all_bodies]
-/// The contacts stage: every body is looked at, every joint, and every corner over every wall. (Where two bodies touch
-/// each other is chapter 12's subject.)
+/// The contacts stage: every body is looked at, every joint, and every corner over
+/// every wall. (Where two bodies touch each other is chapter 12's subject.)
 struct AllBodies {
     template <class Method>
-    void begin(const RigidScene& scene, const StepSettings& settings, Method&, StepData<3>& now) const
+    void begin(const RigidScene& scene, const StepSettings& settings, Method&,
+               StepData<3>& now) const
     {
         require_valid(scene);
         now.length = typical_length(scene);
@@ -73,23 +81,28 @@ struct AllBodies {
         now.contacts.clear();
         now.sources.clear();
         for (std::size_t i = 0; i < scene.joints.size(); ++i)
-            if (bodies.can_move(scene.joints[i].a) || bodies.can_move(scene.joints[i].b))
+            if (bodies.can_move(scene.joints[i].a) ||
+                bodies.can_move(scene.joints[i].b))
                 now.sources.push_back({Source::Of::joint, static_cast<int>(i)});
         for (Index b = 0; b < bodies.count(); ++b) {
             if (!bodies.can_move(b)) continue;
-            const std::size_t corners = scene.shapes[static_cast<std::size_t>(b)].vertices.size();
+            const std::size_t corners =
+                scene.shapes[static_cast<std::size_t>(b)].vertices.size();
             for (std::size_t k = 0; k < corners * scene.walls.size(); ++k) {
-                const Constraint<3> c = corner_constraint(scene, bodies.x, k / corners, b, k % corners);
+                const Constraint<3> c =
+                    corner_constraint(scene, bodies.x, k / corners, b, k % corners);
                 if (!(c.C < settings.margin * now.length)) continue;
-                now.sources.push_back({Source::Of::contact, static_cast<int>(now.contacts.size())});
-                now.contacts.push_back(
-                    {world, b, scene.walls[k / corners].normal, c.C, static_cast<Index>(k)});
+                now.sources.push_back(
+                    {Source::Of::contact, static_cast<int>(now.contacts.size())});
+                now.contacts.push_back({world, b, scene.walls[k / corners].normal,
+                                        c.C, static_cast<Index>(k)});
             }
         }
         now.x_found = bodies.x;
     }
     template <class Method>
-    void end(const RigidScene&, const StepSettings&, Method&, const StepData<3>&) const
+    void end(const RigidScene&, const StepSettings&, Method&,
+             const StepData<3>&) const
     {
     }
 };

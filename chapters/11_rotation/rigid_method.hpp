@@ -49,7 +49,8 @@ inline Real energy(const RigidScene& scene)
     Real sum = 0;
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (!scene.bodies.can_move(k)) continue;
-        const Vec<3> u = scene.bodies.velocity(k), W = scene.bodies.inverse_mass.segment<3>(3 * k);
+        const Vec<3> u = scene.bodies.velocity(k),
+                     W = scene.bodies.inverse_mass.segment<3>(3 * k);
         sum += u.cwiseAbs2().cwiseQuotient(W).sum() / 2 -
                scene.gravity.dot(scene.bodies.position(k).head<2>()) / W[0];
     }
@@ -62,7 +63,8 @@ inline Vec<3> momenta(const Bodies<3>& bodies)
     Vec<3> sum = Vec<3>::Zero();
     for (Index k = 0; k < bodies.count(); ++k) {
         if (!bodies.can_move(k)) continue;
-        const Vec<3> p = bodies.velocity(k).cwiseQuotient(bodies.inverse_mass.segment<3>(3 * k));
+        const Vec<3> p =
+            bodies.velocity(k).cwiseQuotient(bodies.inverse_mass.segment<3>(3 * k));
         sum += p;
         sum[2] += cross2(bodies.position(k).head<2>(), p.head<2>());
     }
@@ -75,7 +77,8 @@ inline Real largest_joint_error(const RigidScene& scene)
     Real largest = 0;
     for (const PointJoint& joint : scene.joints)
         if (joint.kind == ConstraintKind::bilateral)
-            largest = std::max(largest, std::abs(joint_constraint(scene.bodies.x, joint).C));
+            largest = std::max(largest,
+                               std::abs(joint_constraint(scene.bodies.x, joint).C));
     return largest;
 }
 

@@ -16,19 +16,27 @@ namespace rigid {
 /// One scalar constraint on points fixed in two bodies, or in the world and a body.
 struct PointJoint {
     enum class Measure : unsigned char {
+        /// n·(p_b − p_a), n fixed in the world: one half of a pin, a rail, a motor
+        /// that pushes
         distance,  ///< ‖p_b − p_a‖: a link, a rope
-        along,     ///< n·(p_b − p_a), n fixed in the world: one half of a pin, a rail, a motor that pushes
-        turning,   ///< the same, with n fixed in body a and turning with it: a slider on a body
-        angle,     ///< gear_a θ_a + gear_b θ_b: a weld, gears, a motor that turns
+        along,
+        /// the same, with n fixed in body a and turning with it: a slider on a body
+        turning,
+        angle,  ///< gear_a θ_a + gear_b θ_b: a weld, gears, a motor that turns
     };
     Measure measure = Measure::distance;
     Index a = world, b = 0;
     Vec2 at_a = {0, 0},
-         at_b = {0, 0};       ///< the points, from the centroid in the body's own axes; of the world: in its
+         /// the points, from the centroid in the body's own axes; of the world: in
+        /// its
+        at_b = {0, 0};
     Vec2 direction = {1, 0};  ///< n, a unit vector, of along and turning
-    Real gear_a = -1, gear_b = 1;  ///< of angle: pure numbers [C is an angle], or radii [C is an arc]
-    Real length = 0;               ///< C is zero where what is measured is this [m, rad]
-    Real sense = 1;                ///< −1: C is what is left to the length, not what is beyond it
+    /// of angle: pure numbers [C is an angle], or radii [C is an arc]
+    Real gear_a = -1, gear_b = 1;
+    /// C is zero where what is measured is this [m, rad]
+    Real length = 0;
+    /// −1: C is what is left to the length, not what is beyond it
+    Real sense = 1;
     ConstraintKind kind = ConstraintKind::bilateral;
     Real speed = 0, force = 0;  ///< of a motor [m/s, N], or [rad/s, N m]
 };
@@ -36,11 +44,13 @@ struct PointJoint {
 struct RigidScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};
-    std::vector<Polygon> shapes;  ///< one to a body, in its own axes, its centroid at (0, 0)
+    /// one to a body, in its own axes, its centroid at (0, 0)
+    std::vector<Polygon> shapes;
     std::vector<PointJoint> joints;
     std::vector<HalfSpace> walls;
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
-    Real length = 0;            ///< the length that settings are measured in [m]; 0 = typical_length()
+    /// the length that settings are measured in [m]; 0 = typical_length()
+    Real length = 0;
 };
 
 /// ℓ, the length that settings are measured in (chapter 3): the power of ten next to the mean size of the bodies that
@@ -49,15 +59,17 @@ struct RigidScene {
 inline Real typical_length(const RigidScene& scene)
 {
     if (!(scene.length >= 0) || !std::isfinite(scene.length))
-        throw std::invalid_argument("the length of the scene is " + shortest(scene.length) +
-                                    " m; it must be positive and finite, or zero to be derived");
+        throw std::invalid_argument(
+            "the length of the scene is " + shortest(scene.length) +
+            " m; it must be positive and finite, or zero to be derived");
     if (scene.length > 0) return scene.length;
     Real sum = 0, count = 0;
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (!scene.bodies.can_move(k)) continue;
         const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
         Real farthest = 0;
-        for (const Vec2& vertex : shape.vertices) farthest = std::max(farthest, vertex.norm());
+        for (const Vec2& vertex : shape.vertices)
+            farthest = std::max(farthest, vertex.norm());
         sum += 2 * (farthest + shape.radius);
         ++count;
     }
@@ -69,7 +81,8 @@ inline Vec2 point_of(const VecX& x, Index k, const Vec2& at)
 {
     if (k == world) return at;
     const Real c = std::cos(x[3 * k + 2]), s = std::sin(x[3 * k + 2]);
-    return {x[3 * k] + c * at.x() - s * at.y(), x[3 * k + 1] + s * at.x() + c * at.y()};
+    return {x[3 * k] + c * at.x() - s * at.y(),
+            x[3 * k + 1] + s * at.x() + c * at.y()};
 }
 
 //! [point_velocity]
@@ -88,37 +101,44 @@ inline Vec2 velocity_at(const Bodies<3>& bodies, Index k, const Vec2& p)
 /// \return       its number
 /// Throws std::invalid_argument for a mass that is negative or not finite, for inertia without mass, and for mass
 /// without inertia.
-inline Index add_body(RigidScene& scene, const Polygon& shape, const Mass& mass, const Vec2& at,
-                      Real angle = 0)
+inline Index add_body(RigidScene& scene, const Polygon& shape, const Mass& mass,
+                      const Vec2& at, Real angle = 0)
 {
     require_valid(shape);
-    const auto no_number = [](Real value) { return !(value >= 0) || !std::isfinite(value); };
-    if (no_number(mass.mass) || no_number(mass.inertia) || (mass.mass > 0) != (mass.inertia > 0))
-        throw std::invalid_argument("a body has the mass " + shortest(mass.mass) + " kg and the inertia " +
-                                    shortest(mass.inertia) +
-                                    " kg m²; both must be positive, or both zero (it cannot move)");
+    const auto no_number = [](Real value) {
+        return !(value >= 0) || !std::isfinite(value);
+    };
+    if (no_number(mass.mass) || no_number(mass.inertia) ||
+        (mass.mass > 0) != (mass.inertia > 0))
+        throw std::invalid_argument(
+            "a body has the mass " + shortest(mass.mass) + " kg and the inertia " +
+            shortest(mass.inertia) +
+            " kg m²; both must be positive, or both zero (it cannot move)");
     if (!at.allFinite() || !std::isfinite(angle))
-        throw std::invalid_argument("a body is at (" + shortest(at.x()) + ", " + shortest(at.y()) +
-                                    ") m at the angle " + shortest(angle) + " rad; they must be finite");
+        throw std::invalid_argument("a body is at (" + shortest(at.x()) + ", " +
+                                    shortest(at.y()) + ") m at the angle " +
+                                    shortest(angle) + " rad; they must be finite");
     const Index k = scene.bodies.count();
     scene.bodies.resize(k + 1);
     scene.bodies.position(k) << at, angle;
     const bool moves = mass.mass > 0;
-    scene.bodies.inverse_mass.segment<3>(3 * k) << (moves ? 1 / mass.mass : 0), (moves ? 1 / mass.mass : 0),
-        (moves ? 1 / mass.inertia : 0);
+    scene.bodies.inverse_mass.segment<3>(3 * k) << (moves ? 1 / mass.mass : 0),
+        (moves ? 1 / mass.mass : 0), (moves ? 1 / mass.inertia : 0);
     scene.shapes.push_back(shape);
     for (Vec2& vertex : scene.shapes.back().vertices) vertex -= mass.centroid;
     return k;
 }
 
 /// Adds a uniform body of the given density [kg/m²].
-inline Index add_body(RigidScene& scene, const Polygon& shape, Real density, const Vec2& at, Real angle = 0)
+inline Index add_body(RigidScene& scene, const Polygon& shape, Real density,
+                      const Vec2& at, Real angle = 0)
 {
     return add_body(scene, shape, mass_of(shape, density), at, angle);
 }
 
 /// Adds the two rows of a pin: the point `at_a` of body a and the point `at_b` of body b stay in one place.
-inline void add_pin(RigidScene& scene, Index a, const Vec2& at_a, Index b, const Vec2& at_b)
+inline void add_pin(RigidScene& scene, Index a, const Vec2& at_a, Index b,
+                    const Vec2& at_b)
 {
     for (const Vec2& n : {Vec2(1, 0), Vec2(0, 1)}) {
         PointJoint half;
@@ -131,19 +151,21 @@ inline void add_pin(RigidScene& scene, Index a, const Vec2& at_a, Index b, const
 }
 
 /// Adds gears that mesh: the arcs that run over the rims of a and b, of these radii, are opposite, r_a θ_a + r_b θ_b = 0.
-inline void add_gears(RigidScene& scene, Index a, Real radius_a, Index b, Real radius_b)
+inline void add_gears(RigidScene& scene, Index a, Real radius_a, Index b,
+                      Real radius_b)
 {
     PointJoint mesh;
     mesh.measure = PointJoint::Measure::angle;
     mesh.a = a, mesh.b = b;
     mesh.gear_a = radius_a, mesh.gear_b = radius_b;
-    mesh.length =
-        radius_b * scene.bodies.x[3 * b + 2] + (a == world ? 0 : radius_a * scene.bodies.x[3 * a + 2]);
+    mesh.length = radius_b * scene.bodies.x[3 * b + 2] +
+                  (a == world ? 0 : radius_a * scene.bodies.x[3 * a + 2]);
     scene.joints.push_back(mesh);
 }
 
 /// Adds a motor that turns body b against a, as far as a torque of ±`torque` can.
-inline void add_turning_motor(RigidScene& scene, Index a, Index b, Real speed, Real torque)
+inline void add_turning_motor(RigidScene& scene, Index a, Index b, Real speed,
+                              Real torque)
 {
     PointJoint motor;
     motor.measure = PointJoint::Measure::angle;

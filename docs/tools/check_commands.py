@@ -33,8 +33,12 @@ def program(root, number):
 def commands(root, path, text):
     """(line number, program, arguments) of each command that the text at `path` shows."""
     own = path.parent.name if re.match(r'\d\d_', path.parent.name) else None
-    fence = None
+    fence, begun = None, ''
     for number, line in enumerate(text.splitlines(), 1):
+        if fence == 'sh' and line.endswith('\\'):  # the command goes on in the next line
+            begun += line[:-1]
+            continue
+        line, begun = begun + line, ''
         mark = re.match(r'\s*```(\w*)', line)
         if mark:
             fence = mark.group(1) if fence is None else None

@@ -13,6 +13,7 @@ What is checked
   figures    "Figure 4.2" exists and is unique; each file in figures/ is shown by its chapter
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
+  width      code that is quoted or typed has at most 84 columns
   layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
 When `(4.7)` is an equation number
@@ -34,6 +35,7 @@ from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LIN
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
                       figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
 
+WIDEST_CODE = 84
 PICTURES = {".svg", ".png", ".gif", ".jpg", ".jpeg", ".webp"}
 
 
@@ -229,11 +231,22 @@ class Checker:
                 for near in (parts[k - 1:k] + parts[k + 1:k + 2]):
                     if near.kind in ("paragraph", "table"):
                         self.fault(path, block.line, "display maths needs a blank line before and after.")
+            elif block.kind in ("fence", "snippet"):
+                self.code_width(path, block)
             elif block.kind == "html":
                 self.details(path, parts, k)
             elif block.kind in ("paragraph", "table", "heading"):
                 self.running_text(path, block)
                 self.figure_layout(path, parts, k)
+
+    def code_width(self, path, block):
+        """Code that a reader reads or types fits the page; what a program prints may be as wide as it is."""
+        language = "cpp" if block.kind == "snippet" else block.info["language"]
+        if language not in ("cpp", "sh"):
+            return
+        for k, line in enumerate(block.lines):
+            if len(line) > WIDEST_CODE and not line.startswith("<!--"):
+                self.fault(path, block.line + k, f"a line of code has {len(line)} columns; the page shows {WIDEST_CODE}.")
 
     def headings(self, path, parts, own):
         heads = [b for b in parts if b.kind == "heading"]

@@ -81,7 +81,7 @@ namespace rigid {
 /// One step of (1.1). \\cite known2000
     inline int step(int x)
     {
-        return x + 1;  // (1.1): forward; scale (0.5) and (1.0) and f(1.7) are numbers
+        return x + 1;  // (1.1): forward; (0.5), (1.0) and f(1.7) are numbers
     }
 //! [step]
 }  // namespace rigid
@@ -321,6 +321,17 @@ class Text(Folder):
         self.add("```cpp\nint x;")
         self.assertTrue(any("never closed" in f for f in self.faults()))
 
+    def test_code_that_the_page_would_cut_off(self):
+        self.add("```cpp\n" + "x" * 84 + "\n```\n\n```text\n" + "x" * 200 + "\n```")
+        self.assertEqual(self.faults(), [])
+        self.add("```sh\n" + "x" * 85 + "\n```")
+        self.fails("85 columns")
+
+    def test_quoted_code_that_the_page_would_cut_off(self):
+        self.change("chapters/01_euler/step.hpp", "//! [step]\n", "//! [step]\n// " + "x" * 90 + "\n")
+        sync_snippets.run(self.root, check=False)
+        self.fails("93 columns")
+
     def test_other_html(self):
         self.add("A <div>box</div>.")
         self.assertTrue(all("no HTML" in f for f in self.faults()) and self.faults())
@@ -519,6 +530,11 @@ class Commands(Folder):
                          ["--scene fall --csv a.csv --steps 1", "--scene fall --headless --steps 1"])
         self.assertFalse((self.root / "left_behind").exists())
         self.assertTrue(all(not c[0].startswith(str(self.root)) for c in calls))
+
+    def test_a_command_in_two_lines_is_one_command(self):
+        code, out, err = self.checked("./book run 1 --scene fall \\", "    --steps 900")
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn("--scene fall --steps 1", self.read("bin/calls"))
 
     def test_a_command_that_only_a_window_refuses(self):
         code, out, _ = self.checked("./book run 1 --scene five")

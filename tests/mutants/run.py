@@ -12,7 +12,7 @@ A list names mutants like this; lines that begin with # are comments:
     was    first_try ? 5. : 1.
     now    5.
 
-`was` is part of one line and occurs once in the file; where it occurs more often, a line `at` gives more of the
+`was` is part of one line, or of several without the breaks, and occurs once in the file; where it occurs more often, a line `at` gives more of the
 line around it, which occurs once. The expression becomes a choice at run time, so a chapter is compiled once for
 all of its mutants. Further lines, where they are needed:
 
@@ -92,17 +92,25 @@ def read_list(path, first_number=1):
     return mutants
 
 
+def anywhere(code):
+    """A pattern that finds a line of code however it is broken into lines."""
+    words = re.split(r"\s+|(?<=\()", code)
+    return re.compile(r"\s*".join(re.escape(word) for word in words))
+
+
 def span(mutant, text):
     """Where in the text of its file the mutant is."""
     at = mutant.at or mutant.was
     what = f"{mutant.place}: '{mutant.name}': {mutant.file} has"
-    if text.count(at) != 1:
-        raise ListError(f"{what} '{at}' {text.count(at)} times; it must be there once")
-    if at.count(mutant.was) != 1:
-        raise ListError(f"{mutant.place}: '{mutant.name}': '{at}' has '{mutant.was}' {at.count(mutant.was)} times; "
+    places = list(anywhere(at).finditer(text))
+    if len(places) != 1:
+        raise ListError(f"{what} '{at}' {len(places)} times; it must be there once")
+    [place] = places
+    inside = list(anywhere(mutant.was).finditer(place.group(0)))
+    if len(inside) != 1:
+        raise ListError(f"{mutant.place}: '{mutant.name}': '{at}' has '{mutant.was}' {len(inside)} times; "
                         "it must be there once")
-    begin = text.index(at) + at.index(mutant.was)
-    return begin, begin + len(mutant.was)
+    return place.start() + inside[0].start(), place.start() + inside[0].end()
 
 
 def mutated(text, mutants):

@@ -45,7 +45,8 @@ void for_each_problem(const Visit& visit)
 template <class Problem>
 std::vector<Index> budgets(const Problem& problem)
 {
-    const Index least = static_cast<Index>(problem.T / 3 * (Problem::N == 1 ? 50 : 40));
+    const Index least =
+        static_cast<Index>(problem.T / 3 * (Problem::N == 1 ? 50 : 40));
     std::vector<Index> result;
     for (int i = 0; i < 10; ++i) result.push_back(least << i);
     return result;
@@ -82,7 +83,8 @@ void register_problem(const std::string& problem_name, const Problem& problem)
 #ifdef RIGID_HAS_ODEINT
                 const Real first = prepared.h;
                 const Real odeint_error =
-                    (Odeint<Problem>::run_adaptive(s, problem.T, tolerance, first) - exact)
+                    (Odeint<Problem>::run_adaptive(s, problem.T, tolerance, first) -
+                     exact)
                         .norm();
                 benchmark::RegisterBenchmark(
                     (problem_name + "/dormand_prince/odeint" + label).c_str(),
@@ -101,14 +103,16 @@ void register_problem(const std::string& problem_name, const Problem& problem)
         for (Index budget : budgets(problem)) {
             const Index steps = budget / evaluations_per_step(method);
             const Real h = problem.T / static_cast<Real>(steps);
-            const Real error = (run_fixed(method, s, h, steps, problem.a).x - exact).norm();
+            const Real error =
+                (run_fixed(method, s, h, steps, problem.a).x - exact).norm();
             const std::string base = problem_name + "/" + name_of(method);
             const std::string label = "/steps:" + std::to_string(steps);
             benchmark::RegisterBenchmark(
                 (base + "/ours" + label).c_str(),
                 [=](benchmark::State& state) {
                     for (auto _ : state)
-                        benchmark::DoNotOptimize(run_fixed(method, s, h, steps, problem.a));
+                        benchmark::DoNotOptimize(
+                            run_fixed(method, s, h, steps, problem.a));
                     state.counters["error"] = error;
                     state.counters["evaluations"] =
                         static_cast<Real>(steps * evaluations_per_step(method));
@@ -150,8 +154,8 @@ void table_work_precision()
             if (!can<typename Problem::A, N>(method)) continue;
             if (method == Method::dormand_prince) {
                 for (Real tolerance : tolerances) {
-                    const Adaptive<N> run =
-                        run_adaptive(problem.start(), problem.T, tolerance, problem.a);
+                    const Adaptive<N> run = run_adaptive(problem.start(), problem.T,
+                                                         tolerance, problem.a);
                     std::printf("%s,%s,%ld,%.3e\n", name.c_str(), name_of(method),
                                 static_cast<long>(run.evaluations),
                                 (run.s.x - problem.exact()).norm());
@@ -166,7 +170,8 @@ void table_work_precision()
                      problem.exact())
                         .norm();
                 std::printf("%s,%s,%ld,%.3e\n", name.c_str(), name_of(method),
-                            static_cast<long>(steps * evaluations_per_step(method)), error);
+                            static_cast<long>(steps * evaluations_per_step(method)),
+                            error);
             }
         }
     });
@@ -186,10 +191,12 @@ void table_long_time(Index per_period)
     Real low = -12, high = -2;
     for (int i = 0; i < 30; ++i) {
         const Real middle = (low + high) / 2;
-        const Adaptive<2> run = run_adaptive(start, 20 * pi, std::pow(10, middle), kepler);
+        const Adaptive<2> run =
+            run_adaptive(start, 20 * pi, std::pow(10, middle), kepler);
         (run.evaluations > 10 * per_period ? low : high) = middle;
     }
-    const Tolerance allowed{std::pow(10, high), std::pow(10, high), std::pow(10, high)};
+    const Tolerance allowed{std::pow(10, high), std::pow(10, high),
+                            std::pow(10, high)};
     for (Method method : all_methods) {
         State<2> s = start;
         Vec2 now = kepler(s.x);
@@ -203,23 +210,30 @@ void table_long_time(Index per_period)
             Real of_place = 0, of_energy = 0;
             const auto look = [&](const State<2>& y, Real t) {
                 if (!wanted) return;
-                of_place = std::max(of_place, (y.x - exact_kepler(kepler, e, t).x).norm());
-                of_energy = std::max(of_energy,
-                                     std::abs(kepler.energy(y) / kepler.energy(start) - 1));
+                of_place =
+                    std::max(of_place, (y.x - exact_kepler(kepler, e, t).x).norm());
+                of_energy =
+                    std::max(of_energy,
+                             std::abs(kepler.energy(y) / kepler.energy(start) - 1));
             };
             if (method == Method::dormand_prince) {
                 while (run.t < 2 * pi * static_cast<Real>(period)) {
-                    if (advance(run, 1e9, kepler, allowed) != Outcome::reached) return;
+                    if (advance(run, 1e9, kepler, allowed) != Outcome::reached)
+                        return;
                     look(run.s, run.t);
                 }
             } else {
                 for (Index n = 0; n < steps; ++n) {
                     switch (method) {
-                    case Method::explicit_euler: s = explicit_euler(s, h, kepler); break;
+                    case Method::explicit_euler:
+                        s = explicit_euler(s, h, kepler);
+                        break;
                     case Method::symplectic_euler:
                         s = symplectic_euler(s, h, kepler);
                         break;
-                    case Method::verlet: s = velocity_verlet(s, now, h, kepler); break;
+                    case Method::verlet:
+                        s = velocity_verlet(s, now, h, kepler);
+                        break;
                     case Method::yoshida4: s = yoshida4(s, h, kepler); break;
                     default: s = rk4(s, h, kepler); break;
                     }
@@ -229,8 +243,8 @@ void table_long_time(Index per_period)
             }
             if (wanted) {
                 std::printf("%s,%ld,%ld,%.3e,%.3e\n", name_of(method),
-                            static_cast<long>(per_period), static_cast<long>(period),
-                            of_place, of_energy);
+                            static_cast<long>(per_period),
+                            static_cast<long>(period), of_place, of_energy);
                 ++next;
             }
         }
@@ -243,7 +257,8 @@ void table_stability()
 {
     std::puts("method,h_omega,modulus");
     const Spring spring{1};
-    const auto print = [](const char* name, Real z, const State<1>& p, const State<1>& q) {
+    const auto print = [](const char* name, Real z, const State<1>& p,
+                          const State<1>& q) {
         const Real trace = p.x[0] + q.u[0], det = p.x[0] * q.u[0] - q.x[0] * p.u[0];
         const Real root = trace * trace / 4 - det;
         const Real modulus =
@@ -284,14 +299,15 @@ void table_energy()
 /// A spring in its phase plane, h ω = 0.5.
 void table_phase()
 {
-    std::puts("n,explicit_x,explicit_u,symplectic_x,symplectic_u,implicit_x,implicit_u");
+    std::puts(
+        "n,explicit_x,explicit_u,symplectic_x,symplectic_u,implicit_x,implicit_u");
     const Spring spring{1};
     const State<1> start{Vec<1>(1), Vec<1>(0)};
     State<1> a = start, b = start, c = start;
     const Real h = 0.5;
     for (int n = 0; n <= 40; ++n) {
-        std::printf("%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n", n, a.x[0], a.u[0], b.x[0], b.u[0],
-                    c.x[0], c.u[0]);
+        std::printf("%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n", n, a.x[0], a.u[0], b.x[0],
+                    b.u[0], c.x[0], c.u[0]);
         a = explicit_euler(a, h, spring);
         b = symplectic_euler(b, h, spring);
         c = implicit_euler_spring(c, h, 1);
@@ -327,8 +343,8 @@ void table_steps()
         auto run = start_adaptive(state, a, allowed);
         while (run.t < T) {
             if (advance(run, 1e9, a, allowed) != Outcome::reached) return;
-            std::printf("%s,%.5f,%.5f,%.5f\n", name, run.t - run.last.h / 2, run.last.h,
-                        run.last.at(0.5).u.norm());
+            std::printf("%s,%.5f,%.5f,%.5f\n", name, run.t - run.last.h / 2,
+                        run.last.h, run.last.at(0.5).u.norm());
         }
     };
     walk("kepler", kepler_perihelion({}, 0.6), Kepler{}, 4 * pi, 1e-6);
@@ -363,7 +379,9 @@ void table_adaptive()
             const auto at = [&](Real x) {
                 return run_adaptive(start, problem.T, std::pow(10, x), problem.a);
             };
-            const auto good = [&](Real x) { return (at(x).s.x - exact).norm() <= error; };
+            const auto good = [&](Real x) {
+                return (at(x).s.x - exact).norm() <= error;
+            };
             if (good(exponent) && good(exponent - 0.2) && good(exponent - 0.4))
                 adaptive = at(exponent).evaluations;
         }
@@ -400,8 +418,8 @@ struct Pair {
 template <class F, class G>
 Pair paired(const F& ours, const G& theirs)
 {
-    const Index repeat =
-        std::max<Index>(1, static_cast<Index>(1e-3 / std::max(1e-7, seconds(ours, 100))));
+    const Index repeat = std::max<Index>(
+        1, static_cast<Index>(1e-3 / std::max(1e-7, seconds(ours, 100))));
     Pair least;
     for (int i = 0; i < 31; ++i) {
         least.ours = std::min(least.ours, seconds(ours, repeat));
@@ -414,8 +432,8 @@ Pair paired(const F& ours, const G& theirs)
 /// one.
 void table_pairs()
 {
-    std::puts(
-        "problem,method,error_ours,error_odeint,ns_per_step_ours,ns_per_step_odeint,ratio");
+    std::puts("problem,method,error_ours,error_odeint,ns_per_step_ours,ns_per_step_"
+              "odeint,ratio");
     for_each_problem([](const std::string& name, const auto& problem) {
         using Problem = std::decay_t<decltype(problem)>;
         constexpr int N = Problem::N;
@@ -425,19 +443,23 @@ void table_pairs()
             return;  // the same steps as ten periods, a tenth of them
         for (Method method : all_methods) {
             if (!can<typename Problem::A, N>(method)) continue;
+            // odeint's takes no drag
             if constexpr (!PositionAcceleration<typename Problem::A, N>)
-                if (method == Method::symplectic_euler) continue;  // odeint's takes no drag
+                if (method == Method::symplectic_euler) continue;
             const Index steps = 4000;
             const Real h = problem.T / static_cast<Real>(steps);
-            const auto ours = [&] { return run_fixed(method, s, h, steps, problem.a); };
+            const auto ours = [&] {
+                return run_fixed(method, s, h, steps, problem.a);
+            };
             const auto theirs = [&] {
                 return Odeint<Problem>::run_fixed(method, s, h, steps);
             };
             const Pair pair = paired(ours, theirs);
             const Real per = 1e9 / static_cast<Real>(steps);
-            std::printf("%s,%s,%.3e,%.3e,%.2f,%.2f,%.3f\n", name.c_str(), name_of(method),
-                        (ours().x - exact).norm(), (theirs() - exact).norm(),
-                        pair.ours * per, pair.theirs * per, pair.ours / pair.theirs);
+            std::printf("%s,%s,%.3e,%.3e,%.2f,%.2f,%.3f\n", name.c_str(),
+                        name_of(method), (ours().x - exact).norm(),
+                        (theirs() - exact).norm(), pair.ours * per,
+                        pair.theirs * per, pair.ours / pair.theirs);
             std::fflush(stdout);
         }
         // The adaptive run: both curves of time against error, read at the same errors.
@@ -450,7 +472,8 @@ void table_pairs()
                 return run_adaptive(prepared, problem.T, tolerance, problem.a);
             };
             const auto their_run = [&] {
-                return Odeint<Problem>::run_adaptive(s, problem.T, tolerance, first);
+                return Odeint<Problem>::run_adaptive(s, problem.T, tolerance,
+                                                     first);
             };
             const Pair pair = paired(our_run, their_run);
             ours.emplace_back(std::log((our_run().s.x - exact).norm()),
@@ -476,8 +499,8 @@ void table_pairs()
         };
         for (Real error : {1e-2, 1e-4, 1e-6, 1e-8}) {
             const Real a = time_for(ours, error), b = time_for(theirs, error);
-            std::printf("%s,adaptive to %.0e,%.0e,%.0e,%.1f,%.1f,%.3f\n", name.c_str(),
-                        error, error, error, a * 1e9, b * 1e9, a / b);
+            std::printf("%s,adaptive to %.0e,%.0e,%.0e,%.1f,%.1f,%.3f\n",
+                        name.c_str(), error, error, error, a * 1e9, b * 1e9, a / b);
         }
     });
 }

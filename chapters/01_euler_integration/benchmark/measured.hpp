@@ -114,7 +114,8 @@ constexpr bool can(Method method)
 
 /// `steps` equal steps of h.
 template <Method method, int N, class A>
-RIGID_SEPARATE State<N> run_method(const State<N>& s, Real h, Index steps, const A& a)
+RIGID_SEPARATE State<N> run_method(const State<N>& s, Real h, Index steps,
+                                   const A& a)
 {
     if constexpr (method == Method::explicit_euler)
         return march(s, h, steps, [a](const State<N>& y, Real step) {
@@ -142,23 +143,28 @@ RIGID_SEPARATE State<N> run_method(const State<N>& s, Real h, Index steps, const
         });
     }
     if constexpr (PositionAcceleration<A, N> && method == Method::yoshida4)
-        return march(s, h, steps,
-                     [a](const State<N>& y, Real step) { return yoshida4(y, step, a); });
-    throw std::invalid_argument(std::string(name_of(method)) +
-                                " does not take forces that depend on the velocity");
+        return march(s, h, steps, [a](const State<N>& y, Real step) {
+            return yoshida4(y, step, a);
+        });
+    throw std::invalid_argument(
+        std::string(name_of(method)) +
+        " does not take forces that depend on the velocity");
 }
 
 template <int N, class A>
-State<N> run_fixed(Method method, const State<N>& s, Real h, Index steps, const A& a)
+State<N> run_fixed(Method method, const State<N>& s, Real h, Index steps,
+                   const A& a)
 {
     switch (method) {
-    case Method::explicit_euler: return run_method<Method::explicit_euler>(s, h, steps, a);
+    case Method::explicit_euler:
+        return run_method<Method::explicit_euler>(s, h, steps, a);
     case Method::symplectic_euler:
         return run_method<Method::symplectic_euler>(s, h, steps, a);
     case Method::verlet: return run_method<Method::verlet>(s, h, steps, a);
     case Method::yoshida4: return run_method<Method::yoshida4>(s, h, steps, a);
     case Method::rk4: return run_method<Method::rk4>(s, h, steps, a);
-    case Method::dormand_prince: return run_method<Method::dormand_prince>(s, h, steps, a);
+    case Method::dormand_prince:
+        return run_method<Method::dormand_prince>(s, h, steps, a);
     }
     return s;
 }
@@ -166,7 +172,8 @@ State<N> run_fixed(Method method, const State<N>& s, Real h, Index steps, const 
 /// From a prepared start, because the first step is given to odeint, which has none of its
 /// own.
 template <int N, class A>
-RIGID_SEPARATE Adaptive<N> run_adaptive(Adaptive<N> run, Real T, Real tolerance, const A& a)
+RIGID_SEPARATE Adaptive<N> run_adaptive(Adaptive<N> run, Real T, Real tolerance,
+                                        const A& a)
 {
     const Tolerance allowed{tolerance, tolerance, tolerance};
     if (integrate(run, T, a, allowed) != Outcome::reached)

@@ -41,7 +41,8 @@ struct OdeintYoshida {
 template <class Problem>
 struct Odeint {
     static constexpr int N = Problem::N;
-    using P = std::array<double, static_cast<std::size_t>(N)>;  // positions or velocities
+    // positions or velocities
+    using P = std::array<double, static_cast<std::size_t>(N)>;
     using Y = std::array<double, static_cast<std::size_t>(2 * N)>;  // both
 
     static Y whole(const State<N>& s)
@@ -66,7 +67,8 @@ struct Odeint {
     }
 
     template <Method method>
-    RIGID_SEPARATE static Vec<N> run_method(const State<N>& s, double h, Index steps)
+    RIGID_SEPARATE static Vec<N> run_method(const State<N>& s, double h,
+                                            Index steps)
     {
         Y y = whole(s);
         P q, p;
@@ -85,13 +87,16 @@ struct Odeint {
                 stepper.do_step(kick, q, p, static_cast<double>(n) * h, h);
             return place(q.data());
         };
-        if constexpr (method == Method::explicit_euler) return march_y(odeint::euler<Y>());
-        if constexpr (method == Method::rk4) return march_y(odeint::runge_kutta4<Y>());
+        if constexpr (method == Method::explicit_euler)
+            return march_y(odeint::euler<Y>());
+        if constexpr (method == Method::rk4)
+            return march_y(odeint::runge_kutta4<Y>());
         if constexpr (method == Method::dormand_prince)
             return march_y(odeint::runge_kutta_dopri5<Y>());
         if constexpr (method == Method::symplectic_euler)
             return march_pq(odeint::symplectic_euler<P>());
-        if constexpr (method == Method::yoshida4) return march_pq(OdeintYoshida<P>());
+        if constexpr (method == Method::yoshida4)
+            return march_pq(OdeintYoshida<P>());
         if constexpr (method == Method::verlet) {
             odeint::velocity_verlet<P> stepper;
             const auto force = [](const P& x, const P& u, P& a, double) {
@@ -107,23 +112,26 @@ struct Odeint {
     static Vec<N> run_fixed(Method method, const State<N>& s, double h, Index steps)
     {
         switch (method) {
-        case Method::explicit_euler: return run_method<Method::explicit_euler>(s, h, steps);
+        case Method::explicit_euler:
+            return run_method<Method::explicit_euler>(s, h, steps);
         case Method::symplectic_euler:
             return run_method<Method::symplectic_euler>(s, h, steps);
         case Method::verlet: return run_method<Method::verlet>(s, h, steps);
         case Method::yoshida4: return run_method<Method::yoshida4>(s, h, steps);
         case Method::rk4: return run_method<Method::rk4>(s, h, steps);
-        case Method::dormand_prince: return run_method<Method::dormand_prince>(s, h, steps);
+        case Method::dormand_prince:
+            return run_method<Method::dormand_prince>(s, h, steps);
         }
         return {};
     }
 
-    RIGID_SEPARATE static Vec<N> run_adaptive(const State<N>& s, double T, double tolerance,
-                                              double first)
+    RIGID_SEPARATE static Vec<N> run_adaptive(const State<N>& s, double T,
+                                              double tolerance, double first)
     {
         Y y = whole(s);
         odeint::integrate_adaptive(
-            odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<Y>()),
+            odeint::make_controlled(tolerance, tolerance,
+                                    odeint::runge_kutta_dopri5<Y>()),
             slope, y, 0., T, first);
         return place(y.data());
     }

@@ -25,7 +25,8 @@ enum class Method {
 };
 
 constexpr std::array<const char*, 7> method_names = {
-    "explicit_euler", "symplectic_euler", "implicit_euler", "verlet", "yoshida4", "rk4",
+    "explicit_euler", "symplectic_euler", "implicit_euler",
+    "verlet",         "yoshida4",         "rk4",
     "dormand_prince"};
 
 Method method_of(const std::string& name)
@@ -45,7 +46,9 @@ struct Mover {
     Real t = 0;
     Vec<N> now{};       // a(s), carried along by verlet and yoshida4
     Adaptive<N> run{};  // dormand_prince: may be ahead of t by a part of its step
-    std::function<Real(const State<N>&)> gap = [](const State<N>&) { return Real(1); };
+    std::function<Real(const State<N>&)> gap = [](const State<N>&) {
+        return Real(1);
+    };
     Outcome outcome = Outcome::reached;
     std::vector<State<N>> stops{};  // where a step of dormand_prince ended
 
@@ -69,22 +72,25 @@ struct Mover {
                 s = implicit_euler_spring(s, h, a.a.omega);
             break;
         case Method::verlet:
-            if constexpr (PositionAcceleration<A, N>) s = velocity_verlet(s, now, h, a);
+            if constexpr (PositionAcceleration<A, N>)
+                s = velocity_verlet(s, now, h, a);
             break;
         case Method::yoshida4:
             if constexpr (PositionAcceleration<A, N>) s = yoshida4(s, h, a);
             break;
         case Method::rk4: s = rk4(s, h, a); break;
-        case Method::dormand_prince:  // steps of its own size; the picture is taken in
-                                      // between
+        // steps of its own size; the picture is taken in between
+        case Method::dormand_prince:
             while (run.t < t + h && outcome == Outcome::reached) {
                 outcome = advance_to_event(run, 1e9, a, tolerance, gap);
                 stops.push_back(run.s);
             }
             if (outcome != Outcome::reached && outcome != Outcome::event)
-                throw StepFailure("the adaptive step at t = " + significant(run.t, 6) +
-                                  " s: " + to_string(outcome));
-            s = run.t <= t + h ? run.s : run.last.at(1 - (run.t - t - h) / run.last.h);
+                throw StepFailure(
+                    "the adaptive step at t = " + significant(run.t, 6) +
+                    " s: " + to_string(outcome));
+            s = run.t <= t + h ? run.s
+                               : run.last.at(1 - (run.t - t - h) / run.last.h);
             break;
         }
         t += h;
@@ -125,11 +131,11 @@ void remember(std::vector<Vec2>& trail, const Vec2& p, std::size_t most = 20000)
 class Springs : public Run {
 public:
     explicit Springs(const Settings& settings)
-        : spring_{2 * pi * settings["frequency"]}, start_{Vec<1>(settings["amplitude"]),
-                                                          Vec<1>(0)}
+        : spring_{2 * pi * settings["frequency"]},
+          start_{Vec<1>(settings["amplitude"]), Vec<1>(0)}
     {
-        for (Method method :
-             {Method::explicit_euler, Method::symplectic_euler, Method::implicit_euler}) {
+        for (Method method : {Method::explicit_euler, Method::symplectic_euler,
+                              Method::implicit_euler}) {
             movers_.push_back({{spring_}, method, start_});
             movers_.back().start();
         }
@@ -161,9 +167,10 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        const std::array<const char*, 3> names = {"explicit Euler", "symplectic Euler",
-                                                  "implicit Euler"};
-        const std::array<Colour, 3> colours = {Colour::orange, Colour::blue, Colour::green};
+        const std::array<const char*, 3> names = {
+            "explicit Euler", "symplectic Euler", "implicit Euler"};
+        const std::array<Colour, 3> colours = {Colour::orange, Colour::blue,
+                                               Colour::green};
         const State<1> exact = exact_spring(spring_, start_, t_);
         for (std::size_t i = 0; i < movers_.size(); ++i) {
             const State<1>& s = movers_[i].s;
@@ -178,7 +185,8 @@ public:
             for (int k = 0; k <= turns; ++k) {
                 const Real part = (0.5 + k) / (turns + 1);
                 const Real side = k % 2 ? 0.07 : -0.07;
-                zigzag.emplace_back(across + side, ceiling + part * (mass.y() - ceiling));
+                zigzag.emplace_back(across + side,
+                                    ceiling + part * (mass.y() - ceiling));
             }
             zigzag.push_back(mass);
             canvas.polyline(zigzag, {Colour::ink, 1.3});
@@ -191,7 +199,8 @@ public:
             canvas.segment(centre - Vec2(0, 0.52), centre + Vec2(0, 0.52),
                            {Colour::faint, 1});
             canvas.text(centre + Vec2(0.03, 0.49), "x", 12, {Colour::ink});
-            canvas.text(centre + Vec2(0.52, 0.03), "u/ω", 12, {Colour::ink}, Align::right);
+            canvas.text(centre + Vec2(0.52, 0.03), "u/ω", 12, {Colour::ink},
+                        Align::right);
             canvas.disc(centre, start_.x.norm(), dashed);
             std::vector<Vec2> trail;
             for (const Vec2& p : trails_[i]) trail.push_back(centre + p);
@@ -228,7 +237,8 @@ public:
         : mover_{{{settings["drag"]}}, method_of(settings.method), {}}
     {
         const Real angle = settings["angle"] * pi / 180;
-        start_ = {Vec2(0, 1.8), settings["speed"] * Vec2(std::cos(angle), std::sin(angle))};
+        start_ = {Vec2(0, 1.8),
+                  settings["speed"] * Vec2(std::cos(angle), std::sin(angle))};
         mover_.s = start_;
         mover_.tolerance = tolerance_of(settings);
         mover_.gap = [](const State<2>& s) { return s.x.y(); };
@@ -240,7 +250,8 @@ public:
         const Outcome outcome =
             integrate_to_event(exact_, 1000, mover_.a.a, tight, mover_.gap);
         if (outcome != Outcome::event)
-            throw StepFailure(std::string("the exact flight: ") + to_string(outcome));
+            throw StepFailure(std::string("the exact flight: ") +
+                              to_string(outcome));
     }
 
     void step(const Settings& settings, const Input&) override
@@ -270,8 +281,8 @@ public:
         const State<2>& s = mover_.s;
         canvas.segment({-5, 0}, {112, 0}, {Colour::ink, 2});
         for (int metres = 0; metres <= 100; metres += 20) {
-            canvas.segment({static_cast<Real>(metres), 0}, {static_cast<Real>(metres), -1},
-                           {Colour::ink, 1});
+            canvas.segment({static_cast<Real>(metres), 0},
+                           {static_cast<Real>(metres), -1}, {Colour::ink, 1});
             canvas.text({static_cast<Real>(metres), -4},
                         std::to_string(metres) + (metres == 100 ? " m" : ""), 12,
                         {Colour::ink}, Align::centre);
@@ -296,19 +307,21 @@ public:
             canvas.segment(s.x - 1.3 * along, s.x + 1.3 * along, {Colour::ink, 4});
             canvas.arrow(s.x, s.x + 0.35 * s.u, {Colour::blue, 2});
             const Vec2 drag = -mover_.a.a.drag * s.u.norm() * s.u;
-            if (drag.norm() > 0) canvas.arrow(s.x, s.x + 20 * drag, {Colour::red, 2});
+            if (drag.norm() > 0)
+                canvas.arrow(s.x, s.x + 20 * drag, {Colour::red, 2});
         }
-        canvas.text(
-            {-4, 30.5},
-            "dashed: without air; green ring: exact landing; orange dots: adaptive steps",
-            12, {Colour::ink});
+        canvas.text({-4, 30.5},
+                    "dashed: without air; green ring: exact landing; orange dots: "
+                    "adaptive steps",
+                    12, {Colour::ink});
         canvas.text({-4, 28}, "arrows: velocity (blue), drag × 20 (red)", 12,
                     {Colour::ink});
         if (landed())
             canvas.text({-4, 25.5},
                         "lands after " + fixed(time(), 9) + " s (exact " +
-                            fixed(exact_.t, 9) + " s) at " + fixed(s.x.x(), 3) + " m; " +
-                            std::to_string(mover_.a.evaluations) + " evaluations",
+                            fixed(exact_.t, 9) + " s) at " + fixed(s.x.x(), 3) +
+                            " m; " + std::to_string(mover_.a.evaluations) +
+                            " evaluations",
                         12, {Colour::ink});
     }
 
@@ -320,7 +333,10 @@ private:
     }
     /// When it met the ground: with a fixed step only the end of the step that went below is known
     /// it.
-    Real time() const { return mover_.outcome == Outcome::event ? mover_.run.t : mover_.t; }
+    Real time() const
+    {
+        return mover_.outcome == Outcome::event ? mover_.run.t : mover_.t;
+    }
 
     Mover<2, Projectile> mover_;
     State<2> start_;
@@ -357,13 +373,15 @@ public:
     {
         const Kepler& kepler = mover_.a.a;
         const State<2>& s = mover_.s;
-        return {s.x.x(),
-                s.x.y(),
-                std::abs(kepler.energy(s) / kepler.energy(start_) - 1),
-                std::abs(kepler.angular_momentum(s) / kepler.angular_momentum(start_) - 1),
-                (s.x - exact_kepler(kepler, e_, mover_.t).x).norm(),
-                mover_.step_size(h_),
-                static_cast<Real>(mover_.a.evaluations)};
+        return {
+            s.x.x(),
+            s.x.y(),
+            std::abs(kepler.energy(s) / kepler.energy(start_) - 1),
+            std::abs(kepler.angular_momentum(s) / kepler.angular_momentum(start_) -
+                     1),
+            (s.x - exact_kepler(kepler, e_, mover_.t).x).norm(),
+            mover_.step_size(h_),
+            static_cast<Real>(mover_.a.evaluations)};
     }
 
     void draw(Canvas& canvas) const override
@@ -378,17 +396,19 @@ public:
         canvas.polyline(ellipse, dashed);
         canvas.polyline(trail_, {Colour::blue, 1.2, 0.8});
         canvas.disc({0, 0}, 0.07, {Colour::yellow, 1.5, 0.9, true});
-        canvas.disc(exact_kepler(mover_.a.a, e_, mover_.t).x, 0.045, {Colour::ink, 1.5});
+        canvas.disc(exact_kepler(mover_.a.a, e_, mover_.t).x, 0.045,
+                    {Colour::ink, 1.5});
         canvas.disc(s.x, 0.04, {Colour::blue, 1, 1, true});
         canvas.arrow(s.x, s.x + 0.35 * s.u, {Colour::blue, 1.8});
         canvas.arrow(s.x, s.x + 0.2 * mover_.a.a(s.x), {Colour::red, 1.8});
         const std::vector<Real> m = measure();
-        canvas.text({-2.25, 1.28},
-                    "arrows: velocity (blue), force (red); ring: where it should be", 12,
-                    {Colour::ink});
+        canvas.text(
+            {-2.25, 1.28},
+            "arrows: velocity (blue), force (red); ring: where it should be", 12,
+            {Colour::ink});
         canvas.text({-2.25, -1.23},
-                    fixed(mover_.t / (2 * pi), 2) + " periods, " + significant(m[6], 6) +
-                        " evaluations",
+                    fixed(mover_.t / (2 * pi), 2) + " periods, " +
+                        significant(m[6], 6) + " evaluations",
                     12, {Colour::ink});
         canvas.text({-2.25, -1.35},
                     "energy off by " + significant(m[2], 2) + ", place by " +
@@ -460,15 +480,19 @@ public:
         // The phase plane: angle to the right, angular velocity upwards, both in units of
         // their largest value.
         const Vec2 centre(1.15, 0.25);
-        canvas.segment(centre - Vec2(0.85, 0), centre + Vec2(0.85, 0), {Colour::faint, 1});
-        canvas.segment(centre - Vec2(0, 0.85), centre + Vec2(0, 0.85), {Colour::faint, 1});
-        canvas.text(centre + Vec2(0.86, 0.04), "angle", 12, {Colour::ink}, Align::right);
-        canvas.text(centre + Vec2(0.04, 0.8), "angular velocity", 12, {Colour::ink});
+        canvas.segment(centre - Vec2(0.85, 0), centre + Vec2(0.85, 0),
+                       {Colour::faint, 1});
+        canvas.segment(centre - Vec2(0, 0.85), centre + Vec2(0, 0.85),
+                       {Colour::faint, 1});
+        canvas.text(centre + Vec2(0.86, 0.04), "angle", 12, {Colour::ink},
+                    Align::right);
+        canvas.text(centre + Vec2(0.04, 0.8), "angular velocity", 12,
+                    {Colour::ink});
         std::vector<Vec2> orbit, trail;
         const Real period = pendulum_period(mover_.a.a, theta0_);
         for (int i = 0; i <= 120; ++i)
-            orbit.push_back(centre +
-                            phase(exact_pendulum(mover_.a.a, theta0_, period * i / 120)));
+            orbit.push_back(centre + phase(exact_pendulum(mover_.a.a, theta0_,
+                                                          period * i / 120)));
         for (const Vec2& p : trail_) trail.push_back(centre + p);
         canvas.polyline(trail, {Colour::blue, 1.2, 0.8});
         canvas.polyline(orbit, dashed);
@@ -507,7 +531,8 @@ Tunable digits_of_steps(Real value)
 {
     return {"digits",
             "",
-            "a step of dormand_prince may be off by 10^-digits, relative and in m and m/s",
+            "a step of dormand_prince may be off by 10^-digits, relative and in m "
+            "and m/s",
             value,
             2,
             12,
@@ -519,22 +544,25 @@ Program program()
 {
     Demo springs;
     springs.name = "springs";
-    springs.summary = "Three equal springs under explicit, symplectic and implicit Euler";
+    springs.summary =
+        "Three equal springs under explicit, symplectic and implicit Euler";
     springs.view = {{0, -0.1}, {1.85, 1.6}};
     springs.methods = {"three_eulers"};
     springs.tunables = {
         {"frequency", "Hz", "oscillations per second", 1, 0.1, 5, false, true},
-        {"amplitude", "m", "how far up the masses start", 0.15, 0.01, 0.5, false, true}};
+        {"amplitude", "m", "how far up the masses start", 0.15, 0.01, 0.5, false,
+         true}};
     springs.columns = {
         {"x_explicit", "m", "place under explicit Euler"},
         {"x_symplectic", "m", "place under symplectic Euler"},
         {"x_implicit", "m", "place under implicit Euler"},
         {"x_exact", "m", "where it should be"},
-        {"energy_explicit", "", "energy / energy at the start, explicit Euler", true, true},
-        {"energy_symplectic", "", "energy / energy at the start, symplectic Euler", true,
-         false},
-        {"energy_implicit", "", "energy / energy at the start, implicit Euler", true,
-         true}};
+        {"energy_explicit", "", "energy / energy at the start, explicit Euler",
+         true, true},
+        {"energy_symplectic", "", "energy / energy at the start, symplectic Euler",
+         true, false},
+        {"energy_implicit", "", "energy / energy at the start, implicit Euler",
+         true, true}};
     springs.start = start<Springs>;
 
     Demo javelin;
@@ -542,10 +570,12 @@ Program program()
     javelin.summary =
         "A javelin's centre of mass with quadratic drag, until it meets the ground";
     javelin.view = {{53, 13.5}, {59, 19.5}};
-    javelin.methods = {"dormand_prince", "rk4", "symplectic_euler", "explicit_euler"};
+    javelin.methods = {"dormand_prince", "rk4", "symplectic_euler",
+                       "explicit_euler"};
     javelin.tunables = {
         {"speed", "m/s", "of the throw", 30, 1, 32, false, true},
-        {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false, true},
+        {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false,
+         true},
         {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1, false, true},
         digits_of_steps(9)};
     javelin.columns = {
@@ -561,20 +591,24 @@ Program program()
 
     Demo kepler;
     kepler.name = "kepler";
-    kepler.summary = "A planet around its sun: GM = 1, half major axis 1, from the point "
-                     "nearest to the sun";
+    kepler.summary =
+        "A planet around its sun: GM = 1, half major axis 1, from the point "
+        "nearest to the sun";
     kepler.view = {{-0.75, 0}, {1.6, 1.42}};
     kepler.h = 0.05;
-    kepler.methods = {"symplectic_euler", "explicit_euler", "verlet", "yoshida4", "rk4",
-                      "dormand_prince"};
+    kepler.methods = {
+        "symplectic_euler", "explicit_euler", "verlet", "yoshida4", "rk4",
+        "dormand_prince"};
     kepler.side_by_side = {"explicit_euler", "symplectic_euler", "rk4"};
-    kepler.tunables = {{"eccentricity", "", "0 = a circle", 0.6, 0, 0.95, false, true},
-                       digits_of_steps(6)};
+    kepler.tunables = {
+        {"eccentricity", "", "0 = a circle", 0.6, 0, 0.95, false, true},
+        digits_of_steps(6)};
     kepler.columns = {
         {"x", "m", "place"},
         {"y", "m", "place"},
         {"energy_error", "", "relative error of the energy", true, true},
-        {"momentum_error", "", "relative error of the angular momentum", false, true},
+        {"momentum_error", "", "relative error of the angular momentum", false,
+         true},
         {"position_error", "m", "distance from where it should be", true, true},
         {"step_size", "s", "of the last step that the method took", true},
         {"evaluations", "", "how often the force was asked"}};
@@ -587,16 +621,18 @@ Program program()
     pendulum.methods = {"verlet", "explicit_euler", "symplectic_euler", "yoshida4",
                         "rk4",    "dormand_prince"};
     pendulum.side_by_side = {"explicit_euler", "symplectic_euler"};
-    pendulum.tunables = {{"angle", "degrees", "where it is let go, from straight down", 120,
-                          1, 179, false, true},
+    pendulum.tunables = {{"angle", "degrees",
+                          "where it is let go, from straight down", 120, 1, 179,
+                          false, true},
                          {"length", "m", "of the pendulum", 1, 0.1, 1, false, true},
                          digits_of_steps(6)};
-    pendulum.columns = {{"angle", "rad", "from straight down", true},
-                        {"rate", "rad/s", "angular velocity"},
-                        {"energy_error", "J/kg", "energy less energy at the start", true},
-                        {"angle_error", "rad", "against the exact angle", true, true},
-                        {"step_size", "s", "of the last step that the method took"},
-                        {"evaluations", "", "how often the force was asked"}};
+    pendulum.columns = {
+        {"angle", "rad", "from straight down", true},
+        {"rate", "rad/s", "angular velocity"},
+        {"energy_error", "J/kg", "energy less energy at the start", true},
+        {"angle_error", "rad", "against the exact angle", true, true},
+        {"step_size", "s", "of the last step that the method took"},
+        {"evaluations", "", "how often the force was asked"}};
     pendulum.start = start<Swing>;
 
     return {"01_euler_integration",
@@ -609,4 +645,7 @@ Program program()
 }  // namespace
 }  // namespace rigid
 
-int main(int argc, char** argv) { return rigid::run_program(rigid::program, argc, argv); }
+int main(int argc, char** argv)
+{
+    return rigid::run_program(rigid::program, argc, argv);
+}

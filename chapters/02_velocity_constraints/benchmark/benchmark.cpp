@@ -24,7 +24,8 @@ namespace {
 
 using namespace rigid;
 
-constexpr Real exact_angle = -1.405027311524799;  // t = 1 s, from 90 degrees, L = 1 m
+// t = 1 s, from 90 degrees, L = 1 m
+constexpr Real exact_angle = -1.405027311524799;
 
 Real angle_error(const VecX& x)
 {
@@ -33,7 +34,8 @@ Real angle_error(const VecX& x)
 }
 
 /// Every case has the same counters, as a table needs them.
-void report(benchmark::State& state, Real error, Real stretch, Real rounds, Real work)
+void report(benchmark::State& state, Real error, Real stretch, Real rounds,
+            Real work)
 {
     state.counters["error"] = error;
     state.counters["stretch"] = stretch;
@@ -52,13 +54,15 @@ void pendulum_by_row(benchmark::State& state, bool repay)
         for (long k = 0; k < steps; ++k) {
             bodies.u[1] -= h * 9.81;
             const Constraint<2> rod = anchor_constraint(bodies.x, 0, {0, 0}, 1);
-            const Row<2> row = bilateral(rod, bodies.inverse_mass, repay ? rod.C / h : 0);
+            const Row<2> row =
+                bilateral(rod, bodies.inverse_mass, repay ? rod.C / h : 0);
             row.apply(solve_row(row, bodies.u).lambda, bodies.u);
             bodies.x += h * bodies.u;
         }
         benchmark::DoNotOptimize(bodies.x.data());
     }
-    report(state, angle_error(bodies.x), std::abs(bodies.x.norm() - 1), 1, static_cast<Real>(steps));
+    report(state, angle_error(bodies.x), std::abs(bodies.x.norm() - 1), 1,
+           static_cast<Real>(steps));
 }
 
 void pendulum_by_spring(benchmark::State& state)
@@ -78,7 +82,8 @@ void pendulum_by_spring(benchmark::State& state)
         }
         benchmark::DoNotOptimize(bodies.x.data());
     }
-    report(state, angle_error(bodies.x), std::abs(bodies.x.norm() - 1), 1, static_cast<Real>(steps));
+    report(state, angle_error(bodies.x), std::abs(bodies.x.norm() - 1), 1,
+           static_cast<Real>(steps));
 }
 
 void pendulum_by_angle(benchmark::State& state)
@@ -104,14 +109,16 @@ struct Links {
     {
         const DiscScene scene = hanging_chain(count);
         for (const Link& link : scene.links)
-            rows.push_back(bilateral(distance_constraint(scene.bodies.x, link), scene.bodies.inverse_mass));
+            rows.push_back(bilateral(distance_constraint(scene.bodies.x, link),
+                                     scene.bodies.inverse_mass));
         u = scene.bodies.u;
         for (Index k = 1; k <= count; ++k) u[2 * k + 1] = -9.81 / 60;
     }
     Real worst(const VecX& v) const
     {
         Real largest = 0;
-        for (const Row<2>& row : rows) largest = std::max(largest, std::abs(row.velocity(v)));
+        for (const Row<2>& row : rows)
+            largest = std::max(largest, std::abs(row.velocity(v)));
         return largest;
     }
     void round(VecX& v) const
@@ -145,14 +152,16 @@ void links_row_by_row(benchmark::State& state)
         u = links.u;
         rounds = 0;
         while (links.worst(u) > wanted && rounds < 1000000) {
-            for (int k = 0; k < 16; ++k) links.round(u);  // looking costs as much as half a round
+            // looking costs as much as half a round
+            for (int k = 0; k < 16; ++k) links.round(u);
             rounds += 16;
         }
         benchmark::DoNotOptimize(u.data());
     }
     const Real visits = static_cast<Real>(rounds * state.range(0));
     // 12 multiplications a visit: w, λ and two velocities
-    report(state, links.worst(u) / links.worst(links.u), 0, static_cast<Real>(rounds), 12 * visits);
+    report(state, links.worst(u) / links.worst(links.u), 0,
+           static_cast<Real>(rounds), 12 * visits);
 }
 
 void rounds_of_32_links(benchmark::State& state)
@@ -164,19 +173,29 @@ void rounds_of_32_links(benchmark::State& state)
         for (long k = 0; k < state.range(0); ++k) links.round(u);
         benchmark::DoNotOptimize(u.data());
     }
-    report(state, links.worst(u) / links.worst(links.u), 0, static_cast<Real>(state.range(0)),
+    report(state, links.worst(u) / links.worst(links.u), 0,
+           static_cast<Real>(state.range(0)),
            static_cast<Real>(state.range(0)) * 32 * 12);
 }
 
 }  // namespace
 
-BENCHMARK_CAPTURE(pendulum_by_row, row, false)->Name("pendulum/row")->RangeMultiplier(2)->Range(64, 1 << 16);
+BENCHMARK_CAPTURE(pendulum_by_row, row, false)
+    ->Name("pendulum/row")
+    ->RangeMultiplier(2)
+    ->Range(64, 1 << 16);
 BENCHMARK_CAPTURE(pendulum_by_row, repaid, true)
     ->Name("pendulum/repaid")
     ->RangeMultiplier(2)
     ->Range(64, 1 << 16);
-BENCHMARK(pendulum_by_spring)->Name("pendulum/spring")->RangeMultiplier(2)->Range(64, 1 << 16);
-BENCHMARK(pendulum_by_angle)->Name("pendulum/angle")->RangeMultiplier(2)->Range(64, 1 << 16);
+BENCHMARK(pendulum_by_spring)
+    ->Name("pendulum/spring")
+    ->RangeMultiplier(2)
+    ->Range(64, 1 << 16);
+BENCHMARK(pendulum_by_angle)
+    ->Name("pendulum/angle")
+    ->RangeMultiplier(2)
+    ->Range(64, 1 << 16);
 BENCHMARK(links_in_one_shot)
     ->Name("links/one-shot")
     ->RangeMultiplier(2)

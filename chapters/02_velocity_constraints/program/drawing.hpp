@@ -17,16 +17,21 @@ inline constexpr Style body = {Colour::blue, 1.5, 0.35, true, false};
 inline constexpr Style fixed = {Colour::ink, 1.5, 0.5, true, false};
 inline constexpr Style wire = {Colour::ink, 1.5, 1, false, false};
 inline constexpr Style guide = {Colour::faint, 1, 1, false, true};
-inline constexpr Style wanted = {Colour::orange, 2, 1, false, false};    ///< the velocity before the rows: u*
-inline constexpr Style allowed = {Colour::blue, 2.5, 1, false, false};   ///< the velocity after them: u
-inline constexpr Style impulse = {Colour::red, 2.5, 1, false, false};    ///< what a row takes away or gives
-inline constexpr Style direction = {Colour::green, 2, 1, false, false};  ///< J, a normal
+/// the velocity before the rows: u*
+inline constexpr Style wanted = {Colour::orange, 2, 1, false, false};
+/// the velocity after them: u
+inline constexpr Style allowed = {Colour::blue, 2.5, 1, false, false};
+/// what a row takes away or gives
+inline constexpr Style impulse = {Colour::red, 2.5, 1, false, false};
+/// J, a normal
+inline constexpr Style direction = {Colour::green, 2, 1, false, false};
 inline constexpr Style label = {Colour::ink, 1.5, 1, false, false};
 }  // namespace paint
 
 /// An arrow with its name behind its head, a little further on.
-inline void labelled_arrow(Canvas& canvas, const Vec2& tail, const Vec2& vector, const std::string& name,
-                           const Style& style, Real gap = 0.06)
+inline void labelled_arrow(Canvas& canvas, const Vec2& tail, const Vec2& vector,
+                           const std::string& name, const Style& style,
+                           Real gap = 0.06)
 {
     if (vector.norm() < 1e-9) return;
     const Vec2 head = tail + vector, direction = vector.normalized();
@@ -34,7 +39,8 @@ inline void labelled_arrow(Canvas& canvas, const Vec2& tail, const Vec2& vector,
     const Align align = direction.x() > 0.35    ? Align::left
                         : direction.x() < -0.35 ? Align::right
                                                 : Align::centre;
-    canvas.text(head + gap * direction - Vec2(0, 0.35 * gap), name, 15, style, align);
+    canvas.text(head + gap * direction - Vec2(0, 0.35 * gap), name, 15, style,
+                align);
 }
 
 /// The places where something has been, the newest last; the older fall off.
@@ -49,7 +55,8 @@ public:
     }
     void draw(Canvas& canvas, const Style& style) const
     {
-        if (points_.size() > 1) canvas.polyline({points_.begin(), points_.end()}, style);
+        if (points_.size() > 1)
+            canvas.polyline({points_.begin(), points_.end()}, style);
     }
     void clear() { points_.clear(); }
 

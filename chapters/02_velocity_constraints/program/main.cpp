@@ -14,11 +14,14 @@ using namespace rigid;
 
 Demo ellipse_scene()
 {
-    Demo scene = bead_scene("ellipse", "A bead on an ellipse", 9.81, [](const Settings& settings) {
-        return ellipse_wire(settings["width"], settings["height"]);
-    });
-    scene.tunables.push_back({"width", "m", "half axis along x", 1.6, 0.2, 1.9, false, true, false});
-    scene.tunables.push_back({"height", "m", "half axis along y", 0.8, 0.2, 1.6, false, true, false});
+    Demo scene = bead_scene(
+        "ellipse", "A bead on an ellipse", 9.81, [](const Settings& settings) {
+            return ellipse_wire(settings["width"], settings["height"]);
+        });
+    scene.tunables.push_back(
+        {"width", "m", "half axis along x", 1.6, 0.2, 1.9, false, true, false});
+    scene.tunables.push_back(
+        {"height", "m", "half axis along y", 0.8, 0.2, 1.6, false, true, false});
     return scene;
 }
 
@@ -30,19 +33,22 @@ int main(int argc, char** argv)
         Program program;
         program.name = "02_velocity_constraints";
         program.title = "Chapter 2. Velocity constraints";
-        program.scenes = {bead_scene("circle", "A bead on a circular wire leaves it, by a closed form", 0,
-                                     [](const Settings&) { return circle_wire(); }),
-                          ellipse_scene(),
-                          bead_scene("own_curve",
-                                     "A bead on a curve of your own, its gradient found by the machine", 9.81,
-                                     [](const Settings&) { return own_wire(); }),
-                          pendulum_scene(),
-                          plane_scene(),
-                          discs_scene(),
-                          chain_scene(),
-                          conflict_scene(),
-                          atwood_scene(),
-                          wedge_scene()};
+        program.scenes = {
+            bead_scene("circle",
+                       "A bead on a circular wire leaves it, by a closed form", 0,
+                       [](const Settings&) { return circle_wire(); }),
+            ellipse_scene(),
+            bead_scene(
+                "own_curve",
+                "A bead on a curve of your own, its gradient found by the machine",
+                9.81, [](const Settings&) { return own_wire(); }),
+            pendulum_scene(),
+            plane_scene(),
+            discs_scene(),
+            chain_scene(),
+            conflict_scene(),
+            atwood_scene(),
+            wedge_scene()};
         return program;
     };
     return run_program(make, argc, argv);

@@ -25,8 +25,10 @@ public:
     {
         const Real h = settings.h;
         const bool turning = settings.method == "turning";
-        m1_ = settings["m1"], m2_ = settings["m2"], m_ = turning ? settings["pulley"] : 0;
-        bodies_.inverse_mass << 1 / m1_, 1 / m1_, 1 / m2_, 1 / m2_, 2 / settings["pulley"], 0;
+        m1_ = settings["m1"], m2_ = settings["m2"],
+        m_ = turning ? settings["pulley"] : 0;
+        bodies_.inverse_mass << 1 / m1_, 1 / m1_, 1 / m2_, 1 / m2_,
+            2 / settings["pulley"], 0;
         bodies_.f.setZero();
         bodies_.f[1] = -m1_ * g;
         bodies_.f[3] = -m2_ * g;
@@ -38,16 +40,20 @@ public:
         bodies_.u += h * bodies_.inverse_mass.cwiseProduct(bodies_.f);
 
         const Vec2 up(0, 1), rim(1, 0);
-        if (turning) {  // (2.29): what comes off the rim on the left goes on at the right
+        // (2.29): what comes off the rim on the left goes on at the right
+        if (turning) {
             const std::vector<Row<2>> rows = {
-                bilateral(linear_constraint<2>(bodies_.x, 0, up, 2, rim, -1), bodies_.inverse_mass),
-                bilateral(linear_constraint<2>(bodies_.x, 1, up, 2, Vec2(-rim), -1), bodies_.inverse_mass)};
+                bilateral(linear_constraint<2>(bodies_.x, 0, up, 2, rim, -1),
+                          bodies_.inverse_mass),
+                bilateral(linear_constraint<2>(bodies_.x, 1, up, 2, Vec2(-rim), -1),
+                          bodies_.inverse_mass)};
             const RowsAnswer answer = solve_rows(rows, bodies_.u);
             apply(rows, answer.lambda, bodies_.u);
             left_ = answer.lambda[0] / h, right_ = answer.lambda[1] / h;
         } else {  // one rope, one tension
             const Row<2> row =
-                bilateral(rope_constraint(bodies_.x, 0, {-r, 0}, 1, {r, 0}, 2), bodies_.inverse_mass);
+                bilateral(rope_constraint(bodies_.x, 0, {-r, 0}, 1, {r, 0}, 2),
+                          bodies_.inverse_mass);
             const RowAnswer answer = solve_row(row, bodies_.u);
             row.apply(answer.lambda, bodies_.u);
             left_ = right_ = answer.lambda / h;
@@ -72,11 +78,13 @@ public:
         const Real angle = bodies_.x[4] / r;
         for (int i = 0; i < 3; ++i) {
             const Real turned = angle + 2 * pi * i / 3;
-            canvas.segment({0, 0}, 0.9 * r * Vec2(std::cos(turned), std::sin(turned)),
+            canvas.segment({0, 0},
+                           0.9 * r * Vec2(std::cos(turned), std::sin(turned)),
                            {Colour::ink, 1.5, 1, false, false});
         }
         std::vector<Vec2> rope = {bodies_.position(0)};
-        for (int i = 0; i <= 40; ++i) rope.push_back({-r * std::cos(pi * i / 40), r * std::sin(pi * i / 40)});
+        for (int i = 0; i <= 40; ++i)
+            rope.push_back({-r * std::cos(pi * i / 40), r * std::sin(pi * i / 40)});
         rope.push_back(bodies_.position(1));
         canvas.polyline(rope, {Colour::purple, 2, 1, false, false});
         const std::vector<Real> values = measure();
@@ -84,15 +92,21 @@ public:
             const Vec2 x = bodies_.position(k);
             const Real m = k == 0 ? m1_ : m2_, half = 0.09 * std::cbrt(m);
             canvas.box(x, {half, half}, 0, paint::body);
-            canvas.text(x - Vec2(0, 0.025), fixed(m, 1) + " kg", 13, paint::label, Align::centre);
+            canvas.text(x - Vec2(0, 0.025), fixed(m, 1) + " kg", 13, paint::label,
+                        Align::centre);
             const Vec2 side((k == 0 ? -1 : 1) * (half + 0.03), 0);
-            canvas.arrow(x + side, x + side + Vec2(0, 0.02 * (k == 0 ? left_ : right_)), paint::impulse);
-            canvas.arrow(x + side, x + side - Vec2(0, 0.02 * m * g), paint::direction);
+            canvas.arrow(x + side,
+                         x + side + Vec2(0, 0.02 * (k == 0 ? left_ : right_)),
+                         paint::impulse);
+            canvas.arrow(x + side, x + side - Vec2(0, 0.02 * m * g),
+                         paint::direction);
             canvas.text(x + side + Vec2(0.5 * side.x(), 0.1),
-                        "λ/h = " + fixed(k == 0 ? left_ : right_, 3) + " N", 14, paint::impulse,
-                        k == 0 ? Align::right : Align::left);
+                        "λ/h = " + fixed(k == 0 ? left_ : right_, 3) + " N", 14,
+                        paint::impulse, k == 0 ? Align::right : Align::left);
         }
-        canvas.text({0, 0.42}, "a = " + fixed(values[0], 6) + " m/s², exact " + fixed(values[1], 6) + " m/s²",
+        canvas.text({0, 0.42},
+                    "a = " + fixed(values[0], 6) + " m/s², exact " +
+                        fixed(values[1], 6) + " m/s²",
                     15, paint::label, Align::centre);
     }
 
@@ -114,21 +128,26 @@ inline Demo atwood_scene()
 {
     Demo scene;
     scene.name = "atwood";
-    scene.summary = "Two masses on a rope over a pulley that turns: acceleration and tensions are exact";
+    scene.summary = "Two masses on a rope over a pulley that turns: acceleration "
+                    "and tensions are exact";
     scene.view = {{0, -0.8}, {1.3, 1.35}};
     scene.h = 1.0 / 240;
     scene.methods = {"turning", "massless"};
     scene.tunables = {
         {"m1", "kg", "mass on the left", 2, 0.1, 10, false, false, false},
         {"m2", "kg", "mass on the right", 1, 0.1, 10, false, false, false},
-        {"pulley", "kg", "mass of the pulley, a uniform disc", 1, 0.01, 10, false, false, false}};
-    scene.columns = {{"acceleration", "m/s^2", "of the left mass, downwards", true, false},
-                     {"acceleration_exact", "m/s^2", "closed form", false, false},
-                     {"tension_left", "N", "λ/h of the left part of the rope", true, false},
-                     {"tension_left_exact", "N", "closed form", false, false},
-                     {"tension_right", "N", "λ/h of the right part of the rope", true, false},
-                     {"tension_right_exact", "N", "closed form", false, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<AtwoodRun>(settings); };
+        {"pulley", "kg", "mass of the pulley, a uniform disc", 1, 0.01, 10, false,
+         false, false}};
+    scene.columns = {
+        {"acceleration", "m/s^2", "of the left mass, downwards", true, false},
+        {"acceleration_exact", "m/s^2", "closed form", false, false},
+        {"tension_left", "N", "λ/h of the left part of the rope", true, false},
+        {"tension_left_exact", "N", "closed form", false, false},
+        {"tension_right", "N", "λ/h of the right part of the rope", true, false},
+        {"tension_right_exact", "N", "closed form", false, false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<AtwoodRun>(settings);
+    };
     return scene;
 }
 

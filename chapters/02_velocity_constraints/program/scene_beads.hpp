@@ -24,27 +24,32 @@ struct Wire {
     std::function<Constraint<2>(const VecX& x)> constraint;  ///< of body 0
     std::vector<Vec2> shape;                                 ///< for the picture
     Vec2 start = {1, 0};                                     ///< a point of it
-    std::function<Real(const Vec2& p)> distance = {};        ///< from it, where there is a formula [m]
-    Vec2 half_size = {2, 1.9};                               ///< of the picture [m]
+    /// from it, where there is a formula [m]
+    std::function<Real(const Vec2& p)> distance = {};
+    Vec2 half_size = {2, 1.9};  ///< of the picture [m]
 };
 
 //! [stiff_spring]
-/// (2.1): what a stiff spring would do in place of a row: a force that grows with the distance
-/// from the wire, -k C along J.
-inline void add_stiff_spring(Bodies<2>& bodies, const Constraint<2>& constraint, Real stiffness)
+/// (2.1): what a stiff spring would do in place of a row: a force that grows with
+/// the distance from the wire, -k C along J.
+inline void add_stiff_spring(Bodies<2>& bodies, const Constraint<2>& constraint,
+                             Real stiffness)
 {
-    bodies.force(constraint.b) -= stiffness * constraint.C * constraint.Jb.transpose();
+    bodies.force(constraint.b) -=
+        stiffness * constraint.C * constraint.Jb.transpose();
 }
 //! [stiff_spring]
 
 /// A bead on a wire, held by a row or, for comparison, by a stiff spring.
 class BeadRun : public Run {
 public:
-    BeadRun(Wire wire, const Settings& settings) : wire_(std::move(wire)), bodies_(1), view_(settings)
+    BeadRun(Wire wire, const Settings& settings)
+        : wire_(std::move(wire)), bodies_(1), view_(settings)
     {
         bodies_.inverse_mass.setConstant(1 / settings["mass"]);
         bodies_.x = wire_.start;
-        const Vec2 along = perpendicular(wire_.constraint(bodies_.x).Jb.transpose()).normalized();
+        const Vec2 along =
+            perpendicular(wire_.constraint(bodies_.x).Jb.transpose()).normalized();
         bodies_.u = settings["speed"] * along;
         theory_r2_ = bodies_.x.squaredNorm();
         theory_product_ = bodies_.x.norm() * bodies_.u.norm();
@@ -60,27 +65,32 @@ public:
         bodies_.f.setZero();
         add_gravity(bodies_, {0, -settings["gravity"]});
         if (input.pressed) add_pull(bodies_, 0, input.pointer);
-        if (settings.method == "spring") add_stiff_spring(bodies_, constraint, settings["stiffness"]);
+        if (settings.method == "spring")
+            add_stiff_spring(bodies_, constraint, settings["stiffness"]);
         bodies_.u += h * bodies_.inverse_mass.cwiseProduct(bodies_.f);
 
         answer_ = {};
         if (settings.method == "row") {
-            const Real b = settings["repay"] * constraint.C / h;  // 0: C is ignored, see (2.34)
+            // 0: C is ignored, see (2.34)
+            const Real b = settings["repay"] * constraint.C / h;
             const Row<2> row = bilateral(constraint, bodies_.inverse_mass, b);
             answer_ = solve_row(row, bodies_.u);   // (2.7)
             row.apply(answer_.lambda, bodies_.u);  // (2.5)
         }
         bodies_.x += h * bodies_.u;
         //! [bead_step]
-        theory_r2_ += h * h * theory_product_ * theory_product_ / theory_r2_;  // (2.32), (2.33)
+        // (2.32), (2.33)
+        theory_r2_ += h * h * theory_product_ * theory_product_ / theory_r2_;
         view_ = settings;
         trail_.add(bodies_.x);
     }
 
     std::vector<Real> measure() const override
     {
-        return {drift(), std::sqrt(theory_r2_) - wire_.start.norm(), answer_.lambda, answer_.w,
-                kinetic_energy(bodies_) + potential_energy(bodies_, {0, -view_["gravity"]})};
+        return {drift(), std::sqrt(theory_r2_) - wire_.start.norm(), answer_.lambda,
+                answer_.w,
+                kinetic_energy(bodies_) +
+                    potential_energy(bodies_, {0, -view_["gravity"]})};
     }
 
     void draw(Canvas& canvas) const override
@@ -93,24 +103,28 @@ public:
         const Real scale = 0.5 * std::min<Real>(1, 2.2 / std::max(u.norm(), 1e-9));
         const Vec2 forbidden = n.dot(u) * n;
         const bool shown = view_.method == "row" && scale * forbidden.norm() > 0.08;
-        canvas.segment(x - 0.6 * perpendicular(n), x + 0.6 * perpendicular(n), paint::guide);
+        canvas.segment(x - 0.6 * perpendicular(n), x + 0.6 * perpendicular(n),
+                       paint::guide);
         canvas.disc(x, 0.05, paint::body);
         labelled_arrow(canvas, x, 0.45 * n, "Jᵀ", paint::direction);
         if (!shown) labelled_arrow(canvas, x, scale * u, "u", paint::allowed);
         if (shown) {  // what the next row will do
             labelled_arrow(canvas, x, scale * u, "u*", paint::wanted);
             labelled_arrow(canvas, x, scale * (u - forbidden), "u", paint::allowed);
-            labelled_arrow(canvas, x + scale * u, -scale * forbidden, "", paint::impulse);
+            labelled_arrow(canvas, x + scale * u, -scale * forbidden, "",
+                           paint::impulse);
         }
         canvas.text({-0.95 * wire_.half_size.x(), 0.92 * wire_.half_size.y()},
-                    "distance from the wire " + fixed(1000 * drift(), 3) + " mm", 15, paint::label);
+                    "distance from the wire " + fixed(1000 * drift(), 3) + " mm",
+                    15, paint::label);
     }
 
 private:
     /// Distance from the wire: exact for the circle, C/||J|| for the others.
     Real drift() const
     {
-        return wire_.distance ? wire_.distance(bodies_.x) : normalised(wire_.constraint(bodies_.x)).C;
+        return wire_.distance ? wire_.distance(bodies_.x)
+                              : normalised(wire_.constraint(bodies_.x)).C;
     }
 
     Wire wire_;
@@ -129,15 +143,20 @@ inline Wire circle_wire()
               [](const Vec2& p) { return p.norm() - 1; },
               {1.6, 1.5}};
     for (int i = 0; i <= 200; ++i)
-        wire.shape.push_back({std::cos(2 * pi * i / 200), std::sin(2 * pi * i / 200)});
+        wire.shape.push_back(
+            {std::cos(2 * pi * i / 200), std::sin(2 * pi * i / 200)});
     return wire;
 }
 
 inline Wire ellipse_wire(Real width, Real height)
 {
     const Vec2 half_axes(width, height);
-    Wire wire{[half_axes](const VecX& x) { return ellipse_constraint(x, 0, half_axes); }, {}, {width, 0}};
-    for (Vec2 p : circle_wire().shape) wire.shape.push_back(p.cwiseProduct(half_axes));
+    Wire wire{
+        [half_axes](const VecX& x) { return ellipse_constraint(x, 0, half_axes); },
+        {},
+        {width, 0}};
+    for (Vec2 p : circle_wire().shape)
+        wire.shape.push_back(p.cwiseProduct(half_axes));
     return wire;
 }
 
@@ -162,20 +181,23 @@ std::vector<Vec2> outline(const G& g, Real farthest)
 inline Wire own_wire()
 {
     //! [own_curve]
-    // A curve of your own: any g that is negative around the origin and positive far away. This one
-    // is Cassini's oval: the product of the distances from (±1, 0) is 1.21 everywhere on it.
+    // A curve of your own: any g that is negative around the origin and positive
+    // far away. This one is Cassini's oval: the product of the distances from (±1,
+    // 0) is 1.21 everywhere on it.
     const auto g = [](const auto& p) {
-        using T = std::decay_t<decltype(p.x())>;  // a number, or a number that carries its derivatives
+        // a number, or a number that carries its derivatives
+        using T = std::decay_t<decltype(p.x())>;
         const T left = (p.x() + 1.0) * (p.x() + 1.0) + p.y() * p.y();
         const T right = (p.x() - 1.0) * (p.x() - 1.0) + p.y() * p.y();
         return T(left * right - 1.4641);
     };
     //! [own_curve]
-    return {[g](const VecX& x) { return curve_constraint(x, 0, g); }, outline(g, 3), outline(g, 3).front()};
+    return {[g](const VecX& x) { return curve_constraint(x, 0, g); }, outline(g, 3),
+            outline(g, 3).front()};
 }
 
-inline Demo bead_scene(const std::string& name, const std::string& summary, Real gravity,
-                       std::function<Wire(const Settings&)> make_wire)
+inline Demo bead_scene(const std::string& name, const std::string& summary,
+                       Real gravity, std::function<Wire(const Settings&)> make_wire)
 {
     Demo scene;
     scene.name = name;
@@ -186,17 +208,23 @@ inline Demo bead_scene(const std::string& name, const std::string& summary, Real
     scene.h_high = 0.5;
     scene.methods = {"row", "spring"};
     scene.tunables = {
-        {"speed", "m/s", "speed of the bead at the start", 1, 0, 3, false, true, false},
+        {"speed", "m/s", "speed of the bead at the start", 1, 0, 3, false, true,
+         false},
         {"gravity", "m/s^2", "downwards", gravity, 0, 20, false, false, true},
         {"mass", "kg", "mass of the bead", 1, 0.1, 10, false, true, false},
-        {"repay", "", "part of the error C/h that the row's bias asks back", 0, 0, 1, false, false, false},
-        {"stiffness", "N/m", "of the spring that stands in for the row", 1000, 10, 1e5, false, false, false}};
-    scene.columns = {{"drift", "m", "distance from the wire, outwards", true, false},
-                     {"circle_theory", "m",
-                      "growth of the radius that (2.32) foretells on a circle without forces", true, false},
-                     {"lambda", "N s", "impulse of the row", true, false},
-                     {"w", "m/s", "what the row left of the velocity across the wire", false, false},
-                     {"energy", "J", "kinetic and potential", true, false}};
+        {"repay", "", "part of the error C/h that the row's bias asks back", 0, 0,
+         1, false, false, false},
+        {"stiffness", "N/m", "of the spring that stands in for the row", 1000, 10,
+         1e5, false, false, false}};
+    scene.columns = {
+        {"drift", "m", "distance from the wire, outwards", true, false},
+        {"circle_theory", "m",
+         "growth of the radius that (2.32) foretells on a circle without forces",
+         true, false},
+        {"lambda", "N s", "impulse of the row", true, false},
+        {"w", "m/s", "what the row left of the velocity across the wire", false,
+         false},
+        {"energy", "J", "kinetic and potential", true, false}};
     scene.start = [make_wire](const Settings& settings) {
         return std::make_unique<BeadRun>(make_wire(settings), settings);
     };

@@ -26,7 +26,8 @@ public:
         const Index N = static_cast<Index>(settings["links"]);
         length_ = 1.6 / static_cast<Real>(N);
         bodies_ = Bodies<2>(N + 1);
-        for (Index k = 0; k <= N; ++k) bodies_.position(k) << length_ * static_cast<Real>(k), 0.8;
+        for (Index k = 0; k <= N; ++k)
+            bodies_.position(k) << length_ * static_cast<Real>(k), 0.8;
         bodies_.inverse_mass.head<2>().setZero();
         bodies_.inverse_mass.tail<2>().setConstant(1 / settings["end_mass"]);
     }
@@ -42,19 +43,25 @@ public:
 
         rows_.clear();
         for (Index k = 0; k + 1 < bodies_.count(); ++k) {
-            const Constraint<2> link = distance_constraint(bodies_.x, {k, k + 1, length_});
-            rows_.push_back(bilateral(link, bodies_.inverse_mass, settings["repay"] * link.C / h));
+            const Constraint<2> link =
+                distance_constraint(bodies_.x, {k, k + 1, length_});
+            rows_.push_back(bilateral(link, bodies_.inverse_mass,
+                                      settings["repay"] * link.C / h));
         }
         if (settings.method == "one-shot") {
             const RowsAnswer& answer = solver_.solve(rows_, bodies_.u);
-            if (answer.verdict == Verdict::conflicting) throw StepFailure(sentence(answer));
+            if (answer.verdict == Verdict::conflicting)
+                throw StepFailure(sentence(answer));
             apply(rows_, answer.lambda, bodies_.u);
         } else {
-            for (int round = 0; round < static_cast<int>(settings["rounds"]); ++round)
-                for (const Row<2>& row : rows_) row.apply(solve_row(row, bodies_.u).lambda, bodies_.u);
+            for (int round = 0; round < static_cast<int>(settings["rounds"]);
+                 ++round)
+                for (const Row<2>& row : rows_)
+                    row.apply(solve_row(row, bodies_.u).lambda, bodies_.u);
         }
         residual_ = 0;
-        for (const Row<2>& row : rows_) residual_ = std::max(residual_, std::abs(row.velocity(bodies_.u)));
+        for (const Row<2>& row : rows_)
+            residual_ = std::max(residual_, std::abs(row.velocity(bodies_.u)));
         bodies_.x += h * bodies_.u;
     }
     //! [chain_step]
@@ -63,8 +70,11 @@ public:
     {
         Real error = 0;
         for (Index k = 0; k + 1 < bodies_.count(); ++k)
-            error = std::max(error, std::abs(distance_constraint(bodies_.x, {k, k + 1, length_}).C));
-        return {residual_, 1000 * error, kinetic_energy(bodies_) + potential_energy(bodies_, {0, -9.81})};
+            error = std::max(
+                error,
+                std::abs(distance_constraint(bodies_.x, {k, k + 1, length_}).C));
+        return {residual_, 1000 * error,
+                kinetic_energy(bodies_) + potential_energy(bodies_, {0, -9.81})};
     }
 
     void draw(Canvas& canvas) const override
@@ -73,13 +83,18 @@ public:
         for (Index k = 0; k + 1 < bodies_.count(); ++k) {
             const Real C = distance_constraint(bodies_.x, {k, k + 1, length_}).C;
             const bool stretched = C > 0.02 * length_;
-            canvas.segment(bodies_.position(k), bodies_.position(k + 1),
-                           {stretched ? Colour::red : Colour::ink, 3, 1, false, false});
+            canvas.segment(
+                bodies_.position(k), bodies_.position(k + 1),
+                {stretched ? Colour::red : Colour::ink, 3, 1, false, false});
         }
         canvas.disc(bodies_.position(0), 0.03, paint::fixed);
         for (Index k = 1; k < bodies_.count(); ++k)
-            canvas.disc(bodies_.position(k), k + 1 == bodies_.count() ? 1.5 * radius : radius, paint::body);
-        canvas.text({-1.9, 1.0}, "largest link error " + fixed(measure()[1], 1) + " mm (red: more than 2 %)",
+            canvas.disc(bodies_.position(k),
+                        k + 1 == bodies_.count() ? 1.5 * radius : radius,
+                        paint::body);
+        canvas.text({-1.9, 1.0},
+                    "largest link error " + fixed(measure()[1], 1) +
+                        " mm (red: more than 2 %)",
                     15, paint::label);
     }
 
@@ -95,21 +110,27 @@ inline Demo chain_scene()
 {
     Demo scene;
     scene.name = "chain";
-    scene.summary = "A hanging chain: all links in one shot by a factorisation, or link by link";
+    scene.summary = "A hanging chain: all links in one shot by a factorisation, or "
+                    "link by link";
     scene.view = {{0, -0.35}, {2, 1.55}};
     scene.h = 1.0 / 240;
     scene.methods = {"one-shot", "row-by-row"};
     scene.side_by_side = scene.methods;
     scene.tunables = {
         {"links", "", "number of links", 16, 1, 60, true, true, false},
-        {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 1, 0.01, 1000, false, true, false},
-        {"repay", "", "part of the error C/h that the rows' bias asks back", 0, 0, 1, false, false, false},
-        {"rounds", "", "row by row: how often each row has its turn in a step", 10, 1, 1000, true, false,
-         true}};
-    scene.columns = {{"residual", "m/s", "the largest |w| that is left", true, true},
-                     {"link_error", "mm", "the largest error of a link", true, false},
-                     {"energy", "J", "kinetic and potential", true, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<ChainRun>(settings); };
+        {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 1, 0.01,
+         1000, false, true, false},
+        {"repay", "", "part of the error C/h that the rows' bias asks back", 0, 0,
+         1, false, false, false},
+        {"rounds", "", "row by row: how often each row has its turn in a step", 10,
+         1, 1000, true, false, true}};
+    scene.columns = {
+        {"residual", "m/s", "the largest |w| that is left", true, true},
+        {"link_error", "mm", "the largest error of a link", true, false},
+        {"energy", "J", "kinetic and potential", true, false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<ChainRun>(settings);
+    };
     return scene;
 }
 
@@ -132,10 +153,11 @@ public:
     {
         std::vector<Row<2>> rows;
         for (std::size_t i = 0; i < 3; ++i) {
-            // The third rod is made to grow: ||x - p|| - L(t) = 0 with dL/dt = growth, so b = -growth.
+            // The third rod is made to grow: ||x - p|| - L(t) = 0 with dL/dt =
+            // growth, so b = -growth.
             const Real growth = i == 2 ? settings["growth"] : 0;
-            rows.push_back(
-                bilateral(anchor_constraint(bodies_.x, 0, anchors[i], 1), bodies_.inverse_mass, -growth));
+            rows.push_back(bilateral(anchor_constraint(bodies_.x, 0, anchors[i], 1),
+                                     bodies_.inverse_mass, -growth));
         }
         answer_ = solve_rows(rows, bodies_.u);
         if (answer_.verdict == Verdict::conflicting && settings.method == "refuse")
@@ -162,10 +184,12 @@ public:
         for (std::size_t i = 0; i < 3; ++i) {
             const Real w = answer_.w[static_cast<Index>(i)];
             const bool odd = std::abs(w) > 1e-9;
-            canvas.segment(anchors[i], x, {odd ? Colour::red : Colour::green, 4, 1, false, false});
+            canvas.segment(anchors[i], x,
+                           {odd ? Colour::red : Colour::green, 4, 1, false, false});
             canvas.disc(anchors[i], 0.05, paint::fixed);
             const Vec2 away = anchors[i].normalized();
-            canvas.text(anchors[i] + 0.14 * away - Vec2(0, 0.05), "w = " + fixed(w, 3) + " m/s", 14,
+            canvas.text(anchors[i] + 0.14 * away - Vec2(0, 0.05),
+                        "w = " + fixed(w, 3) + " m/s", 14,
                         {odd ? Colour::red : Colour::green, 1.5, 1, false, false},
                         away.x() > 0.3    ? Align::left
                         : away.x() < -0.3 ? Align::right
@@ -176,13 +200,15 @@ public:
                             : answer_.verdict == Verdict::redundant
                                 ? "redundant: one velocity, many λ"
                                 : "conflicting: no velocity meets all three";
-        canvas.text({0, -1.45}, "three rows of rank " + std::to_string(answer_.rank) + ", " + words, 15,
-                    paint::label, Align::centre);
+        canvas.text({0, -1.45},
+                    "three rows of rank " + std::to_string(answer_.rank) + ", " +
+                        words,
+                    15, paint::label, Align::centre);
     }
 
 private:
-    const std::array<Vec2, 3> anchors = {Vec2(-std::sqrt(0.75), 0.5), Vec2(std::sqrt(0.75), 0.5),
-                                         Vec2(0, -1)};
+    const std::array<Vec2, 3> anchors = {Vec2(-std::sqrt(0.75), 0.5),
+                                         Vec2(std::sqrt(0.75), 0.5), Vec2(0, -1)};
     Bodies<2> bodies_;
     RowsAnswer answer_;
 };
@@ -191,21 +217,24 @@ inline Demo conflict_scene()
 {
     Demo scene;
     scene.name = "conflict";
-    scene.summary =
-        "Three rods, of which one is told to grow: redundant rows, and rows that contradict each other";
+    scene.summary = "Three rods, of which one is told to grow: redundant rows, and "
+                    "rows that contradict each other";
     scene.view = {{0, -0.3}, {2, 1.4}};
     scene.methods = {"compromise", "refuse"};
-    scene.tunables = {
-        {"growth", "m/s", "how fast the third rod is told to grow", 0.1, -1, 1, false, false, true}};
-    scene.columns = {{"w1", "m/s", "what is left of the first row", true, false},
-                     {"w2", "m/s", "of the second", true, false},
-                     {"w3", "m/s", "of the third", true, false},
-                     {"lambda1", "N s", "impulse of the first row", true, false},
-                     {"lambda2", "N s", "of the second", false, false},
-                     {"lambda3", "N s", "of the third", false, false},
-                     {"rank", "", "how many rows say something new", false, false},
-                     {"conflict", "", "1: no velocity meets all rows", true, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<ConflictRun>(settings); };
+    scene.tunables = {{"growth", "m/s", "how fast the third rod is told to grow",
+                       0.1, -1, 1, false, false, true}};
+    scene.columns = {
+        {"w1", "m/s", "what is left of the first row", true, false},
+        {"w2", "m/s", "of the second", true, false},
+        {"w3", "m/s", "of the third", true, false},
+        {"lambda1", "N s", "impulse of the first row", true, false},
+        {"lambda2", "N s", "of the second", false, false},
+        {"lambda3", "N s", "of the third", false, false},
+        {"rank", "", "how many rows say something new", false, false},
+        {"conflict", "", "1: no velocity meets all rows", true, false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<ConflictRun>(settings);
+    };
     return scene;
 }
 

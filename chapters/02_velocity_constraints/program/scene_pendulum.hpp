@@ -18,7 +18,8 @@ namespace rigid {
 /// A pendulum of 1 m and 1 kg with three time steps at once, beside the exact one.
 class PendulumRun : public Run {
 public:
-    explicit PendulumRun(const Settings& settings) : angle_(settings["angle"] * pi / 180)
+    explicit PendulumRun(const Settings& settings)
+        : angle_(settings["angle"] * pi / 180)
     {
         for (Bodies<2>& bodies : bodies_) bodies.x = place(angle_);
     }
@@ -34,14 +35,17 @@ public:
                 const Constraint<2> rod = anchor_constraint(bodies.x, 0, {0, 0}, 1);
                 bodies.f.setZero();
                 add_gravity(bodies, {0, -g});
-                if (settings.method == "spring") add_stiff_spring(bodies, rod, settings["stiffness"]);
+                if (settings.method == "spring")
+                    add_stiff_spring(bodies, rod, settings["stiffness"]);
                 bodies.u += h * bodies.inverse_mass.cwiseProduct(bodies.f);
-                tension_[i] = settings.method == "spring" ? settings["stiffness"] * rod.C : 0;
+                tension_[i] =
+                    settings.method == "spring" ? settings["stiffness"] * rod.C : 0;
                 if (settings.method == "row") {
                     const Row<2> row = bilateral(rod, bodies.inverse_mass);
                     const RowAnswer answer = solve_row(row, bodies.u);
                     row.apply(answer.lambda, bodies.u);
-                    tension_[i] = -answer.lambda / h;  // N s over s: the mean force of the step
+                    // N s over s: the mean force of the step
+                    tension_[i] = -answer.lambda / h;
                 }
                 bodies.x += h * bodies.u;
             }
@@ -53,15 +57,19 @@ public:
     std::vector<Real> measure() const override
     {
         const State<1> truth = exact_pendulum(Pendulum{}, angle_, time_);
-        const Real exact_tension = g * std::cos(truth.x[0]) + truth.u.squaredNorm();  // m g cos θ + m u²/L
-        const Real energy = kinetic_energy(bodies_[2]) + potential_energy(bodies_[2], {0, -g});
+        // m g cos θ + m u²/L
+        const Real exact_tension = g * std::cos(truth.x[0]) + truth.u.squaredNorm();
+        const Real energy =
+            kinetic_energy(bodies_[2]) + potential_energy(bodies_[2], {0, -g});
         const Real stretch = 1000 * (bodies_[2].x.norm() - 1);
-        return {error(0), error(1), error(2), stretch, tension_[2], exact_tension, energy};
+        return {error(0),    error(1),      error(2), stretch,
+                tension_[2], exact_tension, energy};
     }
 
     void draw(Canvas& canvas) const override
     {
-        const std::array<Colour, 3> colours = {Colour::orange, Colour::purple, Colour::blue};
+        const std::array<Colour, 3> colours = {Colour::orange, Colour::purple,
+                                               Colour::blue};
         const std::array<const char*, 3> names = {"h", "h/2", "h/4"};
         const Vec2 truth = place(exact_angle());
         canvas.segment({0, 0}, truth, {Colour::faint, 6, 1, false, false});
@@ -73,7 +81,8 @@ public:
             canvas.segment({0, 0}, x, {colours[i], 2, 1, false, false});
             canvas.disc(x, 0.05, {colours[i], 1.5, 0.5, true, false});
             canvas.text({-1.4, 0.47 - 0.13 * static_cast<Real>(i)},
-                        std::string(names[i]) + ": error of the angle " + fixed(180 / pi * error(i), 2) + "°",
+                        std::string(names[i]) + ": error of the angle " +
+                            fixed(180 / pi * error(i), 2) + "°",
                         15, {colours[i], 1.5, 1, false, false});
         }
     }
@@ -81,7 +90,10 @@ public:
 private:
     static constexpr Real g = 9.81;
     static Vec2 place(Real angle) { return {std::sin(angle), -std::cos(angle)}; }
-    Real exact_angle() const { return exact_pendulum(Pendulum{}, angle_, time_).x[0]; }
+    Real exact_angle() const
+    {
+        return exact_pendulum(Pendulum{}, angle_, time_).x[0];
+    }
     Real error(std::size_t i) const
     {
         const Vec2 truth = place(exact_angle());
@@ -98,21 +110,28 @@ inline Demo pendulum_scene()
 {
     Demo scene;
     scene.name = "pendulum";
-    scene.summary = "A pendulum through a distance row with the steps h, h/2 and h/4, beside the exact one";
+    scene.summary = "A pendulum through a distance row with the steps h, h/2 and "
+                    "h/4, beside the exact one";
     scene.view = {{0, -0.25}, {1.5, 1.05}};
     scene.h = 1.0 / 60;
     scene.methods = {"row", "spring"};
-    scene.tunables = {
-        {"angle", "deg", "where it is let go at rest", 90, 1, 179, false, true, false},
-        {"stiffness", "N/m", "of the spring that stands in for the rod", 1000, 10, 1e5, false, false, false}};
-    scene.columns = {{"error_h", "rad", "angle with the step h, less the exact one", true, false},
-                     {"error_h2", "rad", "the same with h/2", true, false},
-                     {"error_h4", "rad", "the same with h/4", true, false},
-                     {"stretch", "mm", "length of the rod less 1 m, with h/4", true, false},
-                     {"tension", "N", "mean pull of the rod in the step, with h/4", true, false},
-                     {"tension_exact", "N", "pull of the rod in the exact motion", true, false},
-                     {"energy", "J", "kinetic and potential, with h/4", true, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<PendulumRun>(settings); };
+    scene.tunables = {{"angle", "deg", "where it is let go at rest", 90, 1, 179,
+                       false, true, false},
+                      {"stiffness", "N/m",
+                       "of the spring that stands in for the rod", 1000, 10, 1e5,
+                       false, false, false}};
+    scene.columns = {
+        {"error_h", "rad", "angle with the step h, less the exact one", true,
+         false},
+        {"error_h2", "rad", "the same with h/2", true, false},
+        {"error_h4", "rad", "the same with h/4", true, false},
+        {"stretch", "mm", "length of the rod less 1 m, with h/4", true, false},
+        {"tension", "N", "mean pull of the rod in the step, with h/4", true, false},
+        {"tension_exact", "N", "pull of the rod in the exact motion", true, false},
+        {"energy", "J", "kinetic and potential, with h/4", true, false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<PendulumRun>(settings);
+    };
     return scene;
 }
 

@@ -14,7 +14,8 @@
 namespace rigid {
 
 /// The part of a polygon where J p + bias >= 0.
-inline std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Vec2& J, Real bias)
+inline std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Vec2& J,
+                             Real bias)
 {
     std::vector<Vec2> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -29,7 +30,8 @@ inline std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Vec2& J, Re
 /// Two beads on one rail. The reader drags the point u* = (u1, u2); the row answers.
 class PlaneRun : public Run {
 public:
-    explicit PlaneRun(const Settings& settings) : bodies_(2), u_star_(settings["u1"], settings["u2"])
+    explicit PlaneRun(const Settings& settings)
+        : bodies_(2), u_star_(settings["u1"], settings["u2"])
     {
         bodies_.x << -0.25, 0.25;
         slider_ = u_star_;
@@ -44,9 +46,11 @@ public:
         if (input.pressed) u_star_ = input.pointer;
 
         bodies_.inverse_mass << 1 / settings["m1"], 1 / settings["m2"];
-        const Constraint<1> touch = alignment_constraint<1>(bodies_.x, 0, 1, Vec<1>(1), 0.5);
-        row_ = settings.method == "unilateral" ? unilateral(touch, bodies_.inverse_mass, settings["bias"])
-                                               : bilateral(touch, bodies_.inverse_mass, settings["bias"]);
+        const Constraint<1> touch =
+            alignment_constraint<1>(bodies_.x, 0, 1, Vec<1>(1), 0.5);
+        row_ = settings.method == "unilateral"
+                   ? unilateral(touch, bodies_.inverse_mass, settings["bias"])
+                   : bilateral(touch, bodies_.inverse_mass, settings["bias"]);
         bodies_.u = u_star_;
         answer_ = solve_row(row_, bodies_.u);
         row_.apply(answer_.lambda, bodies_.u);
@@ -73,14 +77,18 @@ public:
     {
         const Real R = 3;  // m/s on each axis
         const VecX star = u_star_;
-        const Vec2 J(row_.Ja[0], row_.Jb[0]), mass = bodies_.inverse_mass.cwiseInverse();
-        const Vec2 along = perpendicular(J).normalized(), on_line = -row_.bias * J / J.squaredNorm();
+        const Vec2 J(row_.Ja[0], row_.Jb[0]),
+            mass = bodies_.inverse_mass.cwiseInverse();
+        const Vec2 along = perpendicular(J).normalized(),
+                   on_line = -row_.bias * J / J.squaredNorm();
         const bool half = row_.lo == 0;
 
         // The allowed half-plane w >= 0, or the line w = 0.
         const Real E = R + 0.2;
         const std::vector<Vec2> square = {{-E, -E}, {E, -E}, {E, E}, {-E, E}};
-        if (half) canvas.polygon(cut(square, J, row_.bias), {Colour::green, 0, 0.12, true, false});
+        if (half)
+            canvas.polygon(cut(square, J, row_.bias),
+                           {Colour::green, 0, 0.12, true, false});
         // The line: the square cut from both sides, to a strip without width.
         canvas.polygon(cut(cut(square, J, row_.bias), -J, -row_.bias + 1e-9),
                        {Colour::green, 1.2, 1, false, false});
@@ -88,14 +96,19 @@ public:
         canvas.arrow({0, -R}, {0, R}, {Colour::ink, 1, 1, false, false});
         for (int k = -2; k <= 2; ++k) {
             if (k == 0) continue;
-            canvas.segment({k * 1.0, -0.05}, {k * 1.0, 0.05}, {Colour::ink, 1, 1, false, false});
-            canvas.segment({-0.05, k * 1.0}, {0.05, k * 1.0}, {Colour::ink, 1, 1, false, false});
-            canvas.text({k * 1.0, -0.26}, std::to_string(k), 12, paint::label, Align::centre);
-            canvas.text({-0.12, k * 1.0 - 0.06}, std::to_string(k), 12, paint::label, Align::right);
+            canvas.segment({k * 1.0, -0.05}, {k * 1.0, 0.05},
+                           {Colour::ink, 1, 1, false, false});
+            canvas.segment({-0.05, k * 1.0}, {0.05, k * 1.0},
+                           {Colour::ink, 1, 1, false, false});
+            canvas.text({k * 1.0, -0.26}, std::to_string(k), 12, paint::label,
+                        Align::centre);
+            canvas.text({-0.12, k * 1.0 - 0.06}, std::to_string(k), 12,
+                        paint::label, Align::right);
         }
         canvas.text({R - 0.05, -0.3}, "u₁ [m/s]", 14, paint::label, Align::right);
         canvas.text({0.12, R - 0.12}, "u₂ [m/s]", 14, paint::label);
-        canvas.text(on_line - 2.15 * along + Vec2(-0.15, 0.12), half ? "w ≥ 0" : "w = 0", 16,
+        canvas.text(on_line - 2.15 * along + Vec2(-0.15, 0.12),
+                    half ? "w ≥ 0" : "w = 0", 16,
                     {Colour::green, 2, 1, false, false}, Align::right);
 
         // The ellipse of all velocities as far from u* as the answer, in the metric of M.
@@ -104,33 +117,42 @@ public:
         for (const Real part : {0.5, 1.0}) {
             std::vector<Vec2> ring;
             for (int i = 0; i <= 120; ++i)
-                ring.push_back(u_star_ + part * size *
-                                             Vec2(std::cos(2 * pi * i / 120) / std::sqrt(mass.x()),
-                                                  std::sin(2 * pi * i / 120) / std::sqrt(mass.y())));
+                ring.push_back(
+                    u_star_ +
+                    part * size *
+                        Vec2(std::cos(2 * pi * i / 120) / std::sqrt(mass.x()),
+                             std::sin(2 * pi * i / 120) / std::sqrt(mass.y())));
             std::vector<Vec2> piece;  // what of it is in the square
             for (const Vec2& p : ring) {
                 if (p.cwiseAbs().maxCoeff() <= E && size > 1e-6) piece.push_back(p);
                 else if (piece.size() > 1)
-                    canvas.polyline(std::exchange(piece, {}), {Colour::faint, 1, 1, false, part < 1});
+                    canvas.polyline(std::exchange(piece, {}),
+                                    {Colour::faint, 1, 1, false, part < 1});
                 else piece.clear();
             }
-            if (piece.size() > 1) canvas.polyline(piece, {Colour::faint, 1, 1, false, part < 1});
+            if (piece.size() > 1)
+                canvas.polyline(piece, {Colour::faint, 1, 1, false, part < 1});
         }
         // What the eye would take for the nearest point: the foot of the Euclidean perpendicular.
-        const Vec2 foot = u_star_ - (J.dot(u_star_) + row_.bias) / J.squaredNorm() * J;
+        const Vec2 foot =
+            u_star_ - (J.dot(u_star_) + row_.bias) / J.squaredNorm() * J;
         if (answer_.lambda != 0 && (foot - u).norm() > 0.05) {
             canvas.segment(u_star_, foot, paint::guide);
             canvas.disc(foot, 0.06, {Colour::ink, 1.5, 1, false, false});
-            canvas.text(foot + Vec2(0.3, 0.12), "foot of the perpendicular", 13, paint::label);
+            canvas.text(foot + Vec2(0.3, 0.12), "foot of the perpendicular", 13,
+                        paint::label);
         }
         if (answer_.lambda != 0) canvas.arrow(u_star_, u, paint::impulse);
         canvas.disc(u_star_, 0.08, {Colour::orange, 2, 1, true, false});
         canvas.text(u_star_ + Vec2(0.14, -0.22), "u*", 16, paint::wanted);
         canvas.disc(u, 0.08, {Colour::blue, 2, 1, true, false});
-        if (answer_.lambda != 0) canvas.text(u + Vec2(-0.14, -0.24), "u", 16, paint::allowed, Align::right);
+        if (answer_.lambda != 0)
+            canvas.text(u + Vec2(-0.14, -0.24), "u", 16, paint::allowed,
+                        Align::right);
         canvas.text({-R, R + 0.35},
-                    "λ = " + fixed(answer_.lambda, 3) + " N s,  w before " + fixed(row_.velocity(star), 3) +
-                        ",  after " + fixed(answer_.w, 3) + " m/s",
+                    "λ = " + fixed(answer_.lambda, 3) + " N s,  w before " +
+                        fixed(row_.velocity(star), 3) + ",  after " +
+                        fixed(answer_.w, 3) + " m/s",
                     15, paint::label);
         draw_rail(canvas, {0, -R - 0.75}, mass);
     }
@@ -146,13 +168,21 @@ private:
             const VecX& u = after ? bodies_.u : VecX(u_star_);
             const auto& style = after ? paint::allowed : paint::wanted;
             canvas.segment(rail - Vec2(3, 0), rail + Vec2(3, 0), paint::wire);
-            canvas.text(rail + Vec2(-3, 0.45), after ? "after" : "before", 14, style);
+            canvas.text(rail + Vec2(-3, 0.45), after ? "after" : "before", 14,
+                        style);
             for (int k = 0; k < 2; ++k) {
-                const Vec2 p = rail + Vec2((k == 0 ? -1 : 1) * (after ? radius : 1.6), 0);
-                const Real up = after && k == 1 ? 0.58 : 0.36;  // equal velocities are not drawn as one arrow
-                canvas.disc(p, radius, {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8), true, false});
-                canvas.text(p - Vec2(0, 0.08), k == 0 ? "1" : "2", 14, paint::label, Align::centre);
-                if (u[k] != 0) canvas.arrow(p + Vec2(0, up), p + Vec2(scale * u[k], up), style);
+                const Vec2 p =
+                    rail + Vec2((k == 0 ? -1 : 1) * (after ? radius : 1.6), 0);
+                // equal velocities are not drawn as one arrow
+                const Real up = after && k == 1 ? 0.58 : 0.36;
+                canvas.disc(p, radius,
+                            {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8),
+                             true, false});
+                canvas.text(p - Vec2(0, 0.08), k == 0 ? "1" : "2", 14, paint::label,
+                            Align::centre);
+                if (u[k] != 0)
+                    canvas.arrow(p + Vec2(0, up), p + Vec2(scale * u[k], up),
+                                 style);
             }
         }
     }
@@ -167,26 +197,35 @@ inline Demo plane_scene()
 {
     Demo scene;
     scene.name = "feasible";
-    scene.summary =
-        "Two beads on a rail: drag the point of their two velocities and see what the row makes of it";
+    scene.summary = "Two beads on a rail: drag the point of their two velocities "
+                    "and see what the row makes of it";
     scene.view = {{0, -0.95}, {3.4, 4.55}};
     scene.methods = {"unilateral", "bilateral"};
-    scene.tunables = {{"u1", "m/s", "velocity of bead 1 before the row", 2, -3, 3, false, false, false},
-                      {"u2", "m/s", "velocity of bead 2 before the row", -2, -3, 3, false, false, false},
-                      {"m1", "kg", "mass of bead 1", 1, 0.1, 10, false, false, false},
-                      {"m2", "kg", "mass of bead 2", 3, 0.1, 10, false, false, false},
-                      {"bias", "m/s", "b: positive lets them approach, negative drives them apart", 0, -2, 2,
-                       false, false, false}};
-    scene.columns = {{"u1_before", "m/s", "velocity of bead 1 before the row", false, false},
-                     {"u2_before", "m/s", "velocity of bead 2 before the row", false, false},
-                     {"u1", "m/s", "velocity of bead 1 after it", true, false},
-                     {"u2", "m/s", "velocity of bead 2 after it", true, false},
-                     {"w_before", "m/s", "J u + b before", true, false},
-                     {"w", "m/s", "J u + b after", true, false},
-                     {"lambda", "N s", "impulse", true, false},
-                     {"distance", "J", "half the squared distance from u*, in the metric of M", true, false},
-                     {"momentum_change", "N s", "zero: what bead 1 loses, bead 2 gains", false, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<PlaneRun>(settings); };
+    scene.tunables = {
+        {"u1", "m/s", "velocity of bead 1 before the row", 2, -3, 3, false, false,
+         false},
+        {"u2", "m/s", "velocity of bead 2 before the row", -2, -3, 3, false, false,
+         false},
+        {"m1", "kg", "mass of bead 1", 1, 0.1, 10, false, false, false},
+        {"m2", "kg", "mass of bead 2", 3, 0.1, 10, false, false, false},
+        {"bias", "m/s",
+         "b: positive lets them approach, negative drives them apart", 0, -2, 2,
+         false, false, false}};
+    scene.columns = {
+        {"u1_before", "m/s", "velocity of bead 1 before the row", false, false},
+        {"u2_before", "m/s", "velocity of bead 2 before the row", false, false},
+        {"u1", "m/s", "velocity of bead 1 after it", true, false},
+        {"u2", "m/s", "velocity of bead 2 after it", true, false},
+        {"w_before", "m/s", "J u + b before", true, false},
+        {"w", "m/s", "J u + b after", true, false},
+        {"lambda", "N s", "impulse", true, false},
+        {"distance", "J", "half the squared distance from u*, in the metric of M",
+         true, false},
+        {"momentum_change", "N s", "zero: what bead 1 loses, bead 2 gains", false,
+         false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<PlaneRun>(settings);
+    };
     return scene;
 }
 

@@ -18,7 +18,8 @@ namespace rigid {
 class WedgeRun : public Run {
 public:
     explicit WedgeRun(const Settings& settings)
-        : bodies_(2), angle_(settings["angle"] * pi / 180), normal_(std::sin(angle_), std::cos(angle_))
+        : bodies_(2), angle_(settings["angle"] * pi / 180),
+          normal_(std::sin(angle_), std::cos(angle_))
     {
         rewind();
     }
@@ -37,8 +38,10 @@ public:
 
         // (2.30): the wedge stays on the floor, the block stays on the slope
         const std::vector<Row<2>> rows = {
-            bilateral(alignment_constraint<2>(bodies_.x, world, 0, Vec2(0, 1), 0), bodies_.inverse_mass),
-            bilateral(alignment_constraint<2>(bodies_.x, 0, 1, normal_, offset_), bodies_.inverse_mass)};
+            bilateral(alignment_constraint<2>(bodies_.x, world, 0, Vec2(0, 1), 0),
+                      bodies_.inverse_mass),
+            bilateral(alignment_constraint<2>(bodies_.x, 0, 1, normal_, offset_),
+                      bodies_.inverse_mass)};
         const RowsAnswer answer = solve_rows(rows, bodies_.u);
         apply(rows, answer.lambda, bodies_.u);
         floor_ = answer.lambda[0] / h;
@@ -46,7 +49,8 @@ public:
         acceleration_ = (bodies_.u[0] - before) / h;
         bodies_.x += h * bodies_.u;
         const Real run = bodies_.x[2] - bodies_.x[0];
-        if (run > width - 0.16 || run < -0.2 || std::abs(bodies_.x[0]) > 2) rewind();
+        if (run > width - 0.16 || run < -0.2 || std::abs(bodies_.x[0]) > 2)
+            rewind();
     }
     //! [wedge_step]
 
@@ -66,17 +70,19 @@ public:
                        {Colour::ink, 2, 0.2, true, false});
         canvas.box(block, {half, half}, -angle_, paint::body);
         const Vec2 touch = block - half * normal_;
-        labelled_arrow(canvas, touch, 0.05 * force_ * normal_, "+N", paint::impulse);
-        labelled_arrow(canvas, touch, -0.05 * force_ * normal_, "−N", paint::impulse);
+        labelled_arrow(canvas, touch, 0.05 * force_ * normal_, "+N",
+                       paint::impulse);
+        labelled_arrow(canvas, touch, -0.05 * force_ * normal_, "−N",
+                       paint::impulse);
         labelled_arrow(canvas, block, {0, -0.05 * m_ * g}, "", paint::direction);
         const std::vector<Real> values = measure();
         canvas.text({-1.5, 1.31},
-                    "force between block and wedge λ/h = " + fixed(values[2], 6) + " N, exact " +
-                        fixed(values[3], 6) + " N",
+                    "force between block and wedge λ/h = " + fixed(values[2], 6) +
+                        " N, exact " + fixed(values[3], 6) + " N",
                     15, paint::label);
         canvas.text({-1.5, 1.2},
-                    "acceleration of the wedge " + fixed(values[0], 6) + " m/s², exact " +
-                        fixed(values[1], 6) + " m/s²",
+                    "acceleration of the wedge " + fixed(values[0], 6) +
+                        " m/s², exact " + fixed(values[1], 6) + " m/s²",
                     15, paint::label);
     }
 
@@ -108,15 +114,18 @@ inline Demo wedge_scene()
     scene.view = {{0, 0.55}, {1.6, 0.85}};
     scene.h = 1.0 / 240;
     scene.methods = {"one-shot"};
-    scene.tunables = {{"wedge", "kg", "mass of the wedge", 4, 0.1, 100, false, false, false},
-                      {"block", "kg", "mass of the block", 1, 0.1, 100, false, false, false},
-                      {"angle", "deg", "slope", 30, 5, 45, false, true, false}};
+    scene.tunables = {
+        {"wedge", "kg", "mass of the wedge", 4, 0.1, 100, false, false, false},
+        {"block", "kg", "mass of the block", 1, 0.1, 100, false, false, false},
+        {"angle", "deg", "slope", 30, 5, 45, false, true, false}};
     scene.columns = {{"acceleration", "m/s^2", "of the wedge", true, false},
                      {"acceleration_exact", "m/s^2", "closed form", false, false},
                      {"force", "N", "λ/h between block and wedge", true, false},
                      {"force_exact", "N", "closed form", false, false},
                      {"floor", "N", "λ/h between floor and wedge", true, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<WedgeRun>(settings); };
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<WedgeRun>(settings);
+    };
     return scene;
 }
 

@@ -25,12 +25,14 @@ using namespace rigid;
 
 constexpr Real h = 1.0 / 60;
 
-void report(benchmark::State& state, Real n, Real work, Real error, const Solution* solution = nullptr)
+void report(benchmark::State& state, Real n, Real work, Real error,
+            const Solution* solution = nullptr)
 {
     state.counters["n"] = n;
     state.counters["work"] = work;
     state.counters["error"] = error;
-    state.counters["solved"] = solution == nullptr || solution->status == Status::solved;
+    state.counters["solved"] =
+        solution == nullptr || solution->status == Status::solved;
 }
 
 /// Velocities after one step of gravity.
@@ -71,7 +73,8 @@ DenseParts dense_parts(const DiscScene& scene, const std::vector<Row<2>>& rows)
     parts.inverse_mass = scene.bodies.inverse_mass;
     parts.J = MatX::Zero(static_cast<Index>(rows.size()), scene.bodies.x.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].a != world) parts.J.block<1, 2>(static_cast<Index>(i), 2 * rows[i].a) = rows[i].Ja;
+        if (rows[i].a != world)
+            parts.J.block<1, 2>(static_cast<Index>(i), 2 * rows[i].a) = rows[i].Ja;
         parts.J.block<1, 2>(static_cast<Index>(i), 2 * rows[i].b) = rows[i].Jb;
     }
     return parts;
@@ -91,10 +94,13 @@ void assembly_sparse(benchmark::State& state)
     }
     const DenseParts parts = dense_parts(scene, rows);
     const MatX A = parts.J * parts.inverse_mass.asDiagonal() * parts.J.transpose();
-    const Real error = (MatX(mlcp.A) - A).cwiseAbs().maxCoeff() / A.cwiseAbs().maxCoeff();
+    const Real error =
+        (MatX(mlcp.A) - A).cwiseAbs().maxCoeff() / A.cwiseAbs().maxCoeff();
     // A pair of neighbours shares one body: a block of 1×2 times one of 2×1. A row meets itself at two.
     report(state, static_cast<Real>(rows.size()),
-           2.0 * static_cast<Real>(scratch.pairs) + 2.0 * static_cast<Real>(rows.size()), error);
+           2.0 * static_cast<Real>(scratch.pairs) +
+               2.0 * static_cast<Real>(rows.size()),
+           error);
 }
 
 void assembly_dense(benchmark::State& state)
@@ -103,11 +109,13 @@ void assembly_dense(benchmark::State& state)
     const auto rows = rows_of(scene);
     DenseParts parts = dense_parts(scene, rows);
     for ([[maybe_unused]] auto _ : state) {
-        parts.A.noalias() = parts.J * parts.inverse_mass.asDiagonal() * parts.J.transpose();
+        parts.A.noalias() =
+            parts.J * parts.inverse_mass.asDiagonal() * parts.J.transpose();
         benchmark::DoNotOptimize(parts.A.data());
         benchmark::ClobberMemory();
     }
-    const auto m = static_cast<Real>(parts.J.rows()), n = static_cast<Real>(parts.J.cols());
+    const auto m = static_cast<Real>(parts.J.rows()),
+               n = static_cast<Real>(parts.J.cols());
     report(state, m, m * m * n + m * n, 0);
 }
 
@@ -142,7 +150,8 @@ void enumerate_guess(benchmark::State& state)
     const Mlcp mlcp = column_problem(state.range(0));
     EnumerationSettings settings;
     settings.stop_at_first = true;
-    settings.first.assign(static_cast<std::size_t>(mlcp.size()), BoundState::between);
+    settings.first.assign(static_cast<std::size_t>(mlcp.size()),
+                          BoundState::between);
     Solution solution;
     for ([[maybe_unused]] auto _ : state) solution = enumerate(mlcp, settings);
     report(state, static_cast<Real>(mlcp.size()), solution.iterations,
@@ -155,7 +164,8 @@ void direct_chain(benchmark::State& state)
     const Mlcp mlcp = assemble(rows_of(scene), fallen(scene.bodies));
     Solution solution;
     for ([[maybe_unused]] auto _ : state) solution = direct(mlcp);
-    report(state, static_cast<Real>(mlcp.size()), static_cast<Real>(mlcp.A.nonZeros()),
+    report(state, static_cast<Real>(mlcp.size()),
+           static_cast<Real>(mlcp.A.nonZeros()),
            solution.residual / mlcp.q.cwiseAbs().maxCoeff(), &solution);
 }
 
@@ -165,11 +175,13 @@ void schur_chain(benchmark::State& state)
     const Index N = state.range(0);
     DiscScene scene = free_chain(N);
     for (Index k = 0; k <= N; ++k)
-        scene.bodies.position(k) = Vec2(0.1 * static_cast<Real>(k), k % 2 == 0 ? 0.1 : 0.15);
+        scene.bodies.position(k) =
+            Vec2(0.1 * static_cast<Real>(k), k % 2 == 0 ? 0.1 : 0.15);
     for (Link& link : scene.links) link.length = std::hypot(0.1, 0.05);
     scene.walls = {{{0, 1}, 0}};
     scene.radius.setConstant(0.05);
-    for (Index place = 0; place < 4; ++place) scene.radius[2 * (place * N / 6)] = 0.1;
+    for (Index place = 0; place < 4; ++place)
+        scene.radius[2 * (place * N / 6)] = 0.1;
     scene.linked = PairSet::all();
     const Mlcp mlcp = assemble(rows_of(scene), fallen(scene.bodies));
     Solution solution;
@@ -185,7 +197,8 @@ void step_ten_discs(benchmark::State& state)
         settings.stop_at_first = true;
         for (Index i = 0; solution.lambda.size() == mlcp.size() && i < mlcp.size();
              ++i)  // as in the last step
-            settings.first.push_back(solution.lambda[i] > 0 ? BoundState::between : BoundState::at_lo);
+            settings.first.push_back(solution.lambda[i] > 0 ? BoundState::between
+                                                            : BoundState::at_lo);
         solution = schur(mlcp, settings);
     };
     DiscScene start = ten_discs();
@@ -200,8 +213,10 @@ void step_ten_discs(benchmark::State& state)
         step(scene, settings, method, now);
         benchmark::DoNotOptimize(scene.bodies.x.data());
     }
-    report(state, static_cast<Real>(method.solver.mlcp.size()), now.solution.iterations,
-           now.solution.residual / method.solver.mlcp.q.cwiseAbs().maxCoeff(), &now.solution);
+    report(state, static_cast<Real>(method.solver.mlcp.size()),
+           now.solution.iterations,
+           now.solution.residual / method.solver.mlcp.q.cwiseAbs().maxCoeff(),
+           &now.solution);
 }
 
 BENCHMARK(assembly_sparse)
@@ -212,7 +227,13 @@ BENCHMARK(assembly_sparse)
     ->Arg(300)
     ->Arg(1000)
     ->Arg(3000);
-BENCHMARK(assembly_dense)->Name("assembly/dense")->Arg(10)->Arg(30)->Arg(100)->Arg(300)->Arg(1000);
+BENCHMARK(assembly_dense)
+    ->Name("assembly/dense")
+    ->Arg(10)
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(300)
+    ->Arg(1000);
 BENCHMARK(enumerate_contacts)->Name("enumerate/contacts")->DenseRange(2, 16, 2);
 BENCHMARK(enumerate_boxed)->Name("enumerate/boxed")->DenseRange(2, 10, 1);
 BENCHMARK(enumerate_guess)->Name("enumerate/guess")->DenseRange(2, 32, 5);
@@ -225,7 +246,14 @@ BENCHMARK(direct_chain)
     ->Arg(1000)
     ->Arg(3000)
     ->Arg(10000);
-BENCHMARK(schur_chain)->Name("schur")->Arg(10)->Arg(30)->Arg(100)->Arg(300)->Arg(1000)->Arg(3000);
+BENCHMARK(schur_chain)
+    ->Name("schur")
+    ->Arg(10)
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(300)
+    ->Arg(1000)
+    ->Arg(3000);
 BENCHMARK(step_ten_discs)->Name("step/ten_discs");
 
 }  // namespace

@@ -14,7 +14,8 @@
 namespace rigid {
 
 struct CasesFromLast {
-    bool links_too = false;  ///< links are cases like contacts, instead of being solved apart (3.23)
+    /// links are cases like contacts, instead of being solved apart (3.23)
+    bool links_too = false;
     MatrixSolver<std::function<void(const Mlcp&, Solution&)>> by_matrix;
     std::vector<Contact> last_contacts;
     std::vector<bool> last_pushed;  ///< of each of these: λ > 0
@@ -27,11 +28,14 @@ struct CasesFromLast {
             settings.stop_at_first = true;
             settings.most_sets = 2'000'000;
             settings.first = guess(mlcp, now);
-            solution = links_too ? enumerate(mlcp, settings) : schur(mlcp, settings);
+            solution =
+                links_too ? enumerate(mlcp, settings) : schur(mlcp, settings);
             if (solution.status != Status::solved)
-                throw StepFailure("the " + std::to_string(now.contacts.size()) +
-                                  " contacts have no answer after " + std::to_string(solution.iterations) +
-                                  " sets of cases: " + std::string(to_string(solution.status)));
+                throw StepFailure(
+                    "the " + std::to_string(now.contacts.size()) +
+                    " contacts have no answer after " +
+                    std::to_string(solution.iterations) +
+                    " sets of cases: " + std::string(to_string(solution.status)));
         };
         by_matrix.solve(bodies, now);
 
@@ -51,8 +55,11 @@ private:
         for (Index i = 0; i < mlcp.size(); ++i) {
             bool works = mlcp.q[i] < 0;
             const Source source = now.sources[static_cast<std::size_t>(i)];
-            for (std::size_t old = 0; source.of == Source::Of::contact && old < last_contacts.size(); ++old)
-                if (is_same(now.contacts[static_cast<std::size_t>(source.index)], last_contacts[old]))
+            for (std::size_t old = 0;
+                 source.of == Source::Of::contact && old < last_contacts.size();
+                 ++old)
+                if (is_same(now.contacts[static_cast<std::size_t>(source.index)],
+                            last_contacts[old]))
                     works = last_pushed[old];
             first.push_back(works ? BoundState::between : BoundState::at_lo);
         }
@@ -61,7 +68,8 @@ private:
 
     static bool is_same(const Contact& one, const Contact& other)
     {
-        return one.a == other.a && one.b == other.b && (one.a != world || one.normal == other.normal);
+        return one.a == other.a && one.b == other.b &&
+               (one.a != world || one.normal == other.normal);
     }
 };
 

@@ -23,7 +23,8 @@ enum class Pointer {
 
 inline Real mechanical_energy(const DiscScene& scene)
 {
-    return kinetic_energy(scene.bodies) + potential_energy(scene.bodies, scene.gravity);
+    return kinetic_energy(scene.bodies) +
+           potential_energy(scene.bodies, scene.gravity);
 }
 
 /// All of a run that has nothing to do with its method.
@@ -38,17 +39,21 @@ struct SceneState {
     View view;      ///< what the picture shows
     Real zoom = 1;  ///< from metres to the units of the picture
     Pointer pointer = Pointer::pulls;
-    StepSettings step;         ///< as the reader has set it
-    StepData<2> now;           ///< what the last step found on its way
-    int steps = 0;             ///< taken so far
-    int unsolved = 0;          ///< of these, steps whose answer did not meet the tolerance
+    StepSettings step;  ///< as the reader has set it
+    StepData<2> now;    ///< what the last step found on its way
+    int steps = 0;      ///< taken so far
+    /// of these, steps whose answer did not meet the tolerance
+    int unsolved = 0;
     std::int64_t visits = 0;   ///< rows visited so far
     Real highest = -infinity;  ///< highest centre so far [m]
     Start start;               ///< how it was before the first step
 
     Real t() const { return static_cast<Real>(steps) * step.h; }
     /// Row i comes from this kind of constraint.
-    bool is(std::size_t row, Source::Of of) const { return now.sources[row].of == of; }
+    bool is(std::size_t row, Source::Of of) const
+    {
+        return now.sources[row].of == of;
+    }
     /// λ of row i; 0 where the step found none.
     Real lambda(std::size_t row) const
     {
@@ -59,7 +64,8 @@ struct SceneState {
     Real force_of_joint(int joint) const
     {
         for (std::size_t i = 0; i < now.sources.size(); ++i)
-            if (is(i, Source::Of::joint) && now.sources[i].index == joint) return lambda(i) / step.h;
+            if (is(i, Source::Of::joint) && now.sources[i].index == joint)
+                return lambda(i) / step.h;
         return 0;
     }
 };
@@ -67,7 +73,8 @@ struct SceneState {
 template <class Method>
 struct RunState : SceneState {
     Method method;
-    std::function<Real(const RunState&)> theory;  ///< what the text foretells; may be empty
+    /// what the text foretells; may be empty
+    std::function<Real(const RunState&)> theory;
 };
 
 /// A column, and where its number comes from.
@@ -105,23 +112,29 @@ using Any = Measured<SceneState>;  ///< of a scene, whatever its method
 /// What the solver counts.
 inline Any iterations(const std::string& name, const std::string& help)
 {
-    return {{name, "", help, true}, [](const SceneState& s) { return Real(s.now.solution.iterations); }};
+    return {{name, "", help, true},
+            [](const SceneState& s) { return Real(s.now.solution.iterations); }};
 }
 inline Any residual()
 {
-    return {{"residual", "m/s", "natural residual of the step's answer; 0 = not looked at", true, true},
-            [](const SceneState& s) {
-                return std::isfinite(s.now.solution.residual) ? s.now.solution.residual : 0;
-            }};
+    return {
+        {"residual", "m/s",
+         "natural residual of the step's answer; 0 = not looked at", true, true},
+        [](const SceneState& s) {
+            return std::isfinite(s.now.solution.residual) ? s.now.solution.residual
+                                                          : 0;
+        }};
 }
 inline Any row_visits()
 {
-    return {{"row_visits", "", "rows visited in the step: sweeps, residuals, corrections"},
+    return {{"row_visits", "",
+             "rows visited in the step: sweeps, residuals, corrections"},
             [](const SceneState& s) { return Real(s.now.visits); }};
 }
 inline Any rows()
 {
-    return {{"rows", "", "links and contacts"}, [](const SceneState& s) { return Real(s.now.rows.size()); }};
+    return {{"rows", "", "links and contacts"},
+            [](const SceneState& s) { return Real(s.now.rows.size()); }};
 }
 inline Any contacts()
 {
@@ -135,7 +148,8 @@ inline Any unsolved()
 }
 inline Any link_error()
 {
-    return {{"link_error", "m", "largest difference of a link from its length", true, true},
+    return {{"link_error", "m", "largest difference of a link from its length",
+             true, true},
             [](const SceneState& s) { return largest_link_error(s.scene); }};
 }
 inline Any penetration()
@@ -155,20 +169,25 @@ inline Any energy()
 }
 inline Any energy_gained()
 {
-    return {{"energy", "J", "kinetic energy and that of the weight, less than at the start", true},
-            [](const SceneState& s) { return mechanical_energy(s.scene) - s.start.energy; }};
+    return {{"energy", "J",
+             "kinetic energy and that of the weight, less than at the start", true},
+            [](const SceneState& s) {
+                return mechanical_energy(s.scene) - s.start.energy;
+            }};
 }
 /// The same where the pointer may turn gravity: energies are compared in the gravity of the start.
 inline Any energy_gained_in_gravity_of_start()
 {
     return {energy_gained().column, [](const SceneState& s) {
-                return kinetic_energy(s.scene.bodies) + potential_energy(s.scene.bodies, s.start.gravity) -
+                return kinetic_energy(s.scene.bodies) +
+                       potential_energy(s.scene.bodies, s.start.gravity) -
                        s.start.energy;
             }};
 }
 inline Any speed()
 {
-    return {{"speed", "m/s", "greatest speed of a body", true}, [](const SceneState& s) {
+    return {{"speed", "m/s", "greatest speed of a body", true},
+            [](const SceneState& s) {
                 Real speed = 0;
                 for (Index k = 0; k < s.scene.bodies.count(); ++k)
                     speed = std::max(speed, s.scene.bodies.velocity(k).norm());
@@ -177,38 +196,46 @@ inline Any speed()
 }
 inline Any highest()
 {
-    return {{"highest", "m", "highest centre so far"}, [](const SceneState& s) { return s.highest; }};
+    return {{"highest", "m", "highest centre so far"},
+            [](const SceneState& s) { return s.highest; }};
 }
 /// How far the last body is above where it began.
 inline Any last_rise()
 {
-    return {{"last_rise", "m", "how far the last body is above where it began", true},
-            [](const SceneState& s) {
-                const Index last = s.scene.bodies.count() - 1;
-                return s.scene.bodies.position(last).y() - s.start.x[2 * last + 1];
-            }};
+    return {
+        {"last_rise", "m", "how far the last body is above where it began", true},
+        [](const SceneState& s) {
+            const Index last = s.scene.bodies.count() - 1;
+            return s.scene.bodies.position(last).y() - s.start.x[2 * last + 1];
+        }};
 }
 /// What the text foretells for the scene.
 template <class Method>
 Measured<RunState<Method>> theory(const std::string& unit, const std::string& help)
 {
-    return {{"theory", unit, help},
-            [](const RunState<Method>& s) { return s.theory ? s.theory(s) : Real{0}; }};
+    return {{"theory", unit, help}, [](const RunState<Method>& s) {
+                return s.theory ? s.theory(s) : Real{0};
+            }};
 }
 /// A coordinate of one body: its position, or its velocity.
-inline Any position(const std::string& name, const std::string& help, Index coordinate, bool plotted)
+inline Any position(const std::string& name, const std::string& help,
+                    Index coordinate, bool plotted)
 {
-    return {{name, "m", help, plotted},
-            [coordinate](const SceneState& s) { return s.scene.bodies.x[coordinate]; }};
+    return {{name, "m", help, plotted}, [coordinate](const SceneState& s) {
+                return s.scene.bodies.x[coordinate];
+            }};
 }
-inline Any velocity(const std::string& name, const std::string& help, Index coordinate)
+inline Any velocity(const std::string& name, const std::string& help,
+                    Index coordinate)
 {
-    return {{name, "m/s", help, true},
-            [coordinate](const SceneState& s) { return s.scene.bodies.u[coordinate]; }};
+    return {{name, "m/s", help, true}, [coordinate](const SceneState& s) {
+                return s.scene.bodies.u[coordinate];
+            }};
 }
 inline Any joint_force(const std::string& name, const std::string& help, int joint)
 {
-    return {{name, "N", help, true}, [joint](const SceneState& s) { return s.force_of_joint(joint); }};
+    return {{name, "N", help, true},
+            [joint](const SceneState& s) { return s.force_of_joint(joint); }};
 }
 
 }  // namespace columns

@@ -30,20 +30,23 @@ inline const Vec2 plane_middle = {2.1, 0.7};
 inline constexpr Real plane_half = 0.8;
 
 /// A polygon's part in the half-plane normal·p ≥ offset.
-inline std::vector<Vec2> clipped_by(const std::vector<Vec2>& corners, const Vec2& normal, Real offset)
+inline std::vector<Vec2> clipped_by(const std::vector<Vec2>& corners,
+                                    const Vec2& normal, Real offset)
 {
     std::vector<Vec2> result;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
         const Real at_a = normal.dot(a) - offset, at_b = normal.dot(b) - offset;
         if (at_a >= 0) result.push_back(a);
-        if ((at_a < 0) != (at_b < 0)) result.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+        if ((at_a < 0) != (at_b < 0))
+            result.push_back(a + (b - a) * (at_a / (at_a - at_b)));
     }
     return result;
 }
 
 /// A polygon's part within a box of the picture.
-inline std::vector<Vec2> clipped(std::vector<Vec2> corners, const Vec2& low, const Vec2& size)
+inline std::vector<Vec2> clipped(std::vector<Vec2> corners, const Vec2& low,
+                                 const Vec2& size)
 {
     const Vec2 high = low + size;
     corners = clipped_by(corners, {1, 0}, low.x());
@@ -54,12 +57,14 @@ inline std::vector<Vec2> clipped(std::vector<Vec2> corners, const Vec2& low, con
 
 inline void circle(Canvas& canvas, const Vec2& centre, Real radius, bool strong)
 {
-    const Style style = {strong ? Colour::red : Colour::faint, 1, strong ? 0.8 : 0.9, false, true};
+    const Style style = {strong ? Colour::red : Colour::faint, 1,
+                         strong ? 0.8 : 0.9, false, true};
     std::vector<Vec2> piece;
     for (int i = 0; i <= 120; ++i) {
         const Real angle = 2 * pi * i / 120;
         const Vec2 p = centre + radius * Vec2(std::cos(angle), std::sin(angle));
-        if ((p - plane_middle).cwiseAbs().maxCoeff() <= plane_half) piece.push_back(p);
+        if ((p - plane_middle).cwiseAbs().maxCoeff() <= plane_half)
+            piece.push_back(p);
         else if (piece.size() > 1) canvas.polyline(std::exchange(piece, {}), style);
         else piece.clear();
     }
@@ -73,38 +78,47 @@ inline void draw_velocities(Canvas& canvas, const ImpactMoment& shown)
     Real unit = 0.05;  // m/s from a line of the grid to the next
     while (3.2 * unit < std::max(u_star.norm(), u.norm())) unit *= 2;
     const Real scale = plane_half / (4 * unit);
-    const auto at = [&](const Vec2& velocity) -> Vec2 { return plane_middle + scale * velocity; };
+    const auto at = [&](const Vec2& velocity) -> Vec2 {
+        return plane_middle + scale * velocity;
+    };
     const Vec2 corner = plane_middle - Vec2::Constant(plane_half);
 
     std::vector<Vec2> allowed = {corner, corner + Vec2(2 * plane_half, 0),
-                                 plane_middle + Vec2::Constant(plane_half), corner + Vec2(0, 2 * plane_half)};
+                                 plane_middle + Vec2::Constant(plane_half),
+                                 corner + Vec2(0, 2 * plane_half)};
     for (const Row<2>& row : shown.rows) {  // J u + b ≥ 0
         const Vec2 normal = row.Jb.transpose();
-        allowed = clipped_by(allowed, normal, normal.dot(plane_middle) - scale * row.bias);
+        allowed = clipped_by(allowed, normal,
+                             normal.dot(plane_middle) - scale * row.bias);
     }
-    if (allowed.size() > 2) canvas.polygon(allowed, {Colour::blue, 1.5, 0.13, true, false});
-    canvas.box(plane_middle, Vec2::Constant(plane_half), 0, {Colour::faint, 1, 1, false, false});
-    canvas.segment(plane_middle - Vec2(plane_half, 0), plane_middle + Vec2(plane_half, 0),
-                   {Colour::faint, 1});
-    canvas.segment(plane_middle - Vec2(0, plane_half), plane_middle + Vec2(0, plane_half),
-                   {Colour::faint, 1});
+    if (allowed.size() > 2)
+        canvas.polygon(allowed, {Colour::blue, 1.5, 0.13, true, false});
+    canvas.box(plane_middle, Vec2::Constant(plane_half), 0,
+               {Colour::faint, 1, 1, false, false});
+    canvas.segment(plane_middle - Vec2(plane_half, 0),
+                   plane_middle + Vec2(plane_half, 0), {Colour::faint, 1});
+    canvas.segment(plane_middle - Vec2(0, plane_half),
+                   plane_middle + Vec2(0, plane_half), {Colour::faint, 1});
 
     const Real change = (u - u_star).norm();
-    for (const Real part : {0.5, 1.0, 1.5}) circle(canvas, at(u_star), scale * change * part, part == 1);
+    for (const Real part : {0.5, 1.0, 1.5})
+        circle(canvas, at(u_star), scale * change * part, part == 1);
     canvas.arrow(plane_middle, at(u_star), {Colour::orange, 2, 1, false, false});
     canvas.arrow(plane_middle, at(u), {Colour::blue, 2.5, 1, false, false});
-    if (change > 0) canvas.arrow(at(u_star), at(u), {Colour::red, 2.5, 1, false, false});
+    if (change > 0)
+        canvas.arrow(at(u_star), at(u), {Colour::red, 2.5, 1, false, false});
     const Vec2 beside(u_star.x() >= 0 ? 0.04 : -0.04, -0.07);
     canvas.text(at(u_star) + beside, "u*", 15, {Colour::orange, 1.5, 1},
                 u_star.x() >= 0 ? Align::left : Align::right);
-    canvas.text(at(u) + Vec2(u.x() >= 0 ? 0.04 : -0.04, 0.04), "u", 15, {Colour::blue, 1.5, 1},
-                u.x() >= 0 ? Align::left : Align::right);
-    canvas.text(corner + Vec2(0, 2 * plane_half + 0.05), "velocities at t = " + fixed(shown.t, 3) + " s", 14,
-                ink);
-    canvas.text(corner + Vec2(2 * plane_half, 2 * plane_half + 0.05), "allowed", 14, {Colour::blue, 1.5, 1},
-                Align::right);
-    canvas.text(corner + Vec2(plane_half, -0.1), "from the middle to the edge " + readable(4 * unit) + " m/s",
-                12, ink, Align::centre);
+    canvas.text(at(u) + Vec2(u.x() >= 0 ? 0.04 : -0.04, 0.04), "u", 15,
+                {Colour::blue, 1.5, 1}, u.x() >= 0 ? Align::left : Align::right);
+    canvas.text(corner + Vec2(0, 2 * plane_half + 0.05),
+                "velocities at t = " + fixed(shown.t, 3) + " s", 14, ink);
+    canvas.text(corner + Vec2(2 * plane_half, 2 * plane_half + 0.05), "allowed", 14,
+                {Colour::blue, 1.5, 1}, Align::right);
+    canvas.text(corner + Vec2(plane_half, -0.1),
+                "from the middle to the edge " + readable(4 * unit) + " m/s", 12,
+                ink, Align::centre);
 }
 
 /// The λ of one set of at most two contacts, by hand.
@@ -113,7 +127,8 @@ inline void solve_set(const Mlcp& mlcp, int set, Index n, VecX& lambda)
     const SparseMatrix& A = mlcp.A;
     const VecX& q = mlcp.q;
     if (set == 3 && n == 2) {
-        const Real determinant = A.coeff(0, 0) * A.coeff(1, 1) - A.coeff(0, 1) * A.coeff(1, 0);
+        const Real determinant =
+            A.coeff(0, 0) * A.coeff(1, 1) - A.coeff(0, 1) * A.coeff(1, 0);
         lambda[0] = (-q[0] * A.coeff(1, 1) + q[1] * A.coeff(0, 1)) / determinant;
         lambda[1] = (-q[1] * A.coeff(0, 0) + q[0] * A.coeff(1, 0)) / determinant;
         return;
@@ -138,14 +153,19 @@ inline void draw_sets(Canvas& canvas, const ImpactMoment& shown)
         bool pulls = false, enters = false;
         for (Index i = 0; i < n; ++i) {
             const std::string separator = i ? ", " : "";
-            name += separator + ((set >> i & 1) ? "w" : "λ") + (n == 1 ? "" : i == 0 ? "₁" : "₂") + " = 0";
+            name += separator + ((set >> i & 1) ? "w" : "λ") +
+                    (n == 1   ? ""
+                     : i == 0 ? "₁"
+                              : "₂") +
+                    " = 0";
             lambdas += separator + fixed(lambda[i], 3);
             ws += separator + fixed((set >> i & 1) ? 0 : w[i], 3);
             pulls = pulls || lambda[i] < -1e-12;
             enters = enters || (!(set >> i & 1) && w[i] < -1e-12);
         }
         const bool fits = !pulls && !enters;
-        const Style style = {fits ? Colour::green : Colour::ink, 1.5, 1, false, false};
+        const Style style = {fits ? Colour::green : Colour::ink, 1.5, 1, false,
+                             false};
         line.y() -= 0.11;
         canvas.text(line, name, 14, style);
         canvas.text(line + Vec2(0.75, 0), lambdas, 14, style);

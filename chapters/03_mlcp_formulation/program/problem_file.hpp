@@ -32,17 +32,21 @@ inline Problem read_problem(std::istream& in) { return ProblemReader(in).read();
 inline Problem read_problem(const std::string& file)
 {
     std::ifstream in(file);
-    if (!in) throw std::invalid_argument("the problem " + file + " can't be read; it must be a file");
+    if (!in)
+        throw std::invalid_argument("the problem " + file +
+                                    " can't be read; it must be a file");
     return ProblemReader(in, file).read();
 }
 
 /// Prints name, n, status, residual and iterations as keys; the uniqueness as `solution` if the method examined
 /// it; and z and w as sections, if there is an answer or what came near to one.
-inline void write_solution(std::ostream& out, const Problem& problem, const Solution& solution)
+inline void write_solution(std::ostream& out, const Problem& problem,
+                           const Solution& solution)
 {
     const auto section = [&out](const char* name, const VecX& numbers) {
         out << name << '\n';
-        for (Index i = 0; i < numbers.size(); ++i) out << (i ? " " : "") << shortest(numbers[i]);
+        for (Index i = 0; i < numbers.size(); ++i)
+            out << (i ? " " : "") << shortest(numbers[i]);
         out << '\n';
     };
     if (!problem.name.empty()) out << "name " << problem.name << '\n';
@@ -52,14 +56,19 @@ inline void write_solution(std::ostream& out, const Problem& problem, const Solu
     out << "iterations " << solution.iterations << '\n';
     if (solution.uniqueness != Uniqueness::not_examined)
         out << "solution " << to_string(solution.uniqueness) << '\n';
-    if (solution.status == Status::infeasible || solution.status == Status::singular) return;
-    if (solution.lambda.size() != problem.mlcp.size() || !solution.lambda.allFinite()) return;
+    if (solution.status == Status::infeasible ||
+        solution.status == Status::singular)
+        return;
+    if (solution.lambda.size() != problem.mlcp.size() ||
+        !solution.lambda.allFinite())
+        return;
     section("z", solution.lambda);
     section("w", problem.mlcp.A * solution.lambda + problem.mlcp.q);
 }
 
 /// The ways that a program can solve a problem, by name; the first is the default.
-using ProblemMethods = std::vector<std::pair<std::string, std::function<Solution(const Mlcp&)>>>;
+using ProblemMethods =
+    std::vector<std::pair<std::string, std::function<Solution(const Mlcp&)>>>;
 
 inline std::vector<std::string> names_of(const ProblemMethods& methods)
 {
@@ -75,7 +84,8 @@ inline int solve_problem_file(const std::string& file, const std::string& method
                               const ProblemMethods& methods)
 {
     const auto solve =
-        std::find_if(methods.begin(), methods.end(), [&](const auto& one) { return one.first == method; });
+        std::find_if(methods.begin(), methods.end(),
+                     [&](const auto& one) { return one.first == method; });
     if (solve == methods.end())
         throw std::invalid_argument("there is no method \"" + method +
                                     "\"; there are: " + joined(names_of(methods)));

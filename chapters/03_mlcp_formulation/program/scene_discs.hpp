@@ -21,7 +21,9 @@ inline constexpr Style idle_style = {Colour::faint, 2.5, 1, false, false};
 
 inline const Style& style_of(const State& state, std::size_t row)
 {
-    return state.is(row, Source::Of::link) ? link_style : state.lambda(row) > 0 ? active_style : idle_style;
+    return state.is(row, Source::Of::link) ? link_style
+           : state.lambda(row) > 0         ? active_style
+                                           : idle_style;
 }
 
 /// A square for each entry of A that is not zero; the colours tell what the rows do.
@@ -30,20 +32,25 @@ inline void draw_matrix(Canvas& canvas, const State& state)
     const Mlcp& mlcp = state.method.solver.by_matrix.mlcp;
     const Vec2 corner(0.95, 0.42);
     const Real side = 0.92;
-    const auto rows = static_cast<Real>(std::max<std::size_t>(state.now.rows.size(), 12));
+    const auto rows =
+        static_cast<Real>(std::max<std::size_t>(state.now.rows.size(), 12));
     const Real cell = side / rows;
     canvas.text({0.95, 0.455}, "A: which rows meet", 14, paint::label);
     for (Index i = 0; i < mlcp.size(); ++i) {
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            const Colour colours[] = {style_of(state, static_cast<std::size_t>(i)).colour,
-                                      style_of(state, static_cast<std::size_t>(entry.col())).colour};
-            const auto either = [&](Colour colour) { return colours[0] == colour || colours[1] == colour; };
+            const Colour colours[] = {
+                style_of(state, static_cast<std::size_t>(i)).colour,
+                style_of(state, static_cast<std::size_t>(entry.col())).colour};
+            const auto either = [&](Colour colour) {
+                return colours[0] == colour || colours[1] == colour;
+            };
             const Style style = {either(Colour::faint) ? Colour::faint
                                  : either(Colour::red) ? Colour::red
                                                        : Colour::purple,
                                  0, entry.col() == i ? 1 : 0.55, true, false};
             const Vec2 middle =
-                corner + cell * Vec2(static_cast<Real>(entry.col()) + 0.5, -static_cast<Real>(i) - 0.5);
+                corner + cell * Vec2(static_cast<Real>(entry.col()) + 0.5,
+                                     -static_cast<Real>(i) - 0.5);
             canvas.box(middle, Vec2::Constant(0.42 * cell), 0, style);
         }
     }
@@ -52,7 +59,8 @@ inline void draw_matrix(Canvas& canvas, const State& state)
     const Real y = corner.y() - side - 0.05;
     canvas.text({0.95, y}, "link", 13, {Colour::purple, 1.5, 1});
     canvas.text({1.06, y}, "contact that pushes", 13, {Colour::red, 1.5, 1});
-    canvas.text({1.87, y}, "idle contact", 13, {Colour::faint, 1.5, 1}, Align::right);
+    canvas.text({1.87, y}, "idle contact", 13, {Colour::faint, 1.5, 1},
+                Align::right);
 }
 
 inline void draw(Canvas& canvas, const State& state)
@@ -60,15 +68,19 @@ inline void draw(Canvas& canvas, const State& state)
     canvas.box({0, 0}, {0.75, 0.5}, 0, paint::wall);
     paint::draw_discs(canvas, state, [&](Index k) {
         const Real inverse_mass = state.scene.bodies.inverse_mass[2 * k];
-        return Style{Colour::blue, 1.5, 0.15 + 0.1 / std::sqrt(inverse_mass), true, false};
+        return Style{Colour::blue, 1.5, 0.15 + 0.1 / std::sqrt(inverse_mass), true,
+                     false};
     });
     paint::draw_links(canvas, state, [](const Link&) { return link_style; });
     for (std::size_t i = 0; i < state.now.sources.size(); ++i) {
         if (!state.is(i, Source::Of::contact)) continue;
-        const Contact& contact = state.now.contacts[static_cast<std::size_t>(state.now.sources[i].index)];
+        const Contact& contact =
+            state.now
+                .contacts[static_cast<std::size_t>(state.now.sources[i].index)];
         const Vec2 b = state.scene.bodies.position(contact.b);
         const Vec2 on_b = b - state.scene.radius[contact.b] * contact.normal;
-        canvas.segment(on_b - 0.035 * contact.normal, on_b + 0.035 * contact.normal, style_of(state, i));
+        canvas.segment(on_b - 0.035 * contact.normal, on_b + 0.035 * contact.normal,
+                       style_of(state, i));
     }
     paint::draw_gravity(canvas, state);
     draw_matrix(canvas, state);
@@ -81,26 +93,32 @@ inline Demo ten_discs_scene()
     using State = RunState<CasesFromLastMethod>;
     Demo demo;
     demo.name = "ten_discs";
-    demo.summary = "Ten discs solved exactly; beside them the matrix A and which rows are active";
+    demo.summary = "Ten discs solved exactly; beside them the matrix A and which "
+                   "rows are active";
     set_up_ten_discs(demo);
     demo.view = {{0.58, 0}, {1.4, 0.56}};
     demo.methods = {"schur", "enumerate"};
     demo.tunables = ten_discs_tunables();
-    const Measured<State> active = {{"active", "", "contacts that push", true}, [](const State& s) {
-                                        Real sum = 0;
-                                        for (std::size_t i = 0; i < s.now.sources.size(); ++i)
-                                            sum += s.is(i, Source::Of::contact) && s.lambda(i) > 0;
-                                        return sum;
-                                    }};
+    const Measured<State> active = {
+        {"active", "", "contacts that push", true}, [](const State& s) {
+            Real sum = 0;
+            for (std::size_t i = 0; i < s.now.sources.size(); ++i)
+                sum += s.is(i, Source::Of::contact) && s.lambda(i) > 0;
+            return sum;
+        }};
     const Measured<State> pairs = {
         {"pairs", "", "pairs of rows that were multiplied for A"},
-        [](const State& s) { return static_cast<Real>(s.method.solver.by_matrix.scratch.pairs); }};
+        [](const State& s) {
+            return static_cast<Real>(s.method.solver.by_matrix.scratch.pairs);
+        }};
     run_scene<CasesFromLastMethod>(
         demo,
         {columns::contacts().plotted(true), active,
-         columns::iterations("sets", "sets of cases that were tried").plotted(true, true), pairs,
-         columns::residual(), columns::link_error(), columns::penetration().plotted(false),
-         columns::kinetic(), columns::energy()},
+         columns::iterations("sets", "sets of cases that were tried")
+             .plotted(true, true),
+         pairs, columns::residual(), columns::link_error(),
+         columns::penetration().plotted(false), columns::kinetic(),
+         columns::energy()},
         [](const Settings&) {
             SceneSetup<CasesFromLastMethod> setup;
             setup.scene = ten_discs();

@@ -18,7 +18,8 @@ namespace rigid {
 class ImpactRun : public Run {
 public:
     /// \param walls  what the disc of 0.1 m radius may hit
-    ImpactRun(const Settings& settings, std::vector<HalfSpace> walls, const Vec2& x, const Vec2& u)
+    ImpactRun(const Settings& settings, std::vector<HalfSpace> walls, const Vec2& x,
+              const Vec2& u)
     {
         scene_.bodies = Bodies<2>(1);
         scene_.bodies.x = x;
@@ -45,26 +46,33 @@ public:
         find_contacts(scene_, 0.1, contacts_);
         now_.rows.clear();
         for (const Contact& contact : contacts_) {
-            Row<2> row = unilateral(contact_constraint(contact), disc.inverse_mass, contact.gap / h);
-            const Real before = row.velocity(disc.u) - row.bias;  // J u: the speed at which the gap opens
-            const bool hits = row.velocity(now_.u_star) < 0 && before < -10 * h * scene_.gravity.norm();
-            if (hits) row.bias = settings["e"] * before;  // (3.31): leave with e times that speed
+            Row<2> row = unilateral(contact_constraint(contact), disc.inverse_mass,
+                                    contact.gap / h);
+            // J u: the speed at which the gap opens
+            const Real before = row.velocity(disc.u) - row.bias;
+            const bool hits = row.velocity(now_.u_star) < 0 &&
+                              before < -10 * h * scene_.gravity.norm();
+            // (3.31): leave with e times that speed
+            if (hits) row.bias = settings["e"] * before;
             now_.rows.push_back(row);
         }
         assemble(now_.rows, now_.u_star, scratch_, now_.mlcp);
         now_.solution = enumerate(now_.mlcp);
         if (now_.solution.status != Status::solved)
-            throw StepFailure("the disc finds no velocity that its contacts allow (" +
-                              std::string(to_string(now_.solution.status)) + ")");
+            throw StepFailure(
+                "the disc finds no velocity that its contacts allow (" +
+                std::string(to_string(now_.solution.status)) + ")");
         disc.u = now_.u_star;
         apply(now_.rows, now_.solution.lambda, disc.u);
         disc.x += h * disc.u;
         //! [step]
         now_.u = disc.u;
         now_.t = (t_ += h);
-        const bool hit = (now_.u_before - now_.u).norm() > 20 * h * scene_.gravity.norm();
+        const bool hit =
+            (now_.u_before - now_.u).norm() > 20 * h * scene_.gravity.norm();
         const bool thrown = throw_every_ > 0 && steps_ % throw_every_ == 0;
-        const bool over = throw_every_ == 0 && t_ > shown_.t + 0.5;  // long enough on the screen
+        // long enough on the screen
+        const bool over = throw_every_ == 0 && t_ > shown_.t + 0.5;
         if (hit || thrown || over || shown_.mlcp.size() == 0) shown_ = now_;
         ++steps_;
     }
@@ -89,33 +97,40 @@ public:
                 both,
                 now_.mlcp.size() ? now_.solution.residual : 0,
                 deepest_penetration(scene_),
-                kinetic_energy(scene_.bodies) + potential_energy(scene_.bodies, scene_.gravity)};
+                kinetic_energy(scene_.bodies) +
+                    potential_energy(scene_.bodies, scene_.gravity)};
     }
 
     void draw(Canvas& canvas) const override
     {
         for (const HalfSpace& wall : scene_.walls) {
-            const Vec2 along = 3 * perpendicular(wall.normal), middle = wall.normal * wall.offset;
-            const std::vector<Vec2> line =
-                impact_picture::clipped({middle - along, middle + along, middle + along - 3 * wall.normal,
-                                         middle - along - 3 * wall.normal},
-                                        impact_picture::scene_corner, impact_picture::scene_size);
-            if (line.size() > 2) canvas.polygon(line, {Colour::ink, 1, 0.25, true, false});
+            const Vec2 along = 3 * perpendicular(wall.normal),
+                       middle = wall.normal * wall.offset;
+            const std::vector<Vec2> line = impact_picture::clipped(
+                {middle - along, middle + along, middle + along - 3 * wall.normal,
+                 middle - along - 3 * wall.normal},
+                impact_picture::scene_corner, impact_picture::scene_size);
+            if (line.size() > 2)
+                canvas.polygon(line, {Colour::ink, 1, 0.25, true, false});
         }
         const Vec2 x = scene_.bodies.position(0);
         canvas.disc(x, scene_.radius[0], {Colour::blue, 1.5, 0.35, true, false});
         for (const Contact& contact : contacts_)
             if (contact.gap < 0.02) {
-                const Vec2 touch = x - contact.normal * (scene_.radius[0] + contact.gap);
-                canvas.arrow(touch, touch + 0.15 * contact.normal, {Colour::green, 2, 1, false, false});
+                const Vec2 touch =
+                    x - contact.normal * (scene_.radius[0] + contact.gap);
+                canvas.arrow(touch, touch + 0.15 * contact.normal,
+                             {Colour::green, 2, 1, false, false});
             }
-        if (now_.u.size()) canvas.arrow(x, x + 0.15 * now_.u.head<2>(), {Colour::blue, 2, 1, false, false});
+        if (now_.u.size())
+            canvas.arrow(x, x + 0.15 * now_.u.head<2>(),
+                         {Colour::blue, 2, 1, false, false});
         if (!shown_.rows.empty()) {
             impact_picture::draw_velocities(canvas, shown_);
             impact_picture::draw_sets(canvas, shown_);
         } else {
-            canvas.text(impact_picture::plane_middle, "no contact near: u = u*", 14, impact_picture::ink,
-                        Align::centre);
+            canvas.text(impact_picture::plane_middle, "no contact near: u = u*", 14,
+                        impact_picture::ink, Align::centre);
         }
     }
 
@@ -126,7 +141,9 @@ private:
         const Real turn = static_cast<Real>(steps_ / throw_every_) * 50 * pi / 180;
         const Vec2 first(-1, -2);
         scene_.bodies.x = start_;
-        scene_.bodies.u = std::cos(turn) * first + std::sin(turn) * perpendicular(first) - h * scene_.gravity;
+        scene_.bodies.u = std::cos(turn) * first +
+                          std::sin(turn) * perpendicular(first) -
+                          h * scene_.gravity;
     }
 
     DiscScene scene_;
@@ -149,29 +166,37 @@ inline Demo impact_scene(const std::string& name, const std::string& summary)
     scene.h_low = 1e-3;
     scene.h_high = 1.0 / 20;
     scene.tunables = {
-        {"e", "", "restitution: leave with e times the speed of approach", 0.6, 0, 1, false, false, true},
+        {"e", "", "restitution: leave with e times the speed of approach", 0.6, 0,
+         1, false, false, true},
         {"mass", "kg", "mass of the disc", 1, 0.1, 100, false, true, false}};
-    scene.columns = {{"contacts", "", "rows of the step", false, false},
-                     {"lambda", "N s", "largest impulse", true, false},
-                     {"w", "m/s", "smallest J u + b", true, false},
-                     {"both", "", "largest |min(λ, w)| of a row: zero if it is either/or", false, false},
-                     {"residual", "m/s", "natural residual", true, true},
-                     {"penetration", "m", "deepest overlap", false, false},
-                     {"energy", "J", "kinetic energy and that of the weight", true, false}};
+    scene.columns = {
+        {"contacts", "", "rows of the step", false, false},
+        {"lambda", "N s", "largest impulse", true, false},
+        {"w", "m/s", "smallest J u + b", true, false},
+        {"both", "", "largest |min(λ, w)| of a row: zero if it is either/or", false,
+         false},
+        {"residual", "m/s", "natural residual", true, true},
+        {"penetration", "m", "deepest overlap", false, false},
+        {"energy", "J", "kinetic energy and that of the weight", true, false}};
     return scene;
 }
 
 /// A disc that bounces on a floor, between far walls.
 inline Demo bounce_scene()
 {
-    Demo scene = impact_scene("bounce", "A disc bounces; beside it all velocities that its contact allows");
+    Demo scene = impact_scene(
+        "bounce",
+        "A disc bounces; beside it all velocities that its contact allows");
     scene.view = {{0.95, 0.53}, {2.1, 1.15}};
-    scene.tunables.push_back({"tilt", "degrees", "of the floor", 0, -40, 40, false, true, false});
+    scene.tunables.push_back(
+        {"tilt", "degrees", "of the floor", 0, -40, 40, false, true, false});
     scene.start = [](const Settings& settings) {
         const Real tilt = settings["tilt"] * pi / 180;
         return std::make_unique<ImpactRun>(
             settings,
-            std::vector<HalfSpace>{{{-std::sin(tilt), std::cos(tilt)}, 0}, {{1, 0}, -1}, {{-1, 0}, -1}},
+            std::vector<HalfSpace>{{{-std::sin(tilt), std::cos(tilt)}, 0},
+                                   {{1, 0}, -1},
+                                   {{-1, 0}, -1}},
             Vec2(-0.6, 1.1), Vec2(0.4, 0));
     };
     return scene;
@@ -180,16 +205,20 @@ inline Demo bounce_scene()
 /// A disc that touches floor and ramp is thrown again and again, each time in another direction.
 inline Demo corner_scene()
 {
-    Demo scene =
-        impact_scene("corner", "A disc is thrown into a corner: two contacts, four sets of either/or");
+    Demo scene = impact_scene(
+        "corner",
+        "A disc is thrown into a corner: two contacts, four sets of either/or");
     scene.tunables[0].value = 0;
-    scene.tunables.push_back(
-        {"ramp", "degrees", "slope of the ramp", std::atan(0.75) * 180 / pi, 10, 85, false, true, false});
+    scene.tunables.push_back({"ramp", "degrees", "slope of the ramp",
+                              std::atan(0.75) * 180 / pi, 10, 85, false, true,
+                              false});
     scene.start = [](const Settings& settings) {
         const Real ramp = settings["ramp"] * pi / 180;
         const Vec2 normal(std::sin(ramp), std::cos(ramp)), x(0, 0.1);
         auto run = std::make_unique<ImpactRun>(
-            settings, std::vector<HalfSpace>{{{0, 1}, 0}, {normal, normal.dot(x) - 0.1}}, x, Vec2(0, 0));
+            settings,
+            std::vector<HalfSpace>{{{0, 1}, 0}, {normal, normal.dot(x) - 0.1}}, x,
+            Vec2(0, 0));
         run->throw_every(40);
         return run;
     };

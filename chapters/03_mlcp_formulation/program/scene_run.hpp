@@ -42,7 +42,8 @@ public:
 
     /// \param view     what the picture shows
     /// \param columns  what is measured after each step
-    SceneRun(const View& view, std::vector<Measured<State>> columns, SceneSetup<Method> setup)
+    SceneRun(const View& view, std::vector<Measured<State>> columns,
+             SceneSetup<Method> setup)
         : columns_(std::move(columns)), setup_(std::move(setup))
     {
         require_valid(setup_.scene);
@@ -62,14 +63,17 @@ public:
         if (setup_.tune) setup_.tune(settings, state_);
         follow(settings, input);
         if (setup_.before) setup_.before(settings, input, state_);
-        if (state_.step.pulled >= state_.scene.bodies.count()) state_.step.pulled = world;  // it is gone
+        // it is gone
+        if (state_.step.pulled >= state_.scene.bodies.count())
+            state_.step.pulled = world;
         ++state_.steps;
 
         rigid::step(state_.scene, state_.step, state_.method, state_.now);
 
         for (const int k : state_.now.active) {
             if (!state_.scene.bodies.position(k).allFinite())
-                throw StepFailure("the position of body " + std::to_string(k) + " is not finite");
+                throw StepFailure("the position of body " + std::to_string(k) +
+                                  " is not finite");
             note_height(k);
         }
         state_.unsolved += state_.now.solution.status != Status::solved;
@@ -80,7 +84,8 @@ public:
     std::vector<Real> measure() const override
     {
         std::vector<Real> numbers;
-        for (const Measured<State>& one : columns_) numbers.push_back(one.value(state_));
+        for (const Measured<State>& one : columns_)
+            numbers.push_back(one.value(state_));
         return numbers;
     }
 
@@ -94,19 +99,22 @@ private:
         step.h = settings.h;
         if (state_.pointer == Pointer::ignored) return;
         if (state_.pointer == Pointer::steers) {
-            state_.scene.gravity = steered_gravity(input, state_.view, settings["gravity"]);
+            state_.scene.gravity =
+                steered_gravity(input, state_.view, settings["gravity"]);
             step.stiffness = settings["k"];
             step.damping = settings["damping"];
         }
         step.hand = input.pointer / state_.zoom;
         if (!input.pressed) step.pulled = world;
         else if (step.pulled == world)
-            step.pulled = setup_.pick ? setup_.pick(state_, step.hand) : disc_under(state_.scene, step.hand);
+            step.pulled = setup_.pick ? setup_.pick(state_, step.hand)
+                                      : disc_under(state_.scene, step.hand);
     }
 
     void note_height(Index k)
     {
-        state_.highest = std::max(state_.highest, state_.scene.bodies.position(k).y());
+        state_.highest =
+            std::max(state_.highest, state_.scene.bodies.position(k).y());
     }
 
     std::vector<Measured<State>> columns_;
@@ -117,12 +125,14 @@ private:
 /// A demo's columns, and the run that it starts.
 /// \param set_up  what the run is made of; throws std::invalid_argument for settings that make no sense
 template <class Method>
-void run_scene(Demo& demo, const std::vector<Measured<RunState<Method>>>& columns,
-               std::type_identity_t<std::function<SceneSetup<Method>(const Settings&)>> set_up)
+void run_scene(
+    Demo& demo, const std::vector<Measured<RunState<Method>>>& columns,
+    std::type_identity_t<std::function<SceneSetup<Method>(const Settings&)>> set_up)
 {
     demo.columns.clear();
     for (const auto& one : columns) demo.columns.push_back(one.column);
-    demo.start = [view = demo.view, columns, set_up = std::move(set_up)](const Settings& settings) {
+    demo.start = [view = demo.view, columns,
+                  set_up = std::move(set_up)](const Settings& settings) {
         return std::make_unique<SceneRun<Method>>(view, columns, set_up(settings));
     };
 }

@@ -17,14 +17,17 @@ namespace rigid {
 
 /// Measured over 100 runs of 600 steps with k from 0 to 3: the links are never off by more than 0.4 mm. (A
 /// step along a tangent stretches a link by h²u²/2L; at 1/240 s fast turns pass the millimetre.)
-inline constexpr Real ten_discs_h = 1.0 / 480, ten_discs_h_low = 1e-4, ten_discs_h_high = 1.0 / 120;
+inline constexpr Real ten_discs_h = 1.0 / 480, ten_discs_h_low = 1e-4,
+                      ten_discs_h_high = 1.0 / 120;
 
 inline std::vector<Tunable> ten_discs_tunables()
 {
-    return {{"k", "", "stiffness of the torsional springs", 1, 0, 3, false, false, true},
-            {"damping", "1/s", "of the bends of the chain", 1, 0, 2, false, false, false},
-            {"gravity", "m/s²", "size of gravity when the pointer is at the edge", 9.81, 0, 20, false, false,
-             false}};
+    return {{"k", "", "stiffness of the torsional springs", 1, 0, 3, false, false,
+             true},
+            {"damping", "1/s", "of the bends of the chain", 1, 0, 2, false, false,
+             false},
+            {"gravity", "m/s²", "size of gravity when the pointer is at the edge",
+             9.81, 0, 20, false, false, false}};
 }
 
 inline const View ten_discs_view = {{0, 0.03}, {0.8, 0.58}};  ///< the box alone
@@ -68,7 +71,8 @@ inline Index disc_under(const DiscScene& scene, const Vec2& point)
 
 /// The disc that the reader's hand holds: the one that lay under it when the button went down; `world` for none.
 /// \param before  what it held until now
-inline Index held_disc(const DiscScene& scene, bool pressed, const Vec2& hand, Index before)
+inline Index held_disc(const DiscScene& scene, bool pressed, const Vec2& hand,
+                       Index before)
 {
     if (!pressed) return world;
     return before != world ? before : disc_under(scene, hand);

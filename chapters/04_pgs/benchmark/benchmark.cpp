@@ -58,7 +58,8 @@ Mlcp ten_discs_problem()
         step(scene, settings, method, now);
         const Mlcp& mlcp = method.solver.mlcp;
         Index pushing = 0, most = 0;
-        for (Index i = 0; i < mlcp.size(); ++i) pushing += now.solution.lambda[i] > 1e-6;
+        for (Index i = 0; i < mlcp.size(); ++i)
+            pushing += now.solution.lambda[i] > 1e-6;
         if (mlcp.size() > busiest.size() && mlcp.size() <= 22 && pushing > most)
             busiest = mlcp, most = pushing;
     }
@@ -68,8 +69,9 @@ Mlcp ten_discs_problem()
 /// A table in CSV wants the same counters in every line; 0 where one has no meaning.
 void declare_counters(benchmark::State& state)
 {
-    for (const char* name : {"ns_per_row", "ours_us", "bullet_us", "bullet_over_ours", "difference", "sweeps",
-                             "row_visits", "residual", "error", "velocity_error"})
+    for (const char* name :
+         {"ns_per_row", "ours_us", "bullet_us", "bullet_over_ours", "difference",
+          "sweeps", "row_visits", "residual", "error", "velocity_error"})
         state.counters[name] = 0;
 }
 
@@ -86,7 +88,8 @@ void one_sweep(benchmark::State& state, Real (*sweep)(SweepRows&))
     for (auto _ : state) benchmark::DoNotOptimize(sweep(rows));
     state.counters["ns_per_row"] =
         benchmark::Counter(static_cast<double>(N) * 1e-9,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+                           benchmark::Counter::kIsIterationInvariantRate |
+                               benchmark::Counter::kInvert);
 }
 
 void preparation(benchmark::State& state)
@@ -98,7 +101,8 @@ void preparation(benchmark::State& state)
     for (auto _ : state) prepare(mlcp, 1, {}, rows);
     state.counters["ns_per_row"] =
         benchmark::Counter(static_cast<double>(N) * 1e-9,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+                           benchmark::Counter::kIsIterationInvariantRate |
+                               benchmark::Counter::kInvert);
 }
 
 void residual(benchmark::State& state)
@@ -110,7 +114,8 @@ void residual(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(natural_residual(mlcp, lambda));
     state.counters["ns_per_row"] =
         benchmark::Counter(static_cast<double>(N) * 1e-9,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+                           benchmark::Counter::kIsIterationInvariantRate |
+                               benchmark::Counter::kInvert);
 }
 
 // ---- ten sweeps, and the peer ---------------------------------------------------------------------------
@@ -152,7 +157,9 @@ void ten_sweeps(benchmark::State& state)
     }
     const auto median = [](std::vector<double>& times) {
         if (times.empty()) return 0.0;
-        std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2),
+        std::nth_element(times.begin(),
+                         times.begin() +
+                             static_cast<std::ptrdiff_t>(times.size() / 2),
                          times.end());
         return times[times.size() / 2];
     };
@@ -164,7 +171,8 @@ void ten_sweeps(benchmark::State& state)
 #ifdef RIGID_HAS_BULLET
     Real difference = 0;
     for (Index i = 0; i < N; ++i)
-        difference = std::max(difference, std::abs(peer.x[static_cast<int>(i)] - solution.lambda[i]));
+        difference = std::max(
+            difference, std::abs(peer.x[static_cast<int>(i)] - solution.lambda[i]));
     state.counters["difference"] = difference;
 #endif
 }
@@ -175,19 +183,20 @@ struct Case {
     std::string name;
     Mlcp mlcp;
     VecX exact;
-    Real omega = 1;  ///< the best one, or for the ten discs one that was found to be good
+    /// the best one, or for the ten discs one that was found to be good
+    Real omega = 1;
 };
 
 std::vector<Case> cases()
 {
     const Real impulse = 9.81 / 60;
     std::vector<Case> list;
-    list.push_back(
-        {"column", line_problem(20, 1, impulse), line_answer(20, 1, impulse), best_omega(line_rate(20, 1))});
-    list.push_back({"chain", line_problem(40, 100, impulse), line_answer(40, 100, impulse),
-                    best_omega(line_rate(40, 100))});
-    list.push_back({"mass_ratio", line_problem(2, 1000, impulse), line_answer(2, 1000, impulse),
-                    best_omega(line_rate(2, 1000))});
+    list.push_back({"column", line_problem(20, 1, impulse),
+                    line_answer(20, 1, impulse), best_omega(line_rate(20, 1))});
+    list.push_back({"chain", line_problem(40, 100, impulse),
+                    line_answer(40, 100, impulse), best_omega(line_rate(40, 100))});
+    list.push_back({"mass_ratio", line_problem(2, 1000, impulse),
+                    line_answer(2, 1000, impulse), best_omega(line_rate(2, 1000))});
     for (Index i = 0; i < 40; ++i) list[1].mlcp.lo[i] = -infinity;  // links
     const Mlcp discs = ten_discs_problem();
     list.push_back({"ten_discs", discs, schur(discs).lambda, 1.5});
@@ -195,7 +204,8 @@ std::vector<Case> cases()
 }
 
 /// One point of the diagram: so many sweeps of a method.
-void one_error(benchmark::State& state, const Case& one, const std::string& method, int sweeps)
+void one_error(benchmark::State& state, const Case& one, const std::string& method,
+               int sweeps)
 {
     declare_counters(state);
     PgsSettings settings;
@@ -203,7 +213,8 @@ void one_error(benchmark::State& state, const Case& one, const std::string& meth
     settings.max_sweeps = sweeps;
     if (method == "sor") settings.omega = one.omega;
     if (method == "jacobi")
-        settings.omega = std::min(1.0, 0.95 * safe_jacobi_omega(one.mlcp)), settings.sweeps = Sweeps::jacobi;
+        settings.omega = std::min(1.0, 0.95 * safe_jacobi_omega(one.mlcp)),
+        settings.sweeps = Sweeps::jacobi;
     if (method == "symmetric") settings.sweeps = Sweeps::symmetric;
     Mlcp free_rows = one.mlcp;
     free_rows.lo.setConstant(-infinity);
@@ -221,7 +232,8 @@ void one_error(benchmark::State& state, const Case& one, const std::string& meth
     state.counters["row_visits"] = static_cast<double>(sweeps * one.mlcp.size());
     state.counters["residual"] = natural_residual(one.mlcp, solution.lambda);
     state.counters["error"] =
-        (solution.lambda - one.exact).lpNorm<Eigen::Infinity>() / one.exact.lpNorm<Eigen::Infinity>();
+        (solution.lambda - one.exact).lpNorm<Eigen::Infinity>() /
+        one.exact.lpNorm<Eigen::Infinity>();
     state.counters["velocity_error"] = w.lpNorm<Eigen::Infinity>();
 }
 
@@ -229,14 +241,21 @@ void register_errors()
 {
     static const std::vector<Case> all = cases();
     for (const Case& one : all)
-        for (const std::string method : {"jacobi", "gauss_seidel", "symmetric", "sor", "cg"}) {
-            if (method == "cg" && one.name == "ten_discs") continue;  // it cannot clamp
-            for (int sweeps = 1; sweeps <= 16384; sweeps = sweeps < 4 ? sweeps + 1 : sweeps + sweeps / 3) {
+        for (const std::string method :
+             {"jacobi", "gauss_seidel", "symmetric", "sor", "cg"}) {
+            // it cannot clamp
+            if (method == "cg" && one.name == "ten_discs") continue;
+            for (int sweeps = 1; sweeps <= 16384;
+                 sweeps = sweeps < 4 ? sweeps + 1 : sweeps + sweeps / 3) {
                 if (method == "cg" && sweeps > 2 * one.mlcp.size()) break;
-                const std::string name = "error/" + one.name + "/" + method + "/" + std::to_string(sweeps);
-                benchmark::RegisterBenchmark(name.c_str(), [&one, method, sweeps](benchmark::State& state) {
-                    one_error(state, one, method, sweeps);
-                })->MinTime(0.002);
+                const std::string name = "error/" + one.name + "/" + method + "/" +
+                                         std::to_string(sweeps);
+                benchmark::RegisterBenchmark(
+                    name.c_str(),
+                    [&one, method, sweeps](benchmark::State& state) {
+                        one_error(state, one, method, sweeps);
+                    })
+                    ->MinTime(0.002);
             }
         }
 }
@@ -246,10 +265,14 @@ void register_errors()
 int main(int argc, char** argv)
 {
     using OneSweep = Real (*)(SweepRows&);  // of the prescaled rows
-    const OneSweep forward = sweep_forward, backward = sweep_backward, jacobi = sweep_jacobi;
+    const OneSweep forward = sweep_forward, backward = sweep_backward,
+                   jacobi = sweep_jacobi;
     for (const Index N : {300, 1000}) {
-        benchmark::RegisterBenchmark("sweep/gauss_seidel", one_sweep, forward)->Arg(N);
-        benchmark::RegisterBenchmark("sweep/symmetric_backward", one_sweep, backward)->Arg(N);
+        benchmark::RegisterBenchmark("sweep/gauss_seidel", one_sweep, forward)
+            ->Arg(N);
+        benchmark::RegisterBenchmark("sweep/symmetric_backward", one_sweep,
+                                     backward)
+            ->Arg(N);
         benchmark::RegisterBenchmark("sweep/jacobi", one_sweep, jacobi)->Arg(N);
         benchmark::RegisterBenchmark("sweep/preparation", preparation)->Arg(N);
         benchmark::RegisterBenchmark("sweep/residual", residual)->Arg(N);

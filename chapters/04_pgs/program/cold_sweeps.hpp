@@ -24,7 +24,8 @@ inline std::vector<int> row_order(Index count, int kind, std::uint64_t seed)
     if (kind == 1) std::reverse(order.begin(), order.end());
     Random random(seed);
     for (std::size_t k = order.size(); kind == 2 && k-- > 1;)
-        std::swap(order[k], order[static_cast<std::size_t>(random.index(static_cast<Index>(k) + 1))]);
+        std::swap(order[k], order[static_cast<std::size_t>(
+                                random.index(static_cast<Index>(k) + 1))]);
     return order;
 }
 
@@ -39,9 +40,11 @@ struct ColdSweeps {
 
     void operator()(const Mlcp& mlcp, Solution& solution)
     {
-        cold_start(mlcp, solution.lambda);  // nothing is remembered from the last step
+        // nothing is remembered from the last step
+        cold_start(mlcp, solution.lambda);
         if (conjugate)
-            conjugate_gradients(mlcp, settings.tolerance, settings.max_sweeps, conjugate_memory, solution);
+            conjugate_gradients(mlcp, settings.tolerance, settings.max_sweeps,
+                                conjugate_memory, solution);
         else pgs(mlcp, tuned(mlcp), memory, solution);
     }
 
@@ -52,7 +55,8 @@ private:
     {
         if (order == 0) settings.order.clear();
         else settings.order = row_order(mlcp.size(), order, seed);
-        if (settings.sweeps == Sweeps::jacobi) settings.omega = std::min(1.0, 0.95 * safe_jacobi_omega(mlcp));
+        if (settings.sweeps == Sweeps::jacobi)
+            settings.omega = std::min(1.0, 0.95 * safe_jacobi_omega(mlcp));
         return settings;
     }
 };
@@ -63,9 +67,10 @@ inline void tune_sweeps(const Settings& settings, ColdSweeps& sweeps)
     sweeps.settings.tolerance = std::pow(10, -settings["digits"]);
     sweeps.settings.max_sweeps = static_cast<int>(settings["max_sweeps"]);
     sweeps.settings.omega = settings.method == "sor" ? settings["omega"] : 1;
-    sweeps.settings.sweeps = settings.method == "jacobi"      ? Sweeps::jacobi
-                             : settings.method == "symmetric" ? Sweeps::symmetric
-                                                              : Sweeps::gauss_seidel;
+    sweeps.settings.sweeps = settings.method == "jacobi" ? Sweeps::jacobi
+                             : settings.method == "symmetric"
+                                 ? Sweeps::symmetric
+                                 : Sweeps::gauss_seidel;
     sweeps.conjugate = settings.method == "cg";
     sweeps.order = static_cast<int>(settings["order"]);
     sweeps.seed = settings.seed;
@@ -75,15 +80,17 @@ inline void tune_sweeps(const Settings& settings, ColdSweeps& sweeps)
 /// \tparam Solve  ColdSweeps, or what has them to compare with
 /// \param counted  the column of what the solver counts, and what it counts
 template <class Solve>
-std::vector<Measured<RunState<MatrixMethod<Solve>>>> matrix_columns(const std::string& counted,
-                                                                    const std::string& help)
+std::vector<Measured<RunState<MatrixMethod<Solve>>>>
+matrix_columns(const std::string& counted, const std::string& help)
 {
     using State = RunState<MatrixMethod<Solve>>;
     const Measured<State> row_visits = {
-        {"row_visits", "", "of sweeps: rows visited, those of computed residuals included"},
+        {"row_visits", "",
+         "of sweeps: rows visited, those of computed residuals included"},
         [](const State& s) {
             const PgsMemory& memory = s.method.solver.find.memory;
-            return static_cast<Real>(s.now.rows.size()) * (s.now.solution.iterations + memory.checks);
+            return static_cast<Real>(s.now.rows.size()) *
+                   (s.now.solution.iterations + memory.checks);
         }};
     return {columns::iterations(counted, help),
             columns::residual(),

@@ -15,8 +15,8 @@ namespace rigid {
 namespace tunables {
 
 /// A number of things: it restarts the scene.
-inline Tunable count(const std::string& name, const std::string& help, Real value, Real low, Real high,
-                     bool arrow_keys = false)
+inline Tunable count(const std::string& name, const std::string& help, Real value,
+                     Real low, Real high, bool arrow_keys = false)
 {
     return {name, "", help, value, low, high, true, true, arrow_keys};
 }
@@ -24,7 +24,8 @@ inline Tunable links(Real value, Real low, Real high, bool arrow_keys = false)
 {
     return count("links", "N, links of 0.1 m", value, low, high, arrow_keys);
 }
-inline Tunable in_column(const std::string& name, Real value, Real high = 100, bool arrow_keys = false)
+inline Tunable in_column(const std::string& name, Real value, Real high = 100,
+                         bool arrow_keys = false)
 {
     return count(name, "N, discs in the column", value, 1, high, arrow_keys);
 }
@@ -34,44 +35,55 @@ inline Tunable base(Real low, Real high, bool arrow_keys = false)
 }
 
 /// What the scene begins with: it restarts the scene.
-inline Tunable at_start(const std::string& name, const std::string& unit, const std::string& help, Real value,
-                        Real low, Real high, bool arrow_keys = false)
+inline Tunable at_start(const std::string& name, const std::string& unit,
+                        const std::string& help, Real value, Real low, Real high,
+                        bool arrow_keys = false)
 {
     return {name, unit, help, value, low, high, false, true, arrow_keys};
 }
 inline Tunable top_mass(Real value, Real low = 0.01)
 {
-    return at_start("top_mass", "kg", "mass of the uppermost disc; the others have 1 kg", value, low, 1000);
+    return at_start("top_mass", "kg",
+                    "mass of the uppermost disc; the others have 1 kg", value, low,
+                    1000);
 }
 inline Tunable end_mass(Real value)
 {
-    return at_start("end_mass", "kg", "mass of the last disc; the others have 1 kg", value, 0.01, 1000);
+    return at_start("end_mass", "kg", "mass of the last disc; the others have 1 kg",
+                    value, 0.01, 1000);
 }
 
 /// What may change while the scene runs.
-inline Tunable number(const std::string& name, const std::string& unit, const std::string& help, Real value,
-                      Real low, Real high, bool arrow_keys = false)
+inline Tunable number(const std::string& name, const std::string& unit,
+                      const std::string& help, Real value, Real low, Real high,
+                      bool arrow_keys = false)
 {
     return {name, unit, help, value, low, high, false, false, arrow_keys};
 }
-inline Tunable whole(const std::string& name, const std::string& help, Real value, Real low, Real high,
-                     bool arrow_keys = false)
+inline Tunable whole(const std::string& name, const std::string& help, Real value,
+                     Real low, Real high, bool arrow_keys = false)
 {
     return {name, "", help, value, low, high, true, false, arrow_keys};
 }
 /// \param of  "of gauss_seidel: ", for instance
-inline Tunable max_sweeps(Real value, Real low = 1, const std::string& of = "", bool arrow_keys = false)
+inline Tunable max_sweeps(Real value, Real low = 1, const std::string& of = "",
+                          bool arrow_keys = false)
 {
-    return whole("max_sweeps", of + "after so many sweeps a step makes do with what it has", value, low, 2000,
-                 arrow_keys);
+    return whole("max_sweeps",
+                 of + "after so many sweeps a step makes do with what it has",
+                 value, low, 2000, arrow_keys);
 }
 inline Tunable digits(const std::string& of = "")
 {
-    return number("digits", "", of + "the residual is to be below 10^-digits m/s", 6, 1, 12);
+    return number("digits", "", of + "the residual is to be below 10^-digits m/s",
+                  6, 1, 12);
 }
 inline Tunable order(const std::string& of = "")
 {
-    return whole("order", of + "order of the visits: 0 as the rows come, 1 reversed, 2 shuffled", 0, 0, 2);
+    return whole(
+        "order",
+        of + "order of the visits: 0 as the rows come, 1 reversed, 2 shuffled", 0,
+        0, 2);
 }
 /// Of the sweeps that a program has beside its own method, to compare.
 inline std::vector<Tunable> sweeps_to_compare()
@@ -82,7 +94,9 @@ inline std::vector<Tunable> sweeps_to_compare()
 /// The order of the rows as chapter 6 knows it.
 inline Tunable row_order()
 {
-    return whole("order", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0, 0, 3);
+    return whole("order",
+                 "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0,
+                 0, 3);
 }
 inline Tunable restitution(Real value)
 {
@@ -94,19 +108,29 @@ inline Tunable gravity(const std::string& help = "size of gravity")
 }
 inline Tunable margin(Real low)
 {
-    return number("margin", "m", "a contact gets its row when its gap is below this", 0.02, low, 0.1);
+    return number("margin", "m",
+                  "a contact gets its row when its gap is below this", 0.02, low,
+                  0.1);
 }
 inline Tunable beta(Real value, Real high, bool arrow_keys = false)
 {
-    return number("beta", "", "part of an error that is corrected in a step", value, 0, high, arrow_keys);
+    return number("beta", "", "part of an error that is corrected in a step", value,
+                  0, high, arrow_keys);
 }
-inline Tunable slop() { return number("slop", "m", "an overlap that is left alone", 0, 0, 0.02); }
-inline Tunable substeps(Real high) { return whole("substeps", "small steps in a step", 1, 1, high); }
+inline Tunable slop()
+{
+    return number("slop", "m", "an overlap that is left alone", 0, 0, 0.02);
+}
+inline Tunable substeps(Real high)
+{
+    return whole("substeps", "small steps in a step", 1, 1, high);
+}
 
 }  // namespace tunables
 
 /// `first` in front of what all scenes of a program share.
-inline std::vector<Tunable> with(std::vector<Tunable> first, const std::vector<Tunable>& shared)
+inline std::vector<Tunable> with(std::vector<Tunable> first,
+                                 const std::vector<Tunable>& shared)
 {
     first.insert(first.end(), shared.begin(), shared.end());
     return first;
@@ -131,7 +155,8 @@ inline DiscScene leaning_chain(Index count, Real end_mass)
 {
     DiscScene chain = never_meeting(hanging_chain(count, end_mass));
     for (Index k = 1; k <= count; ++k)
-        chain.bodies.position(k) = 0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
+        chain.bodies.position(k) =
+            0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
     return chain;
 }
 

@@ -73,8 +73,10 @@ Mlcp spd(Index n)
 }
 
 using Problems = std::map<std::string, Mlcp (*)(Index)>;
-const Problems problems = {
-    {"spd", spd}, {"column", contact_column}, {"friction", friction_stack}, {"heavy_top", heavy_top}};
+const Problems problems = {{"spd", spd},
+                           {"column", contact_column},
+                           {"friction", friction_stack},
+                           {"heavy_top", heavy_top}};
 
 Real told(const Mlcp& mlcp, const VecX& z)
 {
@@ -85,8 +87,9 @@ Real told(const Mlcp& mlcp, const VecX& z)
 /// A table needs the same counters in each row.
 void no_peers(benchmark::State& state)
 {
-    for (const char* counter : {"lemke_us", "siconos_us", "siconos_residual", "siconos_ratio", "bullet_us",
-                                "bullet_residual", "bullet_ratio", "ns_per_pivot"})
+    for (const char* counter :
+         {"lemke_us", "siconos_us", "siconos_residual", "siconos_ratio",
+          "bullet_us", "bullet_residual", "bullet_ratio", "ns_per_pivot"})
         state.counters[counter] = 0;
 }
 
@@ -100,7 +103,9 @@ struct Stopwatch {
     {
         const auto start = Clock::now();
         work();
-        fastest = std::min(fastest, std::chrono::duration<Real, std::micro>(Clock::now() - start).count());
+        fastest = std::min(
+            fastest,
+            std::chrono::duration<Real, std::micro>(Clock::now() - start).count());
     }
 };
 
@@ -137,7 +142,8 @@ void versus(benchmark::State& state, Mlcp (*problem)(Index))
     int rounds = 0;
 #endif
     for (auto _ : state) {
-        for (int repeat = 0; repeat < 5; ++repeat) ours.time([&] { solution = lemke(mlcp); });
+        for (int repeat = 0; repeat < 5; ++repeat)
+            ours.time([&] { solution = lemke(mlcp); });
 #ifdef RIGID_HAS_SICONOS
         siconos.time([&] {
             z.setZero();
@@ -151,8 +157,10 @@ void versus(benchmark::State& state, Mlcp (*problem)(Index))
         if (rounds++ > 2) continue;  // it takes its time
         btLemkeAlgorithm algorithm(M, b);
         btVectorXu answer;
-        bullet.time([&] { answer = algorithm.solve(static_cast<unsigned>(5 * size)); });
-        for (int i = 0; i < size; ++i) bullet_z[i] = answer[i + size];  // its answer is w, then z
+        bullet.time(
+            [&] { answer = algorithm.solve(static_cast<unsigned>(5 * size)); });
+        // its answer is w, then z
+        for (int i = 0; i < size; ++i) bullet_z[i] = answer[i + size];
 #endif
     }
     no_peers(state);
@@ -184,7 +192,8 @@ void error(benchmark::State& state, Mlcp (*problem)(Index))
     settings.tolerance = 1e-300;  // never met: each sweep is made
     settings.max_sweeps = static_cast<int>(state.range(1));
     Solution solution;
-    for (auto _ : state) solution = settings.max_sweeps > 0 ? pgs(mlcp, settings) : lemke(mlcp);
+    for (auto _ : state)
+        solution = settings.max_sweeps > 0 ? pgs(mlcp, settings) : lemke(mlcp);
     no_peers(state);
     state.counters["residual"] = told(mlcp, solution.lambda);
     state.counters["iterations"] = solution.iterations;
@@ -198,9 +207,9 @@ void pivots(benchmark::State& state, Mlcp (*problem)(Index))
     no_peers(state);
     state.counters["residual"] = told(mlcp, solution.lambda);
     state.counters["iterations"] = solution.iterations;
-    state.counters["ns_per_pivot"] =
-        benchmark::Counter(solution.iterations * 1e-9,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["ns_per_pivot"] = benchmark::Counter(
+        solution.iterations * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
+                                        benchmark::Counter::kInvert);
 }
 
 /// Walks with the tie tolerance 10^-digits on stacks of 5, 10, 20, 40 boxes, jostled a little or much.
@@ -217,10 +226,15 @@ void tie(benchmark::State& state)
                     stack.top_mass = 1000;
                     stack.seed = seed;
                     const Mlcp mlcp = stewart_trinkle(stack);
-                    LemkeWalk walk(MatX(mlcp.A), mlcp.q, VecX::Ones(mlcp.size()), TieRule::lexicographic,
-                                   {1e-10, std::pow(10, -static_cast<Real>(state.range(0)))});
-                    while (walk.place == LemkeWalk::Place::on_the_way && walk.pivots < 3000) walk.step();
-                    solved += walk.place == LemkeWalk::Place::solution && told(mlcp, walk.z()) < 1e-6;
+                    LemkeWalk walk(
+                        MatX(mlcp.A), mlcp.q, VecX::Ones(mlcp.size()),
+                        TieRule::lexicographic,
+                        {1e-10, std::pow(10, -static_cast<Real>(state.range(0)))});
+                    while (walk.place == LemkeWalk::Place::on_the_way &&
+                           walk.pivots < 3000)
+                        walk.step();
+                    solved += walk.place == LemkeWalk::Place::solution &&
+                              told(mlcp, walk.z()) < 1e-6;
                 }
     no_peers(state);
     state.counters["residual"] = 0;
@@ -229,22 +243,28 @@ void tie(benchmark::State& state)
 
 void add_all()
 {
-    const auto name = [](const std::string& group, const std::string& what) { return group + "/" + what; };
+    const auto name = [](const std::string& group, const std::string& what) {
+        return group + "/" + what;
+    };
     for (const auto& [what, problem] : problems) {
-        auto* const one = benchmark::RegisterBenchmark(name("versus", what).c_str(), versus, problem);
+        auto* const one = benchmark::RegisterBenchmark(name("versus", what).c_str(),
+                                                       versus, problem);
         one->Unit(benchmark::kMillisecond)->Iterations(5);
         if (what == "friction") one->Arg(40)->Arg(80)->Arg(160)->Arg(320);
         else one->Arg(30)->Arg(100)->Arg(300);
 
-        auto* const against = benchmark::RegisterBenchmark(name("error", what).c_str(), error, problem);
+        auto* const against = benchmark::RegisterBenchmark(
+            name("error", what).c_str(), error, problem);
         against->Unit(benchmark::kMicrosecond)->MinTime(0.05);
         const Index n = what == "friction" ? 80 : 100;
-        for (const Index sweeps : {0, 1, 3, 10, 30, 100, 300, 1000, 3000, 10000, 30000})
+        for (const Index sweeps :
+             {0, 1, 3, 10, 30, 100, 300, 1000, 3000, 10000, 30000})
             against->Args({n, sweeps});
     }
     for (const auto& [what, problem] : problems) {
         if (what == "heavy_top") continue;
-        auto* const one = benchmark::RegisterBenchmark(name("pivots", what).c_str(), pivots, problem);
+        auto* const one = benchmark::RegisterBenchmark(name("pivots", what).c_str(),
+                                                       pivots, problem);
         one->Unit(benchmark::kMicrosecond)->MinTime(0.05);
         for (const Index n : {16, 32, 64, 128, 256}) one->Arg(n);
     }

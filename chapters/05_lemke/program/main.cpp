@@ -26,7 +26,8 @@ struct LemkeOrSweeps : ColdSweeps {
 
 using PivotMethod = MatrixMethod<LemkeOrSweeps>;
 
-SceneSetup<PivotMethod> solved_exactly(DiscScene scene, Real zoom, Pointer pointer = Pointer::pulls)
+SceneSetup<PivotMethod> solved_exactly(DiscScene scene, Real zoom,
+                                       Pointer pointer = Pointer::pulls)
 {
     SceneSetup<PivotMethod> setup;
     setup.scene = std::move(scene);
@@ -37,16 +38,18 @@ SceneSetup<PivotMethod> solved_exactly(DiscScene scene, Real zoom, Pointer point
         state.method.solver.find.by_pivots = settings.method == "lemke";
     };
     setup.draw = [](Canvas& canvas, const RunState<PivotMethod>& state) {
-        paint::draw_scene(canvas, state, state.method.solver.find.by_pivots ? "pivots" : "sweeps");
+        paint::draw_scene(canvas, state,
+                          state.method.solver.find.by_pivots ? "pivots" : "sweeps");
     };
     return setup;
 }
 
 /// What both scenes of discs have in common.
 /// \param own  what the reader may change in this one alone
-Demo exact_demo(const std::string& name, const std::string& summary, const View& view,
-                const std::vector<Tunable>& own,
-                const std::function<SceneSetup<PivotMethod>(const Settings&)>& set_up)
+Demo exact_demo(
+    const std::string& name, const std::string& summary, const View& view,
+    const std::vector<Tunable>& own,
+    const std::function<SceneSetup<PivotMethod>(const Settings&)>& set_up)
 {
     Demo demo;
     demo.name = name;
@@ -57,17 +60,21 @@ Demo exact_demo(const std::string& name, const std::string& summary, const View&
     demo.h_high = 1.0 / 60;
     demo.methods = demo.side_by_side = {"lemke", "gauss_seidel"};
     demo.tunables = with(own, tunables::sweeps_to_compare());
-    run_scene<PivotMethod>(
-        demo, matrix_columns<LemkeOrSweeps>("iterations", "pivots, or sweeps, of the step"), set_up);
+    run_scene<PivotMethod>(demo,
+                           matrix_columns<LemkeOrSweeps>(
+                               "iterations", "pivots, or sweeps, of the step"),
+                           set_up);
     return demo;
 }
 
 Demo ten_discs_scene()
 {
-    Demo demo =
-        exact_demo("ten_discs", "Seven discs on a chain and three free ones, each step solved exactly",
-                   ten_discs_view, ten_discs_tunables(),
-                   [](const Settings&) { return solved_exactly(ten_discs(), 1, Pointer::steers); });
+    Demo demo = exact_demo(
+        "ten_discs",
+        "Seven discs on a chain and three free ones, each step solved exactly",
+        ten_discs_view, ten_discs_tunables(), [](const Settings&) {
+            return solved_exactly(ten_discs(), 1, Pointer::steers);
+        });
     set_up_ten_discs(demo);
     return demo;
 }
@@ -75,11 +82,14 @@ Demo ten_discs_scene()
 Demo heavy_top_scene()
 {
     return exact_demo("heavy_top",
-                      "A column with a heavy disc on top: exact impulses hold what sweeps let sink",
-                      {{0, 1.1}, {0.9, 1.25}}, {tunables::in_column("rows", 10), tunables::top_mass(1000)},
+                      "A column with a heavy disc on top: exact impulses hold what "
+                      "sweeps let sink",
+                      {{0, 1.1}, {0.9, 1.25}},
+                      {tunables::in_column("rows", 10), tunables::top_mass(1000)},
                       [](const Settings& settings) {
                           const auto N = static_cast<Index>(settings["rows"]);
-                          return solved_exactly(column(N, settings["top_mass"]), 10 / static_cast<Real>(N));
+                          return solved_exactly(column(N, settings["top_mass"]),
+                                                10 / static_cast<Real>(N));
                       });
 }
 
@@ -106,10 +116,11 @@ int main(int argc, char** argv)
         Program program;
         program.name = "05_lemke";
         program.title = "Chapter 5. Lemke's algorithm";
-        program.scenes = {plane_scene(), tableau_scene(), stack_scene(), ten_discs_scene(),
-                          heavy_top_scene()};
+        program.scenes = {plane_scene(), tableau_scene(), stack_scene(),
+                          ten_discs_scene(), heavy_top_scene()};
         program.problem_methods = names_of(problem_methods());
-        program.solve_problem = [](const std::string& file, const std::string& method) {
+        program.solve_problem = [](const std::string& file,
+                                   const std::string& method) {
             return solve_problem_file(file, method, problem_methods());
         };
         return program;

@@ -24,8 +24,8 @@ struct ProblemWalk {
 
     /// \param tie_digits  the tie tolerance is 10^-tie_digits
     ProblemWalk(const Mlcp& mlcp, const std::string& method, Real tie_digits = 8)
-        : problem(mlcp), walk(MatX(mlcp.A), mlcp.q, VecX::Ones(mlcp.size()), tie_rule(method),
-                              {1e-10, std::pow(10, -tie_digits)})
+        : problem(mlcp), walk(MatX(mlcp.A), mlcp.q, VecX::Ones(mlcp.size()),
+                              tie_rule(method), {1e-10, std::pow(10, -tie_digits)})
     {
     }
 
@@ -47,23 +47,30 @@ struct ProblemWalk {
 
     static std::vector<Column> columns()
     {
-        return {{"pivots", "", "pivots so far", false, false},
-                {"z0", "m/s", "the artificial variable: how far all rows are lifted", true, false},
-                {"positive", "", "how many z are positive", true, false},
-                {"residual", "m/s", "natural residual of the present z", true, true},
-                {"largest", "", "largest entry of the tableau but for the column r", true, true},
-                {"place", "", "0 on the way, 1 at the solution, 2 at a ray", false, false}};
+        return {
+            {"pivots", "", "pivots so far", false, false},
+            {"z0", "m/s", "the artificial variable: how far all rows are lifted",
+             true, false},
+            {"positive", "", "how many z are positive", true, false},
+            {"residual", "m/s", "natural residual of the present z", true, true},
+            {"largest", "", "largest entry of the tableau but for the column r",
+             true, true},
+            {"place", "", "0 on the way, 1 at the solution, 2 at a ray", false,
+             false}};
     }
     std::vector<Real> measure() const
     {
         const VecX z = walk.z();
         const Tableau& tableau = walk.tableau;
-        return {static_cast<Real>(walk.pivots),
-                lift(),
-                static_cast<Real>((z.array() > 0).count()),
-                natural_residual(problem, z),
-                tableau.n > 0 ? tableau.entries().leftCols(tableau.n + 1).cwiseAbs().maxCoeff() : 0,
-                static_cast<Real>(walk.place)};
+        return {
+            static_cast<Real>(walk.pivots),
+            lift(),
+            static_cast<Real>((z.array() > 0).count()),
+            natural_residual(problem, z),
+            tableau.n > 0
+                ? tableau.entries().leftCols(tableau.n + 1).cwiseAbs().maxCoeff()
+                : 0,
+            static_cast<Real>(walk.place)};
     }
 };
 
@@ -77,7 +84,8 @@ public:
     void draw(Canvas& canvas) const override
     {
         paint::heat_map(canvas, {-0.86, 0.8}, 1.85, walk_.walk);
-        canvas.text({0, -0.98}, paint::told(walk_.walk), 14, paint::label, Align::centre);
+        canvas.text({0, -0.98}, paint::told(walk_.walk), 14, paint::label,
+                    Align::centre);
     }
 
 private:
@@ -102,14 +110,16 @@ inline Demo walk_scene(const std::string& name, const std::string& summary)
 /// Families of problems whose pivots are known.
 inline Demo tableau_scene()
 {
-    Demo scene =
-        walk_scene("tableau", "The tableau as a heat map, one pivot per step, on problems with a name");
-    scene.tunables = {
-        {"family", "",
-         "0 Murty, 1 its transpose, 2 Murty with equal q, 3 Fathi, 4 circulant, 5 column, 6 random spd", 1, 0,
-         6, true, true, false},
-        {"rows", "", "n", 4, 1, 40, true, true, false},
-        {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8, 1, 17, false, true, false}};
+    Demo scene = walk_scene(
+        "tableau",
+        "The tableau as a heat map, one pivot per step, on problems with a name");
+    scene.tunables = {{"family", "",
+                       "0 Murty, 1 its transpose, 2 Murty with equal q, 3 Fathi, 4 "
+                       "circulant, 5 column, 6 random spd",
+                       1, 0, 6, true, true, false},
+                      {"rows", "", "n", 4, 1, 40, true, true, false},
+                      {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8,
+                       1, 17, false, true, false}};
     scene.side_by_side = scene.methods;
     scene.start = [](const Settings& settings) {
         const auto n = static_cast<Index>(settings["rows"]);
@@ -132,7 +142,8 @@ inline Demo tableau_scene()
                 return random_spd(n, random);
             }
         };
-        return std::make_unique<TableauRun>(ProblemWalk(problem(), settings.method, settings["tie_digits"]));
+        return std::make_unique<TableauRun>(
+            ProblemWalk(problem(), settings.method, settings["tie_digits"]));
     };
     return scene;
 }

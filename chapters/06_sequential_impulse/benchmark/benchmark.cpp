@@ -28,13 +28,15 @@ struct Problem {
     VecX inverse_mass, u_star;
     std::vector<Row<2>> rows;
 
-    explicit Problem(Index bodies) : inverse_mass(VecX::Ones(2 * bodies)), u_star(VecX::Zero(2 * bodies))
+    explicit Problem(Index bodies)
+        : inverse_mass(VecX::Ones(2 * bodies)), u_star(VecX::Zero(2 * bodies))
     {
         for (Index k = 0; k < bodies; ++k) u_star[2 * k + 1] = -9.81 * h;
     }
     void contact(Index a, Index b, const Vec2& normal)
     {
-        rows.push_back(unilateral(contact_constraint({a, b, normal, 0}), inverse_mass));
+        rows.push_back(
+            unilateral(contact_constraint({a, b, normal, 0}), inverse_mass));
     }
     Index bodies() const { return u_star.size() / 2; }
 };
@@ -43,9 +45,11 @@ struct Problem {
 Problem triangle_of(Index m)
 {
     Index base = 2;
-    while (3 * base * (base + 1) / 2 - 2 * base + 2 < m) ++base;  // contacts of discs, floor, two walls
+    // contacts of discs, floor, two walls
+    while (3 * base * (base + 1) / 2 - 2 * base + 2 < m) ++base;
     Problem problem(base * (base + 1) / 2);
-    const Vec2 right(1, 0), up_right(0.5, std::sqrt(0.75)), up_left(-0.5, std::sqrt(0.75)), up(0, 1);
+    const Vec2 right(1, 0), up_right(0.5, std::sqrt(0.75)),
+        up_left(-0.5, std::sqrt(0.75)), up(0, 1);
     Index first = 0;
     for (Index row = 0; row < base; ++row) {
         const Index length = base - row, above = first + length;
@@ -85,9 +89,11 @@ Problem walls_of(Index m)
 Problem chain_of(Index m)
 {
     Problem problem(m);
-    problem.rows.push_back(bilateral(contact_constraint({world, 0, {0, -1}, 0}), problem.inverse_mass));
+    problem.rows.push_back(bilateral(contact_constraint({world, 0, {0, -1}, 0}),
+                                     problem.inverse_mass));
     for (Index k = 0; k + 1 < m; ++k)
-        problem.rows.push_back(bilateral(contact_constraint({k, k + 1, {0, -1}, 0}), problem.inverse_mass));
+        problem.rows.push_back(bilateral(contact_constraint({k, k + 1, {0, -1}, 0}),
+                                         problem.inverse_mass));
     return problem;
 }
 
@@ -99,7 +105,8 @@ Problem hub_of(Index m)
         const Real angle = 2 * pi * static_cast<Real>(k) / static_cast<Real>(m);
         problem.contact(0, k, {std::cos(angle), std::sin(angle)});
     }
-    problem.u_star.head<2>() = Vec2(1, 0.3);  // else they all fall alike, and there is nothing to do
+    // else they all fall alike, and there is nothing to do
+    problem.u_star.head<2>() = Vec2(1, 0.3);
     return problem;
 }
 
@@ -107,8 +114,10 @@ struct Named {
     const char* name;
     Problem (*make)(Index);
 };
-constexpr Named scenes[] = {
-    {"column", column_of}, {"chain", chain_of}, {"triangle", triangle_of}, {"walls", walls_of}};
+constexpr Named scenes[] = {{"column", column_of},
+                            {"chain", chain_of},
+                            {"triangle", triangle_of},
+                            {"walls", walls_of}};
 
 /// "error/column/given/8"
 std::string name_of(std::initializer_list<std::string> words)
@@ -123,7 +132,9 @@ std::string name_of(std::initializer_list<std::string> words)
 
 double seconds()
 {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 /// A table in CSV wants the same counters in every line; 0 where one has no meaning.
@@ -152,7 +163,8 @@ void declare_counters(benchmark::State& state)
         state.counters[name] = 0;
 }
 
-constexpr Order orders[] = {Order::given, Order::alternating, Order::shuffled, Order::coloured};
+constexpr Order orders[] = {Order::given, Order::alternating, Order::shuffled,
+                            Order::coloured};
 
 /// All orders in turns in one loop, so that none has the quieter minute; the shortest time of each.
 void visits(benchmark::State& state, Problem (*make)(Index))
@@ -166,9 +178,12 @@ void visits(benchmark::State& state, Problem (*make)(Index))
     std::array<ImpulseMemory<2>, 6> memory;
     Solution solution;
     for (std::size_t i = 0; i < 6; ++i) {
-        if (i < 4) order_rows(problem.rows, problem.bodies(), orders[i], random, colouring, order[i]);
+        if (i < 4)
+            order_rows(problem.rows, problem.bodies(), orders[i], random, colouring,
+                       order[i]);
         if (i == 5) order[i] = order[3];
-        begin_sweeps(problem.rows, order[i], 0, memory[i], problem.u_star, solution);
+        begin_sweeps(problem.rows, order[i], 0, memory[i], problem.u_star,
+                     solution);
     }
     std::vector<Block> blocks;
     pair_rows(memory[4].rows, blocks);
@@ -191,24 +206,36 @@ void visits(benchmark::State& state, Problem (*make)(Index))
                 for (int backwards = 0; backwards < 2; ++backwards) {
                     if (i == 4)
                         for (const Block& block : blocks) {
-                            SolverRow<2>& first = memory[4].rows[static_cast<std::size_t>(block.first)];
+                            SolverRow<2>& first =
+                                memory[4]
+                                    .rows[static_cast<std::size_t>(block.first)];
                             if (block.second < 0) visit(first, memory[4].u);
                             else
-                                visit_block(first, memory[4].rows[static_cast<std::size_t>(block.second)],
+                                visit_block(first,
+                                            memory[4].rows[static_cast<std::size_t>(
+                                                block.second)],
                                             block.coupling, 0, memory[4].u);
                         }
                     else
-                        benchmark::DoNotOptimize(
-                            sweep(memory[i], 0, orders[i % 4] == Order::alternating && backwards));
+                        benchmark::DoNotOptimize(sweep(
+                            memory[i], 0,
+                            orders[i % 4] == Order::alternating && backwards));
                 }
             });
-        timed(6, [&] { prepare(problem.rows, order[3], VecX::Zero(static_cast<Index>(m)), memory[3].rows); });
-        timed(7, [&] { colour_rows(problem.rows, problem.bodies(), colouring, order[3]); });
+        timed(6, [&] {
+            prepare(problem.rows, order[3], VecX::Zero(static_cast<Index>(m)),
+                    memory[3].rows);
+        });
+        timed(7, [&] {
+            colour_rows(problem.rows, problem.bodies(), colouring, order[3]);
+        });
         timed(8, [&] { benchmark::DoNotOptimize(natural_residual(memory[3])); });
     }
-    const char* names[] = {"given_ns",           "alternating_ns", "shuffled_ns", "coloured_ns", "blocks_ns",
-                           "world_in_memory_ns", "prepare_ns",     "colour_ns",   "residual_ns"};
-    for (std::size_t i = 0; i < best.size(); ++i) state.counters[names[i]] = i < 6 ? best[i] / 2 : best[i];
+    const char* names[] = {"given_ns",    "alternating_ns", "shuffled_ns",
+                           "coloured_ns", "blocks_ns",      "world_in_memory_ns",
+                           "prepare_ns",  "colour_ns",      "residual_ns"};
+    for (std::size_t i = 0; i < best.size(); ++i)
+        state.counters[names[i]] = i < 6 ? best[i] / 2 : best[i];
     int colours = 0;
     while (colours < Colouring::most &&
            colouring.start[static_cast<std::size_t>(colours)] < static_cast<int>(m))
@@ -242,7 +269,8 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
     for (auto _ : state) {
         u = problem.u_star;
         double begin = seconds();
-        order_rows(problem.rows, problem.bodies(), Order::coloured, random, colouring, order);
+        order_rows(problem.rows, problem.bodies(), Order::coloured, random,
+                   colouring, order);
         ours.lambda.setZero(static_cast<Index>(m));
         sequential_impulse<2>(problem.rows, order, {10, 0, false}, memory, u, ours);
         note(0, begin);
@@ -256,7 +284,8 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
         pgs(mlcp, settings, pgs_memory, theirs);
         note(1, begin);
         begin = seconds();
-        for (int k = 0; k < 10; ++k) benchmark::DoNotOptimize(sweep_forward(pgs_memory.rows));
+        for (int k = 0; k < 10; ++k)
+            benchmark::DoNotOptimize(sweep_forward(pgs_memory.rows));
         note(3, begin);
     }
     state.counters["rows"] = m;
@@ -265,15 +294,18 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
     state.counters["ours_sweeps_us"] = best[2] * 1e6;
     state.counters["pgs_sweeps_us"] = best[3] * 1e6;
     // What lies in memory while the sweeps run, besides the rows that both begin with.
-    state.counters["ours_bytes"] =
-        m * (sizeof(SolverRow<2>) + sizeof(int)) + 16.0 * static_cast<double>(problem.bodies());
+    state.counters["ours_bytes"] = m * (sizeof(SolverRow<2>) + sizeof(int)) +
+                                   16.0 * static_cast<double>(problem.bodies());
     const double entries = static_cast<double>(mlcp.A.nonZeros());
-    state.counters["pgs_bytes"] = entries * 12 + m * (4 + 3 * 8) +  // A by rows, q, lo, hi
-                                  m * (sizeof(SweepRow) + 3 * sizeof(int) + 8) + entries * 12;
+    // A by rows, q, lo, hi
+    state.counters["pgs_bytes"] = entries * 12 + m * (4 + 3 * 8) +
+                                  m * (sizeof(SweepRow) + 3 * sizeof(int) + 8) +
+                                  entries * 12;
 }
 
 /// One point of the diagram: so many sweeps.
-void one_error(benchmark::State& state, const Problem& problem, const std::string& method, int sweeps)
+void one_error(benchmark::State& state, const Problem& problem,
+               const std::string& method, int sweeps)
 {
     declare_counters(state);
     Random random(1);
@@ -302,15 +334,21 @@ void one_error(benchmark::State& state, const Problem& problem, const std::strin
             cold_start(mlcp, solution.lambda);
             pgs(mlcp, settings, pgs_memory, solution);
         } else {
-            order_rows(problem.rows, problem.bodies(), kind, random, colouring, order);
+            order_rows(problem.rows, problem.bodies(), kind, random, colouring,
+                       order);
             if (method == "blocks")
-                block_impulse<2>(problem.rows, order, impulses, memory, blocks, u, solution);
-            else sequential_impulse<2>(problem.rows, order, impulses, memory, u, solution);
+                block_impulse<2>(problem.rows, order, impulses, memory, blocks, u,
+                                 solution);
+            else
+                sequential_impulse<2>(problem.rows, order, impulses, memory, u,
+                                      solution);
         }
         best = std::min(best, seconds() - begin);
     }
-    state.counters["row_visits"] = static_cast<double>(problem.rows.size()) * sweeps;
-    state.counters["residual"] = method == "pgs" ? solution.residual : natural_residual(memory);
+    state.counters["row_visits"] =
+        static_cast<double>(problem.rows.size()) * sweeps;
+    state.counters["residual"] =
+        method == "pgs" ? solution.residual : natural_residual(memory);
     state.counters["time_us"] = best * 1e6;
 }
 
@@ -320,25 +358,33 @@ int main(int argc, char** argv)
 {
     for (const Named& scene : scenes)
         for (const Index m : {300, 1000, 3000, 10000})
-            benchmark::RegisterBenchmark(name_of({"visit", scene.name}).c_str(), visits, scene.make)
+            benchmark::RegisterBenchmark(name_of({"visit", scene.name}).c_str(),
+                                         visits, scene.make)
                 ->Arg(m)
                 ->MinTime(0.2);
     for (const Named& scene : {scenes[0], scenes[2]})
         for (const Index m : {100, 300, 1000, 3000, 10000, 30000, 100000})
-            benchmark::RegisterBenchmark(name_of({"size", scene.name}).c_str(), whole_solve, scene.make)
+            benchmark::RegisterBenchmark(name_of({"size", scene.name}).c_str(),
+                                         whole_solve, scene.make)
                 ->Arg(m)
                 ->MinTime(0.2);
     for (const Index m : {100, 300, 1000, 3000})
-        benchmark::RegisterBenchmark("size/hub", whole_solve, hub_of)->Arg(m)->MinTime(0.2);
+        benchmark::RegisterBenchmark("size/hub", whole_solve, hub_of)
+            ->Arg(m)
+            ->MinTime(0.2);
 
     static const Problem triangle = triangle_of(600), column = column_of(50);
-    for (const auto& [name, problem] : {std::pair{"triangle", &triangle}, {"column", &column}})
-        for (const std::string method : {"given", "alternating", "shuffled", "coloured", "blocks", "pgs"})
+    for (const auto& [name, problem] :
+         {std::pair{"triangle", &triangle}, {"column", &column}})
+        for (const std::string method :
+             {"given", "alternating", "shuffled", "coloured", "blocks", "pgs"})
             for (int sweeps = 1; sweeps <= 4096; sweeps *= 2)
-                benchmark::RegisterBenchmark(name_of({"error", name, method, std::to_string(sweeps)}).c_str(),
-                                             [problem = problem, method, sweeps](benchmark::State& state) {
-                                                 one_error(state, *problem, method, sweeps);
-                                             })
+                benchmark::RegisterBenchmark(
+                    name_of({"error", name, method, std::to_string(sweeps)})
+                        .c_str(),
+                    [problem = problem, method, sweeps](benchmark::State& state) {
+                        one_error(state, *problem, method, sweeps);
+                    })
                     ->MinTime(0.005);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

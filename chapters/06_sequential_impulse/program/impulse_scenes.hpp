@@ -32,7 +32,8 @@ inline ImpulseSettings sweeps_of(const Settings& settings)
 {
     ImpulseSettings sweeps;
     sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
-    sweeps.tolerance = settings["digits"] > 0 ? std::pow(10, -settings["digits"]) : 0;
+    sweeps.tolerance =
+        settings["digits"] > 0 ? std::pow(10, -settings["digits"]) : 0;
     return sweeps;
 }
 
@@ -49,7 +50,8 @@ inline std::vector<Tunable> sweep_tunables(int sweeps, int digits)
 {
     return {tunables::whole("sweeps", "at most so many in a step", sweeps, 1, 2000),
             tunables::number("digits", "",
-                             "the residual is to be below 10^-digits m/s; 0 = all sweeps, and don't look",
+                             "the residual is to be below 10^-digits m/s; 0 = all "
+                             "sweeps, and don't look",
                              digits, 0, 12)};
 }
 
@@ -57,7 +59,8 @@ using ImpulseState = RunState<WrongClampingMethod>;
 using ImpulseSetup = SceneSetup<WrongClampingMethod>;
 
 /// A scene that is stepped by this chapter's method, from the reader's settings.
-inline ImpulseSetup by_impulses(DiscScene scene, Real zoom = 1, Pointer pointer = Pointer::pulls)
+inline ImpulseSetup by_impulses(DiscScene scene, Real zoom = 1,
+                                Pointer pointer = Pointer::pulls)
 {
     ImpulseSetup setup;
     setup.scene = std::move(scene);
@@ -67,7 +70,9 @@ inline ImpulseSetup by_impulses(DiscScene scene, Real zoom = 1, Pointer pointer 
         if (state.steps == 0) state.method.solver.random = Random(settings.seed);
         choose_solver(settings, state.method.solver);
     };
-    setup.draw = [](Canvas& canvas, const SceneState& state) { paint::draw_scene(canvas, state); };
+    setup.draw = [](Canvas& canvas, const SceneState& state) {
+        paint::draw_scene(canvas, state);
+    };
     return setup;
 }
 
@@ -77,7 +82,8 @@ inline Measured<SceneState> centre_of_mass(const std::string& name, Index axis)
     return {{name, "m", "centre of mass", axis == 0}, [axis](const SceneState& s) {
                 Real centre = 0, mass = 0;
                 for (Index k = 0; k < s.scene.bodies.count(); ++k) {
-                    centre += paint::mass_of(s, k) * s.scene.bodies.position(k)[axis];
+                    centre +=
+                        paint::mass_of(s, k) * s.scene.bodies.position(k)[axis];
                     mass += paint::mass_of(s, k);
                 }
                 return mass > 0 ? centre / mass : 0;
@@ -86,8 +92,9 @@ inline Measured<SceneState> centre_of_mass(const std::string& name, Index axis)
 
 /// What all scenes of discs of this chapter have in common.
 /// \param own  what the reader may change in this one alone
-inline Demo impulse_demo(const std::string& name, const std::string& summary, const View& view,
-                         const std::vector<Tunable>& own, int sweeps, int digits,
+inline Demo impulse_demo(const std::string& name, const std::string& summary,
+                         const View& view, const std::vector<Tunable>& own,
+                         int sweeps, int digits,
                          const std::function<ImpulseSetup(const Settings&)>& set_up)
 {
     Demo demo;
@@ -104,17 +111,19 @@ inline Demo impulse_demo(const std::string& name, const std::string& summary, co
         [](const SceneState& s) { return static_cast<Real>(s.visits); }};
     const auto bouncing = [set_up](const Settings& at_start) {
         ImpulseSetup setup = set_up(at_start);
-        setup.before = [](const Settings& settings, const Input&, ImpulseState& state) {
+        setup.before = [](const Settings& settings, const Input&,
+                          ImpulseState& state) {
             state.method.correction.restitution = settings["restitution"];
         };
         return setup;
     };
-    run_scene<WrongClampingMethod>(demo,
-                                   {columns::iterations("sweeps", "sweeps of the step"), columns::residual(),
-                                    visits_so_far, columns::rows(), centre_of_mass("centre_x", 0),
-                                    centre_of_mass("centre_y", 1), columns::link_error(),
-                                    columns::penetration(), columns::kinetic(), columns::energy()},
-                                   bouncing);
+    run_scene<WrongClampingMethod>(
+        demo,
+        {columns::iterations("sweeps", "sweeps of the step"), columns::residual(),
+         visits_so_far, columns::rows(), centre_of_mass("centre_x", 0),
+         centre_of_mass("centre_y", 1), columns::link_error(),
+         columns::penetration(), columns::kinetic(), columns::energy()},
+        bouncing);
     return demo;
 }
 

@@ -15,7 +15,8 @@ inline DiscScene discs_on_belt()
     DiscScene scene;
     scene.bodies = Bodies<2>(3);
     scene.radius = VecX::Constant(3, 0.1);
-    for (Index k = 0; k < 3; ++k) scene.bodies.position(k) = Vec2(-1.2 + 0.3 * static_cast<Real>(k), 0.1);
+    for (Index k = 0; k < 3; ++k)
+        scene.bodies.position(k) = Vec2(-1.2 + 0.3 * static_cast<Real>(k), 0.1);
     scene.walls = {{{0, 1}, 0}, {{-1, 0}, -1.2}};
     return scene;
 }
@@ -35,29 +36,36 @@ inline void draw_belt(Canvas& canvas, const SceneState& state)
             canvas.arrow(p - Vec2(0, 0.1), p + Vec2(0.15 * drag, -0.1),
                          {Colour::green, 2.5, 1, false, false});
     }
-    canvas.text({-1.5, 0.7}, "belt " + significant(speed, 3) + " m/s; green: its force on each disc", 14,
-                paint::label);
+    canvas.text({-1.5, 0.7},
+                "belt " + significant(speed, 3) +
+                    " m/s; green: its force on each disc",
+                14, paint::label);
 }
 
 inline Demo belt_scene()
 {
-    Demo demo = machine_demo("belt", "A belt drags three discs with a limited force until a wall stops them",
-                             {{-0.15, 0.3}, {1.5, 0.6}},
-                             {tunables::number("speed", "m/s", "of the belt", 1, -2, 2, true),
-                              tunables::number("force", "N", "on each disc, at most", 1, 0, 10)});
+    Demo demo = machine_demo(
+        "belt",
+        "A belt drags three discs with a limited force until a wall stops them",
+        {{-0.15, 0.3}, {1.5, 0.6}},
+        {tunables::number("speed", "m/s", "of the belt", 1, -2, 2, true),
+         tunables::number("force", "N", "on each disc, at most", 1, 0, 10)});
     run_scene<WrongClampingMethod>(
         demo,
         {columns::velocity("speed_1", "of the first disc", 0),
-         columns::velocity("speed_2", "of the second", 2), columns::velocity("speed_3", "of the third", 4),
+         columns::velocity("speed_2", "of the second", 2),
+         columns::velocity("speed_3", "of the third", 4),
          columns::joint_force("force_1", "of the belt on the first disc", 0),
          columns::joint_force("force_2", "of the belt on the second", 1),
          columns::joint_force("force_3", "of the belt on the third", 2)},
         [](const Settings&) {
-            ImpulseSetup setup = machine(discs_on_belt(), [](const Settings& settings, DiscScene& scene) {
-                for (Index k = 0; k < 3; ++k)
-                    scene.joints.push_back(
-                        {Joint::Kind::motor, world, k, Vec2(1, 0), 0, settings["speed"], settings["force"]});
-            });
+            ImpulseSetup setup = machine(
+                discs_on_belt(), [](const Settings& settings, DiscScene& scene) {
+                    for (Index k = 0; k < 3; ++k)
+                        scene.joints.push_back({Joint::Kind::motor, world, k,
+                                                Vec2(1, 0), 0, settings["speed"],
+                                                settings["force"]});
+                });
             setup.draw = draw_belt;
             return setup;
         });
@@ -78,46 +86,59 @@ inline DiscScene disc_on_rope(Real speed)
 }
 
 /// \param trail  where the disc has been
-inline void draw_rope(Canvas& canvas, const SceneState& state, const std::vector<Vec2>& trail)
+inline void draw_rope(Canvas& canvas, const SceneState& state,
+                      const std::vector<Vec2>& trail)
 {
     std::vector<Vec2> circle;
     for (int i = 0; i <= 90; ++i)
-        circle.push_back(rope_length * Vec2(std::cos(pi * i / 45), std::sin(pi * i / 45)));
+        circle.push_back(rope_length *
+                         Vec2(std::cos(pi * i / 45), std::sin(pi * i / 45)));
     canvas.polyline(circle, paint::grid);
     const Vec2 p = state.scene.bodies.position(1);
     const Real tension = state.force_of_joint(0);
     const bool taut = tension > 0;
-    canvas.segment({0, 0}, p, {taut ? Colour::red : Colour::faint, taut ? 2.5 : 1.5, 1, false, !taut});
+    canvas.segment(
+        {0, 0}, p,
+        {taut ? Colour::red : Colour::faint, taut ? 2.5 : 1.5, 1, false, !taut});
     canvas.polyline(trail, {Colour::blue, 1, 0.6, false, false});
     canvas.disc({0, 0}, 0.03, paint::fixed_body);
     canvas.disc(p, 0.1, paint::body);
-    canvas.text({-1.25, 1.1}, taut ? "taut: " + significant(tension, 3) + " N" : "slack", 15, paint::label);
+    canvas.text({-1.25, 1.1},
+                taut ? "taut: " + significant(tension, 3) + " N" : "slack", 15,
+                paint::label);
 }
 
 inline Demo rope_scene()
 {
-    Demo demo =
-        machine_demo("rope", "A disc on a rope: free while it is slack, on the circle while it is taut",
-                     {{0, 0}, {1.35, 1.3}},
-                     {tunables::at_start("throw", "m/s", "to the right, at the beginning", 2, -4, 4, true)});
+    Demo demo = machine_demo(
+        "rope",
+        "A disc on a rope: free while it is slack, on the circle while it is taut",
+        {{0, 0}, {1.35, 1.3}},
+        {tunables::at_start("throw", "m/s", "to the right, at the beginning", 2, -4,
+                            4, true)});
     demo.h = 1.0 / 240;
     const Measured<SceneState> slack = {
-        {"slack", "m", "length of the rope less the distance", true}, [](const SceneState& s) {
-            return rope_length - (s.scene.bodies.position(1) - s.scene.bodies.position(0)).norm();
+        {"slack", "m", "length of the rope less the distance", true},
+        [](const SceneState& s) {
+            return rope_length -
+                   (s.scene.bodies.position(1) - s.scene.bodies.position(0)).norm();
         }};
     run_scene<WrongClampingMethod>(
         demo,
         {slack, columns::joint_force("tension", "of the rope", 0),
-         columns::position("x", "of the disc", 2, false), columns::position("y", "of the disc", 3, true),
+         columns::position("x", "of the disc", 2, false),
+         columns::position("y", "of the disc", 3, true),
          columns::energy().plotted(true)},
         [](const Settings& at_start) {
             const auto trail = std::make_shared<std::vector<Vec2>>();
             ImpulseSetup setup =
-                machine(disc_on_rope(at_start["throw"]), [trail](const Settings&, DiscScene& scene) {
-                    scene.joints = {{Joint::Kind::rope, 0, 1, Vec2(0, 1), rope_length, 0, 0}};
-                    trail->push_back(scene.bodies.position(1));
-                    if (trail->size() > 600) trail->erase(trail->begin());
-                });
+                machine(disc_on_rope(at_start["throw"]),
+                        [trail](const Settings&, DiscScene& scene) {
+                            scene.joints = {{Joint::Kind::rope, 0, 1, Vec2(0, 1),
+                                             rope_length, 0, 0}};
+                            trail->push_back(scene.bodies.position(1));
+                            if (trail->size() > 600) trail->erase(trail->begin());
+                        });
             setup.draw = [trail](Canvas& canvas, const SceneState& state) {
                 draw_rope(canvas, state, *trail);
             };

@@ -27,7 +27,8 @@ inline Real bouncing_height(Real height, Real e, Real g, Real t)
 
 class BounceRun : public Run {
 public:
-    explicit BounceRun(const Settings& settings) : e_{settings["e_1"], settings["e_2"], settings["e_3"]}
+    explicit BounceRun(const Settings& settings)
+        : e_{settings["e_1"], settings["e_2"], settings["e_3"]}
     {
         for (std::size_t k = 0; k < 3; ++k) {
             scenes_[k] = column(1);
@@ -43,7 +44,8 @@ public:
             ImpulseMethod method;
             method.correction.restitution = e_[k];
             if (settings.method == "none") method.correction.threshold = 0;
-            if (settings.method == "fixed") method.correction.threshold = settings["slowest"] / (9.81 * h_);
+            if (settings.method == "fixed")
+                method.correction.threshold = settings["slowest"] / (9.81 * h_);
             rigid::step(scenes_[k], {.h = h_}, method, now_);
         }
         ++steps_;
@@ -53,8 +55,10 @@ public:
     {
         std::vector<Real> values;
         for (std::size_t k = 0; k < 3; ++k) values.push_back(height(k));
-        for (std::size_t k = 0; k < 3; ++k) values.push_back(bouncing_height(drop_, e_[k], 9.81, t()));
-        for (std::size_t k = 0; k < 3; ++k) values.push_back(scenes_[k].bodies.u[1]);
+        for (std::size_t k = 0; k < 3; ++k)
+            values.push_back(bouncing_height(drop_, e_[k], 9.81, t()));
+        for (std::size_t k = 0; k < 3; ++k)
+            values.push_back(scenes_[k].bodies.u[1]);
         return values;
     }
     void draw(Canvas& canvas) const override
@@ -66,27 +70,35 @@ public:
             const Style style = {colours[k], 1.5, 0.4, true, false};
             const Vec2 at(-0.9 + 0.25 * static_cast<Real>(k), 0.1 + height(k));
             canvas.disc(at, 0.1, style);
-            canvas.text({at.x(), -0.1}, "e = " + significant(e_[k], 3), 13, paint::label, Align::centre);
+            canvas.text({at.x(), -0.1}, "e = " + significant(e_[k], 3), 13,
+                        paint::label, Align::centre);
             canvas.polyline(heights_[k], {colours[k], 1.5, 1, false, false});
             std::vector<Vec2> theory;
             for (int i = 0; i <= 600; ++i) {
                 const Real s = window_ * i / 600;
-                theory.push_back(in_chart(s, bouncing_height(drop_, e_[k], 9.81, s)));
+                theory.push_back(
+                    in_chart(s, bouncing_height(drop_, e_[k], 9.81, s)));
             }
             canvas.polyline(theory, {Colour::ink, 1, 0.6, false, true});
         }
-        canvas.text({1.6, -0.1}, significant(window_, 3) + " s", 13, paint::label, Align::right);
-        canvas.text({-0.2, -0.1}, "height against time; dashed: closed form", 13, paint::label);
+        canvas.text({1.6, -0.1}, significant(window_, 3) + " s", 13, paint::label,
+                    Align::right);
+        canvas.text({-0.2, -0.1}, "height against time; dashed: closed form", 13,
+                    paint::label);
     }
 
 private:
     Real t() const { return static_cast<Real>(steps_) * h_; }
     Real height(std::size_t k) const { return scenes_[k].bodies.x[1] - 0.1; }
-    Vec2 in_chart(Real time, Real height) const { return {-0.2 + 1.8 * time / window_, height / drop_}; }
+    Vec2 in_chart(Real time, Real height) const
+    {
+        return {-0.2 + 1.8 * time / window_, height / drop_};
+    }
     void note()
     {
         if (t() > window_) return;
-        for (std::size_t k = 0; k < 3; ++k) heights_[k].push_back(in_chart(t(), height(k)));
+        for (std::size_t k = 0; k < 3; ++k)
+            heights_[k].push_back(in_chart(t(), height(k)));
     }
 
     std::array<Real, 3> e_;
@@ -102,7 +114,8 @@ inline Demo bounce_scene()
 {
     Demo scene;
     scene.name = "bounce";
-    scene.summary = "Three balls with e = 0.5, 0.8 and 1, and three thresholds below which nothing bounces";
+    scene.summary = "Three balls with e = 0.5, 0.8 and 1, and three thresholds "
+                    "below which nothing bounces";
     scene.view = {{0.3, 0.55}, {1.4, 0.75}};
     scene.h_high = 1.0 / 20;
     scene.methods = {"scaled", "none", "fixed"};
@@ -112,17 +125,21 @@ inline Demo bounce_scene()
         {"e_2", "", "of the second", 0.8, 0, 1, false, true, false},
         {"e_3", "", "of the third", 1, 0, 1, false, true, false},
         {"drop", "m", "height to fall from", 1, 0.1, 5, false, true, false},
-        {"slowest", "m/s", "approach that still bounces, of method fixed", 1, 0, 3, false, true, false}};
-    scene.columns = {{"height_1", "m", "of the first ball over the floor", true, false},
-                     {"height_2", "m", "of the second", true, false},
-                     {"height_3", "m", "of the third", true, false},
-                     {"exact_1", "m", "what the closed form says", false, false},
-                     {"exact_2", "m", "what the closed form says", false, false},
-                     {"exact_3", "m", "what the closed form says", false, false},
-                     {"speed_1", "m/s", "upwards", false, false},
-                     {"speed_2", "m/s", "upwards", false, false},
-                     {"speed_3", "m/s", "upwards", false, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<BounceRun>(settings); };
+        {"slowest", "m/s", "approach that still bounces, of method fixed", 1, 0, 3,
+         false, true, false}};
+    scene.columns = {
+        {"height_1", "m", "of the first ball over the floor", true, false},
+        {"height_2", "m", "of the second", true, false},
+        {"height_3", "m", "of the third", true, false},
+        {"exact_1", "m", "what the closed form says", false, false},
+        {"exact_2", "m", "what the closed form says", false, false},
+        {"exact_3", "m", "what the closed form says", false, false},
+        {"speed_1", "m/s", "upwards", false, false},
+        {"speed_2", "m/s", "upwards", false, false},
+        {"speed_3", "m/s", "upwards", false, false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<BounceRun>(settings);
+    };
     return scene;
 }
 

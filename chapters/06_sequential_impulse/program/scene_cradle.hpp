@@ -13,7 +13,8 @@ class CradleRun : public Run {
 public:
     explicit CradleRun(const Settings& settings)
         : count_(static_cast<Index>(settings["balls"])),
-          scene_(cradle(count_, std::min(static_cast<Index>(settings["lifted"]), count_),
+          scene_(cradle(count_,
+                        std::min(static_cast<Index>(settings["lifted"]), count_),
                         settings["angle"] * pi / 180))
     {
         start_ = energy();
@@ -27,32 +28,41 @@ public:
         step.hand = input.pointer;
         held_ = held_disc(scene_, input.pressed, step.hand, held_);
         step.pulled = held_;
-        const ImpactLaw law =
-            settings.method == "sequential" ? ImpactLaw::sequential : ImpactLaw::simultaneous;
+        const ImpactLaw law = settings.method == "sequential"
+                                  ? ImpactLaw::sequential
+                                  : ImpactLaw::simultaneous;
         impact_step(scene_, step, law, now_);
-        if (!scene_.bodies.x.allFinite()) throw StepFailure("a position is not finite");
+        if (!scene_.bodies.x.allFinite())
+            throw StepFailure("a position is not finite");
     }
     std::vector<Real> measure() const override
     {
-        return {angle(0),          angle(count_ / 2),           angle(count_ - 1),
-                energy() - start_, momentum(scene_.bodies).x(), largest_link_error(scene_)};
+        return {angle(0),
+                angle(count_ / 2),
+                angle(count_ - 1),
+                energy() - start_,
+                momentum(scene_.bodies).x(),
+                largest_link_error(scene_)};
     }
     void draw(Canvas& canvas) const override
     {
-        canvas.segment({-0.12 * static_cast<Real>(count_), 1}, {0.12 * static_cast<Real>(count_), 1},
-                       paint::wall);
+        canvas.segment({-0.12 * static_cast<Real>(count_), 1},
+                       {0.12 * static_cast<Real>(count_), 1}, paint::wall);
         for (Index k = 0; k < count_; ++k) {
-            canvas.segment(scene_.bodies.position(count_ + k), scene_.bodies.position(k), paint::axis);
+            canvas.segment(scene_.bodies.position(count_ + k),
+                           scene_.bodies.position(k), paint::axis);
             canvas.disc(scene_.bodies.position(k), 0.1, paint::body);
         }
-        canvas.text({0, -0.3}, "energy " + significant(100 * energy_left(), 4) + " %", 14, paint::label,
-                    Align::centre);
+        canvas.text({0, -0.3},
+                    "energy " + significant(100 * energy_left(), 4) + " %", 14,
+                    paint::label, Align::centre);
     }
 
 private:
     Real angle(Index k) const
     {
-        const Vec2 d = scene_.bodies.position(k) - scene_.bodies.position(count_ + k);
+        const Vec2 d =
+            scene_.bodies.position(k) - scene_.bodies.position(count_ + k);
         return std::atan2(d.x(), -d.y()) * 180 / pi;
     }
     Real energy() const { return mechanical_energy(scene_); }
@@ -77,16 +87,22 @@ inline Demo cradle_scene()
     scene.side_by_side = scene.methods;
     scene.tunables = sweep_tunables(200, 9);
     scene.tunables.push_back({"balls", "", "N", 5, 2, 9, true, true, false});
-    scene.tunables.push_back({"lifted", "", "balls that are drawn aside", 1, 1, 8, true, true, true});
-    scene.tunables.push_back({"angle", "°", "by so much", 30, 0, 60, false, true, false});
+    scene.tunables.push_back(
+        {"lifted", "", "balls that are drawn aside", 1, 1, 8, true, true, true});
+    scene.tunables.push_back(
+        {"angle", "°", "by so much", 30, 0, 60, false, true, false});
     scene.tunables.push_back(tunables::restitution(1));
-    scene.columns = {{"first", "°", "angle of the first ball", true, false},
-                     {"middle", "°", "angle of the middle one", true, false},
-                     {"last", "°", "angle of the last one", true, false},
-                     {"energy_gain", "J", "energy now less that at the start", true, false},
-                     {"momentum_x", "N s", "of all balls", true, false},
-                     {"link_error", "m", "largest difference of a rod from its length", true, true}};
-    scene.start = [](const Settings& settings) { return std::make_unique<CradleRun>(settings); };
+    scene.columns = {
+        {"first", "°", "angle of the first ball", true, false},
+        {"middle", "°", "angle of the middle one", true, false},
+        {"last", "°", "angle of the last one", true, false},
+        {"energy_gain", "J", "energy now less that at the start", true, false},
+        {"momentum_x", "N s", "of all balls", true, false},
+        {"link_error", "m", "largest difference of a rod from its length", true,
+         true}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<CradleRun>(settings);
+    };
     return scene;
 }
 

@@ -22,69 +22,89 @@ inline Real speed_in_gh(const SceneState& state)
 }
 
 /// \param trail  where the disc has been
-inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle, const std::vector<Vec2>& trail)
+inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle,
+                        const std::vector<Vec2>& trail)
 {
     const Vec2 rest = place_of_rest(state), disc = state.scene.bodies.position(0);
     for (const Real side : {-1.0, 1.0})
-        canvas.segment({0, 0}, 0.55 * Vec2(side * std::cos(angle), std::sin(angle)), paint::wall);
+        canvas.segment({0, 0}, 0.55 * Vec2(side * std::cos(angle), std::sin(angle)),
+                       paint::wall);
     canvas.disc(rest, 0.1, {Colour::faint, 1, 1, false, true});
     canvas.disc(disc, 0.1, paint::body);
     canvas.polyline(trail, {Colour::blue, 1.5, 0.7, false, false});
     for (std::size_t i = 0; i < state.now.rows.size(); ++i) {
         const Vec2 n = state.now.rows[i].Jb.transpose(), touch = disc - 0.1 * n;
         const Real force = state.lambda(i) / state.step.h;
-        if (force > 0.1) canvas.arrow(touch, touch + std::min(0.3, 0.015 * force) * n, paint::impulse);
+        if (force > 0.1)
+            canvas.arrow(touch, touch + std::min(0.3, 0.015 * force) * n,
+                         paint::impulse);
     }
     const Vec2 off = 1000 * (disc - rest);
-    canvas.text({-0.52, 0.42}, "off its place by " + fixed(off.x(), 2) + ", " + fixed(off.y(), 2) + " mm", 14,
+    canvas.text({-0.52, 0.42},
+                "off its place by " + fixed(off.x(), 2) + ", " + fixed(off.y(), 2) +
+                    " mm",
+                14, paint::label);
+    canvas.text({-0.52, 0.375},
+                "speed " + significant(speed_in_gh(state), 3) + " g h", 14,
                 paint::label);
-    canvas.text({-0.52, 0.375}, "speed " + significant(speed_in_gh(state), 3) + " g h", 14, paint::label);
 }
 
 /// A column: how far the disc is off its place of rest.
 inline Measured<SceneState> off_rest(const std::string& name, Index axis)
 {
-    return {{name, "m", "off its place of rest", true}, [axis](const SceneState& s) {
+    return {{name, "m", "off its place of rest", true},
+            [axis](const SceneState& s) {
                 return s.scene.bodies.position(0)[axis] - place_of_rest(s)[axis];
             }};
 }
 /// A column: the force of a side, where both have a row.
-inline Measured<SceneState> side_force(const std::string& name, const std::string& help, std::size_t row)
+inline Measured<SceneState> side_force(const std::string& name,
+                                       const std::string& help, std::size_t row)
 {
-    return {{name, "N", help, true},
-            [row](const SceneState& s) { return s.now.rows.size() == 2 ? s.lambda(row) / s.step.h : 0; }};
+    return {{name, "N", help, true}, [row](const SceneState& s) {
+                return s.now.rows.size() == 2 ? s.lambda(row) / s.step.h : 0;
+            }};
 }
 
 inline Demo groove_scene()
 {
     Demo demo;
     demo.name = "groove";
-    demo.summary = "A disc falls into a groove: clamp the sum of the impulses, or each correction";
+    demo.summary = "A disc falls into a groove: clamp the sum of the impulses, or "
+                   "each correction";
     demo.view = {{0, 0.2}, {0.56, 0.27}};
     demo.h_high = 1.0 / 30;
     demo.methods = impulse_methods();
     demo.side_by_side = {"given", "correction"};
     demo.tunables =
         with(sweep_tunables(10, 0),
-             {tunables::at_start("angle", "°", "of the sides of the groove", 30, 1, 85, true),
-              tunables::at_start("drop", "m", "height to fall from", 0.2, 0, 0.3), tunables::margin(1e-9)});
-    const Measured<SceneState> speed = {{"speed_gh", "", "speed, in units of g h", true}, speed_in_gh};
+             {tunables::at_start("angle", "°", "of the sides of the groove", 30, 1,
+                                 85, true),
+              tunables::at_start("drop", "m", "height to fall from", 0.2, 0, 0.3),
+              tunables::margin(1e-9)});
+    const Measured<SceneState> speed = {
+        {"speed_gh", "", "speed, in units of g h", true}, speed_in_gh};
     run_scene<WrongClampingMethod>(
         demo,
-        {off_rest("x", 0), off_rest("y", 1), columns::velocity("u_x", "velocity", 0).plotted(false),
+        {off_rest("x", 0), off_rest("y", 1),
+         columns::velocity("u_x", "velocity", 0).plotted(false),
          columns::velocity("u_y", "velocity", 1).plotted(false), speed,
-         side_force("force_1", "of the side that rises to the left; visited first", 0),
+         side_force("force_1", "of the side that rises to the left; visited first",
+                    0),
          side_force("force_2", "of the other side", 1)},
         [](const Settings& at_start) {
             const Real angle = at_start["angle"] * pi / 180;
             ImpulseSetup setup = by_impulses(groove(angle));
             setup.scene.bodies.x[1] += at_start["drop"];
             setup.pointer = Pointer::ignored;
-            setup.before = [](const Settings& settings, const Input&, ImpulseState& state) {
+            setup.before = [](const Settings& settings, const Input&,
+                              ImpulseState& state) {
                 state.step.margin = settings["margin"];
             };
             const auto trail = std::make_shared<std::vector<Vec2>>();
-            setup.after = [trail](const ImpulseState& s) { trail->push_back(s.scene.bodies.position(0)); };
+            setup.after = [trail](const ImpulseState& s) {
+                trail->push_back(s.scene.bodies.position(0));
+            };
             setup.draw = [angle, trail](Canvas& canvas, const SceneState& state) {
                 draw_groove(canvas, state, angle, *trail);
             };

@@ -14,7 +14,8 @@ ImpulseSetup machine(DiscScene scene, const AddJoints& add_joints)
 {
     ImpulseSetup setup = by_impulses(std::move(scene));
     setup.pointer = Pointer::ignored;
-    setup.before = [add_joints](const Settings& settings, const Input&, ImpulseState& state) {
+    setup.before = [add_joints](const Settings& settings, const Input&,
+                                ImpulseState& state) {
         state.scene.gravity = {0, -settings["gravity"]};
         state.scene.joints.clear();
         add_joints(settings, state.scene);
@@ -23,8 +24,8 @@ ImpulseSetup machine(DiscScene scene, const AddJoints& add_joints)
 }
 
 /// \param own  what the reader may change in this one alone
-inline Demo machine_demo(const std::string& name, const std::string& summary, const View& view,
-                         const std::vector<Tunable>& own)
+inline Demo machine_demo(const std::string& name, const std::string& summary,
+                         const View& view, const std::vector<Tunable>& own)
 {
     Demo demo;
     demo.name = name;
@@ -44,7 +45,8 @@ namespace lifts {
 inline constexpr Real low = 0.2, high = 1.8;
 inline Real shaft(Index k) { return -0.6 + 0.6 * static_cast<Real>(k); }
 inline Real share(Index k) { return k == 0 ? 0.9 : k == 1 ? 1.1 : 2.0; }
-inline int motor(Index k) { return static_cast<int>(4 * k + 1); }  ///< its number among the joints
+/// its number among the joints
+inline int motor(Index k) { return static_cast<int>(4 * k + 1); }
 
 inline DiscScene scene()
 {
@@ -65,11 +67,15 @@ inline void draw(Canvas& canvas, const SceneState& state)
             canvas.segment({x - 0.2, y}, {x + 0.2, y}, paint::wall);
         canvas.box(p, {0.16, 0.12}, 0, paint::body);
         const Real force = state.force_of_joint(motor(k));
-        if (std::abs(force) > 0.1) canvas.arrow(p, p + Vec2(0, 0.02 * force), paint::impulse);
-        canvas.text({x, low - 0.25}, "F = " + fixed(share(k), 1) + " mg", 15, paint::label, Align::centre);
-        canvas.text({x, low - 0.34},
-                    significant(p.y() < high ? state.scene.bodies.velocity(k).y() : 0, 3) + " m/s", 14,
+        if (std::abs(force) > 0.1)
+            canvas.arrow(p, p + Vec2(0, 0.02 * force), paint::impulse);
+        canvas.text({x, low - 0.25}, "F = " + fixed(share(k), 1) + " mg", 15,
                     paint::label, Align::centre);
+        canvas.text(
+            {x, low - 0.34},
+            significant(p.y() < high ? state.scene.bodies.velocity(k).y() : 0, 3) +
+                " m/s",
+            14, paint::label, Align::centre);
     }
 }
 
@@ -78,26 +84,34 @@ inline void draw(Canvas& canvas, const SceneState& state)
 inline Demo lift_scene()
 {
     Demo demo = machine_demo(
-        "lift", "Three lifts with motors of 0.9, 1.1 and 2 times the weight, between stops",
+        "lift",
+        "Three lifts with motors of 0.9, 1.1 and 2 times the weight, between stops",
         {{0, 0.9}, {1.1, 1.2}},
-        {tunables::number("speed", "m/s", "that the motors want; negative = down", 0.5, -2, 2, true)});
+        {tunables::number("speed", "m/s", "that the motors want; negative = down",
+                          0.5, -2, 2, true)});
     run_scene<WrongClampingMethod>(
         demo,
-        {columns::velocity("speed_weak", "of the lift with 0.9 times the weight", 1),
+        {columns::velocity("speed_weak", "of the lift with 0.9 times the weight",
+                           1),
          columns::velocity("speed_fair", "of the lift with 1.1 times", 3),
          columns::velocity("speed_strong", "of the lift with 2 times", 5),
          columns::position("height_weak", "of that lift", 1, false),
          columns::position("height_fair", "of that lift", 3, false),
          columns::position("height_strong", "of that lift", 5, false),
-         columns::joint_force("force_weak", "of that lift's motor", lifts::motor(0)),
-         columns::joint_force("force_fair", "of that lift's motor", lifts::motor(1)),
-         columns::joint_force("force_strong", "of that lift's motor", lifts::motor(2))},
+         columns::joint_force("force_weak", "of that lift's motor",
+                              lifts::motor(0)),
+         columns::joint_force("force_fair", "of that lift's motor",
+                              lifts::motor(1)),
+         columns::joint_force("force_strong", "of that lift's motor",
+                              lifts::motor(2))},
         [](const Settings&) {
-            ImpulseSetup setup = machine(lifts::scene(), [](const Settings& settings, DiscScene& scene) {
-                for (Index k = 0; k < 3; ++k)
-                    add_lift(scene, {k, lifts::shaft(k), lifts::low, lifts::high, settings["speed"],
-                                     lifts::share(k) * settings["gravity"]});
-            });
+            ImpulseSetup setup = machine(
+                lifts::scene(), [](const Settings& settings, DiscScene& scene) {
+                    for (Index k = 0; k < 3; ++k)
+                        add_lift(scene, {k, lifts::shaft(k), lifts::low,
+                                         lifts::high, settings["speed"],
+                                         lifts::share(k) * settings["gravity"]});
+                });
             setup.draw = lifts::draw;
             return setup;
         });

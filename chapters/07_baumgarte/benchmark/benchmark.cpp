@@ -67,21 +67,25 @@ const std::vector<Problem>& problems()
         {"chain", [] { return free_chain(hanging_chain(20, 10)); }, 1200, 1.0 / 60},
         {"column", [] { return column_between_walls(20); }, 1200, 1.0 / 60},
         {"ten_discs", [] { return ten_discs(); }, 1200, 1.0 / 120, true},
-        {"swing", [] { return free_chain(swinging_chain(10)); }, 60, 1.0 / 60, false, true}};
+        {"swing", [] { return free_chain(swinging_chain(10)); }, 60, 1.0 / 60,
+         false, true}};
     return all;
 }
 
 /// The budget is spent on sweeps and on correcting sweeps, or on substeps.
-void spend(const Problem& problem, const Way& way, int budget, StepSettings& settings,
-           CorrectedMethod& method)
+void spend(const Problem& problem, const Way& way, int budget,
+           StepSettings& settings, CorrectedMethod& method)
 {
     settings.h = problem.h;
     method.correction.method = way.method;
     method.correction.beta = way.beta;
-    const int passes = way.method == Stabilizer::none || way.method == Stabilizer::baumgarte ? 1 : 2;
+    const int passes =
+        way.method == Stabilizer::none || way.method == Stabilizer::baumgarte ? 1
+                                                                              : 2;
     const int share = std::max(1, budget / passes);
     settings.substeps = way.small_steps ? share : 1;
-    method.solver.sweeps.max_sweeps = method.correction.correction_sweeps = way.small_steps ? 1 : share;
+    method.solver.sweeps.max_sweeps = method.correction.correction_sweeps =
+        way.small_steps ? 1 : share;
     if (problem.steered) settings.stiffness = settings.damping = 1;
 }
 
@@ -102,21 +106,26 @@ Outcome run(const Problem& problem, const Way& way, int budget)
     Outcome outcome;
     for (int k = 0; k < problem.steps; ++k) {
         if (problem.steered)
-            scene.gravity = steered_gravity({pointer.at(k * settings.h), true, false}, box, 9.81);
+            scene.gravity = steered_gravity(
+                {pointer.at(k * settings.h), true, false}, box, 9.81);
         step(scene, settings, method, now);
         outcome.visits += static_cast<Real>(now.visits) / problem.steps;
-        const Real off = std::max(largest_link_error(scene), deepest_penetration(scene));
+        const Real off =
+            std::max(largest_link_error(scene), deepest_penetration(scene));
         if (!(off < 10)) {  // flown apart: at the edge of the plot
             outcome.error = 10;
             return outcome;
         }
-        if (2 * k >= problem.steps && !problem.swings) outcome.error = std::max(outcome.error, off);
+        if (2 * k >= problem.steps && !problem.swings)
+            outcome.error = std::max(outcome.error, off);
     }
-    if (problem.swings) outcome.error = (scene.bodies.position(10) - swung_end()).norm();
+    if (problem.swings)
+        outcome.error = (scene.bodies.position(10) - swung_end()).norm();
     return outcome;
 }
 
-void one_error(benchmark::State& state, const Problem& problem, const Way& way, int budget)
+void one_error(benchmark::State& state, const Problem& problem, const Way& way,
+               int budget)
 {
     swung_end();  // once, before the clock runs
     Outcome outcome;
@@ -124,7 +133,8 @@ void one_error(benchmark::State& state, const Problem& problem, const Way& way, 
     state.counters["error_mm"] = 1000 * outcome.error;
     state.counters["visits"] = outcome.visits;
     state.counters["step_us"] = benchmark::Counter(
-        problem.steps * 1e-6, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+        problem.steps * 1e-6, benchmark::Counter::kIsIterationInvariantRate |
+                                  benchmark::Counter::kInvert);
 }
 
 }  // namespace
@@ -134,11 +144,15 @@ int main(int argc, char** argv)
     for (const Problem& problem : problems())
         for (const Way& way : ways)
             for (int budget = 2; budget <= 256; budget *= 2) {
-                const std::string name =
-                    std::string("error/") + problem.name + "/" + way.name + "/" + std::to_string(budget);
-                benchmark::RegisterBenchmark(name.c_str(), [&problem, &way, budget](benchmark::State& state) {
-                    one_error(state, problem, way, budget);
-                })->Iterations(1);
+                const std::string name = std::string("error/") + problem.name +
+                                         "/" + way.name + "/" +
+                                         std::to_string(budget);
+                benchmark::RegisterBenchmark(
+                    name.c_str(),
+                    [&problem, &way, budget](benchmark::State& state) {
+                        one_error(state, problem, way, budget);
+                    })
+                    ->Iterations(1);
             }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

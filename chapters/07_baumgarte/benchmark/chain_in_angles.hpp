@@ -24,20 +24,23 @@ public:
     /// \param length  of each link [m]
     /// \param angle   [rad], counterclockwise
     ChainInAngles(const VecX& mass, Real length, Real angle, Real g)
-        : length_(length), g_(g), below_(mass), theta_(VecX::Constant(mass.size(), angle)),
+        : length_(length), g_(g), below_(mass),
+          theta_(VecX::Constant(mass.size(), angle)),
           omega_(VecX::Zero(mass.size()))
     {
         if (!(length > 0) || mass.size() == 0 || !(mass.minCoeff() > 0))
-            throw std::invalid_argument("a chain needs at least one disc of positive mass and links of "
-                                        "positive length; the length is " +
-                                        shortest(length) + " m");
+            throw std::invalid_argument(
+                "a chain needs at least one disc of positive mass and links of "
+                "positive length; the length is " +
+                shortest(length) + " m");
         for (Index k = mass.size() - 1; k-- > 0;) below_[k] += below_[k + 1];
     }
 
     void step(Real h)
     {
         const VecX a1 = acceleration(theta_, omega_), w2 = omega_ + h / 2 * a1;
-        const VecX a2 = acceleration(theta_ + h / 2 * omega_, w2), w3 = omega_ + h / 2 * a2;
+        const VecX a2 = acceleration(theta_ + h / 2 * omega_, w2),
+                   w3 = omega_ + h / 2 * a2;
         const VecX a3 = acceleration(theta_ + h / 2 * w2, w3), w4 = omega_ + h * a3;
         const VecX a4 = acceleration(theta_ + h * w3, w4);
         theta_ += h / 6 * (omega_ + 2 * w2 + 2 * w3 + w4);
@@ -60,8 +63,8 @@ public:
         for (Index j = 0; j < theta_.size(); ++j) {
             sum -= below_[j] * g_ * length_ * std::cos(theta_[j]);
             for (Index k = 0; k < theta_.size(); ++k)
-                sum += below_[std::max(j, k)] * length_ * length_ * std::cos(theta_[j] - theta_[k]) *
-                       omega_[j] * omega_[k] / 2;
+                sum += below_[std::max(j, k)] * length_ * length_ *
+                       std::cos(theta_[j] - theta_[k]) * omega_[j] * omega_[k] / 2;
         }
         return sum;
     }

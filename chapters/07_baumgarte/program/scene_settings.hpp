@@ -21,7 +21,8 @@ inline std::vector<std::string> stabilizer_names()
 inline Stabilizer stabilizer_named(const std::string& name)
 {
     for (const Stabilizer method :
-         {Stabilizer::none, Stabilizer::relaxation, Stabilizer::split_impulse, Stabilizer::projection})
+         {Stabilizer::none, Stabilizer::relaxation, Stabilizer::split_impulse,
+          Stabilizer::projection})
         if (name == to_string(method)) return method;
     return Stabilizer::baumgarte;
 }
@@ -30,12 +31,17 @@ inline Stabilizer stabilizer_named(const std::string& name)
 inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
 {
     return {tunables::beta(0.2, 2.5, true),
-            tunables::whole("sweeps", "sweeps of a step in all; substeps and the correction share them",
-                            sweeps, 1, 512),
+            tunables::whole(
+                "sweeps",
+                "sweeps of a step in all; substeps and the correction share them",
+                sweeps, 1, 512),
             tunables::substeps(128),
-            tunables::number("factor", "", "part of the impulses that the next substep starts from", 0, 0, 1),
+            tunables::number(
+                "factor", "",
+                "part of the impulses that the next substep starts from", 0, 0, 1),
             tunables::slop(),
-            tunables::number("correction_speed", "m/s", "an error is corrected at this speed at most", 1000,
+            tunables::number("correction_speed", "m/s",
+                             "an error is corrected at this speed at most", 1000,
                              0.01, 1000),
             tunables::margin(0),
             tunables::row_order()};
@@ -43,22 +49,28 @@ inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
 
 /// The settings of a step and its method. A budget of S sweeps a step is spent on n substeps of S/n sweeps, and half
 /// of those correct positions where that takes sweeps of its own; each gets one at least.
-inline void stabilized_settings(const Settings& settings, StepSettings& step, CorrectedMethod& method)
+inline void stabilized_settings(const Settings& settings, StepSettings& step,
+                                CorrectedMethod& method)
 {
     step.h = settings.h;
     step.margin = settings["margin"];
     step.substeps = static_cast<int>(settings["substeps"]);
     method.start.factor = settings["factor"];
-    method.solver.ordering = static_cast<Order>(static_cast<int>(settings["order"]));
+    method.solver.ordering =
+        static_cast<Order>(static_cast<int>(settings["order"]));
     Correction& correction = method.correction;
     correction.method = stabilizer_named(settings.method);
     correction.beta = settings["beta"];
     correction.slop = settings["slop"];
     correction.max_correction_speed = settings["correction_speed"];
-    const int passes =
-        correction.method == Stabilizer::none || correction.method == Stabilizer::baumgarte ? 1 : 2;
-    const int sweeps = static_cast<int>(settings["sweeps"]) / (step.substeps * passes);
-    method.solver.sweeps.max_sweeps = correction.correction_sweeps = std::max(1, sweeps);
+    const int passes = correction.method == Stabilizer::none ||
+                               correction.method == Stabilizer::baumgarte
+                           ? 1
+                           : 2;
+    const int sweeps =
+        static_cast<int>(settings["sweeps"]) / (step.substeps * passes);
+    method.solver.sweeps.max_sweeps = correction.correction_sweeps =
+        std::max(1, sweeps);
 }
 
 inline std::vector<Measured<RunState<CorrectedMethod>>> stabilized_columns()
@@ -66,7 +78,8 @@ inline std::vector<Measured<RunState<CorrectedMethod>>> stabilized_columns()
     return {columns::link_error(),
             columns::penetration(),
             columns::theory<CorrectedMethod>(
-                "m", "what a formula of this chapter foretells for the scene; 0 = none"),
+                "m",
+                "what a formula of this chapter foretells for the scene; 0 = none"),
             columns::highest(),
             columns::speed(),
             columns::energy_gained(),

@@ -48,14 +48,20 @@ struct Engine {
 };
 
 /// What the peers leave alone [m]: in piles a twentieth of a millimetre, so that it is not the slop that decides.
-Real peer_slop(const EngineScene& scene) { return scene.collides ? 5e-5 : PeerSettings{}.slop; }
+Real peer_slop(const EngineScene& scene)
+{
+    return scene.collides ? 5e-5 : PeerSettings{}.slop;
+}
 
 /// A world of another program.
 template <class World>
 struct Peer : Engine {
     World world;
     int substeps;
-    Peer(const EngineScene& from, int count) : world(from, {.slop = peer_slop(from)}), substeps(count) {}
+    Peer(const EngineScene& from, int count)
+        : world(from, {.slop = peer_slop(from)}), substeps(count)
+    {
+    }
     void step() override { world.step(h, substeps); }
     void poses(DiscScene& scene) const override { world.poses(scene); }
 };
@@ -64,7 +70,8 @@ struct SmallSteps : Engine {
     DiscScene scene;
     SmallStepSettings settings;
     SmallStep now;
-    SmallSteps(const EngineScene& from, SmallStepSettings preset) : scene(from.scene), settings(preset)
+    SmallSteps(const EngineScene& from, SmallStepSettings preset)
+        : scene(from.scene), settings(preset)
     {
         settings.h = h;
         settings.collides = from.collides;
@@ -79,7 +86,8 @@ struct WarmSteps : Engine {
     StepSettings settings;
     WarmMethod method;
     StepData<2> now;
-    WarmSteps(const EngineScene& from, const SmallStepSettings& preset) : scene(from.scene)
+    WarmSteps(const EngineScene& from, const SmallStepSettings& preset)
+        : scene(from.scene)
     {
         settings.h = h;
         settings.substeps = preset.substeps;
@@ -92,7 +100,10 @@ struct WarmSteps : Engine {
     }
     void step() override { rigid::step(scene, settings, method, now); }
     void poses(DiscScene& to) const override { to.bodies.x = scene.bodies.x; }
-    Real sweeps() const override { return settings.substeps * method.solver.sweeps.max_sweeps; }
+    Real sweeps() const override
+    {
+        return settings.substeps * method.solver.sweeps.max_sweeps;
+    }
 };
 
 SmallStepSettings with_substeps(SmallStepSettings preset, int substeps)
@@ -123,7 +134,8 @@ void add_peer(std::vector<Contestant>& all, const std::string& name, int substep
 std::vector<Contestant> all_contestants()
 {
     std::vector<Contestant> all;
-    const auto add_ours = [&](const std::string& name, const SmallStepSettings& settings) {
+    const auto add_ours = [&](const std::string& name,
+                              const SmallStepSettings& settings) {
         all.push_back({name, [settings](const EngineScene& from) {
                            return std::make_unique<SmallSteps>(from, settings);
                        }});
@@ -133,8 +145,9 @@ std::vector<Contestant> all_contestants()
     add_ours("quick_32", with_substeps(quick_steps(), 32));
     add_ours("careful_32", with_substeps(careful_steps(), 32));
     add_ours("quick_cold", without_first(quick_steps()));
-    all.push_back({"warm_step",
-                   [](const EngineScene& from) { return std::make_unique<WarmSteps>(from, quick_steps()); }});
+    all.push_back({"warm_step", [](const EngineScene& from) {
+                       return std::make_unique<WarmSteps>(from, quick_steps());
+                   }});
     // As they are used, and with small steps of one iteration.
 #ifdef RIGID_HAS_BOX2D
     add_peer<Box2dWorld>(all, "box2d", 1);
@@ -158,7 +171,8 @@ struct Measured {
 };
 
 /// All contestants on one scene. Errors from a run of their own; times in turns, so that none has the quiet minute.
-std::map<std::string, Measured> measure(const EngineScene& scene, const std::vector<Contestant>& contestants)
+std::map<std::string, Measured> measure(const EngineScene& scene,
+                                        const std::vector<Contestant>& contestants)
 {
     std::map<std::string, Measured> all;
     for (const Contestant& contestant : contestants) {
@@ -175,7 +189,8 @@ std::map<std::string, Measured> measure(const EngineScene& scene, const std::vec
         measured.errors = watch.errors;
     }
     const Real begin = cpu_seconds();
-    for (int round = 0; round < 15 && (round < 3 || cpu_seconds() - begin < 0.5); ++round)
+    for (int round = 0; round < 15 && (round < 3 || cpu_seconds() - begin < 0.5);
+         ++round)
         for (const Contestant& contestant : contestants) {
             const auto engine = contestant.make(scene);
             const Real start = cpu_seconds();
@@ -194,9 +209,11 @@ Real pairs_us(const EngineScene& scene)
     const DiscScene& s = scene.scene;
     Real best = infinity;
     for (int round = 0; round < 5; ++round) {
-        const int repeats = static_cast<int>(1 + 4000000 / (s.bodies.count() * s.bodies.count() + 1000));
+        const int repeats = static_cast<int>(
+            1 + 4000000 / (s.bodies.count() * s.bodies.count() + 1000));
         const Real start = cpu_seconds();
-        for (int k = 0; k < repeats; ++k) find_contacts(s, SmallStepSettings{}.margin, contacts);
+        for (int k = 0; k < repeats; ++k)
+            find_contacts(s, SmallStepSettings{}.margin, contacts);
         best = std::min(best, (cpu_seconds() - start) * 1e6 / repeats);
     }
     return best;
@@ -215,17 +232,21 @@ using Counters = std::initializer_list<std::pair<const char*, Real>>;
 /// A table has the same counters in each row.
 void count(benchmark::State& state, Counters counters)
 {
-    for (const char* name : {"pairs_us", "sweeps", "link_mm", "overlap_mm", "late_mm", "drift_mm",
-                             "speed_mm_s", "in_order", "rows", "ns_per_visit"})
+    for (const char* name :
+         {"pairs_us", "sweeps", "link_mm", "overlap_mm", "late_mm", "drift_mm",
+          "speed_mm_s", "in_order", "rows", "ns_per_visit"})
         state.counters[name] = 0;
-    for (const auto& [name, value] : counters) state.counters[name] = std::min<Real>(value, 1e300);
+    for (const auto& [name, value] : counters)
+        state.counters[name] = std::min<Real>(value, 1e300);
 }
 
-void engines(benchmark::State& state, const EngineScene& scene, const std::string& who)
+void engines(benchmark::State& state, const EngineScene& scene,
+             const std::string& who)
 {
     for (auto _ : state) {
         if (results.count(scene.name) == 0)
-            results[scene.name] = {measure(scene, all_contestants()), pairs_us(scene)};
+            results[scene.name] = {measure(scene, all_contestants()),
+                                   pairs_us(scene)};
         state.SetIterationTime(results[scene.name].measured[who].us * 1e-6);
     }
     const Measured& m = results[scene.name].measured[who];
@@ -246,7 +267,8 @@ DiscScene long_chain(Index count)
     DiscScene scene;
     scene.bodies = Bodies<2>(count + 1);
     scene.bodies.inverse_mass.head<2>().setZero();
-    for (Index k = 0; k <= count; ++k) scene.bodies.position(k) << 0, -0.1 * static_cast<Real>(k);
+    for (Index k = 0; k <= count; ++k)
+        scene.bodies.position(k) << 0, -0.1 * static_cast<Real>(k);
     for (Index k = 0; k < count; ++k) scene.links.push_back({k, k + 1, 0.1});
     return scene;
 }
@@ -264,7 +286,8 @@ void visits(benchmark::State& state, bool pile, bool coloured)
     begin_rows(scene, settings, now);
     now.u = VecX::Zero(scene.bodies.u.size());
     for (std::size_t k = 0; k < now.rows.size(); ++k) {
-        refresh(scene.bodies.x, scene.bodies.inverse_mass, now.rest[k], now.rows[k]);
+        refresh(scene.bodies.x, scene.bodies.inverse_mass, now.rest[k],
+                now.rows[k]);
         now.rows[k].bias = -1e-3;  // something to do
     }
     for (auto _ : state) {
@@ -274,7 +297,8 @@ void visits(benchmark::State& state, bool pile, bool coloured)
     count(state, {{"rows", static_cast<Real>(now.rows.size())}});
     state.counters["ns_per_visit"] =
         benchmark::Counter(static_cast<Real>(now.rows.size()) * 1e-9,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+                           benchmark::Counter::kIsIterationInvariantRate |
+                               benchmark::Counter::kInvert);
 }
 
 void add_all()
@@ -284,15 +308,19 @@ void add_all()
         for (const Contestant& contestant : all_contestants())
             benchmark::RegisterBenchmark(
                 ("engines/" + scene.name + "/" + contestant.name).c_str(),
-                [&scene, who = contestant.name](benchmark::State& state) { engines(state, scene, who); })
+                [&scene, who = contestant.name](benchmark::State& state) {
+                    engines(state, scene, who);
+                })
                 ->UseManualTime()
                 ->Iterations(1)
                 ->Unit(benchmark::kMicrosecond);
     for (const bool pile : {false, true})
         for (const bool coloured : {false, true}) {
-            const std::string name =
-                std::string("visit/") + (pile ? "triangle/" : "chain/") + (coloured ? "coloured" : "given");
-            auto* const one = benchmark::RegisterBenchmark(name.c_str(), visits, pile, coloured);
+            const std::string name = std::string("visit/") +
+                                     (pile ? "triangle/" : "chain/") +
+                                     (coloured ? "coloured" : "given");
+            auto* const one =
+                benchmark::RegisterBenchmark(name.c_str(), visits, pile, coloured);
             one->Unit(benchmark::kMicrosecond)->MinTime(0.1);
             for (const Index rows : {100, 300, 1000, 3000, 10000}) one->Arg(rows);
             if (!pile) one->Arg(30000)->Arg(100000);

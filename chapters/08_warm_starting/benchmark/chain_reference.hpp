@@ -17,14 +17,17 @@ class ChainReference {
 public:
     /// \param scene  link k joins the bodies k and k + 1; body 0 cannot move
     explicit ChainReference(const DiscScene& scene)
-        : x(scene.bodies.x), u(scene.bodies.u), inverse_mass_(scene.bodies.inverse_mass),
-          gravity_(scene.gravity), links_(scene.links)
+        : x(scene.bodies.x), u(scene.bodies.u),
+          inverse_mass_(scene.bodies.inverse_mass), gravity_(scene.gravity),
+          links_(scene.links)
     {
         for (std::size_t k = 0; k < links_.size(); ++k)
-            if (links_[k].a != static_cast<Index>(k) || links_[k].b != static_cast<Index>(k) + 1)
-                throw std::invalid_argument("link " + std::to_string(k) + " joins the bodies " +
-                                            std::to_string(links_[k].a) + " and " +
-                                            std::to_string(links_[k].b) + "; a chain goes from k to k + 1");
+            if (links_[k].a != static_cast<Index>(k) ||
+                links_[k].b != static_cast<Index>(k) + 1)
+                throw std::invalid_argument(
+                    "link " + std::to_string(k) + " joins the bodies " +
+                    std::to_string(links_[k].a) + " and " +
+                    std::to_string(links_[k].b) + "; a chain goes from k to k + 1");
     }
 
     VecX x;  ///< [m]
@@ -54,17 +57,21 @@ private:
         T_.resize(m);
         for (Index k = 0; k < m; ++k) {
             const Vec2 d = at.segment<2>(2 * k + 2) - at.segment<2>(2 * k);
-            const Vec2 v = velocity.segment<2>(2 * k + 2) - velocity.segment<2>(2 * k);
+            const Vec2 v =
+                velocity.segment<2>(2 * k + 2) - velocity.segment<2>(2 * k);
             const Real length = d.norm();
             const Vec2 n = d / length;
             n_[static_cast<std::size_t>(k)] = n;
             diagonal_[k] = inverse_mass_[2 * k] + inverse_mass_[2 * k + 2];
-            if (k > 0) beside_[k] = -inverse_mass_[2 * k] * n.dot(n_[static_cast<std::size_t>(k - 1)]);
+            if (k > 0)
+                beside_[k] = -inverse_mass_[2 * k] *
+                             n.dot(n_[static_cast<std::size_t>(k - 1)]);
             // C = ‖d‖ − L:  J̇ u = (‖v‖² − (n·v)²)/‖d‖
             T_[k] = -n.dot(a.segment<2>(2 * k + 2) - a.segment<2>(2 * k)) -
                     (v.squaredNorm() - n.dot(v) * n.dot(v)) / length;
         }
-        for (Index k = 1; k < m; ++k) {  // the tridiagonal system, forwards and back
+        // the tridiagonal system, forwards and back
+        for (Index k = 1; k < m; ++k) {
             const Real factor = beside_[k] / diagonal_[k - 1];
             diagonal_[k] -= factor * beside_[k];
             T_[k] -= factor * T_[k - 1];

@@ -18,22 +18,25 @@ namespace rigid {
 struct EngineScene {
     std::string name;
     DiscScene scene;
-    bool collides = true;  ///< false: no disc ever touches anything, so no engine has to look
-    bool rests = true;     ///< where it stands is where it stays; else it swings
-    Real reach = 1000;     ///< walls are made as long as this to both sides [m]
+    /// false: no disc ever touches anything, so no engine has to look
+    bool collides = true;
+    bool rests = true;  ///< where it stands is where it stays; else it swings
+    Real reach = 1000;  ///< walls are made as long as this to both sides [m]
 };
 
 /// What another engine is told besides the scene. Nothing else of it is changed.
 struct PeerSettings {
     bool may_sleep = false;  ///< by its own rule
-    Real slop = 5e-3;        ///< an overlap of up to this much it leaves alone [m]; 5 mm is Box2D's own
+    /// an overlap of up to this much it leaves alone [m]; 5 mm is Box2D's own
+    Real slop = 5e-3;
 };
 
 /// How far each disc of a scene at rest is from where it would rest [m].
 inline constexpr Real nudge = 1e-9;
 
 /// What a chain of N links is, hanging or swinging, once nothing of it collides.
-inline EngineScene engine_chain(const std::string& name, DiscScene scene, bool rests)
+inline EngineScene engine_chain(const std::string& name, DiscScene scene,
+                                bool rests)
 {
     scene.gravity = {0, -10};
     scene.linked = PairSet::all();
@@ -54,16 +57,19 @@ inline std::vector<EngineScene> engine_scenes()
     const auto number = [](auto n) { return std::to_string(static_cast<int>(n)); };
     for (const Index count : {10, 50, 200})
         for (const Real mass : {1.0, 10.0, 100.0})
-            scenes.push_back(engine_chain("hanging_" + number(count) + "_" + number(mass),
-                                          hanging_chain(count, mass), true));
+            scenes.push_back(
+                engine_chain("hanging_" + number(count) + "_" + number(mass),
+                             hanging_chain(count, mass), true));
     for (const Index count : {10, 50, 200})
         for (const Real mass : {1.0, 10.0, 100.0})
-            scenes.push_back(engine_chain("swinging_" + number(count) + "_" + number(mass),
-                                          swinging_chain(count, mass), false));
+            scenes.push_back(
+                engine_chain("swinging_" + number(count) + "_" + number(mass),
+                             swinging_chain(count, mass), false));
     for (const Index count : {10, 20, 50})
         for (const Real mass : {1.0, 100.0})
-            scenes.push_back(engine_pile("column_" + number(count) + "_" + number(mass),
-                                         column_between_walls(count, mass)));
+            scenes.push_back(
+                engine_pile("column_" + number(count) + "_" + number(mass),
+                            column_between_walls(count, mass)));
     for (const Index base : {10, 20, 40})
         scenes.push_back(engine_pile("triangle_" + number(base), triangle(base)));
     return scenes;

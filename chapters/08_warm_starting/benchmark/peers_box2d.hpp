@@ -22,7 +22,8 @@ namespace rigid {
 class Box2dWorld {
 public:
     explicit Box2dWorld(const EngineScene& from, const PeerSettings& settings = {})
-        : scale_(static_cast<Real>(b2_linearSlop) / settings.slop), world_(vector(from.scene.gravity))
+        : scale_(static_cast<Real>(b2_linearSlop) / settings.slop),
+          world_(vector(from.scene.gravity))
     {
         const DiscScene& scene = from.scene;
         world_.SetAllowSleeping(settings.may_sleep);
@@ -51,7 +52,8 @@ public:
             b2Body* const b = bodies_[static_cast<std::size_t>(link.b)];
             b2DistanceJointDef def;
             def.Initialize(a, b, a->GetPosition(), b->GetPosition());
-            def.length = def.minLength = def.maxLength = static_cast<float>(scale_ * link.length);
+            def.length = def.minLength = def.maxLength =
+                static_cast<float>(scale_ * link.length);
             world_.CreateJoint(&def);
         }
         if (!from.collides) return;
@@ -60,7 +62,9 @@ public:
         for (const HalfSpace& wall : scene.walls) {
             // An edge has a skin of its own; it is set back by it, so that the wall is where the scene says.
             b2EdgeShape edge;
-            const Vec2 foot = (wall.offset - static_cast<Real>(edge.m_radius) / scale_) * wall.normal;
+            const Vec2 foot =
+                (wall.offset - static_cast<Real>(edge.m_radius) / scale_) *
+                wall.normal;
             const Vec2 along = from.reach * perpendicular(wall.normal);
             edge.SetTwoSided(vector(foot - along), vector(foot + along));
             add(*ground, edge);
@@ -72,7 +76,8 @@ public:
     {
         if (substeps == 1) world_.Step(static_cast<float>(h), 8, 3);
         else
-            for (int k = 0; k < substeps; ++k) world_.Step(static_cast<float>(h / substeps), 1, 1);
+            for (int k = 0; k < substeps; ++k)
+                world_.Step(static_cast<float>(h / substeps), 1, 1);
     }
 
     /// How many bodies that can move are awake.
@@ -89,7 +94,8 @@ public:
     {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
             const b2Vec2& p = bodies_[k]->GetPosition();
-            scene.bodies.position(static_cast<Index>(k)) << static_cast<Real>(p.x) / scale_,
+            scene.bodies.position(static_cast<Index>(k))
+                << static_cast<Real>(p.x) / scale_,
                 static_cast<Real>(p.y) / scale_;
         }
     }
@@ -98,7 +104,8 @@ private:
     /// A place, a velocity or gravity in this world's lengths.
     b2Vec2 vector(const Vec2& v) const
     {
-        return {static_cast<float>(scale_ * v.x()), static_cast<float>(scale_ * v.y())};
+        return {static_cast<float>(scale_ * v.x()),
+                static_cast<float>(scale_ * v.y())};
     }
 
     static void add(b2Body& body, const b2Shape& shape)

@@ -18,36 +18,44 @@ namespace rigid {
 class ChipmunkSpace {
 public:
     /// It may sleep by its own rule: slower than g h, for half a second.
-    explicit ChipmunkSpace(const EngineScene& from, const PeerSettings& settings = {}) : space_(cpSpaceNew())
+    explicit ChipmunkSpace(const EngineScene& from,
+                           const PeerSettings& settings = {})
+        : space_(cpSpaceNew())
     {
         const DiscScene& scene = from.scene;
         cpSpaceSetGravity(space_, vector(scene.gravity));
-        cpSpaceSetDamping(space_, 1);  // what is left of a velocity after a second: all
+        // what is left of a velocity after a second: all
+        cpSpaceSetDamping(space_, 1);
         cpSpaceSetCollisionSlop(space_, settings.slop);
-        cpSpaceSetSleepTimeThreshold(space_,
-                                     settings.may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
+        cpSpaceSetSleepTimeThreshold(
+            space_,
+            settings.may_sleep ? 0.5 : std::numeric_limits<cpFloat>::infinity());
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Real inverse_mass = scene.bodies.inverse_mass[2 * k];
-            cpBody* const body = inverse_mass > 0 ? cpBodyNew(1 / inverse_mass, infinity) : cpBodyNewStatic();
+            cpBody* const body = inverse_mass > 0
+                                     ? cpBodyNew(1 / inverse_mass, infinity)
+                                     : cpBodyNewStatic();
             cpSpaceAddBody(space_, body);
             cpBodySetPosition(body, vector(scene.bodies.position(k)));
             cpBodySetVelocity(body, vector(scene.bodies.velocity(k)));
             bodies_.push_back(body);
-            if (from.collides) add(cpCircleShapeNew(body, scene.radius[k], cpvzero));
+            if (from.collides)
+                add(cpCircleShapeNew(body, scene.radius[k], cpvzero));
         }
         for (const Link& link : scene.links) {
-            cpConstraint* const pin =
-                cpPinJointNew(bodies_[static_cast<std::size_t>(link.a)],
-                              bodies_[static_cast<std::size_t>(link.b)], cpvzero, cpvzero);
+            cpConstraint* const pin = cpPinJointNew(
+                bodies_[static_cast<std::size_t>(link.a)],
+                bodies_[static_cast<std::size_t>(link.b)], cpvzero, cpvzero);
             cpPinJointSetDist(pin, link.length);
             cpConstraintSetCollideBodies(pin, cpFalse);
             joints_.push_back(cpSpaceAddConstraint(space_, pin));
         }
         if (!from.collides) return;
         for (const HalfSpace& wall : scene.walls) {
-            const Vec2 foot = wall.offset * wall.normal, along = from.reach * perpendicular(wall.normal);
-            add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_), vector(foot - along), vector(foot + along),
-                                  0));
+            const Vec2 foot = wall.offset * wall.normal,
+                       along = from.reach * perpendicular(wall.normal);
+            add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_),
+                                  vector(foot - along), vector(foot + along), 0));
         }
     }
 
@@ -82,7 +90,8 @@ public:
     {
         int count = 0;
         for (cpBody* const body : bodies_)
-            count += cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC && !cpBodyIsSleeping(body);
+            count += cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC &&
+                     !cpBodyIsSleeping(body);
         return count;
     }
 

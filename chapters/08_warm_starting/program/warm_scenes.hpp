@@ -19,29 +19,40 @@ using WarmState = RunState<WarmMethod>;
 using WarmSetup = SceneSetup<WarmMethod>;
 
 /// As the command line has them.
-inline std::vector<std::string> start_names() { return {"previous", "best_multiple", "cold"}; }
+inline std::vector<std::string> start_names()
+{
+    return {"previous", "best_multiple", "cold"};
+}
 
 inline Start start_named(const std::string& name)
 {
-    return name == "cold" ? Start::cold : name == "previous" ? Start::previous : Start::best_multiple;
+    return name == "cold"       ? Start::cold
+           : name == "previous" ? Start::previous
+                                : Start::best_multiple;
 }
 
 /// What the reader may change in every scene.
 /// \param sweeps      at most, of a step
 /// \param stabilizer  as it is counted in `Stabilizer`
-inline std::vector<Tunable> warm_tunables(Real sweeps, Stabilizer stabilizer, Real beta = 0.2)
+inline std::vector<Tunable> warm_tunables(Real sweeps, Stabilizer stabilizer,
+                                          Real beta = 0.2)
 {
-    return {tunables::max_sweeps(sweeps, 1, "", true),
-            tunables::digits("early out: "),
-            tunables::number("factor", "", "σ, of the previous impulses that this step starts from", 1, 0, 1),
-            tunables::whole("repaid_by",
-                            "0 nothing, 1 Baumgarte, 2 relaxation, 3 split impulse, 4 projection",
-                            static_cast<Real>(stabilizer), 0, 4),
-            tunables::beta(beta, 2),
-            tunables::slop(),
-            tunables::substeps(64),
-            tunables::row_order(),
-            tunables::whole("keep", "steps that an impulse outlives its row", 0, 0, 100)};
+    return {
+        tunables::max_sweeps(sweeps, 1, "", true),
+        tunables::digits("early out: "),
+        tunables::number("factor", "",
+                         "σ, of the previous impulses that this step starts from",
+                         1, 0, 1),
+        tunables::whole(
+            "repaid_by",
+            "0 nothing, 1 Baumgarte, 2 relaxation, 3 split impulse, 4 projection",
+            static_cast<Real>(stabilizer), 0, 4),
+        tunables::beta(beta, 2),
+        tunables::slop(),
+        tunables::substeps(64),
+        tunables::row_order(),
+        tunables::whole("keep", "steps that an impulse outlives its row", 0, 0,
+                        100)};
 }
 
 /// Sets the method as the reader has it; what it remembers stays.
@@ -53,27 +64,36 @@ inline void tune(const Settings& settings, WarmState& state)
     method.start.from = start_named(settings.method);
     method.start.factor = settings["factor"];
     method.start.keep = static_cast<int>(settings["keep"]);
-    method.solver.ordering = static_cast<Order>(static_cast<int>(settings["order"]));
+    method.solver.ordering =
+        static_cast<Order>(static_cast<int>(settings["order"]));
     method.solver.sweeps.max_sweeps = static_cast<int>(settings["max_sweeps"]);
     method.solver.sweeps.tolerance = std::pow(10, -settings["digits"]);
-    method.correction.method = static_cast<Stabilizer>(static_cast<int>(settings["repaid_by"]));
+    method.correction.method =
+        static_cast<Stabilizer>(static_cast<int>(settings["repaid_by"]));
     method.correction.beta = settings["beta"];
     method.correction.slop = settings["slop"];
-    method.correction.at_the_end = method.correction.method == Stabilizer::projection;
+    method.correction.at_the_end =
+        method.correction.method == Stabilizer::projection;
 }
 
 inline std::vector<Measured<WarmState>> warm_columns()
 {
     const Measured<WarmState> known = {
         {"known", "", "rows that were there in the step before"},
-        [](const WarmState& s) { return static_cast<Real>(s.method.start.cache.found); }};
+        [](const WarmState& s) {
+            return static_cast<Real>(s.method.start.cache.found);
+        }};
     const Measured<WarmState> multiple = {
-        {"multiple", "", "of the previous impulses, for the last body's group"}, [](const WarmState& s) {
+        {"multiple", "", "of the previous impulses, for the last body's group"},
+        [](const WarmState& s) {
             const WarmStart& start = s.method.start;
             const VecX& of_groups = start.multiple.multiple;
             const Index last = s.scene.bodies.count() - 1;
-            const bool scaled = start.from == Start::best_multiple && of_groups.size() > last;
-            return scaled ? of_groups[start.groups.of[static_cast<std::size_t>(last)]] : 1;
+            const bool scaled =
+                start.from == Start::best_multiple && of_groups.size() > last;
+            return scaled
+                       ? of_groups[start.groups.of[static_cast<std::size_t>(last)]]
+                       : 1;
         }};
     return {columns::iterations("sweeps", "sweeps of the step"),
             columns::residual(),
@@ -87,7 +107,8 @@ inline std::vector<Measured<WarmState>> warm_columns()
             columns::last_rise(),
             columns::speed().plotted(false),
             columns::energy_gained_in_gravity_of_start().plotted(false),
-            columns::theory<WarmMethod>("", "a number of the text for this scene; 0 = none")};
+            columns::theory<WarmMethod>(
+                "", "a number of the text for this scene; 0 = none")};
 }
 
 /// A scene that is stepped by this chapter's method, from the reader's settings.
@@ -97,13 +118,15 @@ inline WarmSetup warm(DiscScene scene, Real zoom)
     setup.scene = std::move(scene);
     setup.zoom = zoom;
     setup.tune = tune;
-    setup.draw = [](Canvas& canvas, const SceneState& state) { paint::draw_scene(canvas, state); };
+    setup.draw = [](Canvas& canvas, const SceneState& state) {
+        paint::draw_scene(canvas, state);
+    };
     return setup;
 }
 
 /// What all scenes have in common.
-inline Demo warm_demo(const std::string& name, const std::string& summary, const View& view,
-                      const std::vector<Tunable>& tunables,
+inline Demo warm_demo(const std::string& name, const std::string& summary,
+                      const View& view, const std::vector<Tunable>& tunables,
                       const std::function<WarmSetup(const Settings&)>& set_up)
 {
     Demo demo;

@@ -29,20 +29,47 @@ namespace {
 // ---- the problems ---------------------------------------------------------------------------------------
 
 Index boxes_of(Index n) { return n / 2; }
-Index levels_of(Index n) { return static_cast<Index>(std::lround(std::sqrt(static_cast<Real>(n) / 2))); }
+Index levels_of(Index n)
+{
+    return static_cast<Index>(std::lround(std::sqrt(static_cast<Real>(n) / 2)));
+}
 
-RowProblem<3> toppling_rows(Index n) { return pile_problem(box_column(boxes_of(n)), at_rest); }
-RowProblem<3> upright_rows(Index n) { return pile_problem(box_column(boxes_of(n), 1, false, true), at_rest); }
+RowProblem<3> toppling_rows(Index n)
+{
+    return pile_problem(box_column(boxes_of(n)), at_rest);
+}
+RowProblem<3> upright_rows(Index n)
+{
+    return pile_problem(box_column(boxes_of(n), 1, false, true), at_rest);
+}
 RowProblem<3> hit_upright_rows(Index n)
 {
     return pile_problem(box_column(boxes_of(n), 1, false, true), in_impact);
 }
-RowProblem<3> column_rows(Index n) { return pile_problem(box_column(boxes_of(n)), nudged); }
-RowProblem<3> hit_column_rows(Index n) { return pile_problem(box_column(boxes_of(n)), in_impact); }
-RowProblem<3> heavy_rows(Index n) { return pile_problem(box_column(boxes_of(n), 1000, true), in_impact); }
-RowProblem<3> pyramid_rows(Index n) { return pile_problem(box_pyramid(levels_of(n)), at_rest); }
-RowProblem<3> hit_pyramid_rows(Index n) { return pile_problem(box_pyramid(levels_of(n)), in_impact); }
-RowProblem<3> friction_rows(Index n) { return pile_problem(box_column(n / 4), nudged, 0.5); }
+RowProblem<3> column_rows(Index n)
+{
+    return pile_problem(box_column(boxes_of(n)), nudged);
+}
+RowProblem<3> hit_column_rows(Index n)
+{
+    return pile_problem(box_column(boxes_of(n)), in_impact);
+}
+RowProblem<3> heavy_rows(Index n)
+{
+    return pile_problem(box_column(boxes_of(n), 1000, true), in_impact);
+}
+RowProblem<3> pyramid_rows(Index n)
+{
+    return pile_problem(box_pyramid(levels_of(n)), at_rest);
+}
+RowProblem<3> hit_pyramid_rows(Index n)
+{
+    return pile_problem(box_pyramid(levels_of(n)), in_impact);
+}
+RowProblem<3> friction_rows(Index n)
+{
+    return pile_problem(box_column(n / 4), nudged, 0.5);
+}
 RowProblem<2> chain_rows(Index n) { return chain_on_hills((n + 1) / 2); }
 
 template <auto rows>
@@ -59,16 +86,18 @@ Mlcp spd(Index n)
 
 struct Problem {
     Mlcp (*make)(Index n);
-    bool singular = false;  ///< ODE needs its cfm, and Bullet, which has none, gives no number
+    /// ODE needs its cfm, and Bullet, which has none, gives no number
+    bool singular = false;
 };
-const std::map<std::string, Problem> problems = {{"spd", {spd}},
-                                                 {"column", {from_rows<column_rows>}},
-                                                 {"column_hit", {from_rows<hit_column_rows>}},
-                                                 {"column_1_to_1000", {from_rows<heavy_rows>}},
-                                                 {"chain", {from_rows<chain_rows>}},
-                                                 {"pyramid", {from_rows<pyramid_rows>, true}},
-                                                 {"pyramid_hit", {from_rows<hit_pyramid_rows>, true}},
-                                                 {"friction", {from_rows<friction_rows>, true}}};
+const std::map<std::string, Problem> problems = {
+    {"spd", {spd}},
+    {"column", {from_rows<column_rows>}},
+    {"column_hit", {from_rows<hit_column_rows>}},
+    {"column_1_to_1000", {from_rows<heavy_rows>}},
+    {"chain", {from_rows<chain_rows>}},
+    {"pyramid", {from_rows<pyramid_rows>, true}},
+    {"pyramid_hit", {from_rows<hit_pyramid_rows>, true}},
+    {"friction", {from_rows<friction_rows>, true}}};
 
 // ---- what is told ---------------------------------------------------------------------------------------
 
@@ -115,7 +144,8 @@ void no_counters(benchmark::State& state)
         state.counters[counter] = 0;
 }
 
-void tell(benchmark::State& state, const Mlcp& mlcp, const Solution& solution, const ActiveSetMemory& memory)
+void tell(benchmark::State& state, const Mlcp& mlcp, const Solution& solution,
+          const ActiveSetMemory& memory)
 {
     state.counters["n"] = static_cast<Real>(mlcp.size());
     state.counters["residual"] = told(mlcp, solution.lambda);
@@ -194,7 +224,8 @@ struct Contestant {
         lambda = answer.lambda;
         if (ran) fastest.add(answer.us);
     }
-    void tell(benchmark::State& state, const std::string& name, const Mlcp& mlcp, Real ours) const
+    void tell(benchmark::State& state, const std::string& name, const Mlcp& mlcp,
+              Real ours) const
     {
         if (!ran) return;
         state.counters[name + "_us"] = fastest.us;
@@ -245,7 +276,8 @@ void warm(benchmark::State& state, const Problem& problem)
     const Mlcp mlcp = problem.make(state.range(0));
     Mlcp moved = mlcp;
     Random random(3);
-    for (Real& entry : moved.q) entry += 0.01 * mlcp.q.cwiseAbs().maxCoeff() * random.uniform(-1, 1);
+    for (Real& entry : moved.q)
+        entry += 0.01 * mlcp.q.cwiseAbs().maxCoeff() * random.uniform(-1, 1);
     const int calls = calls_for(mlcp.size());
     ColdSolve cold, cold_moved;
     ActiveSetMemory memory;
@@ -256,11 +288,13 @@ void warm(benchmark::State& state, const Problem& problem)
     for (auto _ : state) {
         cold.run(mlcp);
         active_sets(mlcp, {}, memory, solution);
-        again.add(time_of_one(calls, [&] { active_sets(mlcp, {}, memory, solution); }));
+        again.add(
+            time_of_one(calls, [&] { active_sets(mlcp, {}, memory, solution); }));
         const int factorisations = memory.work.factorisations;
         cold_moved.run(moved);
         memory = yesterday;
-        after_move.add(time_of_one(1, [&] { active_sets(moved, {}, memory, solution); }));
+        after_move.add(
+            time_of_one(1, [&] { active_sets(moved, {}, memory, solution); }));
         memory = yesterday;
         memory.work.factorisations = factorisations;
     }
@@ -291,7 +325,8 @@ void growth(benchmark::State& state, const std::string& name)
     ColdSolve cold;
     Fastest assembly;
     for (auto _ : state) {
-        assembly.add(microseconds([&] { assemble(problem.rows, problem.u_star, scratch, mlcp); }));
+        assembly.add(microseconds(
+            [&] { assemble(problem.rows, problem.u_star, scratch, mlcp); }));
         cold.run(mlcp);
     }
     no_counters(state);
@@ -299,7 +334,8 @@ void growth(benchmark::State& state, const std::string& name)
     state.counters["us"] = cold.fastest.us;
     state.counters["assembly_us"] = assembly.us;
     points[name].push_back({static_cast<Real>(mlcp.size()), cold.fastest.us,
-                            cold.fastest.us / std::max(1, cold.memory.work.guesses), assembly.us});
+                            cold.fastest.us / std::max(1, cold.memory.work.guesses),
+                            assembly.us});
 }
 
 /// The exponent p of time ~ n^p: a straight line through log time against log n, from n = 800 on: a column of 50
@@ -362,7 +398,8 @@ void add_all()
 {
     const auto of = [](const char* name) { return problems.at(name); };
     const auto add = [](const std::string& name, auto function, auto... arguments) {
-        auto* const one = benchmark::RegisterBenchmark(name.c_str(), function, arguments...);
+        auto* const one =
+            benchmark::RegisterBenchmark(name.c_str(), function, arguments...);
         return one->Unit(benchmark::kMillisecond);
     };
     const std::vector<std::pair<const char*, std::vector<Index>>> table = {
@@ -376,29 +413,48 @@ void add_all()
         {"pyramid_hit", {32, 128, 512, 968, 2048}}};
     for (const auto& [name, sizes] : table)
         for (const Index n : sizes) {
-            add("versus/" + std::string(name), versus, of(name))->Arg(n)->Iterations(n <= 32 ? 200 : 10);
-            add("warm/" + std::string(name), warm, of(name))->Arg(n)->Iterations(n <= 32 ? 200 : 20);
+            add("versus/" + std::string(name), versus, of(name))
+                ->Arg(n)
+                ->Iterations(n <= 32 ? 200 : 10);
+            add("warm/" + std::string(name), warm, of(name))
+                ->Arg(n)
+                ->Iterations(n <= 32 ? 200 : 20);
         }
     for (const Index n : {100, 200, 400, 800, 1600, 3200, 6400, 12800, 25600}) {
-        add("growth/column_upright", growth<upright_rows>, "column_upright")->Arg(n)->Iterations(20);
-        add("growth/column_upright_hit", growth<hit_upright_rows>, "column_upright_hit")
+        add("growth/column_upright", growth<upright_rows>, "column_upright")
             ->Arg(n)
             ->Iterations(20);
-        add("growth/column_topples", growth<toppling_rows>, "column_topples")->Arg(n)->Iterations(5);
+        add("growth/column_upright_hit", growth<hit_upright_rows>,
+            "column_upright_hit")
+            ->Arg(n)
+            ->Iterations(20);
+        add("growth/column_topples", growth<toppling_rows>, "column_topples")
+            ->Arg(n)
+            ->Iterations(5);
         add("growth/column", growth<column_rows>, "column")->Arg(n)->Iterations(20);
-        add("growth/column_hit", growth<hit_column_rows>, "column_hit")->Arg(n)->Iterations(20);
-        add("growth/chain", growth<chain_rows>, "chain")->Arg(n - 1)->Iterations(20);
+        add("growth/column_hit", growth<hit_column_rows>, "column_hit")
+            ->Arg(n)
+            ->Iterations(20);
+        add("growth/chain", growth<chain_rows>, "chain")
+            ->Arg(n - 1)
+            ->Iterations(20);
     }
     for (const Index n : {32, 128, 288, 512, 968, 2048})
-        add("growth/pyramid_hit", growth<hit_pyramid_rows>, "pyramid_hit")->Arg(n)->Iterations(10);
-    for (const char* name : {"column_upright", "column_upright_hit", "column_topples", "column", "column_hit",
-                             "chain", "pyramid_hit"})
+        add("growth/pyramid_hit", growth<hit_pyramid_rows>, "pyramid_hit")
+            ->Arg(n)
+            ->Iterations(10);
+    for (const char* name :
+         {"column_upright", "column_upright_hit", "column_topples", "column",
+          "column_hit", "chain", "pyramid_hit"})
         add("slope/" + std::string(name), slope, name)->Iterations(1);
-    for (const auto& [name, n] : {std::pair("spd", 300), std::pair("column_hit", 300),
-                                  std::pair("chain", 999), std::pair("pyramid_hit", 512)}) {
-        const auto contest = [&, here = std::string(name), size = n](const std::string& who,
-                                                                     const Solve& solve) {
-            add("error/" + here + "/" + who, error, of(here.c_str()), solve)->Arg(size)->Iterations(10);
+    for (const auto& [name, n] :
+         {std::pair("spd", 300), std::pair("column_hit", 300),
+          std::pair("chain", 999), std::pair("pyramid_hit", 512)}) {
+        const auto contest = [&, here = std::string(name), size = n](
+                                 const std::string& who, const Solve& solve) {
+            add("error/" + here + "/" + who, error, of(here.c_str()), solve)
+                ->Arg(size)
+                ->Iterations(10);
         };
         contest("active_sets", [](const Mlcp& mlcp) { return active_sets(mlcp); });
         contest("dantzig", [](const Mlcp& mlcp) { return dantzig(mlcp); });

@@ -19,9 +19,11 @@ Real microseconds(const Work& work)
     const std::clock_t cpu = std::clock();
     const auto start = Clock::now();
     work();
-    const Real wall = std::chrono::duration<Real, std::micro>(Clock::now() - start).count();
+    const Real wall =
+        std::chrono::duration<Real, std::micro>(Clock::now() - start).count();
     if (wall < 1000) return wall;
-    return std::min(wall, static_cast<Real>(std::clock() - cpu) * 1e6 / static_cast<Real>(CLOCKS_PER_SEC));
+    return std::min(wall, static_cast<Real>(std::clock() - cpu) * 1e6 /
+                              static_cast<Real>(CLOCKS_PER_SEC));
 }
 
 /// The fastest so far [µs].

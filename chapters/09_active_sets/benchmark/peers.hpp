@@ -36,19 +36,21 @@ class dxWorldProcessMemArena;
 struct dxWorldProcessMemoryManager;
 struct dxWorldProcessMemoryReserveInfo;
 size_t dxEstimateSolveLCPMemoryReq(unsigned n, bool outer_w);
-dxWorldProcessMemArena* dxAllocateTemporaryWorldProcessMemArena(size_t, const dxWorldProcessMemoryManager*,
-                                                                const dxWorldProcessMemoryReserveInfo*);
+dxWorldProcessMemArena*
+dxAllocateTemporaryWorldProcessMemArena(size_t, const dxWorldProcessMemoryManager*,
+                                        const dxWorldProcessMemoryReserveInfo*);
 void dxFreeTemporaryWorldProcessMemArena(dxWorldProcessMemArena*);
-void dxSolveLCP(dxWorldProcessMemArena*, unsigned n, double* A, double* b_and_x, double* w, unsigned nub,
-                double* lo_and_hi, int* findex);
+void dxSolveLCP(dxWorldProcessMemArena*, unsigned n, double* A, double* b_and_x,
+                double* w, unsigned nub, double* lo_and_hi, int* findex);
 #endif
 
 namespace rigid::peers {
 
 struct Answer {
-    VecX lambda;      ///< [N s]; infinite where there is none
-    Real us = 0;      ///< run time [µs]
-    bool ran = true;  ///< false: the library is not here, or the problem is not of its kind
+    VecX lambda;  ///< [N s]; infinite where there is none
+    Real us = 0;  ///< run time [µs]
+    /// false: the library is not here, or the problem is not of its kind
+    bool ran = true;
 };
 
 inline Answer none(Index n) { return {VecX::Constant(n, infinity), 0, false}; }
@@ -60,11 +62,15 @@ struct FreeFirst {
     MatX A;
     VecX q, lo, hi;
 
-    explicit FreeFirst(const Mlcp& mlcp) : order(static_cast<std::size_t>(mlcp.size()))
+    explicit FreeFirst(const Mlcp& mlcp)
+        : order(static_cast<std::size_t>(mlcp.size()))
     {
         std::iota(order.begin(), order.end(), 0);
-        const auto is_free = [&](int i) { return std::isinf(mlcp.lo[i]) && std::isinf(mlcp.hi[i]); };
-        const auto bounded = std::stable_partition(order.begin(), order.end(), is_free);
+        const auto is_free = [&](int i) {
+            return std::isinf(mlcp.lo[i]) && std::isinf(mlcp.hi[i]);
+        };
+        const auto bounded =
+            std::stable_partition(order.begin(), order.end(), is_free);
         free = static_cast<int>(bounded - order.begin());
         A = MatX(mlcp.A)(order, order);
         q = mlcp.q(order);
@@ -97,8 +103,10 @@ inline Answer ode(const FreeFirst& problem, Real cfm = 0)
     Answer answer = none(n);
     (void)cfm;
 #ifdef RIGID_HAS_ODE
-    using Rows = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Rows A = Rows::Zero(n, n > 1 ? (n + 3) / 4 * 4 : n);  // lines of a multiple of four
+    using Rows =
+        Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    // lines of a multiple of four
+    Rows A = Rows::Zero(n, n > 1 ? (n + 3) / 4 * 4 : n);
     A.leftCols(n) = problem.A;
     A.diagonal().array() += cfm;
     Eigen::Matrix2Xd b_and_x(2, n), lo_and_hi(2, n);
@@ -106,15 +114,16 @@ inline Answer ode(const FreeFirst& problem, Real cfm = 0)
     lo_and_hi << problem.lo.transpose(), problem.hi.transpose();
     std::vector<int> findex(static_cast<std::size_t>(n), -1);
     const auto size = static_cast<unsigned>(n);
-    auto* const memory =
-        dxAllocateTemporaryWorldProcessMemArena(dxEstimateSolveLCPMemoryReq(size, false), nullptr, nullptr);
+    auto* const memory = dxAllocateTemporaryWorldProcessMemArena(
+        dxEstimateSolveLCPMemoryReq(size, false), nullptr, nullptr);
     // A new arena has to be reset first, which ODE does inline: its first two members are where the next block
     // begins (still null) and where the first one does.
     void** const arena = reinterpret_cast<void**>(memory);
     arena[0] = arena[1];
     answer.us = microseconds([&] {
-        dxSolveLCP(memory, size, A.data(), b_and_x.data(), nullptr, static_cast<unsigned>(problem.free),
-                   lo_and_hi.data(), findex.data());
+        dxSolveLCP(memory, size, A.data(), b_and_x.data(), nullptr,
+                   static_cast<unsigned>(problem.free), lo_and_hi.data(),
+                   findex.data());
     });
     dxFreeTemporaryWorldProcessMemArena(memory);
     answer.lambda = problem.back(b_and_x.row(1).transpose());
@@ -134,8 +143,9 @@ inline Answer bullet(const FreeFirst& problem)
     std::vector<int> findex(static_cast<std::size_t>(n), -1);
     static btDantzigScratchMemory memory;  // kept, as Bullet's own solver keeps it
     answer.us = microseconds([&] {
-        answer.ran = btSolveDantzigLCP(static_cast<int>(n), A.data(), x.data(), b.data(), w.data(),
-                                       problem.free, lo.data(), hi.data(), findex.data(), memory);
+        answer.ran = btSolveDantzigLCP(static_cast<int>(n), A.data(), x.data(),
+                                       b.data(), w.data(), problem.free, lo.data(),
+                                       hi.data(), findex.data(), memory);
     });
     if (answer.ran) answer.lambda = problem.back(x);
     answer.ran = true;
@@ -150,13 +160,14 @@ inline Answer siconos(const FreeFirst& problem)
     Answer answer = none(n);
 #ifdef RIGID_HAS_SICONOS
     const auto bounded = n - problem.free;
-    if ((problem.lo.tail(bounded).array() != 0).any() || problem.hi.tail(bounded).array().isFinite().any())
+    if ((problem.lo.tail(bounded).array() != 0).any() ||
+        problem.hi.tail(bounded).array().isFinite().any())
         return answer;
     MatX A = problem.A;
     VecX q = problem.q, z = VecX::Zero(n), w = z;
     int info = 0;
-    SolverOptions* const options =
-        solver_options_create(problem.free > 0 ? int{SICONOS_MLCP_LCP_LEMKE} : int{SICONOS_LCP_LEMKE});
+    SolverOptions* const options = solver_options_create(
+        problem.free > 0 ? int{SICONOS_MLCP_LCP_LEMKE} : int{SICONOS_LCP_LEMKE});
     const int size = static_cast<int>(n);
     NumericsMatrix* const M = NM_create_from_data(NM_DENSE, size, size, A.data());
     if (problem.free == 0) {
@@ -164,13 +175,17 @@ inline Answer siconos(const FreeFirst& problem)
         lcp.size = size;
         lcp.M = M;
         lcp.q = q.data();
-        answer.us = microseconds([&] { lcp_lexicolemke(&lcp, z.data(), w.data(), &info, options); });
+        answer.us = microseconds(
+            [&] { lcp_lexicolemke(&lcp, z.data(), w.data(), &info, options); });
     } else {
-        MixedLinearComplementarityProblem* const mlcp = mixedLinearComplementarity_new();
+        MixedLinearComplementarityProblem* const mlcp =
+            mixedLinearComplementarity_new();
         // In its four blocks: its own cutting of M into them writes past their end where m > n.
         const Index n_free = problem.free;
-        MatX Aff = A.topLeftCorner(n_free, n_free), Abb = A.bottomRightCorner(bounded, bounded);
-        MatX Afb = A.topRightCorner(n_free, bounded), Abf = A.bottomLeftCorner(bounded, n_free);
+        MatX Aff = A.topLeftCorner(n_free, n_free),
+             Abb = A.bottomRightCorner(bounded, bounded);
+        MatX Afb = A.topRightCorner(n_free, bounded),
+             Abf = A.bottomLeftCorner(bounded, n_free);
         int block_rows[] = {0, problem.free, size}, is_complementary[] = {0, 1};
         mlcp->isStorageType1 = 0;
         mlcp->isStorageType2 = 1;
@@ -186,7 +201,8 @@ inline Answer siconos(const FreeFirst& problem)
         mlcp->b = q.data() + n_free;
         mlcp->M = M;
         mlcp->q = q.data();
-        answer.us = microseconds([&] { mlcp_lcp_lemke(mlcp, z.data(), w.data(), &info, options); });
+        answer.us = microseconds(
+            [&] { mlcp_lcp_lemke(mlcp, z.data(), w.data(), &info, options); });
         std::free(mlcp);
     }
     M->matrix0 = nullptr;  // ours

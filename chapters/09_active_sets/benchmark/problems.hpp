@@ -31,12 +31,14 @@ struct RowProblem {
 
 /// How the bodies move before the impulses.
 struct Motion {
-    Real fall = 9.81 / 60;  ///< downward speed of all: what gravity gives in one step [m/s]
-    Real jostle = 0;        ///< size of the random speeds on top of it [m/s, rad/s]
+    /// downward speed of all: what gravity gives in one step [m/s]
+    Real fall = 9.81 / 60;
+    Real jostle = 0;  ///< size of the random speeds on top of it [m/s, rad/s]
     std::uint64_t seed = 1;
 };
 
-inline constexpr Motion at_rest{}, nudged{9.81 / 60, 0.1, 1}, in_impact{9.81 / 60, 1, 1};
+inline constexpr Motion at_rest{}, nudged{9.81 / 60, 0.1, 1},
+    in_impact{9.81 / 60, 1, 1};
 
 /// Square boxes with a side of 1 m that stand on each other, and which box stands on which.
 struct BoxPile {
@@ -59,8 +61,8 @@ struct BoxPile {
 /// topmost has `top_mass` [kg], and so has every second one below it if `alternate`. A high column strays from
 /// the upright so far that it topples: parts of it open. If `upright`, each is moved by up to a twentieth from
 /// the axis instead, and at rest it stands.
-inline BoxPile box_column(Index boxes, Real top_mass = 1, bool alternate = false, bool upright = false,
-                          std::uint64_t seed = 1)
+inline BoxPile box_column(Index boxes, Real top_mass = 1, bool alternate = false,
+                          bool upright = false, std::uint64_t seed = 1)
 {
     Random random(seed);
     BoxPile pile;
@@ -85,12 +87,14 @@ inline BoxPile box_pyramid(Index levels)
         const Index count = levels - level;
         for (Index k = 0; k < count; ++k) {
             const Real left = -static_cast<Real>(count - 1) / 2;
-            const Index box =
-                pile.add({1.1 * (left + static_cast<Real>(k)), static_cast<Real>(level) + 0.5}, 1);
+            const Index box = pile.add({1.1 * (left + static_cast<Real>(k)),
+                                        static_cast<Real>(level) + 0.5},
+                                       1);
             if (level == 0) pile.stands.push_back({world, box});
             else
                 for (const Index side : {0, 1})
-                    pile.stands.push_back({level_start - count - 1 + k + side, box});
+                    pile.stands.push_back(
+                        {level_start - count - 1 + k + side, box});
         }
         level_start += count;
     }
@@ -98,42 +102,57 @@ inline BoxPile box_pyramid(Index levels)
 }
 
 /// The two ends of the line on which a pair touches [m].
-inline std::array<Vec2, 2> ends_of_contact(const BoxPile& pile, const BoxPile::Stands& pair)
+inline std::array<Vec2, 2> ends_of_contact(const BoxPile& pile,
+                                           const BoxPile::Stands& pair)
 {
     const Vec2 upper = pile.centre[static_cast<std::size_t>(pair.above)];
-    const Vec2 lower = pair.below == world ? upper : pile.centre[static_cast<std::size_t>(pair.below)];
+    const Vec2 lower = pair.below == world
+                           ? upper
+                           : pile.centre[static_cast<std::size_t>(pair.below)];
     return {Vec2(std::max(lower.x(), upper.x()) - 0.5, upper.y() - 0.5),
             Vec2(std::min(lower.x(), upper.x()) + 0.5, upper.y() - 0.5)};
 }
 
 /// The row of one direction at one point p of a contact, with the lever arms of p on both boxes.
-inline Row<3> pile_row(const BoxPile& pile, const VecX& inverse_mass, const BoxPile::Stands& pair,
-                       const Vec2& direction, const Vec2& p)
+inline Row<3> pile_row(const BoxPile& pile, const VecX& inverse_mass,
+                       const BoxPile::Stands& pair, const Vec2& direction,
+                       const Vec2& p)
 {
-    const auto centre = [&](Index k) { return pile.centre[static_cast<std::size_t>(k)]; };
-    const Vec2 arm = pair.below == world ? Vec2(0, 0) : Vec2(p - centre(pair.below));
-    return contact_row(pair.below, pair.above, direction, arm, p - centre(pair.above), inverse_mass);
+    const auto centre = [&](Index k) {
+        return pile.centre[static_cast<std::size_t>(k)];
+    };
+    const Vec2 arm =
+        pair.below == world ? Vec2(0, 0) : Vec2(p - centre(pair.below));
+    return contact_row(pair.below, pair.above, direction, arm,
+                       p - centre(pair.above), inverse_mass);
 }
 
 /// The rows of a pile: two points for each pair that touches, a normal row for each; with `friction`, the
 /// coefficient μ > 0, a tangential row behind each normal one. Its bounds are ±μ times what the point would
 /// carry if each box handed half of what is above it to each of its two points: a box of friction, fixed
 /// beforehand.
-inline RowProblem<3> pile_problem(const BoxPile& pile, const Motion& motion, Real friction = 0)
+inline RowProblem<3> pile_problem(const BoxPile& pile, const Motion& motion,
+                                  Real friction = 0)
 {
-    if (pile.mass.empty()) throw std::invalid_argument("the pile has 0 boxes; it needs at least 1");
+    if (pile.mass.empty())
+        throw std::invalid_argument("the pile has 0 boxes; it needs at least 1");
     const auto count = static_cast<Index>(pile.mass.size());
-    const auto at = [](const auto& list, Index k) { return list[static_cast<std::size_t>(k)]; };
+    const auto at = [](const auto& list, Index k) {
+        return list[static_cast<std::size_t>(k)];
+    };
     VecX inverse_mass(3 * count);
     RowProblem<3> problem;
     problem.u_star.resize(3 * count);
     Random random(motion.seed);
-    Real above = 0;  // mass that the next box down has to carry: only meant for columns
+    // mass that the next box down has to carry: only meant for columns
+    Real above = 0;
     for (Index k = 0; k < count; ++k) {
         const Real mass = at(pile.mass, k);
         above += mass;
-        inverse_mass.segment<3>(3 * k) << 1 / mass, 1 / mass, 6 / mass;  // a square about its centre
-        for (Index d = 0; d < 3; ++d) problem.u_star[3 * k + d] = motion.jostle * random.uniform(-1, 1);
+        // a square about its centre
+        inverse_mass.segment<3>(3 * k) << 1 / mass, 1 / mass, 6 / mass;
+        for (Index d = 0; d < 3; ++d)
+            problem.u_star[3 * k + d] = motion.jostle * random.uniform(-1, 1);
         problem.u_star[3 * k + 1] -= motion.fall;
     }
     for (const BoxPile::Stands& pair : pile.stands) {
@@ -156,7 +175,8 @@ inline RowProblem<3> pile_problem(const BoxPile& pile, const Motion& motion, Rea
 inline RowProblem<2> chain_on_hills(Index discs, const Motion& motion = in_impact)
 {
     if (discs < 2)
-        throw std::invalid_argument("the chain has " + std::to_string(discs) + " discs; it needs 2");
+        throw std::invalid_argument("the chain has " + std::to_string(discs) +
+                                    " discs; it needs 2");
     constexpr Real length = 0.1;
     Random random(motion.seed);
     VecX x(2 * discs), slope(discs);
@@ -170,14 +190,18 @@ inline RowProblem<2> chain_on_hills(Index discs, const Motion& motion = in_impac
     const VecX inverse_mass = VecX::Ones(2 * discs);
     RowProblem<2> problem;
     problem.u_star.resize(2 * discs);
-    for (Real& speed : problem.u_star) speed = motion.jostle * random.uniform(-1, 1);
+    for (Real& speed : problem.u_star)
+        speed = motion.jostle * random.uniform(-1, 1);
     for (Index k = 0; k < discs; ++k) problem.u_star[2 * k + 1] -= motion.fall;
     for (Index k = 0; k + 1 < discs; ++k)
-        problem.rows.push_back(bilateral(distance_constraint(x, {k, k + 1, length}), inverse_mass));
+        problem.rows.push_back(
+            bilateral(distance_constraint(x, {k, k + 1, length}), inverse_mass));
     for (Index k = 0; k < discs; ++k) {
         const Vec2 normal = Vec2(-slope[k], 1).normalized();
-        problem.rows.push_back(unilateral(
-            alignment_constraint<2>(x, world, k, normal, normal.dot(x.segment<2>(2 * k))), inverse_mass));
+        problem.rows.push_back(
+            unilateral(alignment_constraint<2>(x, world, k, normal,
+                                               normal.dot(x.segment<2>(2 * k))),
+                       inverse_mass));
     }
     return problem;
 }

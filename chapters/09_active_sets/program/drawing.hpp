@@ -12,7 +12,8 @@ inline constexpr Style wrong_guess = {Colour::orange, 3, 1, false, false};
 
 /// A dot for a row that the guess holds at w = 0, an empty ring for one that rests at its bound; a second ring
 /// around what contradicts the guess and will change.
-inline void row_mark(Canvas& canvas, const Vec2& p, Real radius, bool is_active, bool is_wrong)
+inline void row_mark(Canvas& canvas, const Vec2& p, Real radius, bool is_active,
+                     bool is_wrong)
 {
     canvas.disc(p, radius, is_active ? active : open);
     if (is_wrong) canvas.disc(p, 1.9 * radius, wrong_guess);

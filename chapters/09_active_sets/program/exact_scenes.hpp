@@ -46,7 +46,9 @@ using ExactSetup = SceneSetup<ActiveSetMethod>;
 
 inline void draw_exact(Canvas& canvas, const ExactState& state)
 {
-    paint::draw_scene(canvas, state, state.method.solver.find.counted(state.now.solution.iterations));
+    paint::draw_scene(
+        canvas, state,
+        state.method.solver.find.counted(state.now.solution.iterations));
 }
 
 inline ExactSetup solved_exactly(DiscScene scene, Real zoom)
@@ -64,8 +66,9 @@ inline ExactSetup solved_exactly(DiscScene scene, Real zoom)
 
 /// \param stretch  the last column
 /// \param own      what the reader may change in this one alone
-inline Demo exact_demo(const std::string& name, const std::string& summary, const View& view,
-                       const std::vector<Tunable>& own, const std::function<Real(const SceneState&)>& stretch,
+inline Demo exact_demo(const std::string& name, const std::string& summary,
+                       const View& view, const std::vector<Tunable>& own,
+                       const std::function<Real(const SceneState&)>& stretch,
                        const std::function<ExactSetup(const Settings&)>& set_up)
 {
     Demo demo;
@@ -79,17 +82,24 @@ inline Demo exact_demo(const std::string& name, const std::string& summary, cons
     demo.methods = {"active_sets", "cold", "dantzig", "gauss_seidel"};
     demo.side_by_side = {"active_sets", "gauss_seidel"};
     demo.tunables = with(own, tunables::sweeps_to_compare());
-    auto columns = matrix_columns<ExactOrSweeps>("iterations", "guesses, pivots or sweeps of the step");
+    auto columns = matrix_columns<ExactOrSweeps>(
+        "iterations", "guesses, pivots or sweeps of the step");
     for (Measured<ExactState>& one : columns)
         if (one.column.name == "penetration") one = one.plotted(false, true);
-    columns.push_back({{"factorisations", "", "of active_sets: of the active rows in this step", true},
+    columns.push_back({{"factorisations", "",
+                        "of active_sets: of the active rows in this step", true},
                        [](const ExactState& s) {
-                           return static_cast<Real>(s.method.solver.find.set.work.factorisations);
+                           return static_cast<Real>(
+                               s.method.solver.find.set.work.factorisations);
                        }});
     columns.push_back(
         {{"flips", "", "of active_sets: rows that changed their case in this step"},
-         [](const ExactState& s) { return static_cast<Real>(s.method.solver.find.set.work.flips); }});
-    columns.push_back({{"stretch", "", "of a chain: its length over that of its links", true}, stretch});
+         [](const ExactState& s) {
+             return static_cast<Real>(s.method.solver.find.set.work.flips);
+         }});
+    columns.push_back(
+        {{"stretch", "", "of a chain: its length over that of its links", true},
+         stretch});
     run_scene<ActiveSetMethod>(demo, columns, set_up);
     return demo;
 }
@@ -97,8 +107,10 @@ inline Demo exact_demo(const std::string& name, const std::string& summary, cons
 inline Demo ten_discs_exactly_scene()
 {
     Demo demo = exact_demo(
-        "ten_discs", "The ten discs, each step solved exactly from the previous set", ten_discs_view,
-        ten_discs_tunables(), [](const SceneState&) { return Real{0}; },
+        "ten_discs",
+        "The ten discs, each step solved exactly from the previous set",
+        ten_discs_view, ten_discs_tunables(),
+        [](const SceneState&) { return Real{0}; },
         [](const Settings&) {
             ExactSetup setup = solved_exactly(ten_discs(), 1);
             setup.pointer = Pointer::steers;

@@ -19,13 +19,15 @@ struct GuessWalk {
     int allowed = 1;      ///< corrections that the solver may make
     int corrections = 0;  ///< and did
     ActiveSetMemory memory;
-    Solution solution;              ///< what the solver says of it
-    VecX lambda;                    ///< what the guess led to, within its bounds or not [N s]
+    Solution solution;  ///< what the solver says of it
+    /// what the guess led to, within its bounds or not [N s]
+    VecX lambda;
     std::vector<BoundState> cases;  ///< the guess itself
 
     /// \param start  the previous set; empty = the solver's own first guess
     GuessWalk(Mlcp mlcp, std::string solver, std::vector<BoundState> start = {})
-        : problem(std::move(mlcp)), method(std::move(solver)), first(std::move(start))
+        : problem(std::move(mlcp)), method(std::move(solver)),
+          first(std::move(start))
     {
         solve(allowed);
     }
@@ -51,7 +53,8 @@ struct GuessWalk {
     /// The row contradicts its guess: an active one pulls, or one that was let go is pushed through.
     bool wrong(Index i) const
     {
-        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()), now = lambda[i];
+        const Real tiny = 1e-9 * (1e-300 + problem.q.cwiseAbs().maxCoeff()),
+                   now = lambda[i];
         const Real a = problem.A.coeff(i, i);
         if (guess(i) == BoundState::at_lo) return w(i) < -tiny;
         if (guess(i) == BoundState::at_hi) return w(i) > tiny;
@@ -73,11 +76,16 @@ struct GuessWalk {
         return {{"corrections", "", "guesses, or pivots, so far", false, false},
                 {"wrong", "", "rows that contradict the guess", true, false},
                 {"active", "", "rows that the guess holds at w = 0", true, false},
-                {"residual", "m/s", "natural residual of the present impulses", true, true},
+                {"residual", "m/s", "natural residual of the present impulses",
+                 true, true},
                 {"factorisations", "", "of the active rows, anew", false, false},
-                {"flips", "", "rows that changed their case, all corrections together", false, false},
+                {"flips", "",
+                 "rows that changed their case, all corrections together", false,
+                 false},
                 {"rows", "", "n", false, false},
-                {"status", "", "0 solved, 1 still guessing, 2 … 4 ray, infeasible, singular", false, false}};
+                {"status", "",
+                 "0 solved, 1 still guessing, 2 … 4 ray, infeasible, singular",
+                 false, false}};
     }
     std::vector<Real> measure() const
     {
@@ -94,11 +102,13 @@ struct GuessWalk {
     {
         const std::string what = method == "active_sets" ? "guess" : "pivot";
         const std::string many = method == "active_sets" ? "guesses" : "pivots";
-        const std::string name = std::to_string(corrections) + " " + (corrections == 1 ? what : many) + ": ";
+        const std::string name = std::to_string(corrections) + " " +
+                                 (corrections == 1 ? what : many) + ": ";
         if (done()) return name + std::string(to_string(solution.status));
-        if (memory.dependent && lambda.isZero()) return name + "its active rows depend on each other";
-        return name + std::to_string(count_wrong()) + " of " + std::to_string(problem.size()) +
-               " rows are wrong";
+        if (memory.dependent && lambda.isZero())
+            return name + "its active rows depend on each other";
+        return name + std::to_string(count_wrong()) + " of " +
+               std::to_string(problem.size()) + " rows are wrong";
     }
 
 private:
@@ -108,17 +118,20 @@ private:
         settings.limit = limit;
         memory = {};
         memory.cases = first;
-        if (method == "active_sets") active_sets(problem, settings, memory, solution);
+        if (method == "active_sets")
+            active_sets(problem, settings, memory, solution);
         else if (method == "dantzig") dantzig(problem, settings, memory, solution);
-        else solution = lemke(problem, {{}, {}, limit, settings.tolerance});  // chapter 5's walk, to compare
+        // chapter 5's walk, to compare
+        else solution = lemke(problem, {{}, {}, limit, settings.tolerance});
         corrections = solution.iterations;
         lambda = method == "lemke" ? solution.lambda : memory.guess.lambda;
         // A row that is not active rests at its bound to the bit: λ tells what was guessed.
         cases.resize(static_cast<std::size_t>(problem.size()));
         for (Index i = 0; i < problem.size(); ++i)
-            cases[static_cast<std::size_t>(i)] = lambda[i] == problem.lo[i]   ? BoundState::at_lo
-                                                 : lambda[i] == problem.hi[i] ? BoundState::at_hi
-                                                                              : BoundState::between;
+            cases[static_cast<std::size_t>(i)] =
+                lambda[i] == problem.lo[i]   ? BoundState::at_lo
+                : lambda[i] == problem.hi[i] ? BoundState::at_hi
+                                             : BoundState::between;
     }
 };
 

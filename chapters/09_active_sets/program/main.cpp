@@ -29,11 +29,16 @@ int main(int argc, char** argv)
         Program program;
         program.name = "09_active_sets";
         program.title = "Chapter 9. Active sets";
-        program.scenes = {
-            plane_scene(),      cycle_scene(),  guess_scene(), fill_scene(), ten_discs_exactly_scene(),
-            long_chain_scene(), linkage_scene()};
+        program.scenes = {plane_scene(),
+                          cycle_scene(),
+                          guess_scene(),
+                          fill_scene(),
+                          ten_discs_exactly_scene(),
+                          long_chain_scene(),
+                          linkage_scene()};
         program.problem_methods = names_of(problem_methods());
-        program.solve_problem = [](const std::string& file, const std::string& method) {
+        program.solve_problem = [](const std::string& file,
+                                   const std::string& method) {
             return solve_problem_file(file, method, problem_methods());
         };
         return program;

@@ -13,7 +13,8 @@ namespace rigid {
 
 class CycleRun : public Run {
 public:
-    explicit CycleRun(const Settings& settings) : now_(static_cast<std::size_t>(settings["start"]))
+    explicit CycleRun(const Settings& settings)
+        : now_(static_cast<std::size_t>(settings["start"]))
     {
         MatX A(3, 3);
         A << 8, -4, 6, -4, 3, -2, 6, -2, 6;
@@ -28,7 +29,8 @@ public:
             Guess guess;
             guess.lambda = guess.w = guess.step = VecX::Zero(3);
             for (std::size_t i = 0; i < 3; ++i)
-                guess.cases.push_back((k >> i) % 2 == 1 ? BoundState::between : BoundState::at_lo);
+                guess.cases.push_back((k >> i) % 2 == 1 ? BoundState::between
+                                                        : BoundState::at_lo);
             ActiveSetWork work;
             factor.factor(problem, guess.cases, work);
             solve_guess(problem, factor, guess);
@@ -36,10 +38,12 @@ public:
             for (const Index i : guess.wrong) next_[k] ^= std::size_t{1} << i;
             wrong_[k] = guess.wrong.size();
         }
-        for (std::size_t k = 0; k < 8; ++k) {  // after eight corrections every guess is where it will stay
+        // after eight corrections every guess is where it will stay
+        for (std::size_t k = 0; k < 8; ++k) {
             std::size_t end = k;
             for (int n = 0; n < 8; ++n) end = next_[end];
-            for (std::size_t n = 0; n < 8; ++n, end = next_[end]) in_cycle_[end] = next_[end] != end;
+            for (std::size_t n = 0; n < 8; ++n, end = next_[end])
+                in_cycle_[end] = next_[end] != end;
         }
     }
 
@@ -54,21 +58,26 @@ public:
         for (std::size_t k = 0; k < 8; ++k)
             for (std::size_t i = 0; i < 3; ++i)
                 if (const std::size_t other = k | std::size_t{1} << i; other != k)
-                    canvas.segment(corner(k), corner(other), {Colour::faint, 1, 1, false, false});
+                    canvas.segment(corner(k), corner(other),
+                                   {Colour::faint, 1, 1, false, false});
         for (std::size_t k = 0; k < 8; ++k) {
             if (next_[k] == k) continue;
-            const Style style = {in_cycle_[k] ? Colour::red : Colour::blue, in_cycle_[k] ? 3.0 : 1.8, 1,
-                                 false, false};
-            const Vec2 from = corner(k), to = corner(next_[k]), way = (to - from).normalized();
+            const Style style = {in_cycle_[k] ? Colour::red : Colour::blue,
+                                 in_cycle_[k] ? 3.0 : 1.8, 1, false, false};
+            const Vec2 from = corner(k), to = corner(next_[k]),
+                       way = (to - from).normalized();
             canvas.arrow(from + 0.07 * way, to - 0.07 * way, style);
         }
         for (std::size_t k = 0; k < 8; ++k) {
-            const Colour colour = next_[k] == k ? Colour::green : in_cycle_[k] ? Colour::red : Colour::ink;
+            const Colour colour = next_[k] == k  ? Colour::green
+                                  : in_cycle_[k] ? Colour::red
+                                                 : Colour::ink;
             canvas.disc(corner(k), 0.045, {colour, 1.5, 1, true, false});
             // Outwards; but outside of the corner 1, 2, which lies before the others, an arrow goes past.
             const bool right = k % 2 == 1 && k != 3, above = (k >> 1) % 2 == 1;
             const Vec2 beside(right ? 0.08 : -0.08, above ? 0.05 : -0.1);
-            canvas.text(corner(k) + beside, name(k), 14, {colour, 1, 1, false, false},
+            canvas.text(corner(k) + beside, name(k), 14,
+                        {colour, 1, 1, false, false},
                         right ? Align::left : Align::right);
         }
     }
@@ -78,14 +87,15 @@ private:
     static Vec2 corner(std::size_t k)
     {
         const auto side = [k](int i) { return (k >> i) % 2 == 1 ? 1.0 : 0.0; };
-        return Vec2(-0.85, -0.75) + side(0) * Vec2(1.2, 0) + side(1) * Vec2(0, 1.1) +
-               side(2) * Vec2(0.5, 0.42);
+        return Vec2(-0.85, -0.75) + side(0) * Vec2(1.2, 0) +
+               side(1) * Vec2(0, 1.1) + side(2) * Vec2(0.5, 0.42);
     }
     static std::string name(std::size_t k)
     {
         std::string rows;
         for (std::size_t i = 0; i < 3; ++i)
-            if ((k >> i) % 2 == 1) rows += (rows.empty() ? "" : ", ") + std::to_string(i + 1);
+            if ((k >> i) % 2 == 1)
+                rows += (rows.empty() ? "" : ", ") + std::to_string(i + 1);
         return rows.empty() ? "none" : rows;
     }
 
@@ -98,18 +108,22 @@ inline Demo cycle_scene()
 {
     Demo scene;
     scene.name = "cycle";
-    scene.summary =
-        "Three rows on which flipping all wrong rows cycles: the eight guesses and where each leads";
+    scene.summary = "Three rows on which flipping all wrong rows cycles: the eight "
+                    "guesses and where each leads";
     scene.view = {{0, 0}, {1.25, 0.98}};
     scene.h = 1;
     scene.h_low = 0.02;
     scene.h_high = 2;
     scene.methods = {"active_sets"};
-    scene.tunables = {
-        {"start", "", "the first guess: bit i of the number is row i + 1", 7, 0, 7, true, true, false}};
-    scene.columns = {{"guess", "", "bit i of the number: row i + 1 is active", true, false},
-                     {"wrong", "", "rows that contradict the guess", true, false}};
-    scene.start = [](const Settings& settings) { return std::make_unique<CycleRun>(settings); };
+    scene.tunables = {{"start", "",
+                       "the first guess: bit i of the number is row i + 1", 7, 0, 7,
+                       true, true, false}};
+    scene.columns = {
+        {"guess", "", "bit i of the number: row i + 1 is active", true, false},
+        {"wrong", "", "rows that contradict the guess", true, false}};
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<CycleRun>(settings);
+    };
     return scene;
 }
 

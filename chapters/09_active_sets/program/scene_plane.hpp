@@ -13,7 +13,8 @@ namespace rigid {
 class PlaneRun : public Run {
 public:
     explicit PlaneRun(const Settings& settings)
-        : walk_(problem(settings), settings.method, set_of(static_cast<int>(settings["start"])))
+        : walk_(problem(settings), settings.method,
+                set_of(static_cast<int>(settings["start"])))
     {
         const MatX A(walk_.problem.A);
         const VecX& q = walk_.problem.q;
@@ -43,22 +44,30 @@ public:
         const Vec2 corner(0.95, 0.95);
         // Where both λ may be.
         const Vec2 zero = shown({0, 0});
-        canvas.polygon({zero, {corner.x(), zero.y()}, corner, {zero.x(), corner.y()}},
-                       {Colour::green, 0, 0.12, true, false});
-        canvas.arrow({-corner.x(), zero.y()}, {corner.x() + 0.03, zero.y()}, paint::axis);
-        canvas.arrow({zero.x(), -corner.y()}, {zero.x(), corner.y() + 0.03}, paint::axis);
-        canvas.text({corner.x() + 0.02, zero.y() - 0.09}, "λ₁ [N s]", 13, paint::label, Align::right);
-        canvas.text({zero.x() - 0.04, corner.y()}, "λ₂ [N s]", 13, paint::label, Align::right);
+        canvas.polygon(
+            {zero, {corner.x(), zero.y()}, corner, {zero.x(), corner.y()}},
+            {Colour::green, 0, 0.12, true, false});
+        canvas.arrow({-corner.x(), zero.y()}, {corner.x() + 0.03, zero.y()},
+                     paint::axis);
+        canvas.arrow({zero.x(), -corner.y()}, {zero.x(), corner.y() + 0.03},
+                     paint::axis);
+        canvas.text({corner.x() + 0.02, zero.y() - 0.09}, "λ₁ [N s]", 13,
+                    paint::label, Align::right);
+        canvas.text({zero.x() - 0.04, corner.y()}, "λ₂ [N s]", 13, paint::label,
+                    Align::right);
         draw_line(canvas, 0, {Colour::purple, 1.5, 1, false, false}, "w₁ = 0");
         draw_line(canvas, 1, {Colour::green, 1.5, 1, false, false}, "w₂ = 0");
 
         for (std::size_t k = 1; k < visited_.size(); ++k)
-            canvas.arrow(shown(answers_[visited_[k - 1]]), shown(answers_[visited_[k]]), paint::impulse);
-        static const std::array<std::string, 4> names = {"none", "row 1", "row 2", "both"};
+            canvas.arrow(shown(answers_[visited_[k - 1]]),
+                         shown(answers_[visited_[k]]), paint::impulse);
+        static const std::array<std::string, 4> names = {"none", "row 1", "row 2",
+                                                         "both"};
         for (std::size_t k = 0; k < answers_.size(); ++k) {
             const Vec2 p = shown(answers_[k]);
             const bool here = k == visited_.back();
-            canvas.disc(p, here ? 0.035 : 0.02, {here ? Colour::red : Colour::ink, 1.5, 1, here, false});
+            canvas.disc(p, here ? 0.035 : 0.02,
+                        {here ? Colour::red : Colour::ink, 1.5, 1, here, false});
             const bool left = k == 0 || p.x() < zero.x() - 0.01;
             const Vec2 beside(left ? -0.05 : 0.05, k == 0 ? -0.09 : 0.045);
             canvas.text(p + beside, names[k] + complaint(k), 13,
@@ -76,15 +85,17 @@ private:
         VecX q(2);
         q << settings["q1"], settings["q2"];
         if (!(A.determinant() > 0))
-            throw std::invalid_argument("a11 a22 - a12^2 is " + shortest(A.determinant()) +
-                                        "; it must be positive, else A is not positive definite");
+            throw std::invalid_argument(
+                "a11 a22 - a12^2 is " + shortest(A.determinant()) +
+                "; it must be positive, else A is not positive definite");
         return plain_lcp(A, q);
     }
 
     static std::vector<BoundState> set_of(int number)
     {
         const auto active = [number](int row) {
-            return (number >> row) % 2 == 1 ? BoundState::between : BoundState::at_lo;
+            return (number >> row) % 2 == 1 ? BoundState::between
+                                            : BoundState::at_lo;
         };
         return {active(0), active(1)};
     }
@@ -104,14 +115,17 @@ private:
         for (Index i = 0; i < 2; ++i) {
             const std::string number = i == 0 ? "₁" : "₂";
             const bool active = (k >> i) % 2 == 1;
-            if (active && answers_[k][i] < 0) text += (text.empty() ? ": λ" : ", λ") + number + " < 0";
-            if (!active && w[i] < -1e-12) text += (text.empty() ? ": w" : ", w") + number + " < 0";
+            if (active && answers_[k][i] < 0)
+                text += (text.empty() ? ": λ" : ", λ") + number + " < 0";
+            if (!active && w[i] < -1e-12)
+                text += (text.empty() ? ": w" : ", w") + number + " < 0";
         }
         return text.empty() ? ": right" : text;
     }
 
     /// w_i = 0 within the picture, and its name where it leaves it.
-    void draw_line(Canvas& canvas, Index i, const Style& style, const std::string& name) const
+    void draw_line(Canvas& canvas, Index i, const Style& style,
+                   const std::string& name) const
     {
         const Vec2 a(walk_.problem.A.coeff(i, 0), walk_.problem.A.coeff(i, 1));
         const Vec2 n = a.normalized(), along = perpendicular(n);
@@ -126,7 +140,8 @@ private:
         }
         if (from >= to) return;
         canvas.segment(middle + from * along, middle + to * along, style);
-        const Vec2 high = along.y() > 0 ? Vec2(middle + to * along) : Vec2(middle + from * along);
+        const Vec2 high =
+            along.y() > 0 ? Vec2(middle + to * along) : Vec2(middle + from * along);
         canvas.text(high + Vec2(0, 0.03), name, 13, style, Align::centre);
     }
 
@@ -141,21 +156,25 @@ inline Demo plane_scene()
 {
     Demo scene;
     scene.name = "plane";
-    scene.summary = "Two rows and their four guesses in the plane of λ: what each gets wrong, and the way";
+    scene.summary = "Two rows and their four guesses in the plane of λ: what each "
+                    "gets wrong, and the way";
     scene.view = {{-0.12, -0.03}, {1.25, 1.12}};
     scene.h = 1;
     scene.h_low = 0.02;
     scene.h_high = 2;
     scene.methods = {"active_sets"};
     scene.tunables = {
-        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 3, 0, 3, true, true, false},
+        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 3, 0, 3,
+         true, true, false},
         {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
         {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
         {"a12", "1/kg", "of A, off its diagonal", 1, -3, 3, false, true, false},
         {"q1", "m/s", "of q, row 1", -5, -6, 6, false, true, false},
         {"q2", "m/s", "of q, row 2", -1, -6, 6, false, true, false}};
     scene.columns = GuessWalk::columns();
-    scene.start = [](const Settings& settings) { return std::make_unique<PlaneRun>(settings); };
+    scene.start = [](const Settings& settings) {
+        return std::make_unique<PlaneRun>(settings);
+    };
     return scene;
 }
 

@@ -81,14 +81,17 @@ Counted counted_in(const SkippingWorld& now)
     return counted;
 }
 
-benchmark::internal::Benchmark* add(const std::string& name, std::function<void(benchmark::State&)> run)
+benchmark::internal::Benchmark* add(const std::string& name,
+                                    std::function<void(benchmark::State&)> run)
 {
-    return benchmark::RegisterBenchmark(name.c_str(), std::move(run))->Unit(benchmark::kMicrosecond);
+    return benchmark::RegisterBenchmark(name.c_str(), std::move(run))
+        ->Unit(benchmark::kMicrosecond);
 }
 
 /// What is settled once and then used by several rounds.
 template <class Key, class Thing>
-Thing& once(std::map<Key, Thing>& all, const Key& key, const std::function<Thing()>& make)
+Thing& once(std::map<Key, Thing>& all, const Key& key,
+            const std::function<Thing()>& make)
 {
     if (const auto found = all.find(key); found != all.end()) return found->second;
     return all.emplace(key, make()).first->second;
@@ -106,9 +109,11 @@ void number_by_place(DiscScene& scene)
     std::vector<Index> order(static_cast<std::size_t>(scene.bodies.count()));
     std::iota(order.begin(), order.end(), Index{0});
     const auto key = [&](Index k) {
-        return std::pair(std::floor(old.bodies.x[2 * k + 1] / 0.5), old.bodies.x[2 * k]);
+        return std::pair(std::floor(old.bodies.x[2 * k + 1] / 0.5),
+                         old.bodies.x[2 * k]);
     };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return key(a) < key(b); });
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         const Index from = order[static_cast<std::size_t>(k)];
         set_disc(scene, k, old.bodies.x.segment<2>(2 * from), old.radius[from]);
@@ -118,10 +123,12 @@ void number_by_place(DiscScene& scene)
 DiscScene scattered_by(const std::string& name, Index N)
 {
     if (name == "shuffled") return scattered(N, 0.1, 1, 1);
-    DiscScene scene = name == "sparse"  ? scattered(N, 0.1, 1, 1)
-                      : name == "dense" ? scattered(N, 0.7, 1, 1)
-                      : name == "sizes" ? scattered(N, 0.3, 100, 1)
-                                        : scattered(N, 0.3, 1, 1, std::sqrt(0.3 * static_cast<Real>(N)));
+    DiscScene scene =
+        name == "sparse"  ? scattered(N, 0.1, 1, 1)
+        : name == "dense" ? scattered(N, 0.7, 1, 1)
+        : name == "sizes"
+            ? scattered(N, 0.3, 100, 1)
+            : scattered(N, 0.3, 1, 1, std::sqrt(0.3 * static_cast<Real>(N)));
     number_by_place(scene);
     return scene;
 }
@@ -140,9 +147,11 @@ struct Breath {
     {
         for (unsigned i = 0; i < places; ++i) {
             const Real angle = 2 * pi * i / places;
-            circle.push_back(0.002 * places / (2 * pi) * Vec2(std::cos(angle), std::sin(angle)));
+            circle.push_back(0.002 * places / (2 * pi) *
+                             Vec2(std::cos(angle), std::sin(angle)));
         }
-        for (Index k = 0; k < scene.bodies.count(); ++k) place.push_back(29 * static_cast<unsigned>(k));
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            place.push_back(29 * static_cast<unsigned>(k));
     }
     void move(VecX& x)
     {
@@ -155,7 +164,8 @@ struct Breath {
     }
 };
 
-void contacts_by_sweep(const DiscScene& scene, SortAndSweep& memory, std::vector<std::uint64_t>& pairs,
+void contacts_by_sweep(const DiscScene& scene, SortAndSweep& memory,
+                       std::vector<std::uint64_t>& pairs,
                        std::vector<Contact>& contacts)
 {
     pairs.clear();
@@ -165,10 +175,12 @@ void contacts_by_sweep(const DiscScene& scene, SortAndSweep& memory, std::vector
     contacts.clear();
     Contact contact;
     for (const std::uint64_t pair : pairs)
-        if (touches(scene, first_of(pair), second_of(pair), margin, contact)) contacts.push_back(contact);
+        if (touches(scene, first_of(pair), second_of(pair), margin, contact))
+            contacts.push_back(contact);
 }
 
-void broad(benchmark::State& state, const std::string& method, const std::string& name)
+void broad(benchmark::State& state, const std::string& method,
+           const std::string& name)
 {
     const auto N = static_cast<Index>(state.range(0));
     DiscScene scene = scattered_by(name, N);
@@ -218,8 +230,9 @@ void broad(benchmark::State& state, const std::string& method, const std::string
 void net_step(benchmark::State& state, bool groups)
 {
     const DiscScene scene = net(100);
-    SkippingWorld now =
-        make_world(scene, groups ? net_filter(scene) : filter_of_links(scene.bodies.count(), scene.links));
+    SkippingWorld now = make_world(
+        scene, groups ? net_filter(scene)
+                      : filter_of_links(scene.bodies.count(), scene.links));
     SkippingSettings settings;
     settings.h = 1.0 / 240;
     settings.sweeps.max_sweeps = 2;
@@ -234,8 +247,8 @@ SkippingSettings early_out(Real h, bool may_sleep)
     SkippingSettings settings;
     settings.h = h;
     settings.sleep = may_sleep;
-    settings.start =
-        Start::previous;  // the sweeps go on until the residual is small, so it does no harm here
+    // the sweeps go on until the residual is small, so it does no harm here
+    settings.start = Start::previous;
     settings.sweeps.max_sweeps = 40;
     settings.sweeps.tolerance = 1e-5;
     settings.stabilizer.slop = 5e-4;
@@ -265,7 +278,8 @@ struct Ours : Stepper {
     SkippingWorld now;
     SkippingSettings settings;
     Ours(const DiscScene& scene, Real contact_margin, const SkippingSettings& by)
-        : now(make_world(scene, filter_of_links(scene.bodies.count(), scene.links), contact_margin)),
+        : now(make_world(scene, filter_of_links(scene.bodies.count(), scene.links),
+                         contact_margin)),
           settings(by)
     {
     }
@@ -279,7 +293,8 @@ struct Chapter8 : Stepper {
     StepData<2> now;
     StepSettings settings;
     WarmMethod method;
-    Chapter8(const DiscScene& from, Real contact_margin, const SkippingSettings& by) : scene(from)
+    Chapter8(const DiscScene& from, Real contact_margin, const SkippingSettings& by)
+        : scene(from)
     {
         link_neighbours(scene);
         settings.h = by.h;
@@ -293,7 +308,8 @@ struct Chapter8 : Stepper {
     Counted counted() const override
     {
         Counted counted;
-        counted.awake = static_cast<Real>((scene.bodies.inverse_mass.array() > 0).count() / 2);
+        counted.awake =
+            static_cast<Real>((scene.bodies.inverse_mass.array() > 0).count() / 2);
         return counted;
     }
     DiscScene& poses() override { return scene; }
@@ -306,8 +322,8 @@ struct Engine : Stepper {
     Real h;
     int substeps;
     Engine(const DiscScene& from, const SkippingSettings& by, int count)
-        : scene{"", from, true, true, 2000}, world(scene, {by.sleep, by.stabilizer.slop}), h(by.h),
-          substeps(count)
+        : scene{"", from, true, true, 2000},
+          world(scene, {by.sleep, by.stabilizer.slop}), h(by.h), substeps(count)
     {
     }
     void step() override { world.step(h, substeps); }
@@ -324,13 +340,15 @@ struct Engine : Stepper {
     }
 };
 
-std::unique_ptr<Stepper> stepper(const std::string& who, const DiscScene& scene, Real contact_margin,
-                                 const SkippingSettings& by)
+std::unique_ptr<Stepper> stepper(const std::string& who, const DiscScene& scene,
+                                 Real contact_margin, const SkippingSettings& by)
 {
-    if (who == "chapter_8") return std::make_unique<Chapter8>(scene, contact_margin, by);
+    if (who == "chapter_8")
+        return std::make_unique<Chapter8>(scene, contact_margin, by);
     [[maybe_unused]] const bool small = who.find("_small") != std::string::npos;
 #ifdef RIGID_HAS_BOX2D
-    if (who.rfind("box2d", 0) == 0) return std::make_unique<Engine<Box2dWorld>>(scene, by, small ? 8 : 1);
+    if (who.rfind("box2d", 0) == 0)
+        return std::make_unique<Engine<Box2dWorld>>(scene, by, small ? 8 : 1);
 #endif
 #ifdef RIGID_HAS_CHIPMUNK
     if (who.rfind("chipmunk", 0) == 0)
@@ -358,25 +376,32 @@ std::vector<std::string> engines(bool small)
 using Steppers = std::map<std::string, std::unique_ptr<Stepper>>;
 
 /// A field after two seconds: discs that may sleep do.
-void field_step(benchmark::State& state, const std::string& kind, const std::string& who)
+void field_step(benchmark::State& state, const std::string& kind,
+                const std::string& who)
 {
     static Steppers all;
     const auto K = static_cast<Index>(state.range(0));
-    Stepper& now = *once<std::string, std::unique_ptr<Stepper>>(all, kind + who + std::to_string(K), [&] {
-        auto made =
-            stepper(who, field_with(K, kind != "sleepers"), margin, early_out(1.0 / 60, kind != "awake"));
-        for (int i = 0; i < 120; ++i) made->step();
-        return made;
-    });
+    Stepper& now = *once<std::string, std::unique_ptr<Stepper>>(
+        all, kind + who + std::to_string(K), [&] {
+            auto made = stepper(who, field_with(K, kind != "sleepers"), margin,
+                                early_out(1.0 / 60, kind != "awake"));
+            for (int i = 0; i < 120; ++i) made->step();
+            return made;
+        });
     for (auto _ : state) now.step();
     const Counted counted = now.counted();
     report(state, counted);
-    const Real wanted = kind == "sleepers" ? 0 : kind == "beside" ? 1 : static_cast<Real>(K) + 1;
+    const Real wanted = kind == "sleepers" ? 0
+                        : kind == "beside" ? 1
+                                           : static_cast<Real>(K) + 1;
     if (counted.awake != wanted) state.SkipWithError("the wrong ones are awake");
 }
 
 /// The rain, wider the more discs there are: the valleys are as deep as those of the program.
-DiscScene wide_rain(Index N) { return rain_on_hills(N, 1, 0.018 * static_cast<Real>(N)); }
+DiscScene wide_rain(Index N)
+{
+    return rain_on_hills(N, 1, 0.018 * static_cast<Real>(N));
+}
 
 constexpr Real rain_margin = 0.03, rain_h = 1.0 / 120;
 
@@ -388,7 +413,8 @@ Real deepest_overlap(const DiscScene& scene)
     Real deepest = 0;
     const auto movable = [&](Index k) { return scene.bodies.can_move(k); };
     for (const Contact& contact : contacts)
-        if (movable(contact.a) || movable(contact.b)) deepest = std::max(deepest, -contact.gap);
+        if (movable(contact.a) || movable(contact.b))
+            deepest = std::max(deepest, -contact.gap);
     return deepest;
 }
 
@@ -396,11 +422,13 @@ Real deepest_overlap(const DiscScene& scene)
 Stepper& pile_of(const std::string& who, Index N)
 {
     static Steppers all;
-    return *once<std::string, std::unique_ptr<Stepper>>(all, who + std::to_string(N), [&] {
-        auto made = stepper(who, wide_rain(N), rain_margin, early_out(rain_h, false));
-        for (int i = 0; i < 2400; ++i) made->step();
-        return made;
-    });
+    return *once<std::string, std::unique_ptr<Stepper>>(
+        all, who + std::to_string(N), [&] {
+            auto made =
+                stepper(who, wide_rain(N), rain_margin, early_out(rain_h, false));
+            for (int i = 0; i < 2400; ++i) made->step();
+            return made;
+        });
 }
 
 void pile(benchmark::State& state, const std::string& who)
@@ -468,7 +496,10 @@ void small(benchmark::State& state)
     const Index height = state.range(0);
     DiscScene scene = empty_scene(100 * height);
     for (Index k = 0; k < scene.bodies.count(); ++k)
-        set_disc(scene, k, {static_cast<Real>(k / height), 0.1 + 0.2 * static_cast<Real>(k % height)}, 0.1);
+        set_disc(scene, k,
+                 {static_cast<Real>(k / height),
+                  0.1 + 0.2 * static_cast<Real>(k % height)},
+                 0.1);
     scene.walls = {{{0, 1}, 0}};
     scene = perturbed(std::move(scene), 1);
     SkippingSettings settings = early_out(1.0 / 60, false);
@@ -479,7 +510,8 @@ void small(benchmark::State& state)
     for (int i = 0; i < 10; ++i) skipping_step(now, settings);
     Real round = 0;
     for (auto _ : state) {
-        now.scene.bodies.x = scene.bodies.x;  // no column is given the time to topple
+        // no column is given the time to topple
+        now.scene.bodies.x = scene.bodies.x;
         if (state.range(2) != 0) {
             for (Index i = 0; i < 100; ++i)
                 now.scene.bodies.velocity(height * i + height - 1) =
@@ -520,7 +552,8 @@ void apart(benchmark::State& state)
     DiscScene scene = empty_scene(130);
     for (Index k = 0; k < 130; ++k)
         set_disc(scene, k,
-                 k < 30 ? Vec2(-5, 0.1 + 0.2 * static_cast<Real>(k)) : Vec2(0.3 * static_cast<Real>(k), 0.1),
+                 k < 30 ? Vec2(-5, 0.1 + 0.2 * static_cast<Real>(k))
+                        : Vec2(0.3 * static_cast<Real>(k), 0.1),
                  0.1);
     scene.walls = {{{0, 1}, 0}};
     SkippingSettings settings = early_out(1.0 / 60, false);
@@ -553,15 +586,19 @@ struct Ball {
     {
         if (drag == 0) return 0.260741728327057;
         const Real rate = std::sqrt(g * drag), fastest = std::sqrt(g / drag);
-        const auto dropped = [&](Real t) { return std::log(std::cosh(rate * t)) / drag; };
+        const auto dropped = [&](Real t) {
+            return std::log(std::cosh(rate * t)) / drag;
+        };
         Real top = 1, left = end;
         for (;;) {
             const Real fall = std::acosh(std::exp(drag * top)) / rate;
             if (left <= fall) return top - dropped(left);
-            const Real up = e * fastest * std::tanh(rate * fall), rise = std::atan(up / fastest) / rate;
+            const Real up = e * fastest * std::tanh(rate * fall),
+                       rise = std::atan(up / fastest) / rate;
             left -= fall;
             top = std::log1p(up * up / (fastest * fastest)) / (2 * drag);
-            if (left <= rise) return top + std::log(std::cos(rate * (rise - left))) / drag;
+            if (left <= rise)
+                return top + std::log(std::cos(rate * (rise - left))) / drag;
             left -= rise;
         }
     }
@@ -594,14 +631,18 @@ void bounce_adaptive(benchmark::State& state, const Ball& ball)
 {
     const Real allowed = std::pow(10, -static_cast<Real>(state.range(0)));
     const Tolerance tolerance{allowed, allowed, allowed};
-    const auto a = [&](const Vec<1>&, const Vec<1>& u) { return Vec<1>(ball.acceleration(u[0])); };
+    const auto a = [&](const Vec<1>&, const Vec<1>& u) {
+        return Vec<1>(ball.acceleration(u[0]));
+    };
     Counted counted;
     for (auto _ : state) {
         counted = {};
-        Adaptive<1> run = start_adaptive<1>({Vec<1>(1.0), Vec<1>(0.0)}, a, tolerance);
+        Adaptive<1> run =
+            start_adaptive<1>({Vec<1>(1.0), Vec<1>(0.0)}, a, tolerance);
         while (run.t < Ball::end) {
             ++counted.sweeps;
-            if (advance_to_event(run, Ball::end, a, tolerance, [](const State<1>& s) { return s.x[0]; }) !=
+            if (advance_to_event(run, Ball::end, a, tolerance,
+                                 [](const State<1>& s) { return s.x[0]; }) !=
                 Outcome::event)
                 continue;
             run.s.u = -Ball::e * run.s.u;
@@ -627,7 +668,8 @@ void factor(benchmark::State& state)
     Counted counted;
     const std::vector<int>& begin = memory.sparse_factor.elimination.row_begin;
     for (std::size_t k = 0; k + 1 < begin.size(); ++k)
-        counted.visits += (begin[k + 1] - begin[k] + 1.0) * (begin[k + 1] - begin[k] + 1.0);
+        counted.visits +=
+            (begin[k + 1] - begin[k] + 1.0) * (begin[k + 1] - begin[k] + 1.0);
     const auto n = static_cast<Real>(mlcp.size());
     counted.rows = n;
     counted.tested = n * n * n / 3;
@@ -640,7 +682,9 @@ void add_all()
     for (const std::string name : {"sparse", "dense", "sizes", "line", "shuffled"})
         for (const std::string method : {"all", "sweep", "grid", "kept"}) {
             auto* const one = add("broad/" + method + "/" + name,
-                                  [method, name](benchmark::State& state) { broad(state, method, name); });
+                                  [method, name](benchmark::State& state) {
+                                      broad(state, method, name);
+                                  });
             one->MinTime(0.02)->Repetitions(3);
             for (const int N : {30, 100, 300, 1000, 3000, 10000, 30000, 100000})
                 if (method != "all" || N <= 10000) one->Arg(N);
@@ -651,7 +695,9 @@ void add_all()
         if (kind == "awake") who.push_back("chapter_8");
         for (const std::string& w : who) {
             auto* const one =
-                add(kind + "/" + w, [kind, w](benchmark::State& state) { field_step(state, kind, w); });
+                add(kind + "/" + w, [kind, w](benchmark::State& state) {
+                    field_step(state, kind, w);
+                });
             one->MinTime(0.02)->Repetitions(5);
             for (const int K : {0, 1, 10, 100, 1000, 10000})
                 if (w != "chapter_8" || K <= 1000) one->Arg(K);
@@ -660,12 +706,14 @@ void add_all()
     std::vector<std::string> who = engines(true);
     who.insert(who.begin(), "ours");
     for (const std::string& w : who) {
-        auto* const one = add("pile/" + w, [w](benchmark::State& state) { pile(state, w); });
+        auto* const one =
+            add("pile/" + w, [w](benchmark::State& state) { pile(state, w); });
         one->MinTime(0.05)->Repetitions(3);
         for (const int N : {500, 2000}) one->Arg(N);
     }
     for (const std::string& w : who) {
-        auto* const one = add("rain/" + w, [w](benchmark::State& state) { rain(state, w); });
+        auto* const one =
+            add("rain/" + w, [w](benchmark::State& state) { rain(state, w); });
         one->Iterations(1)->Unit(benchmark::kMillisecond);
         for (const int N : {500, 2000}) one->Arg(N);
     }
@@ -676,8 +724,11 @@ void add_all()
         for (const int exact : {0, 1})
             for (const int hit : {0, 1}) few->Args({count, exact, hit});
     for (const std::string name : {"column", "triangle"}) {
-        const DiscScene scene = perturbed(name == "column" ? column_between_walls(20) : triangle(8), 1);
-        auto* const one = add("early/" + name, [scene](benchmark::State& state) { early(state, scene); });
+        const DiscScene scene =
+            perturbed(name == "column" ? column_between_walls(20) : triangle(8), 1);
+        auto* const one = add("early/" + name, [scene](benchmark::State& state) {
+            early(state, scene);
+        });
         one->Iterations(1);
         for (const int sweeps : {0, 100, 10}) one->Arg(sweeps);
     }
@@ -692,10 +743,12 @@ void add_all()
         auto* const fixed = add(name + "fixed", [ball](benchmark::State& state) {
                                 bounce_fixed(state, ball);
                             })->MinTime(0.01);
-        for (const int steps : {10, 100, 1000, 10000, 100000, 1000000, 10000000}) fixed->Arg(steps);
-        auto* const adaptive = add(name + "adaptive", [ball](benchmark::State& state) {
-                                   bounce_adaptive(state, ball);
-                               })->MinTime(0.01);
+        for (const int steps : {10, 100, 1000, 10000, 100000, 1000000, 10000000})
+            fixed->Arg(steps);
+        auto* const adaptive =
+            add(name + "adaptive", [ball](benchmark::State& state) {
+                bounce_adaptive(state, ball);
+            })->MinTime(0.01);
         for (const int digits : {3, 5, 7, 9, 11}) adaptive->Arg(digits);
     }
     auto* const chain = add("factor", factor)->MinTime(0.01);

@@ -32,23 +32,31 @@ inline Colour colour_of_island(int island)
 {
     constexpr std::array hues = {Colour::blue, Colour::orange, Colour::green,
                                  Colour::red,  Colour::purple, Colour::yellow};
-    return island < 0 ? Colour::ink : hues[static_cast<std::size_t>(island) * 2654435761u / 7 % hues.size()];
+    return island < 0 ? Colour::ink
+                      : hues[static_cast<std::size_t>(island) * 2654435761u / 7 %
+                             hues.size()];
 }
 
-inline void draw_skipping(Canvas& canvas, const SkippingState& state, const IslandOf& island_of)
+inline void draw_skipping(Canvas& canvas, const SkippingState& state,
+                          const IslandOf& island_of)
 {
     const DiscScene& scene = state.scene;
     const View& view = state.view;
     for (const HalfSpace& wall : scene.walls)
         paint::draw_wall(canvas, wall, {}, 1, 2 * view.half_size.maxCoeff());
-    paint::draw_links(canvas, state, [](const Link&) { return Style{Colour::ink, 1, 0.5, false, false}; });
+    paint::draw_links(canvas, state, [](const Link&) {
+        return Style{Colour::ink, 1, 0.5, false, false};
+    });
     for (Index k = 0; k < scene.bodies.count(); ++k) {
-        const Activity activity = state.method.contacts.set.activity[static_cast<std::size_t>(k)];
+        const Activity activity =
+            state.method.contacts.set.activity[static_cast<std::size_t>(k)];
         const Vec2 at = scene.bodies.position(k) - view.centre;
-        if (activity == Activity::gone || std::abs(at.x()) > view.half_size.x() + scene.radius[k] ||
+        if (activity == Activity::gone ||
+            std::abs(at.x()) > view.half_size.x() + scene.radius[k] ||
             std::abs(at.y()) > view.half_size.y() + scene.radius[k])
             continue;
-        Style style = {colour_of_island(island_of[static_cast<std::size_t>(k)]), 1, 0.65, true, false};
+        Style style = {colour_of_island(island_of[static_cast<std::size_t>(k)]), 1,
+                       0.65, true, false};
         if (activity == Activity::fixed) style = {Colour::ink, 1, 0.3, true, false};
         if (activity == Activity::asleep) style.opacity = 0.12;
         canvas.disc(scene.bodies.position(k), scene.radius[k], style);
@@ -57,12 +65,14 @@ inline void draw_skipping(Canvas& canvas, const SkippingState& state, const Isla
     const auto line = [&](int i, const std::string& text) {
         const Real size = view.half_size.maxCoeff();
         canvas.text(view.centre +
-                        Vec2(-0.96 * view.half_size.x(), view.half_size.y() - size * (0.05 + 0.05 * i)),
+                        Vec2(-0.96 * view.half_size.x(),
+                             view.half_size.y() - size * (0.05 + 0.05 * i)),
                     text, 14);
     };
-    line(0, std::to_string(c.awake) + " awake, " + std::to_string(c.islands) + " islands, " +
-                std::to_string(c.rows) + " rows");
-    line(1, std::to_string(c.tested) + " pairs tested, " + std::to_string(c.visits) + " row visits");
+    line(0, std::to_string(c.awake) + " awake, " + std::to_string(c.islands) +
+                " islands, " + std::to_string(c.rows) + " rows");
+    line(1, std::to_string(c.tested) + " pairs tested, " +
+                std::to_string(c.visits) + " row visits");
     paint::draw_hand(canvas, state);
 }
 

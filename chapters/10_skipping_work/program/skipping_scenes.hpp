@@ -14,23 +14,27 @@
 namespace rigid {
 
 /// Sets disc k: where, how large, and its mass by its area (100 kg/m²); `fixed` ones have no inverse mass.
-inline void set_disc(DiscScene& scene, Index k, const Vec2& x, Real radius, bool fixed = false)
+inline void set_disc(DiscScene& scene, Index k, const Vec2& x, Real radius,
+                     bool fixed = false)
 {
     scene.bodies.position(k) = x;
     scene.radius[k] = radius;
-    scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(fixed ? 0 : 1 / (100 * pi * radius * radius));
+    scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(
+        fixed ? 0 : 1 / (100 * pi * radius * radius));
 }
 
 /// So many discs, still to be placed; none is a scene as well.
 inline DiscScene empty_scene(Index count)
 {
     if (count < 0)
-        throw std::invalid_argument("the number of discs is " + std::to_string(count) +
+        throw std::invalid_argument("the number of discs is " +
+                                    std::to_string(count) +
                                     "; it must be 0 or more");
     DiscScene scene;
     scene.bodies = Bodies<2>(count);
     scene.radius = VecX::Ones(count);
-    scene.length = 1;  // whatever the radii: the settings of this chapter are metres
+    // whatever the radii: the settings of this chapter are metres
+    scene.length = 1;
     return scene;
 }
 
@@ -38,7 +42,8 @@ inline DiscScene empty_scene(Index count)
 /// \param share   of the square's area that they cover together
 /// \param ratio   largest radius over smallest; every size in between is equally likely on a logarithmic scale
 /// \param stretch the square becomes a rectangle: so many times as wide, as many times less high
-inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t seed, Real stretch = 1)
+inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t seed,
+                           Real stretch = 1)
 {
     Random random(seed);
     DiscScene scene = empty_scene(count);
@@ -58,7 +63,10 @@ inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t se
 }
 
 /// The ground of the rain at x [m]: valleys 4 m apart, of different depths.
-inline Real ground(Real x) { return 1.6 * std::cos(0.5 * pi * x) + 0.3 * std::sin(0.37 * x); }
+inline Real ground(Real x)
+{
+    return 1.6 * std::cos(0.5 * pi * x) + 0.3 * std::sin(0.37 * x);
+}
 
 /// N discs of 5 to 10 cm, hung up in lines above a ground of fixed discs between two walls: let go, it rains.
 /// The fixed discs come first.
@@ -76,13 +84,17 @@ inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 36)
     const auto in_line = static_cast<Index>((width - 0.2) / between);
     DiscScene scene = empty_scene(fixed + count);
     for (Index k = 0; k < fixed; ++k) {
-        const Real radius = random.uniform(0.2, 0.26), x = stones[static_cast<std::size_t>(k)];
-        set_disc(scene, k, {x, ground(x) - radius + random.uniform(-0.04, 0.04)}, radius, true);
+        const Real radius = random.uniform(0.2, 0.26),
+                   x = stones[static_cast<std::size_t>(k)];
+        set_disc(scene, k, {x, ground(x) - radius + random.uniform(-0.04, 0.04)},
+                 radius, true);
     }
     for (Index i = 0; i < count; ++i) {
-        const Real x = between * (static_cast<Real>(i % in_line) - 0.5 * static_cast<Real>(in_line - 1));
+        const Real x = between * (static_cast<Real>(i % in_line) -
+                                  0.5 * static_cast<Real>(in_line - 1));
         const Real y = 2.2 + between * static_cast<Real>(i / in_line);
-        const Real radius = random.uniform(0.05, 0.1), aside = random.uniform(-0.015, 0.015);
+        const Real radius = random.uniform(0.05, 0.1),
+                   aside = random.uniform(-0.015, 0.015);
         set_disc(scene, fixed + i, {x + aside, y}, radius);
     }
     // Nothing gets through: behind the stones there is a wall.
@@ -98,14 +110,22 @@ inline DiscScene net(Index side)
     require_count("discs along a side of a net", side);
     constexpr Real length = 0.1;
     DiscScene scene = empty_scene(side * side);
-    const auto at = [side](Index line, Index column) { return line * side + column; };
+    const auto at = [side](Index line, Index column) {
+        return line * side + column;
+    };
     for (Index line = 0; line < side; ++line)
         for (Index column = 0; column < side; ++column) {
             const bool fixed = line == 0 && (column == 0 || column == side - 1);
-            const Real x = length * (static_cast<Real>(column) - 0.5 * static_cast<Real>(side - 1));
-            set_disc(scene, at(line, column), {x, -length * static_cast<Real>(line)}, 0.06, fixed);
-            if (column > 0) scene.links.push_back({at(line, column - 1), at(line, column), length});
-            if (line > 0) scene.links.push_back({at(line - 1, column), at(line, column), length});
+            const Real x = length * (static_cast<Real>(column) -
+                                     0.5 * static_cast<Real>(side - 1));
+            set_disc(scene, at(line, column),
+                     {x, -length * static_cast<Real>(line)}, 0.06, fixed);
+            if (column > 0)
+                scene.links.push_back(
+                    {at(line, column - 1), at(line, column), length});
+            if (line > 0)
+                scene.links.push_back(
+                    {at(line - 1, column), at(line, column), length});
         }
     scene.half_size.setConstant(0.8 * length * static_cast<Real>(side));
     return scene;
@@ -124,14 +144,18 @@ inline CollisionFilter net_filter(const DiscScene& scene)
 inline DiscScene field(Index sleepers)
 {
     if (sleepers < 0)
-        throw std::invalid_argument("the number of sleepers in a field is " + std::to_string(sleepers) +
+        throw std::invalid_argument("the number of sleepers in a field is " +
+                                    std::to_string(sleepers) +
                                     "; it must be 0 or more");
     DiscScene scene = empty_scene(2 + sleepers);
     set_disc(scene, 0, {0, 5}, 0.05, true);
     set_disc(scene, 1, {1, 5}, 0.1);
     scene.links = {{0, 1, 1}};
     for (Index i = 0; i < sleepers; ++i)
-        set_disc(scene, 2 + i, {0.3 * (static_cast<Real>(i) - 0.5 * static_cast<Real>(sleepers)), 0.1}, 0.1);
+        set_disc(
+            scene, 2 + i,
+            {0.3 * (static_cast<Real>(i) - 0.5 * static_cast<Real>(sleepers)), 0.1},
+            0.1);
     scene.walls = {{{0, 1}, 0}};
     scene.half_size = {8, 4};
     return scene;
@@ -145,10 +169,10 @@ inline DiscScene columns_and_ball(Index count, Index height)
     set_disc(scene, 0, {-4.2, 0.3}, 0.3, true);
     for (Index c = 0; c < count; ++c)
         for (Index i = 0; i < height; ++i)
-            set_disc(
-                scene, 1 + c * height + i,
-                {static_cast<Real>(c) - 0.5 * static_cast<Real>(count - 1), 0.1 + 0.2 * static_cast<Real>(i)},
-                0.1);
+            set_disc(scene, 1 + c * height + i,
+                     {static_cast<Real>(c) - 0.5 * static_cast<Real>(count - 1),
+                      0.1 + 0.2 * static_cast<Real>(i)},
+                     0.1);
     scene.walls = {{{0, 1}, 0}};
     scene.half_size = {4.2, 2};
     return scene;

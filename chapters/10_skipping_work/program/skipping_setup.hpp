@@ -32,7 +32,8 @@ inline void tune(const Settings& settings, Real margin, SkippingState& state)
     skipping.islands = settings.method != "one_island";
     skipping.stabilizer.slop = 5e-4;
     skipping.stabilizer.max_correction_speed = 1;
-    skipping.start = Start::previous;  // the sweeps go on until the residual is small
+    // the sweeps go on until the residual is small
+    skipping.start = Start::previous;
     skipping.pulled = state.step.pulled;
     state.step = configure(state.method, skipping, margin);
 }
@@ -41,9 +42,11 @@ inline void tune(const Settings& settings, Real margin, SkippingState& state)
 inline Index disc_in_grid(SkippingState& state, const Vec2& point)
 {
     Index found = world;
-    state.method.contacts.broad.grid.near(point, 0.02, ~std::uint64_t{0}, [&](int b) {
-        if (state.scene.bodies.can_move(b)) found = b;
-    });
+    state.method.contacts.broad.grid.near(point, 0.02, ~std::uint64_t{0},
+                                          [&](int b) {
+                                              if (state.scene.bodies.can_move(b))
+                                                  found = b;
+                                          });
     return found;
 }
 
@@ -64,17 +67,23 @@ void edit(SkippingState& state, const Edit& change)
 
 /// A scene that is stepped by this chapter's method, from the reader's settings.
 /// \param margin, skin  as in make_world()
-inline SkippingSetup skipping(DiscScene scene, CollisionFilter filter, Real margin, Real skin)
+inline SkippingSetup skipping(DiscScene scene, CollisionFilter filter, Real margin,
+                              Real skin)
 {
-    SkippingWorld made = make_world(std::move(scene), std::move(filter), margin, skin);
+    SkippingWorld made =
+        make_world(std::move(scene), std::move(filter), margin, skin);
     SkippingSetup setup;
     setup.scene = std::move(made.scene);
     setup.method = std::move(made.method);
-    setup.tune = [margin](const Settings& settings, SkippingState& state) { tune(settings, margin, state); };
+    setup.tune = [margin](const Settings& settings, SkippingState& state) {
+        tune(settings, margin, state);
+    };
     setup.pick = disc_in_grid;
-    const auto island_of =
-        std::make_shared<IslandOf>(static_cast<std::size_t>(setup.scene.bodies.count()), -1);
-    setup.after = [island_of](const SkippingState& state) { note_islands(state, *island_of); };
+    const auto island_of = std::make_shared<IslandOf>(
+        static_cast<std::size_t>(setup.scene.bodies.count()), -1);
+    setup.after = [island_of](const SkippingState& state) {
+        note_islands(state, *island_of);
+    };
     setup.draw = [island_of](Canvas& canvas, const SkippingState& state) {
         draw_skipping(canvas, state, *island_of);
     };
@@ -83,22 +92,27 @@ inline SkippingSetup skipping(DiscScene scene, CollisionFilter filter, Real marg
 
 /// One of the counters of a step.
 template <class Number>
-Measured<SkippingState> counted(const std::string& name, const std::string& help, bool plotted,
-                                Number SkippingCounters::*counter)
+Measured<SkippingState> counted(const std::string& name, const std::string& help,
+                                bool plotted, Number SkippingCounters::*counter)
 {
     return {{name, "", help, plotted}, [counter](const SkippingState& s) {
-                return s.steps > 0 ? static_cast<Real>(counters_of(s.method, s.now).*counter) : 0;
+                return s.steps > 0 ? static_cast<Real>(
+                                         counters_of(s.method, s.now).*counter)
+                                   : 0;
             }};
 }
 
 /// Of the bodies that are awake.
 inline Measured<SkippingState> awake_energy()
 {
-    return {{"kinetic", "J", "kinetic energy of those who are awake", true}, [](const SkippingState& s) {
+    return {{"kinetic", "J", "kinetic energy of those who are awake", true},
+            [](const SkippingState& s) {
                 Real energy = 0;
                 for (const int k : s.method.contacts.set.awake)
-                    if (const Real inverse = s.scene.bodies.inverse_mass[2 * k]; inverse > 0)
-                        energy += s.scene.bodies.velocity(k).squaredNorm() / (2 * inverse);
+                    if (const Real inverse = s.scene.bodies.inverse_mass[2 * k];
+                        inverse > 0)
+                        energy += s.scene.bodies.velocity(k).squaredNorm() /
+                                  (2 * inverse);
                 return energy;
             }};
 }
@@ -106,25 +120,31 @@ inline Measured<SkippingState> awake_energy()
 inline std::vector<Measured<SkippingState>> skipping_columns()
 {
     using C = SkippingCounters;
-    return {counted("awake", "bodies that the step looked at", true, &C::awake),
-            counted("islands", "islands of those, single bodies included", true, &C::islands),
-            counted("contacts", "contacts of those", false, &C::contacts),
-            counted("rows", "rows built and solved", true, &C::rows),
-            counted("sweeps", "sweeps of the island that needed the most", true, &C::sweeps),
-            counted("visits", "rows visited", true, &C::visits),
-            counted("tested", "pairs of discs whose distance was computed", true, &C::tested),
-            counted("asked", "discs that asked the grid", false, &C::queries),
-            counted("woken", "bodies that were woken", false, &C::woken),
-            counted("fell_asleep", "bodies that fell asleep", false, &C::fell_asleep),
-            counted("unsolved", "islands whose residual did not meet the tolerance", false, &C::unsolved),
-            awake_energy()};
+    return {
+        counted("awake", "bodies that the step looked at", true, &C::awake),
+        counted("islands", "islands of those, single bodies included", true,
+                &C::islands),
+        counted("contacts", "contacts of those", false, &C::contacts),
+        counted("rows", "rows built and solved", true, &C::rows),
+        counted("sweeps", "sweeps of the island that needed the most", true,
+                &C::sweeps),
+        counted("visits", "rows visited", true, &C::visits),
+        counted("tested", "pairs of discs whose distance was computed", true,
+                &C::tested),
+        counted("asked", "discs that asked the grid", false, &C::queries),
+        counted("woken", "bodies that were woken", false, &C::woken),
+        counted("fell_asleep", "bodies that fell asleep", false, &C::fell_asleep),
+        counted("unsolved", "islands whose residual did not meet the tolerance",
+                false, &C::unsolved),
+        awake_energy()};
 }
 
 /// What all scenes have in common.
 /// \param own  what the reader may change in this one alone
-inline Demo skipping_demo(const std::string& name, const std::string& summary, const View& view, Real h,
-                          int max_sweeps, const Tunable& own,
-                          const std::function<SkippingSetup(const Settings&)>& set_up)
+inline Demo
+skipping_demo(const std::string& name, const std::string& summary, const View& view,
+              Real h, int max_sweeps, const Tunable& own,
+              const std::function<SkippingSetup(const Settings&)>& set_up)
 {
     Demo demo;
     demo.name = name;
@@ -134,14 +154,24 @@ inline Demo skipping_demo(const std::string& name, const std::string& summary, c
     demo.methods = {"skipping", "no_sleep", "one_island"};
     demo.tunables = {
         tunables::gravity("size of gravity; changing it wakes everybody"),
-        tunables::whole("max_sweeps", "after so many sweeps an island makes do with what it has", max_sweeps,
-                        1, 500),
-        tunables::whole("exact_rows", "islands of up to so many rows are solved exactly", 8, 0, 32),
-        tunables::number("digits", "", "the residual of an island is to be below 10^-digits m/s", 5, 2, 12),
-        tunables::number("rest_speed", "m/s", "a body that is slower for rest_time is at rest", 1e-3, 1e-6,
-                         0.1),
-        tunables::number("rest_time", "s", "how long a body must be at rest before it sleeps", 0.5, 0.01, 10),
-        tunables::at_start("skin", "m", "how far a disc may move before it asks the grid again", 0.01, 0, 1),
+        tunables::whole("max_sweeps",
+                        "after so many sweeps an island makes do with what it has",
+                        max_sweeps, 1, 500),
+        tunables::whole("exact_rows",
+                        "islands of up to so many rows are solved exactly", 8, 0,
+                        32),
+        tunables::number("digits", "",
+                         "the residual of an island is to be below 10^-digits m/s",
+                         5, 2, 12),
+        tunables::number("rest_speed", "m/s",
+                         "a body that is slower for rest_time is at rest", 1e-3,
+                         1e-6, 0.1),
+        tunables::number("rest_time", "s",
+                         "how long a body must be at rest before it sleeps", 0.5,
+                         0.01, 10),
+        tunables::at_start("skin", "m",
+                           "how far a disc may move before it asks the grid again",
+                           0.01, 0, 1),
         own};
     demo.h_high = 1.0 / 60;
     run_scene<SkippingMethod>(demo, skipping_columns(), set_up);

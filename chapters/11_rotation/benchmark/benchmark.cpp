@@ -22,7 +22,8 @@ struct Case {
 };
 
 // The pendulum: closed form (chapter 1's exact_pendulum() of 2/3 m); the double one: Runge-Kutta in angles.
-const std::array cases = {Case{"pendulum", 1, 0}, Case{"double", 2, -1.207716238190638}};
+const std::array cases = {Case{"pendulum", 1, 0},
+                          Case{"double", 2, -1.207716238190638}};
 
 template <class Method>
 void measure(benchmark::State& state, const Case& scene, Method fresh, Real truth)
@@ -32,13 +33,14 @@ void measure(benchmark::State& state, const Case& scene, Method fresh, Real trut
     std::int64_t visits = 0;
     for (auto _ : state) {
         const std::array<Real, 2> level = {pi / 2, pi / 2};
-        RigidScene rods =
-            rod_pendulum(std::span<const Real>(level).first(static_cast<std::size_t>(scene.rods)));
+        RigidScene rods = rod_pendulum(std::span<const Real>(level).first(
+            static_cast<std::size_t>(scene.rods)));
         Method method = fresh;
         StepData<3> now;
         visits = 0;
         for (long i = 0; i < parts / 4; ++i) {
-            step(rods, {.h = 4.0 / static_cast<Real>(parts), .substeps = 4}, method, now);
+            step(rods, {.h = 4.0 / static_cast<Real>(parts), .substeps = 4}, method,
+                 now);
             visits += now.visits;
         }
         error = std::abs(rod_angle(rods, 0) - truth);
@@ -63,12 +65,17 @@ int main(int argc, char** argv)
     one.correction.correction_sweeps = 1;
     for (const Case& scene : cases) {
         const Real truth =
-            scene.rods == 1 ? exact_pendulum({.g = 9.81, .length = 2.0 / 3}, pi / 2, 1).x[0] : scene.truth;
+            scene.rods == 1
+                ? exact_pendulum({.g = 9.81, .length = 2.0 / 3}, pi / 2, 1).x[0]
+                : scene.truth;
         const auto add = [&](const std::string& method, const auto& fresh) {
             auto* const made = benchmark::RegisterBenchmark(
                 ("error/" + scene.name + "/" + method).c_str(),
-                [&scene, fresh, truth](benchmark::State& state) { measure(state, scene, fresh, truth); });
-            made->RangeMultiplier(2)->Range(64, 4096)->Unit(benchmark::kMicrosecond);
+                [&scene, fresh, truth](benchmark::State& state) {
+                    measure(state, scene, fresh, truth);
+                });
+            made->RangeMultiplier(2)->Range(64, 4096)->Unit(
+                benchmark::kMicrosecond);
         };
         add("exact", exact);
         add("rattle", RigidRattle{});

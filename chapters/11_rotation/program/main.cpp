@@ -10,8 +10,9 @@ int main(int argc, char** argv)
         Program program;
         program.name = "11_rotation";
         program.title = "Chapter 11. Rotation";
-        program.scenes = {rod_scene(),    percussion_scene(), pendulum_scene(), double_scene(),
-                          ladder_scene(), seesaw_scene(),     gears_scene(),    crank_scene()};
+        program.scenes = {rod_scene(),    percussion_scene(), pendulum_scene(),
+                          double_scene(), ladder_scene(),     seesaw_scene(),
+                          gears_scene(),  crank_scene()};
         return program;
     };
     return run_program(make, argc, argv);

@@ -12,17 +12,20 @@ namespace rigid {
 inline Demo pendulum_scene()
 {
     Demo scene = rigid_demo(
-        "pendulum", "A rod on a pin beside its closed form: the order is one", {{0, -0.15}, {1.2, 1}},
-        [](const Settings& settings) {
+        "pendulum", "A rod on a pin beside its closed form: the order is one",
+        {{0, -0.15}, {1.2, 1}}, [](const Settings& settings) {
             const Real start = settings["angle"] * pi / 180;
             RigidSetup setup;
             setup.scene = rod_pendulum(std::array{start});
-            const auto exact = [start](Real t) {  // a rod swings as a point at two thirds of its length
-                return exact_pendulum({.g = 9.81, .length = 2.0 / 3}, start, t).x[0];
+            // a rod swings as a point at two thirds of its length
+            const auto exact = [start](Real t) {
+                return exact_pendulum({.g = 9.81, .length = 2.0 / 3}, start, t)
+                    .x[0];
             };
             setup.measure = [exact](const RigidState& s) -> std::vector<Real> {
                 const Real angle = rod_angle(s.scene, 0), truth = exact(s.t);
-                return {angle, truth, std::abs(angle - truth), energy(s.scene), largest_joint_error(s.scene)};
+                return {angle, truth, std::abs(angle - truth), energy(s.scene),
+                        largest_joint_error(s.scene)};
             };
             setup.picture = [exact](Canvas& canvas, const RigidState& s) {
                 const Real angle = exact(s.t);
@@ -32,8 +35,8 @@ inline Demo pendulum_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"angle", "°", "at the start, from straight down", 90, 1, 179, false, true, false});
+    scene.tunables.push_back({"angle", "°", "at the start, from straight down", 90,
+                              1, 179, false, true, false});
     scene.columns = {{"angle", "rad", "from straight down", true, false},
                      {"exact", "rad", "closed form", true, false},
                      {"error", "rad", "their difference", true, true},
@@ -44,39 +47,44 @@ inline Demo pendulum_scene()
 
 inline Demo double_scene()
 {
-    Demo scene =
-        rigid_demo("double", "Two rods in a row: two starts that differ by a hair part within seconds",
-                   {{0, -0.2}, {2.3, 2.15}}, [](const Settings& settings) {
-                       const Real start = settings["angle"] * pi / 180;
-                       RigidSetup setup;
-                       const RigidScene one = rod_pendulum(std::array{start, start}),
-                                        two = rod_pendulum(std::array{start, start + settings["hair"]});
-                       setup.scene = one;  // both in one scene: they share no row
-                       for (Index k = 0; k < 2; ++k) {
-                           const Index other =
-                               add_body(setup.scene, capsule(1, 0), thin_rod(1, 1),
-                                        two.bodies.position(k).head<2>(), two.bodies.x[3 * k + 2]);
-                           add_pin(setup.scene, k == 0 ? world : other - 1,
-                                   k == 0 ? Vec2(0, 0) : Vec2(0.5, 0), other, {-0.5, 0});
-                       }
-                       setup.traced = 1;
-                       setup.traced_point = {0.5, 0};
-                       setup.measure = [](const RigidState& s) -> std::vector<Real> {
-                           const VecX& x = s.scene.bodies.x;
-                           return {rod_angle(s.scene, 0), rod_angle(s.scene, 1),
-                                   (point_of(x, 1, {0.5, 0}) - point_of(x, 3, {0.5, 0})).norm(),
-                                   energy(s.scene) / 2, largest_joint_error(s.scene)};
-                       };
-                       return setup;
-                   });
-    scene.tunables.push_back({"angle", "°", "of both rods at the start", 120, 1, 179, false, true, false});
-    scene.tunables.push_back(
-        {"hair", "rad", "by which the second start differs", 1e-3, 0, 0.1, false, true, false});
-    scene.columns = {{"angle_1", "rad", "of the upper rod", true, false},
-                     {"angle_2", "rad", "of the lower rod", true, false},
-                     {"apart", "m", "between the ends of the two starts", true, true},
-                     {"energy", "J", "mean of the two", true, false},
-                     {"joint", "m", "largest error of a pin", true, true}};
+    Demo scene = rigid_demo(
+        "double",
+        "Two rods in a row: two starts that differ by a hair part within seconds",
+        {{0, -0.2}, {2.3, 2.15}}, [](const Settings& settings) {
+            const Real start = settings["angle"] * pi / 180;
+            RigidSetup setup;
+            const RigidScene one = rod_pendulum(std::array{start, start}),
+                             two = rod_pendulum(
+                                 std::array{start, start + settings["hair"]});
+            setup.scene = one;  // both in one scene: they share no row
+            for (Index k = 0; k < 2; ++k) {
+                const Index other = add_body(
+                    setup.scene, capsule(1, 0), thin_rod(1, 1),
+                    two.bodies.position(k).head<2>(), two.bodies.x[3 * k + 2]);
+                add_pin(setup.scene, k == 0 ? world : other - 1,
+                        k == 0 ? Vec2(0, 0) : Vec2(0.5, 0), other, {-0.5, 0});
+            }
+            setup.traced = 1;
+            setup.traced_point = {0.5, 0};
+            setup.measure = [](const RigidState& s) -> std::vector<Real> {
+                const VecX& x = s.scene.bodies.x;
+                return {
+                    rod_angle(s.scene, 0), rod_angle(s.scene, 1),
+                    (point_of(x, 1, {0.5, 0}) - point_of(x, 3, {0.5, 0})).norm(),
+                    energy(s.scene) / 2, largest_joint_error(s.scene)};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"angle", "°", "of both rods at the start", 120, 1,
+                              179, false, true, false});
+    scene.tunables.push_back({"hair", "rad", "by which the second start differs",
+                              1e-3, 0, 0.1, false, true, false});
+    scene.columns = {
+        {"angle_1", "rad", "of the upper rod", true, false},
+        {"angle_2", "rad", "of the lower rod", true, false},
+        {"apart", "m", "between the ends of the two starts", true, true},
+        {"energy", "J", "mean of the two", true, false},
+        {"joint", "m", "largest error of a pin", true, true}};
     return scene;
 }
 
