@@ -15,7 +15,8 @@ struct Contact {
     Index a = world, b = 0;  ///< the bodies; a wall of the world is always a
     Vec2 normal = {0, 1};    ///< unit vector from a to b
     Real gap = 0;            ///< distance of the surfaces [m]; negative = penetration
-    Index feature = 0;  ///< which of several contacts of this pair: the number of the wall, segments last
+    Index feature = 0;    ///< which of several contacts of this pair: the number of the wall, segments last
+    Vec2 point = {0, 0};  ///< where they touch [m], of bodies that turn (chapter 11)
 };
 
 /// The contact of two discs, a < b, at the positions x. Two centres in one point have no direction; any will part them.

@@ -94,8 +94,12 @@ struct AllBodies {
                 if (!(c.C < settings.margin * now.length)) continue;
                 now.sources.push_back(
                     {Source::Of::contact, static_cast<int>(now.contacts.size())});
-                now.contacts.push_back({world, b, scene.walls[k / corners].normal,
-                                        c.C, static_cast<Index>(k)});
+                const Vec2 n = scene.walls[k / corners].normal;
+                const Vec2 p = point_of(bodies.x, b,
+                                        scene.shapes[static_cast<std::size_t>(b)]
+                                            .vertices[k % corners]);
+                now.contacts.push_back(
+                    {world, b, n, c.C, static_cast<Index>(k), p});
             }
         }
         now.x_found = bodies.x;
