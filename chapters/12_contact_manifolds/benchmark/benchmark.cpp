@@ -3,7 +3,9 @@
 ///     manifold/WHO        pairs of boxes that overlap a little, at random poses: time a pair; the largest error of the
 ///                         deepest gap [m], and points a pair. book: collide() of shapes that are placed; book_and_place:
 ///                         with the vertices of both moved to the world, as Box2D does in its function. Box2D computes in
-///                         floats and with a skin of its own, which is subtracted. Chipmunk keeps its shapes placed.
+///                         floats and with a skin of its own, which is left out of the gap. Chipmunk keeps its shapes
+///                         placed; that of Debian warns of some pairs, and its time has these lines in it.
+///                         The gap is held against collide() without a margin, which the tests hold to 1e-9
 ///     pairs/SCENE/WHO/K   one step of K boxes that move: boxes compared (counted), pairs found, and the time
 
 #include "chapters/12_contact_manifolds/manifold.hpp"
@@ -67,9 +69,9 @@ void report(benchmark::State& state, Real error, Real points)
     const auto pairs = static_cast<double>(box_pairs().size());
     state.counters["gap_error"] = error;
     state.counters["points"] = points / pairs;
-    state.counters["ns_a_pair"] = benchmark::Counter(
-        pairs * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
-                          benchmark::Counter::kInvert);
+    state.counters["time_a_pair"] =
+        benchmark::Counter(pairs, benchmark::Counter::kIsIterationInvariantRate |
+                                      benchmark::Counter::kInvert);
 }
 
 void book(benchmark::State& state, bool with_place)
