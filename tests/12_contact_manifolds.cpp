@@ -465,6 +465,44 @@ TEST_CASE("sweep and tree find the pairs that all tests find while boxes tumble"
     }
 }
 
+TEST_CASE("what is taken out of the tree is not found and all else is")
+{
+    Random random(12);
+    BoxTree tree;
+    std::vector<Box> boxes(300);
+    std::vector<char> in(300, 0);
+    for (int round = 0; round < 3000; ++round) {
+        const auto k = static_cast<std::size_t>(random.index(300));
+        if (in[k] && random.uniform() < 0.4) {
+            tree.remove(static_cast<int>(k));
+            in[k] = 0;
+        } else {
+            const Real x = random.uniform(0, 10), y = random.uniform(0, 10), size = random.uniform(0.1, 2);
+            boxes[k] = {{x, y}, {x + size, y + 1}};
+            tree.place(static_cast<int>(k), boxes[k]);
+            in[k] = 1;
+        }
+        if (round % 100 != 0) continue;
+        const Box look{{3, 3}, {5, 6}};
+        std::vector<char> found(300, 0);
+        tree.overlapping(look, [&](int i) { found[static_cast<std::size_t>(i)] = 1; });
+        for (std::size_t i = 0; i < 300; ++i) {
+            CHECK((found[i] == 0 || in[i] != 0));
+            CHECK((found[i] != 0 || in[i] == 0 || !overlap(look, boxes[i])));
+        }
+    }
+    PairFinder finder;  // a scene that has lost bodies
+    PlacedShapes placed;
+    RigidScene scene = box_stack(5);
+    placed.move(scene);
+    finder.find(scene, placed, 0.02);
+    CHECK(finder.pairs.size() == 4);
+    scene = box_stack(2);
+    placed.move(scene);
+    finder.find(scene, placed, 0.02);
+    CHECK(finder.pairs.size() == 1);
+}
+
 TEST_CASE("a ray meets what creeping along it meets", "[idea]")
 {
     Random random(8);
