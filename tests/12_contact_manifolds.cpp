@@ -62,17 +62,17 @@ Real jacobian_error(const Contact& contact, const VecX& x_found, const VecX& x, 
                                (2 * t));
 }
 
-/// ω after each impact of a rocking block divided by ω before it, at 1/480 s. It strikes where its angle passes zero;
+/// ω after each impact of a rocking block divided by ω before it, with n steps a second. It strikes where its angle passes zero;
 /// there both are read off straight lines through ω three and eight steps before, and after: gravity changes ω evenly,
 /// and an impact takes a step or two.
-std::vector<Real> impact_ratios(RigidScene scene, std::size_t impacts)
+std::vector<Real> impact_ratios(RigidScene scene, int n, std::size_t impacts)
 {
     ManifoldExact method;
     method.correction = exact_correction();
     StepData<3> now;
     std::vector<Real> angle, omega, ratios;
-    for (int i = 0; i < 2000; ++i) {
-        step(scene, {.h = 1.0 / 480}, method, now);
+    for (int i = 0; i < 4 * n; ++i) {
+        step(scene, {.h = 1.0 / n}, method, now);
         angle.push_back(scene.bodies.x[2]);
         omega.push_back(scene.bodies.u[2]);
     }
@@ -387,23 +387,28 @@ TEST_CASE("blocks over the end of a table stand at 0.98 of the limit and fall at
 
 TEST_CASE("a rocking block loses at each impact what Housner says", "[idea]")
 {
-    for (const Real w : {0.3, 0.5}) {
-        const std::vector<Real> ratios = impact_ratios(block_on_floor(w, 1, 0.2, true), 3);
-        REQUIRE(ratios.size() == 3);
-        for (const Real ratio : ratios) {
-            INFO(ratio << " for " << housner_ratio(w, 1));
-            CHECK(std::abs(ratio / housner_ratio(w, 1) - 1) <=
-                  0.02);  // one step of gravity, and the arc of a step
+    for (const Real w : {0.3, 0.5})
+        for (const int n : {480, 1920}) {
+            const std::vector<Real> ratios = impact_ratios(block_on_floor(w, 1, 0.2, true), n, 3);
+            REQUIRE(ratios.size() == 3);
+            for (std::size_t i = 0; i < 3; ++i) {
+                INFO(ratios[i] << " for " << housner_ratio(w, 1) << " at impact " << i);
+                // At 1/480 s gravity takes more than 1 % a step from the slow second and third.
+                CHECK(std::abs(ratios[i] / housner_ratio(w, 1) - 1) <= (i > 0 && n == 480 ? 0.04 : 0.02));
+            }
         }
-    }
 }
 
 TEST_CASE("a block that rocks on ice keeps the part of its spin that exercise 12.2 finds")
 {
     const Real w = 0.3, ratio = (1 - 2 * w * w) / (1 + 4 * w * w);
-    for (const Real found : impact_ratios(block_on_floor(w, 1, 0.2, false), 2)) {
-        INFO(found << " for " << ratio);
-        CHECK(std::abs(found / ratio - 1) <= 0.02);
+    for (const int n : {480, 1920}) {
+        const std::vector<Real> ratios = impact_ratios(block_on_floor(w, 1, 0.2, false), n, 2);
+        REQUIRE(ratios.size() == 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            INFO(ratios[i] << " for " << ratio << " at impact " << i);
+            CHECK(std::abs(ratios[i] / ratio - 1) <= (i > 0 && n == 480 ? 0.04 : 0.02));
+        }
     }
     RigidScene flat = block_on_floor(1, 1, 0.05, false);  // h² < 2 w²: it stays down
     ManifoldExact method;
