@@ -14,6 +14,7 @@ What is checked
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
+  length     the README.md of a chapter has at most 6,000 words (`words_of()` says what is counted)
   layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
 When `(4.7)` is an equation number
@@ -36,6 +37,7 @@ from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LIN
                       figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
 
 WIDEST_CODE = 84
+MOST_WORDS = 6000
 PICTURES = {".svg", ".png", ".gif", ".jpg", ".jpeg", ".webp"}
 
 
@@ -264,12 +266,24 @@ class Checker:
             return
         if titles and not re.match(rf"Chapter {own}\. \S", titles[0].info["title"]):
             self.fault(path, titles[0].line, f"the title starts with 'Chapter {own}. '.")
+        if (words := words_of(parts)) > MOST_WORDS:
+            self.fault(path, 1, f"a main road of {words} words; at most {MOST_WORDS}, the rest goes into in_depth.md.")
+        self.ways_on(path, parts)
         count = 0
         for b in heads:
             if b.info["level"] == 2:
                 count += 1
                 if not re.match(rf"{own}\.{count} \S", b.info["title"]):
                     self.fault(path, b.line, f"this section should be '## {own}.{count} …'.")
+
+    def ways_on(self, path, parts):
+        """The line of links to the neighbours stands below the title, and once more at the end."""
+        shown = [b for b in parts if b.kind not in ("blank", "comment")]
+        lines = [b for b in shown if b.kind == "paragraph" and b.lines[0].startswith("[Contents](")]
+        if not lines or shown[1] is not lines[0]:
+            self.fault(path, 1, "below the title goes the line '[Contents](…) · [Back: …](…) · [Next: …](…)'.")
+        elif shown[-1].text != lines[0].text:
+            self.fault(path, parts[-1].line, "a chapter ends with the line of links with which it begins.")
 
     def in_depth(self, path, titles, heads, own):
         """Beside the main road: its own title, sections with letters, and a link that leads here."""
@@ -442,6 +456,12 @@ def context(text, token):
     """The words of a token, joined to the character before them, so that `f`(1.5) is a call."""
     before = text[token.offset - 1:token.offset]
     return ("x" if before in ("`", ")", "]") and before else "") + token.text if token.text.startswith("(") else token.text
+
+
+def words_of(parts):
+    """The length of a main road: the words (between blanks) of headings, paragraphs and tables, with captions,
+    alternative texts, exercises and folded solutions. Code, displayed maths and quoted sources do not count."""
+    return sum(len(b.text.split()) for b in parts if b.kind in ("heading", "paragraph", "table"))
 
 
 def is_picture(block):
