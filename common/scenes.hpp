@@ -63,8 +63,8 @@ Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius);
 /// that build scenes by number.
 void require_count(const std::string& what, Index count);
 
-/// The scene that this book grew from: a chain of seven discs of 0.1 kg and three free discs
-/// in a box of 1.5 m × 1.0 m. Links and torsional springs join the seven.
+/// The scene that this book grew from, \cite yamanishi2023, in our units: a chain of seven discs of 0.1 kg and three
+/// free discs in a box of 1.5 m × 1.0 m. Links and torsional springs join the seven.
 DiscScene ten_discs();
 
 /// N equal discs of mass 1 kg and radius 0.1 m, one above the other and touching, on a floor.
