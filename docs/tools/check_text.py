@@ -14,6 +14,7 @@ What is checked
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
+  notation   a name in the column `code` of docs/notation.md occurs in the sources of the chapters or of common/
   length     the README.md of a chapter has at most 6,000 words (`words_of()` says what is counted)
   layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
@@ -32,7 +33,7 @@ import re
 import sys
 import urllib.parse
 
-from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
+from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
                       figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
 
@@ -416,6 +417,23 @@ class Checker:
 
     # -- the rest
 
+    def notation(self):
+        """Each name in the second column of the tables of letters is one of the code, not of its comments."""
+        path = self.root / "docs" / "notation.md"
+        if path not in self.parts:
+            return
+        code = "".join(CPP.sub(lambda m: m.group(0) if m.group("string") or m.group("char") else " ",
+                               file.read_text(encoding="utf-8"))
+                       for file in source_files(self.root) if file.relative_to(self.root).parts[0] != "tests")
+        known = set(re.findall(r"[A-Za-z_]\w*", code))
+        for block in self.parts[path]:
+            if block.kind != "table" or "| code |" not in block.lines[0]:
+                continue
+            for k, line in enumerate(block.lines[2:], 2):
+                for name in re.findall(r"[A-Za-z_]\w*", " ".join(re.findall(r"`([^`]+)`", line.split("|")[2]))):
+                    if name not in known:
+                        self.fault(path, block.line + k, f"no source has the name '{name}'.")
+
     def sources(self):
         for path in source_files(self.root):
             source = path.read_text(encoding="utf-8")
@@ -448,6 +466,7 @@ class Checker:
         for path in self.texts:
             self.text(path)
         self.sources()
+        self.notation()
         self.drawings()
         return [f"{where}:{line}: {sentence}" for where, line, sentence in sorted(set(self.faults))]
 

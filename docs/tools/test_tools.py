@@ -357,6 +357,12 @@ class Text(Folder):
         self.write("chapters/02_constraints/README.md", self.read("chapters/02_constraints/README.md") + "\nThe end.\n")
         self.fails("ends with the line of links with which it begins")
 
+    def test_a_letter_whose_name_is_not_in_the_code(self):
+        self.write("docs/notation.md", "# Notation\n\n| letter | code | meaning |\n|---|---|---|\n| $x$ | `x`, `step()` | `gone` |\n")
+        self.assertEqual(self.faults(), [])
+        self.change("docs/notation.md", "`x`", "`known2000`")  # of a comment alone
+        self.fails("notation.md:5: no source has the name 'known2000'")
+
     def test_other_html(self):
         self.add("A <div>box</div>.")
         self.assertTrue(all("no HTML" in f for f in self.faults()) and self.faults())
