@@ -15,6 +15,7 @@ What is checked
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
   notation   a name in the column `code` of docs/notation.md occurs in the sources of the chapters or of common/
+             a table can be set in 1,000 pixels, by the estimate of `least_width()`
   length     the README.md of a chapter has at most 6,000 words (`words_of()` says what is counted)
   layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
@@ -39,6 +40,7 @@ from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABL
 
 WIDEST_CODE = 84
 MOST_WORDS = 6000
+WIDEST_TABLE = 1000  # pixels, of the site's page beside its sidebar in a window of 1400
 PICTURES = {".svg", ".png", ".gif", ".jpg", ".jpeg", ".webp"}
 
 
@@ -377,6 +379,8 @@ class Checker:
             widths.append(len(re.findall(r"(?<!\\)\|", l)))
         if len(block.lines) < 2 or not re.match(r"^\s*\|[\s:|-]+\|\s*$", block.lines[1]):
             self.fault(path, block.line, "a table has a header row and a |---| row.")
+        if (pixels := least_width(block)) > WIDEST_TABLE:
+            self.fault(path, block.line, f"this table needs about {pixels} pixels; the page shows {WIDEST_TABLE}.")
         for k, width in enumerate(widths):
             if width != widths[0]:
                 self.fault(path, block.line + k, f"this row of the table has {width - 1} cells, its header {widths[0] - 1}.")
@@ -481,6 +485,30 @@ def words_of(parts):
     """The length of a main road: the words (between blanks) of headings, paragraphs and tables, with captions,
     alternative texts, exercises and folded solutions. Code, displayed maths and quoted sources do not count."""
     return sum(len(b.text.split()) for b in parts if b.kind in ("heading", "paragraph", "table"))
+
+
+def least_width(table):
+    """How narrow a table can be set [pixels], about: headers, code and maths are not broken, words are."""
+    def parts(cell, whole):
+        for token in tokens(cell.strip()):
+            if token.kind == "math":
+                tex = re.sub(r"\\text\{([^}]*)\}", r"\1", token.info["tex"])
+                yield len(re.sub(r"[{}^_\\ ]", "", re.sub(r"\\[A-Za-z]+", "x", tex)))
+            elif token.kind == "code":
+                yield len(token.info["code"])
+            else:
+                words = token.info.get("label") or token.info.get("key") or ("" if token.kind == "image" else token.text)
+                yield len(words) if whole else max((len(word) for word in words.split()), default=0)
+
+    columns = {}
+    for k, line in enumerate(table.lines):
+        if k == 1:
+            continue
+        plain = re.sub(r"`[^`]*`", lambda m: m.group(0).replace("|", "/"), line.strip().strip("|"))
+        for column, cell in enumerate(re.split(r"(?<!\\)\|", plain)):
+            wide = sum(parts(cell, True)) if k == 0 else max(parts(cell, False), default=0)
+            columns[column] = max(columns.get(column, 0), wide)
+    return round(sum(7.2 * characters + 22 for characters in columns.values()))
 
 
 def is_picture(block):

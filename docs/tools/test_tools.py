@@ -357,6 +357,12 @@ class Text(Folder):
         self.write("chapters/02_constraints/README.md", self.read("chapters/02_constraints/README.md") + "\nThe end.\n")
         self.fails("ends with the line of links with which it begins")
 
+    def test_a_table_that_is_wider_than_the_page(self):
+        self.add("| a | b |\n|---|---|\n| " + "words " * 200 + " | " + "x" * 120 + " |")
+        self.assertEqual(self.faults(), [])
+        self.add("| a | b |\n|---|---|\n| " + "x" * 20 + " | `" + "x" * 120 + "` |")
+        self.fails("this table needs about 1052 pixels")
+
     def test_a_letter_whose_name_is_not_in_the_code(self):
         self.write("docs/notation.md", "# Notation\n\n| letter | code | meaning |\n|---|---|---|\n| $x$ | `x`, `step()` | `gone` |\n")
         self.assertEqual(self.faults(), [])
@@ -371,6 +377,14 @@ class Text(Folder):
         self.add("````text\n```math\n\\tag{9.9}\n```\n[x](gone.md) $ (1.99)\n<!-- snippet: a b -->\n````\n\n"
                  "`[x](gone.md)` and `` `(1.99)` `` and \\$ too.")
         self.assertEqual(self.faults(), [])
+
+
+class Map(unittest.TestCase):
+    def test_the_map_of_methods_is_as_it_is_drawn(self):
+        folder = pathlib.Path(__file__).resolve().parents[1] / "map"
+        drawn = subprocess.run([sys.executable, "-B", folder / "draw.py", "--check", folder / "figures" / "map_methods.svg"],
+                               capture_output=True, text=True, check=False)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
 
 
 class Snippets(Folder):
