@@ -644,7 +644,7 @@ TEST_CASE("enumeration finds what was planted between bounds of all kinds", "[id
     }
 }
 
-TEST_CASE("three answers with different w are told from one", "[idea]")
+TEST_CASE("three answers with different w are distinguished from one", "[idea]")
 {
     const Solution solution = enumerate(problem({1, 2, 2, 1}, {-1, -1}));
     CHECK(solution.status == Status::solved);
