@@ -23,7 +23,7 @@ struct EngineScene {
     bool rests = true;  ///< where it stands is where it stays; else it swings
 };
 
-/// What another engine is told besides the scene. Nothing else of it is changed.
+/// What another engine is given besides the scene. Nothing else of it is changed.
 struct PeerSettings {
     bool may_sleep = false;  ///< by its own rule
     /// an overlap of up to this much it leaves alone [m]; 5 mm is Box2D's own
