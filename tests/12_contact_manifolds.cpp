@@ -393,8 +393,8 @@ TEST_CASE("a rocking block loses at each impact what Housner says", "[idea]")
             REQUIRE(ratios.size() == 3);
             for (std::size_t i = 0; i < 3; ++i) {
                 INFO(ratios[i] << " for " << housner_ratio(w, 1) << " at impact " << i);
-                // At 1/480 s gravity takes more than 1 % a step from the slow second and third.
-                CHECK(std::abs(ratios[i] / housner_ratio(w, 1) - 1) <= (i > 0 && n == 480 ? 0.04 : 0.02));
+                // At 1/480 s gravity takes more than 1 % a step from the slow second and third: 2.1 % when written.
+                CHECK(std::abs(ratios[i] / housner_ratio(w, 1) - 1) <= (i > 0 && n == 480 ? 0.03 : 0.02));
             }
         }
 }
@@ -407,7 +407,7 @@ TEST_CASE("a block that rocks on ice keeps the part of its spin that exercise 12
         REQUIRE(ratios.size() == 2);
         for (std::size_t i = 0; i < 2; ++i) {
             INFO(ratios[i] << " for " << ratio << " at impact " << i);
-            CHECK(std::abs(ratios[i] / ratio - 1) <= (i > 0 && n == 480 ? 0.04 : 0.02));
+            CHECK(std::abs(ratios[i] / ratio - 1) <= (i > 0 && n == 480 ? 0.03 : 0.02));
         }
     }
     RigidScene flat = block_on_floor(1, 1, 0.05, false);  // h² < 2 w²: it stays down
