@@ -12,14 +12,20 @@ add_library(rigid_web STATIC
   common/program/web_description.cpp
   common/program/web_show.cpp)
 target_link_libraries(rigid_web PUBLIC rigid_common)
+target_compile_options(rigid_web PRIVATE -Os)   # what a frame needs once; the steps are in the programs
+
+add_library(rigid_web_program OBJECT common/program/web_program.cpp)
+target_link_libraries(rigid_web_program PRIVATE rigid_web)
+target_compile_options(rigid_web_program PRIVATE -Os)
 
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/program/main.cpp)
 foreach(main ${mains})
   cmake_path(GET main PARENT_PATH folder)
   cmake_path(GET folder PARENT_PATH folder)
   cmake_path(GET folder FILENAME chapter)
-  add_executable(${chapter} ${main} common/program/web_program.cpp)
+  add_executable(${chapter} ${main} $<TARGET_OBJECTS:rigid_web_program>)
   set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=chapter_main)
+  target_include_directories(${chapter} BEFORE PRIVATE cmake/web)   # headers in place of those that need files
   target_link_libraries(${chapter} PRIVATE rigid_web)
   # A bare .wasm that knows nothing of a browser: docs/web/machine.js gives it a clock.
   target_link_options(${chapter} PRIVATE --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)

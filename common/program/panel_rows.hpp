@@ -51,9 +51,10 @@ TimeSpan plot_span(const Show& show, bool whole_run);
 
 /// The curves of one column.
 struct Plot {
-    Real low = 0, high = 0;                         ///< its range; powers of ten if the column is logarithmic
-    std::string low_text, high_text;                ///< what stands at both ends
-    std::vector<std::vector<std::vector<Vec2>>> curves;  ///< of each track, its pieces, in the unit square, y up
+    Real low = 0, high = 0;           ///< its range; powers of ten if the column is logarithmic
+    std::string low_text, high_text;  ///< what stands at both ends
+    std::vector<std::vector<std::vector<Vec2>>>
+        curves;  ///< of each track, its pieces, in the unit square, y up
 };
 
 /// Nothing if there is nothing to show.

@@ -22,7 +22,8 @@ void History::add(const Sample& sample)
 
 Show::Show(const Program& program, const Options& options, Listener listener)
     : program_(&program), options_(options), scene_(options.scene), settings_(options.settings),
-      listener_(std::move(listener)), pointer_(options.settings.seed, options.scene->view), scripted_(options.steps.has_value())
+      listener_(std::move(listener)), pointer_(options.settings.seed, options.scene->view),
+      scripted_(options.steps.has_value())
 {
     std::vector<std::string> first = options.methods;
     if (!options.methods_given && !scene_->side_by_side.empty()) first = scene_->side_by_side;

@@ -21,26 +21,39 @@ std::string array_of(const List& list, const Write& write)
     return '[' + text + ']';
 }
 
-/// {"name": value, …}; the values are JSON.
-std::string object(const std::vector<std::pair<const char*, std::string>>& members)
-{
-    std::string text;
-    for (const auto& [name, value] : members) text += (text.empty() ? "" : ",") + json(name) + ':' + value;
-    return '{' + text + '}';
-}
+/// {"name": value, …}
+class Object {
+public:
+    /// The value is JSON already.
+    Object& add(const char* name, const std::string& value)
+    {
+        text_ += text_.empty() ? "{\"" : ",\"";
+        text_ += name;
+        text_ += "\":";
+        text_ += value;
+        return *this;
+    }
+    Object& words(const char* name, const std::string& value) { return add(name, json(value)); }
+    std::string text() const { return text_ + '}'; }
+
+private:
+    std::string text_;
+};
 
 std::string slider(const SliderRow& row)
 {
-    return object({{"name", json(row.name)},
-                   {"label", json(row.label)},
-                   {"help", json(row.help)},
-                   {"unit", json(row.unit)},
-                   {"format", json(row.format)},
-                   {"low", number(row.low)},
-                   {"high", number(row.high)},
-                   {"first", number(row.first)},
-                   {"whole", truth(row.whole)},
-                   {"logarithmic", truth(row.logarithmic)}});
+    return Object()
+        .words("name", row.name)
+        .words("label", row.label)
+        .words("help", row.help)
+        .words("unit", row.unit)
+        .words("format", row.format)
+        .add("low", number(row.low))
+        .add("high", number(row.high))
+        .add("first", number(row.first))
+        .add("whole", truth(row.whole))
+        .add("logarithmic", truth(row.logarithmic))
+        .text();
 }
 
 std::string scene(const Demo& demo)
@@ -51,19 +64,23 @@ std::string scene(const Demo& demo)
     std::vector<std::string> plots;
     for (std::size_t c = 0; c < demo.columns.size(); ++c)
         if (demo.columns[c].plotted)
-            plots.push_back(object({{"column", std::to_string(c)},
-                                    {"title", json(plot_title(demo.columns[c]))},
-                                    {"help", json(demo.columns[c].help)},
-                                    {"unit", json(demo.columns[c].unit)}}));
-    return object({{"name", json(demo.name)},
-                   {"summary", json(demo.summary)},
-                   {"steered", truth(demo.steered)},
-                   {"methods", array_of(demo.methods, json)},
-                   {"sliders", array_of(sliders, slider)},
-                   {"plots", array_of(plots, as_it_is)},
-                   {"keys", array_of(key_rows(demo), [](const KeyRow& row) {
-                        return '[' + json(row.key) + ',' + json(row.what) + ']';
-                    })}});
+            plots.push_back(Object()
+                                .add("column", std::to_string(c))
+                                .words("title", plot_title(demo.columns[c]))
+                                .words("help", demo.columns[c].help)
+                                .words("unit", demo.columns[c].unit)
+                                .text());
+    return Object()
+        .words("name", demo.name)
+        .words("summary", demo.summary)
+        .add("steered", truth(demo.steered))
+        .add("methods", array_of(demo.methods, json))
+        .add("sliders", array_of(sliders, slider))
+        .add("plots", array_of(plots, as_it_is))
+        .add("keys",
+             array_of(key_rows(demo),
+                      [](const KeyRow& row) { return '[' + json(row.key) + ',' + json(row.what) + ']'; }))
+        .text();
 }
 
 }  // namespace
@@ -80,14 +97,17 @@ std::string json(const std::string& text)
 
 std::string description_of(const Program& program)
 {
-    return object({{"name", json(program.name)},
-                   {"title", json(program.title)},
-                   {"speeds", array_of(speeds,
-                                       [](const auto& speed) {
-                                           return object({{"value", number(speed.first)},
-                                                          {"text", json(speed.second)}});
-                                       })},
-                   {"scenes", array_of(program.scenes, scene)}});
+    return Object()
+        .words("name", program.name)
+        .words("title", program.title)
+        .add(
+            "speeds",
+            array_of(speeds,
+                     [](const auto& speed) {
+                         return Object().add("value", number(speed.first)).words("text", speed.second).text();
+                     }))
+        .add("scenes", array_of(program.scenes, scene))
+        .text();
 }
 
 std::string state_of(const Show& show)
@@ -110,20 +130,22 @@ std::string state_of(const Show& show)
     for (const Tunable& one : demo.tunables) settings.push_back(show.settings()[one.name]);
     settings.push_back(show.settings().h);
     const auto scenes = show.program().scenes.begin();
-    return object({{"scene", std::to_string(std::find_if(scenes, show.program().scenes.end(),
-                                                         [&](const Demo& one) { return &one == &demo; }) -
-                                            scenes)},
-                   {"on", array_of(on, truth)},
-                   {"settings", array_of(settings, number)},
-                   {"step", std::to_string(playback ? playback->steps() : 0)},
-                   {"time", json(playback ? fixed(playback->time(), 2) : std::string("0.00"))},
-                   {"paused", truth(show.paused)},
-                   {"over", truth(show.is_over())},
-                   {"slow", truth(show.falls_behind())},
-                   {"scripted", truth(show.is_scripted())},
-                   {"speed", number(show.speed)},
-                   {"values", array_of(values, as_it_is)},
-                   {"sentences", array_of(sentences, json)}});
+    return Object()
+        .add("scene", std::to_string(std::find_if(scenes, show.program().scenes.end(),
+                                                  [&](const Demo& one) { return &one == &demo; }) -
+                                     scenes))
+        .add("on", array_of(on, truth))
+        .add("settings", array_of(settings, number))
+        .add("step", std::to_string(playback ? playback->steps() : 0))
+        .words("time", playback ? fixed(playback->time(), 2) : std::string("0.00"))
+        .add("paused", truth(show.paused))
+        .add("over", truth(show.is_over()))
+        .add("slow", truth(show.falls_behind()))
+        .add("scripted", truth(show.is_scripted()))
+        .add("speed", number(show.speed))
+        .add("values", array_of(values, as_it_is))
+        .add("sentences", array_of(sentences, json))
+        .text();
 }
 
 }  // namespace rigid

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-int chapter_main(int argc, char** argv);  // the chapter's main(), under the name that cmake/web.cmake gives it
+int chapter_main(int argc,
+                 char** argv);  // the chapter's main(), under the name that cmake/web.cmake gives it
 
 namespace rigid {
 namespace {
@@ -201,6 +202,8 @@ RIGID_PAGE(web_words) const char* web_words() { return page().list->words().c_st
 
 // ---- for the tests -----------------------------------------------------------------------------------
 
+/// 1 while the hand pulls.
+RIGID_PAGE(web_pressed) int web_pressed() { return page().show->pressed() ? 1 : 0; }
 /// The rows of a run without a window, of what was chosen by web_choose() and its companions: how many numbers.
 RIGID_PAGE(web_run) int web_run(int steps)
 {

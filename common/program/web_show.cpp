@@ -62,8 +62,7 @@ void WebShow::pane(const Rectangle& place, const Pane& pane, const Track& track,
         list_.text({place.x + place.width - 9, baseline}, "t = " + fixed(track.time, 2) + " s", 12, ink, 0.7,
                    Align::right, false);
     list_.text({x, baseline}, track.method, 13, ink, 1, Align::left, several);
-    if (const std::optional<Vec2> mark = hand_.mark(show_, i))
-        list_.ring(projection.to_pixel(*mark), 6, 1.5);
+    if (const std::optional<Vec2> mark = hand_.mark(show_, i)) list_.ring(projection.to_pixel(*mark), 6, 1.5);
 }
 
 const DrawList& WebShow::plot(std::size_t column, Real width, Real height, bool whole_run)

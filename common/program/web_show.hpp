@@ -29,6 +29,7 @@ public:
 
     /// Where the pointer is. A seeded path that steers ends when the reader's hand comes.
     void point(const Vec2& where, bool present, bool down);
+    bool pressed() const { return hand_.input().pressed; }
     void advance(Real seconds);
     void single_step() { show_.single_step(hand_.input()); }
 

@@ -40,7 +40,8 @@ std::string& glfw_complaint()
 
 class Window {
 public:
-    Window(const Program& program, const Options& options) : options_(options), show_(program, options, table_of_show(options.csv))
+    Window(const Program& program, const Options& options)
+        : options_(options), show_(program, options, table_of_show(options.csv))
     {
         if (!options.svg.empty()) require_writable("the picture", options.svg);
         if (!options.png.empty()) require_writable("the picture", options.png);

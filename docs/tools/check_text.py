@@ -14,6 +14,7 @@ What is checked
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
+  demos      <!-- demo: … --> is one that docs/tools/demos.py reads, and its program is there
   layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
 When `(4.7)` is an equation number
@@ -34,6 +35,7 @@ import urllib.parse
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
                       figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
+from demos import demo_of, own_program
 
 WIDEST_CODE = 84
 PICTURES = {".svg", ".png", ".gif", ".jpg", ".jpeg", ".webp"}
@@ -235,9 +237,20 @@ class Checker:
                 self.code_width(path, block)
             elif block.kind == "html":
                 self.details(path, parts, k)
+            elif block.kind == "comment":
+                self.demo(path, block)
             elif block.kind in ("paragraph", "table", "heading"):
                 self.running_text(path, block)
                 self.figure_layout(path, parts, k)
+
+    def demo(self, path, block):
+        try:
+            demo = demo_of(block, own_program(self.root, path), "")
+        except TextError as fault:
+            self.fault(path, block.line, str(fault).lstrip(": "))
+            return
+        if demo and not (self.root / "chapters" / demo["program"] / "program/main.cpp").is_file():
+            self.fault(path, block.line, f"there is no program {demo['program']}.")
 
     def code_width(self, path, block):
         """Code that a reader reads or types fits the page; what a program prints may be as wide as it is."""

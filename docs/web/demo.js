@@ -47,7 +47,20 @@
             this.whole_run = false;
             this.broken = null;
             this.steps_taken = 0;
+            this.still = [...place.childNodes];
             place.querySelector('.demo-start').addEventListener('click', () => this.start(true));
+            place.querySelector('.figure').addEventListener('click', () => this.start(true));
+        }
+
+        // The still picture again.
+        close() {
+            this.set_playing(false);
+            for (const watch of this.watches) watch.disconnect();
+            this.started = false;
+            this.machine = null;
+            delete this.place.dataset.state;
+            this.place.replaceChildren(...this.still);
+            this.place.querySelector('.demo-start').focus({preventScroll: true});
         }
 
         async start(by_hand) {
@@ -62,6 +75,8 @@
                 this.machine.choose({scene: this.place.dataset.scene, methods: words_of(this.place.dataset.methods),
                                      settings: settings_of(this.place.dataset.settings)}).attempt('web_open');
                 this.machine.api.web_script(1); // a hand comes later, or never
+                button.classList.remove('demo-loading');
+                button.disabled = false;
                 this.build();
                 this.build_panel();
                 this.fit();
@@ -71,7 +86,6 @@
                 this.place.dataset.state = 'runs';
                 if (by_hand) this.canvas.focus({preventScroll: true});
             } catch (error) {
-                button.classList.remove('demo-loading');
                 this.place.dataset.state = 'failed';
                 this.place.append(element('p', {class: 'demo-sentence', role: 'alert'}, error.message));
             }
@@ -103,7 +117,8 @@
                 this.bar.append(element('label', {class: 'demo-break', title: 'Turns the idea of the chapter off, to see what it is for'},
                                         box, 'Break it: ' + idea.split('|')[0]));
             }
-            this.bar.append(this.status);
+            this.bar.append(this.status, element('button', {type: 'button', class: 'demo-close', title: 'The still picture again',
+                                                             onclick: () => this.close()}, 'Close'));
             this.choices = element('div', {class: 'demo-choices'});
             this.sliders = element('div', {class: 'demo-sliders'});
             this.plots = element('div', {class: 'demo-plots'});
@@ -114,13 +129,16 @@
                                        element('div', {class: 'demo-panel'}, this.sliders, this.plots), this.keys);
             this.hand();
             this.canvas.addEventListener('keydown', event => this.key(event));
-            new ResizeObserver(() => { if (this.stage.clientWidth !== this.width) { this.fit(); this.refresh(); } }).observe(this.stage);
-            new IntersectionObserver(entries => {
+            const resized = new ResizeObserver(() => { if (this.stage.clientWidth !== this.width) { this.fit(); this.refresh(); } });
+            resized.observe(this.stage);
+            const seen = new IntersectionObserver(entries => {
                 this.seen = entries[entries.length - 1].isIntersecting;
                 this.go_on();
-            }).observe(this.stage);
-            new MutationObserver(() => { this.colours = null; this.refresh(); })
-                .observe(document.documentElement, {attributes: true, attributeFilter: ['class']});
+            });
+            seen.observe(this.stage);
+            const themed = new MutationObserver(() => { this.colours = null; this.refresh(); });
+            themed.observe(document.documentElement, {attributes: true, attributeFilter: ['class']});
+            this.watches = [resized, seen, themed];
         }
 
         // ---- what each scene has of its own
