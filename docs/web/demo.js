@@ -222,6 +222,7 @@
             this.run.title = 'Space';
             this.canvas.style.touchAction = on ? 'none' : ''; // a finger that pulls does not scroll the page
             this.go_on();
+            if (!on) this.refresh();
         }
 
         step() {

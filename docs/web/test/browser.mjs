@@ -55,7 +55,7 @@ async function demo(page, i, {width, dark}, name) {
         await page.send('Emulation.setDeviceMetricsOverride', {width, height: Math.ceil(inner.height + 60), deviceScaleFactor: 1, mobile: false});
         await page.value(`${place}.scrollIntoView({block: 'center', behavior: 'instant'})`);
         await wait(0.3);
-        const seen = await page.value(`(() => { const box = ${place}.getBoundingClientRect(); return {x: Math.max(0, box.x - 12), y: Math.max(0, box.y - 12), width: Math.min(innerWidth, box.width + 24), height: box.height + 24}; })()`);
+        const seen = await page.value(`(() => { const box = ${place}.getBoundingClientRect(); return {x: Math.max(0, box.x - 12), y: Math.max(0, box.y - 12) + scrollY, width: Math.min(innerWidth, box.width + 24), height: box.height + 24}; })()`);
         const {data} = await page.send('Page.captureScreenshot', {format: 'png', clip: {...seen, scale: 1}});
         writeFileSync(join(shots, `${name}_${i}_${width}_${dark ? 'dark' : 'light'}.png`), Buffer.from(data, 'base64'));
         await page.send('Emulation.setDeviceMetricsOverride', {width, height: 900, deviceScaleFactor: 1, mobile: width < 500});
