@@ -125,8 +125,12 @@
             this.sentence = element('p', {class: 'demo-sentence', role: 'status', hidden: true});
             this.keys = element('details', {class: 'demo-keys'});
             this.summary = element('p', {class: 'demo-summary'});
+            // On a phone settings and plots are a tap away: the picture and its buttons stay on one screen.
+            const roomy = this.place.clientWidth > 600;
+            const part = (title, inside) => element('details', {class: 'demo-part', open: roomy, ontoggle: () => this.machine && this.refresh()},
+                                                    element('summary', {}, title), inside);
             this.place.replaceChildren(this.summary, this.stage, this.sentence, this.bar, this.choices,
-                                       element('div', {class: 'demo-panel'}, this.sliders, this.plots), this.keys);
+                                       element('div', {class: 'demo-panel'}, part('Settings', this.sliders), part('Plots', this.plots)), this.keys);
             this.hand();
             this.canvas.addEventListener('keydown', event => this.key(event));
             const resized = new ResizeObserver(() => { if (this.stage.clientWidth !== this.width) { this.fit(); this.refresh(); } });
@@ -146,7 +150,7 @@
         build_panel() {
             const scene = this.scene, program = this.machine.program;
             this.built = this.state.scene;
-            this.summary.textContent = scene.summary + '.';
+            this.summary.textContent = scene.summary + (/[.?!]$/.test(scene.summary) ? '' : '.');
             this.canvas.setAttribute('aria-label', scene.summary + '. Space runs and pauses, S takes one step, R restarts.');
             const scenes = element('select', {'aria-label': 'Scene', onchange: () => this.change('web_scene', scenes.selectedIndex)},
                                    ...program.scenes.map((one, i) => element('option', {selected: i === this.built, title: one.summary},

@@ -98,6 +98,7 @@ async function demo(page, i, {width, dark}, name) {
     }
 
     // A slider by its keys, and Reset.
+    await page.value(`${place}.querySelectorAll('.demo-part').forEach(one => { one.open = true; })`);
     const slider = `${place}.querySelector('.demo-slider input')`;
     const shown = () => page.value(`${place}.querySelector('.demo-slider output').textContent`);
     await page.value(`${slider}.focus()`);
