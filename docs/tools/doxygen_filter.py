@@ -258,7 +258,7 @@ class Page:
         attributes = "".join(f' data-{name}="{html.escape(value)}"' for name, value in data.items())
         summary = html.escape(told["summary"])
         head = "" if self.has_demo else ('<link href="demo.css" rel="stylesheet" type="text/css"/>' + "".join(
-            f'<script src="{script}.js" defer="defer"></script>' for script in ("machine", "painter", "demo")))
+            f'<script src="{script}.js" defer="defer"></script>' for script in ("unpack", "machine", "painter", "demo")))
         self.has_demo = True
         still = self.image(picture) if picture else (
             f'<img class="demo-still" src="demos/{demo["still"]}" alt="Still picture of the demo: {summary}" '

@@ -6,23 +6,21 @@
 (function (space) {
     const waiting = {}; // program: what to do when its code comes
 
-    // The code of a program is a script that calls this: wasm, gzip, base64.
-    space.rigid_code = (program, packed) => { if (waiting[program]) waiting[program](packed); };
+    // The code of a program is a script that calls this (pack.py): its size, and wasm, LZMA, base64.
+    space.rigid_code = (program, size, packed) => { if (waiting[program]) waiting[program](unpacked(size, packed)); };
 
-    function unpacked(packed) {
+    function unpacked(size, packed) {
         const text = atob(packed), bytes = new Uint8Array(text.length);
         for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-        const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-        return new Response(stream).arrayBuffer();
+        return rigid_unpack(bytes, size);
     }
 
     // The compiled code of each program, asked for once.
     const modules = {};
     function module_of(program, folder) {
         modules[program] = modules[program] || new Promise((done, fail) => {
-            if (typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function')
-                return fail(new Error('This browser is too old for the demos: they need WebAssembly and DecompressionStream.'));
-            waiting[program] = packed => unpacked(packed).then(code => WebAssembly.compile(code)).then(done, fail);
+            if (typeof WebAssembly !== 'object') return fail(new Error('This browser has no WebAssembly, and the demo needs it.'));
+            waiting[program] = code => WebAssembly.compile(code).then(done, fail);
             const script = document.createElement('script');
             script.src = folder + program + '.js';
             script.onerror = () => fail(new Error('The demo could not be loaded: ' + script.src + ' is missing.'));

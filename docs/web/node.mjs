@@ -1,12 +1,13 @@
 // What the tools of this folder share: a chapter's machine in node, and the commands of a draw list as SVG.
 import {readFileSync} from 'node:fs';
+import './unpack.js';
 import './machine.js';
 import './painter.js';
 
 export async function code_of(script) {
-    const packed = readFileSync(script, 'utf8').match(/"([A-Za-z0-9+/=]+)"\);\s*$/);
+    const packed = readFileSync(script, 'utf8').match(/, (\d+), "([A-Za-z0-9+/=]+)"\);\s*$/);
     if (!packed) throw new Error(`${script} has no code`);
-    return WebAssembly.compile(await rigid_unpacked(packed[1]));
+    return WebAssembly.compile(rigid_unpacked(Number(packed[1]), packed[2]));
 }
 export const machine_of = async script => RigidMachine.of(await code_of(script));
 

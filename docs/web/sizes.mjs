@@ -26,7 +26,7 @@ for (const name of readdirSync(process.argv[2]).filter(one => one.endsWith('.js'
         console.error(`${name} has ${found[1]} bytes in gzip; a program for a page has ${most} at most`);
     }
 }
-for (const name of ['machine.js', 'painter.js', 'demo.js', 'demo.css']) {
+for (const name of ['unpack.js', 'machine.js', 'painter.js', 'demo.js', 'demo.css']) {
     const found = sizes(join(own, name));
     row(name, found);
     all += found[1];
