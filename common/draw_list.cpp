@@ -34,6 +34,7 @@ void DrawList::put(const std::vector<Vec2>& points)
 void DrawList::paint(const Canvas& canvas, const Projection& projection, Real line_scale)
 {
     clip(projection.area);
+    line_above_ = {infinity, infinity};
     for (const DrawItem& item : canvas.items())
         if (is_paintable(item, projection)) paint(item, projection, line_scale);
     unclip();
@@ -74,8 +75,15 @@ void DrawList::paint(const DrawItem& item, const Projection& projection, Real li
         begin(Kind::polygon, {pen.colour, opacity, 0, 0, 0}, 6);
         return put({shape.left, shape.tip, shape.right});
     }
-    case DrawItem::Kind::text:
-        text(points[0], item.text, line_scale * item.size, pen.colour, opacity, item.align, false);
+    case DrawItem::Kind::text: {
+        // In a small pane letters do not shrink as much as distances: the next line of a block makes room.
+        Vec2 where = points[0];
+        const Real size = line_scale * item.size, below = where.y() - line_above_.y();
+        if (std::abs(where.x() - line_above_.x()) < 1 && below > 0.2 * size && below < 1.25 * size)
+            where.y() = line_above_.y() + 1.25 * size;
+        line_above_ = where;
+        text(where, item.text, size, pen.colour, opacity, item.align, false);
+    }
     }
 }
 

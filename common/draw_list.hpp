@@ -61,6 +61,7 @@ private:
     void put(const std::vector<Vec2>& points);
     void paint(const DrawItem& item, const Projection& projection, Real line_scale);
 
+    Vec2 line_above_ = {0, 0};  ///< where the last text of the pane stands
     std::vector<float> numbers_;
     std::string words_;
 };

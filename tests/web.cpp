@@ -104,6 +104,29 @@ TEST_CASE("a draw list has each item of a canvas in pixels and cuts them off at 
     CHECK(commands[6].kind == DrawList::Kind::unclip);
 }
 
+TEST_CASE("the lines of a text do not stand on each other in a small pane", "[house]")
+{
+    Canvas canvas;
+    canvas.text({0, 1}, "first", 14);
+    canvas.text({0, 0.9}, "second", 14);
+    canvas.text({0, 0.8}, "third", 14);
+    canvas.text({0, 0.2}, "far below", 14);
+    const View view = {{0, 0}, {1, 1}};
+    DrawList list;
+    list.paint(canvas, Projection(view, {0, 0, 100, 100}));  // 5 pixels from line to line
+    std::vector<float> heights;
+    for (const Command& command : commands_of(list))
+        if (command.kind == DrawList::Kind::text) heights.push_back(command.numbers[1]);
+    CHECK(heights == std::vector<float>{0, 17.5f, 35, 40 + 12.5f});
+    // Where there is room, each stands where the scene has it.
+    list.clear();
+    list.paint(canvas, Projection(view, {0, 0, 720, 720}));
+    heights.clear();
+    for (const Command& command : commands_of(list))
+        if (command.kind == DrawList::Kind::text) heights.push_back(command.numbers[1]);
+    CHECK(heights == std::vector<float>{0, 36, 72, 288});
+}
+
 TEST_CASE("what has exploded is left out of a draw list and what is far off is cut", "[house]")
 {
     Canvas canvas;

@@ -48,7 +48,7 @@ void WebShow::pane(const Rectangle& place, const Pane& pane, const Track& track,
                                place.height - label_height - 1};
     const Projection& projection = projections_.emplace_back(pane.view, picture);
     // Letters keep their place among the shapes, as far as they stay readable.
-    list_.paint(pane.canvas, projection, std::clamp(projection.scale / design_scale(pane.view), 0.72, 1.5));
+    list_.paint(pane.canvas, projection, std::clamp(projection.scale / design_scale(pane.view), 0.62, 1.5));
 
     const Real baseline = place.y + 0.68 * label_height;
     Real x = place.x + 9;

@@ -196,13 +196,15 @@
             const short = value => String(Number(value.toPrecision(3)));
             input.addEventListener('input', () => this.change('web_slide', i, to_value(input.value)));
             input.addEventListener('dblclick', () => this.change('web_slide', i, row.first));
-            if (!row.logarithmic && !row.whole) // "any" has no step of its own for the keys
+            if (row.logarithmic || !row.whole) // "any" has no step of its own, and a whole number moves by one at least
                 input.addEventListener('keydown', event => {
                     const way = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}[event.key];
                     if (!way) return;
                     event.preventDefault();
-                    const value = Math.min(row.high, Math.max(row.low, this.state.settings[i] + way * (row.high - row.low) / 100));
-                    this.change('web_slide', i, value);
+                    const now = this.state.settings[i];
+                    let value = row.logarithmic ? now * Math.pow(row.high / row.low, way / 100) : now + way * (row.high - row.low) / 100;
+                    if (row.whole && Math.abs(value - now) < 1) value = now + Math.sign(way);
+                    this.change('web_slide', i, Math.min(row.high, Math.max(row.low, value)));
                 });
             const show = value => {
                 if (document.activeElement !== input || Math.abs(to_value(input.value) - value) > 1e-9 * Math.abs(value)) input.value = to_place(value);
