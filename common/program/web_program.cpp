@@ -205,12 +205,12 @@ RIGID_PAGE(web_words) const char* web_words() { return page().list->words().c_st
 /// 1 while the hand pulls.
 RIGID_PAGE(web_pressed) int web_pressed() { return page().show->pressed() ? 1 : 0; }
 /// The rows of a run without a window, of what was chosen by web_choose() and its companions: how many numbers.
-RIGID_PAGE(web_run) int web_run(int steps)
+RIGID_PAGE(web_run) int web_run(int steps, int last_alone)
 {
     page().rows.clear();
     attempt([&] {
         const Options& options = page().options;
-        page().rows = rows_of_run(*options.scene, options.settings, options.methods, steps);
+        page().rows = rows_of_run(*options.scene, options.settings, options.methods, steps, last_alone != 0);
     });
     return static_cast<int>(page().rows.size());
 }
