@@ -35,6 +35,7 @@ void DrawList::paint(const Canvas& canvas, const Projection& projection, Real li
 {
     clip(projection.area);
     line_above_ = {infinity, infinity};
+    end_of_block_ = -infinity;
     for (const DrawItem& item : canvas.items())
         if (is_paintable(item, projection)) paint(item, projection, line_scale);
     unclip();
@@ -78,10 +79,11 @@ void DrawList::paint(const DrawItem& item, const Projection& projection, Real li
     case DrawItem::Kind::text: {
         // In a small pane letters do not shrink as much as distances: the next line of a block makes room.
         Vec2 where = points[0];
-        const Real size = line_scale * item.size, below = where.y() - line_above_.y();
-        if (std::abs(where.x() - line_above_.x()) < 1 && below > 0.2 * size && below < 1.25 * size)
-            where.y() = line_above_.y() + 1.25 * size;
-        line_above_ = where;
+        const Real size = line_scale * item.size;
+        if (std::abs(where.x() - line_above_.x()) < 1 && where.y() > line_above_.y() + 0.2 * size)
+            where.y() = std::max(where.y(), end_of_block_ + 1.25 * size);
+        line_above_ = points[0];
+        end_of_block_ = where.y();
         text(where, item.text, size, pen.colour, opacity, item.align, false);
     }
     }

@@ -61,7 +61,8 @@ private:
     void put(const std::vector<Vec2>& points);
     void paint(const DrawItem& item, const Projection& projection, Real line_scale);
 
-    Vec2 line_above_ = {0, 0};  ///< where the last text of the pane stands
+    Vec2 line_above_ = {0, 0};  ///< where the canvas has the last text of the pane
+    Real end_of_block_ = 0;     ///< and how far down it was painted
     std::vector<float> numbers_;
     std::string words_;
 };
