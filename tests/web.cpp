@@ -154,7 +154,7 @@ TEST_CASE("the rows of a panel say what a slider is and its unit and its range",
     const SliderRow beads = slider_row(program.scenes[0].tunables[1]);
     CHECK(beads.format == "%.0f");
     CHECK(beads.whole);
-    CHECK(contains(beads.help, "Restarts the scene"));
+    CHECK(contains(beads.help, "Starts the scene again"));
     const SliderRow h = time_step_row(program.scenes[0]);
     CHECK(h.logarithmic);
     CHECK(h.high == 1);

@@ -145,7 +145,7 @@ private:
         tooltip("One time step: S or the right arrow");
         ImGui::SameLine();
         if (button("Reset", 3)) show_.restart();
-        tooltip("Start the scene anew: R");
+        tooltip("Start the scene again: R");
 
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(3), ImGui::GetStyle().ItemSpacing.y});
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(2), ImGui::GetStyle().FramePadding.y});
@@ -208,7 +208,7 @@ private:
         if (slider(row, h)) show_.set_h(h);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) show_.set_h(scene.h);
 
-        begin_row("seed", "Of all that is random. Starts the scene anew");
+        begin_row("seed", "Of all that is random. Starts the scene again");
         std::uint64_t seed = show_.settings().seed;
         const std::uint64_t one = 1;
         if (ImGui::InputScalar("##seed", ImGuiDataType_U64, &seed, &one, nullptr, "%llu",
@@ -405,7 +405,7 @@ private:
         ImGui::PushStyleColor(ImGuiCol_Text, theme_.colour(Colour::orange));
         ImGui::TextUnformatted("too slow");
         ImGui::PopStyleColor();
-        tooltip("More steps are due than there is time for: the scene runs slower than asked");
+        tooltip("More steps are due than there is time for: the scene runs slower than set");
     }
 
     void keys()

@@ -31,7 +31,7 @@ SliderRow slider_row(const Tunable& one)
     row.help = one.help + (one.help.empty() ? "" : ". ") + "From " + readable(one.low) + " to " +
                with_unit(readable(one.high), one.unit) + ", at first " +
                with_unit(readable(one.value), one.unit);
-    if (one.restarts) row.help += ". Restarts the scene";
+    if (one.restarts) row.help += ". Starts the scene again";
     if (one.arrow_keys) row.help += ". Up and down keys";
     row.unit = one.unit;
     row.low = one.low;
@@ -67,7 +67,7 @@ std::string plot_title(const Column& column)
 std::vector<KeyRow> key_rows(const Demo& scene)
 {
     std::vector<KeyRow> rows = {
-        {"Space", "pause and run"}, {"S, Right", "one time step"}, {"R", "restart the scene"}};
+        {"Space", "pause and run"}, {"S, Right", "one time step"}, {"R", "start again"}};
     const auto arrow = std::find_if(scene.tunables.begin(), scene.tunables.end(),
                                     [](const Tunable& one) { return one.arrow_keys; });
     if (arrow != scene.tunables.end()) rows.push_back({"Up, Down", in_words(arrow->name)});
