@@ -88,7 +88,7 @@ if(RIGID_INSTALL)
   install(EXPORT rigid_targets NAMESPACE rigid:: FILE rigidTargets.cmake DESTINATION ${package})
   install(DIRECTORY common chapters DESTINATION include/rigid FILES_MATCHING PATTERN "*.hpp"
           PATTERN program EXCLUDE PATTERN benchmark EXCLUDE PATTERN figures EXCLUDE
-          PATTERN "*_canvas.hpp" EXCLUDE)
+          PATTERN "*_canvas.hpp" EXCLUDE PATTERN "draw_list.hpp" EXCLUDE)
   write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rigidConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES cmake/rigidConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/rigidConfigVersion.cmake DESTINATION ${package})
 endif()

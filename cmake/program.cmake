@@ -7,7 +7,10 @@ add_library(rigid_program STATIC
   common/program/command_line.cpp
   common/program/headless.cpp
   common/program/outputs.cpp
+  common/program/panel_rows.cpp
+  common/program/panes.cpp
   common/program/playback.cpp
+  common/program/program.cpp
   common/program/progress.cpp
   common/program/run_program.cpp
   common/program/show.cpp

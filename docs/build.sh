@@ -52,11 +52,32 @@ rm -rf build/docs
 mkdir -p build/docs/awesome
 cp "$theme"/*.css "$theme"/*.js build/docs/awesome/
 
+# The demos, where ./book web has built the programs for the pages: a still picture of each.
+if [ -d build/web/demos ] && command -v node >/dev/null 2>&1; then
+    python3 docs/tools/demos.py >build/docs/demos.list
+    mkdir -p build/docs/demos
+    node docs/web/stills.mjs build/web/demos build/docs/demos <build/docs/demos.list || fail "a demo can't be shown"
+    say "with the demos of build/web"
+else
+    say "without demos: ./book web builds them"
+fi
+
 # bibtex of a bare texlive-binaries has no configuration: it finds its files by these two.
 BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >build/docs/doxygen.log 2>&1 || {
     cat build/docs/doxygen.log >&2
     fail "Doxygen found faults"
 }
 python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
+if [ -d build/docs/demos ]; then
+    mkdir -p build/docs/html/demos
+    cp docs/web/unpack.js docs/web/machine.js docs/web/painter.js docs/web/demo.js docs/web/demo.css build/docs/html/
+    # Only what a page shows.
+    for name in $(grep -oh 'src="demos/[^"]*"' build/docs/html/*.html | sort -u | cut -d'"' -f2); do
+        cp "build/docs/$name" "build/docs/html/$name"
+    done
+    for name in $(grep -oh 'data-program="[^"]*"' build/docs/html/*.html | sort -u | cut -d'"' -f2); do
+        cp "build/web/demos/$name.js" build/docs/html/demos/
+    done
+fi
 python3 docs/tools/check_html.py build/docs/html
 say "the site is build/docs/html/index.html"

@@ -2,6 +2,11 @@
 add_catch_tests(program program FILES tests/program.cpp)
 target_link_libraries(test_program PRIVATE rigid_program)
 
+# What a page gets of them, without a browser (docs/web/test has the pages).
+add_catch_tests(web program FILES tests/web.cpp common/draw_list.cpp common/program/web_description.cpp
+                                  common/program/web_show.cpp)
+target_link_libraries(test_web PRIVATE rigid_program)
+
 # add_picture_test(LABEL NAME PROGRAM ARGUMENTS …): one frame by OpenGL without a window must not be
 # blank. Skipped where there is no OpenGL.
 function(add_picture_test label name program)

@@ -5,6 +5,7 @@
 #include "common/program/outputs.hpp"
 #include "common/program/scripted_pointer.hpp"
 #include "common/program/show.hpp"
+#include "common/program/table.hpp"
 #include "common/svg_canvas.hpp"
 #include "common/text.hpp"
 #include "tests/catch.hpp"
@@ -809,7 +810,7 @@ TEST_CASE("the table of a window begins again with the scene")
 {
     const Folder folder;
     const Program program = toy::program();
-    Show show(program, parsed(program, {"--csv", "table.csv"}));
+    Show show(program, parsed(program, {"--csv", "table.csv"}), table_of_show("table.csv"));
     show.single_step({});
     show.single_step({});
     show.restart();

@@ -181,16 +181,6 @@ std::string sentence(const CLI::ParseError& error)
 
 }  // namespace
 
-Settings default_settings(const Demo& scene)
-{
-    Settings settings;
-    settings.scene = scene.name;
-    settings.method = scene.methods.empty() ? "" : scene.methods.front();
-    settings.h = scene.h;
-    for (const Tunable& one : scene.tunables) settings.tunables[one.name] = one.value;
-    return settings;
-}
-
 void require_consistent(const Program& program)
 {
     if (program.scenes.empty() && !program.solve_problem)

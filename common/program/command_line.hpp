@@ -34,7 +34,4 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
 /// whose value is out of its range, a column whose name is no word, a view that shows nothing …
 void require_consistent(const Program& program);
 
-/// The settings that a scene starts with when nothing was typed.
-Settings default_settings(const Demo& scene);
-
 }  // namespace rigid

@@ -1,5 +1,6 @@
 #include "common/program/panel.hpp"
 
+#include "common/program/panel_rows.hpp"
 #include "common/text.hpp"
 
 #include <algorithm>
@@ -18,20 +19,6 @@ std::string escaped(const std::string& text)
     std::string result;
     for (const char c : text) result += c == '%' ? std::string("%%") : std::string(1, c);
     return result;
-}
-
-/// As many digits as six characters have room for: 0.0496, 1.4e-13.
-std::string narrow(Real value)
-{
-    if (std::abs(value) >= 100 && std::abs(value) < 99999.5) return fixed(value, 0);
-    std::string text;
-    for (int digits = 3; digits > 0; --digits) {
-        text = significant(value, digits);
-        const std::size_t zero = text.find("e-0");
-        if (zero != std::string::npos) text.erase(zero + 2, 1);
-        if (text.size() <= 6) break;
-    }
-    return text;
 }
 
 ImVec4 vector_of(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
@@ -162,8 +149,6 @@ private:
 
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(3), ImGui::GetStyle().ItemSpacing.y});
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(2), ImGui::GetStyle().FramePadding.y});
-        constexpr std::array<std::pair<Real, const char*>, 6> speeds = {
-            {{0.125, "1/8"}, {0.25, "1/4"}, {0.5, "1/2"}, {1.0, "x 1"}, {2.0, "x 2"}, {4.0, "x 4"}}};
         for (std::size_t i = 0; i < speeds.size(); ++i) {
             if (i > 0) ImGui::SameLine();
             if (button(speeds[i].second, static_cast<int>(speeds.size()), show_.speed == speeds[i].first))
@@ -191,11 +176,19 @@ private:
         ImGui::SetNextItemWidth(-1);
     }
 
-    bool slider(const char* id, Real& value, Real low, Real high, const std::string& format, bool logarithmic)
+    /// True if the reader has changed the value.
+    bool slider(const SliderRow& row, Real& value)
     {
+        ImGui::PushID(row.name.c_str());
+        begin_row(row.label, row.help + " (right click)");
+        const std::string format = row.format + (row.unit.empty() ? "" : " " + escaped(shown(row.unit)));
         ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-        if (logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-        return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &low, &high, format.c_str(), flags);
+        if (row.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+        const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &row.low, &row.high,
+                                                 format.c_str(), flags);
+        tooltip(row.help + " (right click)");
+        ImGui::PopID();
+        return changed;
     }
 
     void sliders()
@@ -205,37 +198,14 @@ private:
         gap();
         const Demo& scene = show_.scene();
         for (const Tunable& one : scene.tunables) {
-            ImGui::PushID(one.name.c_str());
-            std::string words = one.name;
-            std::replace(words.begin(), words.end(), '_', ' ');
-            std::string help = one.help + (one.help.empty() ? "" : ". ") + "From " + readable(one.low) +
-                               " to " + with_unit(readable(one.high), one.unit) + ", at first " +
-                               with_unit(readable(one.value), one.unit) + " (right click)";
-            if (one.restarts) help += ". Starts the scene again";
-            if (one.arrow_keys) help += ". Up and down keys";
-            begin_row(words, help);
-            const bool wide = one.low > 0 && one.high / one.low >= 1000;
-            const std::string unit = one.unit.empty() ? "" : " " + escaped(shown(one.unit));
+            const SliderRow row = slider_row(one);
             Real value = show_.settings()[one.name];
-            if (slider("##value", value, one.low, one.high,
-                       (one.whole ? "%.0f"
-                        : wide    ? "%.4g"
-                                  : digits(one)) +
-                           unit,
-                       wide))
-                show_.set_tunable(one, value);
-            tooltip(help);
+            if (slider(row, value)) show_.set_tunable(one, value);
             if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) show_.set_tunable(one, one.value);
-            ImGui::PopID();
         }
+        const SliderRow row = time_step_row(scene);
         Real h = show_.settings().h;
-        const std::string about_h = "The time step: from " + readable(scene.h_low) + " to " +
-                                    readable(scene.h_high) + " s, at first " + significant(scene.h, 4) +
-                                    " s (right click)";
-        begin_row("time step", about_h);
-        if (slider("##h", h, scene.h_low, scene.h_high, "%.4g s", scene.h_high / scene.h_low >= 50))
-            show_.set_h(h);
-        tooltip(about_h);
+        if (slider(row, h)) show_.set_h(h);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) show_.set_h(scene.h);
 
         begin_row("seed", "Of all that is random. Starts the scene again");
@@ -251,13 +221,6 @@ private:
         }
     }
 
-    /// Digits behind the point that suit the range.
-    static const char* digits(const Tunable& one)
-    {
-        const Real span = one.high - one.low;
-        return span >= 100 ? "%.1f" : span >= 1 ? "%.2f" : span >= 0.1 ? "%.3f" : "%.2e";
-    }
-
     // ---- plots --------------------------------------------------------------------------------
 
     void plots()
@@ -269,16 +232,16 @@ private:
         gap();
         ImGui::Separator();
         gap();
+        span_ = plot_span(show_, state_.whole_run);
         for (std::size_t c = 0; c < scene.columns.size(); ++c)
             if (scene.columns[c].plotted) plot(c);
-        plot_span();
+        plot_times();
     }
 
     /// From when to when the plots reach, and the choice between the last steps and the whole run.
-    void plot_span()
+    void plot_times()
     {
-        const auto [begin, end] = time_span();
-        std::string text = "t = " + significant(begin, 4) + " to " + significant(end, 4) + " s";
+        std::string text = "t = " + significant(span_.begin, 4) + " to " + significant(span_.end, 4) + " s";
         ImGui::AlignTextToFramePadding();
         dim_text(text);
         const char* label = "whole run";
@@ -290,40 +253,13 @@ private:
                 " steps");
     }
 
-    std::pair<Real, Real> time_span() const
-    {
-        Real begin = infinity, end = -infinity;
-        const Demo& scene = show_.scene();
-        for (std::size_t k = 0; k < show_.playback()->tracks().size(); ++k)
-            for (std::size_t c = 0; c < scene.columns.size(); ++c)
-                each_sample(k, c, [&](const Sample& sample) {
-                    begin = std::min(begin, sample.t);
-                    end = std::max(end, sample.t);
-                });
-        return begin <= end ? std::pair{begin, end} : std::pair{0.0, 0.0};
-    }
-
-    template <class Visit>
-    void each_sample(std::size_t track, std::size_t column, const Visit& visit) const
-    {
-        const History& history = show_.history(track, column);
-        if (!state_.whole_run) {
-            for (const Sample& sample : history.recent()) visit(sample);
-            return;
-        }
-        for (const Sample& sample : history.whole()) visit(sample);
-        if (!history.recent().empty()) visit(history.recent().back());  // what thinning left out
-    }
-
     void plot(std::size_t c)
     {
         const Column& column = show_.scene().columns[c];
         const std::vector<Track>& tracks = show_.playback()->tracks();
 
         // Name and unit at the left, the present values in the colours of their panes at the right.
-        std::string name = column.name;
-        std::replace(name.begin(), name.end(), '_', ' ');
-        if (!column.unit.empty()) name += " [" + column.unit + ']';
+        const std::string name = plot_title(column);
         const float right = ImGui::GetWindowContentRegionMax().x, left = ImGui::GetCursorPosX();
         ImGui::TextUnformatted(shown(name).c_str());
         tooltip(column.help);
@@ -361,27 +297,9 @@ private:
         const ImVec2 opposite = {corner.x + size.x, corner.y + size.y};
         list.AddRectFilled(corner, opposite, theme_.card(), units(3));
 
-        // The range of all curves.
-        const auto height_of = [&](Real value) { return column.logarithmic ? std::log10(value) : value; };
-        const auto shows = [&](Real value) { return !column.logarithmic || value > 0; };
-        Real low = infinity, high = -infinity;
-        for (std::size_t k = 0; k < tracks.size(); ++k)
-            each_sample(k, c, [&](const Sample& sample) {
-                if (!shows(sample.value)) return;
-                low = std::min(low, height_of(sample.value));
-                high = std::max(high, height_of(sample.value));
-            });
-        if (low <= high) {
-            if (column.logarithmic) {
-                low = std::floor(low);
-                high = std::max(std::ceil(high), low + 1);
-            } else if (high - low <= 1e-9 * std::max(std::abs(low), std::abs(high)) || high == low) {
-                const Real around = high == 0 ? 1 : 0.1 * std::abs(high);
-                low -= around;
-                high += around;
-            }
-            curves(c, list, corner, size, low, high, height_of, shows);
-            limits(list, corner, size, low, high, column.logarithmic);
+        if (const std::optional<Plot> plot = plot_of(show_, c, span_, state_.whole_run)) {
+            curves(*plot, list, corner, size);
+            limits(*plot, list, corner, size);
             if (hovered) read_off(c, list, corner, size);
         }
         list.AddRect(corner, opposite, theme_.edge(), units(3));
@@ -391,51 +309,39 @@ private:
     float margin() const { return units(5); }
     float gutter() const { return units(47); }  ///< at the left of a plot: the numbers of its range
 
-    template <class HeightOf, class Shows>
-    void curves(std::size_t c, ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low,
-                Real high, const HeightOf& height_of, const Shows& shows)
+    void curves(const Plot& plot, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
     {
-        const std::pair<Real, Real> span = time_span();
-        const Real begin = span.first, length = span.second - span.first;
         const Real width = static_cast<Real>(size.x - 2 * margin()),
                    height = static_cast<Real>(size.y - 2 * margin());
-        if (low < 0 && high > 0) {  // where zero is
-            const float y = corner.y + margin() + static_cast<float>(height * high / (high - low));
+        if (plot.low < 0 && plot.high > 0) {  // where zero is
+            const float y =
+                corner.y + margin() + static_cast<float>(height * plot.high / (plot.high - plot.low));
             list.AddLine({corner.x + gutter(), y}, {corner.x + size.x, y}, theme_.edge());
         }
         list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-        for (std::size_t k = show_.playback()->tracks().size(); k-- > 0;) {
-            std::vector<ImVec2> points;
-            const ImU32 colour = theme_.colour(pane_colour(k));
-            const auto flush = [&] {
+        for (std::size_t k = plot.curves.size(); k-- > 0;)
+            for (const std::vector<Vec2>& piece : plot.curves[k]) {
+                std::vector<ImVec2> points;
+                for (const Vec2& p : piece)
+                    points.push_back({corner.x + gutter() + static_cast<float>(p.x() * width),
+                                      corner.y + margin() + static_cast<float>((1 - p.y()) * height)});
                 if (points.size() > 1)
-                    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, units(1.5));
-                points.clear();
-            };
-            each_sample(k, c, [&](const Sample& sample) {
-                if (!shows(sample.value)) return flush();
-                const Real x = length > 0 ? (sample.t - begin) / length : 1;
-                const Real y = (high - height_of(sample.value)) / (high - low);
-                points.push_back({corner.x + gutter() + static_cast<float>(x * width),
-                                  corner.y + margin() + static_cast<float>(y * height)});
-            });
-            flush();
-        }
+                    list.AddPolyline(points.data(), static_cast<int>(points.size()),
+                                     theme_.colour(pane_colour(k)), 0, units(1.5));
+            }
         list.PopClipRect();
     }
 
     /// The numbers at the upper and the lower end.
-    void limits(ImDrawList& list, const ImVec2& corner, const ImVec2& size, Real low, Real high,
-                bool logarithmic)
+    void limits(const Plot& plot, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
     {
         const Real right = static_cast<Real>(corner.x + gutter()) - 5 * scale_,
                    top = static_cast<Real>(corner.y);
-        const auto put = [&](Real value, Real baseline) {
-            const std::string text = logarithmic ? "1e" + readable(value) : narrow(value);
+        const auto put = [&](const std::string& text, Real baseline) {
             fonts_.paint(list, {right, baseline}, text, scale_ * small_size, dim(), Align::right);
         };
-        put(high, top + 12 * scale_);
-        put(low, top + static_cast<Real>(size.y) - 4 * scale_);
+        put(plot.high_text, top + 12 * scale_);
+        put(plot.low_text, top + static_cast<Real>(size.y) - 4 * scale_);
         list.AddLine({corner.x + gutter() - units(2), corner.y},
                      {corner.x + gutter() - units(2), corner.y + size.y}, theme_.edge());
     }
@@ -443,18 +349,17 @@ private:
     /// The values under the mouse.
     void read_off(std::size_t c, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
     {
-        const auto [begin, end] = time_span();
         const float mouse =
             std::clamp(ImGui::GetIO().MousePos.x, corner.x + gutter(), corner.x + size.x - margin());
         const Real part = static_cast<Real>((mouse - corner.x - gutter()) / (size.x - gutter() - margin()));
-        const Real t = begin + part * (end - begin);
+        const Real t = span_.begin + part * (span_.end - span_.begin);
         list.AddLine({mouse, corner.y}, {mouse, corner.y + size.y}, dim());
         ImGui::BeginTooltip();
         ImGui::Text("t = %s s", significant(t, 4).c_str());
         const Column& column = show_.scene().columns[c];
         for (std::size_t k = 0; k < show_.playback()->tracks().size(); ++k) {
             Sample nearest{infinity, 0};
-            each_sample(k, c, [&](const Sample& sample) {
+            each_sample(show_, k, c, state_.whole_run, [&](const Sample& sample) {
                 if (std::abs(sample.t - t) < std::abs(nearest.t - t)) nearest = sample;
             });
             if (!std::isfinite(nearest.t)) continue;
@@ -505,22 +410,16 @@ private:
 
     void keys()
     {
-        const auto arrow = std::find_if(show_.scene().tunables.begin(), show_.scene().tunables.end(),
-                                        [](const Tunable& one) { return one.arrow_keys; });
-        const auto line = [&](const char* key, const std::string& what) {
-            ImGui::TextUnformatted(key);
+        const auto line = [&](const std::string& key, const std::string& what) {
+            ImGui::TextUnformatted(key.c_str());
             ImGui::SameLine(units(78));
             dim_text(what);
         };
-        line("Space", "pause and run");
-        line("S, Right", "one time step");
-        line("R", "start again");
-        if (arrow != show_.scene().tunables.end()) line("Up, Down", arrow->name);
+        for (const KeyRow& row : key_rows(show_.scene())) line(row.key, row.what);
         line("P", "picture as SVG and PNG");
         line("D", "dark or light");
         line("Tab", "hide or show this panel");
         line("Esc", "quit");
-        line("Mouse", show_.scene().steered ? "steers; held: pulls" : "held: pulls what is under it");
         line("Sliders", "Ctrl + click: type a number");
         line("", "right click: as at first");
     }
@@ -530,6 +429,7 @@ private:
     const Theme& theme_;
     const Fonts& fonts_;
     Real scale_;
+    TimeSpan span_;
 };
 
 }  // namespace

@@ -14,8 +14,10 @@ Playback::Playback(const Demo& scene, const Settings& settings, const std::vecto
     for (const std::string& method : methods) {
         Track& track = tracks_.emplace_back();
         track.method = method;
+        own_settings_.push_back(settings);
+        own_settings_.back().method = method;
         try {
-            track.run = scene.start(settings_of(track));
+            track.run = scene.start(own_settings_.back());
             if (!track.run) throw StepFailure("scene " + scene.name + " did not start");
             measure(track);
         } catch (const StepFailure& failure) {
@@ -24,21 +26,21 @@ Playback::Playback(const Demo& scene, const Settings& settings, const std::vecto
     }
 }
 
-Settings Playback::settings_of(const Track& track) const
+void Playback::set_tunable(const std::string& name, Real value)
 {
-    Settings settings = settings_;
-    settings.method = track.method;
-    return settings;
+    settings_.tunables[name] = value;
+    for (Settings& one : own_settings_) one.tunables[name] = value;
 }
 
 void Playback::step(const Input& input)
 {
     if (!can_go_on()) return;
     ++steps_;
-    for (Track& track : tracks_) {
+    for (std::size_t k = 0; k < tracks_.size(); ++k) {
+        Track& track = tracks_[k];
         if (!track.can_go_on()) continue;
         try {
-            track.run->step(settings_of(track), input);
+            track.run->step(own_settings_[k], input);
             measure(track);
             track.steps = steps_;
             track.time = time();
@@ -68,6 +70,7 @@ void Playback::set_h(Real h)
     time_at_h_ = time();
     steps_at_h_ = steps_;
     settings_.h = h;
+    for (Settings& one : own_settings_) one.h = h;
 }
 
 Real Playback::time() const { return time_at_h_ + static_cast<Real>(steps_ - steps_at_h_) * settings_.h; }

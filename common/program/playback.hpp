@@ -35,7 +35,7 @@ public:
 
     /// Takes effect with the next step. The time goes on from where it is.
     void set_h(Real h);
-    void set_tunable(const std::string& name, Real value) { settings_.tunables[name] = value; }
+    void set_tunable(const std::string& name, Real value);
 
     const Demo& scene() const { return *scene_; }
     const Settings& settings() const { return settings_; }
@@ -51,12 +51,13 @@ public:
     std::vector<Pane> draw() const;
 
 private:
-    Settings settings_of(const Track& track) const;
     void measure(Track& track) const;
 
     const Demo* scene_;
     Settings settings_;
     std::vector<Track> tracks_;
+    std::vector<Settings>
+        own_settings_;  ///< of each track: the same, but for the method; no step copies them
     long steps_ = 0;
     long steps_at_h_ = 0;  ///< when h was set last, and the time then:
     Real time_at_h_ = 0;   ///< t = time_at_h + (steps - steps_at_h) h does not gather rounding errors

@@ -107,6 +107,9 @@ struct Program {
 /// couldn't be written). The program is made inside, so that what is thrown on the way becomes a sentence too.
 int run_program(const std::function<Program()>& make, int argc, char** argv);
 
+/// The settings that a scene starts with when nothing was typed.
+Settings default_settings(const Demo& scene);
+
 /// What an exception says to the reader: its own sentence, or one about memory where it has none.
 std::string sentence_of(const std::exception& error);
 

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <new>
 #include <stdexcept>
 
 namespace rigid {
@@ -85,14 +84,6 @@ void require_printed()
 }
 
 }  // namespace
-
-std::string sentence_of(const std::exception& error)
-{
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
-        dynamic_cast<const std::length_error*>(&error) != nullptr)
-        return "there is not enough memory for this";
-    return error.what();
-}
 
 int run_program(const std::function<Program()>& make, int argc, char** argv)
 {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace rigid {
 
@@ -19,9 +20,10 @@ void History::add(const Sample& sample)
     stride_ *= 2;
 }
 
-Show::Show(const Program& program, const Options& options)
+Show::Show(const Program& program, const Options& options, Listener listener)
     : program_(&program), options_(options), scene_(options.scene), settings_(options.settings),
-      pointer_(options.settings.seed, options.scene->view), scripted_(options.steps.has_value())
+      listener_(std::move(listener)), pointer_(options.settings.seed, options.scene->view),
+      scripted_(options.steps.has_value())
 {
     std::vector<std::string> first = options.methods;
     if (!options.methods_given && !scene_->side_by_side.empty()) first = scene_->side_by_side;
@@ -60,11 +62,7 @@ void Show::start()
         return;
     }
     histories_.assign(methods.size(), std::vector<History>(scene_->columns.size()));
-    if (!options_.csv.empty()) {
-        table_.reset();
-        table_.emplace(options_.csv, *scene_, methods.size());  // what is shown again is written again
-    }
-    remember();
+    remember(true);
 }
 
 void Show::restart() { start(); }
@@ -167,10 +165,10 @@ void Show::step(const Input& hand)
     Input input = hand;
     if (scene_->steered && scripted_ && !hand.pressed) input = {pointer_.at(playback_->time()), true, false};
     playback_->step(input);
-    remember();
+    remember(false);
 }
 
-void Show::remember()
+void Show::remember(bool fresh)
 {
     for (std::size_t k = 0; k < playback_->tracks().size(); ++k) {
         const Track& track = playback_->tracks()[k];
@@ -178,7 +176,7 @@ void Show::remember()
         for (std::size_t c = 0; c < track.measured.size(); ++c)
             if (scene_->columns[c].plotted) histories_[k][c].add({track.time, track.measured[c]});
     }
-    if (table_) table_->add(playback_->tracks());
+    if (listener_) listener_(*playback_, fresh);
 }
 
 }  // namespace rigid

@@ -6,10 +6,10 @@
 #include "common/program/command_line.hpp"
 #include "common/program/playback.hpp"
 #include "common/program/scripted_pointer.hpp"
-#include "common/program/table.hpp"
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,8 +38,11 @@ private:
 
 class Show {
 public:
+    /// Is given what was measured: of a start (`fresh`) and after each step.
+    using Listener = std::function<void(const Playback&, bool fresh)>;
+
     /// Throws std::invalid_argument if the scene refuses what was typed.
-    Show(const Program& program, const Options& options);
+    Show(const Program& program, const Options& options, Listener listener = {});
 
     const Program& program() const { return *program_; }
     const Demo& scene() const { return *scene_; }
@@ -79,7 +82,7 @@ public:
 private:
     void start();
     void step(const Input& hand);
-    void remember();
+    void remember(bool fresh);
 
     const Program* program_;
     Options options_;
@@ -87,7 +90,7 @@ private:
     Settings settings_;
     std::vector<bool> method_on_;
     std::optional<Playback> playback_;
-    std::optional<Table> table_;
+    Listener listener_;
     std::string refusal_;
     ScriptedPointer pointer_;
     bool scripted_ = false;

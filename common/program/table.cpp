@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace rigid {
@@ -46,6 +48,19 @@ void Table::add(const std::vector<Track>& tracks)
         out() << row << '\n';
     }
     check();  // row by row, so that what is there stays there whatever happens next
+}
+
+std::function<void(const Playback&, bool fresh)> table_of_show(const std::string& file)
+{
+    if (file.empty()) return {};
+    const auto table = std::make_shared<std::optional<Table>>();
+    return [file, table](const Playback& playback, bool fresh) {
+        if (fresh) {
+            table->reset();
+            table->emplace(file, playback.scene(), playback.tracks().size());
+        }
+        (*table)->add(playback.tracks());
+    };
 }
 
 std::string summary(const Program& program, const Playback& playback)

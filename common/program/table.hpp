@@ -14,6 +14,7 @@
 #include "common/program/playback.hpp"
 
 #include <fstream>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ private:
     std::ofstream stream_;
     std::vector<long> last_step_;  ///< of each method, -1 = none yet
 };
+
+/// Writes the table of a window's run, where its file is named: what is shown again is written again.
+std::function<void(const Playback&, bool fresh)> table_of_show(const std::string& file);
 
 /// The last row of each track, with units, for a reader.
 std::string summary(const Program& program, const Playback& playback);

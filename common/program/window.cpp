@@ -4,7 +4,9 @@
 #include "common/program/interrupt.hpp"
 #include "common/program/outputs.hpp"
 #include "common/program/panel.hpp"
+#include "common/program/panes.hpp"
 #include "common/program/show.hpp"
+#include "common/program/table.hpp"
 #include "common/svg_canvas.hpp"
 #include "common/text.hpp"
 
@@ -36,30 +38,10 @@ std::string& glfw_complaint()
     return text;
 }
 
-/// Splits an area into a grid of panes of one view: nearly as large as they can be, rather beside
-/// each other than above.
-std::vector<Rectangle> grid(const Rectangle& area, std::size_t count, const View& view, Real label, Real gap)
-{
-    std::vector<Rectangle> best;
-    Real best_scale = -1;
-    for (std::size_t columns = 1; columns <= count; ++columns) {
-        const std::size_t rows = (count + columns - 1) / columns;
-        const Real c = static_cast<Real>(columns), r = static_cast<Real>(rows);
-        const Real width = (area.width - (c - 1) * gap) / c, height = (area.height - (r - 1) * gap) / r;
-        const Real scale = std::min(width / view.half_size.x(), (height - label) / view.half_size.y());
-        if (scale <= 0.75 * best_scale) continue;
-        best_scale = std::max(best_scale, scale);
-        best.clear();
-        for (std::size_t i = 0; i < count; ++i)
-            best.push_back({area.x + static_cast<Real>(i % columns) * (width + gap),
-                            area.y + static_cast<Real>(i / columns) * (height + gap), width, height});
-    }
-    return best;
-}
-
 class Window {
 public:
-    Window(const Program& program, const Options& options) : options_(options), show_(program, options)
+    Window(const Program& program, const Options& options)
+        : options_(options), show_(program, options, table_of_show(options.csv))
     {
         if (!options.svg.empty()) require_writable("the picture", options.svg);
         if (!options.png.empty()) require_writable("the picture", options.png);
@@ -200,7 +182,7 @@ private:
         if (ImGui::GetIO().WantTextInput) return;
         for (const int key : keys) {
             if (key == GLFW_KEY_SPACE) show_.paused = !show_.paused;
-            if (key == GLFW_KEY_S || key == GLFW_KEY_RIGHT) show_.single_step(hand_);
+            if (key == GLFW_KEY_S || key == GLFW_KEY_RIGHT) show_.single_step(hand_.input());
             if (key == GLFW_KEY_R) show_.restart();
             if (key == GLFW_KEY_UP) show_.change_by_arrow(+1);
             if (key == GLFW_KEY_DOWN) show_.change_by_arrow(-1);
@@ -211,36 +193,19 @@ private:
         }
     }
 
-    /// Where the pointer is in the world of the pane under it. A pull goes on when it leaves the pane.
     void read_hand()
     {
         const ImGuiIO& io = ImGui::GetIO();
-        const Vec2 mouse(static_cast<Real>(io.MousePos.x), static_cast<Real>(io.MousePos.y));
-        const bool down = io.MouseDown[0];
-        if (!down) pulled_pane_.reset();
-        hand_.present = hand_.pressed = false;
-        if (!pulled_pane_ && io.WantCaptureMouse) return;
-        for (std::size_t i = 0; i < projections_.size(); ++i) {
-            if (pulled_pane_ ? *pulled_pane_ != i : !projections_[i].area.contains(mouse)) continue;
-            if (!pulled_pane_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pulled_pane_ = i;
-            const View& view = projections_[i].view;
-            const Rectangle& area = projections_[i].area;
-            const Vec2 half(area.width / 2 / projections_[i].scale, area.height / 2 / projections_[i].scale);
-            hand_.pointer =
-                projections_[i].to_world(mouse).cwiseMax(view.centre - half).cwiseMin(view.centre + half);
-            hand_.present = true;
-            hand_.pressed = pulled_pane_.has_value();
-            hand_pane_ = i;
-            return;
-        }
+        hand_.read(projections_, {static_cast<Real>(io.MousePos.x), static_cast<Real>(io.MousePos.y)},
+                   io.MouseDown[0], io.WantCaptureMouse);
     }
 
     void advance(Real seconds)
     {
-        if (state_.single_step) show_.single_step(hand_);
+        if (state_.single_step) show_.single_step(hand_.input());
         state_.single_step = false;
         const long steps_before = show_.playback() ? show_.playback()->steps() : 0;
-        show_.advance(seconds, hand_, state_.recording ? every_ : 0);
+        show_.advance(seconds, hand_.input(), state_.recording ? every_ : 0);
         const Playback* playback = show_.playback();
         if (state_.recording && playback && playback->steps() != steps_before &&
             playback->steps() % every_ == 0)
@@ -291,7 +256,7 @@ private:
         }
         const std::vector<Pane> panes = show_.playback()->draw();
         const std::vector<Track>& tracks = show_.playback()->tracks();
-        const std::vector<Rectangle> places = grid(area, panes.size(), show_.scene().view, label, gap);
+        const std::vector<Rectangle> places = pane_grid(area, panes.size(), show_.scene().view, label, gap);
         for (std::size_t i = 0; i < panes.size(); ++i) {
             const Rectangle& place = places[i];
             card(list, theme, place);
@@ -359,17 +324,11 @@ private:
                      nullptr, wrap);
     }
 
-    /// A ring where the seeded path is, where a pull goes to, and in each pane where another one's mouse
-    /// steers.
     void draw_pointer(ImDrawList& list, const Theme& theme, const Projection& projection, std::size_t i) const
     {
-        Vec2 where;
-        if (show_.scene().steered && show_.is_scripted() && !hand_.pressed)
-            where = ScriptedPointer(show_.settings().seed, show_.scene().view).at(show_.playback()->time());
-        else if (hand_.pressed || (show_.scene().steered && hand_.present && hand_pane_ != i))
-            where = hand_.pointer;
-        else return;
-        const Vec2 p = projection.to_pixel(where);
+        const std::optional<Vec2> where = hand_.mark(show_, i);
+        if (!where) return;
+        const Vec2 p = projection.to_pixel(*where);
         list.AddCircle({static_cast<float>(p.x()), static_cast<float>(p.y())}, static_cast<float>(6 * scale_),
                        theme.colour(Colour::ink, 0.5), 0, static_cast<float>(1.5 * scale_));
     }
@@ -464,9 +423,7 @@ private:
     Real density_ = 1;  ///< pixels of the framebuffer for one unit of the window
     Real refresh_ = 1.0 / 60, frames_per_second_ = 60;
     std::vector<int> keys_;
-    Input hand_;
-    std::size_t hand_pane_ = 0;
-    std::optional<std::size_t> pulled_pane_;
+    Hand hand_;
     Rectangle pictures_;
     std::vector<Projection> projections_;
     long every_ = 1;

@@ -4,7 +4,7 @@
 Every command line of a text that starts a program (in a `sh` block, or between backticks from `--scene` on) is run
 with the programs of the folder BIN in a scratch folder, for one step: as it stands and without a display, as it
 stands and with a window where xvfb-run is installed, and with --headless. A command that only lists or solves
-(--help, --list-scenes, --problem) is run once. Says file, line and the program's own sentence for each that ends
+(--help, --list-scenes, --problem) is run once. So is each demo that a text places. Says file, line and the program's own sentence for each that ends
 with another exit code than 0.
 """
 import argparse
@@ -17,6 +17,7 @@ import subprocess
 import tempfile
 
 from booktext import ROOT, TextError, book_folder, run_tool
+from demos import demos_of
 
 ELLIPSIS = re.compile(r'…|\b(NAME|FILE|DIR|VALUE)\b')
 INLINE = re.compile(r'`(--scene [^`]+)`')
@@ -60,6 +61,22 @@ def commands(root, path, text):
             raise TextError(f'{where}: {fault}') from fault
 
 
+def demo_commands(root, path):
+    """The same of each demo that the text places (docs/tools/demos.py), and of its idea turned off."""
+    for demo in demos_of(root, path):
+        off = demo['break'] or {'methods': [], 'settings': {}}
+        for methods, settings in ((demo['methods'], demo['settings']),
+                                  (off['methods'] or demo['methods'], {**demo['settings'], **off['settings']})):
+            words = ['--scene', demo['scene'], '--headless']
+            if methods:
+                words += ['--method', ','.join(methods)]
+            for name, value in settings.items():
+                words += ['--h', f'{value:.17g}'] if name == 'h' else ['--set', f'{name}={value:.17g}']
+            yield int(demo['where'].split(':')[-1]), demo['program'], words
+            if not demo['break']:
+                break
+
+
 def without(arguments, options, flags=()):
     """The arguments less those options, which take a value each, and less those flags."""
     kept, skip = [], False
@@ -99,7 +116,8 @@ def main():
     xvfb = shutil.which('xvfb-run')
     faults = run = 0
     for path in texts:
-        for number, name, arguments in commands(root, path, path.read_text(encoding='utf-8')):
+        shown = [*commands(root, path, path.read_text(encoding='utf-8')), *demo_commands(root, path)]
+        for number, name, arguments in shown:
             if ELLIPSIS.search(' '.join(arguments)) or 'benchmark' in name:
                 continue
             # A file of the book is named as a reader names it who stands in the book's folder.

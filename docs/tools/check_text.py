@@ -14,6 +14,7 @@ What is checked
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
+  demos      <!-- demo: … --> is one that docs/tools/demos.py reads, and its program is there
   notation   a name in the column `code` of docs/notation.md occurs in the sources of the chapters or of common/
              a table can be set in 1,000 pixels, by the estimate of `least_width()`
   length     the README.md of a chapter has at most 6,000 words (`words_of()` says what is counted)
@@ -37,6 +38,7 @@ import urllib.parse
 from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
                       figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
+from demos import demo_of, own_program
 
 WIDEST_CODE = 84
 MOST_WORDS = 6000
@@ -240,9 +242,20 @@ class Checker:
                 self.code_width(path, block)
             elif block.kind == "html":
                 self.details(path, parts, k)
+            elif block.kind == "comment":
+                self.demo(path, block)
             elif block.kind in ("paragraph", "table", "heading"):
                 self.running_text(path, block)
                 self.figure_layout(path, parts, k)
+
+    def demo(self, path, block):
+        try:
+            demo = demo_of(block, own_program(self.root, path), "")
+        except TextError as fault:
+            self.fault(path, block.line, str(fault).lstrip(": "))
+            return
+        if demo and not (self.root / "chapters" / demo["program"] / "program/main.cpp").is_file():
+            self.fault(path, block.line, f"there is no program {demo['program']}.")
 
     def code_width(self, path, block):
         """Code that a reader reads or types fits the page; what a program prints may be as wide as it is."""

@@ -10,6 +10,7 @@ A test: each test becomes a documented function that bears its name.
 """
 import argparse
 import html
+import json
 import pathlib
 import re
 import sys
@@ -17,6 +18,7 @@ import sys
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
                       blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, page_id, run_tool, slug,
                       snippet_code, test_names, tokens)
+from demos import demo_of, own_program
 
 
 def label(text):
@@ -84,6 +86,7 @@ class Page:
     def __init__(self, book, path):
         self.book, self.path, self.root = book, path.resolve(), book.root
         self.id = page_id(self.root, self.path)
+        self.has_demo = False
 
     # -- links
 
@@ -220,22 +223,55 @@ class Page:
                 f'\\htmlonly[block]<div class="origin"><a href="book:{html.escape(name)}#{first}">'
                 f"{html.escape(name)}, lines {first} to {last}<!--/book--></a></div>\\endhtmlonly", ""]
 
-    def figure(self, picture, caption):
-        """A picture that stands alone, with the caption paragraph behind it, if there is one."""
+    def figure(self, picture, caption, demo=None):
+        """A picture that stands alone, with the caption paragraph behind it, if there is one, and the demo before it."""
         out = [""]
         if caption:
             number = FIGURE_CAPTION.match(caption.lines[0]).group(1)
             out += [f"\\anchor fig_{label(number)}", ""]
-        out += [f'\\htmlonly[block]<div class="figure">{self.image(picture)}</div>\\endhtmlonly', ""]
+        shown = (demo and self.demo(demo, picture)) or f'<div class="figure">{self.image(picture)}</div>'
+        out += [f"\\htmlonly[block]{shown}\\endhtmlonly", ""]
         if caption:
             text = FIGURE_CAPTION.sub("", "\n".join(caption.lines), count=1).strip()
             out += ['<div class="figcaption">', f"<b>Figure {number}.</b> {self.inline(text)}", "</div>", ""]
         return out
 
+    def demo(self, block, picture=None):
+        """The place of a demo, if the programs for the pages were built (docs/build.sh): a still picture, which is the
+        figure where the demo stands before one, and a button. Else None."""
+        demo = demo_of(block, own_program(self.root, self.path), f"{self.relative(self.path)}:{block.line}")
+        stills = self.root / "build/docs/demos/demos.json"
+        if not demo or not stills.is_file():
+            return None
+        told = json.loads(stills.read_text(encoding="utf-8"))[demo["still"]]
+
+        def settings(one):
+            return " ".join(f"{name}={value:.17g}" for name, value in one.items())
+
+        data = {"program": demo["program"], "scene": demo["scene"], "methods": " ".join(demo["methods"]),
+                "settings": settings(demo["settings"])}
+        if demo["break"]:
+            off = demo["break"]
+            data["break"] = f"{off['label']}|{' '.join(off['methods'])}|{settings(off['settings'])}"
+        if demo["opens"]:
+            data["opens"] = ""
+        attributes = "".join(f' data-{name}="{html.escape(value)}"' for name, value in data.items())
+        summary = html.escape(told["summary"])
+        head = "" if self.has_demo else ('<link href="demo.css" rel="stylesheet" type="text/css"/>' + "".join(
+            f'<script src="{script}.js" defer="defer"></script>' for script in ("unpack", "machine", "painter", "demo")))
+        self.has_demo = True
+        still = self.image(picture) if picture else (
+            f'<img class="demo-still" src="demos/{demo["still"]}" alt="Still picture of the demo: {summary}" '
+            f'width="{told["width"]}" height="{told["height"]}"/>')
+        return (f'{head}<div class="demo"{attributes}><div class="figure">{still}</div><div class="demo-begin">'
+                f'<button type="button" class="demo-start" aria-label="Run the demo: {summary}">&#9654;&#65038; Run it</button>'
+                f"<span>{summary}</span></div></div>")
+
     def text(self):
         source = self.path.read_text(encoding="utf-8")
         parts = [b for b in blocks(source, str(self.path))]
         out, seen, k = [], {}, 0
+        before = None  # the comment in front of a picture
 
         def lone_picture(block):
             if block.kind != "paragraph" or len(block.lines) != 1:
@@ -256,7 +292,11 @@ class Page:
             elif block.kind == "html":  # Doxygen 1.9.4 closes <details> at a blank line
                 out += [f"\\htmlonly[block]{block.lines[0].strip()}\\endhtmlonly", ""]
             elif block.kind == "comment":
-                pass
+                after = next((one for one in parts[k + 1:] if one.kind != "blank"), None)
+                if after and lone_picture(after):
+                    before = block
+                elif shown := self.demo(block):
+                    out += ["", f"\\htmlonly[block]{shown}\\endhtmlonly", ""]
             elif lone_picture(block):
                 after = k + 1
                 while after < len(parts) and parts[after].kind == "blank":
@@ -264,7 +304,8 @@ class Page:
                 caption = parts[after] if after < len(parts) else None
                 if not (caption and caption.kind == "paragraph" and FIGURE_CAPTION.match(caption.lines[0])):
                     caption = None
-                out += self.figure(lone_picture(block), caption)
+                out += self.figure(lone_picture(block), caption, before)
+                before = None
                 if caption:
                     k = after
             elif block.kind in ("paragraph", "table"):

@@ -12,8 +12,10 @@ import unittest
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+import check_commands  # noqa: E402
 import check_html  # noqa: E402
 import check_text  # noqa: E402
+import demos  # noqa: E402
 import finish_html  # noqa: E402
 from finish_html import finish  # noqa: E402
 import sync_snippets  # noqa: E402
@@ -632,6 +634,65 @@ esac
             "01_euler --scene fall --set beads=1: exit code 139: ",
             "01_euler --scene fall --set beads=20: exit code 2: the tunable beads is 20",
             "6 limits tried, 3 of them refused"])
+
+
+class Demos(Folder):
+    """The demos of the texts: how they are named, and what becomes of them on the site."""
+
+    PLACE = "![A picture of a spring.](figures/ch01_spring.svg)"
+
+    def place(self, comment):
+        self.write("chapters/01_euler/program/main.cpp", "int main() {}\n")
+        self.change("chapters/01_euler/README.md", self.PLACE, f"<!-- demo: {comment} -->\n{self.PLACE}")
+
+    def page(self):
+        return Page(Book(self.root), self.root / "chapters/01_euler/README.md").text()
+
+    def test_all_parts_of_a_demo(self):
+        demo = demos.parse("04_pgs/column, gauss_seidel sor, rows=20 h=0.01, break two sweeps: sor max_sweeps=2, opens", None, "a:1")
+        self.assertEqual((demo["program"], demo["scene"], demo["methods"], demo["settings"]),
+                         ("04_pgs", "column", ["gauss_seidel", "sor"], {"rows": 20, "h": 0.01}))
+        self.assertEqual(demo["break"], {"label": "two sweeps", "methods": ["sor"], "settings": {"max_sweeps": 2}})
+        self.assertTrue(demo["opens"])
+        self.assertEqual(demos.parse("column", "04_pgs", "a:1")["program"], "04_pgs")
+
+    def test_a_demo_without_fault(self):
+        self.place("springs, explicit")
+        self.assertEqual(self.faults(), [])
+
+    def test_a_setting_that_is_no_number(self):
+        self.place("springs, h=fast")
+        self.fails("h=fast is no number")
+
+    def test_a_break_without_a_colon(self):
+        self.place("springs, break explicit")
+        self.fails("'break' names what is off")
+
+    def test_a_program_that_is_not_there(self):
+        self.place("09_none/springs")
+        self.fails("there is no program 09_none")
+
+    def test_without_the_programs_the_figure_stays_as_it_is(self):
+        before = self.page()
+        self.place("springs")
+        self.assertEqual(self.page(), before)
+
+    def test_with_the_programs_the_figure_waits_for_a_click(self):
+        self.place('springs, explicit, h=0.1, break "slow": h=0.5')
+        still = demos.demos_of(self.root, self.root / "chapters/01_euler/README.md")[0]["still"]
+        self.write("build/docs/demos/demos.json", '{"%s": {"summary": "A <spring>", "width": 8, "height": 6}}' % still)
+        page = self.page()
+        for part in ('data-program="01_euler" data-scene="springs" data-methods="explicit" data-settings="h=0.1',
+                     "data-break=\"&quot;slow&quot;||h=0.5\"", 'aria-label="Run the demo: A &lt;spring&gt;"',
+                     'alt="A picture of a spring."', '<script src="demo.js" defer="defer">', "<b>Figure 1.1.</b>"):
+            self.assertIn(part, page)
+
+    def test_a_demo_is_run_as_a_command_and_with_its_idea_turned_off(self):
+        self.place("springs, explicit, k=2, break off: h=0.5")
+        demo = check_commands.demo_commands(self.root, self.root / "chapters/01_euler/README.md")
+        self.assertEqual([words for _, _, words in demo],
+                         [["--scene", "springs", "--headless", "--method", "explicit", "--set", "k=2"],
+                          ["--scene", "springs", "--headless", "--method", "explicit", "--set", "k=2", "--h", "0.5"]])
 
 
 class OddCalls(Folder):

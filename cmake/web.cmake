@@ -1,0 +1,38 @@
+# The programs for a page (preset web, ./book web): the same main.cpp and the same physics by Emscripten, with
+# common/program/web_program.cpp in place of the command line and the window. demos/NN_name.js is what a page loads.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+add_library(rigid_web STATIC
+  common/draw_list.cpp
+  common/program/panel_rows.cpp
+  common/program/panes.cpp
+  common/program/playback.cpp
+  common/program/program.cpp
+  common/program/show.cpp
+  common/program/web_description.cpp
+  common/program/web_show.cpp)
+target_link_libraries(rigid_web PUBLIC rigid_common)
+target_compile_options(rigid_web PRIVATE -Os)   # what a frame needs once; the steps are in the programs
+
+add_library(rigid_web_program OBJECT common/program/web_program.cpp)
+target_link_libraries(rigid_web_program PRIVATE rigid_web)
+target_compile_options(rigid_web_program PRIVATE -Os)
+
+file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/program/main.cpp)
+foreach(main ${mains})
+  cmake_path(GET main PARENT_PATH folder)
+  cmake_path(GET folder PARENT_PATH folder)
+  cmake_path(GET folder FILENAME chapter)
+  add_executable(${chapter} ${main} $<TARGET_OBJECTS:rigid_web_program>)
+  set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=chapter_main)
+  target_include_directories(${chapter} BEFORE PRIVATE cmake/web)   # headers in place of those that need files
+  target_link_libraries(${chapter} PRIVATE rigid_web)
+  # A bare .wasm that knows nothing of a browser: docs/web/machine.js gives it a clock.
+  target_link_options(${chapter} PRIVATE --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)
+  set_target_properties(${chapter} PROPERTIES SUFFIX .wasm)
+  set(script ${CMAKE_BINARY_DIR}/demos/${chapter}.js)
+  add_custom_command(OUTPUT ${script} DEPENDS ${chapter} docs/web/pack.py
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:${chapter}> ${script})
+  list(APPEND scripts ${script})
+endforeach()
+add_custom_target(web ALL DEPENDS ${scripts})

@@ -1,0 +1,182 @@
+// Every demo of the site in a real browser, opened as files: in light and dark, on a wide page and on a phone.
+//
+//     node docs/web/test/browser.mjs HTML_FOLDER [--shots DIR] [--only WORD]
+//
+// Of each demo: nothing is loaded and nothing moves before it is started; it starts by a click within a second; it makes 100
+// steps; it answers the pointer, a finger and the keys; a slider changes a setting; the switch that breaks the idea works; its
+// controls have names; paused it takes no time; nothing is wider than the page; no word in the console; no request leaves.
+import {mkdirSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
+import {join, resolve} from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {Browser} from './devtools.mjs';
+
+const words = process.argv.slice(2);
+const option = name => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : '';
+const shots = option('--shots'), only = option('--only');
+const folder = resolve(words[0]);
+if (shots) mkdirSync(shots, {recursive: true});
+
+const pages = readdirSync(folder).filter(one => one.endsWith('.html') && one.includes(only)).filter(one => readFileSync(join(folder, one), 'utf8').includes('class="demo"')).sort();
+const settings = [{width: 1280, dark: false}, {width: 1280, dark: true}, {width: 390, dark: false}, {width: 390, dark: true}];
+const wait = seconds => new Promise(done => setTimeout(done, 1000 * seconds));
+let passed = 0, failed = 0;
+const browser = new Browser();
+
+function check(right, what) {
+    if (!right) throw new Error(what);
+}
+
+// Where an element is on the screen.
+const box_of = (page, element) => page.value(`(() => { const box = ${element}.getBoundingClientRect(); return {x: box.x, y: box.y, width: box.width, height: box.height}; })()`);
+async function click(page, element) {
+    await page.value(`${element}.scrollIntoView({block: 'center', behavior: 'instant'})`);
+    const box = await box_of(page, element), x = box.x + box.width / 2, y = box.y + box.height / 2;
+    await page.mouse('mouseMoved', x, y);
+    await page.mouse('mousePressed', x, y, true);
+    await page.mouse('mouseReleased', x, y);
+}
+const busy = async page => (await page.send('Performance.getMetrics')).metrics.find(one => one.name === 'TaskDuration').value;
+
+async function demo(page, i, {width, dark}, name) {
+    const place = `document.querySelectorAll('.demo')[${i}]`;
+    check(!await page.value(`'state' in ${place}.dataset`) || await page.value(`'opens' in ${place}.dataset`), 'it runs before it was started');
+    if (!await page.value(`${place}.dataset.state === 'runs'`)) await click(page, `${place}.querySelector('.demo-start')`);
+    await page.until(`'state' in ${place}.dataset`, 20, 'it does not start');
+    check(await page.value(`${place}.dataset.state`) === 'runs', await page.value(`${place}.innerText`));
+    const first_frame = await page.value(`Number(${place}.dataset.firstFrame)`);
+    check(first_frame <= 1000, `its first frame took ${first_frame} ms; 1000 are allowed`);
+
+    // It moves by itself, then step by step to 100.
+    await page.value(`${place}.scrollIntoView({block: 'center', behavior: 'instant'})`);
+    await page.until(`Number(${place}.dataset.steps) > 0`, 10, 'it makes no step');
+    if (shots) {
+        await wait(0.8);
+        const inner = await box_of(page, place);
+        await page.send('Emulation.setDeviceMetricsOverride', {width, height: Math.ceil(inner.height + 60), deviceScaleFactor: 1, mobile: false});
+        await page.value(`${place}.scrollIntoView({block: 'center', behavior: 'instant'})`);
+        await wait(0.3);
+        const seen = await page.value(`(() => { const box = ${place}.getBoundingClientRect(); return {x: Math.max(0, box.x - 12), y: Math.max(0, box.y - 12) + scrollY, width: Math.min(innerWidth, box.width + 24), height: box.height + 24}; })()`);
+        const {data} = await page.send('Page.captureScreenshot', {format: 'png', clip: {...seen, scale: 1}});
+        writeFileSync(join(shots, `${name}_${i}_${width}_${dark ? 'dark' : 'light'}.png`), Buffer.from(data, 'base64'));
+        await page.send('Emulation.setDeviceMetricsOverride', {width, height: 900, deviceScaleFactor: 1, mobile: width < 500});
+        await page.value(`${place}.scrollIntoView({block: 'center', behavior: 'instant'})`);
+    }
+    await click(page, `${place}.querySelector('.demo-run')`);
+    check(await page.value(`${place}.querySelector('.demo-run').textContent`) === 'Run', 'the button Pause does not pause');
+    const canvas = `${place}.querySelector('.demo-stage canvas')`;
+    await page.value(`${canvas}.focus()`);
+    const before = await page.value(`Number(${place}.dataset.steps)`);
+    await page.key('s', 'KeyS');
+    check(await page.value(`Number(${place}.dataset.steps)`) === before + 1, 'the key S makes no step');
+    const steps = await page.value(`(() => { const demo = ${place}.demo; for (let k = 0; k < 100 && Number(${place}.dataset.steps) < 100; ++k) demo.step(); return Number(${place}.dataset.steps); })()`);
+    check(steps >= 100, `it makes ${steps} steps, then no more: ${await page.value(`${place}.querySelector('.demo-sentence').textContent`)}`);
+
+    // Paused it takes no time.
+    check(await page.value(`${place}.demo.frame_asked`) === 0, 'paused it still asks for frames');
+
+    // The pointer: a ring stands where a pull goes to. A finger on the phone.
+    await page.value(`${canvas}.scrollIntoView({block: 'center', behavior: 'instant'})`);
+    const picture = () => page.value(`${canvas}.toDataURL()`);
+    const box = await box_of(page, canvas), x = box.x + box.width * 0.24, y = box.y + box.height * 0.4;
+    if (width < 500) {
+        await page.value(`${place}.demo.set_playing(true)`);
+        await page.touch('touchStart', [x, y]);
+        await page.touch('touchMove', [x + 20, y + 10]);
+        check(await page.value(`${place}.demo.machine.api.web_pressed()`) === 1, 'it does not answer a finger');
+        await page.touch('touchEnd');
+        check(await page.value(`${place}.demo.machine.api.web_pressed()`) === 0, 'it holds on when the finger has left');
+        await page.value(`${place}.demo.set_playing(false)`);
+    } else {
+        await page.mouse('mouseMoved', 2, 2);
+        const untouched = await picture();
+        await page.mouse('mouseMoved', x, y);
+        await page.mouse('mousePressed', x, y, true);
+        await page.mouse('mouseMoved', x + 15, y + 8, true);
+        check(await page.value(`${place}.demo.machine.api.web_pressed()`) === 1, 'it does not answer the pointer');
+        check(await picture() !== untouched, 'the picture does not show the pointer');
+        await page.mouse('mouseReleased', x + 15, y + 8);
+    }
+
+    // A slider by its keys, and Reset.
+    await page.value(`${place}.querySelectorAll('.demo-part').forEach(one => { one.open = true; })`);
+    const slider = `${place}.querySelector('.demo-slider input')`;
+    const shown = () => page.value(`${place}.querySelector('.demo-slider output').textContent`);
+    await page.value(`${slider}.focus()`);
+    const value = await shown();
+    for (const key of ['ArrowRight', 'ArrowLeft', 'ArrowLeft']) {
+        if (await shown() === value) await page.key(key);
+    }
+    check(await shown() !== value, `the slider ${await page.value(`${slider}.id`)} does not move`);
+    await click(page, `${place}.querySelectorAll('.demo-bar button')[2]`);
+    check(await page.value(`${place}.dataset.steps`) === '0', 'Reset does not restart');
+
+    // The switch that turns the idea off, and on again.
+    const off = `${place}.querySelector('.demo-break input')`;
+    if (await page.value(`!!${off}`)) {
+        const settings_now = () => page.value(`JSON.stringify([${place}.demo.state.settings, ${place}.demo.state.on])`);
+        const whole = await settings_now();
+        await click(page, off);
+        check(await settings_now() !== whole, 'the switch that breaks the idea changes nothing');
+        await wait(0.3);
+        await click(page, off);
+        check(await settings_now() === whole, 'the idea does not come back');
+    }
+    await page.value(`${place}.demo.set_playing(false)`);
+
+    // Names for those who do not see; room for those who do.
+    const nameless = await page.value(`[...${place}.querySelectorAll('button, select, input, canvas')].filter(one =>
+        !(one.getAttribute('aria-label') || one.textContent.trim() && one.tagName === 'BUTTON' || (one.labels && one.labels.length && one.labels[0].textContent.trim()))).map(one => one.outerHTML.slice(0, 80))`);
+    check(nameless.length === 0, `these have no names: ${nameless.join(', ')}`);
+    const wide = await page.value(`[...${place}.querySelectorAll('*')].filter(one => one.getBoundingClientRect().right > ${place}.getBoundingClientRect().right + 1 && one.getBoundingClientRect().width > 0).map(one => one.outerHTML.slice(0, 60))`);
+    check(wide.length === 0, `these stand out at the right: ${wide.slice(0, 3).join(', ')}`);
+    return first_frame;
+}
+
+try {
+    for (const file of pages) for (const setting of settings) {
+        const page = await browser.page();
+        const where = `${file} ${setting.width} ${setting.dark ? 'dark' : 'light'}`;
+        await page.open(pathToFileURL(join(folder, file)).href, {...setting, touch: setting.width < 500});
+        const count = await page.value(`document.querySelectorAll('.demo').length`);
+        check(await page.value(`document.documentElement.classList.contains('dark-mode')`) === setting.dark, `${where}: the theme is the other one`);
+        for (let i = 0; i < count; ++i) {
+            const what = `${where}: demo ${i + 1}, ${await page.value(`document.querySelectorAll('.demo')[${i}].dataset.scene`)}`;
+            try {
+                const first = await demo(page, i, setting, file.replace('.html', ''));
+                ++passed;
+                console.log(`ok     ${what} (first frame ${first} ms)`);
+            } catch (error) {
+                ++failed;
+                console.log(`FAULT  ${what}: ${error.message}`);
+            }
+        }
+        // All are paused: what does the page take?
+        const faults = [];
+        if (count) {
+            const before = await busy(page);
+            await wait(1);
+            const taken = await busy(page) - before;
+            if (taken > 0.05) faults.push(`with all demos paused the page takes ${(100 * taken).toFixed(0)} % of a processor`);
+        }
+        const room = await page.value(`[document.documentElement.scrollWidth, innerWidth]`);
+        if (room[0] > room[1] + 1) faults.push(`the page is ${room[0]} wide, the screen ${room[1]}`);
+        faults.push(...page.complaints.map(one => `in the console: ${one}`));
+        faults.push(...page.requests.filter(one => !/^(file|data|blob):/.test(one)).map(one => `a request to ${one}`));
+        for (const fault of faults) console.log(`FAULT  ${where}: ${fault}`);
+        faults.length ? failed += 1 : passed += 1;
+        await page.close();
+    }
+    // Who does not want motion gets none without a click.
+    const page = await browser.page();
+    await page.open(pathToFileURL(join(folder, 'index.html')).href, {width: 1280, still: true});
+    await wait(1);
+    const moves = await page.value(`[...document.querySelectorAll('.demo')].some(one => 'state' in one.dataset)`);
+    console.log(`${moves ? 'FAULT ' : 'ok    '} index.html: nothing moves by itself where motion is not wanted`);
+    moves ? ++failed : ++passed;
+} catch (error) {
+    ++failed;
+    console.log(`FAULT  ${error.message}`);
+}
+await browser.close();
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed || !passed ? 1 : 0);
