@@ -7,12 +7,14 @@
 ///     turning    n turns with a                J_a = (−n, −(r_a + p_b − p_a) × n)
 ///     angle      C = g_a θ_a + g_b θ_b − c     J = (0, 0, g_a), (0, 0, g_b)
 ///     corner     C = n·p − c − ρ ≥ 0           J = (n, r × n)
+///     contact    C = gap + n·(p_b − p_a) ≥ 0   (−n, −r_a × n), (n, r_b × n),  p in one place where the gap was found
 ///
 /// (11.6), (11.13), (11.14). θ is a number like any other and is wrapped nowhere: a gear that has turned ten times is at 20π.
 #pragma once
 
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/11_rotation/rigid_scene.hpp"
+#include "common/contact.hpp"
 
 namespace rigid {
 
@@ -103,5 +105,38 @@ inline Constraint<3> corner_constraint(const RigidScene& scene, const VecX& x,
     return c;
 }
 //! [corner]
+
+//! [contact]
+/// C and J of a contact at the positions x. Let p_a and p_b be the points of its
+/// bodies that were at contact.point when it was found, at x_found: C is the gap of
+/// then and what they have come apart since, n·(p_b − p_a).
+inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_found,
+                                        const VecX& x)
+{
+    Constraint<3> c;
+    c.a = contact.a, c.b = contact.b;
+    c.C = contact.gap;
+    c.kind = ConstraintKind::unilateral;
+    c.bounces = true;
+    const Vec2& n = contact.normal;
+    const auto side = [&](Index k, Real sign) -> RowVec<3> {
+        Vec2 r = contact.point - x_found.segment<2>(3 * k),
+             moved = x.segment<2>(3 * k) - x_found.segment<2>(3 * k);
+        const Index angle = 3 * k + 2;
+        const Real turn = x[angle] - x_found[angle];
+        if (turn != 0) {
+            const Vec2 before = r;
+            const Real cosine = std::cos(turn), sine = std::sin(turn);
+            r = cosine * before + sine * perpendicular(before);
+            moved += r - before;
+        }
+        c.C += sign * n.dot(moved);
+        return sign * point_row(r, n);
+    };
+    c.Jb = side(c.b, 1);
+    if (c.a != world) c.Ja = side(c.a, -1);
+    return c;
+}
+//! [contact]
 
 }  // namespace rigid

@@ -37,12 +37,7 @@ inline Constraint<3> constraint_at(const RigidScene& scene, const StepData<3>& n
     const auto index = static_cast<std::size_t>(now.sources[i].index);
     if (now.sources[i].of == Source::Of::joint)
         return joint_constraint(x, scene.joints[index]);
-    const Contact& contact = now.contacts[index];
-    const std::size_t corners =
-        scene.shapes[static_cast<std::size_t>(contact.b)].vertices.size();
-    const auto feature = static_cast<std::size_t>(contact.feature);
-    return corner_constraint(scene, x, feature / corners, contact.b,
-                             feature % corners);
+    return contact_constraint(now.contacts[index], now.x_found, x);
 }
 
 inline void evaluate_constraints(const RigidScene& scene, StepData<3>& now)

@@ -2,8 +2,8 @@
 /// One scene of bodies that turn, under one of this chapter's methods.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/11_rotation/mechanisms.hpp"
+#include "chapters/11_rotation/program/rigid_picture.hpp"
 #include "common/program/program.hpp"
 
 #include <functional>
@@ -51,7 +51,10 @@ public:
         if (setup_.change) setup_.change(scene, settings);
         StepSettings how{.h = settings.h,
                          .substeps = static_cast<int>(settings["substeps"])};
-        if (input.pressed) pull(input.pointer, how);
+        if (input.pressed) {
+            how.pulled = nearest_body(scene.bodies, input.pointer);
+            how.hand = input.pointer;
+        }
         const Real e =
             settings.tunables.contains("restitution") ? settings["restitution"] : 0;
         state_.before = scene.bodies.u;
@@ -85,32 +88,15 @@ public:
     void draw(Canvas& canvas) const override
     {
         const RigidScene& scene = state_.scene;
-        for (const HalfSpace& wall : scene.walls) paint_wall(canvas, wall);
+        for (const HalfSpace& wall : scene.walls) paint_half_space(canvas, wall);
         canvas.polyline(state_.trail, {Colour::purple, 1.2, 0.9, false, false});
-        for (Index k = 0; k < scene.bodies.count(); ++k) paint_body(canvas, k);
-        for (const PointJoint& joint : scene.joints) {
-            if (joint.measure == PointJoint::Measure::angle) continue;
-            const Vec2 a = point_of(scene.bodies.x, joint.a, joint.at_a),
-                       b = point_of(scene.bodies.x, joint.b, joint.at_b);
-            if (joint.measure == PointJoint::Measure::distance)
-                canvas.segment(a, b, {Colour::purple, 2, 1, false, false});
-            canvas.disc(b, 0.025, {Colour::orange, 1, 1, true, false});
-        }
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            paint_rigid_body(canvas, scene, k);
+        paint_rigid_joints(canvas, scene);
         if (setup_.picture) setup_.picture(canvas, state_);
     }
 
 private:
-    void pull(const Vec2& pointer, StepSettings& how) const
-    {
-        const Bodies<3>& bodies = state_.scene.bodies;
-        Real nearest = infinity;
-        for (Index k = 0; k < bodies.count(); ++k) {
-            const Real distance = (bodies.position(k).head<2>() - pointer).norm();
-            if (bodies.can_move(k) && distance < nearest)
-                nearest = distance, how.pulled = k;
-        }
-        how.hand = pointer;
-    }
     void trace()
     {
         if (setup_.traced == world) return;
@@ -119,33 +105,6 @@ private:
         if (state_.trail.size() > 3000)
             state_.trail.erase(state_.trail.begin(), state_.trail.begin() + 1000);
     }
-    static void paint_wall(Canvas& canvas, const HalfSpace& wall)
-    {
-        const Vec2 middle = wall.normal * wall.offset,
-                   along = 3 * perpendicular(wall.normal);
-        const bool upright = std::abs(wall.normal.x()) > 0.5;
-        canvas.segment(upright ? middle : Vec2(middle - along),
-                       middle + (upright ? Vec2(0, 3) : along), paint::wall);
-    }
-    void paint_body(Canvas& canvas, Index k) const
-    {
-        const VecX& x = state_.scene.bodies.x;
-        const Polygon& shape = state_.scene.shapes[static_cast<std::size_t>(k)];
-        const Style style =
-            state_.scene.bodies.can_move(k) ? paint::body : paint::fixed_body;
-        std::vector<Vec2> corners;
-        for (const Vec2& vertex : shape.vertices)
-            corners.push_back(point_of(x, k, vertex));
-        if (corners.size() == 1) {
-            canvas.disc(corners[0], shape.radius, style);
-            canvas.segment(corners[0], point_of(x, k, {0.9 * shape.radius, 0}),
-                           {Colour::blue, 1.5, 1, false, false});
-        } else if (corners.size() == 2)
-            canvas.segment(corners[0], corners[1],
-                           {style.colour, 5, 0.8, false, false});
-        else canvas.polygon(corners, style);
-    }
-
     RigidSetup setup_;
     RigidState state_;
     RigidExact exact_;

@@ -1,0 +1,87 @@
+/// \file rigid_picture.hpp
+/// Pictures of bodies that turn, of their walls and joints.
+#pragma once
+
+#include "chapters/04_pgs/program/drawing.hpp"
+#include "chapters/11_rotation/rigid_scene.hpp"
+
+#include <algorithm>
+
+namespace rigid {
+
+inline void paint_half_space(Canvas& canvas, const HalfSpace& wall)
+{
+    const Vec2 middle = wall.normal * wall.offset,
+               along = 3 * perpendicular(wall.normal);
+    const bool upright = std::abs(wall.normal.x()) > 0.5;
+    canvas.segment(upright ? middle : Vec2(middle - along),
+                   middle + (upright ? Vec2(0, 3) : along), paint::wall);
+}
+
+/// The outline of a polygon with a radius: its edges moved out, and arcs of a radius at its vertices.
+inline std::vector<Vec2> rounded_outline(const std::vector<Vec2>& corners,
+                                         Real radius)
+{
+    std::vector<Vec2> outline;
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 in = corners[i] - corners[(i + n - 1) % n],
+                   out = corners[(i + 1) % n] - corners[i];
+        const Vec2 from = -perpendicular(in).normalized();
+        Real turn = std::atan2(cross2(in, out), in.dot(out));
+        if (turn <= 0) turn += 2 * pi;  // at the end of a capsule
+        for (int k = 0; k <= 8; ++k) {
+            const Real angle = turn * k / 8;
+            outline.push_back(corners[i] +
+                              radius * (std::cos(angle) * from +
+                                        std::sin(angle) * perpendicular(from)));
+        }
+    }
+    return outline;
+}
+
+inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k)
+{
+    const VecX& x = scene.bodies.x;
+    const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
+    const Style style = scene.bodies.can_move(k) ? paint::body : paint::fixed_body;
+    std::vector<Vec2> corners;
+    for (const Vec2& vertex : shape.vertices)
+        corners.push_back(point_of(x, k, vertex));
+    if (corners.size() == 1) {
+        canvas.disc(corners[0], shape.radius, style);
+        canvas.segment(corners[0], point_of(x, k, {0.9 * shape.radius, 0}),
+                       {Colour::blue, 1.5, 1, false, false});
+    } else if (shape.radius > 0)
+        canvas.polygon(rounded_outline(corners, shape.radius), style);
+    else if (corners.size() == 2)
+        canvas.segment(corners[0], corners[1],
+                       {style.colour, 5, 0.8, false, false});
+    else canvas.polygon(corners, style);
+}
+
+inline void paint_rigid_joints(Canvas& canvas, const RigidScene& scene)
+{
+    for (const PointJoint& joint : scene.joints) {
+        if (joint.measure == PointJoint::Measure::angle) continue;
+        const Vec2 a = point_of(scene.bodies.x, joint.a, joint.at_a),
+                   b = point_of(scene.bodies.x, joint.b, joint.at_b);
+        if (joint.measure == PointJoint::Measure::distance)
+            canvas.segment(a, b, {Colour::purple, 2, 1, false, false});
+        canvas.disc(b, 0.025, {Colour::orange, 1, 1, true, false});
+    }
+}
+
+/// The body that can move whose centroid is nearest to a point, for a hand that pulls it; the world if there is none.
+inline Index nearest_body(const Bodies<3>& bodies, const Vec2& pointer)
+{
+    Real nearest = infinity;
+    Index found = world;
+    for (Index k = 0; k < bodies.count(); ++k) {
+        const Real distance = (bodies.position(k).head<2>() - pointer).norm();
+        if (bodies.can_move(k) && distance < nearest) nearest = distance, found = k;
+    }
+    return found;
+}
+
+}  // namespace rigid

@@ -1,0 +1,127 @@
+/// \file fast_bodies.hpp
+/// Bodies that move so far in a step that they could be on the other side of something before anybody has looked.
+///
+/// A body that moves by no more than half its inner radius, from its centroid to its nearest side, is still on the side it
+/// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way,
+/// from where it was to where it is, to its first impact (time_of_impact.hpp). It keeps its velocity and loses the rest
+/// of the step's time; the next step finds the contact. Of two that are close already, the contact has its row; they are
+/// only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than it was.
+#pragma once
+
+#include "chapters/12_contact_manifolds/time_of_impact.hpp"
+
+namespace rigid {
+
+struct FastBodies {
+    bool stop = true;  ///< false: nothing is looked for
+
+    // What the last step found.
+    std::vector<int> bodies;  ///< that were fast
+    int impacts = 0;          ///< of those, stopped on their way
+    int rounds = 0;           ///< distances computed
+
+    std::vector<Real> part;  ///< of the way that each of them goes
+    std::vector<Box> swept;
+    std::vector<char> is_fast;
+    std::vector<Real> inner;  ///< inner radii [m]
+    ImpactMemory memory;
+};
+
+/// From the centroid to the nearest side [m].
+inline Real inner_radius(const Placed& shape, const Vec2& centroid)
+{
+    Real nearest = shape.edges() > 0 ? infinity : 0;
+    for (int i = 0; i < shape.edges(); ++i)
+        nearest =
+            std::min(nearest, shape.normal(i).dot(shape.vertex(i) - centroid));
+    return nearest + shape.radius;
+}
+
+//! [fast]
+/// \param x_found    where the bodies were at the beginning of the step
+/// \param margin     of contacts [m]; bodies are stopped at a quarter to a half of it
+/// \param placed     the shapes at x_found
+/// \param may_touch  bool(int, int)
+template <class MayTouch>
+void stop_fast_bodies(RigidScene& scene, const VecX& x_found, Real margin,
+                      const PlacedShapes& placed, const MayTouch& may_touch,
+                      FastBodies& fast)
+{
+    const int K = static_cast<int>(scene.bodies.count());
+    const auto motion = [&](Index k) {
+        return MovingShape{&scene.shapes[static_cast<std::size_t>(k)],
+                           x_found.segment<3>(3 * k), scene.bodies.position(k)};
+    };
+    fast.bodies.clear();
+    fast.inner.clear();
+    fast.is_fast.assign(static_cast<std::size_t>(K), 0);
+    fast.impacts = fast.rounds = 0;
+    for (int k = 0; k < K; ++k) {
+        const MovingShape m = motion(k);
+        const Vec<3> way = m.way();
+        const Real far = std::hypot(way[0], way[1]) +
+                         std::abs(way[2]) * turning_radius(*m.shape);
+        const Real inner = inner_radius(placed.of(k), m.from.head<2>());
+        fast.inner.push_back(inner);
+        if (!(far > 0.5 * inner)) continue;
+        fast.bodies.push_back(k);
+        fast.is_fast[static_cast<std::size_t>(k)] = 1;
+    }
+    if (fast.bodies.empty()) return;
+
+    // all that a body can reach on its way, however it turns
+    fast.swept.clear();
+    for (int k = 0; k < K; ++k) {
+        const MovingShape m = motion(k);
+        const Vec2 from = m.from.head<2>(), to = m.to.head<2>();
+        fast.swept.push_back(
+            grown({from.cwiseMin(to), from.cwiseMax(to)},
+                  turning_radius(*m.shape) + m.shape->radius + margin));
+    }
+    fast.part.assign(static_cast<std::size_t>(K), 1);
+    const auto hold = [&](int k, const Impact& impact) {
+        Real& part = fast.part[static_cast<std::size_t>(k)];
+        if (impact.hit) part = std::min(part, impact.part);
+    };
+    // of what is close already, only that it gets deeper than half its inner radius,
+    // or than it is by an eighth
+    const auto first_impact = [&](const auto& other, const MovingShape& moving,
+                                  Real inner) {
+        Impact impact =
+            time_of_impact(other, moving, margin / 4, margin / 4, fast.memory);
+        fast.rounds += impact.rounds;
+        if (impact.close && inner > 0) {
+            const Real deep = std::min(-inner / 2, impact.start - inner / 8);
+            impact = time_of_impact(other, moving, deep, inner / 16, fast.memory);
+            fast.rounds += impact.rounds;
+        }
+        return impact;
+    };
+    for (const int a : fast.bodies) {
+        const MovingShape moving = motion(a);
+        const Real inner_a = fast.inner[static_cast<std::size_t>(a)];
+        for (int b = 0; b < K; ++b) {
+            const bool both = fast.is_fast[static_cast<std::size_t>(b)] != 0;
+            if (a == b || (both && b < a) || !may_touch(a, b) ||
+                !overlap(fast.swept[static_cast<std::size_t>(a)],
+                         fast.swept[static_cast<std::size_t>(b)]))
+                continue;
+            const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
+            const Impact impact =
+                first_impact(motion(b), moving, std::max(inner_a, inner_b));
+            hold(a, impact);
+            if (both) hold(b, impact);
+        }
+        for (const HalfSpace& wall : scene.walls)
+            hold(a, first_impact(wall, moving, inner_a));
+    }
+    for (const int k : fast.bodies) {
+        const Real part = fast.part[static_cast<std::size_t>(k)];
+        if (part >= 1) continue;
+        ++fast.impacts;
+        scene.bodies.position(k) = motion(k).at(part);
+    }
+}
+//! [fast]
+
+}  // namespace rigid

@@ -1,0 +1,151 @@
+/// \file manifold.hpp
+/// Where two convex shapes touch: one function for discs, capsules, boxes and all others.
+///
+///     1  the reference face: the largest separation (12.1) of the faces of both
+///     2  the incident edge: of the two at the other shape's support vertex, the one that faces it more
+///     3  two corners that are nearest to each other: n = (w − v)/‖w − v‖, else n = normal of the face      (12.2)
+///     4  clip the two edges along n⊥ (12.3): at most two points, named by the vertex that ends the interval
+///
+/// The gap of the deepest point is the distance of the shapes; where the polygons overlap, minus the least way that parts them.
+#pragma once
+
+#include "chapters/12_contact_manifolds/clipping.hpp"
+#include "chapters/12_contact_manifolds/separation.hpp"
+
+namespace rigid {
+
+/// What collide() may remember, and how far it looks.
+struct ManifoldSettings {
+    Real margin = infinity;  ///< points with a gap below this [m]
+    /// what was stays until something else is better by more than this [m]
+    Real stay = 0;
+    const Manifold* before = nullptr;  ///< of these two shapes a step ago
+};
+
+//! [incident]
+/// Step 2: the edge of q at its vertex `support` that faces the normal n more.
+inline int incident_edge(const Placed& q, int support, const Vec2& n)
+{
+    if (q.edges() == 0) return support;
+    const int before = q.before(support);
+    return n.dot(q.normal(before)) < n.dot(q.normal(support)) ? before : support;
+}
+//! [incident]
+
+//! [corners]
+/// Step 3: whether the nearest points are two corners: an end v of the reference
+/// edge and an end w of the incident edge, which then become the first of theirs.
+/// \param n           outward normal of the reference edge
+/// \param separation  s of its face
+inline bool nearest_are_corners(EdgeEnds& reference, EdgeEnds& incident,
+                                const Vec2& n, Real separation)
+{
+    const Vec2 t = perpendicular(n), origin = reference.at[0];
+    const Real length = t.dot(reference.at[1] - origin);
+    const auto over = [&](std::size_t i) { return t.dot(incident.at[i] - origin); };
+    const auto height = [&](std::size_t i) {
+        return n.dot(incident.at[i] - origin);
+    };
+    const auto distance = [&](std::size_t i, std::size_t j) {
+        return (incident.at[j] - reference.at[i]).squaredNorm();
+    };
+    const Real y0 = over(0), y1 = over(1);
+    const bool left = std::max(y0, y1)<0, right = std::min(y0, y1)> length;
+    std::size_t v = left ? 0 : 1, w = height(0) <= height(1) ? 0 : 1;
+    if (left || right) {  // the edges lie beside each other
+        w = distance(v, 0) <= distance(v, 1) ? 0 : 1;
+        // corners in one place have no direction
+        if (distance(v, w) <= 1e-24 * length * length) return false;
+    } else {  // over each other: only if the foot of v is not on the incident edge
+        const Real y = w == 0 ? y0 : y1;
+        v = y < 0 ? 0 : 1;
+        if (!(separation > 0) || (y >= 0 && y <= length) ||
+            !((reference.at[v] - incident.at[w])
+                  .dot(incident.at[1 - w] - incident.at[w]) < 0))
+            return false;
+    }
+    const auto put_first = [](EdgeEnds& edge, std::size_t i) {
+        if (i == 0) return;
+        std::swap(edge.at[0], edge.at[1]);
+        std::swap(edge.vertex[0], edge.vertex[1]);
+    };
+    put_first(reference, v);
+    put_first(incident, w);
+    return true;
+}
+//! [corners]
+
+//! [stay]
+/// Where the polygons overlap, the reference face of the step before stays unless
+/// another is better by more than how.stay: as long as it has the other's support
+/// under it.
+inline void stay_with_face(const Placed& a, const Placed& b,
+                           const ManifoldSettings& how, Face& face)
+{
+    if (how.before == nullptr || how.before->face < 0 || face.separation > 0)
+        return;
+    Face old;
+    old.of_b = how.before->face >= a.edges();
+    old.edge = old.of_b ? how.before->face - a.edges() : how.before->face;
+    const Placed &p = old.of_b ? b : a, &q = old.of_b ? a : b;
+    if (old.edge >= p.edges()) return;
+    old.separation = separation_of(p, old.edge, q, old.support);
+    const Vec2 t = perpendicular(p.normal(old.edge));
+    const Real y = t.dot(q.vertex(old.support) - p.vertex(old.edge));
+    const bool under =
+        y >= 0 && y <= t.dot(p.vertex(p.next(old.edge)) - p.vertex(old.edge));
+    if (under && old.separation >= face.separation - how.stay) face = old;
+}
+//! [stay]
+
+//! [collide]
+/// The manifold of two shapes. The same points for b and a, with the normal the
+/// other way round.
+/// \param how  how far it looks, and what it prefers
+inline Manifold collide(const Placed& a, const Placed& b,
+                        const ManifoldSettings& how = {})
+{
+    Manifold m;
+    // 1: the reference face
+    const Real reach = a.radius + b.radius + how.margin;
+    Face face = reference_face(a, b, reach);
+    if (face.separation >= reach) return m;
+    EdgeEnds ea = ends_of(a, 0), eb = ends_of(b, 0);
+    bool corners = face.edge < 0;  // two discs
+    if (!corners) {
+        stay_with_face(a, b, how, face);
+        m.face = face.of_b ? a.edges() + face.edge : face.edge;
+        const Placed &p = face.of_b ? b : a, &q = face.of_b ? a : b;
+        const Vec2 n = p.normal(face.edge);
+        // 2: the incident edge
+        EdgeEnds reference = ends_of(p, face.edge),
+                 incident = ends_of(q, incident_edge(q, face.support, n));
+        // 3: the normal
+        corners = nearest_are_corners(reference, incident, n, face.separation);
+        ea = face.of_b ? incident : reference;
+        eb = face.of_b ? reference : incident;
+        m.normal = face.of_b ? Vec2(-n) : n;
+    }
+    if (corners) {
+        const Vec2 d = eb.at[0] - ea.at[0];
+        const Real distance = d.norm();
+        if (!(distance < reach)) return Manifold{};
+        // two centres in one point have no direction; any will part them
+        m.normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
+    }
+    // 4: the points
+    const Vec2 t = perpendicular(m.normal), origin = ea.at[0];
+    for (std::size_t i = 0; i < 2; ++i) {
+        ea.along[i] = t.dot(ea.at[i] - origin);
+        eb.along[i] = t.dot(eb.at[i] - origin);
+    }
+    if (corners) {  // one over the other, whatever rounding says
+        eb.along[1] -= eb.along[0];
+        eb.along[0] = 0;
+    }
+    clip(a, b, ea, eb, how.margin, how.stay, how.before, m);
+    return m;
+}
+//! [collide]
+
+}  // namespace rigid

@@ -1,0 +1,139 @@
+/// \file manifold_stage.hpp
+/// The contacts stage for bodies of any convex shape: which pairs can touch, where, and what each point is called.
+///
+///     joints · bodies with walls · bodies with bodies      in ascending order of their keys
+///
+/// Bodies that cannot move are walls of any shape; two of them never make a row. What a joint joins does not collide, nor
+/// does what the filter forbids.
+#pragma once
+
+#include "chapters/11_rotation/rigid_constraints.hpp"
+#include "chapters/12_contact_manifolds/fast_bodies.hpp"
+#include "chapters/12_contact_manifolds/manifold.hpp"
+#include "chapters/12_contact_manifolds/pair_finder.hpp"
+#include "chapters/12_contact_manifolds/wall_manifold.hpp"
+
+namespace rigid {
+
+/// Two bodies and where they touch.
+struct TouchingPair {
+    int a = 0, b = 0;  ///< a < b
+    Manifold manifold;
+};
+
+//! [stage]
+struct Manifolds {
+    PairFinder finder;
+    /// what was the reference face or a name stays until another is better by more
+    /// than this [margins]
+    Real stay = 0.1;
+    FastBodies fast;
+
+    // What is kept from step to step.
+    PlacedShapes placed;
+    std::vector<TouchingPair> touching, before;  ///< ascending
+
+    template <class Method>
+    void begin(const RigidScene& scene, const StepSettings& settings, Method&,
+               StepData<3>& now)
+    {
+        rigid::require_valid(scene);
+        now.length = typical_length(scene);
+        const Bodies<3>& bodies = scene.bodies;
+        now.active.resize(static_cast<std::size_t>(bodies.count()));
+        std::iota(now.active.begin(), now.active.end(), 0);
+        now.x_found = bodies.x;
+        now.contacts.clear();
+        now.sources.clear();
+        for (std::size_t i = 0; i < scene.joints.size(); ++i)
+            if (bodies.can_move(scene.joints[i].a) ||
+                bodies.can_move(scene.joints[i].b))
+                now.sources.push_back({Source::Of::joint, static_cast<int>(i)});
+
+        const Real margin = settings.margin * now.length;
+        placed.move(scene);
+        finder.find(scene, placed, margin);
+        wall_contacts(scene, margin, now);
+        pair_contacts(margin, now);
+    }
+
+    /// What moved so far that it could have passed through something goes back to
+    /// where it would have touched it.
+    template <class Method>
+    void end(RigidScene& scene, const StepSettings& settings, Method&,
+             const StepData<3>& now)
+    {
+        if (fast.stop)
+            stop_fast_bodies(
+                scene, now.x_found, settings.margin * now.length, placed,
+                [this](int a, int b) { return finder.may_touch(a, b); }, fast);
+    }
+    //! [stage]
+
+    void require_valid() const
+    {
+        if (!(stay >= 0 && stay < infinity))
+            throw std::invalid_argument("stay is " + shortest(stay) +
+                                        " margins; it must be zero or positive");
+        if (!(finder.skin >= 0 && finder.skin < infinity))
+            throw std::invalid_argument("the skin of the tree is " +
+                                        shortest(finder.skin) +
+                                        " margins; it must be zero or positive");
+    }
+
+    static void add(Index a, Index b, const Manifold& m, int first_feature,
+                    StepData<3>& now)
+    {
+        for (int i = 0; i < m.count; ++i) {
+            const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
+            now.sources.push_back(
+                {Source::Of::contact, static_cast<int>(now.contacts.size())});
+            now.contacts.push_back(
+                {a, b, m.normal, p.gap, first_feature + p.feature, p.point});
+        }
+    }
+
+    void wall_contacts(const RigidScene& scene, Real margin, StepData<3>& now) const
+    {
+        for (Index b = 0; b < scene.bodies.count(); ++b) {
+            if (!finder.moves[static_cast<std::size_t>(b)]) continue;
+            const Box& box = finder.boxes[static_cast<std::size_t>(b)];
+            const Vec2 middle = (box.low + box.high) / 2,
+                       half = (box.high - box.low) / 2;
+            const Placed shape = placed.of(b);
+            for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+                const HalfSpace& wall = scene.walls[w];
+                if (wall.normal.dot(middle) - wall.normal.cwiseAbs().dot(half) >
+                    wall.offset + margin)
+                    continue;
+                add(world, b, collide(wall, shape, margin),
+                    static_cast<int>(w) * shape.size(), now);
+            }
+        }
+    }
+
+    //! [pair_contacts]
+    /// The manifolds of the pairs, with what they were a step ago beside them.
+    void pair_contacts(Real margin, StepData<3>& now)
+    {
+        std::swap(touching, before);
+        touching.clear();
+        auto old = before.begin();
+        for (const std::uint64_t pair : finder.pairs) {
+            const int a = static_cast<int>(pair >> 32),
+                      b = static_cast<int>(pair & 0xffffffffu);
+            while (old != before.end() && pair_key(old->a, old->b) < pair) ++old;
+            const bool known =
+                old != before.end() && pair_key(old->a, old->b) == pair;
+            const Manifold m =
+                collide(placed.of(a), placed.of(b),
+                        {margin, stay * margin, known ? &old->manifold : nullptr});
+            if (m.count == 0) continue;
+            touching.push_back({a, b, m});
+            add(a, b, m, 0, now);
+        }
+    }
+    //! [pair_contacts]
+};
+
+}  // namespace rigid

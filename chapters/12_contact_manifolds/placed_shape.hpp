@@ -1,0 +1,134 @@
+/// \file placed_shape.hpp
+/// Shapes where their bodies are: vertices and outward normals in the world, computed once a body and step.
+///
+///     v_i = x + R(θ) r_i,   n_i = outward normal of the edge from v_i to the next vertex,   box = [min, max] of all points
+#pragma once
+
+#include "chapters/11_rotation/rigid_scene.hpp"
+
+#include <span>
+
+namespace rigid {
+
+//! [placed]
+/// A convex polygon with a radius, somewhere in the world. Edge i goes from vertex i
+/// to the next; a disc has one vertex and no edge, a capsule two edges, there and
+/// back.
+struct Placed {
+    std::span<const Vec2> vertices;  ///< counterclockwise [m]
+    std::span<const Vec2> normals;   ///< outward, of the edges; none of a disc
+    Real radius = 0;                 ///< [m]
+
+    int size() const { return static_cast<int>(vertices.size()); }
+    int edges() const { return static_cast<int>(normals.size()); }
+    const Vec2& vertex(int i) const
+    {
+        return vertices[static_cast<std::size_t>(i)];
+    }
+    const Vec2& normal(int i) const { return normals[static_cast<std::size_t>(i)]; }
+    int next(int i) const { return i + 1 < size() ? i + 1 : 0; }
+    int before(int i) const { return i > 0 ? i - 1 : size() - 1; }
+};
+//! [placed]
+
+/// A rectangle along the axes that contains something.
+struct Box {
+    Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};  ///< [m]
+};
+
+inline bool overlap(const Box& a, const Box& b)
+{
+    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() &&
+           a.low.y() <= b.high.y() && b.low.y() <= a.high.y();
+}
+
+inline Box joined(const Box& a, const Box& b)
+{
+    return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+inline Box grown(const Box& box, Real by)
+{
+    return {box.low - Vec2(by, by), box.high + Vec2(by, by)};
+}
+
+inline Box box_of(const Placed& shape)
+{
+    Box box;
+    for (const Vec2& v : shape.vertices)
+        box.low = box.low.cwiseMin(v), box.high = box.high.cwiseMax(v);
+    return grown(box, shape.radius);
+}
+
+/// Writes the vertices and normals of a shape at a pose (x, y, θ) behind those that are there.
+inline void place(const Polygon& shape, const Vec<3>& pose,
+                  std::vector<Vec2>& vertices, std::vector<Vec2>& normals)
+{
+    const Real c = std::cos(pose[2]), s = std::sin(pose[2]);
+    const std::size_t n = shape.vertices.size();
+    for (const Vec2& r : shape.vertices)
+        vertices.push_back(
+            {pose[0] + c * r.x() - s * r.y(), pose[1] + s * r.x() + c * r.y()});
+    // the vertices are where their bodies are, so that far from the origin an edge
+    // of the body itself is more exact than their difference
+    for (std::size_t i = 0; i < n && n > 1; ++i) {
+        const Vec2 e = shape.vertices[i + 1 < n ? i + 1 : 0] - shape.vertices[i];
+        const Real length = std::sqrt(e.x() * e.x() + e.y() * e.y());
+        const Real x = e.y() / length, y = -e.x() / length;
+        normals.push_back({c * x - s * y, s * x + c * y});
+    }
+}
+
+/// One shape that is placed, with memory of its own.
+struct PlacedShape {
+    std::vector<Vec2> vertices, normals;
+    Real radius = 0;
+
+    PlacedShape() = default;
+    PlacedShape(const Polygon& shape, const Vec<3>& pose) { move(shape, pose); }
+    void move(const Polygon& shape, const Vec<3>& pose)
+    {
+        vertices.clear();
+        normals.clear();
+        place(shape, pose, vertices, normals);
+        radius = shape.radius;
+    }
+    Placed view() const { return {vertices, normals, radius}; }
+};
+
+/// All shapes of a scene. Does not allocate once it has been as large.
+struct PlacedShapes {
+    std::vector<Vec2> vertices, normals;
+    std::vector<std::size_t> first_vertex, first_normal;  ///< K + 1
+    std::vector<Real> radius;                             ///< K [m]
+    std::vector<Box> boxes;                               ///< K
+
+    void move(const RigidScene& scene)
+    {
+        vertices.clear();
+        normals.clear();
+        first_vertex.assign(1, 0);
+        first_normal.assign(1, 0);
+        radius.clear();
+        boxes.clear();
+        for (Index k = 0; k < scene.bodies.count(); ++k) {
+            const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
+            place(shape, scene.bodies.position(k), vertices, normals);
+            first_vertex.push_back(vertices.size());
+            first_normal.push_back(normals.size());
+            radius.push_back(shape.radius);
+        }
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            boxes.push_back(box_of(of(k)));
+    }
+    Placed of(Index body) const
+    {
+        const auto k = static_cast<std::size_t>(body);
+        const std::size_t v = first_vertex[k], n = first_normal[k];
+        return {{vertices.data() + v, first_vertex[k + 1] - v},
+                {normals.data() + n, first_normal[k + 1] - n},
+                radius[k]};
+    }
+};
+
+}  // namespace rigid

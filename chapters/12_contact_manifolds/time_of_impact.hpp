@@ -1,0 +1,116 @@
+/// \file time_of_impact.hpp
+/// When two moving shapes first come within a given distance: conservative advancement.
+///
+///     τ ← τ + (gap − target) / r,   r = n·(v_a − v_b) + |ω_a| R_a + |ω_b| R_b                          (12.6)
+///
+/// Along the normal n of the nearest points no two points of the shapes can close the gap faster than r, turning
+/// included, for R the way from the centroid to the farthest vertex. So the shapes do not touch before the new τ, and no
+/// impact is ever passed \cite mirtich1996thesis. Straight motion takes one round; those of a turning shape get shorter
+/// towards the impact.
+#pragma once
+
+#include "chapters/12_contact_manifolds/manifold.hpp"
+#include "chapters/12_contact_manifolds/wall_manifold.hpp"
+
+namespace rigid {
+
+/// A shape that moves from one pose to another, evenly, while τ goes from 0 to 1.
+struct MovingShape {
+    const Polygon* shape = nullptr;
+    Vec<3> from = Vec<3>::Zero(), to = Vec<3>::Zero();
+
+    Vec<3> at(Real part) const { return from + part * (to - from); }
+    Vec<3> way() const { return to - from; }
+};
+
+/// R: the way from the origin of a shape, its centroid in a body, to its farthest vertex [m]. What is round about a
+/// vertex does not move when it turns.
+inline Real turning_radius(const Polygon& shape)
+{
+    Real farthest = 0;
+    for (const Vec2& r : shape.vertices)
+        farthest = std::max(farthest, std::sqrt(r.squaredNorm()));
+    return farthest;
+}
+
+struct Impact {
+    bool hit = false;
+    bool close = false;     ///< so close at the start that nothing was looked for
+    Real start = infinity;  ///< gap at τ = 0 [m]
+    Real part = 1;          ///< τ, 0 … 1; 1 without a hit
+    int rounds = 0;         ///< distances computed
+};
+
+/// Memory of time_of_impact(): shapes that are placed.
+struct ImpactMemory {
+    PlacedShape a, b;
+};
+
+//! [advance]
+/// (12.6), for any gap(τ) with its normal: from τ = 0 until the gap is at most
+/// `target` + `tolerance`.
+/// \param nearest  Manifold(Real τ)
+/// \param rate     Real(const Vec2& n): no faster can the gap close [m a unit of τ]
+/// \return         no hit if it is so close at the start: that is a contact
+///                 already. After 100 rounds the present τ is called a hit: early,
+///                 never late
+template <class Nearest, class Rate>
+Impact advance(const Nearest& nearest, const Rate& rate, Real target,
+               Real tolerance)
+{
+    Impact impact;
+    Real part = 0;
+    while (++impact.rounds <= 100) {
+        const Manifold m = nearest(part);
+        Real gap = infinity;
+        for (int i = 0; i < m.count; ++i)
+            gap = std::min(gap, m.points[static_cast<std::size_t>(i)].gap);
+        if (part == 0) impact.start = gap;
+        if (gap <= target + tolerance) {
+            impact.close = part == 0;
+            if (impact.close) return impact;
+            break;
+        }
+        const Real closing = rate(m.normal);
+        if (!(closing > 0)) return impact;
+        if (part + (gap - target) / closing >= 1) return impact;
+        part += (gap - target) / closing;
+    }
+    impact.hit = true;
+    impact.part = part;
+    return impact;
+}
+
+inline Impact time_of_impact(const MovingShape& a, const MovingShape& b,
+                             Real target, Real tolerance, ImpactMemory& memory)
+{
+    const Vec<3> wa = a.way(), wb = b.way();
+    const Real turning = std::abs(wa[2]) * turning_radius(*a.shape) +
+                         std::abs(wb[2]) * turning_radius(*b.shape);
+    return advance(
+        [&](Real part) {
+            memory.a.move(*a.shape, a.at(part));
+            memory.b.move(*b.shape, b.at(part));
+            return collide(memory.a.view(), memory.b.view());
+        },
+        [&](const Vec2& n) { return n.dot(wa.head<2>() - wb.head<2>()) + turning; },
+        target, tolerance);
+}
+//! [advance]
+
+/// The same against a half-space.
+inline Impact time_of_impact(const HalfSpace& wall, const MovingShape& b,
+                             Real target, Real tolerance, ImpactMemory& memory)
+{
+    const Vec<3> way = b.way();
+    const Real turning = std::abs(way[2]) * turning_radius(*b.shape);
+    return advance(
+        [&](Real part) {
+            memory.b.move(*b.shape, b.at(part));
+            return collide(wall, memory.b.view(), infinity);
+        },
+        [&](const Vec2& n) { return turning - n.dot(way.head<2>()); }, target,
+        tolerance);
+}
+
+}  // namespace rigid

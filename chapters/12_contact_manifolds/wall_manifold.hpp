@@ -1,0 +1,39 @@
+/// \file wall_manifold.hpp
+/// A convex shape on a half-space: its deepest vertex, and the deeper of the two beside it.
+#pragma once
+
+#include "chapters/12_contact_manifolds/clipping.hpp"
+#include "common/shapes.hpp"
+
+namespace rigid {
+
+//! [wall]
+/// Along the outline of a convex shape the height over a wall falls to its lowest
+/// vertex and rises behind it, so the second lowest is beside the lowest.
+/// \param margin  a vertex whose gap is not below it is left out [m]
+/// \return        normal out of the wall; features are numbers of vertices
+inline Manifold collide(const HalfSpace& wall, const Placed& shape, Real margin)
+{
+    Manifold m;
+    m.normal = wall.normal;
+    const auto height = [&](int i) {
+        return wall.normal.dot(shape.vertex(i)) - wall.offset - shape.radius;
+    };
+    int lowest = 0;
+    for (int i = 1; i < shape.size(); ++i)
+        if (height(i) < height(lowest)) lowest = i;
+    const int before = shape.before(lowest), next = shape.next(lowest);
+    const int second = height(before) < height(next) ? before : next;
+    const auto add = [&](int i) {
+        const Real gap = height(i);
+        if (gap < margin)
+            m.points[static_cast<std::size_t>(m.count++)] = {
+                shape.vertex(i) - (shape.radius + gap / 2) * wall.normal, gap, i};
+    };
+    add(std::min(lowest, second));
+    if (second != lowest) add(std::max(lowest, second));
+    return m;
+}
+//! [wall]
+
+}  // namespace rigid
