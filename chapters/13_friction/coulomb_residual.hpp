@@ -4,8 +4,8 @@
 ///     w = A λ + q,   λ_i in [lo_i, hi_i] of an ordinary row, in [−μ λ_n, μ λ_n] of a friction row,
 ///     w ≥ 0 where λ is its lower bound, w ≤ 0 where it is the upper one, w = 0 between
 ///
-/// (13.5). It is chapter 3's MLCP with one change: some bounds are not given but come out of the answer. So its residual is
-/// chapter 3's, with the bounds that this very λ sets (13.6).
+/// (13.4). It is chapter 3's MLCP with one change: some bounds are not given but come out of the answer. So its residual is
+/// chapter 3's, with the bounds that this very λ sets (13.5).
 #pragma once
 
 #include "chapters/09_active_sets/friction_boxes.hpp"
@@ -24,7 +24,7 @@ void boxes_of(const std::vector<Row<Dof>>& rows, std::vector<FrictionBox>& boxes
 }
 
 //! [residual]
-/// (13.6): the natural residual of the Coulomb problem [m/s].
+/// (13.5): the natural residual of the Coulomb problem [m/s].
 /// \param mlcp  A, q, and the bounds of ordinary rows; those of friction rows
 ///              become the ones that λ sets
 inline Real coulomb_residual(Mlcp& mlcp, std::span<const FrictionBox> boxes,

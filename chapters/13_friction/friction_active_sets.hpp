@@ -12,25 +12,23 @@
 namespace rigid {
 
 //! [proximal]
-/// (13.15): guesses with a large ε, which hold λ near the last one, and then smaller
-/// and smaller ones. Begins with the best λ so far.
+/// (13.11): guesses that a large ε holds near the last λ, then with smaller ones.
+/// Begins with the best λ so far.
 inline bool proximal_friction(FrictionMemory& memory,
                               const FrictionSettings& settings, Solution& solution)
 {
     FrictionProblem& problem = memory.problem;
     const Acceptance acceptance{settings.tolerance, settings.enough};
     Real share = 0.1, last = infinity;
-    memory.guess.lambda = solution.lambda;
+    memory.proximal_base = solution.lambda;
     bool settled = false;
     for (int step = 0; step < settings.proximal_steps && !settled; ++step) {
         ++memory.work.proximal_steps;
         set_share(problem, share);
         memory.factor.forget();
+        memory.guess.lambda = memory.proximal_base;
         if (!correct_friction(memory, settings)) {
-            share = std::min(Real{10}, 10 * share);
-            memory.guess.lambda = solution.lambda;
-            sweep_friction(problem, 10, memory.guess.box_of, memory.guess.lambda);
-            memory.work.sweeps += 10;
+            share = std::min(Real{100}, 8 * share);
             continue;
         }
         memory.candidate = memory.guess.lambda;
@@ -38,8 +36,9 @@ inline bool proximal_friction(FrictionMemory& memory,
         settled = accept_coulomb(*problem.mlcp, problem.boxes, acceptance,
                                  memory.candidate, here);
         if (settled || here.residual < solution.residual) solution = here;
-        memory.guess.lambda = memory.candidate;
-        if (!(here.residual < 0.3 * last)) share = std::max(1e-9, 0.1 * share);
+        memory.proximal_base = memory.candidate;
+        // too slow: a smaller term is gone sooner
+        if (!(here.residual < 0.5 * last)) share = std::max(1e-9, 0.5 * share);
         last = here.residual;
     }
     set_share(problem, 0);
@@ -100,7 +99,6 @@ inline void friction_active_sets(Mlcp& mlcp, std::span<const FrictionBox> boxes,
     FrictionProblem& problem = memory.problem;
     FrictionGuess& guess = memory.guess;
     memory.work = {};
-    memory.random = Random(1);  // the answer depends on the arguments alone
     problem.mlcp = &mlcp;
     problem.boxes = boxes;
     if (solution.lambda.size() != n || !solution.lambda.allFinite())

@@ -4,18 +4,16 @@
 #pragma once
 
 #include "chapters/13_friction/friction_guess.hpp"
-#include "common/random.hpp"
 
 namespace rigid {
 
 struct FrictionSettings {
     Real tolerance = 1e-11;  ///< τ of (3.16c)
     Real enough = 0;         ///< f of (3.16c) [m/s]
-    /// guesses without fewer wrong rows, before only every second of them is flipped
-    int patience = 8;
-    int halves = 24;          ///< such guesses, before sweeps
-    int retreats = 5;         ///< times that sweeps are asked for another beginning
-    int proximal_steps = 40;  ///< of each of these
+    /// guesses without fewer wrong rows, before another beginning is asked for
+    int patience = 5;
+    int retreats = 2;          ///< such beginnings: sweeps and proximal steps
+    int proximal_steps = 300;  ///< of each of these
     /// the last resorts are for problems of up to so many rows; 0 = none
     Index most_rows_of_rounds = 400, most_rows_of_walks = 240;
 };
@@ -34,8 +32,7 @@ struct FrictionMemory {
     FrictionProblem problem;
     FrictionGuess guess;
     FrictionLu factor;
-    VecX candidate;
-    Random random{1};
+    VecX candidate, proximal_base;
     ActiveSetMemory rounds;
 };
 
@@ -43,13 +40,13 @@ inline void require_valid(const FrictionSettings& settings)
 {
     if (!(settings.tolerance > 0) || !(settings.enough >= 0) ||
         !std::isfinite(settings.enough) || settings.patience < 0 ||
-        settings.halves < 0 || settings.retreats < 0)
+        settings.retreats < 0 || settings.proximal_steps < 0)
         throw std::invalid_argument(
             "tolerance " + shortest(settings.tolerance) + ", enough " +
             shortest(settings.enough) + ", patience " +
-            std::to_string(settings.patience) + ", halves " +
-            std::to_string(settings.halves) + ", retreats " +
-            std::to_string(settings.retreats) +
+            std::to_string(settings.patience) + ", retreats " +
+            std::to_string(settings.retreats) + ", proximal steps " +
+            std::to_string(settings.proximal_steps) +
             ": the tolerance must be positive, the others not negative");
 }
 
@@ -71,7 +68,7 @@ inline void require_valid(const Mlcp& mlcp, std::span<const FrictionBox> boxes)
 }
 
 //! [sweep]
-/// Sweeps over A with the bounds of the present λ: chapter 4's, with (13.4).
+/// Sweeps over A with the bounds of the present λ: chapter 4's, with (13.6).
 inline void sweep_friction(const FrictionProblem& problem, int sweeps,
                            const std::vector<int>& box_of, VecX& lambda)
 {
@@ -105,8 +102,7 @@ inline bool correct_friction(FrictionMemory& memory,
     for (std::size_t i = 0; i < guess.cases.size(); ++i)
         guess.cases[i] = pointed_at(problem, guess, static_cast<Index>(i));
     std::size_t fewest = guess.cases.size() + 1;
-    const int most = settings.patience + settings.halves;
-    for (int chances = most; chances >= 0;) {
+    for (int chances = settings.patience; chances >= 0;) {
         ++memory.work.guesses;
         // a guess that was wrong leaves nothing behind but its cases
         guess.lambda = guess.base;
@@ -118,12 +114,8 @@ inline bool correct_friction(FrictionMemory& memory,
         if (guess.wrong.empty()) return true;
         if (guess.wrong.size() < fewest) {
             fewest = guess.wrong.size();
-            chances = most;
+            chances = settings.patience;
         } else --chances;
-        // guesses that go around in a circle are led out of it by chance
-        if (chances < settings.halves && guess.wrong.size() > 1)
-            std::erase_if(guess.wrong,
-                          [&memory](Index) { return memory.random.index(2) == 0; });
         memory.work.flips += static_cast<int>(guess.wrong.size());
         flip(problem, guess);
     }

@@ -4,7 +4,7 @@
 ///     ordinary row  at lo, between, at hi          friction row  slides back (λ_f = −μ λ_n), sticks (w_f = 0), slides on (λ_f = μ λ_n)
 ///                                                  … and while its normal is open λ_f = 0, whatever its case
 ///
-/// The case of a row is where its natural map points, λ_i − w_i / A_ii (13.7); a row is wrong when its natural residual is
+/// The case of a row is where its natural map points, λ_i − w_i / A_ii (13.9); a row is wrong when its natural residual is
 /// not zero. So the rule that corrects a guess is the rule that finds the first one, from any λ: last step's, for example.
 #pragma once
 
@@ -28,7 +28,7 @@ struct FrictionProblem {
     Mlcp* mlcp = nullptr;  ///< bounds of friction rows are those of the present λ
     std::span<const FrictionBox> boxes;
     GuessedProblem scale;  ///< diagonal, units and tolerances (chapter 9)
-    /// ε of a proximal step (13.15); 0: the problem itself
+    /// ε of a proximal step (13.11); 0: the problem itself
     Real share = 0;
 };
 
@@ -69,7 +69,7 @@ inline void velocities(const FrictionProblem& problem, FrictionGuess& guess)
 }
 
 //! [natural_map]
-/// (13.7): the case that a row should have, by its λ and w.
+/// (13.9): the case that a row should have, by its λ and w.
 /// \param normal  of a friction row: what the λ of its normal will be
 inline BoundState pointed_at(const FrictionProblem& problem,
                              const FrictionGuess& guess, Index i)
@@ -144,7 +144,7 @@ inline void impose(const FrictionProblem& problem, FrictionGuess& guess)
 }
 
 //! [solve]
-/// (13.9): steps with the factor of B + ε D until the active rows have no velocity left that
+/// (13.10): steps with the factor of B + ε D until the active rows have no velocity left that
 /// rounding does not explain. Where rows depend on each other, the λ that they start
 /// from chooses among the many answers.
 /// \return what is left, in the units of the rows
@@ -211,7 +211,7 @@ inline void find_wrong(FrictionProblem& problem, Real left, FrictionGuess& guess
 }
 
 //! [flip]
-/// Gives each wrong row the case that (13.7) points at. A friction row whose normal
+/// Gives each wrong row the case that (13.9) points at. A friction row whose normal
 /// opens slides, to the side where it points: if the contact closes again, it does
 /// not come back to the guess that has just been wrong.
 inline void flip(const FrictionProblem& problem, FrictionGuess& guess)

@@ -37,7 +37,7 @@ public:
 
     //! [factor]
     /// Factors the active rows. A pivot that is nothing gets its share of the
-    /// diagonal instead: what that leaves behind, the steps of (13.9) take away.
+    /// diagonal instead: what that leaves behind, the steps of (13.10) take away.
     /// \param active  1: the row is an unknown
     /// \param tie     s μ of each box whose row slides, else 0
     /// \param shift   added to the diagonal, ε A_ii

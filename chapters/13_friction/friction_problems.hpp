@@ -20,7 +20,7 @@ inline RodEnd rod_end(Real angle)
     return {1 + 3 * c * c, -3 * s * c, 1 + 3 * s * s};
 }
 
-/// (13.10): what one newton of normal force makes of the end's upward acceleration
+/// (13.7): what one newton of normal force makes of the end's upward acceleration
 /// while it slides to the left (−1) or to the right (+1) [1/kg].
 inline Real sliding_mobility(Real angle, Real mu, int direction)
 {

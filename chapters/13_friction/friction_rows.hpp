@@ -189,7 +189,7 @@ struct WithFriction {
         now.sources.swap(all);
     }
     template <class Method>
-    void end(const RoughScene& scene, const StepSettings& settings, Method& method,
+    void end(RoughScene& scene, const StepSettings& settings, Method& method,
              const StepData<3>& now)
     {
         contacts.end(scene, settings, method, now);

@@ -31,6 +31,17 @@ struct FrictionState {
                 sum += now.solution.lambda[static_cast<Index>(i)];
         return sum;
     }
+
+    /// The push at contact number i [N s].
+    Real normal_impulse(std::size_t i) const
+    {
+        for (std::size_t k = 0; k < now.sources.size(); ++k)
+            if (now.sources[k].of == Source::Of::contact &&
+                now.sources[k].part == normal_part &&
+                now.sources[k].index == static_cast<int>(i))
+                return now.solution.lambda[static_cast<Index>(k)];
+        return 0;
+    }
 };
 
 struct FrictionSetup {

@@ -29,8 +29,13 @@ inline Demo slope_scene()
                         static_cast<Real>(s.guesses)};
             };
             setup.picture = [mu](Canvas& canvas, const FrictionState& s) {
+                if (!(s.impulse(normal_part) > 0)) return;
                 const Vec2 n = s.scene.walls[0].normal, t = perpendicular(n);
-                const Vec2 foot = s.scene.bodies.position(0).head<2>() - 0.5 * n;
+                // where all that pushes acts together
+                Vec2 foot(0, 0);
+                for (std::size_t i = 0; i < s.now.contacts.size(); ++i)
+                    foot += s.normal_impulse(i) / s.impulse(normal_part) *
+                            s.now.contacts[i].point;
                 const Real scale = 0.11;  // of newtons
                 for (const Real side : {-mu, mu})
                     canvas.segment(foot, foot + 1.35 * (n + side * t).normalized(),
