@@ -1,7 +1,7 @@
 /// \file canvas.hpp
 /// What a program draws on: a list of simple shapes in world coordinates (metres, y up).
 ///
-/// A canvas is data. Physics never sees it, and it does not know what will paint it: an SVG
+/// A canvas is data. Physics has nothing of it, and it does not depend on what will paint it: an SVG
 /// file (svg_canvas.hpp), an OpenGL window (gl_canvas.hpp) or, later, a web page.
 #pragma once
 

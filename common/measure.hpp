@@ -1,5 +1,5 @@
 /// \file measure.hpp
-/// Numbers that tell how good a state is: energy, momentum, and how far rods and contacts are off.
+/// Numbers that show how good a state is: energy, momentum, and how far rods and contacts are off.
 #pragma once
 
 #include "common/contact.hpp"

@@ -34,8 +34,8 @@ struct DiscScene {
 /// The length that a scene's settings are measured in [m]: `scene.length`, and
 /// where that is zero the power of ten that is nearest to ten times the mean
 /// radius of the discs that can move: 1 m for radii around 0.1 m. A margin or a
-/// slop is chosen by its order of magnitude, so nothing finer is derived; whoever
-/// scales a scene by 2 sets the length.
+/// slop is chosen by its order of magnitude, so nothing finer is derived. To
+/// scale a scene by 2, set the length.
 Real typical_length(const DiscScene& scene);
 //! [typical_length]
 
@@ -63,8 +63,8 @@ Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius);
 /// that build scenes by number.
 void require_count(const std::string& what, Index count);
 
-/// The scene that this book grew from: a chain of seven discs of 0.1 kg and three free discs
-/// in a box of 1.5 m × 1.0 m. Links and torsional springs join the seven.
+/// The scene that this book grew from, \cite yamanishi2023, in our units: a chain of seven discs of 0.1 kg and three
+/// free discs in a box of 1.5 m × 1.0 m. Links and torsional springs join the seven.
 DiscScene ten_discs();
 
 /// N equal discs of mass 1 kg and radius 0.1 m, one above the other and touching, on a floor.

@@ -42,7 +42,7 @@ struct Joint {
     Real force = 0;           ///< of a motor, zero or positive [N]
 };
 
-/// Three discs in a row; a torsional spring at the middle one wants them straight.
+/// Three discs in a row; a torsional spring at the middle one pulls them straight.
 struct Bend {
     Index left = 0, middle = 0, right = 0;
     Real length = 0;  ///< rest length of the two links [m]

@@ -686,7 +686,7 @@ TEST_CASE("The adaptive step gives the result of the fixed step with fewer evalu
     CHECK(5 * run.evaluations < 6 * steps);  // for less than a fifth of the work
 }
 
-TEST_CASE("Methods ask for as many accelerations as they say", "[idea]")
+TEST_CASE("Methods evaluate as many accelerations as they say", "[idea]")
 {
     const Index steps = 10;
     const auto asked = [&](Method method) {

@@ -995,7 +995,7 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
     }
 }
 
-TEST_CASE("numbers too large for doubles end with an honest status", "[idea]")
+TEST_CASE("numbers too large for doubles end with a true status", "[idea]")
 {
     const Solution solution = lemke(plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})));
     if (solution.status == Status::solved) CHECK(solution.residual <= 1e298);

@@ -1525,7 +1525,7 @@ TEST_CASE("200 bad scenes are refused with a sentence or run without a NaN", "[h
     CHECK(ran >= 80);
 }
 
-TEST_CASE("bad settings of a step are refused by a sentence and the scene stands where it stood", "[house]")
+TEST_CASE("bad settings of a step are refused by a sentence and the scene stays as it was", "[house]")
 {
     DiscScene scene = column(2);
     const VecX before = scene.bodies.x;

@@ -205,6 +205,87 @@ TEST_CASE("the bead of exercise 7.3 runs 6.16 mm outside its wire", "[idea]")
     CHECK(std::sqrt(1 + D) - 1 == Approx(6.16e-3).epsilon(1e-3));  // likewise
 }
 
+TEST_CASE("a part of 0.054 in each quarter of a step is one of 0.2 in the whole as exercise 7.2 says",
+          "[idea]")
+{
+    const Real steps = std::log(0.5) / std::log(0.8);
+    CHECK(steps == Approx(3.1).margin(0.05));             // its printed digits
+    CHECK(1000 * steps / 60 == Approx(52).margin(0.5));   // likewise, in ms
+    CHECK(1000 * steps / 240 == Approx(13).margin(0.5));  // likewise
+    const Real part = 1 - std::pow(0.8, 0.25);
+    CHECK(part == Approx(0.054).margin(5e-4));  // likewise
+    OneRow whole = beside_a_rail(), quarters = beside_a_rail();
+    whole.settings.h = 1.0 / 60;
+    quarters.settings.h = 1.0 / 240;
+    quarters.method.correction.beta = part;
+    for (int n = 0; n < 20; ++n) {
+        whole.advance();
+        for (int k = 0; k < 4; ++k) quarters.advance();
+        // Rounding, beside the 0.1 m that it began with.
+        CHECK(std::abs(whole.bodies().x[1] - quarters.bodies().x[1]) < 1e-15);
+    }
+}
+
+TEST_CASE("two links sag by the formulas of exercise 7.4 and sweeps are better from five on", "[idea]")
+{
+    const Real h = 1.0 / 60, unit = 9.81 * h * h / 0.2;
+    const auto sag_of = [](int sweeps, int substeps) {
+        Discs run(hanging_chain(2));
+        run.method.solver.sweeps.max_sweeps = sweeps;
+        run.settings.substeps = substeps;
+        run.advance(6000);  // the slowest mode is gone to the last digit
+        const auto error = [&run](Index k) {
+            return (run.scene.bodies.position(k + 1) - run.scene.bodies.position(k)).norm() - 0.1;
+        };
+        CHECK(std::abs(error(1)) < 1e-12);  // lengths are of order 0.1 m
+        return error(0);
+    };
+    for (int s = 1; s <= 6; ++s) {
+        const Real swept = sag_of(s, 1), stepped = sag_of(1, s);
+        INFO(s);
+        CHECK(std::abs(swept - unit / (std::pow(2, s) - 1)) < 1e-12);
+        CHECK(std::abs(stepped - unit / (s * s)) < 1e-12);
+        if (s > 1) CHECK((swept < stepped) == (s >= 5));
+    }
+}
+
+TEST_CASE("with a part that depends on the error two links have two places of rest as exercise 7.6 says",
+          "[idea]")
+{
+    const auto part = [](Real error) { return std::abs(error) < 1e-3 ? 1 : 0.1; };
+    StabilizerSettings settings;
+    const Real h = 1.0 / 60;
+    settings.beta = 1;
+    CHECK(baumgarte_bias(1e-3, ConstraintKind::bilateral, settings, h) == Approx(0.06).epsilon(1e-12));
+    settings.beta = 0.1;
+    CHECK(baumgarte_bias(1e-3, ConstraintKind::bilateral, settings, h) == Approx(0.006).epsilon(1e-12));
+
+    // (7.5): from 10 mm by 0.9 a step, and the first step below a millimetre removes it.
+    OneRow rail = beside_a_rail();
+    rail.bodies().x[1] = 0.01;
+    for (int n = 1; n <= 23; ++n) {
+        rail.method.correction.beta = part(rail.bodies().x[1]);
+        rail.advance();
+        CHECK(rail.bodies().x[1] == Approx(n < 23 ? 0.01 * std::pow(0.9, n) : 0).margin(1e-15));
+    }
+
+    // Three sweeps: the first link is too long by g h² / (7 β), exercise 7.4, that is by 0.39 mm with 1, 3.9 mm with 0.1.
+    for (const Real from : {1.0, 0.1}) {
+        Discs run(hanging_chain(2));
+        run.method.solver.sweeps.max_sweeps = 3;
+        run.method.correction.beta = from;
+        run.advance(3000);
+        const auto error = [&run] {
+            return (run.scene.bodies.position(1) - run.scene.bodies.position(0)).norm() - 0.1;
+        };
+        for (int n = 0; n < 3000; ++n) {
+            run.method.correction.beta = part(error());
+            run.advance();
+        }
+        CHECK(std::abs(error() - 9.81 * h * h / (7 * from)) < 1e-12);
+    }
+}
+
 TEST_CASE("a column whose floor is visited last sags as exercise 7.5 says", "[idea]")
 {
     constexpr Index N = 6;

@@ -132,7 +132,7 @@ TEST_CASE("small steps are the warm step with nothing computed twice", "[idea]")
     CHECK(rows_changed > 200);  // contacts came and went
 }
 
-TEST_CASE("rows that are kept because nothing came or went give the same bits as rows made anew", "[house]")
+TEST_CASE("rows that are kept because nothing came or went give the same bits as rows made again", "[house]")
 {
     for (const char* name : {"hanging_10_10", "column_10_100", "triangle_10"}) {
         const EngineScene from = engine_scene(name);
@@ -155,7 +155,7 @@ TEST_CASE("rows that are kept because nothing came or went give the same bits as
     }
 }
 
-TEST_CASE("a small step asks for no memory once it has seen the scene", "[house]")
+TEST_CASE("a small step allocates no memory once it has run the scene", "[house]")
 {
     for (const char* name : {"swinging_10_10", "column_20_1", "triangle_10"})
         for (const bool forget : {false, true}) {
@@ -180,7 +180,7 @@ TEST_CASE("a small step asks for no memory once it has seen the scene", "[house]
         }
 }
 
-TEST_CASE("a first step that knows its impulses leaves a column where it stands", "[house]")
+TEST_CASE("a first step from known impulses leaves a column where it stands", "[house]")
 {
     // 1e-6 m/s of what the sweeps leave in the first step is all that there is to sink by; without them the column
     // of 20 sinks by millimetres before its impulses have grown.
@@ -262,7 +262,7 @@ TEST_CASE("small steps with settings that make no sense are refused", "[house]")
     CHECK(sentence([](auto& s) { s.correction.beta = 0.5; }).find("beta") != std::string::npos);
 }
 
-TEST_CASE("small steps fall with the gravity of the scene and refuse what they do not know", "[house]")
+TEST_CASE("small steps fall with the gravity of the scene and refuse what they do not support", "[house]")
 {
     DiscScene scene = column(1);
     scene.walls.clear();
@@ -373,7 +373,7 @@ TEST_CASE("the chain that engines are compared with converges with order 4 and k
     CHECK_THROWS_AS(ChainReference(then), std::invalid_argument);
 }
 
-TEST_CASE("the measure of errors sees each of them", "[house]")
+TEST_CASE("the measure of errors finds each of them", "[house]")
 {
     const EngineScene from = engine_scene("column_10_1");
     const auto errors_after = [&](auto change) {

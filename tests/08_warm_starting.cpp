@@ -170,7 +170,7 @@ TEST_CASE("an impulse is a force times h and another step scales it as in (8.4)"
     CHECK(lambda[0] == 6);  // the factor is exactly 1
 }
 
-TEST_CASE("a row that goes is forgotten or outlives its absence by as many steps as asked for", "[idea]")
+TEST_CASE("a row that goes is forgotten or outlives its absence by as many steps as are set", "[idea]")
 {
     const std::vector<ImpulseKey> both = keys_of({{0, 1, 0}, {1, 2, 0}}), one = keys_of({{1, 2, 0}});
     for (const int keep : {0, 1, 3}) {
@@ -254,7 +254,7 @@ TEST_CASE("what is not finite is not remembered and a key that occurs twice is r
     CHECK(sentence_of([&] { store(cache, keys, numbers({1}), 1); }) == "there are 3 keys for 1 impulses");
 }
 
-TEST_CASE("the cache asks for no memory once it has seen so many rows", "[house]")
+TEST_CASE("the cache allocates no memory once it has held so many rows", "[house]")
 {
     Random random(1);
     std::vector<ImpulseKey> keys;
@@ -618,6 +618,44 @@ TEST_CASE("a column of 20 loses nine tenths of its swing in 75 steps as exercise
     CHECK(rate == Approx(std::pow(rho, 5)).epsilon(1e-12));  // (8.7): the root of gamma
     CHECK(std::pow(rate, 75) < 0.1);
     CHECK(std::pow(rate, 74) > 0.1);
+}
+
+TEST_CASE("the best combination of two old answers solves the two equations of exercise 8.5", "[house]")
+{
+    Random random(85);
+    for (int sample = 0; sample < 20; ++sample) {
+        DiscScene scene = triangle(3);
+        for (Index i = 0; i < scene.bodies.u.size(); ++i) scene.bodies.u[i] = random.normal();
+        WarmMethod method;
+        StepData<2> now;
+        rows_alone(scene, method, now);
+        const auto m = static_cast<Index>(now.rows.size());
+        Eigen::Matrix<Real, 2, 2> gram;
+        Eigen::Matrix<Real, 2, 1> right;
+        std::array<VecX, 2> old = {VecX(m), VecX(m)};
+        std::array<VecX, 2> change;  // Δu = M⁻¹ Jᵀ λ
+        for (std::size_t k = 0; k < 2; ++k) {
+            for (Index i = 0; i < m; ++i) old[k][i] = random.uniform(0, 2);
+            change[k].setZero(scene.bodies.u.size());
+            for (Index i = 0; i < m; ++i) now.rows[static_cast<std::size_t>(i)].apply(old[k][i], change[k]);
+            Real slope = 0;
+            for (Index i = 0; i < m; ++i)
+                slope += old[k][i] * now.rows[static_cast<std::size_t>(i)].velocity(now.u_star);
+            right[static_cast<Index>(k)] = -slope;
+        }
+        for (std::size_t k = 0; k < 2; ++k)
+            for (std::size_t l = 0; l < 2; ++l)
+                gram(static_cast<Index>(k), static_cast<Index>(l)) =
+                    change[k].dot(change[l].cwiseQuotient(scene.bodies.inverse_mass));
+        const MatX A = matrix_of(now.rows, now.u_star);
+        CHECK(gram(0, 1) == Approx(old[0].dot(A * old[1])).epsilon(1e-12));
+        const Eigen::Matrix<Real, 2, 1> best = gram.inverse() * right;
+        const auto at = [&](Real s, Real t) { return merit(now.rows, now.u_star, s * old[0] + t * old[1]); };
+        const Real least = at(best[0], best[1]);
+        for (Real s = -2; s <= 2; s += 0.25)
+            for (Real t = -2; t <= 2; t += 0.25) REQUIRE(least <= at(best[0] + s, best[1] + t) + 1e-10);
+        for (const Real s : {0.0, 1.0}) CHECK(least <= at(s, 1 - s) + 1e-10);  // either alone, as it is
+    }
 }
 
 TEST_CASE("a light link between two chains gives them one multiple as exercise 8.6 says", "[idea]")
@@ -993,7 +1031,7 @@ TEST_CASE("a pendulum through a warm distance row converges with order 1", "[ide
         CHECK(std::log2(error[i - 1] / error[i]) == Approx(1).margin(0.15));
 }
 
-TEST_CASE("a step asks for no memory once it has seen the scene", "[house]")
+TEST_CASE("a step allocates no memory once it has run the scene", "[house]")
 {
     for (const Start start : all_starts)
         for (const Stabilizer way : all_stabilizers)

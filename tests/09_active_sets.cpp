@@ -102,7 +102,7 @@ TEST_CASE("the two contacts of the text take two guesses", "[idea]")
     CHECK(memory.cases == std::vector<BoundState>{BoundState::between, BoundState::at_lo});
 }
 
-TEST_CASE("flipping all wrong rows goes round in the example of the text and the fallback ends it", "[house]")
+TEST_CASE("flipping all wrong rows cycles in the example of the text and the fallback ends it", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
     const GuessedProblem asked = guessed(problem);
@@ -340,7 +340,7 @@ TEST_CASE("an asymmetry of more than rounding is seen", "[house]")
     CHECK_FALSE(is_symmetric(plain_lcp(matrix2(1, 0.5, 0.5 * (1 + 1e-6), 1), VecX::Zero(2)).A, next));
 }
 
-TEST_CASE("a row that a border would lose too much of is factored anew", "[house]")
+TEST_CASE("a row that a border would lose too much of is factored again", "[house]")
 {
     // Row 6 comes to a base of six independent rows. What is left of it is 1 - c²: a share of 0.75, or of 1e-10.
     for (const bool near : {false, true}) {
@@ -564,7 +564,7 @@ TEST_CASE("the entries of the factor grow in proportion to the rows of columns a
     CHECK(std::abs(slope(rows, chain) - 1) <= 0.15);
 }
 
-TEST_CASE("a step is of first order in h whoever solves its rows", "[idea]")
+TEST_CASE("a step is of first order in h whatever solves its rows", "[idea]")
 {
     // A chain of links alone, swinging from rest: symplectic Euler with exact constraint impulses.
     std::vector<Real> h, error;
@@ -604,7 +604,7 @@ TEST_CASE("an unchanged active set costs one factorisation and gives the same an
     }
 }
 
-TEST_CASE("yesterday's set of another problem does no harm", "[idea]")
+TEST_CASE("the previous set of another problem does no harm", "[idea]")
 {
     Random random(40);
     ActiveSetMemory memory;
@@ -1000,7 +1000,7 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
     }
 }
 
-TEST_CASE("numbers too large for doubles end with an honest status", "[idea]")
+TEST_CASE("numbers too large for doubles end with a true status", "[idea]")
 {
     for (const Mlcp& problem : {plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})),
                                 plain_lcp(matrix2(1e-300, 0, 0, 1e300), vector({-1, -1}))})

@@ -45,7 +45,7 @@ bool same(const std::vector<Contact>& a, const std::vector<Contact>& b)
     });
 }
 
-/// A broad phase of a scene with everybody awake.
+/// A broad phase of a scene with all bodies awake.
 struct Finder {
     AwakeSet set;
     BroadPhase broad;
@@ -135,7 +135,7 @@ bool same_state(const DiscScene& a, const DiscScene& b)
     return a.bodies.x == b.bodies.x && a.bodies.u == b.bodies.u;
 }
 
-/// Steps until nobody is awake.
+/// Steps until no body is awake.
 int steps_to_sleep(SkippingWorld& now, const SkippingSettings& settings, int limit = 20000)
 {
     int steps = 0;
@@ -190,7 +190,7 @@ TEST_CASE("filtered pairs are left out and all others found", "[idea]")
         CHECK(same(finder.find(scene), by_brute_force(scene, 0.02)));
     }
 
-    // Three groups: 0 and 1 meet, 2 meets nobody but itself.
+    // Three groups: 0 and 1 meet, 2 meets none but itself.
     CollisionFilter filter;
     for (Index k = 0; k < 150; ++k) filter.group.push_back(static_cast<std::uint8_t>(k % 3));
     filter.set_meets(0, 2, false);
@@ -326,6 +326,34 @@ TEST_CASE("the grid looks into as many cells on either side of zero and into non
     CHECK(grid.cells + grid.tested < 50);  // and not 40 million cells of 2 cm
 }
 
+TEST_CASE(
+    "a disc looks at as many others as exercise 10.1 says with cells of its own width and of twice that",
+    "[house]")
+{
+    // Cells of 1 m and of 2 m: 2 r is 1 m, or so little more that the next power of two is taken.
+    Random random(101);
+    for (const Real r : {0.5, 0.5 * (1 + 1e-6)}) {
+        constexpr int side = 150;
+        constexpr Real spacing = 1.3;
+        DiscGrid grid;
+        grid.reset(side * side, 0);
+        for (int k = 0; k < side * side; ++k) {  // one anywhere in each square of a lattice
+            const Real right = random.uniform(0, spacing), up = random.uniform(0, spacing);
+            grid.insert(k, Vec2(spacing * (k % side) + right, spacing * (k / side) + up), r, 0);
+        }
+        constexpr int looks = 20000;
+        for (int n = 0; n < looks; ++n) {
+            const Real right = random.uniform(10, spacing * side - 10);
+            const Real up = random.uniform(10, spacing * side - 10);
+            grid.near(Vec2(right, up), r, ~std::uint64_t{0}, [](int) {});
+        }
+        const Real share = pi * r * r / (spacing * spacing);
+        const Real expected = (r == 0.5 ? 36 : 64) * share / pi;
+        // The mean of 20,000 looks at some ten discs, which differ from look to look by three: 0.02 of 10.
+        CHECK(static_cast<Real>(grid.tested) / looks == Approx(expected).epsilon(0.01));
+    }
+}
+
 TEST_CASE("a pair is kept apart in whatever order it is named", "[idea]")
 {
     const CollisionFilter filter = forbid_pairs(4, {{2, 0}, {1, 3}, {3, 1}});
@@ -362,7 +390,7 @@ TEST_CASE("a net of ten thousand linked discs tests no pair and makes no contact
     if (other.counters.contacts == 0) CHECK(same_state(now.scene, other.scene));
 }
 
-TEST_CASE("discs that do not move ask the grid once", "[idea]")
+TEST_CASE("discs that do not move query the grid once", "[idea]")
 {
     DiscScene scene = scattered(400, 0.5, 3, 8);
     Finder finder(scene, 0.02, 0.01);
@@ -606,7 +634,7 @@ TEST_CASE("an island is said to be solved only when its residual is below the to
         settings.tolerance = 1e-6;
         settings.max_sweeps = 100000;
 
-        // Who stops when a sweep changes little stops too early.
+        // A solver that stops when a sweep changes little stops too early.
         std::vector<SolverRow<2>> early = solver_rows;
         VecX v = u;
         Limit rounds(10000);
@@ -760,7 +788,7 @@ TEST_CASE("one row and two rows have in closed form the answer of chapter 9", "[
     CHECK(pushing > 3000);
 }
 
-TEST_CASE("a small exact island that is called solved has the residual that was asked for however parallel "
+TEST_CASE("a small exact island that is called solved has the residual that was required however parallel "
           "its rows",
           "[idea]")
 {
@@ -836,7 +864,7 @@ TEST_CASE("a body that lies still falls asleep after exactly T over h steps", "[
     }
 }
 
-TEST_CASE("when all sleep a step does nothing and bodies stand where they stood", "[idea]")
+TEST_CASE("when all sleep a step does nothing and bodies stay where they were", "[idea]")
 {
     SkippingWorld now = world_of(columns(40, 5));
     const SkippingSettings settings = early_out();
@@ -932,7 +960,7 @@ TEST_CASE("a disc that stands beside the edge of its balance topples and does no
     }
 }
 
-TEST_CASE("a disc that glides on for ever does not fall asleep however slowly it glides", "[idea]")
+TEST_CASE("a disc that glides on forever does not fall asleep however slowly it glides", "[idea]")
 {
     for (const Real speed : {9e-4, 1e-5, 1e-7}) {
         DiscScene scene = columns(1, 1);
@@ -1025,7 +1053,7 @@ TEST_CASE("rain comes to rest at the same place with sleep and without to a tent
         CHECK(contact.gap > -2 * settings.stabilizer.slop);
 }
 
-TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves when nobody slept", "[idea]")
+TEST_CASE("a ball that meets sleepers on a table leaves the bits that it leaves when none slept", "[idea]")
 {
     DiscScene scene = empty_scene(12);
     set_disc(scene, 0, {-3, 0.03}, 0.1);
@@ -1082,7 +1110,7 @@ TEST_CASE("no row ever joins a body that is awake and one that sleeps", "[idea]"
     CHECK(slept > 150);
 }
 
-TEST_CASE("who is awake has the contacts of all pairs while others sleep and wake and are changed", "[idea]")
+TEST_CASE("what is awake has the contacts of all pairs while others sleep and wake and are changed", "[idea]")
 {
     // Discs on a table glide, stop for a moment, sleep far too easily, are hit and pushed and stopped by hand.
     int slept = 0, woken = 0;
@@ -1110,12 +1138,12 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
             if (now.counters.awake == 0) continue;
             const std::set<Index> awake(now.method.solver.islands.bodies.begin(),
                                         now.method.solver.islands.bodies.end());
-            REQUIRE(awake.size() == now.method.solver.islands.bodies.size());  // nobody twice
+            REQUIRE(awake.size() == now.method.solver.islands.bodies.size());  // none twice
             std::vector<Contact> wanted;
             for (const Contact& contact : by_brute_force(before, 0.02)) {
                 if (!awake.contains(contact.a) && !awake.contains(contact.b)) continue;
                 wanted.push_back(contact);
-                for (const Index k : {contact.a, contact.b})  // and nobody is touched in its sleep
+                for (const Index k : {contact.a, contact.b})  // and none is touched in its sleep
                     REQUIRE((awake.contains(k) || before.bodies.inverse_mass[2 * k] == 0));
             }
             REQUIRE(same(now.found.contacts, wanted));
@@ -1125,7 +1153,7 @@ TEST_CASE("who is awake has the contacts of all pairs while others sleep and wak
     CHECK(woken > 10000);
 }
 
-TEST_CASE("who is woken while others ask finds those who have asked before", "[idea]")
+TEST_CASE("a disc that is woken while others query finds those that have queried before", "[idea]")
 {
     // Disc 2 sleeps 9 cm from where the grid holds it. 0 asks, and does not see it there; then 1 asks and wakes it.
     DiscScene scene = empty_scene(3);
@@ -1169,7 +1197,7 @@ TEST_CASE("a disc that is jammed between two that are fixed has no answer and do
     CHECK(now.method.contacts.set.is_awake(2));
 }
 
-TEST_CASE("who falls asleep without a row is no island any more", "[idea]")
+TEST_CASE("a disc that falls asleep without a row is no island any more", "[idea]")
 {
     DiscScene scene = empty_scene(2);
     set_disc(scene, 0, {0, 0}, 0.1);
@@ -1220,7 +1248,7 @@ TEST_CASE("a hand wakes the island that it touches and no other", "[idea]")
     steps_to_sleep(now, settings);
 }
 
-TEST_CASE("a change of gravity wakes everybody", "[idea]")
+TEST_CASE("a change of gravity wakes all bodies", "[idea]")
 {
     SkippingSettings settings = early_out();
     SkippingWorld now = three_columns_asleep(settings);
@@ -1235,7 +1263,7 @@ TEST_CASE("a change of gravity wakes everybody", "[idea]")
     CHECK(now.scene.bodies.position(0).x() > 0.2);
 }
 
-TEST_CASE("who is woken starts from the forces that it fell asleep with", "[idea]")
+TEST_CASE("a disc that is woken starts from the forces that it fell asleep with", "[idea]")
 {
     SkippingSettings settings = early_out();
     settings.exact_rows = 0;  // four rows: sweeps are to be counted
@@ -1396,7 +1424,7 @@ TEST_CASE("a velocity or a push that a sleeper gets is not lost", "[house]")
     CHECK(now.scene.bodies.x == x);
 }
 
-TEST_CASE("settings that nobody touched let no column be thrown up", "[house]")
+TEST_CASE("settings that were not touched let no column be thrown up", "[house]")
 {
     // What section 8.6 forbids, the whole of the previous answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
     // sweeps are still few for fifty discs: it sinks, and comes back with a swing of less than a radius.
@@ -1443,7 +1471,7 @@ TEST_CASE("springs keep an island together and a change of their stiffness wakes
     CHECK(now.counters.awake == 3);
 }
 
-TEST_CASE("settings that change what rest is wake everybody and others wake nobody", "[idea]")
+TEST_CASE("settings that change what rest is wake all bodies and others wake none", "[idea]")
 {
     const SkippingSettings settings = early_out();
     const auto woken_by = [&](const auto& change) {
@@ -1464,7 +1492,7 @@ TEST_CASE("settings that change what rest is wake everybody and others wake nobo
     CHECK(woken_by([](SkippingSettings& s) { s.exact_rows = 3; }) == 0);
 }
 
-TEST_CASE("when the floor is taken away everybody falls as if nobody had slept", "[idea]")
+TEST_CASE("when the floor is taken away all bodies fall as if none had slept", "[idea]")
 {
     SkippingSettings settings = early_out();
     settings.row_slack = 1e-4;  // rows are kept, too
@@ -1549,7 +1577,7 @@ TEST_CASE("no bodies and one body and only fixed ones make a step", "[idea]")
     CHECK(still.counters.awake == 0);
 }
 
-TEST_CASE("who leaves for infinity or starts beside it does not disturb the others", "[idea]")
+TEST_CASE("a disc that leaves for infinity or starts beside it does not disturb the others", "[idea]")
 {
     DiscScene scene = columns(4, 3);
     const SkippingSettings settings = early_out();
@@ -1603,7 +1631,7 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
         }
         CHECK(most <= 2);
         CHECK(visits <= 3 * 1000 * quick.counters.rows);  // two sweeps and a look; full: 100 sweeps
-        // The exact answer is that nobody moves. Each step's residual is at most 1e-6 m/s: in 2000 steps of 1/60 s a gap
+        // The exact answer is that nothing moves. Each step's residual is at most 1e-6 m/s: in 2000 steps of 1/60 s a gap
         // is off by 33 µm, and a disc by what the gaps below it add up to. The first steps, from zero, do not get there.
         const Real off = (quick.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
         const Real of_full = (slow.scene.bodies.x - scene.bodies.x).cwiseAbs().maxCoeff();
@@ -1633,7 +1661,7 @@ TEST_CASE("a warm column and a warm triangle at rest take one or two sweeps with
     }
 }
 
-TEST_CASE("a contact that takes the place of another one is made anew", "[idea]")
+TEST_CASE("a contact that takes the place of another one is made again", "[idea]")
 {
     // Beside disc 0 stands disc 1 or disc 2, at the same place but of another size.
     DiscScene scene = empty_scene(3);
@@ -2068,7 +2096,7 @@ TEST_CASE("bad input is refused by a sentence", "[house]")
     CHECK(same_state(now.scene, scene));  // a step that is refused changes nothing
 }
 
-TEST_CASE("a disc that is added to a sleeping world falls on those who sleep and wakes only what it reaches",
+TEST_CASE("a disc that is added to a sleeping world falls on those that sleep and wakes only what it reaches",
           "[idea]")
 {
     DiscScene scene = column(3);

@@ -1,4 +1,4 @@
-/// The rules of the house: who may include whom, what physics must not know, what each chapter has.
+/// The rules of the house: what may include what, what physics must not know, what each chapter has.
 
 #include "tests/catch.hpp"
 #include "tests/draws.hpp"

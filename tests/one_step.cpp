@@ -1,4 +1,4 @@
-/// Every combination of stages that makes sense runs, and whoever solves the rows, the bodies move the same.
+/// Every combination of stages that makes sense runs, and whatever solves the rows, the bodies move the same.
 ///
 ///     {given, coloured} × {rows, pairs, islands, active sets} × {cold, previous, best multiple}
 ///         × {each correction} × {1, 4, 16 sub-steps} × {all awake, asleep at rest}, on three scenes

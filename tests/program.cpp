@@ -473,7 +473,7 @@ TEST_CASE("a file on a full disk ends with exit code 3 and a sentence that names
 }
 #endif
 
-TEST_CASE("missing memory is told by a sentence wherever it is missed")
+TEST_CASE("missing memory is reported by a sentence wherever it is missed")
 {
     const Said starting = run({"--headless", "--set", "beads=17"});
     CHECK(starting.code == 3);
@@ -659,7 +659,7 @@ TEST_CASE("panes stand side by side with their labels")
     CHECK(four.areas[3].y > four.areas[0].y + four.areas[0].height);
 }
 
-TEST_CASE("what is not finite or far away does not spoil a picture")
+TEST_CASE("what is not finite or far away does not disturb a picture")
 {
     Canvas canvas;
     const Real nan = std::nan("");
@@ -710,7 +710,7 @@ TEST_CASE("the window takes the same steps as a run without one")
     CHECK(contains(said.out, "\n100,1," + shortest(measured[0]) + ',' + shortest(measured[1]) + '\n'));
 }
 
-TEST_CASE("as many steps are taken as the speed asks for and a backlog is dropped")
+TEST_CASE("as many steps are taken as the speed requires and a backlog is dropped")
 {
     const Program program = toy::program();
     Show show(program, parsed(program, {"--h", "0.01"}));
@@ -763,7 +763,7 @@ TEST_CASE("a tunable takes effect at once and restarts only where it is flagged"
     CHECK(show.playback()->steps() == 0);
 }
 
-TEST_CASE("settings that the scene refuses are told and mended without a new start of the program")
+TEST_CASE("settings that the scene refuses are named and put right without a new start of the program")
 {
     const Program program = toy::program();
     Show show(program, parsed(program, {}));
@@ -805,7 +805,7 @@ TEST_CASE("one to four methods stand side by side and one that fails stands stil
         Catch::Matchers::Contains("4 at most"));
 }
 
-TEST_CASE("the table of a window begins anew with the scene")
+TEST_CASE("the table of a window begins again with the scene")
 {
     const Folder folder;
     const Program program = toy::program();

@@ -272,7 +272,7 @@ TEST_CASE("every solver finds impulses of friction that keep to the bounds that 
     }
 }
 
-TEST_CASE("a body on an implicit spring has the velocity of the closed form whoever solves its row")
+TEST_CASE("a body on an implicit spring has the velocity of the closed form whatever solves its row")
 {
     // v' = (v − h ω² x) / (1 + 2 ζ h ω + h² ω²), here without gravity along x; numbers of order 1, a few roundings.
     for (const Real omega : {0.1, 10.0, 188.5, 1e5})

@@ -40,7 +40,7 @@ inline const char* to_string(Outcome outcome)
     case Outcome::step_limit:
         return "the step limit was reached before the end; is the force stiff?";
     case Outcome::step_too_small:
-        return "the tolerance asks for a step too small for the clock";
+        return "the tolerance requires a step too small for the clock";
     case Outcome::not_finite: return "the force is not finite near this state";
     }
     return "";

@@ -56,7 +56,7 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a,
 //! [event]
 /// Takes one accepted step, at most to t_end; when gap(s) passes from above zero to
 /// zero or below on the way, the run goes back to that moment and the outcome is
-/// `event`. Whoever then changes run.s (a bounce) sets run.a to its acceleration
+/// `event`. A caller that then changes run.s (a bounce) sets run.a to its acceleration
 /// too. A run that starts at gap ≤ 0 has no event before it was above zero.
 /// \param gap  gap(s): a number with the sign of the distance, continuous in the
 ///             state

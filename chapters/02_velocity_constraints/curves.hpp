@@ -71,7 +71,7 @@ inline Constraint<2> ellipse_constraint(const VecX& x, Index k,
                                         const Vec2& half_axes)
 {
     if (!(half_axes.minCoeff() > 0))
-        throw std::invalid_argument("the shorter half axis of the wire is " +
+        throw std::invalid_argument("the shorter semi-axis of the wire is " +
                                     shortest(half_axes.minCoeff()) +
                                     " m; both must be positive");
     const Vec2 p = x.segment<2>(2 * k);

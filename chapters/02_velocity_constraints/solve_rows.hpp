@@ -50,7 +50,7 @@ inline std::string sentence(const RowsAnswer& answer)
 
 /// How much smaller than the largest pivot one must be to count as zero. The rows are scaled to
 /// \f$A_{ii} = 1\f$ first, so that units and masses don't matter. A is a square: rows whose directions
-/// differ by the angle δ have the pivot δ², so 1e-12 tells directions apart down to 1e-6 rad.
+/// differ by the angle δ have the pivot δ², so 1e-12 distinguishes directions down to 1e-6 rad.
 inline constexpr Real rank_tolerance = 1e-12;
 
 /// A velocity this much smaller than those that it was summed from is rounding.

@@ -13,14 +13,16 @@
 #include "chapters/03_mlcp_formulation/verification.hpp"
 
 #include <Eigen/QR>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace rigid {
 
-/// A dense copy of an MLCP in which each row is scaled to A_ii = 1, so that units and masses don't matter:
-/// λ_i = scale_i · λ̂_i, ŵ_i = scale_i · w_i with scale_i = 1/d_i, d_i = √A_ii or what row_unit() says.
+/// A dense copy of an MLCP in which each row is scaled to A_ii = 1, but for a factor of 2, so that units and masses don't
+/// matter: λ_i = scale_i · λ̂_i, ŵ_i = scale_i · w_i with scale_i = 1/d_i, d_i the power of two next to √A_ii or what
+/// row_unit() says. A power of two changes no digit: rows that differ in their last one still do.
 struct DenseMlcp {
     MatX A;
     VecX q, lo, hi, scale;
@@ -31,7 +33,8 @@ struct DenseMlcp {
     {
         scale.resize(mlcp.size());
         for (Index i = 0; i < mlcp.size(); ++i)
-            scale[i] = 1 / row_unit(mlcp, i, A(i, i));
+            scale[i] =
+                std::exp2(-std::round(std::log2(row_unit(mlcp, i, A(i, i)))));
         A = scale.asDiagonal() * A * scale.asDiagonal();
         q.array() *= scale.array();
         lo.array() /= scale.array();
@@ -170,19 +173,34 @@ private:
         return solve(E, f);
     }
 
-    /// No v ≥ 0 has E v = f where some y has Eᵀy ≤ 0 and fᵀy > 0, since 0 ≥ (Eᵀy)ᵀv = fᵀy: what is left of f at the
-    /// least distance is such a y. If it isn't, nothing is known.
+    /// The part of `left` that lies along the columns of E that v uses.
+    static VecX along(const MatX& E, const VecX& v, const VecX& left)
+    {
+        MatX used = E;
+        for (Index j = 0; j < E.cols(); ++j)
+            if (!(v[j] > 0)) used.col(j).setZero();
+        return used * used.colPivHouseholderQr().solve(left);
+    }
+
+    /// No v ≥ 0 has E v = f where some y has Eᵀy ≤ 0 and fᵀy > 0, since 0 ≥ (Eᵀy)ᵀv = fᵀy.
+    static bool proves(const MatX& E, const VecX& f, const VecX& v, const VecX& y)
+    {
+        if (E.cols() == 0) return f.dot(y) > 0;
+        const Real most = std::max((E.transpose() * y).maxCoeff(), Real{0}),
+                   reach = v.sum() + f.norm() / E.colwise().norm().maxCoeff();
+        return most * reach <= 1e-6 * f.dot(y);
+    }
+
+    /// What is left of f at the least distance is such a y. If it isn't, nothing is known.
     std::optional<VecX> solve(const MatX& E, const VecX& f) const
     {
         const VecX v = nonnegative_least_squares(E, f);
         const VecX left = f - E * v;
         if (left.norm() <= 1e-9 * f.norm() + 1e-14 * numbers_)
             return base_ + from_ * v.head(from_.cols());
-        const Real most =
-            E.cols() > 0 ? std::max((E.transpose() * left).maxCoeff(), Real{0}) : 0;
-        const Real reach =
-            E.cols() > 0 ? v.sum() + f.norm() / E.colwise().norm().maxCoeff() : 0;
-        unsure_ = unsure_ || !(most * reach <= 1e-6 * f.dot(left));
+        // The second without what rounding of f has left along the columns in use.
+        unsure_ = unsure_ || !(proves(E, f, v, left) ||
+                               proves(E, f, v, left - along(E, v, left)));
         return std::nullopt;
     }
 

@@ -45,12 +45,12 @@ inline void require_valid(const DiscScene& scene, const SmallStepSettings& setti
     if (!scene.joints.empty())
         throw std::invalid_argument("the scene has " +
                                     std::to_string(scene.joints.size()) +
-                                    " joints; small_steps() knows none: take "
+                                    " joints; small_steps() has none: take "
                                     "step() by WarmMethod with sub-steps");
     if (!scene.bends.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.bends.size()) +
-            " bends; small_steps() knows no torsional springs: take step() by "
+            " bends; small_steps() has no torsional springs: take step() by "
             "WarmMethod with sub-steps");
     require_forces(scene.gravity, 0, 0, {0, 0});
     require_margin(settings.margin);

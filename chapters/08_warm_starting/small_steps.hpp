@@ -22,7 +22,7 @@ namespace rigid {
 /// Eight substeps: what this book proposes for scenes that move.
 inline SmallStepSettings quick_steps() { return {}; }
 
-/// Sixteen, and a first step that knows its impulses: for piles that should not even begin to sink.
+/// Sixteen, and a first step from known impulses: for piles that should not even begin to sink.
 inline SmallStepSettings careful_steps()
 {
     SmallStepSettings settings;

@@ -172,7 +172,7 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings,
 }
 //! [active_sets]
 
-/// Cold: from a guess that knows nothing.
+/// Cold: from a guess without a memory.
 inline Solution active_sets(const Mlcp& mlcp,
                             const ActiveSetSettings& settings = {})
 {

@@ -28,7 +28,7 @@ struct ActiveSetWork {
     /// guesses that were lowest points of faces (descent.hpp)
     int descents = 0;
     int outer_steps = 0;  ///< proximal steps; 0 = A needed none
-    int walks = 0;        ///< times that Lemke's algorithm had to be asked
+    int walks = 0;        ///< times that Lemke's algorithm had to be called
     Index entries = 0;    ///< entries of the last factor
 };
 

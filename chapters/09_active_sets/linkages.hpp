@@ -45,7 +45,7 @@ inline DiscScene four_bar(Real energy = 30.9)
     scene.links = {{0, 2, 1}, {2, 3, 1}, {1, 3, 1}};
     scene.linked = PairSet::all();
     scene.half_size.setConstant(1.6);
-    // The speeds that the rods allow, and of these so much as the energy asks for.
+    // The speeds that the rods allow, and of these so much as the energy requires.
     const Vec2 first(1, 0), across = perpendicular(right - pivot),
                             coupler = right - left;
     const Vec2 second = across * (coupler.dot(first) / coupler.dot(across));

@@ -16,7 +16,7 @@
 
 namespace rigid {
 
-/// ε: the root of what a double can tell apart
+/// ε: the root of what a double can distinguish
 inline constexpr Real proximal_share = 1e-8;
 
 struct ProximalMemory {

@@ -15,7 +15,7 @@ namespace rigid {
 struct ActiveSetSettings {
     /// of the natural residual, as a share of the numbers in a row (3.16c)
     Real tolerance = 1e-10;
-    /// [m/s] so little is nothing, whatever q is; a step knows it: rounded_speed()
+    /// [m/s] so little is nothing, whatever q is; for a step it is rounded_speed()
     Real enough = 0;
     int limit = 0;  ///< of guesses; 0 = 500 + n
     /// flips of all wrong rows without progress before one row at a time

@@ -40,7 +40,7 @@ struct AwakeBodies {
     /// the set of awake bodies has changed since these were listed
     bool changed = true;
     KeptContacts kept;  ///< used where row_slack > 0
-    /// of the bodies that are awake, where the solver doesn't know them
+    /// of the bodies that are awake, where the solver has none
     Islands islands;
     /// velocities before the step, of the bodies that are awake [m/s]
     VecX u_before;

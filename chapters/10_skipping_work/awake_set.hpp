@@ -65,7 +65,7 @@ struct AwakeSet {
         if (moves) awake.push_back(static_cast<int>(k));
         // as if it had just woken: its pairs are found
         woken.push_back(static_cast<int>(k));
-        // Room for the worst case, so that no step has to ask for memory.
+        // Room for the worst case, so that no step has to allocate.
         awake.reserve(ring.capacity());
         woken.reserve(ring.capacity());
     }

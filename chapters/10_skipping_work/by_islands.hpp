@@ -46,7 +46,7 @@ struct IslandSolver {
         if (ordering != Order::given && ordering != Order::coloured)
             throw std::invalid_argument("the order is " +
                                         std::string(to_string(ordering)) +
-                                        "; this solver knows given and coloured");
+                                        "; this solver has given and coloured");
     }
 
     /// Each island by itself, from the λ that now.solution holds.

@@ -43,7 +43,7 @@ struct CollisionFilter {
         if (f < 0 || g < 0 || f >= most_groups || g >= most_groups)
             throw std::invalid_argument(
                 "groups " + std::to_string(f) + " and " + std::to_string(g) +
-                " cannot be told apart; they go from 0 to " +
+                " cannot be distinguished; they go from 0 to " +
                 std::to_string(most_groups - 1));
         const auto bit = [](int i) { return std::uint64_t{1} << i; };
         auto& of_f = meets[static_cast<std::size_t>(f)];
@@ -54,7 +54,7 @@ struct CollisionFilter {
 
     //! [forbids]
     /// True for a pair on the list, a < b. (Groups are looked at earlier, when the
-    /// grid is asked.)
+    /// grid is queried.)
     bool forbids(Index a, Index b) const
     {
         if (first.empty()) return false;

@@ -68,7 +68,7 @@ struct SkippingCounters {
     int sweeps = 0;           ///< of the island that needed the most
     int exact = 0;            ///< islands that were solved exactly
     int unsolved = 0;         ///< islands whose residual did not meet the tolerance
-    int queries = 0;          ///< discs that asked the grid
+    int queries = 0;          ///< discs that queried the grid
     std::int64_t tested = 0;  ///< pairs of discs whose distance was computed
     std::int64_t visits = 0;  ///< rows visited
     int woken = 0;            ///< bodies
@@ -87,7 +87,7 @@ struct SkippingWorld {
 
 /// \param filter  which pairs collide; see filter_of() for what the scene itself says
 /// \param margin  as in StepSettings [ℓ]
-/// \param skin    how far a disc may move before it asks the grid again [ℓ]; changes nothing but the time
+/// \param skin    how far a disc may move before it queries the grid again [ℓ]; changes nothing but the time
 /// \throws std::invalid_argument  for a scene or a filter that makes no sense
 inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter,
                                 Real margin = 0.02, Real skin = 0.01)

@@ -28,7 +28,7 @@ struct Polygon {
     Real radius = 0;  ///< [m]
 };
 
-/// What a body needs to know of how its mass is spread.
+/// How the mass of a body is spread.
 struct Mass {
     Real mass = 0;           ///< [kg]
     Vec2 centroid = {0, 0};  ///< [m]

@@ -1,5 +1,5 @@
 /// \file rigid_constraints.hpp
-/// What the step of chapter 3 wants to know of a scene of bodies that turn. The step itself, its solvers, starts and
+/// What the step of chapter 3 needs of a scene of bodies that turn. The step itself, its solvers, starts and
 /// corrections are those of Part I.
 #pragma once
 

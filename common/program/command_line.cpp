@@ -52,7 +52,7 @@ std::uint64_t whole(const std::string& option, const std::string& text, std::uin
     return *value;
 }
 
-/// Limits are shown with ten digits, 0.01666666667 for 1/60: who types what is shown means the limit itself.
+/// Limits are shown with ten digits, 0.01666666667 for 1/60: what is typed as it is shown means the limit itself.
 std::optional<Real> parse_within(const std::string& text, Real low, Real high)
 {
     const auto value = parse_real(text);

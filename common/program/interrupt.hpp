@@ -1,5 +1,5 @@
 /// \file interrupt.hpp
-/// Ctrl-C asks a run to end, and so does SIGTERM: it finishes its row and closes its files. A second one ends it at
+/// Ctrl-C ends a run, and so does SIGTERM: it finishes its row and closes its files. A second one ends it at
 /// once.
 #pragma once
 

@@ -27,7 +27,7 @@ void require_folder(const std::string& folder)
     std::error_code error;
     fs::create_directories(folder, error);
     fs::path probe = fs::path(folder) / ".writable";
-    for (int i = 2; fs::exists(fs::symlink_status(probe, error)) && i < 1000; ++i)  // somebody else's
+    for (int i = 2; fs::exists(fs::symlink_status(probe, error)) && i < 1000; ++i)  // another's
         probe = fs::path(folder) / (".writable" + std::to_string(i));
     const bool writable = !fs::exists(fs::symlink_status(probe, error)) && std::ofstream(probe).good();
     if (writable) fs::remove(probe, error);

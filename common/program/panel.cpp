@@ -158,7 +158,7 @@ private:
         tooltip("One time step: S or the right arrow");
         ImGui::SameLine();
         if (button("Reset", 3)) show_.restart();
-        tooltip("Start the scene anew: R");
+        tooltip("Start the scene again: R");
 
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(3), ImGui::GetStyle().ItemSpacing.y});
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(2), ImGui::GetStyle().FramePadding.y});
@@ -211,7 +211,7 @@ private:
             std::string help = one.help + (one.help.empty() ? "" : ". ") + "From " + readable(one.low) +
                                " to " + with_unit(readable(one.high), one.unit) + ", at first " +
                                with_unit(readable(one.value), one.unit) + " (right click)";
-            if (one.restarts) help += ". Starts the scene anew";
+            if (one.restarts) help += ". Starts the scene again";
             if (one.arrow_keys) help += ". Up and down keys";
             begin_row(words, help);
             const bool wide = one.low > 0 && one.high / one.low >= 1000;
@@ -238,7 +238,7 @@ private:
         tooltip(about_h);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) show_.set_h(scene.h);
 
-        begin_row("seed", "Of all that is random. Starts the scene anew");
+        begin_row("seed", "Of all that is random. Starts the scene again");
         std::uint64_t seed = show_.settings().seed;
         const std::uint64_t one = 1;
         if (ImGui::InputScalar("##seed", ImGuiDataType_U64, &seed, &one, nullptr, "%llu",
@@ -500,7 +500,7 @@ private:
         ImGui::PushStyleColor(ImGuiCol_Text, theme_.colour(Colour::orange));
         ImGui::TextUnformatted("too slow");
         ImGui::PopStyleColor();
-        tooltip("More steps are due than there is time for: the scene runs slower than asked");
+        tooltip("More steps are due than there is time for: the scene runs slower than set");
     }
 
     void keys()
@@ -514,7 +514,7 @@ private:
         };
         line("Space", "pause and run");
         line("S, Right", "one time step");
-        line("R", "start anew");
+        line("R", "start again");
         if (arrow != show_.scene().tunables.end()) line("Up, Down", arrow->name);
         line("P", "picture as SVG and PNG");
         line("D", "dark or light");

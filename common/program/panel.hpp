@@ -9,7 +9,7 @@
 
 namespace rigid {
 
-/// What the panel asks of the window, and tells of it.
+/// What the panel requests of the window, and shows of it.
 struct PanelState {
     // asked
     bool single_step = false, save_picture = false, toggle_recording = false;
@@ -26,7 +26,7 @@ struct PanelState {
 /// The width that the panel takes [units of ImGui].
 Real panel_width(Real scale);
 
-/// Draws the panel at the left edge of the window, and changes the show as the reader asks.
+/// Draws the panel at the left edge of the window, and changes the show as the reader sets it.
 void draw_panel(Show& show, PanelState& state, const Theme& theme, const Fonts& fonts, Real scale,
                 Real height);
 

@@ -43,7 +43,7 @@ void Playback::step(const Input& input)
             track.steps = steps_;
             track.time = time();
         } catch (const std::exception& failure) {
-            // StepFailure, or bad input found within the run: neither can be mended by going on.
+            // StepFailure, or bad input found within the run: neither can be put right by going on.
             track.failure = sentence_of(failure);
         }
     }

@@ -1,5 +1,5 @@
 /// \file program.hpp
-/// What a chapter's main.cpp tells of itself; the shell does the rest.
+/// What a chapter's main.cpp says of itself; the shell does the rest.
 ///
 /// A chapter lists its scenes, their methods, tunables and columns, and how a scene starts, draws,
 /// measures and advances by one step. The shell reads the command line and runs a scene in a

@@ -28,7 +28,7 @@ Progress::Progress(long steps) : steps_(steps), terminal_(stderr_is_terminal()) 
 
 void Progress::show(long step)
 {
-    // The clock is asked once in a while only: a step may take less than a microsecond.
+    // The clock is read once in a while only: a step may take less than a microsecond.
     if (!terminal_ || step % 16 != 0) return;
     const auto now = Clock::now();
     if (now < next_) return;

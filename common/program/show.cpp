@@ -138,7 +138,7 @@ void Show::advance(Real seconds, const Input& hand, long stop_every)
 {
     if (paused || is_over()) return;
     // At most so many steps and so long a time in one frame: a window must stay alive. What is left
-    // over then is dropped, and the scene runs slower than asked.
+    // over then is dropped, and the scene runs slower than set.
     constexpr Real most_steps = 4000;
     constexpr auto longest = std::chrono::milliseconds(25);
     due_ += speed * seconds / settings_.h;

@@ -100,7 +100,7 @@ public:
             reason += " (the functions of OpenGL could not be loaded)";
             return false;
         }
-        // Before Dear ImGui, which calls on whoever was there first.
+        // Before Dear ImGui, which calls whatever was there first.
         glfwSetWindowUserPointer(window_, this);
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
             if (action != GLFW_RELEASE)

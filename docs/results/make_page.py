@@ -10,6 +10,7 @@ import sys
 import table as tables
 from table import FAILED, words
 
+WAYS_ON = "[Contents](../README.md) · [Back: Conventions](conventions.md) · [Next: Stability](stability.md)"
 BOOK = tuple("123456789") + ("10",)
 CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
             "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
@@ -239,7 +240,7 @@ GROUPS = [
     ("smooth", "Smooth motion", "Kepler's orbit, a pendulum as an angle, the same pendulum as a disc on a rod, and a ball "
      "that bounces."),
     ("chains", "One step: hanging chains", "Rows and velocities after gravity are given, impulses are "
-     "wanted: what is left of the velocities when everything should rest. SOR is given the best relaxation that chapter 4's theory knows for lines."),
+     "wanted: what is left of the velocities when everything should rest. SOR is given the best relaxation that chapter 4's theory has for lines."),
     ("columns", "One step: columns", "The same for discs that stand on each other. A contact can only "
      "push; conjugate gradients and the plain factorisations cannot take it."),
     ("heaps", "One step: heaps", "Triangles of discs, where more contacts touch than motions are there to "
@@ -249,7 +250,7 @@ GROUPS = [
     ("heap_runs", "Seconds of columns and heaps", "The same for columns between two walls and for a triangle of discs. A heap "
      "whose discs change places has failed, whatever its overlaps are."),
     ("rest_runs", "A thousand resting bodies", "Nothing has to happen. In the bins, a hundred small piles, chapter 8's step is set beside "
-     "chapter 10's: which lets whoever rests sleep, which does not, and which solves islands of up to 32 rows exactly. Its sweeps end at a residual of 1 µm/s."),
+     "chapter 10's: which lets what rests sleep, which does not, and which solves islands of up to 32 rows exactly. Its sweeps end at a residual of 1 µm/s."),
 ]
 
 #      scene: (what its error is, where the reference comes from)
@@ -276,9 +277,9 @@ UNITS = {
                  "conjugate gradients a visit multiplies one line of $A$",
     "force evaluation": "the acceleration at one place, once",
     "pivot": "one exchange of a basic variable, $O(n^2)$; for Dantzig a row that changes sides",
-    "factorisation": "the active rows factored anew, or an older factor corrected by a border",
+    "factorisation": "the active rows factored again, or an older factor corrected by a border",
     "case set": "one set of cases tried and solved",
-    "none": "not counted: another program that does not tell, or one that chooses its own steps",
+    "none": "not counted: another program that does not say, or one that chooses its own steps",
 }
 
 
@@ -318,7 +319,7 @@ def page(table, root):
     import draw
     chosen = when(table, root)
     lost, compared, lines_lost = losses(table)
-    pieces = ["# Run time against error", "",
+    pieces = ["# Run time against error", "", WAYS_ON, "",
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "
               "`./book bench` from [its table](results/results.csv); no number on this page was typed in.", "",
               *before_the_nudge(table), "## Which method, when", "", *chosen, "",
@@ -329,7 +330,7 @@ def page(table, root):
               "to the last bit has nothing that could tear it. *Never*: not within what was tried; the best error is in parentheses. *Falls*: discs have changed places.",
               "", "## Where the book loses", ""]
     if compared:
-        pieces += [f"Other programs were measured in the same run on the same problems: {compared} times a scene and an error that somebody reaches: "
+        pieces += [f"Other programs were measured in the same run on the same problems: {compared} times a scene and an error that one of them reaches: "
                    f"0.01, 0.0001 or 0.000001 in one step, 0.1 or 0.01 in seconds of a scene. In {lost} of these another program is faster, by 5 % or more, than everything in this book:", ""]
         pieces += lines_lost if lost else []
         pieces += ["", "Solvers are timed from the rows to the impulses, the book's and the others' alike: with the assembly of $A$ and the filling of "
@@ -338,7 +339,7 @@ def page(table, root):
                    "another solver; it is not measured here.", "",
                    "Engines are given what the book's own methods have: 1, 4, 8, 16 or 32 small steps (one is with their own number of iterations, the others with "
                    "one iteration each), sleep or none, and in piles a slop of 5, 0.5 or 0.05 mm, the overlap that they leave alone on purpose; of all "
-                   "these the cheapest run that is good enough counts. Chipmunk is told its slop. Box2D's is a constant of the library, so its world is made "
+                   "these the cheapest run that is good enough counts. Chipmunk is given its slop. Box2D's is a constant of the library, so its world is made "
                    "1, 10 or 100 times as large, gravity too: the same motion, measured in our units. The book's methods have a slop of zero here. An error of 0.01 is 1 mm, "
                    "which the smallest slop allows in all these piles.", ""]
     else:
@@ -379,7 +380,7 @@ def page(table, root):
                "time_ratio, error, status`; what was not measured is empty.", "",
                "## Make it yourself", "",
                "```sh", "./book bench            # some minutes; goes on where it was stopped",
-               "./book bench --quick    # some seconds", "ctest --preset release -L results   # is the counted work what it was?", "```", ""]
+               "./book bench --quick    # some seconds", "ctest --preset release -L results   # is the counted work what it was?", "```", "", WAYS_ON, ""]
     return "\n".join(pieces)
 
 

@@ -50,7 +50,7 @@ private:
     std::vector<Case> cases_;
 };
 
-/// Who a row of the table is: its first five fields, which no other row shares.
+/// What a row of the table is known by: its first five fields, which no other row shares.
 inline std::string name_of(const Case& one)
 {
     return one.chapter + ',' + one.method + ',' + one.scene + ',' + one.parameters + ',' +

@@ -20,7 +20,7 @@ namespace rigid::results {
 
 struct OneStep {
     std::vector<rigid::Row<2>> rows;
-    std::vector<ImpulseKey> keys;  ///< who the rows are, for a method that remembers
+    std::vector<ImpulseKey> keys;  ///< which rows they are, for a method that remembers
     VecX u_star, exact_u;          ///< [m/s]
 };
 

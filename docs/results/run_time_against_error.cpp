@@ -192,7 +192,7 @@ int check(const Options& options, const std::vector<Case>& cases, const std::map
     if (faults > 0)
         std::cout << faults
                   << " differences. If they are meant (less work at the same error is), make the file "
-                     "anew: ./book bench --work\n";
+                     "again: ./book bench --work\n";
     return faults;
 }
 
@@ -253,7 +253,7 @@ int main(int argc, char** argv)
     app.add_flag("--quick", options.quick, "the short run");
     app.add_flag("--work-only", options.work_only, "counted work and errors, no times");
     app.add_flag("--instructions", options.instructions, "count instructions too, with callgrind");
-    app.add_flag("--again", options.again, "measure anew what the table has");
+    app.add_flag("--again", options.again, "measure again what the table has");
     app.add_option("--check", options.check, "hold the counted work against this table's");
     app.add_option("--count-under-callgrind", under_callgrind, "used by --instructions")
         ->expected(-1)

@@ -22,7 +22,7 @@ struct RunScene {
     bool exact = true;   ///< exact solvers end in time
     bool dense = false;  ///< those with dense matrices too
     bool resting =
-        false;  ///< it is about who sleeps: chapter 10 with and without it, and the engines' own sleep
+        false;  ///< it is about what sleeps: chapter 10 with and without it, and the engines' own sleep
 
     Real h() const { return 1.0 / 60; }
 };

@@ -13,7 +13,7 @@
 namespace rigid::results {
 namespace {
 
-/// How many small steps of one iteration (1: its own number of iterations), who sleeps, and the slop.
+/// How many small steps of one iteration (1: its own number of iterations), what sleeps, and the slop.
 template <class World>
 [[maybe_unused]] void add_engine(Registry& registry, const SharedRun& run, const std::string& method,
                                  int substeps, const PeerSettings& settings)

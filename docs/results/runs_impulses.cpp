@@ -52,7 +52,7 @@ void add_stabilized(Registry& registry, const SharedRun& run, Stabilizer stabili
             });
 }
 
-/// Yesterday's impulses; the error is repaid on the positions, which chapter 8 shows to be safe.
+/// The previous impulses; the error is repaid on the positions, which chapter 8 shows to be safe.
 void add_warm(Registry& registry, const SharedRun& run, Start start, int sweeps)
 {
     add_run(registry, run, "8", start == Start::previous ? "warm" : "warm_best_multiple", sweeps_text(sweeps),

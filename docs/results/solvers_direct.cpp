@@ -11,8 +11,7 @@ Solution solve_direct(const Mlcp& mlcp) { return direct(mlcp); }
 Solution solve_by_cases(const Mlcp& mlcp)
 {
     EnumerationSettings settings;
-    settings.stop_at_first =
-        true;  // where there is one answer only, and nobody asks whether there are others
+    settings.stop_at_first = true;  // where there is one answer only, and no other is looked for
     return schur(mlcp, settings);
 }
 

@@ -27,7 +27,7 @@ std::string_view verdict(const peers::FreeFirst& problem, const VecX& lambda)
     return residual <= 1e-8 * problem.q.cwiseAbs().maxCoeff() ? "solved" : "wrong answer";
 }
 
-/// A peer: from the rows by way of A and its own dense matrix to λ, as everybody. What it asks memory for is left
+/// A peer: from the rows by way of A and its own dense matrix to λ, as for all. What it allocates is left
 /// out of its time.
 template <class Solve>
 void add_peer(Registry& registry, const SharedScene& scene, const std::string& method, const Solve& solve)

@@ -14,6 +14,9 @@ What is checked
   tests      `name` in `tests/file.cpp`: the file has a test of that name
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
+  notation   a name in the column `code` of docs/notation.md occurs in the sources of the chapters or of common/
+             a table can be set in 1,000 pixels, by the estimate of `least_width()`
+  length     the README.md of a chapter has at most 6,000 words (`words_of()` says what is counted)
   layout     one title; numbered sections in order (1.1, 1.2; in in_depth.md 1.A, 1.B); details with blank lines
 
 When `(4.7)` is an equation number
@@ -31,11 +34,13 @@ import re
 import sys
 import urllib.parse
 
-from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
+from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
                       figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
 
 WIDEST_CODE = 84
+MOST_WORDS = 6000
+WIDEST_TABLE = 1000  # pixels, of the site's page beside its sidebar in a window of 1400
 PICTURES = {".svg", ".png", ".gif", ".jpg", ".jpeg", ".webp"}
 
 
@@ -264,12 +269,24 @@ class Checker:
             return
         if titles and not re.match(rf"Chapter {own}\. \S", titles[0].info["title"]):
             self.fault(path, titles[0].line, f"the title starts with 'Chapter {own}. '.")
+        if (words := words_of(parts)) > MOST_WORDS:
+            self.fault(path, 1, f"a main road of {words} words; at most {MOST_WORDS}, the rest goes into in_depth.md.")
+        self.ways_on(path, parts)
         count = 0
         for b in heads:
             if b.info["level"] == 2:
                 count += 1
                 if not re.match(rf"{own}\.{count} \S", b.info["title"]):
                     self.fault(path, b.line, f"this section should be '## {own}.{count} …'.")
+
+    def ways_on(self, path, parts):
+        """The line of links to the neighbours stands below the title, and once more at the end."""
+        shown = [b for b in parts if b.kind not in ("blank", "comment")]
+        lines = [b for b in shown if b.kind == "paragraph" and b.lines[0].startswith("[Contents](")]
+        if not lines or shown[1] is not lines[0]:
+            self.fault(path, 1, "below the title goes the line '[Contents](…) · [Back: …](…) · [Next: …](…)'.")
+        elif shown[-1].text != lines[0].text:
+            self.fault(path, parts[-1].line, "a chapter ends with the line of links with which it begins.")
 
     def in_depth(self, path, titles, heads, own):
         """Beside the main road: its own title, sections with letters, and a link that leads here."""
@@ -362,6 +379,8 @@ class Checker:
             widths.append(len(re.findall(r"(?<!\\)\|", l)))
         if len(block.lines) < 2 or not re.match(r"^\s*\|[\s:|-]+\|\s*$", block.lines[1]):
             self.fault(path, block.line, "a table has a header row and a |---| row.")
+        if (pixels := least_width(block)) > WIDEST_TABLE:
+            self.fault(path, block.line, f"this table needs about {pixels} pixels; the page shows {WIDEST_TABLE}.")
         for k, width in enumerate(widths):
             if width != widths[0]:
                 self.fault(path, block.line + k, f"this row of the table has {width - 1} cells, its header {widths[0] - 1}.")
@@ -402,6 +421,23 @@ class Checker:
 
     # -- the rest
 
+    def notation(self):
+        """Each name in the second column of the tables of letters is one of the code, not of its comments."""
+        path = self.root / "docs" / "notation.md"
+        if path not in self.parts:
+            return
+        code = "".join(CPP.sub(lambda m: m.group(0) if m.group("string") or m.group("char") else " ",
+                               file.read_text(encoding="utf-8"))
+                       for file in source_files(self.root) if file.relative_to(self.root).parts[0] != "tests")
+        known = set(re.findall(r"[A-Za-z_]\w*", code))
+        for block in self.parts[path]:
+            if block.kind != "table" or "| code |" not in block.lines[0]:
+                continue
+            for k, line in enumerate(block.lines[2:], 2):
+                for name in re.findall(r"[A-Za-z_]\w*", " ".join(re.findall(r"`([^`]+)`", line.split("|")[2]))):
+                    if name not in known:
+                        self.fault(path, block.line + k, f"no source has the name '{name}'.")
+
     def sources(self):
         for path in source_files(self.root):
             source = path.read_text(encoding="utf-8")
@@ -434,6 +470,7 @@ class Checker:
         for path in self.texts:
             self.text(path)
         self.sources()
+        self.notation()
         self.drawings()
         return [f"{where}:{line}: {sentence}" for where, line, sentence in sorted(set(self.faults))]
 
@@ -442,6 +479,36 @@ def context(text, token):
     """The words of a token, joined to the character before them, so that `f`(1.5) is a call."""
     before = text[token.offset - 1:token.offset]
     return ("x" if before in ("`", ")", "]") and before else "") + token.text if token.text.startswith("(") else token.text
+
+
+def words_of(parts):
+    """The length of a main road: the words (between blanks) of headings, paragraphs and tables, with captions,
+    alternative texts, exercises and folded solutions. Code, displayed maths and quoted sources do not count."""
+    return sum(len(b.text.split()) for b in parts if b.kind in ("heading", "paragraph", "table"))
+
+
+def least_width(table):
+    """How narrow a table can be set [pixels], about: headers, code and maths are not broken, words are."""
+    def parts(cell, whole):
+        for token in tokens(cell.strip()):
+            if token.kind == "math":
+                tex = re.sub(r"\\text\{([^}]*)\}", r"\1", token.info["tex"])
+                yield len(re.sub(r"[{}^_\\ ]", "", re.sub(r"\\[A-Za-z]+", "x", tex)))
+            elif token.kind == "code":
+                yield len(token.info["code"])
+            else:
+                words = token.info.get("label") or token.info.get("key") or ("" if token.kind == "image" else token.text)
+                yield len(words) if whole else max((len(word) for word in words.split()), default=0)
+
+    columns = {}
+    for k, line in enumerate(table.lines):
+        if k == 1:
+            continue
+        plain = re.sub(r"`[^`]*`", lambda m: m.group(0).replace("|", "/"), line.strip().strip("|"))
+        for column, cell in enumerate(re.split(r"(?<!\\)\|", plain)):
+            wide = sum(parts(cell, True)) if k == 0 else max(parts(cell, False), default=0)
+            columns[column] = max(columns.get(column, 0), wide)
+    return round(sum(7.2 * characters + 22 for characters in columns.values()))
 
 
 def is_picture(block):

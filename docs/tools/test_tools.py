@@ -60,9 +60,13 @@ See [[known2000]](../../docs/references.bib), [section 1.1](#11-from-newtons-law
 Text.
 
 </details>
+
+[Contents](../../README.md) · [Next: constraints](../02_constraints/README.md)
 """
 
 TWO = """# Chapter 2. Constraints
+
+[Contents](../../README.md) · [Back: Euler](../01_euler/README.md)
 
 ## 2.1 Start
 
@@ -71,6 +75,8 @@ By (1.2), see [the step](../01_euler/README.md#11-from-newtons-law-to-a-step).
 ```math
 C = 0 \\tag{2.1}
 ```
+
+[Contents](../../README.md) · [Back: Euler](../01_euler/README.md)
 """
 
 STEP = """/// \\file step.hpp
@@ -124,7 +130,11 @@ class Folder(unittest.TestCase):
         self.write(name, text.replace(old, new, 1))
 
     def add(self, words, name="chapters/01_euler/README.md"):
-        self.write(name, self.read(name) + "\n" + words + "\n")
+        """Appends words to a text; to a chapter, before the line of links at its end."""
+        body, links = self.read(name), ""
+        if (at := body.rfind("\n[Contents](")) > 0:
+            body, links = body[:at], body[at:]
+        self.write(name, body + "\n" + words + "\n" + links)
 
     def faults(self):
         return check_text.Checker(self.root).run()
@@ -211,7 +221,7 @@ class Text(Folder):
 
     def test_an_unknown_equation_in_the_text(self):
         self.add("By\nsome words and (1.8), it follows.")
-        self.fails("no equation (1.8)", "README.md:%d" % (self.read("chapters/01_euler/README.md").count("\n") - 0))
+        self.fails("no equation (1.8)", "README.md:%d" % (self.read("chapters/01_euler/README.md").count("\n") - 2))
 
     def test_an_unknown_equation_of_another_chapter(self):
         self.add("By (2.4).")
@@ -332,6 +342,33 @@ class Text(Folder):
         sync_snippets.run(self.root, check=False)
         self.fails("93 columns")
 
+    def test_a_main_road_that_is_too_long(self):
+        self.add("word " * (6000 - check_text.words_of(blocks(self.read("chapters/01_euler/README.md")))))
+        self.add("```text\n" + "word " * 500 + "\n```\n\n```math\n" + "x + " * 500 + "y\n```")
+        self.assertEqual(self.faults(), [])
+        self.add("A word too much, in a solution or anywhere:\n\n<details>\n<summary>Solution</summary>\n\nword\n\n</details>")
+        self.fails("a main road of 6010 words; at most 6000")
+
+    def test_a_chapter_without_the_line_of_links_below_its_title(self):
+        self.change("chapters/02_constraints/README.md", "[Contents](", "See [Contents](")
+        self.fails("below the title goes the line")
+
+    def test_a_chapter_that_does_not_end_with_its_line_of_links(self):
+        self.write("chapters/02_constraints/README.md", self.read("chapters/02_constraints/README.md") + "\nThe end.\n")
+        self.fails("ends with the line of links with which it begins")
+
+    def test_a_table_that_is_wider_than_the_page(self):
+        self.add("| a | b |\n|---|---|\n| " + "words " * 200 + " | " + "x" * 120 + " |")
+        self.assertEqual(self.faults(), [])
+        self.add("| a | b |\n|---|---|\n| " + "x" * 20 + " | `" + "x" * 120 + "` |")
+        self.fails("this table needs about 1052 pixels")
+
+    def test_a_letter_whose_name_is_not_in_the_code(self):
+        self.write("docs/notation.md", "# Notation\n\n| letter | code | meaning |\n|---|---|---|\n| $x$ | `x`, `step()` | `gone` |\n")
+        self.assertEqual(self.faults(), [])
+        self.change("docs/notation.md", "`x`", "`known2000`")  # of a comment alone
+        self.fails("notation.md:5: no source has the name 'known2000'")
+
     def test_other_html(self):
         self.add("A <div>box</div>.")
         self.assertTrue(all("no HTML" in f for f in self.faults()) and self.faults())
@@ -340,6 +377,14 @@ class Text(Folder):
         self.add("````text\n```math\n\\tag{9.9}\n```\n[x](gone.md) $ (1.99)\n<!-- snippet: a b -->\n````\n\n"
                  "`[x](gone.md)` and `` `(1.99)` `` and \\$ too.")
         self.assertEqual(self.faults(), [])
+
+
+class Map(unittest.TestCase):
+    def test_the_map_of_methods_is_as_it_is_drawn(self):
+        folder = pathlib.Path(__file__).resolve().parents[1] / "map"
+        drawn = subprocess.run([sys.executable, "-B", folder / "draw.py", "--check", folder / "figures" / "map_methods.svg"],
+                               capture_output=True, text=True, check=False)
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
 
 
 class Snippets(Folder):

@@ -311,6 +311,23 @@ TEST_CASE("memory that cannot be had leaves the memory of active sets whole")
 }
 #endif
 
+TEST_CASE("rows that differ in their last digits are not called infeasible because of their units")
+{
+    // Scaled by a factor that is no power of two, these matrices are rounded to singular ones.
+    const Mlcp two =
+        problem_of({0.06675039295125638, 0.06675039011502407, 0.06675039011502407, 0.06675038727879187},
+                   {-1.7226437191379207, -1.7226437191379171}, {-infinity, 0}, {2, infinity});
+    const Mlcp three = problem_of(
+        {1.9180185645187895, -0.7546631663515521, 1.918018650244488, -0.7546631663515521, 2.6951270881770197,
+         -0.7546632000811667, 1.918018650244488, -0.7546632000811667, 1.9180187359701906},
+        {1, -0.5476545878115057, 1}, {-infinity, 0, 0}, {infinity, infinity, infinity});
+    for (const Mlcp& mlcp : {two, three}) {
+        CHECK(enumerate(mlcp).status != Status::infeasible);
+        CHECK(enumerate(mlcp, {.stop_at_first = true}).status != Status::infeasible);
+        CHECK(schur(mlcp).status != Status::infeasible);
+    }
+}
+
 TEST_CASE("bounds that leave no finite lambda are refused with a sentence")
 {
     for (const Real nowhere : {infinity, -infinity}) {

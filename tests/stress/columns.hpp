@@ -15,7 +15,7 @@ std::vector<Method> impulse_methods(int sweeps);   ///< chapters 6 to 8
 std::vector<Method> exact_methods(int sweeps);     ///< chapter 9
 std::vector<Method> skipping_methods(int sweeps);  ///< chapter 10
 
-/// The door. Steps don't look at a whole scene each time, whoever hands them one does: here, before every step, since
+/// The door. Steps don't look at a whole scene each time, the caller does: here, before every step, since
 /// a stress may change the scene in the middle of a run.
 template <class Advance>
 Step checked(Advance advance)

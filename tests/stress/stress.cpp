@@ -56,7 +56,7 @@ Row row_of(const Cell& cell, bool quick)
     return row;
 }
 
-/// Fills rows with the cells in their order; whoever is free takes the next one. Stops early when interrupted.
+/// Fills rows with the cells in their order; whichever thread is free takes the next one. Stops early when interrupted.
 class Workers {
 public:
     Workers(const std::vector<Cell>& cells, const Options& options) : rows_(cells.size()), done_(cells.size())

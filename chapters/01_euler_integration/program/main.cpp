@@ -586,7 +586,7 @@ Program program()
         {"step_size", "s", "of the last step that the method took"},
         {"landed", "", "1 once it is on the ground"},
         {"impact_error", "s", "time of impact against the exact one, once landed"},
-        {"evaluations", "", "how often the force was asked"}};
+        {"evaluations", "", "how often the force was evaluated"}};
     javelin.start = start<Throw>;
 
     Demo kepler;
@@ -611,7 +611,7 @@ Program program()
          true},
         {"position_error", "m", "distance from where it should be", true, true},
         {"step_size", "s", "of the last step that the method took", true},
-        {"evaluations", "", "how often the force was asked"}};
+        {"evaluations", "", "how often the force was evaluated"}};
     kepler.start = start<Planet>;
 
     Demo pendulum;
@@ -632,7 +632,7 @@ Program program()
         {"energy_error", "J/kg", "energy less energy at the start", true},
         {"angle_error", "rad", "against the exact angle", true, true},
         {"step_size", "s", "of the last step that the method took"},
-        {"evaluations", "", "how often the force was asked"}};
+        {"evaluations", "", "how often the force was evaluated"}};
     pendulum.start = start<Swing>;
 
     return {"01_euler_integration",

@@ -212,8 +212,8 @@ inline Demo bead_scene(const std::string& name, const std::string& summary,
          false},
         {"gravity", "m/s^2", "downwards", gravity, 0, 20, false, false, true},
         {"mass", "kg", "mass of the bead", 1, 0.1, 10, false, true, false},
-        {"repay", "", "part of the error C/h that the row's bias asks back", 0, 0,
-         1, false, false, false},
+        {"repay", "", "part of the error C/h that the row's bias requires back", 0,
+         0, 1, false, false, false},
         {"stiffness", "N/m", "of the spring that stands in for the row", 1000, 10,
          1e5, false, false, false}};
     scene.columns = {

@@ -120,8 +120,8 @@ inline Demo chain_scene()
         {"links", "", "number of links", 16, 1, 60, true, true, false},
         {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 1, 0.01,
          1000, false, true, false},
-        {"repay", "", "part of the error C/h that the rows' bias asks back", 0, 0,
-         1, false, false, false},
+        {"repay", "", "part of the error C/h that the rows' bias requires back", 0,
+         0, 1, false, false, false},
         {"rounds", "", "row by row: how often each row has its turn in a step", 10,
          1, 1000, true, false, true}};
     scene.columns = {
@@ -217,12 +217,12 @@ inline Demo conflict_scene()
 {
     Demo scene;
     scene.name = "conflict";
-    scene.summary = "Three rods, of which one is told to grow: redundant rows, and "
+    scene.summary = "Three rods, of which one has to grow: redundant rows, and "
                     "rows that contradict each other";
     scene.view = {{0, -0.3}, {2, 1.4}};
     scene.methods = {"compromise", "refuse"};
-    scene.tunables = {{"growth", "m/s", "how fast the third rod is told to grow",
-                       0.1, -1, 1, false, false, true}};
+    scene.tunables = {{"growth", "m/s", "how fast the third rod has to grow", 0.1,
+                       -1, 1, false, false, true}};
     scene.columns = {
         {"w1", "m/s", "what is left of the first row", true, false},
         {"w2", "m/s", "of the second", true, false},

@@ -26,7 +26,7 @@ inline const Style& style_of(const State& state, std::size_t row)
                                            : idle_style;
 }
 
-/// A square for each entry of A that is not zero; the colours tell what the rows do.
+/// A square for each entry of A that is not zero; the colours show what the rows do.
 inline void draw_matrix(Canvas& canvas, const State& state)
 {
     const Mlcp& mlcp = state.method.solver.by_matrix.mlcp;

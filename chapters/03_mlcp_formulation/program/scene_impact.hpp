@@ -77,7 +77,7 @@ public:
         ++steps_;
     }
 
-    /// Puts the disc back to where it started every so many steps, with a u* that goes round, (-1, -2) m/s
+    /// Puts the disc back to where it started every so many steps, with a u* that turns, (-1, -2) m/s
     /// first.
     void throw_every(long steps) { throw_every_ = steps; }
 

@@ -66,7 +66,7 @@ Mlcp ten_discs_problem()
     return busiest;
 }
 
-/// A table in CSV wants the same counters in every line; 0 where one has no meaning.
+/// A table in CSV has the same counters in every line; 0 where one has no meaning.
 void declare_counters(benchmark::State& state)
 {
     for (const char* name :

@@ -91,7 +91,7 @@ inline std::vector<Tunable> sweeps_to_compare()
     const std::string of = "of gauss_seidel: ";
     return {max_sweeps(10, 1, of), digits(of), order(of)};
 }
-/// The order of the rows as chapter 6 knows it.
+/// The order of the rows, as in chapter 6.
 inline Tunable row_order()
 {
     return whole("order",

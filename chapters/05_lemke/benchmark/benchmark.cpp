@@ -273,7 +273,7 @@ void add_all()
     for (int digits = 2; digits <= 16; ++digits) ties->Arg(digits);
 }
 
-/// One thread for everybody: Siconos calls OpenBLAS, which else takes all processors. (Its environment variable is
+/// One thread for all: Siconos calls OpenBLAS, which else takes all processors. (Its environment variable is
 /// read when the library is loaded, before main.)
 void single_thread()
 {

@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    /// Where box k stands: the arms of its contacts with the one below tell.
+    /// Where box k stands: by the arms of its contacts with the one below.
     Vec2 centre(Index k) const
     {
         Real x = 0;

@@ -52,7 +52,7 @@ Demo chain_scene()
 Demo ten_discs_scene()
 {
     Demo demo = impulse_demo(
-        "ten_discs", "The ten discs, whose links nobody repairs yet",
+        "ten_discs", "The ten discs, whose links are not repaired yet",
         ten_discs_view, ten_discs_tunables(), 200, 6, [](const Settings&) {
             return by_impulses(ten_discs(), 1, Pointer::steers);
         });

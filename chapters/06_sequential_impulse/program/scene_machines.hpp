@@ -87,7 +87,7 @@ inline Demo lift_scene()
         "lift",
         "Three lifts with motors of 0.9, 1.1 and 2 times the weight, between stops",
         {{0, 0.9}, {1.1, 1.2}},
-        {tunables::number("speed", "m/s", "that the motors want; negative = down",
+        {tunables::number("speed", "m/s", "that the motors aim at; negative = down",
                           0.5, -2, 2, true)});
     run_scene<WrongClampingMethod>(
         demo,

@@ -33,7 +33,7 @@ inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
     return {tunables::beta(0.2, 2.5, true),
             tunables::whole(
                 "sweeps",
-                "sweeps of a step in all; substeps and the correction share them",
+                "sweeps of a step in total; substeps and the correction share them",
                 sweeps, 1, 512),
             tunables::substeps(128),
             tunables::number(

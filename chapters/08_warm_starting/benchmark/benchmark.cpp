@@ -261,12 +261,13 @@ void engines(benchmark::State& state, const EngineScene& scene,
                   {"in_order", e.in_order ? 1.0 : 0.0}});
 }
 
-/// A hanging chain without the table of pairs, which has K² entries.
+/// A hanging chain of which nothing collides.
 DiscScene long_chain(Index count)
 {
     DiscScene scene;
     scene.bodies = Bodies<2>(count + 1);
     scene.bodies.inverse_mass.head<2>().setZero();
+    scene.radius = VecX::Constant(count + 1, 0.05);
     for (Index k = 0; k <= count; ++k)
         scene.bodies.position(k) << 0, -0.1 * static_cast<Real>(k);
     for (Index k = 0; k < count; ++k) scene.links.push_back({k, k + 1, 0.1});

@@ -21,15 +21,22 @@ struct EngineScene {
     /// false: no disc ever touches anything, so no engine has to look
     bool collides = true;
     bool rests = true;  ///< where it stands is where it stays; else it swings
-    Real reach = 1000;  ///< walls are made as long as this to both sides [m]
 };
 
-/// What another engine is told besides the scene. Nothing else of it is changed.
+/// What another engine is given besides the scene. Nothing else of it is changed.
 struct PeerSettings {
     bool may_sleep = false;  ///< by its own rule
     /// an overlap of up to this much it leaves alone [m]; 5 mm is Box2D's own
     Real slop = 5e-3;
 };
+
+/// How long to each side, and how thick, an engine's wall is for a half-space [m]. No
+/// disc of these scenes comes near its end, and floats have digits left on it.
+inline Real wall_reach(const DiscScene& scene)
+{
+    return 1 + 4 * (scene.bodies.x.lpNorm<Eigen::Infinity>() +
+                    scene.radius.lpNorm<Eigen::Infinity>());
+}
 
 /// How far each disc of a scene at rest is from where it would rest [m].
 inline constexpr Real nudge = 1e-9;

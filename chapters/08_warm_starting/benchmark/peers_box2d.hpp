@@ -59,15 +59,19 @@ public:
         if (!from.collides) return;
         b2BodyDef ground_def;
         b2Body* const ground = world_.CreateBody(&ground_def);
+        const Real reach = wall_reach(scene);
         for (const HalfSpace& wall : scene.walls) {
-            // An edge has a skin of its own; it is set back by it, so that the wall is where the scene says.
-            b2EdgeShape edge;
-            const Vec2 foot =
-                (wall.offset - static_cast<Real>(edge.m_radius) / scale_) *
-                wall.normal;
-            const Vec2 along = from.reach * perpendicular(wall.normal);
-            edge.SetTwoSided(vector(foot - along), vector(foot + along));
-            add(*ground, edge);
+            // Solid behind its surface, as the half-space is: nothing falls through
+            // an edge. A polygon has a skin of its own; it is set back by it, so that
+            // the wall is where the scene says.
+            b2PolygonShape box;
+            const Real skin = static_cast<Real>(box.m_radius) / scale_;
+            const Vec2 middle = (wall.offset - skin - reach / 2) * wall.normal;
+            box.SetAsBox(
+                static_cast<float>(scale_ * reach),
+                static_cast<float>(scale_ * reach / 2), vector(middle),
+                static_cast<float>(std::atan2(-wall.normal.x(), wall.normal.y())));
+            add(*ground, box);
         }
     }
 

@@ -51,11 +51,14 @@ public:
             joints_.push_back(cpSpaceAddConstraint(space_, pin));
         }
         if (!from.collides) return;
+        const Real reach = wall_reach(scene);
         for (const HalfSpace& wall : scene.walls) {
-            const Vec2 foot = wall.offset * wall.normal,
-                       along = from.reach * perpendicular(wall.normal);
+            // As thick as its radius: nothing falls through a line.
+            const Vec2 middle = (wall.offset - reach) * wall.normal,
+                       along = reach * perpendicular(wall.normal);
             add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_),
-                                  vector(foot - along), vector(foot + along), 0));
+                                  vector(middle - along), vector(middle + along),
+                                  reach));
         }
     }
 

@@ -1,7 +1,7 @@
 /// \file pose_errors.hpp
 /// How wrong an engine is, from nothing but where its discs are after each step: the same code for all of them.
 ///
-/// Speeds are differences of positions, so that no engine is asked what it believes its velocities to be.
+/// Speeds are differences of positions, so that no engine's own velocities are used.
 #pragma once
 
 #include "chapters/08_warm_starting/benchmark/chain_reference.hpp"

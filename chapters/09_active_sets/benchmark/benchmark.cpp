@@ -99,7 +99,7 @@ const std::map<std::string, Problem> problems = {
     {"pyramid_hit", {from_rows<hit_pyramid_rows>, true}},
     {"friction", {from_rows<friction_rows>, true}}};
 
-// ---- what is told ---------------------------------------------------------------------------------------
+// ---- what is said ---------------------------------------------------------------------------------------
 
 Real told(const Mlcp& mlcp, const VecX& z)
 {

@@ -1,6 +1,6 @@
 /// \file peers.hpp
 /// Other programs' exact solvers behind one door, for benchmark.cpp. Each is given the problem as a dense
-/// matrix in its own layout; filling that, and asking for memory, is not part of its time.
+/// matrix in its own layout; filling that, and allocating memory, is not part of its time.
 ///
 ///     w = A λ + q,   lo ≤ λ ≤ hi,   λ_i = lo_i or λ_i = hi_i or w_i = 0
 ///
@@ -55,7 +55,7 @@ struct Answer {
 
 inline Answer none(Index n) { return {VecX::Constant(n, infinity), 0, false}; }
 
-/// The rows in an order in which those without bounds come first, as all peers want them.
+/// The rows in an order in which those without bounds come first, as all peers require them.
 struct FreeFirst {
     std::vector<int> order;
     int free = 0;

@@ -18,7 +18,7 @@ namespace rigid {
 /// A solver of the MLCP: active sets, Dantzig's method, or chapter 4's sweeps to compare.
 struct ExactOrSweeps : ColdSweeps {
     std::string method;   ///< as the command line has it
-    ActiveSetMemory set;  ///< knows the set of the step before
+    ActiveSetMemory set;  ///< has the set of the step before
 
     void operator()(const Mlcp& mlcp, Solution& solution)
     {

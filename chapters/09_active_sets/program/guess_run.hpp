@@ -78,7 +78,7 @@ struct GuessWalk {
                 {"active", "", "rows that the guess holds at w = 0", true, false},
                 {"residual", "m/s", "natural residual of the present impulses",
                  true, true},
-                {"factorisations", "", "of the active rows, anew", false, false},
+                {"factorisations", "", "of the active rows, whole", false, false},
                 {"flips", "",
                  "rows that changed their case, all corrections together", false,
                  false},
@@ -125,7 +125,7 @@ private:
         else solution = lemke(problem, {{}, {}, limit, settings.tolerance});
         corrections = solution.iterations;
         lambda = method == "lemke" ? solution.lambda : memory.guess.lambda;
-        // A row that is not active rests at its bound to the bit: λ tells what was guessed.
+        // A row that is not active rests at its bound to the bit: λ shows what was guessed.
         cases.resize(static_cast<std::size_t>(problem.size()));
         for (Index i = 0; i < problem.size(); ++i)
             cases[static_cast<std::size_t>(i)] =

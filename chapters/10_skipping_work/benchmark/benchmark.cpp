@@ -1,6 +1,6 @@
 /// Chapter 10: what is left out, and what that saves.
 ///
-///     broad/METHOD/SCENE/N   contacts of N discs: all pairs, sort and sweep, the grid anew, the pairs kept; the
+///     broad/METHOD/SCENE/N   contacts of N discs: all pairs, sort and sweep, the grid in each step, the pairs kept; the
 ///                            discs take a small step each time. Numbered line by line; `shuffled`: at random
 ///     sleepers/WHO/K         a step when K discs sleep and none is awake
 ///     beside/WHO/K           a step of one pendulum beside K sleepers
@@ -46,7 +46,7 @@ using namespace rigid;
 
 namespace {
 
-/// What a line of the table tells besides the time. Each line has all columns.
+/// What a line of the table has besides the time. Each line has all columns.
 struct Counted {
     Real tested = 0;    ///< distances of two discs, of a step
     Real contacts = 0;  ///< found in a step
@@ -322,8 +322,8 @@ struct Engine : Stepper {
     Real h;
     int substeps;
     Engine(const DiscScene& from, const SkippingSettings& by, int count)
-        : scene{"", from, true, true, 2000},
-          world(scene, {by.sleep, by.stabilizer.slop}), h(by.h), substeps(count)
+        : scene{"", from, true, true}, world(scene, {by.sleep, by.stabilizer.slop}),
+          h(by.h), substeps(count)
     {
     }
     void step() override { world.step(h, substeps); }

@@ -14,7 +14,7 @@ namespace rigid {
 
 using SkippingState = RunState<SkippingMethod>;
 
-/// Of each body: the lowest body of the island that it was in when it was awake last, −1 for one that touches nobody.
+/// Of each body: the lowest body of the island that it was in when it was awake last, −1 for one that touches none.
 using IslandOf = std::vector<int>;
 
 /// \param island_of  as it was after the step before; K

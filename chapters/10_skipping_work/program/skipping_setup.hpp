@@ -105,7 +105,7 @@ Measured<SkippingState> counted(const std::string& name, const std::string& help
 /// Of the bodies that are awake.
 inline Measured<SkippingState> awake_energy()
 {
-    return {{"kinetic", "J", "kinetic energy of those who are awake", true},
+    return {{"kinetic", "J", "kinetic energy of those that are awake", true},
             [](const SkippingState& s) {
                 Real energy = 0;
                 for (const int k : s.method.contacts.set.awake)
@@ -131,7 +131,7 @@ inline std::vector<Measured<SkippingState>> skipping_columns()
         counted("visits", "rows visited", true, &C::visits),
         counted("tested", "pairs of discs whose distance was computed", true,
                 &C::tested),
-        counted("asked", "discs that asked the grid", false, &C::queries),
+        counted("asked", "discs that queried the grid", false, &C::queries),
         counted("woken", "bodies that were woken", false, &C::woken),
         counted("fell_asleep", "bodies that fell asleep", false, &C::fell_asleep),
         counted("unsolved", "islands whose residual did not meet the tolerance",
@@ -153,7 +153,7 @@ skipping_demo(const std::string& name, const std::string& summary, const View& v
     demo.h = h;
     demo.methods = {"skipping", "no_sleep", "one_island"};
     demo.tunables = {
-        tunables::gravity("size of gravity; changing it wakes everybody"),
+        tunables::gravity("size of gravity; changing it wakes all"),
         tunables::whole("max_sweeps",
                         "after so many sweeps an island makes do with what it has",
                         max_sweeps, 1, 500),
@@ -169,9 +169,9 @@ skipping_demo(const std::string& name, const std::string& summary, const View& v
         tunables::number("rest_time", "s",
                          "how long a body must be at rest before it sleeps", 0.5,
                          0.01, 10),
-        tunables::at_start("skin", "m",
-                           "how far a disc may move before it asks the grid again",
-                           0.01, 0, 1),
+        tunables::at_start(
+            "skin", "m", "how far a disc may move before it queries the grid again",
+            0.01, 0, 1),
         own};
     demo.h_high = 1.0 / 60;
     run_scene<SkippingMethod>(demo, skipping_columns(), set_up);
