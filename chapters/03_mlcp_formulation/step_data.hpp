@@ -53,9 +53,11 @@ inline void require_valid(const StepSettings& settings, const Vec2& gravity,
 
 /// Where a constraint of a step comes from.
 struct Source {
-    enum class Of : unsigned char { link, contact, joint };
+    enum class Of : unsigned char { link, contact, joint, body };
     Of of = Of::link;
     int index = 0;  ///< in scene.links, now.contacts, scene.joints
+    /// which of the rows of this thing: a contact has one until chapter 13
+    int part = 0;
 };
 
 /// What a step finds on its way, kept for the reader to look at and for the next step to reuse.

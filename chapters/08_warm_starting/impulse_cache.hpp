@@ -24,37 +24,40 @@ namespace rigid {
 /// Which row it is. The number of a row changes whenever a contact comes or goes;
 /// its key does not.
 struct ImpulseKey {
-    /// body a, or the world (−1), or `of_a_joint`, or `of_a_machine`
+    /// body a, the world (−1), `of_a_joint`, `of_a_machine` or `of_a_body`
     std::int32_t first = 0;
     std::int32_t second = 0;   ///< body b, or the number of the joint or machine
-    std::int32_t feature = 0;  ///< which of several rows of this pair or joint
+    std::int32_t feature = 0;  ///< which of several contacts or rows of this pair
+    std::int32_t part = 0;     ///< which row of this contact (chapter 13)
 
-    static constexpr std::int32_t of_a_joint = -3, of_a_machine = -2;
+    static constexpr std::int32_t of_a_body = -4, of_a_joint = -3,
+                                  of_a_machine = -2;
     auto operator<=>(const ImpulseKey&) const = default;
 };
 
 inline ImpulseKey link_key(std::size_t joint, int row = 0)
 {
-    return {ImpulseKey::of_a_joint, static_cast<std::int32_t>(joint), row};
+    return {ImpulseKey::of_a_joint, static_cast<std::int32_t>(joint), row, 0};
 }
 
 inline ImpulseKey joint_key(std::size_t machine)
 {
-    return {ImpulseKey::of_a_machine, static_cast<std::int32_t>(machine), 0};
+    return {ImpulseKey::of_a_machine, static_cast<std::int32_t>(machine), 0, 0};
 }
 
-inline ImpulseKey contact_key(const Contact& contact)
+inline ImpulseKey contact_key(const Contact& contact, int part = 0)
 {
     return {static_cast<std::int32_t>(contact.a),
             static_cast<std::int32_t>(contact.b),
-            static_cast<std::int32_t>(contact.feature)};
+            static_cast<std::int32_t>(contact.feature), part};
 }
 //! [key]
 
 inline std::string to_string(const ImpulseKey& key)
 {
     return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " +
-           std::to_string(key.feature);
+           std::to_string(key.feature) +
+           (key.part > 0 ? ", " + std::to_string(key.part) : "");
 }
 
 /// What was remembered, in ascending order of the keys. All memory is kept from step to step.

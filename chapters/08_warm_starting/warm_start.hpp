@@ -38,9 +38,12 @@ constexpr std::string_view to_string(Start start)
 inline ImpulseKey key_of(const Source& source, const std::vector<Contact>& contacts)
 {
     const auto index = static_cast<std::size_t>(source.index);
-    return source.of == Source::Of::link      ? link_key(index)
-           : source.of == Source::Of::contact ? contact_key(contacts[index])
-                                              : joint_key(index);
+    if (source.of == Source::Of::body)
+        return {ImpulseKey::of_a_body, source.index, 0, source.part};
+    return source.of == Source::Of::link ? link_key(index)
+           : source.of == Source::Of::contact
+               ? contact_key(contacts[index], source.part)
+               : joint_key(index);
 }
 
 //! [warm_start]

@@ -1,0 +1,189 @@
+/// Chapter 13: exact friction beside others, and what a friction row costs a sweep.
+///
+///     rubble/SOLVER/N   20 problems of N contacts of random rubble: solved to a residual (13.5) of 1e-8 m/s, and the
+///                       time of those that were [µs each]; guesses and factorisations of ours
+///     visit             a sweep over rows of which half are friction, beside the same rows with fixed bounds
+
+#include "chapters/13_friction/friction_problems.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#ifdef RIGID_HAS_SICONOS
+#include <FrictionContactProblem.h>
+#include <Friction_cst.h>
+#include <NumericsMatrix.h>
+#include <SolverOptions.h>
+#include <dlfcn.h>
+#include <fc2d_Solvers.h>
+#endif
+
+using namespace rigid;
+
+namespace {
+
+constexpr int problems = 20;
+constexpr Real wanted = 1e-8;
+
+struct Given {
+    Mlcp mlcp;
+    std::vector<FrictionBox> boxes;
+};
+
+std::vector<Given> rubble(int contacts)
+{
+    Random random(1300 + static_cast<std::uint64_t>(contacts));
+    std::vector<Given> all;
+    for (int i = 0; i < problems; ++i) {
+        const Real mu = random.uniform(0.1, 1);
+        const FrictionRows rows =
+            random_rubble(random, contacts, mu, i % 2 == 0 ? 0.1 : 1);
+        all.push_back({assemble(rows.rows, rows.u_star), {}});
+        boxes_of(rows.rows, all.back().boxes);
+    }
+    return all;
+}
+
+Real microseconds(const std::function<void()>& act)
+{
+    const auto start = std::chrono::steady_clock::now();
+    act();
+    return std::chrono::duration<Real, std::micro>(
+               std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+/// \param solve  the λ that it finds for a problem, and how long that took
+void measure(benchmark::State& state,
+             const std::function<Real(Given&, VecX&)>& solve)
+{
+    std::vector<Given> all = rubble(static_cast<int>(state.range(0)));
+    int solved = 0;
+    Real time = 0;
+    for (auto _ : state) {
+        solved = 0, time = 0;
+        for (Given& given : all) {
+            VecX lambda;
+            const Real needed = solve(given, lambda);
+            if (!(coulomb_residual(given.mlcp, given.boxes, lambda) <= wanted))
+                continue;
+            ++solved;
+            time += needed;
+        }
+    }
+    state.counters["solved"] = solved;
+    state.counters["failed"] = problems - solved;
+    state.counters["us_each"] = solved > 0 ? time / solved : 0;
+}
+
+#ifdef RIGID_HAS_SICONOS
+Real siconos(Given& given, int solver, int most, VecX& lambda)
+{
+    const auto n = static_cast<int>(given.mlcp.size());
+    lambda.setZero(n);
+    MatX A = given.mlcp.A;
+    VecX q = given.mlcp.q, w = VecX::Zero(n),
+         mu(static_cast<Index>(given.boxes.size()));
+    for (std::size_t k = 0; k < given.boxes.size(); ++k)
+        mu[static_cast<Index>(k)] = given.boxes[k].mu;
+    NumericsMatrix* const M = NM_create_from_data(NM_DENSE, n, n, A.data());
+    FrictionContactProblem problem;
+    problem.dimension = 2;
+    problem.numberOfContacts = n / 2;
+    problem.M = M;
+    problem.q = q.data();
+    problem.mu = mu.data();
+    SolverOptions* const options = solver_options_create(solver);
+    options->iparam[SICONOS_IPARAM_MAX_ITER] = most;
+    options->dparam[SICONOS_DPARAM_TOL] = 1e-10;
+    int info = 0;
+    const Real needed = microseconds([&] {
+        if (solver == SICONOS_FRICTION_2D_NSGS)
+            fc2d_nsgs_dense(&problem, lambda.data(), w.data(), &info, options);
+        else fc2d_enum(&problem, lambda.data(), w.data(), &info, options);
+    });
+    solver_options_delete(options);
+    if (!lambda.allFinite()) lambda.setZero();
+    return needed;
+}
+#endif
+
+/// Rows of rubble for sweeps; without friction the same rows with fixed bounds.
+void visits(benchmark::State& state, bool friction)
+{
+    Random random(7);
+    FrictionRows problem = random_rubble(random, 500, 0.5, 0.1);
+    if (!friction)
+        for (Row<3>& row : problem.rows)
+            if (row.bounded_by >= 0) {
+                row.bounded_by = -1;
+                row.lo = -0.05, row.hi = 0.05;
+            }
+    Colouring colouring;
+    std::vector<int> order;
+    colour_rows(problem.rows, problem.u_star.size() / 3, colouring, order);
+    ImpulseMemory<3> memory;
+    Solution solution;
+    VecX u = problem.u_star;
+    sequential_impulse<3>(problem.rows, order, {1, 0, false}, memory, u, solution);
+    for (auto _ : state) {
+        sweep<3>(memory.rows, memory.feedback, memory.u, 0);
+        benchmark::DoNotOptimize(memory.u.data());
+    }
+    state.SetItemsProcessed(state.iterations() *
+                            static_cast<std::int64_t>(problem.rows.size()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const auto add = [](const std::string& name, const std::vector<int>& sizes,
+                        const std::function<Real(Given&, VecX&)>& solve) {
+        auto* const made = benchmark::RegisterBenchmark(
+            ("rubble/" + name).c_str(),
+            [solve](benchmark::State& state) { measure(state, solve); });
+        for (const int size : sizes) made->Arg(size);
+        made->Iterations(1)->Unit(benchmark::kMillisecond);
+    };
+    add("ours", {5, 20, 50, 100, 200, 500, 1000, 2000},
+        [](Given& given, VecX& lambda) {
+            static FrictionMemory memory;
+            Solution solution;
+            const Real needed = microseconds([&] {
+                friction_active_sets(given.mlcp, given.boxes, {}, memory, solution);
+            });
+            lambda = solution.lambda;
+            return needed;
+        });
+    add("ours_lemke", {5, 20, 50}, [](Given& given, VecX& lambda) {
+        Solution solution;
+        const Real needed = microseconds(
+            [&] { FindByStewartTrinkle{}(given.mlcp, given.boxes, 0, solution); });
+        lambda = solution.lambda;
+        return needed;
+    });
+#ifdef RIGID_HAS_SICONOS
+    using SetThreads = void (*)(int);
+    if (void* const found = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
+        reinterpret_cast<SetThreads>(found)(1);
+    add("siconos_nsgs", {5, 20, 50, 100, 200}, [](Given& given, VecX& lambda) {
+        return siconos(given, SICONOS_FRICTION_2D_NSGS, 20000, lambda);
+    });
+    add("siconos_enum", {5}, [](Given& given, VecX& lambda) {
+        return siconos(given, SICONOS_FRICTION_2D_ENUM, 20000, lambda);
+    });
+#endif
+    benchmark::RegisterBenchmark("visit/fixed_bounds", [](benchmark::State& state) {
+        visits(state, false);
+    });
+    benchmark::RegisterBenchmark(
+        "visit/friction", [](benchmark::State& state) { visits(state, true); });
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,140 @@
+/// \file friction_active_sets.hpp
+/// Exact friction: guess who is open, sticks or slides, solve once, correct the guess.
+///
+/// Algorithm 13.1 of the text. Warm: the first guess is what the λ to start from points at, so last step's answer needs
+/// no guess at all where nothing has changed. What guessing cannot settle goes to sweeps and comes back, then to chapter 9's
+/// rounds, then to Lemke's algorithm on Stewart's and Trinkle's problem; and what is still not an answer is not called one.
+#pragma once
+
+#include "chapters/13_friction/friction_correct.hpp"
+#include "chapters/13_friction/stewart_trinkle_rows.hpp"
+
+namespace rigid {
+
+//! [proximal]
+/// (13.11): guesses that a large ε holds near the last λ, then with smaller ones.
+/// Begins with the best λ so far.
+inline bool proximal_friction(FrictionMemory& memory,
+                              const FrictionSettings& settings, Solution& solution)
+{
+    FrictionProblem& problem = memory.problem;
+    const Acceptance acceptance{settings.tolerance, settings.enough};
+    Real share = 0.1, last = infinity;
+    memory.proximal_base = solution.lambda;
+    bool settled = false;
+    for (int step = 0; step < settings.proximal_steps && !settled; ++step) {
+        ++memory.work.proximal_steps;
+        set_share(problem, share);
+        memory.factor.forget();
+        memory.guess.lambda = memory.proximal_base;
+        if (!correct_friction(memory, settings)) {
+            share = std::min(Real{100}, 8 * share);
+            continue;
+        }
+        memory.candidate = memory.guess.lambda;
+        Solution here;
+        settled = accept_coulomb(*problem.mlcp, problem.boxes, acceptance,
+                                 memory.candidate, here);
+        if (settled || here.residual < solution.residual) solution = here;
+        memory.proximal_base = memory.candidate;
+        // too slow: a smaller term is gone sooner
+        if (!(here.residual < 0.5 * last)) share = std::max(1e-9, 0.5 * share);
+        last = here.residual;
+    }
+    set_share(problem, 0);
+    memory.factor.forget();
+    return settled;
+}
+//! [proximal]
+
+/// What is left when guesses have failed: rounds, and a walk.
+inline bool last_resorts(FrictionMemory& memory, const FrictionSettings& settings,
+                         Solution& solution)
+{
+    Mlcp& mlcp = *memory.problem.mlcp;
+    const std::span<const FrictionBox> boxes = memory.problem.boxes;
+    const Acceptance acceptance{settings.tolerance, settings.enough};
+    const auto take = [&](const Solution& found) {
+        memory.candidate = found.lambda;
+        if (accept_coulomb(mlcp, boxes, acceptance, memory.candidate, solution))
+            return true;
+        memory.guess.lambda = memory.candidate;  // nearly right: guess from there
+        return guess_friction(memory, settings, solution);
+    };
+    if (mlcp.size() <= settings.most_rows_of_rounds) {
+        ++memory.work.rounds;
+        ActiveSetSettings of_rounds;
+        of_rounds.tolerance = settings.tolerance;
+        of_rounds.enough = settings.enough;
+        Solution found;
+        bound_by(boxes, VecX::Zero(mlcp.size()), mlcp);
+        active_sets(mlcp, boxes, of_rounds, memory.rounds, found);
+        if (take(found)) return true;
+    }
+    if (mlcp.size() <= settings.most_rows_of_walks) {
+        ++memory.work.walks;
+        if (take(stewart_trinkle_by_lemke(mlcp, boxes))) return true;
+    }
+    return false;
+}
+
+//! [solve]
+/// Solves the Coulomb problem of these rows, Algorithm 13.1.
+/// \param mlcp      A, q, bounds of ordinary rows; those of friction rows become the
+///                  answer's
+/// \param boxes     which rows others bound
+/// \param solution  in: the λ to start from (another length: zero); out: `solved`
+///                  by (3.16c) with the bounds of λ itself, else `iteration limit`
+///                  and the best λ that was found. iterations counts guesses
+/// \throws std::invalid_argument  for a malformed problem, box or setting
+inline void friction_active_sets(Mlcp& mlcp, std::span<const FrictionBox> boxes,
+                                 const FrictionSettings& settings,
+                                 FrictionMemory& memory, Solution& solution)
+{
+    for (const FrictionBox& box : boxes) mlcp.lo[box.row] = mlcp.hi[box.row] = 0;
+    require_valid(mlcp);
+    require_valid(mlcp, boxes);
+    require_valid(settings);
+    const Index n = mlcp.size();
+    FrictionProblem& problem = memory.problem;
+    FrictionGuess& guess = memory.guess;
+    memory.work = {};
+    problem.mlcp = &mlcp;
+    problem.boxes = boxes;
+    if (solution.lambda.size() != n || !solution.lambda.allFinite())
+        solution.lambda.setZero(n);
+    guess.lambda = solution.lambda;
+    solution.status = Status::iteration_limit;
+    solution.residual = infinity;
+    solution.uniqueness = Uniqueness::not_examined;
+    solution.iterations = 0;
+    const Acceptance acceptance{settings.tolerance, settings.enough};
+    // last step's answer may be this step's
+    if (accept_coulomb(mlcp, boxes, acceptance, guess.lambda, solution)) return;
+
+    guess.w.resize(n);
+    guess.step.resize(n);
+    set_up(mlcp, acceptance, problem.scale);
+    begin_guesses(problem, guess);
+    set_share(problem, 0);
+    memory.factor.factorisations = 0;
+    memory.factor.analyse(mlcp.A, boxes);
+    bool settled = guess_friction(memory, settings, solution);
+    for (int retreat = 0, sweeps = 10; !settled && retreat < settings.retreats;
+         ++retreat, sweeps *= 3) {
+        guess.lambda = solution.lambda;  // the best so far
+        sweep_friction(problem, sweeps, guess.box_of, guess.lambda);
+        memory.work.sweeps += sweeps;
+        memory.candidate = guess.lambda;
+        settled =
+            accept_coulomb(mlcp, boxes, acceptance, memory.candidate, solution) ||
+            guess_friction(memory, settings, solution) ||
+            proximal_friction(memory, settings, solution);
+    }
+    if (!settled) settled = last_resorts(memory, settings, solution);
+    memory.work.factorisations = memory.factor.factorisations;
+    solution.iterations = memory.work.guesses;
+}
+//! [solve]
+
+}  // namespace rigid

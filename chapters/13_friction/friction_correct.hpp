@@ -1,0 +1,137 @@
+/// \file friction_correct.hpp
+/// Guess, solve, correct, until no row is wrong: the loop of Algorithm 13.1, its settings and its memory, and the sweeps
+/// that lend it another beginning.
+#pragma once
+
+#include "chapters/13_friction/friction_guess.hpp"
+
+namespace rigid {
+
+struct FrictionSettings {
+    Real tolerance = 1e-11;  ///< τ of (3.16c)
+    Real enough = 0;         ///< f of (3.16c) [m/s]
+    /// guesses without fewer wrong rows, before another beginning is asked for
+    int patience = 5;
+    int retreats = 2;          ///< such beginnings: sweeps and proximal steps
+    int proximal_steps = 300;  ///< of each of these
+    /// the last resorts are for problems of up to so many rows; 0 = none
+    Index most_rows_of_rounds = 400, most_rows_of_walks = 240;
+};
+
+struct FrictionWork {
+    int guesses = 0, factorisations = 0, flips = 0;
+    int sweeps = 0;  ///< over all rows, of all retreats
+    int proximal_steps = 0;
+    int rounds = 0;  ///< times that the rounds of chapter 9 were asked
+    int walks = 0;   ///< times that Lemke's algorithm was asked
+};
+
+/// Memory that is kept from solve to solve.
+struct FrictionMemory {
+    FrictionWork work;  ///< of the last solve
+    FrictionProblem problem;
+    FrictionGuess guess;
+    FrictionLu factor;
+    VecX candidate, proximal_base;
+    ActiveSetMemory rounds;
+};
+
+inline void require_valid(const FrictionSettings& settings)
+{
+    if (!(settings.tolerance > 0) || !(settings.enough >= 0) ||
+        !std::isfinite(settings.enough) || settings.patience < 0 ||
+        settings.retreats < 0 || settings.proximal_steps < 0)
+        throw std::invalid_argument(
+            "tolerance " + shortest(settings.tolerance) + ", enough " +
+            shortest(settings.enough) + ", patience " +
+            std::to_string(settings.patience) + ", retreats " +
+            std::to_string(settings.retreats) + ", proximal steps " +
+            std::to_string(settings.proximal_steps) +
+            ": the tolerance must be positive, the others not negative");
+}
+
+/// Throws std::invalid_argument unless each box names two rows that there are, with μ ≥ 0, and its normal only pushes.
+inline void require_valid(const Mlcp& mlcp, std::span<const FrictionBox> boxes)
+{
+    for (const FrictionBox& box : boxes) {
+        const bool there = box.row >= 0 && box.row < mlcp.size() &&
+                           box.normal >= 0 && box.normal < mlcp.size() &&
+                           box.row != box.normal;
+        if (!there || !(box.mu >= 0) || !std::isfinite(box.mu) ||
+            !(mlcp.lo[box.normal] >= 0))
+            throw std::invalid_argument(
+                "a friction box for row " + std::to_string(box.row) + " by row " +
+                std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
+                "; rows go from 0 to " + std::to_string(mlcp.size() - 1) +
+                ", mu is at least 0, and the row that bounds only pushes");
+    }
+}
+
+//! [sweep]
+/// Sweeps over A with the bounds of the present λ: chapter 4's, with (13.6).
+inline void sweep_friction(const FrictionProblem& problem, int sweeps,
+                           const std::vector<int>& box_of, VecX& lambda)
+{
+    const Mlcp& mlcp = *problem.mlcp;
+    for (; sweeps > 0; --sweeps)
+        for (Index i = 0; i < mlcp.size(); ++i) {
+            Real w = mlcp.q[i], a = 0, lo = mlcp.lo[i], hi = mlcp.hi[i];
+            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+                w += entry.value() * lambda[entry.col()];
+                if (entry.col() == i) a = entry.value();
+            }
+            if (const int k = box_of[static_cast<std::size_t>(i)]; k >= 0) {
+                const FrictionBox& box = problem.boxes[static_cast<std::size_t>(k)];
+                hi = box.mu * std::max(Real{0}, lambda[box.normal]);
+                lo = -hi;
+            }
+            if (a > 0) lambda[i] = std::clamp(lambda[i] - w / a, lo, hi);
+        }
+}
+//! [sweep]
+
+//! [guesses]
+/// Guesses from guess.lambda on, until no row is wrong, or patience ends.
+inline bool correct_friction(FrictionMemory& memory,
+                             const FrictionSettings& settings)
+{
+    FrictionProblem& problem = memory.problem;
+    FrictionGuess& guess = memory.guess;
+    guess.base = guess.lambda;
+    velocities(problem, guess);
+    for (std::size_t i = 0; i < guess.cases.size(); ++i)
+        guess.cases[i] = pointed_at(problem, guess, static_cast<Index>(i));
+    std::size_t fewest = guess.cases.size() + 1;
+    for (int chances = settings.patience; chances >= 0;) {
+        ++memory.work.guesses;
+        // a guess that was wrong leaves nothing behind but its cases
+        guess.lambda = guess.base;
+        arrange(problem, guess);
+        memory.factor.factor(guess.active, guess.tie, problem.scale.shift);
+        const Real left = solve_guess(problem, memory.factor, guess);
+        if (!guess.lambda.allFinite()) return false;
+        find_wrong(problem, left, guess);
+        if (guess.wrong.empty()) return true;
+        if (guess.wrong.size() < fewest) {
+            fewest = guess.wrong.size();
+            chances = settings.patience;
+        } else --chances;
+        memory.work.flips += static_cast<int>(guess.wrong.size());
+        flip(problem, guess);
+    }
+    return false;
+}
+
+/// The same on the problem itself, and whether it ends at an answer.
+inline bool guess_friction(FrictionMemory& memory, const FrictionSettings& settings,
+                           Solution& solution)
+{
+    if (!correct_friction(memory, settings)) return false;
+    memory.candidate = memory.guess.lambda;
+    return accept_coulomb(*memory.problem.mlcp, memory.problem.boxes,
+                          {settings.tolerance, settings.enough}, memory.candidate,
+                          solution);
+}
+//! [guesses]
+
+}  // namespace rigid

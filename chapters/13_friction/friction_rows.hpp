@@ -1,0 +1,200 @@
+/// \file friction_rows.hpp
+/// A contact becomes two rows, and with rolling resistance three: push, drag, twist.
+///
+///     normal    J = (−n, −r_a × n),  (n, r_b × n)      0 ≤ λ_n ⟂ w_n ≥ 0
+///     tangent   J = (−t, −r_a × t),  (t, r_b × t)      |λ_t| ≤ μ λ_n,   t = n turned by a quarter, b = −belt
+///     rolling   J = (0, 0, −1),      (0, 0, 1)         |λ_r| ≤ c λ_n
+///     cloth     J = (d, 0), (0, 0, 1), d along u*      |λ| ≤ h μ m g,   |λ| ≤ h c μ m g
+///
+/// (13.3). The step learns of friction by these rows alone: a stage that wraps another contacts stage adds a source for
+/// each. The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
+#pragma once
+
+#include "chapters/11_rotation/rigid_constraints.hpp"
+#include "chapters/13_friction/surfaces.hpp"
+
+namespace rigid {
+
+/// The rows of a contact, and of a body on a cloth: Source::part.
+enum ContactPart : int { normal_part = 0, tangent_part = 1, rolling_part = 2 };
+enum ClothPart : int { sliding_part = 0, spinning_part = 1 };
+
+/// The surface of a contact: what the two that touch make together.
+inline Surface surface_of(const RoughScene& scene, const Contact& contact)
+{
+    const auto of_body = [&scene](Index k) {
+        return scene.surfaces.empty() ? Surface{}
+                                      : scene.surfaces[static_cast<std::size_t>(k)];
+    };
+    if (contact.a != world) return combined(of_body(contact.a), of_body(contact.b));
+    const std::size_t wall = wall_of(scene, contact.normal, contact.point);
+    return combined(wall < scene.wall_surfaces.size() ? scene.wall_surfaces[wall]
+                                                      : Surface{},
+                    of_body(contact.b));
+}
+
+//! [tangent]
+/// (13.3): the friction of a contact whose normal constraint is number n of the
+/// step.
+/// \param normal  that constraint where the bodies are now
+/// \param arm_a, arm_b  from the centroids to the point
+inline Constraint<3> friction_constraint(const Constraint<3>& normal, int number,
+                                         const Vec2& arm_a, const Vec2& arm_b,
+                                         const Surface& surface)
+{
+    const Vec2 t = perpendicular(Vec2(normal.Jb.head<2>().transpose()));
+    Constraint<3> c;
+    c.a = normal.a, c.b = normal.b;
+    if (c.a != world) c.Ja = -point_row(arm_a, t);
+    c.Jb = point_row(arm_b, t);
+    c.kind = ConstraintKind::friction;
+    c.bounded_by = number;
+    c.friction = surface.friction;
+    c.speed = surface.belt;
+    return c;
+}
+//! [tangent]
+
+/// Rolling resistance: a moment between the two bodies, bounded by the same λ_n.
+inline Constraint<3> rolling_constraint(const Constraint<3>& normal, int number,
+                                        const Surface& surface)
+{
+    Constraint<3> c;
+    c.a = normal.a, c.b = normal.b;
+    if (c.a != world) c.Ja = {0, 0, -1};
+    c.Jb = {0, 0, 1};
+    c.kind = ConstraintKind::friction;
+    c.bounded_by = number;
+    c.friction = surface.rolling;
+    return c;
+}
+
+/// What a cloth does to a body: a force against its velocity u*, or a moment against its spin.
+inline Constraint<3> cloth_constraint(const RoughScene& scene,
+                                      const StepData<3>& now, Index b, int part)
+{
+    Constraint<3> c;
+    c.b = b;
+    c.kind = ConstraintKind::motor;  // at the speed zero
+    c.force = scene.cloth.friction * scene.cloth.gravity /
+              scene.bodies.inverse_mass[3 * b];
+    if (part == spinning_part) {
+        c.Jb = {0, 0, 1};
+        c.force *= scene.cloth.arm;
+    } else {
+        const Vec2 u = now.u_star.segment<2>(3 * b);
+        const Real speed = u.norm();
+        const Vec2 d = speed > 0 ? Vec2(u / speed) : Vec2(1, 0);
+        c.Jb = {d.x(), d.y(), 0};
+    }
+    return c;
+}
+
+/// Constraint i of the step at any positions x: chapter 11's and chapter 12's, and the rows of this chapter.
+inline Constraint<3> constraint_at(const RoughScene& scene, const StepData<3>& now,
+                                   std::size_t i, const VecX& x)
+{
+    const Source& source = now.sources[i];
+    if (source.of == Source::Of::body)
+        return cloth_constraint(scene, now, source.index, source.part);
+    const auto& smooth = static_cast<const RigidScene&>(scene);
+    if (source.part == normal_part) return constraint_at(smooth, now, i, x);
+    std::size_t n = i;  // the rows of a contact follow its normal
+    while (now.sources[n].part != normal_part) --n;
+    const Constraint<3> normal = constraint_at(smooth, now, n, x);
+    const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
+    const Surface surface = surface_of(scene, contact);
+    const int number = static_cast<int>(n);
+    if (source.part == rolling_part)
+        return rolling_constraint(normal, number, surface);
+    // the point moves with a
+    Vec2 arm_a(0, 0), point = contact.point;
+    if (contact.a != world) {
+        const auto moved = x.segment<2>(3 * contact.a);
+        arm_a = point - now.x_found.segment<2>(3 * contact.a);
+        point = moved + arm_a;
+    } else if (const std::size_t wall =
+                   wall_of(scene, contact.normal, contact.point);
+               wall < scene.walls.size())
+        // chapter 11 has the centre of a round corner: drag acts on the wall
+        point -=
+            (contact.normal.dot(point) - scene.walls[wall].offset) * contact.normal;
+    const Vec2 arm_b = point - x.segment<2>(3 * contact.b);
+    return friction_constraint(normal, number, arm_a, arm_b, surface);
+}
+
+inline void evaluate_constraints(const RoughScene& scene, StepData<3>& now)
+{
+    now.constraints.resize(now.sources.size());
+    for (std::size_t i = 0; i < now.sources.size(); ++i)
+        now.constraints[i] = constraint_at(scene, now, i, scene.bodies.x);
+}
+
+/// Chapter 6's bounces, with the e of each pair of surfaces where it is more than that of the method.
+inline void add_bounces(const RoughScene& scene, const Restitution& bounce,
+                        const StepSettings& settings, StepData<3>& now)
+{
+    const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
+    for (std::size_t i = 0; i < now.constraints.size(); ++i) {
+        if (!now.constraints[i].bounces) continue;
+        const auto& contact =
+            now.contacts[static_cast<std::size_t>(now.sources[i].index)];
+        const Real e =
+            std::max(bounce.restitution, surface_of(scene, contact).restitution);
+        if (!(e > 0)) continue;
+        Row<3>& row = now.rows[i];
+        const Real correcting = std::exchange(row.bias, 0);
+        const Real b =
+            contact_bias(now.constraints[i].C, row.velocity(scene.bodies.u),
+                         row.velocity(now.u_star), e, slowest, settings.part());
+        row.bias = b < 0 ? std::min(b, correcting) : correcting;
+    }
+}
+
+//! [with_friction]
+/// The contacts stage: whatever another one finds, and behind each contact the rows
+/// of its surfaces. A contact without friction gets none.
+template <class Contacts>
+struct WithFriction {
+    Contacts contacts;
+    std::vector<Source> all;  ///< memory
+
+    void require_valid() const
+    {
+        if constexpr (requires { contacts.require_valid(); })
+            contacts.require_valid();
+    }
+    template <class Method>
+    void begin(const RoughScene& scene, const StepSettings& settings,
+               Method& method, StepData<3>& now)
+    {
+        require_valid_surfaces(scene);
+        contacts.begin(scene, settings, method, now);
+        all.clear();
+        for (const Source& source : now.sources) {
+            all.push_back(source);
+            if (source.of != Source::Of::contact) continue;
+            const Surface surface = surface_of(
+                scene, now.contacts[static_cast<std::size_t>(source.index)]);
+            if (surface.friction > 0)
+                all.push_back({Source::Of::contact, source.index, tangent_part});
+            if (surface.rolling > 0)
+                all.push_back({Source::Of::contact, source.index, rolling_part});
+        }
+        if (scene.cloth.friction > 0)
+            for (const int k : now.active)
+                if (scene.bodies.can_move(k))
+                    for (const int part : {sliding_part, spinning_part})
+                        all.push_back({Source::Of::body, k, part});
+        now.sources.swap(all);
+    }
+    template <class Method>
+    void end(RoughScene& scene, const StepSettings& settings, Method& method,
+             const StepData<3>& now)
+    {
+        contacts.end(scene, settings, method, now);
+    }
+};
+//! [with_friction]
+
+}  // namespace rigid

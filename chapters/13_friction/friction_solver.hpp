@@ -1,0 +1,155 @@
+/// \file friction_solver.hpp
+/// The solver stage of the step with friction: rows become A, q and boxes, and one of the solvers of this chapter finds λ.
+///
+/// Its methods are chapter 11's with the friction stage around their contacts. Sweeps need nothing else: chapter 6's solver takes
+/// the bounds of a row from the present impulse of its normal.
+#pragma once
+
+#include "chapters/09_active_sets/exact_method.hpp"
+#include "chapters/11_rotation/rigid_method.hpp"
+#include "chapters/13_friction/friction_active_sets.hpp"
+#include "chapters/13_friction/friction_rows.hpp"
+
+namespace rigid {
+
+/// Algorithm 13.1 as a finder: void(Mlcp&, boxes, Solution&).
+struct FindFriction {
+    FrictionSettings settings;
+    FrictionMemory memory;
+
+    void require_valid() const { rigid::require_valid(settings); }
+    void operator()(Mlcp& mlcp, std::span<const FrictionBox> boxes, Real enough,
+                    Solution& solution)
+    {
+        settings.enough = enough;
+        friction_active_sets(mlcp, boxes, settings, memory, solution);
+    }
+};
+
+/// Lemke's algorithm on Stewart's and Trinkle's problem as a finder.
+struct FindByStewartTrinkle {
+    void operator()(Mlcp& mlcp, std::span<const FrictionBox> boxes, Real enough,
+                    Solution& solution) const
+    {
+        for (const FrictionBox& box : boxes)
+            mlcp.lo[box.row] = mlcp.hi[box.row] = 0;
+        LemkeSettings settings;
+        settings.enough = enough;
+        const Solution found = stewart_trinkle_by_lemke(mlcp, boxes, settings);
+        VecX lambda = found.lambda;
+        solution = found;
+        solution.residual = infinity;
+        if (!accept_coulomb(mlcp, boxes, {1e-10, enough}, lambda, solution) &&
+            found.status == Status::solved)
+            solution.status = Status::singular;
+    }
+};
+
+//! [coulomb_solver]
+/// The solver stage: λ of the Coulomb problem, u = u* + M⁻¹ Jᵀ λ (3.9).
+template <class Find>
+struct CoulombSolver {
+    Find find;
+    Find errors;       ///< the second problem of a step has a memory of its own
+    Real enough = 0;   ///< a residual below this is none [m/s]
+    int unsolved = 0;  ///< problems of this step without an answer
+
+    AssemblyScratch scratch;
+    Mlcp mlcp, second_mlcp;
+    std::vector<FrictionBox> boxes, none;
+
+    void require_valid() const
+    {
+        if constexpr (requires { find.require_valid(); }) find.require_valid();
+    }
+
+    template <int Dof>
+    void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
+    {
+        if (now.substep == 0 && !now.second_half) unsolved = 0;
+        assemble(now.rows, now.u_star, scratch, mlcp);
+        boxes_of(now.rows, boxes);
+        nothing_ = std::max(enough, rounded_speed(bodies.x, bodies.u, now.h));
+        find(mlcp, boxes, nothing_, now.solution);
+        finish(bodies, now);
+    }
+
+    /// Other biases, the same u*: λ and u become the answer to them.
+    template <int Dof>
+    void solve_again(SecondProblem& second, Bodies<Dof>& bodies, StepData<Dof>& now)
+    {
+        for (std::size_t i = 0; i < now.rows.size(); ++i)
+            mlcp.q[static_cast<Index>(i)] += second.bias[i] - now.rows[i].bias;
+        find(mlcp, boxes, nothing_, now.solution);
+        finish(bodies, now);
+    }
+
+    /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ. Errors are corrected without
+    /// friction.
+    template <int Dof>
+    void solve_apart(SecondProblem& second, VecX& v, StepData<Dof>& now)
+    {
+        second_mlcp = mlcp;
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+            const auto row = static_cast<Index>(i);
+            second_mlcp.q[row] = second.left_out[i] ? 0 : second.bias[i];
+            second_mlcp.lo[row] = second.left_out[i] ? 0 : now.rows[i].lo;
+            second_mlcp.hi[row] = second.left_out[i] ? 0 : now.rows[i].hi;
+        }
+        if (second.solution.lambda.size() != mlcp.size())
+            second.solution.lambda.setZero(mlcp.size());
+        errors(second_mlcp, none, nothing_, second.solution);
+        unsolved += second.solution.status != Status::solved;
+        for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
+        apply(now.rows, second.solution.lambda, v);
+    }
+
+private:
+    template <int Dof>
+    void finish(Bodies<Dof>& bodies, StepData<Dof>& now)
+    {
+        unsolved += now.solution.status != Status::solved;
+        for (const int k : now.active)
+            bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
+        apply(now.rows, now.solution.lambda, bodies.u);
+    }
+
+    Real nothing_ = 0;
+};
+//! [coulomb_solver]
+
+/// Last step's impulses as they were: where the guesses of the exact solver begin.
+inline WarmStart last_impulses()
+{
+    WarmStart start;
+    start.from = Start::previous;
+    return start;
+}
+
+//! [method]
+template <class Contacts>
+struct FrictionSweeps {
+    WithFriction<Contacts> contacts;
+    Correction correction;
+    WarmStart start;
+    ImpulseSolver<3> solver;
+};
+
+template <class Contacts>
+struct ExactFriction {
+    WithFriction<Contacts> contacts;
+    Correction correction;
+    WarmStart start = last_impulses();
+    CoulombSolver<FindFriction> solver;
+};
+
+template <class Contacts>
+struct LemkeFriction {
+    WithFriction<Contacts> contacts;
+    Correction correction;
+    ColdStart start;
+    CoulombSolver<FindByStewartTrinkle> solver;
+};
+//! [method]
+
+}  // namespace rigid

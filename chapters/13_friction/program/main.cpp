@@ -1,0 +1,16 @@
+// Chapter 13. Friction: the program.
+#include "chapters/13_friction/program/scenes.hpp"
+
+int main(int argc, char** argv)
+{
+    using namespace rigid;
+    const auto make = [] {
+        Program program;
+        program.name = "13_friction";
+        program.title = "Chapter 13. Friction";
+        program.scenes = {slope_scene(), disc_scene(), rod_scene(),
+                          conveyor_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
+}

@@ -1,0 +1,120 @@
+/// \file surfaces.hpp
+/// What a surface is like, and how two of them combine: μ, e, the speed of a belt, rolling resistance.
+///
+///     μ = √(μ_a μ_b),   e = max(e_a, e_b),   belt speeds add,   rolling arms: the longer one
+///
+/// μ and e belong to a pair of materials, and so do the numbers of the tables. A number per surface and a rule to
+/// combine two is a makeshift that saves the table of pairs. The geometric mean keeps what is certain: equal surfaces
+/// have their own μ, and what one surface does without friction, no partner can change.
+#pragma once
+
+#include "chapters/11_rotation/rigid_scene.hpp"
+
+namespace rigid {
+
+//! [surface]
+struct Surface {
+    Real friction = 0;     ///< μ ≥ 0
+    Real restitution = 0;  ///< e, 0 … 1
+    /// speed of a belt: how fast the surface runs counterclockwise around its body
+    /// [m/s]
+    Real belt = 0;
+    /// the arm of rolling resistance: its moment is at most this times λ_n [m]
+    Real rolling = 0;
+};
+
+/// The surface of two that touch.
+inline Surface combined(const Surface& a, const Surface& b)
+{
+    return {std::sqrt(a.friction * b.friction),
+            std::max(a.restitution, b.restitution), a.belt + b.belt,
+            std::max(a.rolling, b.rolling)};
+}
+//! [surface]
+
+/// What bodies slide and spin on in a scene that is seen from above, such as the cloth of a pool table.
+struct Cloth {
+    Real friction = 0;    ///< μ ≥ 0
+    Real gravity = 9.81;  ///< into the picture [m/s²]
+    /// the arm of the moment that stops a spin: at most this times μ m g [m]
+    Real arm = 0;
+};
+
+//! [rough_scene]
+/// A scene of bodies that turn, with surfaces. Where a list is empty nothing there
+/// has friction.
+struct RoughScene : RigidScene {
+    std::vector<Surface> surfaces;       ///< one to a body, or none
+    std::vector<Surface> wall_surfaces;  ///< one to a wall, or none
+    Cloth cloth;
+};
+//! [rough_scene]
+
+/// Throws std::invalid_argument, naming the surface and the value, unless it makes sense.
+inline void require_valid(const Surface& surface, const std::string& name)
+{
+    const auto refuse = [&name](const char* thing, Real value, const char* right) {
+        throw std::invalid_argument("the " + std::string(thing) + " of " + name +
+                                    " is " + shortest(value) + right);
+    };
+    if (!(surface.friction >= 0) || !std::isfinite(surface.friction))
+        refuse("friction coefficient", surface.friction,
+               "; it must be zero or positive and finite");
+    if (!(surface.restitution >= 0 && surface.restitution <= 1))
+        refuse("restitution", surface.restitution, "; it must be from 0 to 1");
+    if (!std::isfinite(surface.belt))
+        refuse("belt speed", surface.belt, " m/s; it must be finite");
+    if (!(surface.rolling >= 0) || !std::isfinite(surface.rolling))
+        refuse("rolling arm", surface.rolling,
+               " m; it must be zero or positive and finite");
+}
+
+/// Throws std::invalid_argument, with a sentence that names the thing, unless the surfaces of a scene make sense.
+inline void require_valid_surfaces(const RoughScene& scene)
+{
+    const auto check = [](const std::vector<Surface>& list, std::size_t count,
+                          const std::string& thing) {
+        if (!list.empty() && list.size() != count)
+            throw std::invalid_argument(
+                "the scene has " + std::to_string(list.size()) + " surfaces for " +
+                std::to_string(count) + (thing == "body" ? " bodies" : " walls") +
+                "; each needs its own, or none of them has one");
+        for (std::size_t i = 0; i < list.size(); ++i)
+            require_valid(list[i], thing + " " + std::to_string(i));
+    };
+    check(scene.surfaces, scene.shapes.size(), "body");
+    check(scene.wall_surfaces, scene.walls.size(), "wall");
+    const Cloth& cloth = scene.cloth;
+    if (!(cloth.friction >= 0) || !std::isfinite(cloth.friction) ||
+        !(cloth.arm >= 0) || !std::isfinite(cloth.arm) || !(cloth.gravity >= 0) ||
+        !std::isfinite(cloth.gravity))
+        throw std::invalid_argument(
+            "the cloth has the friction coefficient " + shortest(cloth.friction) +
+            ", the arm " + shortest(cloth.arm) + " m and the gravity " +
+            shortest(cloth.gravity) +
+            " m/s²; they must be zero or positive and finite");
+}
+
+/// The same surface for all bodies and all walls.
+inline void cover(RoughScene& scene, const Surface& surface)
+{
+    scene.surfaces.assign(scene.shapes.size(), surface);
+    scene.wall_surfaces.assign(scene.walls.size(), surface);
+}
+
+/// The wall that a contact is on: the half-space with its normal on which its point lies.
+inline std::size_t wall_of(const RigidScene& scene, const Vec2& normal,
+                           const Vec2& point)
+{
+    std::size_t nearest = scene.walls.size();
+    Real least = infinity;
+    for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+        const HalfSpace& wall = scene.walls[i];
+        if (!(wall.normal.dot(normal) > 0.999)) continue;
+        const Real off = std::abs(wall.normal.dot(point) - wall.offset);
+        if (off < least) least = off, nearest = i;
+    }
+    return nearest;
+}
+
+}  // namespace rigid
