@@ -17,6 +17,8 @@ struct Contact {
     Real gap = 0;            ///< distance of the surfaces [m]; negative = penetration
     Index feature = 0;    ///< which of several contacts of this pair: the number of the wall, segments last
     Vec2 point = {0, 0};  ///< where they touch [m], of bodies that turn (chapter 11)
+    Real core_a = 0,
+         core_b = 0;  ///< from there, against and along the normal, to what turns with a and with b [m]
 };
 
 /// The contact of two discs, a < b, at the positions x. Two centres in one point have no direction; any will part them.

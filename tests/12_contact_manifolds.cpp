@@ -154,6 +154,27 @@ TEST_CASE("C of a contact at other positions is the gap there to second order", 
     CHECK(std::abs(order_of(errors) - 2) <= 0.15);
 }
 
+TEST_CASE("a disc that spins in its place keeps its gap", "[idea]")
+{
+    // With points that turn with its rim the gap of ρ would change by ρ (1 − cos) = 0.19 m.
+    RigidScene scene;
+    scene.gravity = {0, 0};
+    add_body(scene, box(4, 1), Mass{}, {0, -0.5});
+    const Index wheel = add_body(scene, disc(0.1), 1, {0.3, 0.101});
+    Manifolds stage;
+    StepData<3> now;
+    RigidSweeps method;
+    stage.begin(scene, {}, method, now);
+    REQUIRE(now.contacts.size() == 1);
+    VecX x = scene.bodies.x;
+    for (const Real turn : {0.1, 1.0, 3.0}) {
+        x[3 * wheel + 2] = turn;
+        const Constraint<3> c = contact_constraint(now.contacts[0], now.x_found, x);
+        CHECK(std::abs(c.C - 0.001) <= 1e-15);  // rounding of lengths of 0.1
+        CHECK(std::abs(c.Jb[2]) <= 1e-15);      // no spin changes it
+    }
+}
+
 // ---- the manifold beside an independent reference
 
 TEST_CASE("the deepest gap of random shapes is their distance by Minkowski differences", "[idea]")

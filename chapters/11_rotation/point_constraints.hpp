@@ -108,8 +108,9 @@ inline Constraint<3> corner_constraint(const RigidScene& scene, const VecX& x,
 
 //! [contact]
 /// C and J of a contact at the positions x. Let p_a and p_b be the points of its
-/// bodies that were at contact.point when it was found, at x_found: C is the gap of
-/// then and what they have come apart since, n·(p_b − p_a).
+/// bodies that were at contact.point when it was found, at x_found, or behind it at
+/// the corners of the polygons where the surface is round around them: C is the gap
+/// of then and what they have come apart since, n·(p_b − p_a).
 inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_found,
                                         const VecX& x)
 {
@@ -119,8 +120,8 @@ inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_fo
     c.kind = ConstraintKind::unilateral;
     c.bounces = true;
     const Vec2& n = contact.normal;
-    const auto side = [&](Index k, Real sign) -> RowVec<3> {
-        Vec2 r = contact.point - x_found.segment<2>(3 * k),
+    const auto side = [&](Index k, Real sign, Real core) -> RowVec<3> {
+        Vec2 r = contact.point + sign * core * n - x_found.segment<2>(3 * k),
              moved = x.segment<2>(3 * k) - x_found.segment<2>(3 * k);
         const Index angle = 3 * k + 2;
         const Real turn = x[angle] - x_found[angle];
@@ -133,8 +134,8 @@ inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_fo
         c.C += sign * n.dot(moved);
         return sign * point_row(r, n);
     };
-    c.Jb = side(c.b, 1);
-    if (c.a != world) c.Ja = side(c.a, -1);
+    c.Jb = side(c.b, 1, contact.core_b);
+    if (c.a != world) c.Ja = side(c.a, -1, contact.core_a);
     return c;
 }
 //! [contact]

@@ -54,7 +54,7 @@ struct Manifolds {
         placed.move(scene);
         finder.find(scene, placed, margin);
         wall_contacts(scene, margin, now);
-        pair_contacts(margin, now);
+        pair_contacts(scene, margin, now);
     }
 
     /// What moved so far that it could have passed through something goes back to
@@ -81,15 +81,20 @@ struct Manifolds {
                                         " margins; it must be zero or positive");
     }
 
-    static void add(Index a, Index b, const Manifold& m, int first_feature,
-                    StepData<3>& now)
+    static void add(const RigidScene& scene, Index a, Index b, const Manifold& m,
+                    int first_feature, StepData<3>& now)
     {
+        const auto radius = [&scene](Index k) {
+            return k == world ? 0
+                              : scene.shapes[static_cast<std::size_t>(k)].radius;
+        };
         for (int i = 0; i < m.count; ++i) {
             const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
             now.sources.push_back(
                 {Source::Of::contact, static_cast<int>(now.contacts.size())});
-            now.contacts.push_back(
-                {a, b, m.normal, p.gap, first_feature + p.feature, p.point});
+            now.contacts.push_back({a, b, m.normal, p.gap,
+                                    first_feature + p.feature, p.point,
+                                    radius(a) + p.gap / 2, radius(b) + p.gap / 2});
         }
     }
 
@@ -106,7 +111,7 @@ struct Manifolds {
                 if (wall.normal.dot(middle) - wall.normal.cwiseAbs().dot(half) >
                     wall.offset + margin)
                     continue;
-                add(world, b, collide(wall, shape, margin),
+                add(scene, world, b, collide(wall, shape, margin),
                     static_cast<int>(w) * shape.size(), now);
             }
         }
@@ -114,7 +119,7 @@ struct Manifolds {
 
     //! [pair_contacts]
     /// The manifolds of the pairs, with what they were a step ago beside them.
-    void pair_contacts(Real margin, StepData<3>& now)
+    void pair_contacts(const RigidScene& scene, Real margin, StepData<3>& now)
     {
         std::swap(touching, before);
         touching.clear();
@@ -130,7 +135,7 @@ struct Manifolds {
                         {margin, stay * margin, known ? &old->manifold : nullptr});
             if (m.count == 0) continue;
             touching.push_back({a, b, m});
-            add(a, b, m, 0, now);
+            add(scene, a, b, m, 0, now);
         }
     }
     //! [pair_contacts]
