@@ -68,7 +68,8 @@ bool starts_with(const std::string& text, const std::string& head) { return text
 /// Physics: every file of common/ and the chapters but programs, benchmarks and canvases.
 bool is_physics(const std::string& path)
 {
-    for (const char* part : {"common/program/", "/program/", "/benchmark/", "canvas", "common/draw_list", "common/picture"})
+    for (const char* part :
+         {"common/program/", "/program/", "/benchmark/", "canvas", "common/draw_list", "common/picture"})
         if (path.find(part) != std::string::npos) return false;
     return true;
 }
