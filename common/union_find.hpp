@@ -14,7 +14,10 @@ namespace rigid {
 template <class Number>
 Number lowest_of(std::vector<Number>& parent, Number k)
 {
-    const auto up = [&parent](Number i) -> Number& { return parent[static_cast<std::size_t>(i)]; };
+    const auto up = [&parent](Number i) -> Number& {
+        const auto place = static_cast<std::size_t>(i);
+        return parent[place];
+    };
     while (up(k) != k) k = up(k) = up(up(k));
     return k;
 }
