@@ -530,7 +530,7 @@ TEST_CASE("the bead leaves the wire by exactly h squared v squared a step", "[id
 TEST_CASE("one bead under five families of methods ends where the map of methods says", "[house]")
 {
     const Real h = 0.01;
-    const auto line = [h](const std::string& name, const auto& advance) {
+    const auto line = [](const std::string& name, const auto& advance) {
         Bodies<2> bodies(1);
         bodies.x << 1, 0;
         bodies.u << 0, 1;
