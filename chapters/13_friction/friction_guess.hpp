@@ -69,8 +69,8 @@ inline void velocities(const FrictionProblem& problem, FrictionGuess& guess)
 }
 
 //! [natural_map]
-/// (13.9): the case that a row should have, by its λ and w; of a friction row also by
-/// what the λ of its normal will be.
+/// (13.9): the case that a row should have, by its λ and w; of a friction row also
+/// by what the λ of its normal will be.
 inline BoundState pointed_at(const FrictionProblem& problem,
                              const FrictionGuess& guess, Index i)
 {
