@@ -3,11 +3,9 @@
 #pragma once
 
 #include "chapters/11_rotation/mechanisms.hpp"
-#include "chapters/11_rotation/program/rigid_picture.hpp"
-#include "common/program/program.hpp"
+#include "chapters/11_rotation/program/turning_run.hpp"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,12 +47,7 @@ public:
     {
         RigidScene& scene = state_.scene;
         if (setup_.change) setup_.change(scene, settings);
-        StepSettings how{.h = settings.h,
-                         .substeps = static_cast<int>(settings["substeps"])};
-        if (input.pressed) {
-            how.pulled = nearest_body(scene.bodies, input.pointer);
-            how.hand = input.pointer;
-        }
+        const StepSettings how = step_settings(settings, input, scene.bodies);
         const Real e =
             settings.tunables.contains("restitution") ? settings["restitution"] : 0;
         state_.before = scene.bodies.u;
@@ -73,11 +66,7 @@ public:
             sweeps_.solver.sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
             rigid::step(scene, how, sweeps_, state_.now);
         }
-        for (Index k = 0; k < scene.bodies.count(); ++k)
-            if (!scene.bodies.position(k).allFinite() ||
-                !scene.bodies.velocity(k).allFinite())
-                throw StepFailure("the state of body " + std::to_string(k) +
-                                  " is not finite");
+        require_finite_state(scene.bodies);
         state_.t += settings.h;
         state_.h = settings.h;
         trace();
@@ -117,20 +106,9 @@ inline Demo rigid_demo(const std::string& name, const std::string& summary,
                        const View& view,
                        const std::function<RigidSetup(const Settings&)>& setup)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.view = view;
-    scene.h = 1.0 / 240;
-    scene.methods = {"exact", "rattle", "sweeps", "baumgarte"};
-    scene.tunables = {
-        {"substeps", "", "parts of a step", 1, 1, 64, true, false, true},
-        {"sweeps", "", "sweeps a sub-step, of the methods that sweep", 10, 1, 200,
-         true, false, false}};
-    scene.start = [setup](const Settings& settings) {
-        return std::make_unique<RigidRun>(setup(settings), settings);
-    };
-    return scene;
+    return turning_demo<RigidRun>(name, summary, view, 1.0 / 240,
+                                  {"exact", "rattle", "sweeps", "baumgarte"},
+                                  setup);
 }
 
 }  // namespace rigid

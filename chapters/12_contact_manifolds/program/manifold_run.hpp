@@ -2,14 +2,12 @@
 /// One scene of shapes that touch, under one of this chapter's methods.
 #pragma once
 
-#include "chapters/11_rotation/program/rigid_picture.hpp"
+#include "chapters/11_rotation/program/turning_run.hpp"
 #include "chapters/12_contact_manifolds/names_kept.hpp"
 #include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/12_contact_manifolds/worse_manifolds.hpp"
-#include "common/program/program.hpp"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,12 +65,7 @@ public:
     {
         RigidScene& scene = state_.scene;
         if (setup_.change) setup_.change(scene, settings);
-        StepSettings how{.h = settings.h,
-                         .substeps = static_cast<int>(settings["substeps"])};
-        if (input.pressed) {
-            how.pulled = nearest_body(scene.bodies, input.pointer);
-            how.hand = input.pointer;
-        }
+        const StepSettings how = step_settings(settings, input, scene.bodies);
         state_.before = scene.bodies.u;
         last_.remember(state_.now);
         const int sweeps = static_cast<int>(settings["sweeps"]);
@@ -83,11 +76,7 @@ public:
         } else if (settings.method == "one_point") take(one_point_, how, sweeps);
         else if (settings.method == "no_names") take(nameless_, how, sweeps);
         else take(sweeps_, how, sweeps);
-        for (Index k = 0; k < scene.bodies.count(); ++k)
-            if (!scene.bodies.position(k).allFinite() ||
-                !scene.bodies.velocity(k).allFinite())
-                throw StepFailure("the state of body " + std::to_string(k) +
-                                  " is not finite");
+        require_finite_state(scene.bodies);
         state_.kept = last_.share_kept(state_.now);
         state_.t += settings.h;
         state_.h = settings.h;
@@ -159,20 +148,9 @@ inline Demo
 manifold_demo(const std::string& name, const std::string& summary, const View& view,
               const std::function<ManifoldSetup(const Settings&)>& setup)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.view = view;
-    scene.h = 1.0 / 60;
-    scene.methods = {"sweeps", "exact", "one_point", "no_names"};
-    scene.tunables = {
-        {"substeps", "", "parts of a step", 1, 1, 64, true, false, true},
-        {"sweeps", "", "sweeps a sub-step, of the methods that sweep", 10, 1, 200,
-         true, false, false}};
-    scene.start = [setup](const Settings& settings) {
-        return std::make_unique<ManifoldRun>(setup(settings), settings);
-    };
-    return scene;
+    return turning_demo<ManifoldRun>(name, summary, view, 1.0 / 60,
+                                     {"sweeps", "exact", "one_point", "no_names"},
+                                     setup);
 }
 
 /// The deepest penetration that the step found [m].

@@ -2,12 +2,10 @@
 /// One scene with friction, under one of this chapter's methods.
 #pragma once
 
-#include "chapters/04_pgs/program/drawing.hpp"
+#include "chapters/11_rotation/program/turning_run.hpp"
 #include "chapters/13_friction/slopes.hpp"
-#include "common/program/program.hpp"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,12 +64,7 @@ public:
     {
         RoughScene& scene = state_.scene;
         if (setup_.change) setup_.change(scene, settings);
-        StepSettings how{.h = settings.h,
-                         .substeps = static_cast<int>(settings["substeps"])};
-        if (input.pressed) {
-            how.hand = input.pointer;
-            how.pulled = nearest(input.pointer);
-        }
+        const StepSettings how = step_settings(settings, input, scene.bodies);
         const Real e =
             settings.tunables.contains("restitution") ? settings["restitution"] : 0;
         if (settings.method == "exact") {
@@ -86,11 +79,7 @@ public:
             sweeps_.solver.sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
             rigid::step(scene, how, sweeps_, state_.now);
         }
-        for (Index k = 0; k < scene.bodies.count(); ++k)
-            if (!scene.bodies.position(k).allFinite() ||
-                !scene.bodies.velocity(k).allFinite())
-                throw StepFailure("the state of body " + std::to_string(k) +
-                                  " is not finite");
+        require_finite_state(scene.bodies);
         state_.t += settings.h;
         state_.h = settings.h;
     }
@@ -105,41 +94,12 @@ public:
                        along = 30 * perpendicular(wall.normal);
             canvas.segment(middle - along, middle + along, paint::wall);
         }
-        for (Index k = 0; k < scene.bodies.count(); ++k) paint_body(canvas, k);
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            paint_rigid_body(canvas, scene, k);
         if (setup_.picture) setup_.picture(canvas, state_);
     }
 
 private:
-    Index nearest(const Vec2& pointer) const
-    {
-        const Bodies<3>& bodies = state_.scene.bodies;
-        Index found = world;
-        Real least = infinity;
-        for (Index k = 0; k < bodies.count(); ++k) {
-            const Real distance = (bodies.position(k).head<2>() - pointer).norm();
-            if (bodies.can_move(k) && distance < least) least = distance, found = k;
-        }
-        return found;
-    }
-    void paint_body(Canvas& canvas, Index k) const
-    {
-        const VecX& x = state_.scene.bodies.x;
-        const Polygon& shape = state_.scene.shapes[static_cast<std::size_t>(k)];
-        const Style style =
-            state_.scene.bodies.can_move(k) ? paint::body : paint::fixed_body;
-        std::vector<Vec2> corners;
-        for (const Vec2& vertex : shape.vertices)
-            corners.push_back(point_of(x, k, vertex));
-        if (corners.size() == 1) {
-            canvas.disc(corners[0], shape.radius, style);
-            canvas.segment(corners[0], point_of(x, k, {0.9 * shape.radius, 0}),
-                           {Colour::blue, 1.5, 1, false, false});
-        } else if (corners.size() == 2)
-            canvas.segment(corners[0], corners[1],
-                           {style.colour, 5, 0.8, false, false});
-        else canvas.polygon(corners, style);
-    }
-
     FrictionSetup setup_;
     FrictionState state_;
     ExactFriction<AllBodies> exact_;
@@ -152,20 +112,8 @@ inline Demo
 friction_demo(const std::string& name, const std::string& summary, const View& view,
               const std::function<FrictionSetup(const Settings&)>& setup)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.view = view;
-    scene.h = 1.0 / 240;
-    scene.methods = {"exact", "sweeps", "lemke"};
-    scene.tunables = {
-        {"substeps", "", "parts of a step", 1, 1, 64, true, false, true},
-        {"sweeps", "", "sweeps a sub-step, of the method that sweeps", 10, 1, 200,
-         true, false, false}};
-    scene.start = [setup](const Settings& settings) {
-        return std::make_unique<FrictionRun>(setup(settings), settings);
-    };
-    return scene;
+    return turning_demo<FrictionRun>(name, summary, view, 1.0 / 240,
+                                     {"exact", "sweeps", "lemke"}, setup);
 }
 
 }  // namespace rigid
