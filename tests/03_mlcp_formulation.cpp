@@ -392,8 +392,8 @@ TEST_CASE("the share of a row that (3.16c) allows is a share of its own numbers 
 
 TEST_CASE("a q near zero is solved to the same share as any other", "[house]")
 {
-    // An answer in units of 1e-15 m/s is no better than one in m/s. A caller who knows that so little is nothing says
-    // it by f.
+    // An answer in units of 1e-15 m/s is no better than one in m/s. Where so little is
+    // nothing, f says so.
     for (const Real unit : {1.0, 1e-15, 1e-150, 1e150}) {
         const Mlcp small = problem({1}, {-unit});
         CHECK(verify(small, VecX::Constant(1, unit)).solved);

@@ -119,7 +119,7 @@ private:
     /// Scaled to a unit diagonal: 1/√a for a row that came in, 0 for one that went out.
     Real came_in(Index c) const { return in_[index(c)]; }
 
-    //! [anew]
+    //! [from_the_beginning]
     bool factor_anew(const GuessedProblem& problem,
                      const std::vector<BoundState>& cases)
     {
@@ -148,7 +148,7 @@ private:
         }
         return true;
     }
-    //! [anew]
+    //! [from_the_beginning]
 
     //! [border]
     /// (9.11): the rows that differ from the base as a border; false if there are

@@ -1,5 +1,5 @@
 /// \file friction_active_sets.hpp
-/// Exact friction: guess who is open, sticks or slides, solve once, correct the guess.
+/// Exact friction: guess which contacts are open, stick or slide, solve once, correct the guess.
 ///
 /// Algorithm 13.1 of the text. Warm: the first guess is what the λ to start from points at, so last step's answer needs
 /// no guess at all where nothing has changed. What guessing cannot settle goes to sweeps and comes back, then to chapter 9's

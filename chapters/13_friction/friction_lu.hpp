@@ -41,11 +41,11 @@ public:
     /// \param active  1: the row is an unknown
     /// \param tie     s μ of each box whose row slides, else 0
     /// \param shift   added to the diagonal, ε A_ii
-    /// \param anew    even if there is a factor of these rows
+    /// \param afresh  even if there is a factor of these rows
     void factor(const std::vector<char>& active, const VecX& tie, const VecX& shift,
-                bool anew = false)
+                bool afresh = false)
     {
-        if (!anew && factored_ && active == active_ && tie == tie_) return;
+        if (!afresh && factored_ && active == active_ && tie == tie_) return;
         active_ = active;
         tie_ = tie;
         factored_ = true;

@@ -26,8 +26,8 @@ std::vector<Setting> skipping_settings(DiscScene& scene, SkippingSettings& s)
             {"row_slack", &s.row_slack, false}};
 }
 
-/// Chapter 10's step. Its world is made of the scene that the first step is given; who changes the scene afterwards
-/// does so by a door, so here nobody does but by bad input, which is refused before the world sees it.
+/// Chapter 10's step. Its world is made of the scene that the first step is given. Later changes are scene edits; here
+/// there are none but bad input, which is refused before it enters the world.
 /// \param sweeps  an island may make so many; it stops when its residual is small
 Method skipping(const std::string& name, int sweeps)
 {

@@ -123,7 +123,7 @@ async function demo(page, i, {width, dark}, name) {
     }
     await page.value(`${place}.demo.set_playing(false)`);
 
-    // Names for those who do not see; room for those who do.
+    // Names for a screen reader; room for the eye.
     const nameless = await page.value(`[...${place}.querySelectorAll('button, select, input, canvas')].filter(one =>
         !(one.getAttribute('aria-label') || one.textContent.trim() && one.tagName === 'BUTTON' || (one.labels && one.labels.length && one.labels[0].textContent.trim()))).map(one => one.outerHTML.slice(0, 80))`);
     check(nameless.length === 0, `these have no names: ${nameless.join(', ')}`);
@@ -166,7 +166,7 @@ try {
         faults.length ? failed += 1 : passed += 1;
         await page.close();
     }
-    // Who does not want motion gets none without a click.
+    // With reduced motion nothing moves without a click.
     const page = await browser.page();
     await page.open(pathToFileURL(join(folder, 'index.html')).href, {width: 1280, still: true});
     await wait(1);
