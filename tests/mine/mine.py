@@ -102,7 +102,7 @@ def emptied(source, functions, where):
         if not places:
             raise ListError(f"{where} has no definition of {function}()")
         for begin, end in reversed(places[:1] if only_first else places):
-            margin = re.search(r"[^\n]*$", source[:begin]).group(0)
+            margin = re.search(r"[^\n]*\Z", source[:begin]).group(0)
             margin = re.match(r"\s*", margin).group(0)
             source = (source[:begin] + "{\n" + margin + "    // Yours: the text and the comment above say what it does.\n" +
                       margin + "    " + statement + "\n" + margin + "}" + source[end:])

@@ -17,6 +17,11 @@ T half(const T& x)
     if (x > 0) { return x / 2; }
     return half(-x);
 }
+inline int third(int x,
+                 int y)
+{
+    return x + y;
+}
 inline int other(int x) { return half(x); }
 struct Type {
     int rate() const { return 1; }
@@ -57,6 +62,11 @@ class Mine(unittest.TestCase):
         self.assertIn("int rate() const {\n", text)
         self.assertNotIn("x / 2", text)
         self.assertIn("./book test 1 --mine", out)
+
+    def test_an_emptied_body_stands_under_the_brace_of_the_one_before(self):
+        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty third return 0;\n")
+        self.call("1")
+        self.assertIn("int y)\n{\n    // Yours", (self.root / "mine/chapters/01_one/half.hpp").read_text())
 
     def test_a_class_is_left_out_with_its_comment(self):
         self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty half return x;\ndrop Type\n")
@@ -105,9 +115,9 @@ class Mine(unittest.TestCase):
 
     def test_what_cannot_be_done_gets_one_sentence(self):
         self.assertEqual(self.call("7")[::2], (2, "mine: chapter 7 has no header to write yourself; these have: 1\n"))
-        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty third return 0;\n")
+        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty fourth return 0;\n")
         for arguments in (("1",), ("--check",)):
-            self.assertEqual(self.call(*arguments)[::2], (2, "mine: chapters/01_one/half.hpp has no definition of third()\n"))
+            self.assertEqual(self.call(*arguments)[::2], (2, "mine: chapters/01_one/half.hpp has no definition of fourth()\n"))
         self.write("tests/mine/01.txt", "empty half return 0;\n")
         self.assertEqual(self.call("--check")[0], 2)
 

@@ -92,8 +92,9 @@ inline void draw_gravity(Canvas& canvas, const SceneState& state)
 {
     const Vec2 g = state.scene.gravity;
     canvas.arrow({0, 0}, 0.02 * g, {Colour::green, 2.5, 1, false, false});
-    canvas.text(0.022 * g + Vec2(0.015, -0.02), "g", 14,
-                {Colour::green, 1.5, 1, false, false});
+    // Beyond the head, wherever it points.
+    canvas.text(0.0255 * g - Vec2(0, 0.012), "g", 14,
+                {Colour::green, 1.5, 1, false, false}, Align::centre);
 }
 
 /// Line number `line` of what stands in the upper left corner.
