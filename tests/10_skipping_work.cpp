@@ -2104,7 +2104,7 @@ TEST_CASE("a disc that is added to a sleeping world falls on those that sleep an
     SkippingWorld now = make_world(scene, filter_of(scene));
     SkippingSettings settings;
     settings.start = Start::best_multiple;
-    settings.sweeps = {200, 1e-9, false};
+    settings.sweeps = {.max_sweeps = 200, .tolerance = 1e-9};
     for (int n = 0; n < 240 && now.counters.awake > 0 + (n == 0); ++n) skipping_step(now, settings);
     for (int n = 0; n < 240; ++n) skipping_step(now, settings);
     REQUIRE(now.counters.awake == 0);
@@ -2174,7 +2174,7 @@ TEST_CASE("discs poured into a funnel of walls with ends stay above it and those
         SkippingSettings settings;
         settings.start = Start::best_multiple;
         settings.sleep = sleep;
-        settings.sweeps = {100, 1e-8, false};
+        settings.sweeps = {.max_sweeps = 100, .tolerance = 1e-8};
         for (int n = 0; n < 600; ++n) skipping_step(now, settings);
         for (Index k = 0; k < outside; ++k) CHECK(now.scene.bodies.position(k).y() > 0.2);
         CHECK(now.scene.bodies.position(outside).y() < -400);  // ½ g t² over ten seconds
