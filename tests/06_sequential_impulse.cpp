@@ -1427,7 +1427,7 @@ TEST_CASE("the order of the bodies does not matter to rounding", "[idea]")
     }
 }
 
-TEST_CASE("a row turned round is the same row", "[idea]")
+TEST_CASE("a row turned round is the same row", "[house]")
 {
     // a and b exchanged, the normal turned: the same J, and the same bits.
     Random random(24);
