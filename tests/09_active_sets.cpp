@@ -197,7 +197,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[idea]")
+TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[house]")
 {
     MatX A = MatX::Ones(2, 2);
     Mlcp problem = plain_lcp(A, vector({-1, -1}));
