@@ -6,7 +6,6 @@
 #include "chapters/09_active_sets/rattle.hpp"
 #include "chapters/10_skipping_work/awake_bodies.hpp"
 #include "chapters/10_skipping_work/enter_awake.hpp"
-#include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "common/measure.hpp"
 #include "common/random.hpp"
 

@@ -200,8 +200,9 @@ TEST_CASE("a struck rod slips and sticks as Newton's impact with friction by han
         StepData<3> now;
         step(scene, {.h = 1.0 / 60}, method, now);
         REQUIRE(now.solution.lambda.size() == 2);
-        CHECK(std::abs(now.solution.lambda[0] - hand.normal) <= 1e-12);
-        CHECK(std::abs(std::abs(now.solution.lambda[1]) - hand.tangent) <= 1e-12);
+        // the normals come last
+        CHECK(std::abs(now.solution.lambda[1] - hand.normal) <= 1e-12);
+        CHECK(std::abs(std::abs(now.solution.lambda[0]) - hand.tangent) <= 1e-12);
         CHECK(std::abs(scene.bodies.u[2] - hand.spin) <= 1e-12);
         const VecX& W = scene.bodies.inverse_mass;
         CHECK(std::abs(kinetic_energy(scene.bodies.u, W) - kinetic_energy(before, W) - hand.energy) <= 1e-12);
@@ -268,13 +269,13 @@ TEST_CASE("the tangent row is the sliding speed of the two points that touch", "
         now.u_star = scene.bodies.u;
         evaluate_constraints(scene, now);
         const Vec2 rim = scene.bodies.position(0).head<2>() - r * n;
-        const Constraint<3>& c = now.constraints[1];
+        const Constraint<3>& c = now.constraints[0];
         CHECK(std::abs(c.Jb.dot(scene.bodies.velocity(0)) -
                        perpendicular(n).dot(velocity_at(scene.bodies, 0, rim))) <= 1e-12);
-        CHECK(c.bounded_by == 0);
+        CHECK(c.bounded_by == 2);
         CHECK(c.speed == 0.5);  // two belts of a quarter
-        CHECK(now.constraints[2].bounded_by == 0);
-        CHECK(now.constraints[2].Jb == RowVec<3>(0, 0, 1));
+        CHECK(now.constraints[1].bounded_by == 2);
+        CHECK(now.constraints[1].Jb == RowVec<3>(0, 0, 1));
     }
 }
 
@@ -521,7 +522,8 @@ TEST_CASE("a warm start at rest needs no new factor and allocates nothing", "[ho
     RoughScene scene = on_a_slope(box(1, 1), 0.5, 15, 0.3);
     Exact method;
     StepData<3> now;
-    for (int i = 0; i < 100; ++i) step(scene, {}, method, now);
+    // until what is left of the motion is below rounding
+    for (int i = 0; i < 200; ++i) step(scene, {}, method, now);
     int guesses = 0, factorisations = 0;
     {
         const NoAllocation none;
