@@ -1343,7 +1343,7 @@ TenDiscsResult ten_discs_run(std::uint64_t seed, Real h, Real k, Real damping, R
     std::vector<Contact> last;
     TenDiscsResult result;
     for (int n = 0; n < steps; ++n) {
-        const Input input = {pointer.at(n * h), true, false};
+        const Input input = {.pointer = pointer.at(n * h), .present = true};
         scene.gravity = steered_gravity(input, view, gravity);
         step(scene, ten_discs_settings(settings, input), by_matrix(exact_solve), now);
         REQUIRE(now.solution.status == Status::solved);

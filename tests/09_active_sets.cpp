@@ -81,7 +81,7 @@ std::vector<FrictionBox> boxes_of(const Mlcp& mlcp, Real mu)
 
 // ---- the guesses of the text ----------------------------------------------------------------------------
 
-TEST_CASE("the two contacts of the text take two guesses", "[idea]")
+TEST_CASE("the two contacts of the text take two guesses", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -1}));
     ActiveSetSettings settings;
@@ -147,7 +147,7 @@ TEST_CASE("flipping all wrong rows cycles in the example of the text and the fal
     }
 }
 
-TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says", "[idea]")
+TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
     // One more guess each time: the guess that is then on the table, by its active rows.
@@ -197,7 +197,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[idea]")
+TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[house]")
 {
     MatX A = MatX::Ones(2, 2);
     Mlcp problem = plain_lcp(A, vector({-1, -1}));

@@ -112,7 +112,8 @@ World asleep_towers()
 
 }  // namespace
 
-TEST_CASE("ten sweeps keep a tower of ten at rest if the normals come last and contacts stay closed")
+TEST_CASE("ten sweeps keep a tower of ten at rest if the normals come last and contacts stay closed",
+          "[idea]")
 {
     // The table of section 13.5, as measured, within what another compiler's sums would change: where nothing
     // comes to rest the motion is chaotic, and only its size is asked.
@@ -136,7 +137,7 @@ TEST_CASE("ten sweeps keep a tower of ten at rest if the normals come last and c
     CHECK(usual.correction.slop == 0.005);
 }
 
-TEST_CASE("without sleep the stage for shapes finds what the plain one finds to the bit")
+TEST_CASE("without sleep the stage for shapes finds what the plain one finds to the bit", "[house]")
 {
     RoughScene scene = rough(pile(60)), twin = scene;
     FrictionSweeps<Manifolds> plain;
@@ -152,7 +153,7 @@ TEST_CASE("without sleep the stage for shapes finds what the plain one finds to 
     }
 }
 
-TEST_CASE("a heap of shapes with friction falls asleep and then a step does nothing")
+TEST_CASE("a heap of shapes with friction falls asleep and then a step does nothing", "[idea]")
 {
     World world(rough(pile(60)));
     world.method.solver.sweeps.max_sweeps = 1000;
@@ -169,7 +170,7 @@ TEST_CASE("a heap of shapes with friction falls asleep and then a step does noth
     CHECK(world.now.active.empty());
 }
 
-TEST_CASE("a tower that is hit wakes and the other one sleeps on")
+TEST_CASE("a tower that is hit wakes and the other one sleeps on", "[idea]")
 {
     World world = asleep_towers();
     const Index ball = add_body(world.scene, disc(0.3), 1, {-6, 2.5});
@@ -195,7 +196,7 @@ TEST_CASE("a tower that is hit wakes and the other one sleeps on")
     CHECK((world.scene.bodies.x.segment(15, 15) - right).cwiseAbs().maxCoeff() <= 5e-4);
 }
 
-TEST_CASE("what is changed in a scene wakes those that it concerns without anybody being told")
+TEST_CASE("what is changed in a scene wakes those that it concerns without anybody being told", "[idea]")
 {
     using Change = std::function<void(RoughScene&)>;
     const auto moved_by = [](const Change& change, int left, int right) {
@@ -221,7 +222,8 @@ TEST_CASE("what is changed in a scene wakes those that it concerns without anybo
     moved_by([](RoughScene& s) { s.surfaces[3].friction = 0; }, 0, -1);
 }
 
-TEST_CASE("a fixed shelf that is taken from under a sleeper wakes it and so does one that is put into it")
+TEST_CASE("a fixed shelf that is taken from under a sleeper wakes it and so does one that is put into it",
+          "[idea]")
 {
     RigidScene smooth;
     add_body(smooth, box(4, 1), Mass{}, {0, -0.5});
@@ -242,7 +244,7 @@ TEST_CASE("a fixed shelf that is taken from under a sleeper wakes it and so does
     CHECK(!world.asleep(1));
 }
 
-TEST_CASE("sleepers wake with the impulses that they fell asleep with")
+TEST_CASE("sleepers wake with the impulses that they fell asleep with", "[idea]")
 {
     World world = asleep_towers();
     const VecX x = world.scene.bodies.x;
@@ -269,7 +271,7 @@ TEST_CASE("sleepers wake with the impulses that they fell asleep with")
     CHECK((world.scene.bodies.x - x).cwiseAbs().maxCoeff() <= 1e-4);
 }
 
-TEST_CASE("contacts have their names again after sleep")
+TEST_CASE("contacts have their names again after sleep", "[idea]")
 {
     World world = asleep_towers();
     NamedImpulses last;
@@ -284,7 +286,7 @@ TEST_CASE("contacts have their names again after sleep")
     CHECK(left.share_kept(world.now) == 1);
 }
 
-TEST_CASE("a disc that spins in its place never falls asleep")
+TEST_CASE("a disc that spins in its place never falls asleep", "[idea]")
 {
     RigidScene smooth;
     smooth.gravity = {0, 0};
@@ -296,7 +298,7 @@ TEST_CASE("a disc that spins in its place never falls asleep")
     CHECK(world.scene.bodies.velocity(0)[2] == 0.01);
 }
 
-TEST_CASE("a box that a slow platform carries never falls asleep")
+TEST_CASE("a box that a slow platform carries never falls asleep", "[idea]")
 {
     RigidScene smooth;
     add_body(smooth, box(4, 1), Mass{}, {0, -0.5});
