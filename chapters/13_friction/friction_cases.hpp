@@ -23,8 +23,9 @@ inline void find_wrong(FrictionProblem& problem, Real left, FrictionGuess& guess
 
 //! [first_cases]
 /// The cases to begin with. A row keeps the one that it had in the last answer as long
-/// as its λ and w do not speak against it: a row on the edge of two cases, such as
-/// a contact that carries nothing, points here and there by rounding alone.
+/// as its λ and w do not clearly speak against it: a row on the edge of two cases,
+/// such as a contact that carries nothing, points here and there by rounding alone,
+/// and by what the last answer left.
 inline void first_cases(FrictionProblem& problem, FrictionGuess& guess)
 {
     Mlcp& mlcp = *problem.mlcp;
@@ -35,7 +36,7 @@ inline void first_cases(FrictionProblem& problem, FrictionGuess& guess)
         const Real a = problem.scale.diagonal[i], w = guess.w[i],
                    above = a * (guess.lambda[i] - mlcp.lo[i]),
                    below = a * (mlcp.hi[i] - guess.lambda[i]),
-                   least = allowed(problem, rounding, i);
+                   least = 100 * allowed(problem, rounding, i);
         const bool fits = here == BoundState::between ? std::abs(w) <= least
                           : here == BoundState::at_lo
                               ? above <= least && w >= -least
