@@ -740,6 +740,28 @@ TEST_CASE("a steady step of bodies that turn allocates nothing", "[house]")
     CHECK(NoAllocation::violations() == 0);
 }
 
+TEST_CASE("a wall without direction and a shape that was spoilt are refused with a sentence", "[idea]")
+{
+    RigidScene scene = rod_pendulum(std::array{0.1});
+    scene.walls = {{{0, 1}, -3}, {{0, 2}, -3}};
+    const auto stepped = [&] {
+        return sentence_of([&] {
+            RigidSweeps method;
+            RigidScene broken = scene;
+            run(broken, method, 0.01, 1);
+        });
+    };
+    CHECK(stepped() == "the length of the normal of wall 1 is 2; it must be 1");
+    scene.walls[1] = {{0, 1}, std::nan("")};
+    CHECK(stepped() == "the offset of wall 1 is nan; it must be finite");
+    scene.walls.clear();
+    CHECK_NOTHROW(require_valid(scene));
+    // A step does not look at shapes each time: whoever changes one calls require_valid(scene).
+    scene.shapes[0].radius = -1;
+    CHECK(sentence_of([&] { require_valid(scene); }) ==
+          "the shape of body 0: the radius of the polygon is -1 m; it must be zero or positive and finite");
+}
+
 TEST_CASE("bad polygons and masses and joints are refused with a sentence", "[idea]")
 {
     const auto refused = [](const Polygon& shape, Real density) {

@@ -37,7 +37,7 @@ struct Manifolds {
     void begin(const RigidScene& scene, const StepSettings& settings, Method&,
                StepData<3>& now)
     {
-        rigid::require_valid(scene);
+        require_bodies(scene);
         now.length = typical_length(scene);
         const Bodies<3>& bodies = scene.bodies;
         now.active.resize(static_cast<std::size_t>(bodies.count()));
