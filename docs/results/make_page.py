@@ -260,7 +260,7 @@ GROUPS = [
      "whose discs change places has failed, whatever its overlaps are."),
     ("rest_runs", "A thousand resting bodies", "Nothing has to happen. In the bins, a hundred small piles, chapter 8's step is set beside "
      "chapter 10's: which lets what rests sleep, which does not, and which solves islands of up to 32 rows exactly. Its sweeps end at a residual of 1 µm/s."),
-    ("turning_runs", "Seconds of bodies that turn", "Boxes of 1 m with friction 0.5 that should stay where they are, a box that slides by its closed form, and two rods whose angles after "
+    ("turning_runs", "Seconds of bodies that turn", "Boxes of 1 m with friction 0.5 that should stay where they are (stacks for 2 s, a pyramid of 210 for 1 s), a box that slides down 30° by its closed form, and a double pendulum of two rods whose angles after "
      "a second are known: metres or radians, in steps of 1/60 s. The book's ways are chapter 13's (of the pendulum, which has nothing that touches, chapter 11's): sweeps with the last impulses, small "
      "steps of one sweep, exact answers in 1, 4 or 16 sub-steps, RATTLE. Boxes of Box2D are made smaller by its polygon's skin, so that they touch where ours do."),
 ]
