@@ -588,6 +588,42 @@ TEST_CASE("a ray meets what creeping along it meets", "[idea]")
     CHECK(hits > 100);
 }
 
+TEST_CASE("the bodies at a point are those whose distance from it is not positive", "[idea]")
+{
+    Random random(12);
+    RigidScene scene;
+    BoxTree tree;
+    constexpr int count = 40;
+    for (int k = 0; k < count; ++k) {
+        const by_force::Pair pair = by_force::random_pair(random);
+        Polygon shape = pair.a;
+        shape.radius = std::max(shape.radius, shape.vertices.size() < 3 ? 0.1 : 0.0);
+        add_body(scene, shape, 1, 2 * pair.at_a.head<2>(), pair.at_a[2]);
+    }
+    PlacedShapes placed;
+    placed.move(scene);
+    for (int k = 0; k < count; ++k) tree.place(k, placed.boxes[static_cast<std::size_t>(k)]);
+    int inside = 0;
+    for (int round = 0; round < 500; ++round) {
+        const Real x = random.uniform(-2, 2), y = random.uniform(-2, 2);
+        std::vector<int> found, expected;
+        bodies_at({x, y}, tree, placed, [&](int k) { found.push_back(k); });
+        for (int k = 0; k < count; ++k) {
+            const by_force::Pair pair{scene.shapes[static_cast<std::size_t>(k)], disc(0),
+                                      scene.bodies.position(k), Vec<3>(x, y, 0)};
+            const Real distance = by_force::distance(pair);
+            CHECK(std::abs(distance_to(placed.of(k), {x, y}) - distance) <= 1e-9);
+            if (distance <= 0) expected.push_back(k);
+        }
+        std::sort(found.begin(), found.end());
+        CHECK(found == expected);
+        inside += static_cast<int>(found.size());
+        // A ray from inside a body has met it at once.
+        if (!found.empty()) CHECK(first_hit({{x, y}, {1, 0}}, tree, placed).part == 0);
+    }
+    CHECK(inside > 100);
+}
+
 // ---- fast bodies
 
 TEST_CASE("a bullet stays on its side of a wall of one centimetre and a spinning rod before a post", "[idea]")

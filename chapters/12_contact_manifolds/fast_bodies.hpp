@@ -42,7 +42,6 @@ inline Real inner_radius(const Placed& shape, const Vec2& centroid)
 
 //! [each_other]
 /// Of two fast bodies: both move until one of them stops, then the other alone.
-/// What comes close only then, stops there.
 /// \return  a hit at the part of the step at which they meet
 template <class FirstImpact>
 Impact impact_of_two(const MovingShape& a, Real part_a, const MovingShape& b,
@@ -59,7 +58,6 @@ Impact impact_of_two(const MovingShape& a, Real part_a, const MovingShape& b,
     if (both.hit || first == end) return both;
     Impact alone =
         first_impact(piece(a, first, end, part_a), piece(b, first, end, part_b));
-    if (alone.close && !both.close) alone.hit = true, alone.part = 0;
     alone.part = first + alone.part * (end - first);
     return alone;
 }
