@@ -65,14 +65,15 @@ Real jacobian_error(const Contact& contact, const VecX& x_found, const VecX& x, 
 /// ω after each impact of a rocking block divided by ω before it, with n steps a second. It strikes where its angle passes zero;
 /// there both are read off straight lines through ω three and eight steps before, and after: gravity changes ω evenly,
 /// and an impact takes a step or two.
-std::vector<Real> impact_ratios(RigidScene scene, int n, std::size_t impacts)
+std::vector<Real> impact_ratios(RigidScene scene, int n, std::size_t impacts, int substeps = 1,
+                                std::vector<Real>* spins = nullptr)
 {
     ManifoldExact method;
     method.correction = exact_correction();
     StepData<3> now;
     std::vector<Real> angle, omega, ratios;
     for (int i = 0; i < 4 * n; ++i) {
-        step(scene, {.h = 1.0 / n}, method, now);
+        step(scene, {.h = 1.0 / n, .substeps = substeps}, method, now);
         angle.push_back(scene.bodies.x[2]);
         omega.push_back(scene.bodies.u[2]);
     }
@@ -82,6 +83,7 @@ std::vector<Real> impact_ratios(RigidScene scene, int n, std::size_t impacts)
         const Real before = omega[i - 4] + (omega[i - 4] - omega[i - 9]) / 5 * (3 + at),
                    after = omega[i + 3] + (omega[i + 3] - omega[i + 8]) / 5 * (4 - at);
         ratios.push_back(after / before);
+        if (spins != nullptr) spins->push_back(std::abs(after));
     }
     return ratios;
 }
@@ -408,16 +410,28 @@ TEST_CASE("blocks over the end of a table stand at 0.98 of the limit and fall at
 
 TEST_CASE("a rocking block loses at each impact what Housner says", "[idea]")
 {
-    for (const Real w : {0.3, 0.5})
-        for (const int n : {480, 1920}) {
-            const std::vector<Real> ratios = impact_ratios(block_on_floor(w, 1, 0.2, true), n, 3);
-            REQUIRE(ratios.size() == 3);
-            for (std::size_t i = 0; i < 3; ++i) {
-                INFO(ratios[i] << " for " << housner_ratio(w, 1) << " at impact " << i);
-                // At 1/480 s gravity takes more than 1 % a step from the slow second and third: 2.1 % when written.
-                CHECK(std::abs(ratios[i] / housner_ratio(w, 1) - 1) <= (i > 0 && n == 480 ? 0.03 : 0.02));
-            }
+    const auto worst = [](Real w, int n, int substeps) {
+        std::vector<Real> spins;
+        const std::vector<Real> ratios =
+            impact_ratios(block_on_floor(w, 1, 0.2, true), n, 3, substeps, &spins);
+        REQUIRE(ratios.size() == 3);
+        Real largest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Real off = ratios[i] / housner_ratio(w, 1) - 1;
+            largest = std::max(largest, std::abs(off));
+            INFO(ratios[i] << " for " << housner_ratio(w, 1) << " at impact " << i);
+            // (12.9a): up to 2 α h is missing, and never more than that is; 0.5 % for the lines that ω is read off.
+            const Real missing = 2 * 0.75 * 9.81 * w / (w * w + 1) / n / substeps;
+            CHECK(off <= 0.005);
+            CHECK(off >= -0.005 - missing / spins[i]);
         }
+        return largest;
+    };
+    for (const Real w : {0.3, 0.5}) {
+        CHECK(worst(w, 480, 2) <= 0.02);
+        CHECK(worst(w, 1920, 1) <= 0.01);
+        CHECK(worst(w, 480, 1) <= 0.03);  // 2.1 % when written, of the slow second and third impacts
+    }
 }
 
 TEST_CASE("a block that rocks on ice keeps the part of its spin that exercise 12.2 finds", "[idea]")
@@ -574,6 +588,42 @@ TEST_CASE("a ray meets what creeping along it meets", "[idea]")
     CHECK(hits > 100);
 }
 
+TEST_CASE("the bodies at a point are those whose distance from it is not positive", "[idea]")
+{
+    Random random(12);
+    RigidScene scene;
+    BoxTree tree;
+    constexpr int count = 40;
+    for (int k = 0; k < count; ++k) {
+        const by_force::Pair pair = by_force::random_pair(random);
+        Polygon shape = pair.a;
+        shape.radius = std::max(shape.radius, shape.vertices.size() < 3 ? 0.1 : 0.0);
+        add_body(scene, shape, 1, 2 * pair.at_a.head<2>(), pair.at_a[2]);
+    }
+    PlacedShapes placed;
+    placed.move(scene);
+    for (int k = 0; k < count; ++k) tree.place(k, placed.boxes[static_cast<std::size_t>(k)]);
+    int inside = 0;
+    for (int round = 0; round < 500; ++round) {
+        const Real x = random.uniform(-2, 2), y = random.uniform(-2, 2);
+        std::vector<int> found, expected;
+        bodies_at({x, y}, tree, placed, [&](int k) { found.push_back(k); });
+        for (int k = 0; k < count; ++k) {
+            const by_force::Pair pair{scene.shapes[static_cast<std::size_t>(k)], disc(0),
+                                      scene.bodies.position(k), Vec<3>(x, y, 0)};
+            const Real distance = by_force::distance(pair);
+            CHECK(std::abs(distance_to(placed.of(k), {x, y}) - distance) <= 1e-9);
+            if (distance <= 0) expected.push_back(k);
+        }
+        std::sort(found.begin(), found.end());
+        CHECK(found == expected);
+        inside += static_cast<int>(found.size());
+        // A ray from inside a body has met it at once.
+        if (!found.empty()) CHECK(first_hit({{x, y}, {1, 0}}, tree, placed).part == 0);
+    }
+    CHECK(inside > 100);
+}
+
 // ---- fast bodies
 
 TEST_CASE("a bullet stays on its side of a wall of one centimetre and a spinning rod before a post", "[idea]")
@@ -610,6 +660,28 @@ TEST_CASE("a bullet stays on its side of a wall of one centimetre and a spinning
             largest = std::max(largest, scene.bodies.x[5]);
         }
         CHECK((largest <= pi / 2) == stop);
+    }
+}
+
+TEST_CASE("a bullet that follows another to a wall stops behind it", "[idea]")
+{
+    for (const int others : {1, 2, 4}) {
+        RigidScene scene = bullet(disc(0.1), 0, 0);
+        for (int k = 1; k <= others; ++k) {
+            // some of them faster than those before them
+            const Index b = add_body(scene, disc(0.1), 1, {-3 - 0.5 * k, 0});
+            scene.bodies.velocity(b) << 300 + 20 * (k % 3), 0, 0;
+        }
+        ManifoldExact method;
+        method.correction = exact_correction();
+        StepData<3> now;
+        for (int n = 0; n < 20; ++n) {
+            step(scene, {.h = 1.0 / 60}, method, now);
+            CHECK(scene.bodies.x[3] <= -0.105 + 1e-9);
+            for (Index b = 2; b < scene.bodies.count(); ++b)
+                // They are stopped at a gap of a quarter of a margin or more, and contacts close it: 1e-9 is rounding.
+                CHECK(scene.bodies.x[3 * b - 3] - scene.bodies.x[3 * b] >= 0.2 - 1e-9);
+        }
     }
 }
 

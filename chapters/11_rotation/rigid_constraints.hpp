@@ -47,8 +47,9 @@ inline void evaluate_constraints(const RigidScene& scene, StepData<3>& now)
         now.constraints[i] = constraint_at(scene, now, i, scene.bodies.x);
 }
 
-/// Throws std::invalid_argument, with a sentence that names the thing, unless the scene makes sense.
-inline void require_valid(const RigidScene& scene)
+/// What a step looks at each time: bodies, joints and walls. Throws std::invalid_argument, with a sentence that names the
+/// thing, unless they make sense.
+inline void require_bodies(const RigidScene& scene)
 {
     require_valid(scene.bodies);
     if (static_cast<Index>(scene.shapes.size()) != scene.bodies.count())
@@ -58,6 +59,32 @@ inline void require_valid(const RigidScene& scene)
             " bodies; each needs its own");
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
         require_valid(scene.joints[i], i, scene.bodies.count());
+    for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+        const HalfSpace& wall = scene.walls[i];
+        const auto refuse = [i](const char* what, Real value, const char* right) {
+            throw std::invalid_argument("the " + std::string(what) + " of wall " +
+                                        std::to_string(i) + " is " +
+                                        shortest(value) + "; it must be " + right);
+        };
+        // six digits: enough that a gap of a metre is right to a micrometre
+        if (!(std::abs(wall.normal.norm() - 1) < 1e-6))
+            refuse("length of the normal", wall.normal.norm(), "1");
+        if (!std::isfinite(wall.offset)) refuse("offset", wall.offset, "finite");
+    }
+}
+
+/// The whole scene, shapes as well: for whoever makes a scene or changes it in the middle of a run. Throws
+/// std::invalid_argument, with a sentence that names the thing, unless it makes sense.
+inline void require_valid(const RigidScene& scene)
+{
+    require_bodies(scene);
+    for (std::size_t k = 0; k < scene.shapes.size(); ++k) try {
+            require_valid(scene.shapes[k]);
+        } catch (const std::invalid_argument& fault) {
+            throw std::invalid_argument("the shape of body " + std::to_string(k) +
+                                        ": " + fault.what());
+        }
+    (void)typical_length(scene);
 }
 
 //! [all_bodies]
@@ -68,7 +95,7 @@ struct AllBodies {
     void begin(const RigidScene& scene, const StepSettings& settings, Method&,
                StepData<3>& now) const
     {
-        require_valid(scene);
+        require_bodies(scene);
         now.length = typical_length(scene);
         const Bodies<3>& bodies = scene.bodies;
         now.active.resize(static_cast<std::size_t>(bodies.count()));

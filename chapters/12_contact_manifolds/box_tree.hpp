@@ -8,23 +8,13 @@
 /// smaller. \cite goldsmith1987 \cite kopta2012
 #pragma once
 
-#include "chapters/12_contact_manifolds/placed_shape.hpp"
+#include "chapters/12_contact_manifolds/boxes.hpp"
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace rigid {
-
-inline Real perimeter(const Box& box)
-{
-    return 2 * (box.high.x() - box.low.x() + box.high.y() - box.low.y());
-}
-
-inline bool contains(const Box& outer, const Box& inner)
-{
-    return outer.low.x() <= inner.low.x() && outer.low.y() <= inner.low.y() &&
-           outer.high.x() >= inner.high.x() && outer.high.y() >= inner.high.y();
-}
 
 class BoxTree {
 public:

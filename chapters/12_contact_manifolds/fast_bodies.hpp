@@ -6,6 +6,9 @@
 /// from where it was to where it is, to its first impact (time_of_impact.hpp). It keeps its velocity and loses the rest
 /// of the step's time; the next step finds the contact. Of two that are close already, the contact has its row; they are
 /// only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than it was.
+///
+/// Where a body stops early it stands in the way of others, which were looked at as if it went on: fast bodies are looked
+/// at in pairs again until none of them stops any earlier.
 #pragma once
 
 #include "chapters/12_contact_manifolds/time_of_impact.hpp"
@@ -36,6 +39,66 @@ inline Real inner_radius(const Placed& shape, const Vec2& centroid)
             std::min(nearest, shape.normal(i).dot(shape.vertex(i) - centroid));
     return nearest + shape.radius;
 }
+
+//! [each_other]
+/// Of two fast bodies: both move until one of them stops, then the other alone.
+/// \return  a hit at the part of the step at which they meet
+template <class FirstImpact>
+Impact impact_of_two(const MovingShape& a, Real part_a, const MovingShape& b,
+                     Real part_b, const FirstImpact& first_impact)
+{
+    const auto piece = [](const MovingShape& m, Real from, Real to, Real part) {
+        return MovingShape{m.shape, m.at(std::min(from, part)),
+                           m.at(std::min(to, part))};
+    };
+    const Real first = std::min(part_a, part_b), end = std::max(part_a, part_b);
+    Impact both =
+        first_impact(piece(a, 0, first, part_a), piece(b, 0, first, part_b));
+    both.part *= first;
+    if (both.hit || first == end) return both;
+    Impact alone =
+        first_impact(piece(a, first, end, part_a), piece(b, first, end, part_b));
+    alone.part = first + alone.part * (end - first);
+    return alone;
+}
+
+/// Fast bodies in pairs, until none stops any earlier. After 20 rounds all of them
+/// stay where they were: nothing can have gone through anything then.
+template <class Motion, class MayMeet, class FirstImpact>
+void stop_each_other(const Motion& motion, const MayMeet& may_meet,
+                     const FirstImpact& first_impact, FastBodies& fast)
+{
+    bool earlier = fast.bodies.size() > 1;
+    for (int round = 0; earlier; ++round) {
+        if (round == 20) {
+            for (const int k : fast.bodies)
+                fast.part[static_cast<std::size_t>(k)] = 0;
+            return;
+        }
+        earlier = false;
+        for (std::size_t i = 0; i < fast.bodies.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const int a = fast.bodies[j], b = fast.bodies[i];
+                if (!may_meet(a, b)) continue;
+                const auto ka = static_cast<std::size_t>(a),
+                           kb = static_cast<std::size_t>(b);
+                Real &part_a = fast.part[ka], &part_b = fast.part[kb];
+                const Real inner = std::max(fast.inner[ka], fast.inner[kb]);
+                const Impact impact = impact_of_two(
+                    motion(a), part_a, motion(b), part_b,
+                    [&](const MovingShape& of_a, const MovingShape& of_b) {
+                        return first_impact(of_a, of_b, inner);
+                    });
+                if (!impact.hit) continue;
+                for (Real* const part : {&part_a, &part_b}) {
+                    // rounding is no reason for another round
+                    earlier = earlier || impact.part < *part - 1e-12;
+                    *part = std::min(*part, impact.part);
+                }
+            }
+    }
+}
+//! [each_other]
 
 //! [fast]
 /// \param active     bodies that could have moved in this step, ascending
@@ -95,28 +158,28 @@ void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
         if (impact.close && inner > 0) {
             const Real deep = std::min(-inner / 2, impact.start - inner / 8);
             impact = time_of_impact(other, moving, deep, inner / 16, fast.memory);
+            impact.close = true;
             fast.rounds += impact.rounds;
         }
         return impact;
+    };
+    const auto may_meet = [&](int a, int b) {
+        return may_touch(a, b) && overlap(fast.swept[static_cast<std::size_t>(a)],
+                                          fast.swept[static_cast<std::size_t>(b)]);
     };
     for (const int a : fast.bodies) {
         const MovingShape moving = motion(a);
         const Real inner_a = fast.inner[static_cast<std::size_t>(a)];
         for (int b = 0; b < K; ++b) {
-            const bool both = fast.is_fast[static_cast<std::size_t>(b)] != 0;
-            if (a == b || (both && b < a) || !may_touch(a, b) ||
-                !overlap(fast.swept[static_cast<std::size_t>(a)],
-                         fast.swept[static_cast<std::size_t>(b)]))
+            if (fast.is_fast[static_cast<std::size_t>(b)] || !may_meet(a, b))
                 continue;
             const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
-            const Impact impact =
-                first_impact(motion(b), moving, std::max(inner_a, inner_b));
-            hold(a, impact);
-            if (both) hold(b, impact);
+            hold(a, first_impact(motion(b), moving, std::max(inner_a, inner_b)));
         }
         for (const HalfSpace& wall : scene.walls)
             hold(a, first_impact(wall, moving, inner_a));
     }
+    stop_each_other(motion, may_meet, first_impact, fast);
     for (const int k : fast.bodies) {
         const Real part = fast.part[static_cast<std::size_t>(k)];
         if (part >= 1) continue;

@@ -39,7 +39,7 @@ struct Manifolds {
     void begin(const RigidScene& scene, const StepSettings& settings, Method&,
                StepData<3>& now)
     {
-        rigid::require_valid(scene);
+        require_bodies(scene);
         now.length = typical_length(scene);
         now.active.resize(static_cast<std::size_t>(scene.bodies.count()));
         std::iota(now.active.begin(), now.active.end(), 0);

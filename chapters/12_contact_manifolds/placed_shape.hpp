@@ -5,6 +5,7 @@
 #pragma once
 
 #include "chapters/11_rotation/rigid_scene.hpp"
+#include "chapters/12_contact_manifolds/boxes.hpp"
 
 #include <algorithm>
 #include <span>
@@ -32,27 +33,6 @@ struct Placed {
     int before(int i) const { return i > 0 ? i - 1 : size() - 1; }
 };
 //! [placed]
-
-/// A rectangle along the axes that contains something.
-struct Box {
-    Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};  ///< [m]
-};
-
-inline bool overlap(const Box& a, const Box& b)
-{
-    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() &&
-           a.low.y() <= b.high.y() && b.low.y() <= a.high.y();
-}
-
-inline Box joined(const Box& a, const Box& b)
-{
-    return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-}
-
-inline Box grown(const Box& box, Real by)
-{
-    return {box.low - Vec2(by, by), box.high + Vec2(by, by)};
-}
 
 inline Box box_of(const Placed& shape)
 {

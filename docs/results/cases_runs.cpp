@@ -1,6 +1,7 @@
 // A few seconds of chains, columns and heaps, as an engine is used. See runs.hpp.
 #include "docs/results/cases.hpp"
 #include "docs/results/runs.hpp"
+#include "docs/results/turning_runs.hpp"
 
 namespace rigid::results {
 namespace {
@@ -72,6 +73,7 @@ void add_runs(Registry& registry)
     add({pile("triangle_run", triangle(10)), "base=10 discs=55 steps=300", 300, true});
     add({pile("triangle_run", triangle(44)), "base=44 discs=990 steps=60", 60, true, false, true});
     add({pile("bins_run", bins()), "bins=100 discs=1000 steps=300", 300, true, false, true});
+    add_turning(registry);
 }
 
 }  // namespace rigid::results

@@ -13,7 +13,8 @@ INK = "#808080"
 FRONT = "#B8808080"
 #         chapter of the method: colour
 COLOURS = {"1": "#AA3377", "2": "#CCBB44", "3": "#AA3377", "4": "#4477AA", "5": "#CC3311", "6": "#EE7733",
-           "7": "#AA3377", "8": "#22AACC", "9": "#228833", "10": "#BBAA22", "peer": INK}
+           "7": "#AA3377", "8": "#22AACC", "9": "#228833", "10": "#BBAA22", "11": "#AA3377",
+           "12": "#4477AA", "13": "#CC3311", "peer": INK}
 MARKS = [7, 9, 5, 13, 11, 6, 8, 4, 12, 10, 3, 2, 1, 15]
 #         method: (colour or None, point type)
 SMOOTH = {"explicit_euler": ("#EE7733", 1), "symplectic_euler": ("#4477AA", 7), "verlet": ("#228833", 9),
@@ -53,6 +54,13 @@ GROUPS = {
     "rest_runs": (None, "error / 0.1 m", {
         "bins_run bins=100 discs=1000 steps=300": "1,000 discs in 100 bins, 5 s",
         "triangle_run base=44 discs=990 steps=60": "one triangle of 990 discs, 1 s"}),
+    "turning_runs": (None, "error [m or rad]", {
+        "box_stack_run boxes=10 top_mass=1 steps=120": "10 boxes",
+        "box_stack_run boxes=20 top_mass=1 steps=120": "20 boxes",
+        "box_stack_run boxes=5 top_mass=1000 steps=120": "1000 kg on 4",
+        "box_pyramid_run base=20 boxes=210 steps=60": "210 boxes",
+        "sliding_box_run slope=30 mu=0.3 steps=60": "a slope",
+        "double_rod_run steps=60": "two rods"}),
 }
 # The same runs by what was counted: only methods that count in this unit.
 BY_WORK = {

@@ -11,10 +11,11 @@ import table as tables
 from table import FAILED, words
 
 WAYS_ON = "[Contents](../README.md) · [Back: Conventions](conventions.md) · [Next: Stability](stability.md)"
-BOOK = tuple("123456789") + ("10",)
+BOOK = tuple("123456789") + ("10", "11", "12", "13")
 CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
             "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
-            "9": "09_active_sets", "10": "10_skipping_work"}
+            "9": "09_active_sets", "10": "10_skipping_work",
+            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction"}
 
 
 # ---- numbers and names as a reader wants them ---------------------------------------------------------------------
@@ -103,6 +104,14 @@ WHEN = [
       "skipping_without_sleep") + ENGINES),
     ("a thousand resting bodies in one heap", "triangle_run base=44 discs=990 steps=60", 1e-2,
      ("gauss_seidel", "warm", "small_steps", "careful_small_steps", "active_sets_warm", "exact_steps", "skipping") + ENGINES),
+    ("boxes with friction: a stack of 20", "box_stack_run boxes=20 top_mass=1 steps=120", 1e-2,
+     ("friction_sweeps", "friction_small_steps", "exact_friction") + ENGINES),
+    ("boxes with friction: 1000 kg on a stack of four", "box_stack_run boxes=5 top_mass=1000 steps=120", 1e-2,
+     ("friction_sweeps", "friction_small_steps", "exact_friction") + ENGINES),
+    ("boxes with friction: a pyramid of 210", "box_pyramid_run base=20 boxes=210 steps=60", 1e-2,
+     ("friction_sweeps", "friction_small_steps", "exact_friction") + ENGINES),
+    ("rods on pins: a double pendulum, 1 s", "double_rod_run steps=60", 1e-2,
+     ("rods_sweeps", "rods_small_steps", "exact_rods", "rattle") + ENGINES),
     ("one step, exact: 200 links, 1000 kg", "chain links=200 end_mass=1000", 1e-6,
      ("one_shot", "gauss_seidel", "sor", "conjugate_gradients", "active_sets", "ode_dantzig", "bullet_dantzig")),
     ("one step, exact: 20 discs, 10,000 kg", "column discs=20 top_mass=10000", 1e-6,
@@ -251,6 +260,9 @@ GROUPS = [
      "whose discs change places has failed, whatever its overlaps are."),
     ("rest_runs", "A thousand resting bodies", "Nothing has to happen. In the bins, a hundred small piles, chapter 8's step is set beside "
      "chapter 10's: which lets what rests sleep, which does not, and which solves islands of up to 32 rows exactly. Its sweeps end at a residual of 1 µm/s."),
+    ("turning_runs", "Seconds of bodies that turn", "Boxes of 1 m with friction 0.5 that should stay where they are (stacks for 2 s, a pyramid of 210 for 1 s), a box that slides down 30° by its closed form, and a double pendulum of two rods whose angles after "
+     "a second are known: metres or radians, in steps of 1/60 s. The book's ways are chapter 13's (of the pendulum, which has nothing that touches, chapter 11's): sweeps with the last impulses, small "
+     "steps of one sweep, exact answers in 1, 4 or 16 sub-steps, RATTLE. Boxes of Box2D are made smaller by its polygon's skin, so that they touch where ours do."),
 ]
 
 #      scene: (what its error is, where the reference comes from)
@@ -270,6 +282,10 @@ ERRORS = {
                            "RK4 with the exact tensions, 200 substeps a step"),
     "column_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest, where it is to 1 nm"),
     "triangle_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest, where it is to 1 nm"),
+    "box_stack_run": ("largest way of a body from its place, or angle, in all steps [m, rad]", "everything stays at rest"),
+    "box_pyramid_run": ("largest way of a body from its place, or angle, in all steps [m, rad]", "everything stays at rest"),
+    "sliding_box_run": ("largest distance from the place down the slope, in all steps [m]", "constant acceleration, $g(\\sin\\alpha - \\mu\\cos\\alpha)$, in closed form"),
+    "double_rod_run": ("larger error of the two angles after 1 s [rad]", "RK4 of the equations in angles, to $10^{-8}$"),
     "bins_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest, where it is to 1 nm"),
 }
 UNITS = {
@@ -279,6 +295,7 @@ UNITS = {
     "pivot": "one exchange of a basic variable, $O(n^2)$; for Dantzig a row that changes sides",
     "factorisation": "the active rows factored again, or an older factor corrected by a border",
     "case set": "one set of cases tried and solved",
+    "solve": "one exact answer to all rows of a sub-step",
     "none": "not counted: another program that does not say, or one that chooses its own steps",
 }
 

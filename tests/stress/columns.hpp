@@ -17,10 +17,10 @@ std::vector<Method> skipping_methods(int sweeps);  ///< chapter 10
 
 /// The door. Steps don't look at a whole scene each time, the caller does: here, before every step, since
 /// a stress may change the scene in the middle of a run.
-template <class Advance>
-Step checked(Advance advance)
+template <class Scene = DiscScene, class Advance>
+StepOf<Scene> checked(Advance advance)
 {
-    return [advance = std::move(advance)](DiscScene& scene, Real h) {
+    return [advance = std::move(advance)](Scene& scene, Real h) {
         require_valid(scene);
         require_step(h);
         advance(scene, h);
@@ -57,7 +57,8 @@ private:
 };
 
 /// The settings of the one step. Gravity is the scene's.
-inline std::vector<Setting> step_settings(DiscScene& scene, StepSettings& s)
+template <class Scene>
+std::vector<Setting> step_settings(Scene& scene, StepSettings& s)
 {
     return {{"gravity x", &scene.gravity.x(), false},
             {"gravity y", &scene.gravity.y(), false},
@@ -78,15 +79,16 @@ void spoil(const Wish& wish, const std::vector<Setting>& all, Settings& settings
 }
 
 /// A spoilt gravity is for one step: the scene gets its own back.
+template <class Scene>
 class GravityGuard {
 public:
-    explicit GravityGuard(DiscScene& scene) : scene_(scene), gravity_(scene.gravity) {}
+    explicit GravityGuard(Scene& scene) : scene_(scene), gravity_(scene.gravity) {}
     ~GravityGuard() { scene_.gravity = gravity_; }
     GravityGuard(const GravityGuard&) = delete;
     GravityGuard& operator=(const GravityGuard&) = delete;
 
 private:
-    DiscScene& scene_;
+    Scene& scene_;
     Vec2 gravity_;
 };
 

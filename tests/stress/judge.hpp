@@ -12,6 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+
+namespace rigid {
+struct RoughScene;
+}
 
 namespace rigid::stress {
 
@@ -27,6 +32,13 @@ struct Task {
     Real energy = 0;         ///< by which a gain of energy is measured [J]; 0 = lifting()
     Real gap = 0;            ///< a gap that the scene itself makes unavoidable [m]
     bool conserves = false;  ///< the exact motion keeps its energy: a loss counts as a gain does
+    Real from = 0.5;         ///< the part of the run after which gaps and speeds are looked at
+    // Of bodies that turn alone.
+    bool stays = false;  ///< every body is to stay where it is: how far it is from there is a gap
+    /// no centroid is to leave this box about the origin, half its sides [m]
+    Vec2 inside = {infinity, infinity};
+    Real lift =
+        0;  ///< energy that the scene cannot but gain, since its bodies have to make room for each other [J]
 };
 
 struct Verdict {
@@ -35,6 +47,7 @@ struct Verdict {
     Real gap = 0;          ///< the largest one of the second half [m]
     Real gain = 0;         ///< of energy at worst, as a share of what it is measured by
     Real loss = 0;         ///< the same downwards
+    bool through = false;  ///< a body left the place that it cannot leave
 };
 
 inline constexpr const char* silent = "silent error";
@@ -75,10 +88,29 @@ inline bool stands_in_order(const DiscScene& scene)
     return true;
 }
 
+inline Real largest_speed(const DiscScene& scene, Real) { return scene.bodies.u.cwiseAbs().maxCoeff(); }
+
+/// What a speed of the scene is seen as rest [m/s].
+inline Real speed_of_rest(const DiscScene&, const Task&) { return resting_speed; }
+
+/// What only bodies that turn are watched for: how far they are from their start, and whether they got out.
+inline void watch(const DiscScene&, const VecX&, const Task&, Verdict&) {}
+
+// The same of a scene of bodies that turn: turning_judge.cpp.
+Real total_energy(const RoughScene& scene);
+Real lifting(const RoughScene& scene);
+Real largest_gap(const RoughScene& scene);
+bool stands_in_order(const RoughScene& scene);
+Real largest_speed(const RoughScene& scene, Real size);  ///< of a centroid, or of a rim that turns [m/s]
+Real speed_of_rest(const RoughScene& scene, const Task& task);
+void watch(const RoughScene& scene, const VecX& start, const Task& task, Verdict& verdict);
+
 /// Runs a method on a scene. The second half of the run is what is judged; finiteness and energy, all of it.
-inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
+template <class Scene>
+Verdict judge(Scene scene, const Task& task, const StepOf<std::type_identity_t<Scene>>& step)
 {
-    const Real start = total_energy(scene);
+    const Real start = total_energy(scene) + task.lift;
+    const VecX x = scene.bodies.x;
     const Real scale = task.energy > 0 ? task.energy : lifting(scene);
     Verdict verdict;
     Real speed = 0;
@@ -99,15 +131,17 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
         verdict.loss = std::max(verdict.loss, (start - energy) / scale);
         if (!(energy - start <= most_gain * scale))
             return {lost, "energy", infinity, verdict.gain, verdict.loss};
-        if (2 * n < task.steps) continue;
-        speed = std::max(speed, scene.bodies.u.cwiseAbs().maxCoeff());
-        if (n % look_every == 0 || n + 1 == task.steps)
+        if (static_cast<Real>(n) < task.from * static_cast<Real>(task.steps)) continue;
+        speed = std::max(speed, largest_speed(scene, task.size));
+        if (n % look_every == 0 || n + 1 == task.steps) {
             verdict.gap = std::max(verdict.gap, largest_gap(scene));
+            watch(scene, x, task, verdict);
+        }
     }
     const Real gap = std::max(Real{0}, verdict.gap - task.gap);
-    verdict.why = gap > accurate_gap * task.size        ? "gap"
-                  : task.rests && speed > resting_speed ? "unrest"
-                                                        : "";
+    verdict.why = gap > accurate_gap * task.size                     ? "gap"
+                  : task.rests && speed > speed_of_rest(scene, task) ? "unrest"
+                                                                     : "";
     verdict.score = verdict.why.empty() ? accurate : gap <= held_gap * task.size ? held : failed;
     const Real change = std::max(verdict.gain, verdict.loss);
     if (task.conserves && change > accurate_energy && verdict.score > failed) {
@@ -115,6 +149,7 @@ inline Verdict judge(DiscScene scene, const Task& task, const Step& step)
         verdict.score = change <= held_energy ? held : failed;
     }
     if (task.upright && !stands_in_order(scene)) verdict.score = failed, verdict.why = "order";
+    if (verdict.through) verdict.score = failed, verdict.why = "through";
     return verdict;
 }
 

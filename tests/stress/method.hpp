@@ -22,7 +22,9 @@ struct Wish {
 
 /// Takes one step of h seconds. Throws std::invalid_argument for bad input and SilentError for an answer that calls
 /// itself solved and isn't.
-using Step = std::function<void(DiscScene&, Real h)>;
+template <class Scene>
+using StepOf = std::function<void(Scene&, Real h)>;
+using Step = StepOf<DiscScene>;
 
 /// An answer that says it is right and isn't.
 struct SilentError : std::runtime_error {
@@ -36,16 +38,20 @@ struct Setting {
     bool may_be_infinite = false;  ///< +∞ means something: no limit
 };
 
-struct Method {
+template <class Scene>
+struct MethodOf {
     int chapter = 0;
     std::string name;    ///< as in a table
     std::string budget;  ///< what it may spend in a step, for the reader
     bool has_beta = false, has_restitution = false;
     bool links_only = false;        ///< it knows no contacts
+    bool walls_only = false;        ///< bodies touch walls and never each other
+    bool friction = false;          ///< it knows friction
     Index most_rows = 1'000'000;    ///< beyond that a step would take seconds: the cell stays empty
     std::vector<Setting> settings;  ///< their values point nowhere: only names
-    std::function<Step(std::shared_ptr<const Wish>)> start;
+    std::function<StepOf<Scene>(std::shared_ptr<const Wish>)> start;
 };
+using Method = MethodOf<DiscScene>;
 
 /// Every method of every chapter that advances a scene, with the switches that its chapter teaches.
 /// \param sweeps  that a step of those which sweep may make: 10 in the matrix

@@ -33,8 +33,8 @@ inline void add_settings(std::vector<Setting>& all, Rattle& c)
 }
 
 /// All settings of a method that are numbers.
-template <class Solving>
-std::vector<Setting> settings_of(DiscScene& scene, StepSettings& settings, Solving& by)
+template <class Scene, class Solving>
+std::vector<Setting> settings_of(Scene& scene, StepSettings& settings, Solving& by)
 {
     std::vector<Setting> all = step_settings(scene, settings);
     add_settings(all, by.correction);
@@ -46,17 +46,26 @@ std::vector<Setting> settings_of(DiscScene& scene, StepSettings& settings, Solvi
         all.push_back({"tolerance", &by.solver.sweeps.tolerance, true});
     if constexpr (requires { by.solver.find.settings.tolerance; })
         all.push_back({"exactness", &by.solver.find.settings.tolerance, true});
+    if constexpr (requires { by.contacts.stay; }) {
+        all.push_back({"stay", &by.contacts.stay, false});
+        all.push_back({"skin", &by.contacts.finder.skin, false});
+    }
+    if constexpr (requires { by.contacts.contacts.stay; }) {
+        all.push_back({"stay", &by.contacts.contacts.stay, false});
+        all.push_back({"skin", &by.contacts.contacts.finder.skin, false});
+    }
     return all;
 }
 
 /// \param by        the method as it is before the wish
 /// \param substeps  of each step
 /// \param honest    honest(by, now) throws SilentError for an answer that calls itself solved and isn't
-template <class Solving, class Honest>
-Method stepping(int chapter, const std::string& name, const std::string& budget, const Solving& by,
-                int substeps, const Honest& honest)
+/// \tparam Scene    whatever a stress has; Inner: the part of it that the method steps
+template <class Scene = DiscScene, class Inner = Scene, class Solving, class Honest>
+MethodOf<Scene> stepping(int chapter, const std::string& name, const std::string& budget, const Solving& by,
+                         int substeps, const Honest& honest)
 {
-    Method method;
+    MethodOf<Scene> method;
     method.chapter = chapter;
     method.name = name;
     method.budget = budget;
@@ -64,7 +73,7 @@ Method stepping(int chapter, const std::string& name, const std::string& budget,
     if constexpr (requires { by.correction.beta; })
         method.has_beta = by.correction.method != Stabilizer::none;
     {
-        DiscScene scene;
+        Scene scene;
         StepSettings settings;
         Solving names = by;
         method.settings = names_of(settings_of(scene, settings, names));
@@ -72,11 +81,11 @@ Method stepping(int chapter, const std::string& name, const std::string& budget,
     method.start = [=](const std::shared_ptr<const Wish>& wish) {
         struct Memory {
             Solving by;
-            StepData<2> now;
+            StepData<Scene::dof> now;
             Honest honest;
         };
         const auto memory = std::make_shared<Memory>(Memory{by, {}, honest});
-        return checked([=](DiscScene& scene, Real h) {
+        return checked<Scene>([=](Scene& scene, Real h) {
             const GravityGuard guard(scene);
             StepSettings settings{.h = h, .substeps = substeps};
             Solving& solving = memory->by;
@@ -88,7 +97,7 @@ Method stepping(int chapter, const std::string& name, const std::string& budget,
             for (const Setting& setting : all) before.push_back(*setting.value);
             spoil(*wish, all, settings);
             try {
-                step(scene, settings, solving, memory->now);
+                step(static_cast<Inner&>(scene), settings, solving, memory->now);
             } catch (...) {  // the next step is to find the settings as they were
                 for (std::size_t i = 0; i < all.size(); ++i) *all[i].value = before[i];
                 throw;

@@ -1,6 +1,7 @@
 /// The stability matrix: each stress at five levels, each method, sixteen perturbations a cell.
 ///
 ///     stress [--quick] [--csv FILE] [--only STRESS] [--method NAME] [--threads N] [--check FILE]
+///     stress --turning [the same]                          bodies that turn
 ///     stress --mark [--csv FILE]
 ///     stress --energy [--csv FILE]
 ///
@@ -12,6 +13,7 @@
 #include "common/text.hpp"
 #include "tests/stress/stresses.hpp"
 #include "tests/stress/table.hpp"
+#include "tests/stress/turning.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -28,17 +30,19 @@ namespace {
 
 struct Options {
     std::string file, only, method, check;
-    bool quick = false, mark = false, energy = false;
+    bool quick = false, mark = false, energy = false, turning = false;
     int threads = 0;
 };
 
+template <class Scene>
 struct Cell {
-    const Stress* stress;
+    const StressOf<Scene>* stress;
     int level;
-    const Method* method;
+    const MethodOf<Scene>* method;
 };
 
-Row row_of(const Cell& cell, bool quick)
+template <class Scene>
+Row row_of(const Cell<Scene>& cell, bool quick)
 {
     const int seeds = quick ? 2 : cell.stress->seeds[static_cast<std::size_t>(cell.level)];
     Row row{cell.stress->name, cell.level + 1, cell.method->name, cell.method->chapter,
@@ -59,7 +63,9 @@ Row row_of(const Cell& cell, bool quick)
 /// Fills rows with the cells in their order; whichever thread is free takes the next one. Stops early when interrupted.
 class Workers {
 public:
-    Workers(const std::vector<Cell>& cells, const Options& options) : rows_(cells.size()), done_(cells.size())
+    template <class Scene>
+    Workers(const std::vector<Cell<Scene>>& cells, const Options& options)
+        : rows_(cells.size()), done_(cells.size())
     {
         const int count = options.threads > 0
                               ? options.threads
@@ -114,35 +120,36 @@ void require_one_of(const std::string& name, const std::string& what, const std:
 
 /// A table that was gone on with has its cells in the order of the runs: puts them where a single run has them. Cells
 /// of stresses and methods that are no more go.
-void write_in_order(const std::string& file, const std::vector<Row>& table, const std::vector<Stress>& all,
-                    const std::vector<Method>& columns)
+template <class Scene>
+void write_in_order(const std::string& file, const std::vector<Row>& table,
+                    const std::vector<StressOf<Scene>>& all, const std::vector<MethodOf<Scene>>& columns)
 {
     std::ofstream out(file);
     out << header << '\n';
-    for (const Stress& stress : all)
+    for (const auto& stress : all)
         for (int level = 0; level < levels; ++level)
-            for (const Method& method : columns)
+            for (const auto& method : columns)
                 if (const Row* row = find_row(table, stress.name, level + 1, method.name))
                     out << to_line(*row);
     if (!out) throw std::runtime_error("the table could not be written");
 }
 
-int run(const Options& options)
+template <class Scene>
+int run(const Options& options, const std::vector<StressOf<Scene>>& all,
+        const std::vector<MethodOf<Scene>>& columns)
 {
-    const std::vector<Stress> all = stresses();
-    const std::vector<Method> columns = methods();
     std::vector<std::string> names;
-    for (const Stress& stress : all) names.push_back(stress.name);
+    for (const auto& stress : all) names.push_back(stress.name);
     require_one_of(options.only, "stress", names);
     names.clear();
-    for (const Method& method : columns) names.push_back(method.name);
+    for (const auto& method : columns) names.push_back(method.name);
     require_one_of(options.method, "method", names);
 
     std::vector<Row> table = read_table(options.file);
-    std::vector<Cell> cells;
-    for (const Stress& stress : all)
+    std::vector<Cell<Scene>> cells;
+    for (const auto& stress : all)
         for (int level = 0; level < levels; ++level)
-            for (const Method& method : columns)
+            for (const auto& method : columns)
                 if ((options.only.empty() || stress.name == options.only) &&
                     (options.method.empty() || method.name == options.method) &&
                     (!options.quick || stress.quick) && !find_row(table, stress.name, level + 1, method.name))
@@ -254,9 +261,13 @@ int main(int argc, char** argv)
     app.add_flag("--quick", options.quick, "two perturbations a cell instead of sixteen, and no long runs");
     app.add_flag("--mark", options.mark, "two hard scenes with four sweeps a step: gaps in metres");
     app.add_flag("--energy", options.energy, "what is gained and lost where energy never changes: per cent");
+    app.add_flag("--turning", options.turning, "bodies that turn, under the methods of chapters 11 to 13");
     CLI11_PARSE(app, argc, argv);
     try {
-        return options.mark ? mark(options) : options.energy ? energy(options) : run(options);
+        if (options.turning) return run(options, turning_stresses(), turning_methods());
+        return options.mark     ? mark(options)
+               : options.energy ? energy(options)
+                                : run(options, stresses(), methods());
     } catch (const std::exception& error) {
         std::cerr << "stress: " << error.what() << '\n';
         return 2;

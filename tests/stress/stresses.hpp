@@ -12,15 +12,17 @@ namespace rigid::stress {
 
 inline constexpr int levels = 5;
 
-struct Stress {
+template <class Scene>
+struct StressOf {
     std::string name;                        ///< as in a table
     std::string what;                        ///< the scene and what is raised, in a sentence
     std::array<std::string, levels> values;  ///< what is raised, level by level, with unit
     /// What becomes of a method at a level under a perturbation; nothing where it does not apply.
-    std::function<std::optional<Verdict>(const Method&, int level, std::uint64_t seed)> run;
+    std::function<std::optional<Verdict>(const MethodOf<Scene>&, int level, std::uint64_t seed)> run;
     std::array<int, levels> seeds = {16, 16, 16, 16, 16};  ///< perturbations a cell
     bool quick = true;                                     ///< part of --quick, with two of them
 };
+using Stress = StressOf<DiscScene>;
 
 std::vector<Stress> stresses();
 
