@@ -1,5 +1,5 @@
 /// \file pair_finder.hpp
-/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint joins them, and the filter
+/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint keeps them from touching, and the filter
 /// lets them meet.
 #pragma once
 
@@ -55,7 +55,8 @@ struct PairFinder {
         }
         joined.clear();
         for (const PointJoint& joint : scene.joints)
-            if (joint.a != world) joined.push_back(pair_key(joint.a, joint.b));
+            if (joint.a != world && !joint.collides)
+                joined.push_back(pair_key(joint.a, joint.b));
         std::sort(joined.begin(), joined.end());
 
         pairs.clear();
