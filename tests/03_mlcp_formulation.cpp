@@ -878,6 +878,37 @@ TEST_CASE("Schur finds what enumeration finds in random mixtures of joints and c
     }
 }
 
+TEST_CASE("an impulse outside of its bounds is no answer although its w is zero")
+{
+    for (const Real lambda : {-1.0, 2.0}) {
+        const Mlcp mlcp = problem(MatX::Constant(1, 1, 1), VecX::Constant(1, -lambda), 0, 1);
+        const Verification found = verify(mlcp, VecX::Constant(1, lambda));
+        CHECK(!found.solved);
+        CHECK(found.residual > 0);
+    }
+    CHECK(verify(problem(MatX::Constant(1, 1, 1), VecX::Constant(1, -0.5), 0, 1), VecX::Constant(1, 0.5))
+              .solved);
+}
+
+TEST_CASE("rows that depend on each other are singular although rounding leaves them a pivot", "[house]")
+{
+    // Three directions in the plane: a matrix of rank two, whose last pivot is some 1e-17 and not zero.
+    Random random(5);
+    int left = 0;
+    for (int round = 0; round < 100; ++round) {
+        MatX J(3, 2);
+        for (Index i = 0; i < 3; ++i) {
+            const Real angle = random.uniform(0, 2 * pi);
+            J.row(i) << std::cos(angle), std::sin(angle);
+        }
+        const MatX A = J * J.transpose();
+        const VecX q = J * Vec2(random.uniform(-1, 1), 0.5), free = VecX::Constant(3, infinity);
+        CHECK(direct({A.sparseView(), q, -free, free}).status == Status::singular);
+        left += A.determinant() != 0;
+    }
+    CHECK(left > 50);
+}
+
 TEST_CASE("redundant bilateral rows are reported as singular whether or not they agree", "[house]")
 {
     DiscScene scene = hanging_chain(5);
@@ -1312,7 +1343,7 @@ TenDiscsResult ten_discs_run(std::uint64_t seed, Real h, Real k, Real damping, R
     std::vector<Contact> last;
     TenDiscsResult result;
     for (int n = 0; n < steps; ++n) {
-        const Input input = {pointer.at(n * h), true, false};
+        const Input input = {.pointer = pointer.at(n * h), .present = true};
         scene.gravity = steered_gravity(input, view, gravity);
         step(scene, ten_discs_settings(settings, input), by_matrix(exact_solve), now);
         REQUIRE(now.solution.status == Status::solved);

@@ -343,7 +343,7 @@ TEST_CASE("a proof counts what bounded impulses can do and takes no small number
     CHECK(!proves_infeasibility(nearly, VecX(Vec2(1, -1))));
 }
 
-TEST_CASE("a ray of the first covering vector that proves nothing leads to a second one")
+TEST_CASE("a ray of the first covering vector that proves nothing leads to a second one", "[house]")
 {
     // λ = (1, 0) has w = (0, 0); along d = (1, 1) the walk ends on a ray after one pivot.
     const Mlcp mlcp = plain_lcp(matrix2(2, 0, 2, -2), vector({-2, -2}));
@@ -357,7 +357,7 @@ TEST_CASE("a ray of the first covering vector that proves nothing leads to a sec
     CHECK((solution.lambda - Vec2(1, 0)).norm() <= 1e-15);  // the rounding of one division
 }
 
-TEST_CASE("where z0 ties with another row the walk ends")
+TEST_CASE("where z0 ties with another row the walk ends", "[idea]")
 {
     // λ = (0, 2) makes w0 zero too: z0 enters, then z1, and now w0 and z0 reach zero together.
     const Mlcp mlcp = plain_lcp(matrix2(1, 0.5, 0.5, 1), vector({-1, -2}));
@@ -370,14 +370,14 @@ TEST_CASE("where z0 ties with another row the walk ends")
     }
 }
 
-TEST_CASE("a value that rounding put below zero ties with one that is zero")
+TEST_CASE("a value that rounding put below zero ties with one that is zero", "[idea]")
 {
     const Tableau tableau(matrix2(-1e-3, 0, -1, 0), vector({-1e-15, 0}), VecX::Ones(2));
     CHECK(ratio_test(tableau, 0, TieRule::first_row) == 0);
     CHECK(ratio_test(tableau, 0, TieRule::last_row) == 1);
 }
 
-TEST_CASE("a proof may use a row in the direction of its sign only")
+TEST_CASE("a proof may use a row in the direction of its sign only", "[idea]")
 {
     const auto proves = [](Real q, Real lo, Real hi, Real v) {
         Mlcp mlcp = plain_lcp(MatX::Ones(1, 1), VecX::Constant(1, q));
@@ -389,7 +389,7 @@ TEST_CASE("a proof may use a row in the direction of its sign only")
     CHECK_FALSE(proves(-1, -infinity, 0, 1));  // λ = 0 and w = -1
 }
 
-TEST_CASE("a sum of forty last digits is no zero to a proof")
+TEST_CASE("a sum of forty last digits is no zero to a proof", "[idea]")
 {
     // (1, -1) A = (0, -4e-14): six times what rounding may hide in it, and λ of 2.5e13 would do.
     Mlcp mlcp = plain_lcp(matrix2(1, 1, 1, 1 + 4e-14), vector({-1, 0}));

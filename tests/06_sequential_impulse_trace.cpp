@@ -29,7 +29,7 @@ int main()
         ImpulseMethod method;
         method.correction.restitution = 0.3;
         method.solver.ordering = order;
-        method.solver.sweeps = {30, 1e-6, false};
+        method.solver.sweeps = {.max_sweeps = 30, .tolerance = 1e-6};
         StepData<2> now;
         for (int k = 0; k < 300; ++k) {
             scene.gravity = 9.81 * pointer.at(k * settings.h).cwiseQuotient(scene.half_size);

@@ -124,7 +124,8 @@ struct TenDiscs {
     }
     void step()
     {
-        scene.gravity = steered_gravity({pointer.at(settings.h * steps++), true, false}, view, 9.81);
+        scene.gravity =
+            steered_gravity({.pointer = pointer.at(settings.h * steps++), .present = true}, view, 9.81);
         rigid::step(scene, settings, method, now);
     }
 };

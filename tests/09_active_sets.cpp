@@ -81,7 +81,7 @@ std::vector<FrictionBox> boxes_of(const Mlcp& mlcp, Real mu)
 
 // ---- the guesses of the text ----------------------------------------------------------------------------
 
-TEST_CASE("the two contacts of the text take two guesses", "[idea]")
+TEST_CASE("the two contacts of the text take two guesses", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -1}));
     ActiveSetSettings settings;
@@ -147,7 +147,7 @@ TEST_CASE("flipping all wrong rows cycles in the example of the text and the fal
     }
 }
 
-TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says", "[idea]")
+TEST_CASE("from no active row the example of the text cycles too as exercise 9.1 says", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
     // One more guess each time: the guess that is then on the table, by its active rows.
@@ -197,7 +197,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[idea]")
+TEST_CASE("two equal ropes share the load and keep their difference as exercise 9.4 says", "[house]")
 {
     MatX A = MatX::Ones(2, 2);
     Mlcp problem = plain_lcp(A, vector({-1, -1}));
@@ -523,6 +523,55 @@ TEST_CASE("a box on redundant contacts is carried whole", "[house]")
         CHECK(std::abs(solution.lambda.head(2 * levels).sum() - weight) <= identity * 100 * weight);
         CHECK((problem.A * solution.lambda + problem.q).minCoeff() >= -1e-12);
     }
+}
+
+TEST_CASE("guesses that cycle do not lose what was reached before them", "[house]")
+{
+    // A heap with more contacts than motions, loosened by a nanometre: the rows depend on each other and nearly tie. The
+    // descent once began where the cycling guesses had ended: 1,807 factorisations here, and no answer for 990 discs.
+    DiscScene scene = triangle(30);
+    Random random(1);
+    for (Index i = 0; i < scene.bodies.x.size(); ++i) scene.bodies.x[i] += 1e-9 * random.uniform(-1, 1);
+    for (HalfSpace& wall : scene.walls)
+        if (wall.normal.y() == 0) wall.offset -= 1e-8;
+    ExactMethod method;
+    method.correction = exact_correction();
+    StepData<2> now;
+    step(scene, {.h = 1.0 / 60}, method, now);
+    CHECK(method.solver.unsolved == 0);
+    const ActiveSetWork& work = method.solver.find.memory.work;
+    CAPTURE(work.guesses, work.factorisations);
+    CHECK(work.guesses < 900);
+}
+
+TEST_CASE("of a descent that is cut short the lowest point is kept", "[house]")
+{
+    DiscScene scene = triangle(20);
+    Random random(1);
+    for (Index i = 0; i < scene.bodies.x.size(); ++i) scene.bodies.x[i] += 1e-9 * random.uniform(-1, 1);
+    std::vector<Contact> contacts;
+    find_contacts(scene, 1e-6, contacts);
+    std::vector<Row<2>> rows;
+    disc_rows(scene, 1.0 / 60, contacts, rows, exact_correction());
+    VecX u = VecX::Zero(scene.bodies.u.size());
+    for (Index i = 1; i < u.size(); i += 2) u[i] = -9.81 / 60;
+    Mlcp mlcp = assemble(rows, u);
+    int cut_short = 0;
+    const auto height = [&](const VecX& lambda) {
+        return 0.5 * lambda.dot(mlcp.A * lambda) + mlcp.q.dot(lambda);
+    };
+    for (int limit = 10; limit < 200; limit += 10) {
+        CAPTURE(limit);
+        ActiveSetMemory memory;
+        Solution solution;
+        active_sets(mlcp, {.limit = limit}, memory, solution);
+        if (memory.work.descents == 0) continue;
+        cut_short += solution.status == Status::iteration_limit;
+        // φ(0) = 0: impulses that leave more energy than none do not come out, but for rounding
+        CHECK(height(solution.lambda) <= 1e-12);
+        if (solution.status == Status::solved) break;
+    }
+    CHECK(cut_short > 5);
 }
 
 TEST_CASE("pyramids are solved at rest and in impact by guessing alone", "[house]")

@@ -6,7 +6,6 @@
 #include "chapters/09_active_sets/rattle.hpp"
 #include "chapters/10_skipping_work/awake_bodies.hpp"
 #include "chapters/10_skipping_work/enter_awake.hpp"
-#include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "common/measure.hpp"
 #include "common/random.hpp"
 
@@ -126,7 +125,7 @@ ExactMethod by_exact_split()
 
 }  // namespace
 
-TEST_CASE("one step of a rod that falls from level is RATTLE's in closed form")
+TEST_CASE("one step of a rod that falls from level is RATTLE's in closed form", "[house]")
 {
     // (9.27): u½ = −gh/2 downwards and λ along the rod; x' on the circle with y' = −gh²/2; then half of gravity, and the
     // velocity along the rod goes.
@@ -164,7 +163,7 @@ TEST_CASE("a rod that turns without gravity keeps its energy to rounding with RA
     CHECK(energy(scene) == Approx(4.5 / (1 + 0.05 * 0.05)).epsilon(1e-5));
 }
 
-TEST_CASE("RATTLE is of second order on the double pendulum in position and in energy")
+TEST_CASE("RATTLE is of second order on the double pendulum in position and in energy", "[house]")
 {
     const Orders found = orders(RattleMethod{});
     CHECK(found.position == Approx(2).margin(0.15));
@@ -220,7 +219,7 @@ TEST_CASE("a chain that swings for ten seconds keeps its links to rounding and i
     }
 }
 
-TEST_CASE("free linked discs keep linear and angular momentum under RATTLE")
+TEST_CASE("free linked discs keep linear and angular momentum under RATTLE", "[house]")
 {
     DiscScene scene = swinging_chain(6);
     scene.linked = PairSet::all();
@@ -244,7 +243,7 @@ TEST_CASE("free linked discs keep linear and angular momentum under RATTLE")
     CHECK(energy(scene) == Approx(E).epsilon(1e-2));
 }
 
-TEST_CASE("run backwards RATTLE comes back to where it began")
+TEST_CASE("run backwards RATTLE comes back to where it began", "[house]")
 {
     DiscScene scene = double_pendulum();
     RattleMethod method;
@@ -258,7 +257,7 @@ TEST_CASE("run backwards RATTLE comes back to where it began")
     CHECK((scene.bodies.x - start).norm() < 1e-7);
 }
 
-TEST_CASE("with contacts RATTLE stands still where a pile stands and lands without a bounce")
+TEST_CASE("with contacts RATTLE stands still where a pile stands and lands without a bounce", "[house]")
 {
     for (const int substeps : {1, 4}) {
         const StepSettings settings{.h = 1.0 / 60, .substeps = substeps};
@@ -280,7 +279,8 @@ TEST_CASE("with contacts RATTLE stands still where a pile stands and lands witho
     }
 }
 
-TEST_CASE("a disc that falls on a floor bounces with RATTLE by its restitution and stops with none")
+TEST_CASE("a disc that falls on a floor bounces with RATTLE by its restitution and stops with none",
+          "[house]")
 {
     DiscScene fall = column(1);
     fall.bodies.position(0).y() += 1;
@@ -304,7 +304,7 @@ TEST_CASE("a disc that falls on a floor bounces with RATTLE by its restitution a
     }
 }
 
-TEST_CASE("an overlap that was there before RATTLE is moved out and leaves no velocity")
+TEST_CASE("an overlap that was there before RATTLE is moved out and leaves no velocity", "[house]")
 {
     DiscScene scene = column(3);
     scene.gravity = {0, 0};
@@ -319,7 +319,7 @@ TEST_CASE("an overlap that was there before RATTLE is moved out and leaves no ve
     CHECK(scene.bodies.u.cwiseAbs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("rods that contradict each other are called unsolved by RATTLE and nothing explodes")
+TEST_CASE("rods that contradict each other are called unsolved by RATTLE and nothing explodes", "[house]")
 {
     DiscScene scene = linked_discs(2);
     scene.links.push_back(Link{0, 1, 1.2});
@@ -336,7 +336,7 @@ TEST_CASE("rods that contradict each other are called unsolved by RATTLE and not
     CHECK(largest_link_error(scene) < 0.13);  // half of 0.2 m: both win a part
 }
 
-TEST_CASE("a rod that turns further than a step can follow is said not to converge")
+TEST_CASE("a rod that turns further than a step can follow is said not to converge", "[house]")
 {
     DiscScene scene = linked_discs(1);
     scene.bodies.velocity(1) = Vec2(0, 200);  // 3.3 rad in a step; there is no x' on M⁻¹Jᵀ
@@ -351,7 +351,7 @@ TEST_CASE("a rod that turns further than a step can follow is said not to conver
     CHECK(kinetic_energy(scene.bodies) <= 0.5 * 200 * 200 + 20);
 }
 
-TEST_CASE("a pile that sleeps under RATTLE stays where it is and wakes by a push")
+TEST_CASE("a pile that sleeps under RATTLE stays where it is and wakes by a push", "[house]")
 {
     struct Sleeping {
         AwakeBodies contacts;
@@ -377,7 +377,7 @@ TEST_CASE("a pile that sleeps under RATTLE stays where it is and wakes by a push
     CHECK(force == Approx(6 * 9.81));
 }
 
-TEST_CASE("RATTLE refuses settings that make no sense")
+TEST_CASE("RATTLE refuses settings that make no sense", "[house]")
 {
     const auto say = [](auto change) {
         return refused([&] {

@@ -281,7 +281,7 @@ TEST_CASE("far from the origin and beyond the last cell nothing is lost", "[idea
 }
 
 TEST_CASE("pairs tested are at most eight for each disc of a sparse scene of a hundred to a hundred thousand",
-          "[idea]")
+          "[house]")
 {
     // Discs of one size, a tenth of the area: a disc looks into nine cells at most, s < 2 (2r + margin + 2 skin) wide,
     // of (3 s)² / (π r² / 0.1) < 9 · 4 · 0.24² · 0.1 / (π · 0.01) = 6.6 discs; a pair is tested up to three times.
@@ -363,7 +363,7 @@ TEST_CASE("a pair is kept apart in whatever order it is named", "[idea]")
     CHECK(filter.partner.size() == 2);
 }
 
-TEST_CASE("sizes from one to a hundred cost less than thirty tests for each disc", "[idea]")
+TEST_CASE("sizes from one to a hundred cost less than thirty tests for each disc", "[house]")
 {
     for (const Index N : {1000, 30000}) {
         DiscScene scene = scattered(N, 0.3, 100, 1);
@@ -390,7 +390,7 @@ TEST_CASE("a net of ten thousand linked discs tests no pair and makes no contact
     if (other.counters.contacts == 0) CHECK(same_state(now.scene, other.scene));
 }
 
-TEST_CASE("discs that do not move query the grid once", "[idea]")
+TEST_CASE("discs that do not move query the grid once", "[house]")
 {
     DiscScene scene = scattered(400, 0.5, 3, 8);
     Finder finder(scene, 0.02, 0.01);
@@ -1943,7 +1943,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the factor of a chain of a thousand has less than a twenty-thousandth of the work of a dense one",
-          "[idea]")
+          "[house]")
 {
     for (const Index N : {100, 300, 1000}) {
         const DiscScene scene = hanging_chain(N);
@@ -2104,7 +2104,7 @@ TEST_CASE("a disc that is added to a sleeping world falls on those that sleep an
     SkippingWorld now = make_world(scene, filter_of(scene));
     SkippingSettings settings;
     settings.start = Start::best_multiple;
-    settings.sweeps = {200, 1e-9, false};
+    settings.sweeps = {.max_sweeps = 200, .tolerance = 1e-9};
     for (int n = 0; n < 240 && now.counters.awake > 0 + (n == 0); ++n) skipping_step(now, settings);
     for (int n = 0; n < 240; ++n) skipping_step(now, settings);
     REQUIRE(now.counters.awake == 0);
@@ -2174,7 +2174,7 @@ TEST_CASE("discs poured into a funnel of walls with ends stay above it and those
         SkippingSettings settings;
         settings.start = Start::best_multiple;
         settings.sleep = sleep;
-        settings.sweeps = {100, 1e-8, false};
+        settings.sweeps = {.max_sweeps = 100, .tolerance = 1e-8};
         for (int n = 0; n < 600; ++n) skipping_step(now, settings);
         for (Index k = 0; k < outside; ++k) CHECK(now.scene.bodies.position(k).y() > 0.2);
         CHECK(now.scene.bodies.position(outside).y() < -400);  // ½ g t² over ten seconds

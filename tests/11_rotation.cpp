@@ -224,7 +224,7 @@ TEST_CASE("an upright rod bounces like a disc and a flat one weighs a quarter", 
     }
 }
 
-TEST_CASE("a pin loses the arc of one step as (11.16) says")
+TEST_CASE("a pin loses the arc of one step as (11.16) says", "[idea]")
 {
     for (const Real h : {0.1, 0.01}) {
         RigidScene scene = rod_pendulum(std::array{pi / 2});
@@ -242,7 +242,8 @@ TEST_CASE("a pin loses the arc of one step as (11.16) says")
     }
 }
 
-TEST_CASE("exact repair of a pin takes the spin that (11.17) says and velocity rows alone take none")
+TEST_CASE("exact repair of a pin takes the spin that (11.17) says and velocity rows alone take none",
+          "[idea]")
 {
     const Real h = 0.02;
     const auto after_two = [h](Stabilizer way, Real& turned) {
@@ -265,7 +266,7 @@ TEST_CASE("exact repair of a pin takes the spin that (11.17) says and velocity r
     CHECK(std::abs(after_two(Stabilizer::none, phi)[1] - 1) <= 1e-4);
 }
 
-TEST_CASE("a ball falls on a floor and lies a radius over it")
+TEST_CASE("a ball falls on a floor and lies a radius over it", "[idea]")
 {
     RigidScene scene;
     scene.walls.push_back({{0, 1}, -0.5});
@@ -278,7 +279,7 @@ TEST_CASE("a ball falls on a floor and lies a radius over it")
     CHECK(std::abs(scene.bodies.x[2] - 4.1) <= 1e-10);
 }
 
-TEST_CASE("a train of gears starts as one wheel with the inertia of (11.15)")
+TEST_CASE("a train of gears starts as one wheel with the inertia of (11.15)", "[idea]")
 {
     const std::array<Real, 4> radii = {0.2, 0.5, 0.3, 0.6};
     RigidScene scene = gear_train(radii, 30, 2);
@@ -299,7 +300,7 @@ TEST_CASE("a train of gears starts as one wheel with the inertia of (11.15)")
     CHECK(largest_joint_error(scene) <= 1e-9);
 }
 
-TEST_CASE("a level seesaw starts with the angular acceleration by hand")
+TEST_CASE("a level seesaw starts with the angular acceleration by hand", "[idea]")
 {
     for (const Real right : {10.0, 12.0, 3.0}) {
         RigidScene scene = seesaw(10, right);
@@ -310,7 +311,7 @@ TEST_CASE("a level seesaw starts with the angular acceleration by hand")
     }
 }
 
-TEST_CASE("momentum is kept to rounding and angular momentum where no anchor is off")
+TEST_CASE("momentum is kept to rounding and angular momentum where no anchor is off", "[idea]")
 {
     Random random(4);
     for (int round = 0; round < 20; ++round) {
@@ -335,7 +336,7 @@ TEST_CASE("momentum is kept to rounding and angular momentum where no anchor is 
     }
 }
 
-TEST_CASE("angular momentum of pinned bodies changes by the impulse times the error of the pin")
+TEST_CASE("angular momentum of pinned bodies changes by the impulse times the error of the pin", "[idea]")
 {
     std::vector<Real> drifts;
     for (const Real h : {0.01, 0.005, 0.0025, 0.00125, 0.000625}) {
@@ -413,7 +414,8 @@ TEST_CASE("disc and box and capsule have the masses of the tables", "[idea]")
 }
 
 TEST_CASE(
-    "the mass of a polygon does not depend on its first vertex and its inertia not on its place or angle")
+    "the mass of a polygon does not depend on its first vertex and its inertia not on its place or angle",
+    "[idea]")
 {
     Random random(2);
     for (int round = 0; round < 200; ++round) {
@@ -456,7 +458,7 @@ TEST_CASE("J of every joint and of a corner is the derivative of C", "[idea]")
     }
 }
 
-TEST_CASE("a positive impulse of a corner pushes the corner off the wall")
+TEST_CASE("a positive impulse of a corner pushes the corner off the wall", "[idea]")
 {
     RigidScene scene = struck_rod(pi / 6);
     const Row<3> row =
@@ -556,7 +558,7 @@ TEST_CASE("a bead on a wire that turns runs out as the hyperbolic cosine to seco
     CHECK(errors.back() <= 2e-6);  // 9.4e-7 when it was written
 }
 
-TEST_CASE("two starts of the double pendulum that differ by a hair part and two equal ones do not")
+TEST_CASE("two starts of the double pendulum that differ by a hair part and two equal ones do not", "[idea]")
 {
     const auto end_after = [](Real hair) {
         RigidScene scene = rod_pendulum(std::array{2.5, 2.5 + hair});
@@ -606,7 +608,7 @@ TEST_CASE("the slider of a crank is where the closed form says to ten digits wit
     }
 }
 
-TEST_CASE("the slider is off by the square of h where Baumgarte corrects")
+TEST_CASE("the slider is off by the square of h where Baumgarte corrects", "[idea]")
 {
     std::vector<Real> errors;
     for (const Real h : {1.0 / 240, 1.0 / 480, 1.0 / 960, 1.0 / 1920, 1.0 / 3840}) {
@@ -625,7 +627,7 @@ TEST_CASE("the slider is off by the square of h where Baumgarte corrects")
     CHECK(std::abs(order_of(errors) - 2) <= 0.15);
 }
 
-TEST_CASE("small steps make a rod pendulum better for the same number of row visits")
+TEST_CASE("small steps make a rod pendulum better for the same number of row visits", "[idea]")
 {
     const auto error_of = [](Real h, int substeps, int sweeps) {
         RigidScene scene = rod_pendulum(std::array{pi / 2, pi / 2});
@@ -643,7 +645,7 @@ TEST_CASE("small steps make a rod pendulum better for the same number of row vis
 
 // ---- properties
 
-TEST_CASE("turning and mirroring and reordering a scene of bodies does the same to its motion")
+TEST_CASE("turning and mirroring and reordering a scene of bodies does the same to its motion", "[idea]")
 {
     const auto build = [](Real angle, bool mirror, bool swap) {
         const Real c = std::cos(angle), s = std::sin(angle), f = mirror ? -1 : 1;
@@ -698,7 +700,7 @@ TEST_CASE("turning and mirroring and reordering a scene of bodies does the same 
             }
 }
 
-TEST_CASE("other units of mass and length give the same motion in those units")
+TEST_CASE("other units of mass and length give the same motion in those units", "[idea]")
 {
     const auto angle_of = [](Real mass, Real length) {
         RigidScene scene;
@@ -714,7 +716,7 @@ TEST_CASE("other units of mass and length give the same motion in those units")
         for (const Real length : {1.0, 1e-2, 1e2}) CHECK(std::abs(angle_of(mass, length) - plain) <= 1e-8);
 }
 
-TEST_CASE("nothing random makes a number that is not finite")
+TEST_CASE("nothing random makes a number that is not finite", "[idea]")
 {
     Random random(9);
     for (int round = 0; round < 50; ++round) {

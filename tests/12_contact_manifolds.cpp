@@ -245,7 +245,7 @@ TEST_CASE("a stack of ten boxes stands and none of its impulses is lost", "[idea
     }
 }
 
-TEST_CASE("with one point a stack falls that stands with two")
+TEST_CASE("with one point a stack falls that stands with two", "[idea]")
 {
     const auto turned = [](auto contacts) {
         SweepsWith<decltype(contacts)> method;
@@ -259,7 +259,7 @@ TEST_CASE("with one point a stack falls that stands with two")
     CHECK(turned(OnePoint{}) >= 0.2);
 }
 
-TEST_CASE("names keep the impulses of a pile that places in a list lose")
+TEST_CASE("names keep the impulses of a pile that places in a list lose", "[idea]")
 {
     const auto kept = [](auto contacts) {
         SweepsWith<decltype(contacts)> method;
@@ -305,7 +305,7 @@ TEST_CASE("sweeps over the two rows of a box converge as (12.5) says and the blo
     }
 }
 
-TEST_CASE("the box over the end bears all on its end when its middle is there")
+TEST_CASE("the box over the end bears all on its end when its middle is there", "[idea]")
 {
     for (const Real x : {2.0, 2.1}) {
         RigidScene scene = box_over_an_end();
@@ -321,7 +321,7 @@ TEST_CASE("the box over the end bears all on its end when its middle is there")
     }
 }
 
-TEST_CASE("four blocks put the top one wholly beyond the table")
+TEST_CASE("four blocks put the top one wholly beyond the table", "[idea]")
 {
     for (const int blocks : {3, 4}) {
         const RigidScene scene = overhang(blocks, 0.98);
@@ -420,7 +420,7 @@ TEST_CASE("a rocking block loses at each impact what Housner says", "[idea]")
         }
 }
 
-TEST_CASE("a block that rocks on ice keeps the part of its spin that exercise 12.2 finds")
+TEST_CASE("a block that rocks on ice keeps the part of its spin that exercise 12.2 finds", "[idea]")
 {
     const Real w = 0.3, ratio = (1 - 2 * w * w) / (1 + 4 * w * w);
     for (const int n : {480, 1920}) {
@@ -458,7 +458,7 @@ TEST_CASE("a block goes over its corner from the speed by hand and not below", "
 
 // ---- which pairs
 
-TEST_CASE("sweep and tree find the pairs that all tests find while boxes tumble")
+TEST_CASE("sweep and tree find the pairs that all tests find while boxes tumble", "[house]")
 {
     Random random(7);
     const int K = 10000;
@@ -491,7 +491,7 @@ TEST_CASE("sweep and tree find the pairs that all tests find while boxes tumble"
     }
 }
 
-TEST_CASE("what is taken out of the tree is not found and all else is")
+TEST_CASE("what is taken out of the tree is not found and all else is", "[house]")
 {
     Random random(12);
     BoxTree tree;
@@ -643,7 +643,8 @@ TEST_CASE("a moving shape is stopped before it touches and not long before", "[i
 
 // ---- properties
 
-TEST_CASE("the manifold moves as little as its shapes do except where a face or a pair of edges changes")
+TEST_CASE("the manifold moves as little as its shapes do except where a face or a pair of edges changes",
+          "[idea]")
 {
     Random random(3);
     int jumps = 0, named = 0;
@@ -739,7 +740,7 @@ TEST_CASE("a shape on a wall touches it with its lowest vertex and the lower one
     }
 }
 
-TEST_CASE("a pile of all shapes comes to rest in its trough and nothing is not finite")
+TEST_CASE("a pile of all shapes comes to rest in its trough and nothing is not finite", "[idea]")
 {
     RigidScene scene = pile(35);
     ManifoldSweeps method;

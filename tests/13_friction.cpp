@@ -129,7 +129,7 @@ TEST_CASE("exact friction and Lemke and sweeps give blocks and discs on slopes t
         }
 }
 
-TEST_CASE("a box slides down thirty degrees by the closed form of symplectic Euler")
+TEST_CASE("a box slides down thirty degrees by the closed form of symplectic Euler", "[idea]")
 {
     const Real a = block_by_hand(30, 0.3);
     CHECK(std::abs(a - 2.356287236662397) <= 1e-12);
@@ -143,7 +143,8 @@ TEST_CASE("a box slides down thirty degrees by the closed form of symplectic Eul
     }
 }
 
-TEST_CASE("something round rolls down a slope by its closed form and slips exactly where mu is too small")
+TEST_CASE("something round rolls down a slope by its closed form and slips exactly where mu is too small",
+          "[idea]")
 {
     const Real h = 1.0 / 60;
     for (const Real kappa : {0.5, 1.0, 0.4})  // cylinder, hoop, ball
@@ -167,7 +168,8 @@ TEST_CASE("something round rolls down a slope by its closed form and slips exact
 }
 
 TEST_CASE(
-    "a disc and a ball that are thrown without spin roll at the speed that keeps their angular momentum")
+    "a disc and a ball that are thrown without spin roll at the speed that keeps their angular momentum",
+    "[idea]")
 {
     for (const Real kappa : {0.5, 0.4}) {
         RoughScene scene = thrown_disc(10, 0.2);
@@ -182,7 +184,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a struck rod slips and sticks as Newton's impact with friction by hand")
+TEST_CASE("a struck rod slips and sticks as Newton's impact with friction by hand", "[idea]")
 {
     struct Hand {
         Real mu, normal, tangent, spin, energy;
@@ -198,15 +200,16 @@ TEST_CASE("a struck rod slips and sticks as Newton's impact with friction by han
         StepData<3> now;
         step(scene, {.h = 1.0 / 60}, method, now);
         REQUIRE(now.solution.lambda.size() == 2);
-        CHECK(std::abs(now.solution.lambda[0] - hand.normal) <= 1e-12);
-        CHECK(std::abs(std::abs(now.solution.lambda[1]) - hand.tangent) <= 1e-12);
+        // the normals come last
+        CHECK(std::abs(now.solution.lambda[1] - hand.normal) <= 1e-12);
+        CHECK(std::abs(std::abs(now.solution.lambda[0]) - hand.tangent) <= 1e-12);
         CHECK(std::abs(scene.bodies.u[2] - hand.spin) <= 1e-12);
         const VecX& W = scene.bodies.inverse_mass;
         CHECK(std::abs(kinetic_energy(scene.bodies.u, W) - kinetic_energy(before, W) - hand.energy) <= 1e-12);
     }
 }
 
-TEST_CASE("the factor of a guess solves what the columns of sliding friction make of A")
+TEST_CASE("the factor of a guess solves what the columns of sliding friction make of A", "[house]")
 {
     Random random(5);
     for (int round = 0; round < 50; ++round) {
@@ -246,7 +249,7 @@ TEST_CASE("the factor of a guess solves what the columns of sliding friction mak
     }
 }
 
-TEST_CASE("the tangent row is the sliding speed of the two points that touch")
+TEST_CASE("the tangent row is the sliding speed of the two points that touch", "[idea]")
 {
     Random random(8);
     for (int round = 0; round < 100; ++round) {
@@ -266,19 +269,19 @@ TEST_CASE("the tangent row is the sliding speed of the two points that touch")
         now.u_star = scene.bodies.u;
         evaluate_constraints(scene, now);
         const Vec2 rim = scene.bodies.position(0).head<2>() - r * n;
-        const Constraint<3>& c = now.constraints[1];
+        const Constraint<3>& c = now.constraints[0];
         CHECK(std::abs(c.Jb.dot(scene.bodies.velocity(0)) -
                        perpendicular(n).dot(velocity_at(scene.bodies, 0, rim))) <= 1e-12);
-        CHECK(c.bounded_by == 0);
+        CHECK(c.bounded_by == 2);
         CHECK(c.speed == 0.5);  // two belts of a quarter
-        CHECK(now.constraints[2].bounded_by == 0);
-        CHECK(now.constraints[2].Jb == RowVec<3>(0, 0, 1));
+        CHECK(now.constraints[1].bounded_by == 2);
+        CHECK(now.constraints[1].Jb == RowVec<3>(0, 0, 1));
     }
 }
 
 // ---- orders of convergence
 
-TEST_CASE("the time at which a thrown disc rolls is found to first order in h")
+TEST_CASE("the time at which a thrown disc rolls is found to first order in h", "[idea]")
 {
     const RollingStart hand = rolling_start(10, 0.2, 0.5);
     std::vector<Real> errors;
@@ -294,7 +297,7 @@ TEST_CASE("the time at which a thrown disc rolls is found to first order in h")
 
 // ---- physics
 
-TEST_CASE("a box on a slope creeps nowhere at 16.5 degrees and slides at 16.9")
+TEST_CASE("a box on a slope creeps nowhere at 16.5 degrees and slides at 16.9", "[idea]")
 {
     const auto moved = [](Real degrees, auto method) {
         RoughScene scene = on_a_slope(box(1, 1), 0.5, degrees, 0.3);
@@ -307,7 +310,8 @@ TEST_CASE("a box on a slope creeps nowhere at 16.5 degrees and slides at 16.9")
     CHECK(moved(16.9, Sweeps{}) > 0.05);
 }
 
-TEST_CASE("sweeps on one contact of a steep rod cycle forever where exact friction needs a few guesses")
+TEST_CASE("sweeps on one contact of a steep rod cycle forever where exact friction needs a few guesses",
+          "[idea]")
 {
     const Real angle = std::atan(2.0), mu = 1.6;  // |A_nt| μ / A_nn = 3/4 · 1.6 > 1
     const FrictionRows problem = touching_rod(angle, 3, mu);
@@ -328,7 +332,7 @@ TEST_CASE("sweeps on one contact of a steep rod cycle forever where exact fricti
     CHECK(std::abs(solved.solution.lambda[0] - 1 / sliding_mobility(angle, mu, 1)) <= 1e-12);
 }
 
-TEST_CASE("where Painleve's rod has no acceleration it has a velocity and all solvers agree on it")
+TEST_CASE("where Painleve's rod has no acceleration it has a velocity and all solvers agree on it", "[idea]")
 {
     const Real angle = std::atan(2.0);
     CHECK(std::abs(sliding_mobility(angle, 4.0 / 3, -1)) <= 1e-12);  // the least μ of the paradox
@@ -353,7 +357,7 @@ TEST_CASE("where Painleve's rod has no acceleration it has a velocity and all so
     }
 }
 
-TEST_CASE("Newton's restitution with friction makes energy and a common restitution never does")
+TEST_CASE("Newton's restitution with friction makes energy and a common restitution never does", "[idea]")
 {
     const Real angle = 56 * pi / 180;
     FrictionRows problem = touching_rod(angle, 0.8, 0.3);
@@ -378,7 +382,7 @@ TEST_CASE("Newton's restitution with friction makes energy and a common restitut
     }
 }
 
-TEST_CASE("a box and a disc hold on a slope exactly where the closed form says")
+TEST_CASE("a box and a disc hold on a slope exactly where the closed form says", "[idea]")
 {
     for (const Real degrees : {10.0, 30.0, 45.0})
         for (const Real share : {1 - 1e-6, 1 + 1e-6}) {
@@ -393,7 +397,7 @@ TEST_CASE("a box and a disc hold on a slope exactly where the closed form says")
         }
 }
 
-TEST_CASE("a box on a slope does not creep in a million steps")
+TEST_CASE("a box on a slope does not creep in a million steps", "[idea]")
 {
     RoughScene scene = on_a_slope(box(1, 1), 0.5, 15, 0.3);
     Exact method;
@@ -402,7 +406,7 @@ TEST_CASE("a box on a slope does not creep in a million steps")
     CHECK(std::abs(scene.bodies.x[2] + pi / 12) <= 1e-6);
 }
 
-TEST_CASE("a block stops on a level floor where the sum of its steps says")
+TEST_CASE("a block stops on a level floor where the sum of its steps says", "[idea]")
 {
     const Real mu = 0.5, h = 1.0 / 60, v = 40 * mu * 9.81 * h;
     RoughScene scene = on_a_slope(box(1, 1), 0.5, 0, mu);
@@ -413,7 +417,7 @@ TEST_CASE("a block stops on a level floor where the sum of its steps says")
     CHECK(std::abs(scene.bodies.u[0]) <= 1e-12);
 }
 
-TEST_CASE("a box on a belt is dragged along and then moves with it")
+TEST_CASE("a box on a belt is dragged along and then moves with it", "[idea]")
 {
     const Real mu = 0.25, h = 1.0 / 60;
     RoughScene scene = on_a_slope(box(0.6, 0.6), 0.3, 0, mu);
@@ -425,7 +429,7 @@ TEST_CASE("a box on a belt is dragged along and then moves with it")
     }
 }
 
-TEST_CASE("rolling resistance stops a disc where its closed form says")
+TEST_CASE("rolling resistance stops a disc where its closed form says", "[idea]")
 {
     const Real c = 0.02, r = 0.5, a = c * 9.81 / (r * 1.5), h = 1.0 / 60, v = 300 * a * h;
     RoughScene scene = thrown_disc(v, 0);
@@ -442,7 +446,7 @@ TEST_CASE("rolling resistance stops a disc where its closed form says")
     }
 }
 
-TEST_CASE("a cloth stops a sliding disc after the closed form's way")
+TEST_CASE("a cloth stops a sliding disc after the closed form's way", "[idea]")
 {
     const Real mu = 0.3, h = 1.0 / 60, v = 30 * mu * 9.81 * h;
     RoughScene scene;
@@ -457,7 +461,7 @@ TEST_CASE("a cloth stops a sliding disc after the closed form's way")
     CHECK(scene.bodies.u.norm() <= 1e-12);
 }
 
-TEST_CASE("the sweeps cycle at exactly the angles of exercise 13.2")
+TEST_CASE("the sweeps cycle at exactly the angles of exercise 13.2", "[idea]")
 {
     const Real mu = 1.4, root = std::sqrt(9 * mu * mu - 16);
     ImpulseMemory<3> memory;
@@ -476,7 +480,7 @@ TEST_CASE("the sweeps cycle at exactly the angles of exercise 13.2")
 
 // ---- properties over random input
 
-TEST_CASE("a thousand random friction problems are solved or not called solved")
+TEST_CASE("a thousand random friction problems are solved or not called solved", "[idea]")
 {
     Random random(13);
     int solved = 0;
@@ -496,7 +500,7 @@ TEST_CASE("a thousand random friction problems are solved or not called solved")
     CHECK(solved >= 999);
 }
 
-TEST_CASE("with e = 0 friction and contact never add energy to random rubble")
+TEST_CASE("with e = 0 friction and contact never add energy to random rubble", "[idea]")
 {
     Random random(31);
     FrictionMemory memory;
@@ -513,12 +517,13 @@ TEST_CASE("with e = 0 friction and contact never add energy to random rubble")
     }
 }
 
-TEST_CASE("a warm start at rest needs no new factor and allocates nothing")
+TEST_CASE("a warm start at rest needs no new factor and allocates nothing", "[house]")
 {
     RoughScene scene = on_a_slope(box(1, 1), 0.5, 15, 0.3);
     Exact method;
     StepData<3> now;
-    for (int i = 0; i < 100; ++i) step(scene, {}, method, now);
+    // until what is left of the motion is below rounding
+    for (int i = 0; i < 200; ++i) step(scene, {}, method, now);
     int guesses = 0, factorisations = 0;
     {
         const NoAllocation none;
@@ -533,7 +538,8 @@ TEST_CASE("a warm start at rest needs no new factor and allocates nothing")
     CHECK(guesses <= 1000);
 }
 
-TEST_CASE("a pyramid of twenty layers at rest stands still at fewer than two factorisations a step")
+TEST_CASE("a pyramid of twenty layers at rest stands still at fewer than two factorisations a step",
+          "[house]")
 {
     RoughScene scene;
     static_cast<RigidScene&>(scene) = box_pyramid(20);
@@ -553,7 +559,7 @@ TEST_CASE("a pyramid of twenty layers at rest stands still at fewer than two fac
     CHECK((scene.bodies.x - start).lpNorm<Eigen::Infinity>() <= 1e-6);
 }
 
-TEST_CASE("large rubble is solved or not called solved")
+TEST_CASE("large rubble is solved or not called solved", "[idea]")
 {
     Random random(99);
     FrictionMemory memory;
@@ -570,7 +576,7 @@ TEST_CASE("large rubble is solved or not called solved")
     CHECK(solved >= 2);
 }
 
-TEST_CASE("mirroring and reordering and other units of mass and length do the same to rough motion")
+TEST_CASE("mirroring and reordering and other units of mass and length do the same to rough motion", "[idea]")
 {
     Random random(77);
     for (int round = 0; round < 10; ++round) {

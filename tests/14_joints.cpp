@@ -165,7 +165,7 @@ TEST_CASE("a tree solved from the leaves to the root and back gives what the who
     CHECK(compared >= 150);
 }
 
-TEST_CASE("the work on a chain grows with its length and not faster")
+TEST_CASE("the work on a chain grows with its length and not faster", "[house]")
 {
     for (const int links : {50, 500, 5000}) {
         const JointedScene scene = chain_scene({links, 0.1, 0.1, 1000, 0.3});
@@ -265,7 +265,7 @@ TEST_CASE("a motor reaches its speed as far as its torque lets it", "[idea]")
     }
 }
 
-TEST_CASE("a pendulum between its limits moves the same to the bit when far limits have no rows")
+TEST_CASE("a pendulum between its limits moves the same to the bit when far limits have no rows", "[house]")
 {
     const auto swing = [](bool skip, int& skipped) {
         JointedScene scene = chain_scene({3, 0.5, 1, 2, 1.2});
@@ -299,7 +299,7 @@ TEST_CASE("a pendulum between its limits moves the same to the bit when far limi
     CHECK(none == 0);
 }
 
-TEST_CASE("a joint that bears too much breaks and its rows are gone")
+TEST_CASE("a joint that bears too much breaks and its rows are gone", "[house]")
 {
     JointedScene scene;
     add_body(scene, box(1, 1), 1.0, {0, 0});
@@ -318,7 +318,7 @@ TEST_CASE("a joint that bears too much breaks and its rows are gone")
 
 // ---- properties
 
-TEST_CASE("a joint that makes no sense is refused with a sentence that names it")
+TEST_CASE("a joint that makes no sense is refused with a sentence that names it", "[house]")
 {
     const auto says = [](const std::function<void(RigidJoint&)>& change) {
         JointedScene scene;

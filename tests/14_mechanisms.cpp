@@ -47,7 +47,7 @@ TEST_CASE("a four-bar linkage keeps its energy for ten seconds also through the 
         }
 }
 
-TEST_CASE("parallel cranks have as many rows too many as the exercise says")
+TEST_CASE("parallel cranks have as many rows too many as the exercise says", "[house]")
 {
     for (const int cranks : {2, 3, 4, 6}) {
         const JointedScene scene = cranks_scene(cranks, 1, 0);
@@ -152,7 +152,7 @@ TEST_CASE("dolls on stairs stay together and finite", "[idea]")
     CHECK(scene.bodies.x.allFinite());
 }
 
-TEST_CASE("joined bodies touch only if their joint lets them")
+TEST_CASE("joined bodies touch only if their joint lets them", "[house]")
 {
     for (const bool may : {false, true}) {
         JointedScene scene;
@@ -167,7 +167,7 @@ TEST_CASE("joined bodies touch only if their joint lets them")
     }
 }
 
-TEST_CASE("joints that contradict each other leave bodies where they are or at least finite")
+TEST_CASE("joints that contradict each other leave bodies where they are or at least finite", "[house]")
 {
     JointedScene scene;
     add_body(scene, box(1, 1), 1.0, {0, 0});

@@ -66,7 +66,7 @@ TEST_CASE("a chain of 200 links stands under a weight of a thousand links at 60 
     }
 }
 
-TEST_CASE("the same chain flies apart where the load is not stiff and the steps are not small")
+TEST_CASE("the same chain flies apart where the load is not stiff and the steps are not small", "[house]")
 {
     JointedScene scene = chain_scene({50, 0.1, 0.1, 1000, 0.3});
     Trees method;
@@ -86,7 +86,8 @@ TEST_CASE("a bridge between two banks is a loop through the world and stays toge
     CHECK(method.solver.joints.loop_rows.size() == 2);
 }
 
-TEST_CASE("conjugate gradients find the impulses of the tree in about as many steps as there are rows")
+TEST_CASE("conjugate gradients find the impulses of the tree in about as many steps as there are rows",
+          "[house]")
 {
     for (const Real ratio : {1.0, 1000.0}) {
         JointedScene scene = chain_scene({20, 0.1, 0.1, ratio, 0.3});
@@ -113,7 +114,7 @@ TEST_CASE("each pin of a chain bears all that hangs below it", "[idea]")
     }
 }
 
-TEST_CASE("a steady step of a tree asks for no memory")
+TEST_CASE("a steady step of a tree asks for no memory", "[house]")
 {
     JointedScene scene = chain_scene({20, 0.1, 0.1, 100, 0.3});
     Trees method;
@@ -222,7 +223,7 @@ TEST_CASE("rows and coordinates of joints follow the same motion", "[idea]")
     CHECK((u - rows_end.tail(9)).cwiseAbs().maxCoeff() <= 1e-10);
 }
 
-TEST_CASE("coordinates of joints refuse what they cannot say")
+TEST_CASE("coordinates of joints refuse what they cannot say", "[house]")
 {
     JointedScene loop = catenary_scene(4);
     CHECK(sentence_of([&] { ReducedTree tree(loop); }) ==

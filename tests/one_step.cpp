@@ -126,7 +126,7 @@ std::vector<Cell> all_cells(const NamedScene& named, Stabilizer correction, int 
         add_cells(named, "rows" + suffix, rows, correction, substeps, cells);
         rows.in_pairs = true;
         add_cells(named, "pairs" + suffix, rows, correction, substeps, cells);
-        IslandSolver islands;
+        IslandSolver<2> islands;
         islands.sweeps = tight;
         islands.ordering = order;
         add_cells(named, "islands" + suffix, islands, correction, substeps, cells);

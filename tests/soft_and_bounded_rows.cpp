@@ -119,7 +119,7 @@ std::vector<Answer> all_answers(const Problem& problem)
                 answer_of(std::string(to_string(order)) + (in_pairs ? " pairs" : " rows"), problem, solver));
         }
     for (const int exact_rows : {0, 8}) {
-        IslandSolver islands;
+        IslandSolver<2> islands;
         islands.sweeps = tight;
         islands.exact_rows = exact_rows;
         answers.push_back(answer_of("islands", problem, islands));

@@ -159,8 +159,6 @@ private:
                         answers_.doubt();
                     return;
                 }
-            } else {
-                free_z_ += lu_.solve(right_ - block_ * free_z_);
             }
             for (Index r = 0; r < k; ++r) {
                 z_[free_at(r)] = free_z_[r];

@@ -88,8 +88,8 @@ inline void impact_step(DiscScene& scene, const StepSettings& settings,
     } else {
         newton_biases(now.rows, e, bodies.u);
         now.solution.lambda.resize(0);
-        sequential_impulse(now.rows, {}, {10000, 1e-12, false}, now.memory,
-                           bodies.u, now.solution);
+        sequential_impulse(now.rows, {}, {.max_sweeps = 10000, .tolerance = 1e-12},
+                           now.memory, bodies.u, now.solution);
     }
     now.method.solver.sweeps = now.sweeps;
     step(scene, settings, now.method, now.rest);

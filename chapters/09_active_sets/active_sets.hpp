@@ -108,13 +108,41 @@ inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings,
                                              : BoundState::between;
 }
 
+/// What is no answer shall at least do no harm: of the last guess, where it began,
+/// and the point of the bounds nearest to zero the one with the lowest φ (9.7). So an
+/// impulse that comes out without an answer leaves no more energy than none at all.
+inline void keep_lowest(const Mlcp& mlcp, const ActiveSetSettings& settings,
+                        ActiveSetMemory& memory, Solution& solution)
+{
+    VecX &trial = memory.guess.trial, &w = memory.guess.way;
+    const auto height = [&](const VecX& lambda) {
+        w.noalias() = mlcp.A * lambda;
+        return lambda.dot(0.5 * w + mlcp.q);
+    };
+    const Status status = solution.status;
+    Real least = height(solution.lambda);
+    for (const bool nothing : {false, true}) {
+        if (nothing) trial.setZero(mlcp.size());
+        else if (memory.guess.start.size() == mlcp.size())
+            trial = memory.guess.start;
+        else continue;
+        clamp_into_bounds(mlcp, trial);
+        const Real there = height(trial);
+        if (!(there < least) && std::isfinite(least)) continue;
+        least = there;
+        verify_guess(mlcp, settings, trial, solution);
+        if (solution.status == Status::solved) return;
+        solution.status = status;
+    }
+}
+
 //! [active_sets]
 /// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if
 /// there are as many as rows.
 ///
 /// `solved`: by the one rule of the book (3.16c). `infeasible`: with a proof
-/// (9.15), or one by Lemke's ray. Else what went wrong, and lambda is the last
-/// guess, pressed into its bounds. Where no |q| is above settings.enough and λ = 0
+/// (9.15), or one by Lemke's ray. Else what went wrong, and lambda is no answer, but
+/// within its bounds, and no higher than zero is where A is symmetric. Where no |q| is above settings.enough and λ = 0
 /// will do, nothing is guessed and the memory stays as it is.
 /// \throws std::invalid_argument  for a malformed problem or settings that make no
 ///     sense
@@ -140,7 +168,8 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings,
     set_up(mlcp, {settings.tolerance, settings.enough}, problem);
 
     bool settled = false;
-    if (!is_symmetric(mlcp.A, memory.cursor)) {
+    const bool symmetric = is_symmetric(mlcp.A, memory.cursor);
+    if (!symmetric) {
         GeneralLu factor;
         factor.load(mlcp);
         begin(problem, memory.cases, false, guess);
@@ -167,6 +196,9 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings,
     }
     if (!settled && settings.limit == 0 && n <= most_walked_rows)
         walk(mlcp, settings, memory, solution);
+    if (symmetric && (solution.status == Status::iteration_limit ||
+                      solution.status == Status::singular))
+        keep_lowest(mlcp, settings, memory, solution);
     solution.iterations = memory.work.guesses;
     memory.cases = guess.cases;
 }

@@ -77,6 +77,7 @@ struct Guess {
     std::vector<BoundState> cases;
     VecX lambda, w, step;
     VecX here, trial, way;     ///< room for the descent
+    VecX start;                ///< where the last guesses began
     std::vector<Index> wrong;  ///< rows whose case does not fit what came out
 };
 

@@ -70,6 +70,7 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits,
             here = trial;
         }
     }
+    guess.lambda = here;  // the lowest that it came to
     return GuessEnd::limit;
 }
 //! [descend]

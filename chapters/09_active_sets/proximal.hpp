@@ -23,17 +23,29 @@ struct ProximalMemory {
     VecX previous, candidate;
 };
 
-/// Corrects the guess; if that makes no progress, descends.
+//! [or_descend]
+/// Corrects the guess; if that makes no progress, descends, from where the guesses
+/// began or from where they led, whichever is lower.
 template <class Factor>
 GuessEnd guess_or_descend(const GuessedProblem& problem, Factor& factor,
                           int patience, int limit, Guess& guess,
                           ActiveSetWork& work)
 {
+    guess.start = guess.lambda;
     const GuessEnd end =
         correct_guess(problem, factor, patience, limit, false, guess, work);
-    if (end != GuessEnd::limit) return end;
+    if (end != GuessEnd::limit || work.guesses >= limit) return end;
+    const auto height = [&](VecX& lambda) {
+        clamp_into_bounds(*problem.mlcp, lambda);
+        velocities(problem, factor, lambda, guess.w);
+        return merit(problem, lambda, guess.w);
+    };
+    const Real began = height(guess.start);
+    // a guess that is no number is no lower
+    if (!(height(guess.lambda) <= began)) guess.lambda = guess.start;
     return descend(problem, factor, 10, limit, guess, work);
 }
+//! [or_descend]
 
 enum class ProximalEnd { right, infeasible, singular, limit };
 

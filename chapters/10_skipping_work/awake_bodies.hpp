@@ -5,13 +5,12 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
-#include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/10_skipping_work/broad_phase.hpp"
+#include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "chapters/10_skipping_work/incidence.hpp"
-#include "chapters/10_skipping_work/islands.hpp"
 #include "chapters/10_skipping_work/kept_contacts.hpp"
 #include "chapters/10_skipping_work/rest_conditions.hpp"
-#include "chapters/10_skipping_work/sleeping.hpp"
+#include "chapters/10_skipping_work/sleepers.hpp"
 #include "common/text.hpp"
 
 #include <vector>
@@ -19,32 +18,18 @@
 namespace rigid {
 
 //! [awake_bodies]
-struct AwakeBodies {
-    RestSettings rest;
-    bool sleep = true;  ///< false: no body falls asleep
+struct AwakeBodies : Sleepers<2> {
     /// contacts keep their normal while their discs have moved by less [ℓ]
     Real row_slack = 0;
-    Real length = 1;  ///< ℓ, of the scene [m]; written by reset()
 
-    AwakeSet set;
     BroadPhase broad;
     Incidence links_on, bends_on, joints_on;  ///< by body
-    /// K: how long each body has been at rest
-    std::vector<Rest> rests;
-    SleepingForces forces;      ///< of the bodies that sleep
-    RestConditions conditions;  ///< of the last step
+    RestConditions conditions;                ///< of the last step
 
     // What the last step found on its way.
     std::vector<int> links, bends, joints;  ///< of the bodies that are awake
     std::vector<Bend> active_bends;
-    /// the set of awake bodies has changed since these were listed
-    bool changed = true;
     KeptContacts kept;  ///< used where row_slack > 0
-    /// of the bodies that are awake, where the solver has none
-    Islands islands;
-    /// velocities before the step, of the bodies that are awake [m/s]
-    VecX u_before;
-    int woken = 0, fell_asleep = 0;  ///< bodies, in the last step
     //! [awake_bodies]
 
     /// Puts a scene in: all that can move is awake.
@@ -68,19 +53,15 @@ struct AwakeBodies {
     /// Islands that have been at rest for long enough fall asleep.
     template <class Method>
     void end(DiscScene& scene, const StepSettings& settings, Method& method,
-             StepData<2>& now);
+             const StepData<2>& now);
 
 private:
     void wake_by_changes(const DiscScene& scene, const StepSettings& settings,
                          const RestConditions& present);
     void change_margin(const DiscScene& scene, Real margin);
-    void take_in_the_woken(ImpulseCache* cache);
     void collect_active(const DiscScene& scene);
     void list_sources(const DiscScene& scene, const StepSettings& settings,
                       StepData<2>& now);
-    void watch_rest(const DiscScene& scene, const StepSettings& settings,
-                    const StepData<2>& now);
-    void stay_with_kinematic(const DiscScene& scene, const StepData<2>& now);
 };
 
 /// What has changed since the last step wakes the bodies that it concerns. Costs the same however many sleep.
@@ -111,18 +92,6 @@ inline void AwakeBodies::change_margin(const DiscScene& scene, Real margin)
             broad.grid.remove(static_cast<int>(k));
         set.wake(k);
     }
-}
-
-/// A body that was woken starts from the forces that it fell asleep with, and has to rest again from the beginning.
-inline void AwakeBodies::take_in_the_woken(ImpulseCache* cache)
-{
-    set.tidy();
-    ImpulseCache nowhere;
-    remember_woken(forces, set.woken, cache ? *cache : nowhere);
-    for (const int k : set.woken) rests[static_cast<std::size_t>(k)] = {};
-    woken = static_cast<int>(set.woken.size());
-    set.woken.clear();
-    changed = true;
 }
 
 /// The links, bends and joints of the bodies that are awake: listed again when that has changed.
@@ -202,19 +171,19 @@ void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings,
     if (set.awake.empty()) return;
     // Which discs may touch which; a disc that is touched wakes.
     update_pairs(scene, set, broad);
-    if (!set.woken.empty()) {
-        if constexpr (requires { method.start.cache; })
-            take_in_the_woken(&method.start.cache);
-        else take_in_the_woken(nullptr);
-    }
+    if (!set.woken.empty()) take_in_the_woken(method);
     list_sources(scene, settings, now);
     now.active.assign(set.awake.begin(), set.awake.end());
     now.bends = active_bends;
-    now.x_found.resize(scene.bodies.x.size());
-    for (const int k : now.active) {
-        now.x_found.segment<2>(2 * k) = scene.bodies.position(k);
-        u_before.segment<2>(2 * k) = scene.bodies.velocity(k);
-    }
+    begin_from(scene.bodies, now);
+}
+
+/// Islands that have been at rest for long enough fall asleep.
+template <class Method>
+void AwakeBodies::end(DiscScene& scene, const StepSettings& settings,
+                      Method& method, const StepData<2>& now)
+{
+    fall_asleep(scene, settings, method, now);
 }
 
 }  // namespace rigid

@@ -10,6 +10,7 @@
 namespace rigid {
 
 //! [by_islands]
+template <int Dof>
 struct IslandSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps;
@@ -25,8 +26,8 @@ struct IslandSolver {
     std::vector<int> order;
     /// how the rows were ordered when the islands were found
     Order ordered = Order::given;
-    std::vector<SolverRow<2>> rows;  ///< island by island
-    std::vector<Feedback> feedback;  ///< of each of them; empty = none has any
+    std::vector<SolverRow<Dof>> rows;  ///< island by island
+    std::vector<Feedback> feedback;    ///< of each of them; empty = none has any
     std::vector<int> place_of;
     std::vector<ExactScratch> exact;
 
@@ -50,7 +51,7 @@ struct IslandSolver {
     }
 
     /// Each island by itself, from the λ that now.solution holds.
-    void solve(Bodies<2>& bodies, StepData<2>& now)
+    void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         in_metres = sweeps;
         in_metres.tolerance *= now.length;
@@ -61,12 +62,12 @@ struct IslandSolver {
         VecX& lambda = now.solution.lambda;
         clamp_start(now.rows, lambda);
         for (const int k : now.active)
-            bodies.velocity(k) = now.u_star.segment<2>(2 * k);
-        prepare<2>(now.rows, islands.rows, lambda, rows);
-        prepare_feedback<2>(now.rows, islands.rows, rows, place_of, feedback);
-        for (const SolverRow<2>& row : rows) {
-            bodies.u.segment<2>(row.a) += row.Wa * row.lambda;
-            bodies.u.segment<2>(row.b) += row.Wb * row.lambda;
+            bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
+        prepare<Dof>(now.rows, islands.rows, lambda, rows);
+        prepare_feedback<Dof>(now.rows, islands.rows, rows, place_of, feedback);
+        for (const SolverRow<Dof>& row : rows) {
+            bodies.u.template segment<Dof>(row.a) += row.Wa * row.lambda;
+            bodies.u.template segment<Dof>(row.b) += row.Wb * row.lambda;
         }
         for_each_problem([&](std::size_t first, std::size_t count) {
             solve_one(first, count, bodies.u, now);
@@ -80,7 +81,7 @@ struct IslandSolver {
     //! [by_islands]
 
     /// Other biases, the same u*: the sweeps go on from the present λ and u.
-    void solve_again(SecondProblem& second, Bodies<2>& bodies, StepData<2>& now)
+    void solve_again(SecondProblem& second, Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         for (std::size_t k = 0; k < rows.size(); ++k)
             change_bias(k, second.bias[row_at(k)], rows, feedback);
@@ -90,14 +91,14 @@ struct IslandSolver {
     }
 
     /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
-    void solve_apart(SecondProblem& second, VecX& v, StepData<2>& now)
+    void solve_apart(SecondProblem& second, VecX& v, StepData<Dof>& now)
     {
         for (std::size_t k = 0; k < rows.size(); ++k) {
             rows[k].lambda = 0;
             if (second.left_out[row_at(k)]) rows[k].mass = 0;
             else change_bias(k, second.bias[row_at(k)], rows, feedback);
         }
-        for (const int k : now.active) v.segment<2>(2 * k).setZero();
+        for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
         sweep_each(second, v, now);
     }
 
@@ -119,9 +120,9 @@ private:
     }
 
     /// The rows of one problem, and what they follow.
-    std::span<SolverRow<2>> some_rows(std::size_t first, std::size_t count)
+    std::span<SolverRow<Dof>> some_rows(std::size_t first, std::size_t count)
     {
-        return std::span<SolverRow<2>>(rows).subspan(first, count);
+        return std::span<SolverRow<Dof>>(rows).subspan(first, count);
     }
     std::span<const Feedback> some_feedback(std::size_t first,
                                             std::size_t count) const
@@ -131,7 +132,7 @@ private:
     }
 
     /// An island that is done is done, however long another one goes on.
-    void sweep_each(const SecondProblem& second, VecX& v, StepData<2>& now)
+    void sweep_each(const SecondProblem& second, VecX& v, StepData<Dof>& now)
     {
         for_each_problem([&](std::size_t first, std::size_t count) {
             now.visits +=
@@ -141,21 +142,22 @@ private:
     }
 
     /// While the rows are those of the step before, so are the islands.
-    void arrange(const Bodies<2>& bodies, const StepData<2>& now)
+    void arrange(const Bodies<Dof>& bodies, const StepData<Dof>& now)
     {
         if (now.same_bodies && now.same_rows && ordering == ordered) return;
         order.clear();
         if (ordering == Order::coloured)
-            colour_rows_of<2>(now.active, bodies.count(), now.rows, colouring,
-                              order);
+            colour_rows_of<Dof>(now.active, bodies.count(), now.rows, colouring,
+                                order);
         find_islands(bodies, now, order, islands);
         ordered = ordering;
     }
 
-    void solve_one(std::size_t first, std::size_t count, VecX& u, StepData<2>& now)
+    void solve_one(std::size_t first, std::size_t count, VecX& u,
+                   StepData<Dof>& now)
     {
         if (count == 0) return;
-        const std::span<SolverRow<2>> island = some_rows(first, count);
+        const std::span<SolverRow<Dof>> island = some_rows(first, count);
         if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
             const IslandAnswer answer =
                 solve_exactly(island, in_metres.tolerance, exact, u);

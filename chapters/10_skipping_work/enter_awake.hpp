@@ -19,7 +19,7 @@ inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
             scene.bodies.inverse_mass[2 * k + 1])
             throw std::invalid_argument("disc " + std::to_string(k) +
                                         " has two different masses");
-    set = everybody_awake(scene.bodies);
+    wake_all(scene.bodies);
     length = typical_length(scene);
     broad.reset(scene, std::move(filter));
     links_on =
@@ -38,22 +38,14 @@ inline void AwakeBodies::reset(const DiscScene& scene, CollisionFilter filter)
             if (scene.joints[i].a != world) visit(scene.joints[i].a);
             visit(scene.joints[i].b);
         });
-    rests.assign(K, {});
-    forces.head.assign(K, -1);
-    u_before = scene.bodies.u;
-    changed = true;
 }
 
 inline void AwakeBodies::add(const DiscScene& scene, Index k)
 {
-    set.add(scene.bodies, k);
+    Sleepers<2>::add(scene.bodies, k);
     broad.add(scene, k);
     for (Incidence* const on : {&links_on, &bends_on, &joints_on})
         on->first.push_back(on->first.back());
-    rests.emplace_back();
-    forces.head.push_back(-1);
-    u_before.conservativeResize(scene.bodies.u.size());
-    changed = true;
 }
 
 }  // namespace rigid

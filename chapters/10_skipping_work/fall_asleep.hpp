@@ -2,7 +2,7 @@
 /// The end of the contacts stage: how long each body has been at rest, and which islands fall asleep (10.8).
 #pragma once
 
-#include "chapters/10_skipping_work/awake_bodies.hpp"
+#include "chapters/10_skipping_work/sleepers.hpp"
 
 #include <algorithm>
 #include <initializer_list>
@@ -10,60 +10,78 @@
 namespace rigid {
 
 /// A body that moves and can't be stopped keeps awake what it carries, pulls or bends, however slowly it goes.
-inline void AwakeBodies::stay_with_kinematic(const DiscScene& scene,
-                                             const StepData<2>& now)
+template <int Dof>
+void Sleepers<Dof>::stay_with_kinematic(const Bodies<Dof>& bodies,
+                                        const StepData<Dof>& now)
 {
     const auto kinematic = [&](Index k) {
-        return k != world && set.is_awake(k) && !scene.bodies.can_move(k);
+        return k != world && set.is_awake(k) && !bodies.can_move(k);
     };
     for (const int k : set.awake)
         if (kinematic(k)) rests[static_cast<std::size_t>(k)] = {};
-    const auto together = [&](std::initializer_list<Index> bodies) {
-        if (std::none_of(bodies.begin(), bodies.end(), kinematic)) return;
-        for (const Index k : bodies)
+    const auto together = [&](std::initializer_list<Index> some) {
+        if (std::none_of(some.begin(), some.end(), kinematic)) return;
+        for (const Index k : some)
             if (k != world) rests[static_cast<std::size_t>(k)] = {};
     };
-    for (const Row<2>& row : now.rows) together({row.a, row.b});
-    for (const Bend& bend : active_bends)
+    for (const Row<Dof>& row : now.rows) together({row.a, row.b});
+    for (const Bend& bend : now.bends)
         together({bend.left, bend.middle, bend.right});
 }
 
+/// The velocity of a body as rest measures it [m/s]. Discs only move on; the scene of bodies that turn has its own.
+inline Vec<2> measured_velocity(const DiscScene&, Index, const Vec<2>& u)
+{
+    return u;
+}
+
 /// How long each body that is awake has been at rest.
-inline void AwakeBodies::watch_rest(const DiscScene& scene,
-                                    const StepSettings& settings,
-                                    const StepData<2>& now)
+template <int Dof>
+template <class Scene>
+void Sleepers<Dof>::watch_rest(const Scene& scene, const StepSettings& settings,
+                               const StepData<Dof>& now)
 {
     const RestSettings slow = in_metres(rest, length);
     bool any_kinematic = false;
     for (const int k : set.awake) {
         Rest& so_far = rests[static_cast<std::size_t>(k)];
-        so_far = still_at_rest<2>(so_far, scene.bodies.velocity(k),
-                                  u_before.segment<2>(2 * k), slow, settings.h);
+        const Vec<Dof> u = scene.bodies.velocity(k),
+                       before = u_before.template segment<Dof>(Dof * k);
+        so_far = still_at_rest<Dof>(so_far, measured_velocity(scene, k, u),
+                                    measured_velocity(scene, k, before), slow,
+                                    settings.h);
         any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
-    if (any_kinematic) stay_with_kinematic(scene, now);
+    if (any_kinematic) stay_with_kinematic(scene.bodies, now);
 }
 
-/// The natural residual of some rows of a step at the velocities u [m/s].
-inline Real natural_residual(const StepData<2>& now, std::span<const int> rows,
-                             const VecX& u)
+/// The natural residual of some rows of a step at the velocities u [m/s]. A row that only turns, in rad/s, is taken at
+/// the distance ℓ.
+template <int Dof>
+Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
+                      const VecX& u)
 {
     Real largest = 0;
     for (const int i : rows) {
-        const Row<2>& row = now.rows[static_cast<std::size_t>(i)];
+        const Row<Dof>& row = now.rows[static_cast<std::size_t>(i)];
         const Real lambda = now.solution.lambda[i];
         const auto [lo, hi] = bounds_of(row, now.solution.lambda);
         const Real w = row.velocity(u) + row.softness * lambda;
-        const Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
+        Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
+        if constexpr (Dof == 3)
+            if (row.Ja.template head<2>().isZero(0) &&
+                row.Jb.template head<2>().isZero(0))
+                r *= now.length;
         if (!(r <= largest)) largest = r;  // also takes over a NaN
     }
     return largest;
 }
 
 /// (10.8). An island that falls asleep is put where its contacts were found.
-template <class Method>
-void AwakeBodies::end(DiscScene& scene, const StepSettings& settings,
-                      Method& method, StepData<2>& now)
+template <int Dof>
+template <class Scene, class Method>
+void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
+                                Method& method, const StepData<Dof>& now)
 {
     watch_rest(scene, settings, now);
     if (!sleep) return;
@@ -72,8 +90,9 @@ void AwakeBodies::end(DiscScene& scene, const StepSettings& settings,
     if constexpr (requires { method.solver.sweeps; })
         noise = method.solver.sweeps.tolerance * length;
     const auto restless = [&](int k) {
+        const Vec<Dof> u = scene.bodies.velocity(k);
         return !may_sleep(rests[static_cast<std::size_t>(k)],
-                          scene.bodies.velocity(k).norm(), slow, noise);
+                          measured_velocity(scene, k, u).norm(), slow, noise);
     };
     if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
 
@@ -100,7 +119,7 @@ void AwakeBodies::end(DiscScene& scene, const StepSettings& settings,
                 now.solution.lambda[row] / settings.part());
         for (const int k : members) {
             scene.bodies.velocity(k).setZero();
-            scene.bodies.position(k) = now.x_found.segment<2>(2 * k);
+            scene.bodies.position(k) = now.x_found.template segment<Dof>(Dof * k);
         }
         //! [fall_asleep]
         fell_asleep += static_cast<int>(members.size());

@@ -153,8 +153,9 @@ void colour_rows_of(std::span<const int> bodies, Index count,
 
 /// The islands of a step: bodies that rows or torsional springs join.
 /// \param order  of the rows in their island; empty = as they are
-inline void find_islands(const Bodies<2>& bodies, const StepData<2>& now,
-                         std::span<const int> order, Islands& islands)
+template <int Dof>
+void find_islands(const Bodies<Dof>& bodies, const StepData<Dof>& now,
+                  std::span<const int> order, Islands& islands)
 {
     separate(bodies.count(), now.active, islands);
     // A torsional spring acts on three discs at once: they are of one island, whatever rows they have.
@@ -165,7 +166,7 @@ inline void find_islands(const Bodies<2>& bodies, const StepData<2>& now,
                 if (bodies.can_move(a) && bodies.can_move(b))
                     islands.unite(static_cast<int>(a), static_cast<int>(b));
     }
-    join_by_rows<2>(now.active, now.rows, order, islands);
+    join_by_rows<Dof>(now.active, now.rows, order, islands);
 }
 
 }  // namespace rigid

@@ -12,7 +12,6 @@
 #include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/10_skipping_work/enter_awake.hpp"
-#include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "common/text.hpp"
 
 #include <cstdint>
@@ -25,7 +24,7 @@ struct SkippingMethod {
     AwakeBodies contacts;
     Correction correction;
     WarmStart start;
-    IslandSolver solver;
+    IslandSolver<2> solver;
 };
 //! [method]
 
@@ -153,7 +152,7 @@ inline SkippingCounters counters_of(const SkippingMethod& method,
                                     const StepData<2>& found)
 {
     const AwakeBodies& bodies = method.contacts;
-    const IslandSolver& solver = method.solver;
+    const IslandSolver<2>& solver = method.solver;
     SkippingCounters counters;
     counters.woken = bodies.woken;
     counters.fell_asleep = bodies.fell_asleep;

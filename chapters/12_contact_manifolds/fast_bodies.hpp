@@ -38,40 +38,42 @@ inline Real inner_radius(const Placed& shape, const Vec2& centroid)
 }
 
 //! [fast]
-/// \param x_found    where the bodies were at the beginning of the step
+/// \param active     bodies that could have moved in this step, ascending
+/// \param x_found    where all bodies were at the beginning of the step
 /// \param margin     of contacts [m]; bodies are stopped at a quarter to a half of it
 /// \param placed     the shapes at x_found
 /// \param may_touch  bool(int, int)
 template <class MayTouch>
-void stop_fast_bodies(RigidScene& scene, const VecX& x_found, Real margin,
-                      const PlacedShapes& placed, const MayTouch& may_touch,
-                      FastBodies& fast)
+void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
+                      const VecX& x_found, Real margin, const PlacedShapes& placed,
+                      const MayTouch& may_touch, FastBodies& fast)
 {
     const int K = static_cast<int>(scene.bodies.count());
     const auto motion = [&](Index k) {
         return MovingShape{&scene.shapes[static_cast<std::size_t>(k)],
                            x_found.segment<3>(3 * k), scene.bodies.position(k)};
     };
+    const auto inner_of = [&](int k) {
+        return inner_radius(placed.of(k), x_found.segment<2>(3 * k));
+    };
     fast.bodies.clear();
-    fast.inner.clear();
-    fast.is_fast.assign(static_cast<std::size_t>(K), 0);
     fast.impacts = fast.rounds = 0;
-    for (int k = 0; k < K; ++k) {
+    for (const int k : active) {
         const MovingShape m = motion(k);
         const Vec<3> way = m.way();
         const Real far = std::hypot(way[0], way[1]) +
                          std::abs(way[2]) * turning_radius(*m.shape);
-        const Real inner = inner_radius(placed.of(k), m.from.head<2>());
-        fast.inner.push_back(inner);
-        if (!(far > 0.5 * inner)) continue;
-        fast.bodies.push_back(k);
-        fast.is_fast[static_cast<std::size_t>(k)] = 1;
+        if (far > 0.5 * inner_of(k)) fast.bodies.push_back(k);
     }
     if (fast.bodies.empty()) return;
+    fast.is_fast.assign(static_cast<std::size_t>(K), 0);
+    for (const int k : fast.bodies) fast.is_fast[static_cast<std::size_t>(k)] = 1;
 
     // all that a body can reach on its way, however it turns
+    fast.inner.clear();
     fast.swept.clear();
     for (int k = 0; k < K; ++k) {
+        fast.inner.push_back(inner_of(k));
         const MovingShape m = motion(k);
         const Vec2 from = m.from.head<2>(), to = m.to.head<2>();
         fast.swept.push_back(

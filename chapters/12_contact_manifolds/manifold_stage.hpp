@@ -32,6 +32,8 @@ struct Manifolds {
     // What is kept from step to step.
     PlacedShapes placed;
     std::vector<TouchingPair> touching, before;  ///< ascending
+    /// of bodies that are not looked at: as they were last
+    std::vector<TouchingPair> resting;
 
     template <class Method>
     void begin(const RigidScene& scene, const StepSettings& settings, Method&,
@@ -39,20 +41,32 @@ struct Manifolds {
     {
         rigid::require_valid(scene);
         now.length = typical_length(scene);
-        const Bodies<3>& bodies = scene.bodies;
-        now.active.resize(static_cast<std::size_t>(bodies.count()));
+        now.active.resize(static_cast<std::size_t>(scene.bodies.count()));
         std::iota(now.active.begin(), now.active.end(), 0);
-        now.x_found = bodies.x;
-        now.contacts.clear();
-        now.sources.clear();
-        for (std::size_t i = 0; i < scene.joints.size(); ++i)
-            if (bodies.can_move(scene.joints[i].a) ||
-                bodies.can_move(scene.joints[i].b))
-                now.sources.push_back({Source::Of::joint, static_cast<int>(i)});
-
         const Real margin = settings.margin * now.length;
         placed.move(scene);
         finder.find(scene, placed, margin);
+        list_rows(scene, margin, now);
+    }
+
+    /// The same for a step that looks at some bodies only.
+    /// \param bodies  ascending; the others are where they were in the last step
+    void begin_with(const RigidScene& scene, Real margin,
+                    std::span<const int> bodies, StepData<3>& now)
+    {
+        placed.move(scene, bodies);
+        finder.find(scene, placed, margin, bodies);
+        list_rows(scene, margin, now);
+    }
+
+    void list_rows(const RigidScene& scene, Real margin, StepData<3>& now)
+    {
+        now.x_found = scene.bodies.x;
+        now.contacts.clear();
+        now.sources.clear();
+        for (std::size_t i = 0; i < scene.joints.size(); ++i)
+            if (is_looked_at(scene.joints[i].a) || is_looked_at(scene.joints[i].b))
+                now.sources.push_back({Source::Of::joint, static_cast<int>(i)});
         wall_contacts(scene, margin, now);
         pair_contacts(scene, margin, now);
     }
@@ -65,8 +79,9 @@ struct Manifolds {
     {
         if (fast.stop)
             stop_fast_bodies(
-                scene, now.x_found, settings.margin * now.length, placed,
-                [this](int a, int b) { return finder.may_touch(a, b); }, fast);
+                scene, now.active, now.x_found, settings.margin * now.length,
+                placed, [this](int a, int b) { return finder.may_touch(a, b); },
+                fast);
     }
     //! [stage]
 
@@ -98,9 +113,16 @@ struct Manifolds {
         }
     }
 
+    /// Its joints make rows: it moves, and this step looks at it.
+    bool is_looked_at(Index k) const
+    {
+        return k != world && finder.moves[static_cast<std::size_t>(k)] &&
+               finder.asks[static_cast<std::size_t>(k)];
+    }
+
     void wall_contacts(const RigidScene& scene, Real margin, StepData<3>& now) const
     {
-        for (Index b = 0; b < scene.bodies.count(); ++b) {
+        for (const int b : finder.asked) {
             if (!finder.moves[static_cast<std::size_t>(b)]) continue;
             const Box& box = finder.boxes[static_cast<std::size_t>(b)];
             const Vec2 middle = (box.low + box.high) / 2,
@@ -118,27 +140,74 @@ struct Manifolds {
     }
 
     //! [pair_contacts]
-    /// The manifolds of the pairs, with what they were a step ago beside them.
+    /// The manifolds of the pairs, with what they were when last looked at beside
+    /// them.
     void pair_contacts(const RigidScene& scene, Real margin, StepData<3>& now)
     {
         std::swap(touching, before);
         touching.clear();
+        put_to_rest();
         auto old = before.begin();
         for (const std::uint64_t pair : finder.pairs) {
             const int a = static_cast<int>(pair >> 32),
                       b = static_cast<int>(pair & 0xffffffffu);
-            while (old != before.end() && pair_key(old->a, old->b) < pair) ++old;
-            const bool known =
-                old != before.end() && pair_key(old->a, old->b) == pair;
+            while (old != before.end() && key_of(*old) < pair) ++old;
+            const bool known = old != before.end() && key_of(*old) == pair;
+            const Manifold* const last = known ? &old->manifold : at_rest(pair);
             const Manifold m =
-                collide(placed.of(a), placed.of(b),
-                        {margin, stay * margin, known ? &old->manifold : nullptr});
+                collide(placed.of(a), placed.of(b), {margin, stay * margin, last});
             if (m.count == 0) continue;
             touching.push_back({a, b, m});
             add(scene, a, b, m, 0, now);
         }
+        const auto asks = [this](int k) {
+            return finder.asks[static_cast<std::size_t>(k)] != 0;
+        };
+        if (woke_)
+            std::erase_if(resting, [&](const TouchingPair& pair) {
+                return asks(pair.a) || asks(pair.b);
+            });
     }
     //! [pair_contacts]
+
+private:
+    std::vector<int> asked_before_;
+    bool woke_ = false;  ///< other bodies ask than in the step before
+
+    static std::uint64_t key_of(const TouchingPair& pair)
+    {
+        return pair_key(pair.a, pair.b);
+    }
+    static bool ascending(const TouchingPair& a, const TouchingPair& b)
+    {
+        return key_of(a) < key_of(b);
+    }
+
+    /// Pairs of the step before that nobody asks for any more are kept apart.
+    void put_to_rest()
+    {
+        woke_ = finder.asked != asked_before_;
+        if (!woke_) return;
+        asked_before_ = finder.asked;
+        const std::size_t old = resting.size();
+        for (const TouchingPair& pair : before)
+            if (!finder.asks[static_cast<std::size_t>(pair.a)] &&
+                !finder.asks[static_cast<std::size_t>(pair.b)])
+                resting.push_back(pair);
+        std::inplace_merge(resting.begin(),
+                           resting.begin() + static_cast<std::ptrdiff_t>(old),
+                           resting.end(), ascending);
+    }
+
+    const Manifold* at_rest(std::uint64_t pair) const
+    {
+        const auto at =
+            std::lower_bound(resting.begin(), resting.end(), pair,
+                             [](const TouchingPair& p, std::uint64_t key) {
+                                 return key_of(p) < key;
+                             });
+        return at != resting.end() && key_of(*at) == pair ? &at->manifold : nullptr;
+    }
 };
 
 }  // namespace rigid

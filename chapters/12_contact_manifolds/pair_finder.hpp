@@ -1,5 +1,5 @@
 /// \file pair_finder.hpp
-/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint keeps them from touching, and the filter
+/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint keeps them apart, and the filter
 /// lets them meet.
 #pragma once
 
@@ -25,11 +25,14 @@ struct PairFinder {
     // What is kept from step to step.
     std::vector<Box> boxes;  ///< of the shapes, with half the margin around them
     std::vector<char> moves;
-    std::vector<std::uint64_t>
-        joined;  ///< a · 2³² + b, ascending: a joint joins them
+    /// 1: the body looks for others; 0: it is only found
+    std::vector<char> asks;
+    /// a · 2³² + b of each joint whose bodies may not touch, as it comes, and ascending
+    std::vector<std::uint64_t> joints, joined;
     std::vector<std::uint64_t> pairs;  ///< the answer, ascending
     BoxSweep sweep;
     BoxTree tree;
+    std::vector<int> asked;   ///< those that look
     std::int64_t tested = 0;  ///< boxes compared in this step
 
     bool may_touch(int a, int b) const
@@ -44,54 +47,109 @@ struct PairFinder {
     }
 
     //! [find]
+    /// All pairs of a scene. Of two that may touch, one can move: the others only
+    /// wait to be found.
     void find(const RigidScene& scene, const PlacedShapes& placed, Real margin)
     {
-        const auto K = static_cast<std::size_t>(scene.bodies.count());
+        movers_.clear();
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            if (scene.bodies.can_move(k)) movers_.push_back(static_cast<int>(k));
         boxes.clear();
-        moves.clear();
-        for (std::size_t k = 0; k < K; ++k) {
-            boxes.push_back(grown(placed.boxes[k], margin / 2));
-            moves.push_back(scene.bodies.can_move(static_cast<Index>(k)));
-        }
-        joined.clear();
-        for (const PointJoint& joint : scene.joints)
-            if (joint.a != world && !joint.collides)
-                joined.push_back(pair_key(joint.a, joint.b));
-        std::sort(joined.begin(), joined.end());
+        find(scene, placed, margin, movers_);
+    }
 
+    /// The pairs that some bodies make, with each other and with all others.
+    /// \param looking  ascending; the others are where they were in the last call
+    void find(const RigidScene& scene, const PlacedShapes& placed, Real margin,
+              std::span<const int> looking)
+    {
+        take_in(scene, placed, margin, looking);
         pairs.clear();
         const auto keep = [&](int a, int b) {
             if (may_touch(a, b)) pairs.push_back(pair_key(a, b));
         };
         if (search == PairSearch::sweep) {
-            overlapping_pairs(boxes, sweep, keep);
+            overlapping_pairs(boxes, sweep, [&](int a, int b) {
+                if (is(asks, a) || is(asks, b)) keep(a, b);
+            });
             tested = sweep.tested;
-        } else find_in_tree(skin * margin, keep);
+        } else find_in_tree(keep);
         std::sort(pairs.begin(), pairs.end());
     }
 
-    /// Each body that can move looks for those behind it, and for those that cannot.
+    /// Each body that looks finds those behind it, and those that do not look.
     template <class Keep>
-    void find_in_tree(Real tree_skin, const Keep& keep)
+    void find_in_tree(const Keep& keep)
     {
-        const int K = static_cast<int>(boxes.size());
-        if (tree.count() > K) tree.clear();  // bodies were taken away
-        tree.skin = tree_skin;
         tree.tested = 0;
-        for (int k = 0; k < K; ++k)
-            tree.place(k, boxes[static_cast<std::size_t>(k)]);
-        for (int k = 0; k < K; ++k) {
-            if (!moves[static_cast<std::size_t>(k)]) continue;
+        for (const int k : asked) {
             const Box& box = boxes[static_cast<std::size_t>(k)];
             tree.overlapping(box, [&](int b) {
-                const bool first = b > k || !moves[static_cast<std::size_t>(b)];
-                if (first && overlap(box, boxes[static_cast<std::size_t>(b)]))
+                if ((b > k || !is(asks, b)) &&
+                    overlap(box, boxes[static_cast<std::size_t>(b)]))
                     keep(k, b);
             });
         }
         tested = tree.tested;
     }
     //! [find]
+
+private:
+    std::vector<int> movers_;
+    Real margin_ = 0;  ///< of the boxes [m]
+
+    static bool is(const std::vector<char>& list, int k)
+    {
+        return list[static_cast<std::size_t>(k)] != 0;
+    }
+
+    /// Boxes, tree and joints as they are now.
+    void take_in(const RigidScene& scene, const PlacedShapes& placed, Real margin,
+                 std::span<const int> looking)
+    {
+        const auto K = static_cast<std::size_t>(scene.bodies.count());
+        const bool all = boxes.size() != K || margin != margin_;
+        if (tree.count() > static_cast<int>(K))
+            tree.clear();  // some were taken away
+        tree.skin = skin * margin;
+        margin_ = margin;
+        const auto take = [&](std::size_t k) {
+            boxes[k] = grown(placed.boxes[k], margin / 2);
+            moves[k] = scene.bodies.can_move(static_cast<Index>(k));
+            tree.place(static_cast<int>(k), boxes[k]);
+        };
+        boxes.resize(K);
+        moves.resize(K);
+        asks.resize(K);
+        for (const int k : asked)
+            if (static_cast<std::size_t>(k) < K)
+                asks[static_cast<std::size_t>(k)] = 0;
+        asked.assign(looking.begin(), looking.end());
+        for (const int k : asked) asks[static_cast<std::size_t>(k)] = 1;
+        for (std::size_t k = 0; all && k < K; ++k) take(k);
+        for (const int k : asked)
+            if (!all) take(static_cast<std::size_t>(k));
+        list_joints(scene);
+    }
+
+    /// Sorted again only when they are not those of the step before.
+    void list_joints(const RigidScene& scene)
+    {
+        std::size_t count = 0;
+        bool same = true;
+        for (const PointJoint& joint : scene.joints) {
+            if (joint.a == world || joint.collides) continue;
+            const std::uint64_t key = pair_key(joint.a, joint.b);
+            if (count == joints.size()) joints.push_back(~key);
+            same = same && joints[count] == key;
+            joints[count++] = key;
+        }
+        same = same && count == joined.size();
+        joints.resize(count);
+        if (same) return;
+        joined = joints;
+        std::sort(joined.begin(), joined.end());
+    }
 };
 
 }  // namespace rigid

@@ -6,7 +6,9 @@
 
 #include "chapters/11_rotation/rigid_scene.hpp"
 
+#include <algorithm>
 #include <span>
+#include <vector>
 
 namespace rigid {
 
@@ -96,13 +98,14 @@ struct PlacedShape {
     Placed view() const { return {vertices, normals, radius}; }
 };
 
-/// All shapes of a scene. Does not allocate once it has been as large.
+/// The shapes of a scene. Does not allocate once it has been as large.
 struct PlacedShapes {
     std::vector<Vec2> vertices, normals;
     std::vector<std::size_t> first_vertex, first_normal;  ///< K + 1
     std::vector<Real> radius;                             ///< K [m]
     std::vector<Box> boxes;                               ///< K
 
+    /// Places all of them.
     void move(const RigidScene& scene)
     {
         vertices.clear();
@@ -121,6 +124,34 @@ struct PlacedShapes {
         for (Index k = 0; k < scene.bodies.count(); ++k)
             boxes.push_back(box_of(of(k)));
     }
+
+    /// Places these again; all, if the scene has other shapes than before.
+    void move(const RigidScene& scene, std::span<const int> bodies)
+    {
+        const auto K = static_cast<std::size_t>(scene.bodies.count());
+        const auto as_before = [&](int k) {
+            return scene.shapes[static_cast<std::size_t>(k)].vertices.size() ==
+                   of(k).vertices.size();
+        };
+        if (radius.size() != K ||
+            !std::all_of(bodies.begin(), bodies.end(), as_before)) {
+            move(scene);
+            return;
+        }
+        for (const int body : bodies) {
+            const auto k = static_cast<std::size_t>(body);
+            moved_.move(scene.shapes[k], scene.bodies.position(body));
+            std::copy(moved_.vertices.begin(), moved_.vertices.end(),
+                      vertices.begin() +
+                          static_cast<std::ptrdiff_t>(first_vertex[k]));
+            std::copy(moved_.normals.begin(), moved_.normals.end(),
+                      normals.begin() +
+                          static_cast<std::ptrdiff_t>(first_normal[k]));
+            radius[k] = moved_.radius;
+            boxes[k] = box_of(moved_.view());
+        }
+    }
+
     Placed of(Index body) const
     {
         const auto k = static_cast<std::size_t>(body);
@@ -129,6 +160,9 @@ struct PlacedShapes {
                 {normals.data() + n, first_normal[k + 1] - n},
                 radius[k]};
     }
+
+private:
+    PlacedShape moved_;
 };
 
 }  // namespace rigid

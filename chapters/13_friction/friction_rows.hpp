@@ -7,11 +7,14 @@
 ///     cloth     J = (d, 0), (0, 0, 1), d along u*      |λ| ≤ h μ m g,   |λ| ≤ h c μ m g
 ///
 /// (13.3). The step learns of friction by these rows alone: a stage that wraps another contacts stage adds a source for
-/// each. The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
+/// each, all of them before the normals (section 13.5). The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
 #pragma once
 
 #include "chapters/11_rotation/rigid_constraints.hpp"
 #include "chapters/13_friction/surfaces.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 namespace rigid {
 
@@ -99,8 +102,9 @@ inline Constraint<3> constraint_at(const RoughScene& scene, const StepData<3>& n
         return cloth_constraint(scene, now, source.index, source.part);
     const auto& smooth = static_cast<const RigidScene&>(scene);
     if (source.part == normal_part) return constraint_at(smooth, now, i, x);
-    std::size_t n = i;  // the rows of a contact follow its normal
-    while (now.sources[n].part != normal_part) --n;
+    // the normals of all contacts are the last rows
+    const std::size_t n = now.sources.size() - now.contacts.size() +
+                          static_cast<std::size_t>(source.index);
     const Constraint<3> normal = constraint_at(smooth, now, n, x);
     const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
     const Surface surface = surface_of(scene, contact);
@@ -152,12 +156,16 @@ inline void add_bounces(const RoughScene& scene, const Restitution& bounce,
 }
 
 //! [with_friction]
-/// The contacts stage: whatever another one finds, and behind each contact the rows
-/// of its surfaces. A contact without friction gets none.
+/// The contacts stage: whatever another one finds, and for each contact the rows of
+/// its surfaces. A contact without friction gets none. Sweeps visit the normals
+/// last: what is visited last is right.
 template <class Contacts>
 struct WithFriction {
     Contacts contacts;
     std::vector<Source> all;  ///< memory
+    /// of the last step: what rests on other surfaces wakes
+    std::vector<Surface> surfaces, walls;
+    Cloth cloth;
 
     void require_valid() const
     {
@@ -169,23 +177,37 @@ struct WithFriction {
                Method& method, StepData<3>& now)
     {
         require_valid_surfaces(scene);
+        if constexpr (requires { contacts.wake_everybody(); })
+            if (!(scene.surfaces == surfaces && scene.wall_surfaces == walls &&
+                  scene.cloth == cloth)) {
+                contacts.wake_everybody();
+                surfaces = scene.surfaces;
+                walls = scene.wall_surfaces;
+                cloth = scene.cloth;
+            }
         contacts.begin(scene, settings, method, now);
+        if (now.active.empty()) return;  // all sleep
+        const auto is_normal = [](const Source& source) {
+            return source.of == Source::Of::contact;
+        };
         all.clear();
-        for (const Source& source : now.sources) {
-            all.push_back(source);
-            if (source.of != Source::Of::contact) continue;
-            const Surface surface = surface_of(
-                scene, now.contacts[static_cast<std::size_t>(source.index)]);
-            if (surface.friction > 0)
-                all.push_back({Source::Of::contact, source.index, tangent_part});
-            if (surface.rolling > 0)
-                all.push_back({Source::Of::contact, source.index, rolling_part});
-        }
+        std::remove_copy_if(now.sources.begin(), now.sources.end(),
+                            std::back_inserter(all), is_normal);
         if (scene.cloth.friction > 0)
             for (const int k : now.active)
                 if (scene.bodies.can_move(k))
                     for (const int part : {sliding_part, spinning_part})
                         all.push_back({Source::Of::body, k, part});
+        for (std::size_t i = 0; i < now.contacts.size(); ++i) {
+            const int index = static_cast<int>(i);
+            const Surface surface = surface_of(scene, now.contacts[i]);
+            if (surface.friction > 0)
+                all.push_back({Source::Of::contact, index, tangent_part});
+            if (surface.rolling > 0)
+                all.push_back({Source::Of::contact, index, rolling_part});
+        }
+        for (std::size_t i = 0; i < now.contacts.size(); ++i)
+            all.push_back({Source::Of::contact, static_cast<int>(i), normal_part});
         now.sources.swap(all);
     }
     template <class Method>

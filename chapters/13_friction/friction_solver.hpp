@@ -6,7 +6,9 @@
 #pragma once
 
 #include "chapters/09_active_sets/exact_method.hpp"
+#include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/11_rotation/rigid_method.hpp"
+#include "chapters/12_contact_manifolds/awake_manifolds.hpp"
 #include "chapters/13_friction/friction_active_sets.hpp"
 #include "chapters/13_friction/friction_rows.hpp"
 
@@ -126,13 +128,35 @@ inline WarmStart last_impulses()
     return start;
 }
 
+//! [steady]
+/// What keeps a tower at rest under sweeps that are not finished (section 13.5):
+/// contacts stay closed by half a per cent of ℓ, and no velocity remains that only
+/// was there to correct.
+inline Correction steady_contacts()
+{
+    Correction correction;
+    correction.method = Stabilizer::relaxation;
+    correction.slop = 0.005;
+    return correction;
+}
+//! [steady]
+
 //! [method]
 template <class Contacts>
 struct FrictionSweeps {
     WithFriction<Contacts> contacts;
-    Correction correction;
+    Correction correction = steady_contacts();
     WarmStart start;
     ImpulseSolver<3> solver;
+};
+
+/// Chapter 10's skips: islands by themselves, each until it is good enough, and
+/// those at rest not at all.
+struct SkippingFriction {
+    WithFriction<AwakeManifolds> contacts;
+    Correction correction = steady_contacts();
+    WarmStart start;
+    IslandSolver<3> solver;
 };
 
 template <class Contacts>

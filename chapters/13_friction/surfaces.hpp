@@ -21,6 +21,8 @@ struct Surface {
     Real belt = 0;
     /// the arm of rolling resistance: its moment is at most this times λ_n [m]
     Real rolling = 0;
+
+    bool operator==(const Surface&) const = default;
 };
 
 /// The surface of two that touch.
@@ -38,6 +40,8 @@ struct Cloth {
     Real gravity = 9.81;  ///< into the picture [m/s²]
     /// the arm of the moment that stops a spin: at most this times μ m g [m]
     Real arm = 0;
+
+    bool operator==(const Cloth&) const = default;
 };
 
 //! [rough_scene]

@@ -38,7 +38,7 @@ def percent(found):
     return f"{100 * found[0]:.0f} ({found[1]})" if found else "does not apply"
 
 
-ENERGY = """Nothing brakes these three linkages, so their exact energy never changes: a double pendulum of unit rods, a four-bar linkage of 30.9 J, and a chain of ten links that swings from level. Ten seconds in steps of 1/60 s, the worst of four perturbations of the masses; gains and losses in per cent of what goes up and down. In the rows of the table above that bear their names both signs count: up to 1 % is accurate, up to 10 % holds, a larger loss is a failure and a larger gain an explosion. A method that only ever loses looks stable everywhere else; here it comes to rest. `rattle` is [chapter 9](../chapters/09_active_sets/README.md#a-repair-that-does-no-work)'s step whose repair does no work."""
+ENERGY = """Nothing brakes these three linkages, so their exact energy never changes: a double pendulum of unit rods, a four-bar linkage of 30.9 J, and a chain of ten links that swings from level. Ten seconds in steps of 1/60 s, the worst of four perturbations of the masses; gains and losses in per cent of what goes up and down. In the rows of the table above that bear their names both signs count: up to 1 % is accurate, up to 10 % holds, a larger loss is a failure and a larger gain an explosion. A method that only ever loses looks stable everywhere else; here it comes to rest. `rattle` is [chapter 9](../chapters/09_active_sets/in_depth.md#9j-a-repair-that-does-no-work)'s step whose repair does no work."""
 
 
 class Page:

@@ -17,6 +17,11 @@ T half(const T& x)
     if (x > 0) { return x / 2; }
     return half(-x);
 }
+inline int third(int x,
+                 int y)
+{
+    return x + y;
+}
 inline int other(int x) { return half(x); }
 struct Type {
     int rate() const { return 1; }
@@ -29,7 +34,10 @@ class Mine(unittest.TestCase):
         self.held = tempfile.TemporaryDirectory()
         self.root = pathlib.Path(self.held.name)
         self.write("chapters/01_one/half.hpp", HEADER)
-        self.write("tests/mine/01.txt", "# comment\nin     chapters/01_one/half.hpp\nempty  half  return x;\nempty  rate  return 0;\n")
+        self.write("tests/mine/01.txt", "# comment\nin     chapters/01_one/half.hpp\nempty  half  return x;\nempty  rate  return 0;\n"
+                                        "wrong  half is a third\n")
+        self.write("tests/mutants/01.txt", "mutant half is a third\nin chapters/01_one/half.hpp\nwas x / 2\nnow x / 3\n")
+        self.write("tests/mutants/run.py", (mine.ROOT / "tests/mutants/run.py").read_text())
 
     def tearDown(self):
         self.held.cleanup()
@@ -55,6 +63,11 @@ class Mine(unittest.TestCase):
         self.assertNotIn("x / 2", text)
         self.assertIn("./book test 1 --mine", out)
 
+    def test_an_emptied_body_stands_under_the_brace_of_the_one_before(self):
+        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty third return 0;\n")
+        self.call("1")
+        self.assertIn("int y)\n{\n    // Yours", (self.root / "mine/chapters/01_one/half.hpp").read_text())
+
     def test_a_class_is_left_out_with_its_comment(self):
         self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty half return x;\ndrop Type\n")
         self.write("chapters/01_one/half.hpp", HEADER.replace("struct Type", "/// A type.\nstruct Type"))
@@ -63,6 +76,15 @@ class Mine(unittest.TestCase):
         self.assertNotIn("Type", text)
         self.assertNotIn("A type", text)
         self.assertTrue(text.rstrip().endswith("return half(x); }"), text)
+
+    def test_first_empties_the_first_definition_alone(self):
+        self.write("chapters/01_one/half.hpp", HEADER + "inline int other(long x) { return other(static_cast<int>(x)); }\n")
+        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nfirst other return 0;\n")
+        self.assertEqual(self.call("1")[0], 0)
+        text = (self.root / "mine/chapters/01_one/half.hpp").read_text()
+        self.assertNotIn("return half(x); }", text)
+        self.assertIn("inline int other(long x) { return other(static_cast<int>(x)); }", text)
+        self.assertIn("0 of 1 functions begun", self.call()[1])
 
     def test_a_file_that_is_there_is_kept(self):
         self.write("mine/chapters/01_one/half.hpp", "my own")
@@ -79,11 +101,23 @@ class Mine(unittest.TestCase):
         self.write("build/mine/01.result", "3 of 5 idea tests pass\n")
         self.assertIn("1 of 2 functions begun; 3 of 5 idea tests pass", self.call()[1])
 
+    def test_the_books_own_header_comes_whole_or_with_its_fault(self):
+        path = self.root / "mine/chapters/01_one/half.hpp"
+        self.assertEqual(self.call("1", "--own")[0], 0)
+        self.assertEqual(path.read_text(), HEADER)
+        self.assertEqual(self.call("1", "--wrong")[::2], (2, "mine: mine/chapters/01_one/half.hpp is there already\n"))
+        path.unlink()
+        self.assertEqual(self.call("1", "--wrong")[0], 0)
+        self.assertEqual(path.read_text(), HEADER.replace("return x / 2;", "return (x / 3);"))
+        self.write("tests/mutants/01.txt", "mutant another\nin chapters/01_one/half.hpp\nwas x / 2\nnow x / 3\n")
+        self.assertEqual(self.call("--check")[::2], (
+            2, "mine: 01.txt: tests/mutants/01.txt has no mutant 'half is a third' in one of these headers\n"))
+
     def test_what_cannot_be_done_gets_one_sentence(self):
         self.assertEqual(self.call("7")[::2], (2, "mine: chapter 7 has no header to write yourself; these have: 1\n"))
-        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty third return 0;\n")
+        self.write("tests/mine/01.txt", "in chapters/01_one/half.hpp\nempty fourth return 0;\n")
         for arguments in (("1",), ("--check",)):
-            self.assertEqual(self.call(*arguments)[::2], (2, "mine: chapters/01_one/half.hpp has no definition of third()\n"))
+            self.assertEqual(self.call(*arguments)[::2], (2, "mine: chapters/01_one/half.hpp has no definition of fourth()\n"))
         self.write("tests/mine/01.txt", "empty half return 0;\n")
         self.assertEqual(self.call("--check")[0], 2)
 

@@ -552,17 +552,17 @@ Program program()
         {"frequency", "Hz", "oscillations per second", 1, 0.1, 5, false, true},
         {"amplitude", "m", "how far up the masses start", 0.15, 0.01, 0.5, false,
          true}};
-    springs.columns = {
-        {"x_explicit", "m", "place under explicit Euler"},
-        {"x_symplectic", "m", "place under symplectic Euler"},
-        {"x_implicit", "m", "place under implicit Euler"},
-        {"x_exact", "m", "where it should be"},
-        {"energy_explicit", "", "energy / energy at the start, explicit Euler",
-         true, true},
-        {"energy_symplectic", "", "energy / energy at the start, symplectic Euler",
-         true, false},
-        {"energy_implicit", "", "energy / energy at the start, implicit Euler",
-         true, true}};
+    springs.columns = {{"x_explicit", "m", "place under explicit Euler"},
+                       {"x_symplectic", "m", "place under symplectic Euler"},
+                       {"x_implicit", "m", "place under implicit Euler"},
+                       {"x_exact", "m", "where it should be"},
+                       {"energy_explicit", "",
+                        "energy / energy at the start, explicit Euler", true, true},
+                       {"energy_symplectic", "",
+                        "energy / energy at the start, symplectic Euler", true},
+                       {"energy_implicit", "",
+                        "energy / energy at the start, implicit Euler", true,
+                        true}};
     springs.start = start<Springs>;
 
     Demo javelin;

@@ -11,7 +11,7 @@ set ylabel 'run time [µs]' tc rgb '#808080'
 set key left top Left reverse tc rgb '#808080' samplen 2
 set xrange [1.7:700]
 plot data.'/row-by-row' using 3:($4 / 1000) with linespoints lw 1.2 pt 5 ps 0.6 lc rgb '#EE7733' \
-        title 'row by row, until the error is 10^{-9} of the first', \
+        title 'row by row, until the error is 10^{-9} of the first', \
      data.'/one-shot' using 3:($4 / 1000) with linespoints lw 1.2 pt 7 ps 0.6 lc rgb '#4477AA' \
         title 'one dense factorisation (error below 10^{-13})', \
      6e-5 * x**3 with lines lw 1.2 dt 2 lc rgb '#808080' title 'slope N^3'

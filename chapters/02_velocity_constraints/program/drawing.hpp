@@ -13,19 +13,19 @@ namespace rigid {
 
 /// The colours of this chapter: each kind of velocity and impulse has its own.
 namespace paint {
-inline constexpr Style body = {Colour::blue, 1.5, 0.35, true, false};
-inline constexpr Style fixed = {Colour::ink, 1.5, 0.5, true, false};
-inline constexpr Style wire = {Colour::ink, 1.5, 1, false, false};
+inline constexpr Style body = {Colour::blue, 1.5, 0.35, true};
+inline constexpr Style fixed = {Colour::ink, 1.5, 0.5, true};
+inline constexpr Style wire = {Colour::ink, 1.5, 1};
 inline constexpr Style guide = {Colour::faint, 1, 1, false, true};
 /// the velocity before the rows: u*
-inline constexpr Style wanted = {Colour::orange, 2, 1, false, false};
+inline constexpr Style wanted = {Colour::orange, 2, 1};
 /// the velocity after them: u
-inline constexpr Style allowed = {Colour::blue, 2.5, 1, false, false};
+inline constexpr Style allowed = {Colour::blue, 2.5, 1};
 /// what a row takes away or gives
-inline constexpr Style impulse = {Colour::red, 2.5, 1, false, false};
+inline constexpr Style impulse = {Colour::red, 2.5, 1};
 /// J, a normal
-inline constexpr Style direction = {Colour::green, 2, 1, false, false};
-inline constexpr Style label = {Colour::ink, 1.5, 1, false, false};
+inline constexpr Style direction = {Colour::green, 2, 1};
+inline constexpr Style label = {Colour::ink, 1.5, 1};
 }  // namespace paint
 
 /// An arrow with its name behind its head, a little further on.

@@ -19,9 +19,9 @@ Demo ellipse_scene()
             return ellipse_wire(settings["width"], settings["height"]);
         });
     scene.tunables.push_back(
-        {"width", "m", "semi-axis along x", 1.6, 0.2, 1.9, false, true, false});
+        {"width", "m", "semi-axis along x", 1.6, 0.2, 1.9, false, true});
     scene.tunables.push_back(
-        {"height", "m", "semi-axis along y", 0.8, 0.2, 1.6, false, true, false});
+        {"height", "m", "semi-axis along y", 0.8, 0.2, 1.6, false, true});
     return scene;
 }
 

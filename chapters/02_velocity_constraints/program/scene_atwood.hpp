@@ -73,20 +73,20 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        canvas.disc({0, 0}, r, {Colour::ink, 2, 0.15, true, false});
+        canvas.disc({0, 0}, r, {Colour::ink, 2, 0.15, true});
         canvas.disc({0, 0}, 0.02, paint::fixed);
         const Real angle = bodies_.x[4] / r;
         for (int i = 0; i < 3; ++i) {
             const Real turned = angle + 2 * pi * i / 3;
             canvas.segment({0, 0},
                            0.9 * r * Vec2(std::cos(turned), std::sin(turned)),
-                           {Colour::ink, 1.5, 1, false, false});
+                           {Colour::ink, 1.5, 1});
         }
         std::vector<Vec2> rope = {bodies_.position(0)};
         for (int i = 0; i <= 40; ++i)
             rope.push_back({-r * std::cos(pi * i / 40), r * std::sin(pi * i / 40)});
         rope.push_back(bodies_.position(1));
-        canvas.polyline(rope, {Colour::purple, 2, 1, false, false});
+        canvas.polyline(rope, {Colour::purple, 2, 1});
         const std::vector<Real> values = measure();
         for (Index k = 0; k < 2; ++k) {
             const Vec2 x = bodies_.position(k);
@@ -134,17 +134,16 @@ inline Demo atwood_scene()
     scene.h = 1.0 / 240;
     scene.methods = {"turning", "massless"};
     scene.tunables = {
-        {"m1", "kg", "mass on the left", 2, 0.1, 10, false, false, false},
-        {"m2", "kg", "mass on the right", 1, 0.1, 10, false, false, false},
-        {"pulley", "kg", "mass of the pulley, a uniform disc", 1, 0.01, 10, false,
-         false, false}};
+        {"m1", "kg", "mass on the left", 2, 0.1, 10},
+        {"m2", "kg", "mass on the right", 1, 0.1, 10},
+        {"pulley", "kg", "mass of the pulley, a uniform disc", 1, 0.01, 10}};
     scene.columns = {
-        {"acceleration", "m/s^2", "of the left mass, downwards", true, false},
-        {"acceleration_exact", "m/s^2", "closed form", false, false},
-        {"tension_left", "N", "λ/h of the left part of the rope", true, false},
-        {"tension_left_exact", "N", "closed form", false, false},
-        {"tension_right", "N", "λ/h of the right part of the rope", true, false},
-        {"tension_right_exact", "N", "closed form", false, false}};
+        {"acceleration", "m/s^2", "of the left mass, downwards", true},
+        {"acceleration_exact", "m/s^2", "closed form"},
+        {"tension_left", "N", "λ/h of the left part of the rope", true},
+        {"tension_left_exact", "N", "closed form"},
+        {"tension_right", "N", "λ/h of the right part of the rope", true},
+        {"tension_right_exact", "N", "closed form"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<AtwoodRun>(settings);
     };

@@ -96,7 +96,7 @@ public:
     void draw(Canvas& canvas) const override
     {
         canvas.polyline(wire_.shape, paint::wire);
-        trail_.draw(canvas, {Colour::purple, 1, 0.8, false, false});
+        trail_.draw(canvas, {Colour::purple, 1, 0.8});
         const Constraint<2> constraint = normalised(wire_.constraint(bodies_.x));
         const Vec2 x = bodies_.x, u = bodies_.u, n = constraint.Jb.transpose();
         // Metres on the picture per m/s, so that a fast bead's arrow stays in the picture.
@@ -208,23 +208,21 @@ inline Demo bead_scene(const std::string& name, const std::string& summary,
     scene.h_high = 0.5;
     scene.methods = {"row", "spring"};
     scene.tunables = {
-        {"speed", "m/s", "speed of the bead at the start", 1, 0, 3, false, true,
-         false},
+        {"speed", "m/s", "speed of the bead at the start", 1, 0, 3, false, true},
         {"gravity", "m/s^2", "downwards", gravity, 0, 20, false, false, true},
-        {"mass", "kg", "mass of the bead", 1, 0.1, 10, false, true, false},
+        {"mass", "kg", "mass of the bead", 1, 0.1, 10, false, true},
         {"repay", "", "part of the error C/h that the row's bias requires back", 0,
-         0, 1, false, false, false},
+         0, 1},
         {"stiffness", "N/m", "of the spring that stands in for the row", 1000, 10,
-         1e5, false, false, false}};
+         1e5}};
     scene.columns = {
-        {"drift", "m", "distance from the wire, outwards", true, false},
+        {"drift", "m", "distance from the wire, outwards", true},
         {"circle_theory", "m",
          "growth of the radius that (2.32) foretells on a circle without forces",
-         true, false},
-        {"lambda", "N s", "impulse of the row", true, false},
-        {"w", "m/s", "what the row left of the velocity across the wire", false,
-         false},
-        {"energy", "J", "kinetic and potential", true, false}};
+         true},
+        {"lambda", "N s", "impulse of the row", true},
+        {"w", "m/s", "what the row left of the velocity across the wire"},
+        {"energy", "J", "kinetic and potential", true}};
     scene.start = [make_wire](const Settings& settings) {
         return std::make_unique<BeadRun>(make_wire(settings), settings);
     };

@@ -165,17 +165,17 @@ inline Demo discs_scene()
     scene.h = 1.0 / 60;
     scene.methods = {"row-by-row"};
     scene.tunables = {
-        {"count", "", "number of discs", 2, 1, 14, true, true, false},
-        {"rounds", "", "how often each row has its turn in a step", 1, 1, 100, true,
-         false, false},
+        {"count", "", "number of discs", 2, 1, 14, true, true},
+        {"rounds", "", "how often each row has its turn in a step", 1, 1, 100,
+         true},
         {"gravity", "m/s^2", "downwards", 0, 0, 20, false, false, true}};
     scene.columns = {
-        {"rows", "", "contacts of the step", true, false},
-        {"left", "m/s", "the largest approach that the rows left", true, false},
-        {"penetration", "mm", "the deepest overlap", true, false},
-        {"kinetic", "J", "kinetic energy", true, false},
-        {"px", "kg m/s", "momentum along x", false, false},
-        {"py", "kg m/s", "momentum along y", false, false}};
+        {"rows", "", "contacts of the step", true},
+        {"left", "m/s", "the largest approach that the rows left", true},
+        {"penetration", "mm", "the deepest overlap", true},
+        {"kinetic", "J", "kinetic energy", true},
+        {"px", "kg m/s", "momentum along x"},
+        {"py", "kg m/s", "momentum along y"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<DiscsRun>(settings);
     };

@@ -83,9 +83,8 @@ public:
         for (Index k = 0; k + 1 < bodies_.count(); ++k) {
             const Real C = distance_constraint(bodies_.x, {k, k + 1, length_}).C;
             const bool stretched = C > 0.02 * length_;
-            canvas.segment(
-                bodies_.position(k), bodies_.position(k + 1),
-                {stretched ? Colour::red : Colour::ink, 3, 1, false, false});
+            canvas.segment(bodies_.position(k), bodies_.position(k + 1),
+                           {stretched ? Colour::red : Colour::ink, 3, 1});
         }
         canvas.disc(bodies_.position(0), 0.03, paint::fixed);
         for (Index k = 1; k < bodies_.count(); ++k)
@@ -117,17 +116,17 @@ inline Demo chain_scene()
     scene.methods = {"one-shot", "row-by-row"};
     scene.side_by_side = scene.methods;
     scene.tunables = {
-        {"links", "", "number of links", 16, 1, 60, true, true, false},
+        {"links", "", "number of links", 16, 1, 60, true, true},
         {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 1, 0.01,
-         1000, false, true, false},
+         1000, false, true},
         {"repay", "", "part of the error C/h that the rows' bias requires back", 0,
-         0, 1, false, false, false},
+         0, 1},
         {"rounds", "", "row by row: how often each row has its turn in a step", 10,
          1, 1000, true, false, true}};
     scene.columns = {
         {"residual", "m/s", "the largest |w| that is left", true, true},
-        {"link_error", "mm", "the largest error of a link", true, false},
-        {"energy", "J", "kinetic and potential", true, false}};
+        {"link_error", "mm", "the largest error of a link", true},
+        {"energy", "J", "kinetic and potential", true}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<ChainRun>(settings);
     };
@@ -185,17 +184,17 @@ public:
             const Real w = answer_.w[static_cast<Index>(i)];
             const bool odd = std::abs(w) > 1e-9;
             canvas.segment(anchors[i], x,
-                           {odd ? Colour::red : Colour::green, 4, 1, false, false});
+                           {odd ? Colour::red : Colour::green, 4, 1});
             canvas.disc(anchors[i], 0.05, paint::fixed);
             const Vec2 away = anchors[i].normalized();
             canvas.text(anchors[i] + 0.14 * away - Vec2(0, 0.05),
                         "w = " + fixed(w, 3) + " m/s", 14,
-                        {odd ? Colour::red : Colour::green, 1.5, 1, false, false},
+                        {odd ? Colour::red : Colour::green, 1.5, 1},
                         away.x() > 0.3    ? Align::left
                         : away.x() < -0.3 ? Align::right
                                           : Align::centre);
         }
-        canvas.disc(x, 0.12, {Colour::blue, 1.5, 0.6, true, false});
+        canvas.disc(x, 0.12, {Colour::blue, 1.5, 0.6, true});
         const char* words = answer_.verdict == Verdict::independent ? "independent"
                             : answer_.verdict == Verdict::redundant
                                 ? "redundant: one velocity, many λ"
@@ -223,15 +222,14 @@ inline Demo conflict_scene()
     scene.methods = {"compromise", "refuse"};
     scene.tunables = {{"growth", "m/s", "how fast the third rod has to grow", 0.1,
                        -1, 1, false, false, true}};
-    scene.columns = {
-        {"w1", "m/s", "what is left of the first row", true, false},
-        {"w2", "m/s", "of the second", true, false},
-        {"w3", "m/s", "of the third", true, false},
-        {"lambda1", "N s", "impulse of the first row", true, false},
-        {"lambda2", "N s", "of the second", false, false},
-        {"lambda3", "N s", "of the third", false, false},
-        {"rank", "", "how many rows say something new", false, false},
-        {"conflict", "", "1: no velocity meets all rows", true, false}};
+    scene.columns = {{"w1", "m/s", "what is left of the first row", true},
+                     {"w2", "m/s", "of the second", true},
+                     {"w3", "m/s", "of the third", true},
+                     {"lambda1", "N s", "impulse of the first row", true},
+                     {"lambda2", "N s", "of the second"},
+                     {"lambda3", "N s", "of the third"},
+                     {"rank", "", "how many rows say something new"},
+                     {"conflict", "", "1: no velocity meets all rows", true}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<ConflictRun>(settings);
     };

@@ -72,8 +72,8 @@ public:
                                                Colour::blue};
         const std::array<const char*, 3> names = {"h", "h/2", "h/4"};
         const Vec2 truth = place(exact_angle());
-        canvas.segment({0, 0}, truth, {Colour::faint, 6, 1, false, false});
-        canvas.disc(truth, 0.09, {Colour::ink, 1.5, 0.25, true, false});
+        canvas.segment({0, 0}, truth, {Colour::faint, 6, 1});
+        canvas.disc(truth, 0.09, {Colour::ink, 1.5, 0.25, true});
         canvas.disc({0, 0}, 0.02, paint::fixed);
         canvas.text({-1.4, 0.6}, "exact", 15, paint::label);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -115,20 +115,18 @@ inline Demo pendulum_scene()
     scene.view = {{0, -0.25}, {1.5, 1.05}};
     scene.h = 1.0 / 60;
     scene.methods = {"row", "spring"};
-    scene.tunables = {{"angle", "deg", "where it is let go at rest", 90, 1, 179,
-                       false, true, false},
-                      {"stiffness", "N/m",
-                       "of the spring that stands in for the rod", 1000, 10, 1e5,
-                       false, false, false}};
+    scene.tunables = {
+        {"angle", "deg", "where it is let go at rest", 90, 1, 179, false, true},
+        {"stiffness", "N/m", "of the spring that stands in for the rod", 1000, 10,
+         1e5}};
     scene.columns = {
-        {"error_h", "rad", "angle with the step h, less the exact one", true,
-         false},
-        {"error_h2", "rad", "the same with h/2", true, false},
-        {"error_h4", "rad", "the same with h/4", true, false},
-        {"stretch", "mm", "length of the rod less 1 m, with h/4", true, false},
-        {"tension", "N", "mean pull of the rod in the step, with h/4", true, false},
-        {"tension_exact", "N", "pull of the rod in the exact motion", true, false},
-        {"energy", "J", "kinetic and potential, with h/4", true, false}};
+        {"error_h", "rad", "angle with the step h, less the exact one", true},
+        {"error_h2", "rad", "the same with h/2", true},
+        {"error_h4", "rad", "the same with h/4", true},
+        {"stretch", "mm", "length of the rod less 1 m, with h/4", true},
+        {"tension", "N", "mean pull of the rod in the step, with h/4", true},
+        {"tension_exact", "N", "pull of the rod in the exact motion", true},
+        {"energy", "J", "kinetic and potential, with h/4", true}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PendulumRun>(settings);
     };

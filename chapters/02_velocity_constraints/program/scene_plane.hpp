@@ -88,18 +88,16 @@ public:
         const std::vector<Vec2> square = {{-E, -E}, {E, -E}, {E, E}, {-E, E}};
         if (half)
             canvas.polygon(cut(square, J, row_.bias),
-                           {Colour::green, 0, 0.12, true, false});
+                           {Colour::green, 0, 0.12, true});
         // The line: the square cut from both sides, to a strip without width.
         canvas.polygon(cut(cut(square, J, row_.bias), -J, -row_.bias + 1e-9),
-                       {Colour::green, 1.2, 1, false, false});
-        canvas.arrow({-R, 0}, {R, 0}, {Colour::ink, 1, 1, false, false});
-        canvas.arrow({0, -R}, {0, R}, {Colour::ink, 1, 1, false, false});
+                       {Colour::green, 1.2, 1});
+        canvas.arrow({-R, 0}, {R, 0}, {Colour::ink, 1, 1});
+        canvas.arrow({0, -R}, {0, R}, {Colour::ink, 1, 1});
         for (int k = -2; k <= 2; ++k) {
             if (k == 0) continue;
-            canvas.segment({k * 1.0, -0.05}, {k * 1.0, 0.05},
-                           {Colour::ink, 1, 1, false, false});
-            canvas.segment({-0.05, k * 1.0}, {0.05, k * 1.0},
-                           {Colour::ink, 1, 1, false, false});
+            canvas.segment({k * 1.0, -0.05}, {k * 1.0, 0.05}, {Colour::ink, 1, 1});
+            canvas.segment({-0.05, k * 1.0}, {0.05, k * 1.0}, {Colour::ink, 1, 1});
             canvas.text({k * 1.0, -0.26}, std::to_string(k), 12, paint::label,
                         Align::centre);
             canvas.text({-0.12, k * 1.0 - 0.06}, std::to_string(k), 12,
@@ -108,8 +106,8 @@ public:
         canvas.text({R - 0.05, -0.3}, "u₁ [m/s]", 14, paint::label, Align::right);
         canvas.text({0.12, R - 0.12}, "u₂ [m/s]", 14, paint::label);
         canvas.text(on_line - 2.15 * along + Vec2(-0.15, 0.12),
-                    half ? "w ≥ 0" : "w = 0", 16,
-                    {Colour::green, 2, 1, false, false}, Align::right);
+                    half ? "w ≥ 0" : "w = 0", 16, {Colour::green, 2, 1},
+                    Align::right);
 
         // The ellipse of all velocities as far from u* as the answer, in the metric of M.
         const Vec2 u = bodies_.u;
@@ -138,14 +136,14 @@ public:
             u_star_ - (J.dot(u_star_) + row_.bias) / J.squaredNorm() * J;
         if (answer_.lambda != 0 && (foot - u).norm() > 0.05) {
             canvas.segment(u_star_, foot, paint::guide);
-            canvas.disc(foot, 0.06, {Colour::ink, 1.5, 1, false, false});
+            canvas.disc(foot, 0.06, {Colour::ink, 1.5, 1});
             canvas.text(foot + Vec2(0.3, 0.12), "foot of the perpendicular", 13,
                         paint::label);
         }
         if (answer_.lambda != 0) canvas.arrow(u_star_, u, paint::impulse);
-        canvas.disc(u_star_, 0.08, {Colour::orange, 2, 1, true, false});
+        canvas.disc(u_star_, 0.08, {Colour::orange, 2, 1, true});
         canvas.text(u_star_ + Vec2(0.14, -0.22), "u*", 16, paint::wanted);
-        canvas.disc(u, 0.08, {Colour::blue, 2, 1, true, false});
+        canvas.disc(u, 0.08, {Colour::blue, 2, 1, true});
         if (answer_.lambda != 0)
             canvas.text(u + Vec2(-0.14, -0.24), "u", 16, paint::allowed,
                         Align::right);
@@ -175,9 +173,9 @@ private:
                     rail + Vec2((k == 0 ? -1 : 1) * (after ? radius : 1.6), 0);
                 // equal velocities are not drawn as one arrow
                 const Real up = after && k == 1 ? 0.58 : 0.36;
-                canvas.disc(p, radius,
-                            {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8),
-                             true, false});
+                canvas.disc(
+                    p, radius,
+                    {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8), true});
                 canvas.text(p - Vec2(0, 0.08), k == 0 ? "1" : "2", 14, paint::label,
                             Align::centre);
                 if (u[k] != 0)
@@ -201,28 +199,24 @@ inline Demo plane_scene()
                     "and see what the row makes of it";
     scene.view = {{0, -0.95}, {3.4, 4.55}};
     scene.methods = {"unilateral", "bilateral"};
-    scene.tunables = {
-        {"u1", "m/s", "velocity of bead 1 before the row", 2, -3, 3, false, false,
-         false},
-        {"u2", "m/s", "velocity of bead 2 before the row", -2, -3, 3, false, false,
-         false},
-        {"m1", "kg", "mass of bead 1", 1, 0.1, 10, false, false, false},
-        {"m2", "kg", "mass of bead 2", 3, 0.1, 10, false, false, false},
-        {"bias", "m/s",
-         "b: positive lets them approach, negative drives them apart", 0, -2, 2,
-         false, false, false}};
+    scene.tunables = {{"u1", "m/s", "velocity of bead 1 before the row", 2, -3, 3},
+                      {"u2", "m/s", "velocity of bead 2 before the row", -2, -3, 3},
+                      {"m1", "kg", "mass of bead 1", 1, 0.1, 10},
+                      {"m2", "kg", "mass of bead 2", 3, 0.1, 10},
+                      {"bias", "m/s",
+                       "b: positive lets them approach, negative drives them apart",
+                       0, -2, 2}};
     scene.columns = {
-        {"u1_before", "m/s", "velocity of bead 1 before the row", false, false},
-        {"u2_before", "m/s", "velocity of bead 2 before the row", false, false},
-        {"u1", "m/s", "velocity of bead 1 after it", true, false},
-        {"u2", "m/s", "velocity of bead 2 after it", true, false},
-        {"w_before", "m/s", "J u + b before", true, false},
-        {"w", "m/s", "J u + b after", true, false},
-        {"lambda", "N s", "impulse", true, false},
+        {"u1_before", "m/s", "velocity of bead 1 before the row"},
+        {"u2_before", "m/s", "velocity of bead 2 before the row"},
+        {"u1", "m/s", "velocity of bead 1 after it", true},
+        {"u2", "m/s", "velocity of bead 2 after it", true},
+        {"w_before", "m/s", "J u + b before", true},
+        {"w", "m/s", "J u + b after", true},
+        {"lambda", "N s", "impulse", true},
         {"distance", "J", "half the squared distance from u*, in the metric of M",
-         true, false},
-        {"momentum_change", "N s", "zero: what bead 1 loses, bead 2 gains", false,
-         false}};
+         true},
+        {"momentum_change", "N s", "zero: what bead 1 loses, bead 2 gains"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PlaneRun>(settings);
     };

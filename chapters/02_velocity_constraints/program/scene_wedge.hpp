@@ -67,7 +67,7 @@ public:
         const Real height = width * std::tan(angle_);
         canvas.segment({-1.6, 0}, {1.6, 0}, paint::wire);
         canvas.polygon({wedge, wedge + Vec2(width, 0), wedge + Vec2(0, height)},
-                       {Colour::ink, 2, 0.2, true, false});
+                       {Colour::ink, 2, 0.2, true});
         canvas.box(block, {half, half}, -angle_, paint::body);
         const Vec2 touch = block - half * normal_;
         labelled_arrow(canvas, touch, 0.05 * force_ * normal_, "+N",
@@ -114,15 +114,14 @@ inline Demo wedge_scene()
     scene.view = {{0, 0.55}, {1.6, 0.85}};
     scene.h = 1.0 / 240;
     scene.methods = {"one-shot"};
-    scene.tunables = {
-        {"wedge", "kg", "mass of the wedge", 4, 0.1, 100, false, false, false},
-        {"block", "kg", "mass of the block", 1, 0.1, 100, false, false, false},
-        {"angle", "deg", "slope", 30, 5, 45, false, true, false}};
-    scene.columns = {{"acceleration", "m/s^2", "of the wedge", true, false},
-                     {"acceleration_exact", "m/s^2", "closed form", false, false},
-                     {"force", "N", "λ/h between block and wedge", true, false},
-                     {"force_exact", "N", "closed form", false, false},
-                     {"floor", "N", "λ/h between floor and wedge", true, false}};
+    scene.tunables = {{"wedge", "kg", "mass of the wedge", 4, 0.1, 100},
+                      {"block", "kg", "mass of the block", 1, 0.1, 100},
+                      {"angle", "deg", "slope", 30, 5, 45, false, true}};
+    scene.columns = {{"acceleration", "m/s^2", "of the wedge", true},
+                     {"acceleration_exact", "m/s^2", "closed form"},
+                     {"force", "N", "λ/h between block and wedge", true},
+                     {"force_exact", "N", "closed form"},
+                     {"floor", "N", "λ/h between floor and wedge", true}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<WedgeRun>(settings);
     };

@@ -24,7 +24,7 @@ struct ImpactMoment {
 
 namespace impact_picture {
 
-inline constexpr Style ink = {Colour::ink, 1.5, 1, false, false};
+inline constexpr Style ink = {Colour::ink, 1.5, 1};
 inline const Vec2 scene_corner = {-1, -0.1}, scene_size = {2, 1.6};
 inline const Vec2 plane_middle = {2.1, 0.7};
 inline constexpr Real plane_half = 0.8;
@@ -92,9 +92,8 @@ inline void draw_velocities(Canvas& canvas, const ImpactMoment& shown)
                              normal.dot(plane_middle) - scale * row.bias);
     }
     if (allowed.size() > 2)
-        canvas.polygon(allowed, {Colour::blue, 1.5, 0.13, true, false});
-    canvas.box(plane_middle, Vec2::Constant(plane_half), 0,
-               {Colour::faint, 1, 1, false, false});
+        canvas.polygon(allowed, {Colour::blue, 1.5, 0.13, true});
+    canvas.box(plane_middle, Vec2::Constant(plane_half), 0, {Colour::faint, 1, 1});
     canvas.segment(plane_middle - Vec2(plane_half, 0),
                    plane_middle + Vec2(plane_half, 0), {Colour::faint, 1});
     canvas.segment(plane_middle - Vec2(0, plane_half),
@@ -103,10 +102,9 @@ inline void draw_velocities(Canvas& canvas, const ImpactMoment& shown)
     const Real change = (u - u_star).norm();
     for (const Real part : {0.5, 1.0, 1.5})
         circle(canvas, at(u_star), scale * change * part, part == 1);
-    canvas.arrow(plane_middle, at(u_star), {Colour::orange, 2, 1, false, false});
-    canvas.arrow(plane_middle, at(u), {Colour::blue, 2.5, 1, false, false});
-    if (change > 0)
-        canvas.arrow(at(u_star), at(u), {Colour::red, 2.5, 1, false, false});
+    canvas.arrow(plane_middle, at(u_star), {Colour::orange, 2, 1});
+    canvas.arrow(plane_middle, at(u), {Colour::blue, 2.5, 1});
+    if (change > 0) canvas.arrow(at(u_star), at(u), {Colour::red, 2.5, 1});
     const Vec2 beside(u_star.x() >= 0 ? 0.04 : -0.04, -0.07);
     canvas.text(at(u_star) + beside, "u*", 15, {Colour::orange, 1.5, 1},
                 u_star.x() >= 0 ? Align::left : Align::right);
@@ -164,8 +162,7 @@ inline void draw_sets(Canvas& canvas, const ImpactMoment& shown)
             enters = enters || (!(set >> i & 1) && w[i] < -1e-12);
         }
         const bool fits = !pulls && !enters;
-        const Style style = {fits ? Colour::green : Colour::ink, 1.5, 1, false,
-                             false};
+        const Style style = {fits ? Colour::green : Colour::ink, 1.5, 1};
         line.y() -= 0.11;
         canvas.text(line, name, 14, style);
         canvas.text(line + Vec2(0.75, 0), lambdas, 14, style);

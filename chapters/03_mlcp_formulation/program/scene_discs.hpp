@@ -15,9 +15,9 @@ namespace ten_discs_picture {
 
 using State = RunState<CasesFromLastMethod>;
 
-inline constexpr Style link_style = {Colour::purple, 4, 1, false, false};
-inline constexpr Style active_style = {Colour::red, 4, 1, false, false};
-inline constexpr Style idle_style = {Colour::faint, 2.5, 1, false, false};
+inline constexpr Style link_style = {Colour::purple, 4, 1};
+inline constexpr Style active_style = {Colour::red, 4, 1};
+inline constexpr Style idle_style = {Colour::ink, 2.5, 1};
 
 inline const Style& style_of(const State& state, std::size_t row)
 {
@@ -44,10 +44,10 @@ inline void draw_matrix(Canvas& canvas, const State& state)
             const auto either = [&](Colour colour) {
                 return colours[0] == colour || colours[1] == colour;
             };
-            const Style style = {either(Colour::faint) ? Colour::faint
+            const Style style = {either(Colour::ink)   ? Colour::ink
                                  : either(Colour::red) ? Colour::red
                                                        : Colour::purple,
-                                 0, entry.col() == i ? 1 : 0.55, true, false};
+                                 0, entry.col() == i ? 1 : 0.55, true};
             const Vec2 middle =
                 corner + cell * Vec2(static_cast<Real>(entry.col()) + 0.5,
                                      -static_cast<Real>(i) - 0.5);
@@ -55,12 +55,11 @@ inline void draw_matrix(Canvas& canvas, const State& state)
         }
     }
     canvas.box(corner + Vec2(side, -side) / 2, Vec2::Constant(side / 2), 0,
-               {Colour::faint, 1, 1, false, false});
+               {Colour::faint, 1, 1});
     const Real y = corner.y() - side - 0.05;
     canvas.text({0.95, y}, "link", 13, {Colour::purple, 1.5, 1});
-    canvas.text({1.06, y}, "contact that pushes", 13, {Colour::red, 1.5, 1});
-    canvas.text({1.87, y}, "idle contact", 13, {Colour::faint, 1.5, 1},
-                Align::right);
+    canvas.text({1.05, y}, "contact that pushes", 13, {Colour::red, 1.5, 1});
+    canvas.text({1.89, y}, "idle contact", 13, {Colour::ink, 1.5, 1}, Align::right);
 }
 
 inline void draw(Canvas& canvas, const State& state)
@@ -68,8 +67,7 @@ inline void draw(Canvas& canvas, const State& state)
     canvas.box({0, 0}, {0.75, 0.5}, 0, paint::wall);
     paint::draw_discs(canvas, state, [&](Index k) {
         const Real inverse_mass = state.scene.bodies.inverse_mass[2 * k];
-        return Style{Colour::blue, 1.5, 0.15 + 0.1 / std::sqrt(inverse_mass), true,
-                     false};
+        return Style{Colour::blue, 1.5, 0.35 + 0.1 / std::sqrt(inverse_mass), true};
     });
     paint::draw_links(canvas, state, [](const Link&) { return link_style; });
     for (std::size_t i = 0; i < state.now.sources.size(); ++i) {

@@ -11,15 +11,15 @@
 
 namespace rigid::paint {
 
-inline constexpr Style label = {Colour::ink, 1.5, 1, false, false};
-inline constexpr Style axis = {Colour::ink, 1, 1, false, false};
-inline constexpr Style grid = {Colour::faint, 0.7, 0.6, false, false};
-inline constexpr Style body = {Colour::blue, 1.5, 0.3, true, false};
-inline constexpr Style fixed_body = {Colour::ink, 1.5, 0.5, true, false};
-inline constexpr Style wall = {Colour::ink, 2, 1, false, false};
-inline constexpr Style impulse = {Colour::red, 2.5, 1, false, false};
-inline constexpr Style link = {Colour::ink, 3, 1, false, false};
-inline constexpr Style pull = {Colour::green, 2, 1, false, false};
+inline constexpr Style label = {Colour::ink, 1.5, 1};
+inline constexpr Style axis = {Colour::ink, 1, 1};
+inline constexpr Style grid = {Colour::faint, 0.7, 0.6};
+inline constexpr Style body = {Colour::blue, 1.5, 0.3, true};
+inline constexpr Style fixed_body = {Colour::ink, 1.5, 0.5, true};
+inline constexpr Style wall = {Colour::ink, 2, 1};
+inline constexpr Style impulse = {Colour::red, 2.5, 1};
+inline constexpr Style link = {Colour::ink, 3, 1};
+inline constexpr Style pull = {Colour::green, 2, 1};
 inline constexpr Style theory = {Colour::ink, 1.5, 1, false, true};
 
 /// Where body k is in the picture.
@@ -91,9 +91,10 @@ inline void draw_hand(Canvas& canvas, const SceneState& state)
 inline void draw_gravity(Canvas& canvas, const SceneState& state)
 {
     const Vec2 g = state.scene.gravity;
-    canvas.arrow({0, 0}, 0.02 * g, {Colour::green, 2.5, 1, false, false});
-    canvas.text(0.022 * g + Vec2(0.015, -0.02), "g", 14,
-                {Colour::green, 1.5, 1, false, false});
+    canvas.arrow({0, 0}, 0.02 * g, {Colour::green, 2.5, 1});
+    // Beyond the head, wherever it points.
+    canvas.text(0.0255 * g - Vec2(0, 0.012), "g", 14, {Colour::green, 1.5, 1},
+                Align::centre);
 }
 
 /// Line number `line` of what stands in the upper left corner.

@@ -110,21 +110,19 @@ public:
                 {middle - along, middle + along, middle + along - 3 * wall.normal,
                  middle - along - 3 * wall.normal},
                 impact_picture::scene_corner, impact_picture::scene_size);
-            if (line.size() > 2)
-                canvas.polygon(line, {Colour::ink, 1, 0.25, true, false});
+            if (line.size() > 2) canvas.polygon(line, {Colour::ink, 1, 0.25, true});
         }
         const Vec2 x = scene_.bodies.position(0);
-        canvas.disc(x, scene_.radius[0], {Colour::blue, 1.5, 0.35, true, false});
+        canvas.disc(x, scene_.radius[0], {Colour::blue, 1.5, 0.35, true});
         for (const Contact& contact : contacts_)
             if (contact.gap < 0.02) {
                 const Vec2 touch =
                     x - contact.normal * (scene_.radius[0] + contact.gap);
                 canvas.arrow(touch, touch + 0.15 * contact.normal,
-                             {Colour::green, 2, 1, false, false});
+                             {Colour::green, 2, 1});
             }
         if (now_.u.size())
-            canvas.arrow(x, x + 0.15 * now_.u.head<2>(),
-                         {Colour::blue, 2, 1, false, false});
+            canvas.arrow(x, x + 0.15 * now_.u.head<2>(), {Colour::blue, 2, 1});
         if (!shown_.rows.empty()) {
             impact_picture::draw_velocities(canvas, shown_);
             impact_picture::draw_sets(canvas, shown_);
@@ -165,19 +163,18 @@ inline Demo impact_scene(const std::string& name, const std::string& summary)
     scene.h = 1.0 / 60;
     scene.h_low = 1e-3;
     scene.h_high = 1.0 / 20;
-    scene.tunables = {
-        {"e", "", "restitution: leave with e times the speed of approach", 0.6, 0,
-         1, false, false, true},
-        {"mass", "kg", "mass of the disc", 1, 0.1, 100, false, true, false}};
+    scene.tunables = {{"e", "",
+                       "restitution: leave with e times the speed of approach", 0.6,
+                       0, 1, false, false, true},
+                      {"mass", "kg", "mass of the disc", 1, 0.1, 100, false, true}};
     scene.columns = {
-        {"contacts", "", "rows of the step", false, false},
-        {"lambda", "N s", "largest impulse", true, false},
-        {"w", "m/s", "smallest J u + b", true, false},
-        {"both", "", "largest |min(λ, w)| of a row: zero if it is either/or", false,
-         false},
+        {"contacts", "", "rows of the step"},
+        {"lambda", "N s", "largest impulse", true},
+        {"w", "m/s", "smallest J u + b", true},
+        {"both", "", "largest |min(λ, w)| of a row: zero if it is either/or"},
         {"residual", "m/s", "natural residual", true, true},
-        {"penetration", "m", "deepest overlap", false, false},
-        {"energy", "J", "kinetic energy and that of the weight", true, false}};
+        {"penetration", "m", "deepest overlap"},
+        {"energy", "J", "kinetic energy and that of the weight", true}};
     return scene;
 }
 
@@ -189,7 +186,7 @@ inline Demo bounce_scene()
         "A disc bounces; beside it all velocities that its contact allows");
     scene.view = {{0.95, 0.53}, {2.1, 1.15}};
     scene.tunables.push_back(
-        {"tilt", "degrees", "of the floor", 0, -40, 40, false, true, false});
+        {"tilt", "degrees", "of the floor", 0, -40, 40, false, true});
     scene.start = [](const Settings& settings) {
         const Real tilt = settings["tilt"] * pi / 180;
         return std::make_unique<ImpactRun>(
@@ -210,8 +207,7 @@ inline Demo corner_scene()
         "A disc is thrown into a corner: two contacts, four sets of either/or");
     scene.tunables[0].value = 0;
     scene.tunables.push_back({"ramp", "degrees", "slope of the ramp",
-                              std::atan(0.75) * 180 / pi, 10, 85, false, true,
-                              false});
+                              std::atan(0.75) * 180 / pi, 10, 85, false, true});
     scene.start = [](const Settings& settings) {
         const Real ramp = settings["ramp"] * pi / 180;
         const Vec2 normal(std::sin(ramp), std::cos(ramp)), x(0, 0.1);

@@ -24,10 +24,9 @@ inline std::vector<Tunable> ten_discs_tunables()
 {
     return {{"k", "", "stiffness of the torsional springs", 1, 0, 3, false, false,
              true},
-            {"damping", "1/s", "of the bends of the chain", 1, 0, 2, false, false,
-             false},
+            {"damping", "1/s", "of the bends of the chain", 1, 0, 2},
             {"gravity", "m/s²", "size of gravity when the pointer is at the edge",
-             9.81, 0, 20, false, false, false}};
+             9.81, 0, 20}};
 }
 
 inline const View ten_discs_view = {{0, 0.03}, {0.8, 0.58}};  ///< the box alone

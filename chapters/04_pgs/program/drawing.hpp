@@ -12,8 +12,8 @@
 
 namespace rigid::paint {
 
-inline constexpr Style error = {Colour::blue, 2, 1, false, false};
-inline constexpr Style residual = {Colour::orange, 2, 1, false, false};
+inline constexpr Style error = {Colour::blue, 2, 1};
+inline constexpr Style residual = {Colour::orange, 2, 1};
 
 /// A chart of positive numbers against sweeps 0 … last, on decades low … high, in a box of the picture.
 class LogChart {

@@ -39,7 +39,7 @@ inline void draw_impulses(Canvas& canvas, const SceneState& state)
         if (!steered) {
             canvas.segment(touch - length * perpendicular(normal),
                            touch + length * perpendicular(normal),
-                           {Colour::red, 4, 0.9, false, false});
+                           {Colour::red, 4, 0.9});
         } else if (state.is(i, Source::Of::contact)) {
             canvas.arrow(touch, touch + length * normal, impulse);
             if (row.a != world)

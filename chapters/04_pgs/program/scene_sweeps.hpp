@@ -130,11 +130,10 @@ private:
             canvas.disc({-1.22, y + height / 2}, radius, body);
             const Real bar = std::min(0.012, 0.2 * height);
             canvas.box({-1.08 + unit * exact_[k] / 2, y},
-                       {unit * exact_[k] / 2, bar}, 0,
-                       {Colour::ink, 1, 1, false, false});
+                       {unit * exact_[k] / 2, bar}, 0, {Colour::ink, 1, 1});
             canvas.box({-1.08 + unit * lambda_[k] / 2, y},
                        {std::abs(unit * lambda_[k]) / 2, bar}, 0,
-                       {Colour::red, 0, 0.8, true, false});
+                       {Colour::red, 0, 0.8, true});
         }
         canvas.text({-1.34, 0.545}, "λ: red found, outline wanted", 13,
                     paint::label);
@@ -165,26 +164,24 @@ inline Demo sweeps_scene()
     scene.h = scene.h_low = scene.h_high = 1.0 / 60;
     scene.methods = {"gauss_seidel", "jacobi", "sor", "symmetric", "cg"};
     scene.tunables = {
-        {"rows", "", "N, contacts in the column", 10, 2, 100, true, true, false},
+        {"rows", "", "N, contacts in the column", 10, 2, 100, true, true},
         {"end_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1,
-         0.01, 10000, false, true, false},
+         0.01, 10000, false, true},
         {"heavy_low", "", "1 puts that mass at the floor instead", 0, 0, 1, true,
-         true, false},
-        {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95, false, true,
-         false},
+         true},
+        {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95, false, true},
         {"order", "", "order of the visits: 0 bottom-up, 1 top-down, 2 shuffled", 0,
-         0, 2, true, true, false}};
+         0, 2, true, true}};
     scene.columns = {
-        {"sweeps", "", "sweeps so far", false, false},
+        {"sweeps", "", "sweeps so far"},
         {"error", "", "largest error of a λ, relative to the largest λ", true,
          true},
         {"theory", "", "what (4.15) says; 0 where it does not", true, true},
         {"residual", "m/s", "natural residual", true, true},
         {"change", "m/s", "largest change in the sweep, as a velocity", true, true},
         {"merit", "J", "merit above its lowest value", true, true},
-        {"ratio", "", "error after this sweep / error before it", true, false},
-        {"rate", "", "what theory says to that; 0 where it does not", false,
-         false}};
+        {"ratio", "", "error after this sweep / error before it", true},
+        {"rate", "", "what theory says to that; 0 where it does not"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<SweepsRun>(settings);
     };

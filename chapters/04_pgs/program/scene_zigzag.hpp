@@ -56,7 +56,7 @@ public:
     {
         // λ ≥ 0 is allowed.
         canvas.polygon({{0, 0}, {R, 0}, {R, R}, {0, R}},
-                       {Colour::green, 0, 0.08, true, false});
+                       {Colour::green, 0, 0.08, true});
         if (symmetric_) draw_contours(canvas);
         draw_row(canvas, 0, Colour::purple, "w₁ = 0");
         draw_row(canvas, 1, Colour::green, "w₂ = 0");
@@ -78,12 +78,12 @@ public:
             shown.push_back((zoom_ * p)
                                 .cwiseMin(Vec2(R + 0.2, R + 0.2))
                                 .cwiseMax(Vec2(-0.5, -0.5)));
-            canvas.disc(shown.back(), 0.05, {Colour::blue, 1, 1, true, false});
+            canvas.disc(shown.back(), 0.05, {Colour::blue, 1, 1, true});
         }
-        canvas.polyline(shown, {Colour::blue, 2, 1, false, false});
-        canvas.disc(zoom_ * answer_, 0.09, {Colour::red, 2.5, 1, false, false});
+        canvas.polyline(shown, {Colour::blue, 2, 1});
+        canvas.disc(zoom_ * answer_, 0.09, {Colour::red, 2.5, 1});
         canvas.text(zoom_ * answer_ + Vec2(0.14, -0.22), "answer", 14,
-                    {Colour::red, 1, 1, false, false});
+                    {Colour::red, 1, 1});
     }
 
 private:
@@ -159,7 +159,7 @@ private:
                 const bool inside = p.minCoeff() > -0.5 && p.maxCoeff() < R + 0.2;
                 if (inside) part.push_back(p);
                 if ((!inside || i == 240) && part.size() > 1)
-                    canvas.polyline(part, {Colour::faint, 1, 1, false, false});
+                    canvas.polyline(part, {Colour::faint, 1, 1});
                 if (!inside) part.clear();
             }
         }
@@ -208,22 +208,18 @@ inline Demo zigzag_scene()
     scene.methods = {"gauss_seidel", "jacobi"};
     scene.tunables = {
         {"coupling", "1/kg",
-         "c: how much one row disturbs the other, both ways alike", -1, -1, 1,
-         false, false, false},
-        {"a22", "1/kg", "diagonal entry of row 2; that of row 1 is 1", 2, 1, 4,
-         false, false, false},
+         "c: how much one row disturbs the other, both ways alike", -1, -1, 1},
+        {"a22", "1/kg", "diagonal entry of row 2; that of row 1 is 1", 2, 1, 4},
         {"skew", "1/kg", "s: the part that is not symmetric, as friction makes it",
-         0, -3, 3, false, false, false},
-        {"q1", "m/s", "velocity of row 1 before any impulse", -1, -5, 5, false,
-         false, false},
-        {"q2", "m/s", "velocity of row 2 before any impulse", 0, -5, 5, false,
-         false, false},
-        {"omega", "", "relaxation", 1, 0.05, 1.95, false, false, false},
-        {"start_1", "N s", "where row 1 starts", 0, 0, 5, false, true, false},
-        {"start_2", "N s", "where row 2 starts", 0, 0, 5, false, true, false}};
-    scene.columns = {{"lambda_1", "N s", "impulse of row 1", true, false},
-                     {"lambda_2", "N s", "impulse of row 2", true, false},
-                     {"merit", "J", "½ λᵀAλ + qᵀλ", true, false},
+         0, -3, 3},
+        {"q1", "m/s", "velocity of row 1 before any impulse", -1, -5, 5},
+        {"q2", "m/s", "velocity of row 2 before any impulse", 0, -5, 5},
+        {"omega", "", "relaxation", 1, 0.05, 1.95},
+        {"start_1", "N s", "where row 1 starts", 0, 0, 5, false, true},
+        {"start_2", "N s", "where row 2 starts", 0, 0, 5, false, true}};
+    scene.columns = {{"lambda_1", "N s", "impulse of row 1", true},
+                     {"lambda_2", "N s", "impulse of row 2", true},
+                     {"merit", "J", "½ λᵀAλ + qᵀλ", true},
                      {"residual", "m/s", "natural residual", true, true},
                      {"error", "N s", "distance from the answer", true, true}};
     scene.start = [](const Settings& settings) {

@@ -60,11 +60,8 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width,
             if (size > 0)
                 canvas.box(centre(row, c), half, 0,
                            {entry > 0 ? Colour::orange : Colour::blue, 0,
-                            (c > n ? 0.35 : 1) * (0.15 + 0.85 * size), true,
-                            false});
-            else
-                canvas.box(centre(row, c), half, 0,
-                           {Colour::faint, 0.5, 0.3, false, false});
+                            (c > n ? 0.35 : 1) * (0.15 + 0.85 * size), true});
+            else canvas.box(centre(row, c), half, 0, {Colour::faint, 0.5, 0.3});
         }
 
     const bool words = n <= 16;
@@ -86,13 +83,12 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width,
             value ? 0 : tableau.nonbasic[static_cast<std::size_t>(c)];
         canvas.text(centre(0, c) + Vec2(0, 0.65 * cell),
                     value ? "r" : name_of(tableau, variable), letters,
-                    {value ? Colour::ink : colour_of(tableau, variable), 1, 1,
-                     false, false},
+                    {value ? Colour::ink : colour_of(tableau, variable), 1, 1},
                     Align::centre);
     }
     if (walk.place != LemkeWalk::Place::on_the_way) return;
     const Index c = tableau.column_of(walk.entering), row = walk.leaving_row();
-    const Style frame = {Colour::red, 2, 1, false, false};
+    const Style frame = {Colour::red, 2, 1};
     const Real middle = static_cast<Real>(n - 1) / 2;
     canvas.box(Vec2(centre(0, c) - Vec2(0, middle * cell)),
                Vec2(0.5 * cell, 0.5 * cell * static_cast<Real>(n)), 0, frame);

@@ -91,11 +91,10 @@ private:
         for (const Vertex& vertex : path_) walked.push_back(shown(vertex.z0));
         canvas.segment(walked.front(), shown(0), {Colour::ink, 1, 1, false, true});
         for (std::size_t k = 1; k < walked.size(); ++k)
-            canvas.segment(walked[k - 1], walked[k],
-                           {Colour::red, 2.5, 1, false, false});
+            canvas.segment(walked[k - 1], walked[k], {Colour::red, 2.5, 1});
         for (const Vertex& vertex : path_)
-            canvas.disc(shown(vertex.z0), 0.02, {Colour::red, 1, 1, true, false});
-        canvas.disc(shown(0), 0.035, {Colour::ink, 2, 1, false, false});
+            canvas.disc(shown(vertex.z0), 0.02, {Colour::red, 1, 1, true});
+        canvas.disc(shown(0), 0.035, {Colour::ink, 2, 1});
         canvas.text(shown(0) - Vec2(0.06, 0.03), "q", 15, paint::label,
                     Align::right);
         canvas.text(walked.front() + Vec2(0.04, 0), "q + z₀ d", 13, paint::label);
@@ -139,11 +138,10 @@ private:
         std::vector<Vec2> walked;
         for (const Vertex& vertex : path_) walked.push_back(shown(vertex.z));
         for (std::size_t k = 1; k < walked.size(); ++k)
-            canvas.segment(walked[k - 1], walked[k],
-                           {Colour::red, 2.5, 1, false, false});
+            canvas.segment(walked[k - 1], walked[k], {Colour::red, 2.5, 1});
         for (std::size_t k = 0; k < walked.size(); ++k)
             canvas.disc(walked[k], k + 1 == walked.size() ? 0.035 : 0.02,
-                        {Colour::red, 1, 1, true, false});
+                        {Colour::red, 1, 1, true});
     }
 
     /// w_i + z0 = 0 within 0 … reach, where it can be seen.
@@ -186,13 +184,13 @@ inline Demo plane_scene()
         "Two rows: the complementary cones, and the path from vertex to vertex");
     scene.view = {{-0.05, -0.08}, {2.5, 1.3}};
     scene.tunables = {{"a12", "1/kg", "what an impulse of row 2 does to row 1", 1,
-                       -3, 3, false, true, false},
+                       -3, 3, false, true},
                       {"a21", "1/kg", "what an impulse of row 1 does to row 2", 1,
-                       -3, 3, false, true, false},
+                       -3, 3, false, true},
                       {"q1", "m/s", "velocity of row 1 before any impulse", -5, -8,
-                       8, false, true, false},
+                       8, false, true},
                       {"q2", "m/s", "velocity of row 2 before any impulse", -6, -8,
-                       8, false, true, false}};
+                       8, false, true}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PlaneRun>(settings);
     };

@@ -48,8 +48,7 @@ public:
             if (push > 0.004)
                 canvas.arrow(point, point + Vec2(0, push), paint::impulse);
             if (std::abs(drag) > 0.004)
-                canvas.arrow(point, point + Vec2(drag, 0),
-                             {Colour::green, 2.5, 1, false, false});
+                canvas.arrow(point, point + Vec2(drag, 0), {Colour::green, 2.5, 1});
         }
         canvas.text({-1.25, -1.0}, "red: normal, green: friction impulse", 13,
                     paint::label, Align::centre);
@@ -84,14 +83,14 @@ inline Demo stack_scene()
     scene.view = {{-0.15, -0.08}, {1.85, 1.12}};
     scene.tunables = {
         {"boxes", "", "boxes in the stack: n is eight times that", 3, 1, 40, true,
-         true, false},
-        {"friction", "", "coefficient of friction", 0.5, 0, 1, false, true, false},
+         true},
+        {"friction", "", "coefficient of friction", 0.5, 0, 1, false, true},
         {"jostle", "m/s", "size of the random speeds before the impulses", 0.3, 0,
-         2, false, true, false},
+         2, false, true},
         {"top_mass", "kg", "mass of the topmost box; the others have 1 kg", 1, 0.01,
-         1000, false, true, false},
+         1000, false, true},
         {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8, 1, 17, false,
-         true, false}};
+         true}};
     scene.start = [](const Settings& settings) {
         BoxStack stack;
         stack.boxes = static_cast<Index>(settings["boxes"]);

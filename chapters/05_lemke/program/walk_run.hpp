@@ -48,15 +48,14 @@ struct ProblemWalk {
     static std::vector<Column> columns()
     {
         return {
-            {"pivots", "", "pivots so far", false, false},
+            {"pivots", "", "pivots so far"},
             {"z0", "m/s", "the artificial variable: how far all rows are lifted",
-             true, false},
-            {"positive", "", "how many z are positive", true, false},
+             true},
+            {"positive", "", "how many z are positive", true},
             {"residual", "m/s", "natural residual of the present z", true, true},
             {"largest", "", "largest entry of the tableau but for the column r",
              true, true},
-            {"place", "", "0 on the way, 1 at the solution, 2 at a ray", false,
-             false}};
+            {"place", "", "0 on the way, 1 at the solution, 2 at a ray"}};
     }
     std::vector<Real> measure() const
     {
@@ -116,10 +115,10 @@ inline Demo tableau_scene()
     scene.tunables = {{"family", "",
                        "0 Murty, 1 its transpose, 2 Murty with equal q, 3 Fathi, 4 "
                        "circulant, 5 column, 6 random spd",
-                       1, 0, 6, true, true, false},
-                      {"rows", "", "n", 4, 1, 40, true, true, false},
+                       1, 0, 6, true, true},
+                      {"rows", "", "n", 4, 1, 40, true, true},
                       {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8,
-                       1, 17, false, true, false}};
+                       1, 17, false, true}};
     scene.side_by_side = scene.methods;
     scene.start = [](const Settings& settings) {
         const auto n = static_cast<Index>(settings["rows"]);

@@ -272,7 +272,8 @@ void whole_solve(benchmark::State& state, Problem (*make)(Index))
         order_rows(problem.rows, problem.bodies(), Order::coloured, random,
                    colouring, order);
         ours.lambda.setZero(static_cast<Index>(m));
-        sequential_impulse<2>(problem.rows, order, {10, 0, false}, memory, u, ours);
+        sequential_impulse<2>(problem.rows, order, {.max_sweeps = 10}, memory, u,
+                              ours);
         note(0, begin);
         begin = seconds();
         for (int k = 0; k < 10; ++k) benchmark::DoNotOptimize(sweep(memory, 0));

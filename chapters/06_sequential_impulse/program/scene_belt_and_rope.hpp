@@ -34,7 +34,7 @@ inline void draw_belt(Canvas& canvas, const SceneState& state)
         const Real drag = state.force_of_joint(static_cast<int>(k));
         if (std::abs(drag) > 0.01)
             canvas.arrow(p - Vec2(0, 0.1), p + Vec2(0.15 * drag, -0.1),
-                         {Colour::green, 2.5, 1, false, false});
+                         {Colour::green, 2.5, 1});
     }
     canvas.text({-1.5, 0.7},
                 "belt " + significant(speed, 3) +
@@ -100,7 +100,7 @@ inline void draw_rope(Canvas& canvas, const SceneState& state,
     canvas.segment(
         {0, 0}, p,
         {taut ? Colour::red : Colour::faint, taut ? 2.5 : 1.5, 1, false, !taut});
-    canvas.polyline(trail, {Colour::blue, 1, 0.6, false, false});
+    canvas.polyline(trail, {Colour::blue, 1, 0.6});
     canvas.disc({0, 0}, 0.03, paint::fixed_body);
     canvas.disc(p, 0.1, paint::body);
     canvas.text({-1.25, 1.1},

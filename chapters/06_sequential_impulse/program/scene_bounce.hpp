@@ -121,22 +121,21 @@ inline Demo bounce_scene()
     scene.methods = {"scaled", "none", "fixed"};
     scene.side_by_side = {"scaled", "fixed"};
     scene.tunables = {
-        {"e_1", "", "restitution of the first ball", 0.5, 0, 1, false, true, false},
-        {"e_2", "", "of the second", 0.8, 0, 1, false, true, false},
-        {"e_3", "", "of the third", 1, 0, 1, false, true, false},
-        {"drop", "m", "height to fall from", 1, 0.1, 5, false, true, false},
+        {"e_1", "", "restitution of the first ball", 0.5, 0, 1, false, true},
+        {"e_2", "", "of the second", 0.8, 0, 1, false, true},
+        {"e_3", "", "of the third", 1, 0, 1, false, true},
+        {"drop", "m", "height to fall from", 1, 0.1, 5, false, true},
         {"slowest", "m/s", "approach that still bounces, of method fixed", 1, 0, 3,
-         false, true, false}};
-    scene.columns = {
-        {"height_1", "m", "of the first ball over the floor", true, false},
-        {"height_2", "m", "of the second", true, false},
-        {"height_3", "m", "of the third", true, false},
-        {"exact_1", "m", "what the closed form says", false, false},
-        {"exact_2", "m", "what the closed form says", false, false},
-        {"exact_3", "m", "what the closed form says", false, false},
-        {"speed_1", "m/s", "upwards", false, false},
-        {"speed_2", "m/s", "upwards", false, false},
-        {"speed_3", "m/s", "upwards", false, false}};
+         false, true}};
+    scene.columns = {{"height_1", "m", "of the first ball over the floor", true},
+                     {"height_2", "m", "of the second", true},
+                     {"height_3", "m", "of the third", true},
+                     {"exact_1", "m", "what the closed form says"},
+                     {"exact_2", "m", "what the closed form says"},
+                     {"exact_3", "m", "what the closed form says"},
+                     {"speed_1", "m/s", "upwards"},
+                     {"speed_2", "m/s", "upwards"},
+                     {"speed_3", "m/s", "upwards"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<BounceRun>(settings);
     };

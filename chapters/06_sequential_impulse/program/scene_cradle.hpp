@@ -86,18 +86,17 @@ inline Demo cradle_scene()
     scene.methods = {"sequential", "simultaneous"};
     scene.side_by_side = scene.methods;
     scene.tunables = sweep_tunables(200, 9);
-    scene.tunables.push_back({"balls", "", "N", 5, 2, 9, true, true, false});
+    scene.tunables.push_back({"balls", "", "N", 5, 2, 9, true, true});
     scene.tunables.push_back(
         {"lifted", "", "balls that are drawn aside", 1, 1, 8, true, true, true});
-    scene.tunables.push_back(
-        {"angle", "°", "by so much", 30, 0, 60, false, true, false});
+    scene.tunables.push_back({"angle", "°", "by so much", 30, 0, 60, false, true});
     scene.tunables.push_back(tunables::restitution(1));
     scene.columns = {
-        {"first", "°", "angle of the first ball", true, false},
-        {"middle", "°", "angle of the middle one", true, false},
-        {"last", "°", "angle of the last one", true, false},
-        {"energy_gain", "J", "energy now less that at the start", true, false},
-        {"momentum_x", "N s", "of all balls", true, false},
+        {"first", "°", "angle of the first ball", true},
+        {"middle", "°", "angle of the middle one", true},
+        {"last", "°", "angle of the last one", true},
+        {"energy_gain", "J", "energy now less that at the start", true},
+        {"momentum_x", "N s", "of all balls", true},
         {"link_error", "m", "largest difference of a rod from its length", true,
          true}};
     scene.start = [](const Settings& settings) {

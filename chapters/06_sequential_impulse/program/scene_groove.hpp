@@ -31,7 +31,7 @@ inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle,
                        paint::wall);
     canvas.disc(rest, 0.1, {Colour::faint, 1, 1, false, true});
     canvas.disc(disc, 0.1, paint::body);
-    canvas.polyline(trail, {Colour::blue, 1.5, 0.7, false, false});
+    canvas.polyline(trail, {Colour::blue, 1.5, 0.7});
     for (std::size_t i = 0; i < state.now.rows.size(); ++i) {
         const Vec2 n = state.now.rows[i].Jb.transpose(), touch = disc - 0.1 * n;
         const Real force = state.lambda(i) / state.step.h;

@@ -88,7 +88,7 @@ public:
         for (Index k = 0; k < scene_.bodies.count(); ++k)
             canvas.disc(shown(scene_.bodies.position(k)),
                         1.7 * zoom * scene_.radius[k],
-                        {Colour::ink, 1, 0.12, true, false});
+                        {Colour::ink, 1, 0.12, true});
         constexpr std::array hues = {Colour::blue,  Colour::orange,
                                      Colour::green, Colour::purple,
                                      Colour::red,   Colour::yellow};
@@ -145,19 +145,18 @@ inline Demo one_sweep_scene()
     scene.methods = {"given", "alternating", "shuffled", "coloured", "blocks"};
     scene.side_by_side = {"given", "coloured"};
     scene.tunables = {
-        {"kind", "", "0 triangle, 1 column, 2 hanging chain", 0, 0, 2, true, true,
-         false},
+        {"kind", "", "0 triangle, 1 column, 2 hanging chain", 0, 0, 2, true, true},
         {"size", "", "discs along its base, in the column, on the chain", 8, 2, 60,
          true, true, true},
         {"end_mass", "kg", "last disc of column and chain; the others have 1 kg", 1,
-         0.01, 1000, false, true, false}};
+         0.01, 1000, false, true}};
     scene.columns = {
-        {"sweeps", "", "sweeps so far", false, false},
+        {"sweeps", "", "sweeps so far"},
         {"residual", "m/s", "natural residual", true, true},
         {"fastest", "", "largest velocity left, in units of g h; exact: 0", true,
          true},
         {"sideways", "", "sideways momentum, in units of weight times h; exact: 0",
-         true, false},
+         true},
         {"difference", "N s", "largest difference of an impulse from chapter 4's",
          true, true}};
     scene.start = [](const Settings& settings) {

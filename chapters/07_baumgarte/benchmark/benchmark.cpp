@@ -107,7 +107,8 @@ Outcome run(const Problem& problem, const Way& way, int budget)
     for (int k = 0; k < problem.steps; ++k) {
         if (problem.steered)
             scene.gravity = steered_gravity(
-                {pointer.at(k * settings.h), true, false}, box, 9.81);
+                {.pointer = pointer.at(k * settings.h), .present = true}, box,
+                9.81);
         step(scene, settings, method, now);
         outcome.visits += static_cast<Real>(now.visits) / problem.steps;
         const Real off =

@@ -69,7 +69,7 @@ public:
                     ? Vec2(std::cos(2 * pi * i / 200), std::sin(2 * pi * i / 200))
                     : Vec2(view_.half_size.x() * (i / 100.0 - 1), 0));
         canvas.polyline(wire, paint::wall);
-        canvas.polyline(trail_, {Colour::purple, 1.2, 0.9, false, false});
+        canvas.polyline(trail_, {Colour::purple, 1.2, 0.9});
         canvas.disc(scene_.bodies.x, 0.05, paint::body);
         canvas.arrow(scene_.bodies.x,
                      scene_.bodies.x +
@@ -130,12 +130,12 @@ inline Demo one_row_scene(bool circle)
         scene.tunables.push_back(
             tunables::number("gravity", "m/s²", "downwards", 0, 0, 20));
     scene.columns = {
-        {"error", "m", "distance from the wire, outwards", true, false},
+        {"error", "m", "distance from the wire, outwards", true},
         {"theory", "m",
          circle ? "(7.3) or (7.8), without gravity; 0 for the other ways" : "(7.5)",
-         true, false},
-        {"lambda", "N s", "impulse of the row", false, false},
-        {"kinetic", "J", "kinetic energy", true, false}};
+         true},
+        {"lambda", "N s", "impulse of the row"},
+        {"kinetic", "J", "kinetic energy", true}};
     scene.start = [circle, view = scene.view](const Settings& settings) {
         return std::make_unique<OneRowRun>(circle, settings, view);
     };

@@ -6,9 +6,9 @@
 
 namespace rigid::paint {
 
-inline constexpr Style active = {Colour::red, 1.5, 1, true, false};
-inline constexpr Style open = {Colour::ink, 1.5, 1, false, false};
-inline constexpr Style wrong_guess = {Colour::orange, 3, 1, false, false};
+inline constexpr Style active = {Colour::red, 1.5, 1, true};
+inline constexpr Style open = {Colour::ink, 1.5, 1};
+inline constexpr Style wrong_guess = {Colour::orange, 3, 1};
 
 /// A dot for a row that the guess holds at w = 0, an empty ring for one that rests at its bound; a second ring
 /// around what contradicts the guess and will change.

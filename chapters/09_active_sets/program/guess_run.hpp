@@ -73,19 +73,17 @@ struct GuessWalk {
 
     static std::vector<Column> columns()
     {
-        return {{"corrections", "", "guesses, or pivots, so far", false, false},
-                {"wrong", "", "rows that contradict the guess", true, false},
-                {"active", "", "rows that the guess holds at w = 0", true, false},
-                {"residual", "m/s", "natural residual of the present impulses",
-                 true, true},
-                {"factorisations", "", "of the active rows, whole", false, false},
-                {"flips", "",
-                 "rows that changed their case, all corrections together", false,
-                 false},
-                {"rows", "", "n", false, false},
-                {"status", "",
-                 "0 solved, 1 still guessing, 2 … 4 ray, infeasible, singular",
-                 false, false}};
+        return {
+            {"corrections", "", "guesses, or pivots, so far"},
+            {"wrong", "", "rows that contradict the guess", true},
+            {"active", "", "rows that the guess holds at w = 0", true},
+            {"residual", "m/s", "natural residual of the present impulses", true,
+             true},
+            {"factorisations", "", "of the active rows, whole"},
+            {"flips", "", "rows that changed their case, all corrections together"},
+            {"rows", "", "n"},
+            {"status", "",
+             "0 solved, 1 still guessing, 2 … 4 ray, infeasible, singular"}};
     }
     std::vector<Real> measure() const
     {

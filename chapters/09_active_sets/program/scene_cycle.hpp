@@ -58,12 +58,11 @@ public:
         for (std::size_t k = 0; k < 8; ++k)
             for (std::size_t i = 0; i < 3; ++i)
                 if (const std::size_t other = k | std::size_t{1} << i; other != k)
-                    canvas.segment(corner(k), corner(other),
-                                   {Colour::faint, 1, 1, false, false});
+                    canvas.segment(corner(k), corner(other), {Colour::faint, 1, 1});
         for (std::size_t k = 0; k < 8; ++k) {
             if (next_[k] == k) continue;
             const Style style = {in_cycle_[k] ? Colour::red : Colour::blue,
-                                 in_cycle_[k] ? 3.0 : 1.8, 1, false, false};
+                                 in_cycle_[k] ? 3.0 : 1.8, 1};
             const Vec2 from = corner(k), to = corner(next_[k]),
                        way = (to - from).normalized();
             canvas.arrow(from + 0.07 * way, to - 0.07 * way, style);
@@ -117,10 +116,10 @@ inline Demo cycle_scene()
     scene.methods = {"active_sets"};
     scene.tunables = {{"start", "",
                        "the first guess: bit i of the number is row i + 1", 7, 0, 7,
-                       true, true, false}};
+                       true, true}};
     scene.columns = {
-        {"guess", "", "bit i of the number: row i + 1 is active", true, false},
-        {"wrong", "", "rows that contradict the guess", true, false}};
+        {"guess", "", "bit i of the number: row i + 1 is active", true},
+        {"wrong", "", "rows that contradict the guess", true}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<CycleRun>(settings);
     };

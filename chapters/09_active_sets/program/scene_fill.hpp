@@ -48,8 +48,7 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        const Style ink = {Colour::ink, 1.5, 1, false, false},
-                    faint = {Colour::faint, 1, 1, false, false};
+        const Style ink = {Colour::ink, 1.5, 1}, faint = {Colour::faint, 1, 1};
         // The pile: contacts by their numbers.
         const Real r = 0.17;
         const Vec2 foot(-1.73, -0.45);
@@ -61,13 +60,13 @@ public:
         centre[5] = foot + Vec2(2 * r, r + 2 * r * std::sqrt(3.0));
         canvas.segment(foot - Vec2(1.3 * r, 0), foot + Vec2(5.3 * r, 0), ink);
         for (const Vec2& c : centre)
-            canvas.disc(c, r, {Colour::blue, 1.5, 0.15, true, false});
+            canvas.disc(c, r, {Colour::blue, 1.5, 0.15, true});
         for (int i = 0; i < count; ++i) {
             const auto [a, b] = pairs[index(i)];
             const Vec2 at = a < 0 ? Vec2(centre[index(b)] - Vec2(0, r))
                                   : Vec2((centre[index(a)] + centre[index(b)]) / 2);
             canvas.text(at + Vec2(0, a < 0 ? -0.1 : -0.035), std::to_string(i + 1),
-                        13, {Colour::red, 1, 1, false, false}, Align::centre);
+                        13, {Colour::red, 1, 1}, Align::centre);
         }
         // L.
         const Real cell = 0.16;
@@ -81,15 +80,14 @@ public:
             canvas.text(middle(k, k) + Vec2(0, 0.5 * cell), std::to_string(k + 1),
                         13, ink, Align::centre);
             canvas.box(middle(k, k), {0.4 * cell, 0.4 * cell}, 0,
-                       {Colour::ink, 1, 0.35, true, false});
+                       {Colour::ink, 1, 0.35, true});
             for (int j = 0; j < k; ++j) {
                 const bool fill = in_L_[index(k)][index(j)] && A_(k, j) == 0;
                 if (fill)
-                    canvas.disc(middle(k, j), 0.3 * cell,
-                                {Colour::orange, 2.5, 1, false, false});
+                    canvas.disc(middle(k, j), 0.3 * cell, {Colour::orange, 2.5, 1});
                 else if (in_L_[index(k)][index(j)])
                     canvas.box(middle(k, j), {0.4 * cell, 0.4 * cell}, 0,
-                               {Colour::blue, 1, 0.8, true, false});
+                               {Colour::blue, 1, 0.8, true});
                 else canvas.disc(middle(k, j), 0.05 * cell, faint);
             }
         }
@@ -107,7 +105,7 @@ public:
             canvas.segment(node[index(k)], node[index(p)], ink);
         }
         for (int k = 0; k < count; ++k) {
-            canvas.disc(node[index(k)], 0.03, {Colour::green, 1.5, 1, true, false});
+            canvas.disc(node[index(k)], 0.03, {Colour::green, 1.5, 1, true});
             canvas.text(node[index(k)] + Vec2(0.06, -0.03), std::to_string(k + 1),
                         13, ink);
         }
@@ -148,8 +146,8 @@ inline Demo fill_scene()
     scene.h_low = 0.02;
     scene.h_high = 2;
     scene.methods = {"active_sets"};
-    scene.columns = {{"entries", "", "of L below its diagonal", false, false},
-                     {"fill", "", "of these, where A has none", false, false}};
+    scene.columns = {{"entries", "", "of L below its diagonal"},
+                     {"fill", "", "of these, where A has none"}};
     scene.start = [](const Settings&) { return std::make_unique<FillRun>(); };
     return scene;
 }

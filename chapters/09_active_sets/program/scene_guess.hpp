@@ -53,7 +53,7 @@ public:
                 const bool pulls = length < 0;
                 if (std::abs(length) > 0.004)
                     canvas.arrow(p, p + Vec2(0, length),
-                                 pulls ? Style{Colour::orange, 2.5, 1, false, false}
+                                 pulls ? Style{Colour::orange, 2.5, 1}
                                        : paint::impulse);
                 paint::row_mark(canvas, p, dot,
                                 walk_.guess(i) == BoundState::between,
@@ -84,13 +84,13 @@ inline Demo guess_scene()
     scene.tunables = {
         {"pile", "",
          "0 a column, 1 a column of 1 kg and 1000 kg in turns, 2 a pyramid", 2, 0,
-         2, true, true, false},
+         2, true, true},
         {"levels", "", "boxes in the column, levels of the pyramid", 5, 1, 500,
-         true, true, false},
+         true, true},
         {"jostle", "m/s", "size of the random speeds before the impulses", 1, 0, 5,
-         false, true, false},
-        {"at_once", "", "1: all corrections in the first step", 0, 0, 1, true, true,
-         false}};
+         false, true},
+        {"at_once", "", "1: all corrections in the first step", 0, 0, 1, true,
+         true}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) {
         const auto levels = static_cast<Index>(settings["levels"]);

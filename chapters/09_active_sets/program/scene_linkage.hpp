@@ -31,8 +31,7 @@ inline DiscScene scene_of(const Settings& settings)
 inline void draw(Canvas& canvas, const SceneState& state,
                  const std::vector<Vec2>& path)
 {
-    if (path.size() > 1)
-        canvas.polyline(path, {Colour::faint, 1.5, 1, false, false});
+    if (path.size() > 1) canvas.polyline(path, {Colour::faint, 1.5, 1});
     paint::draw_links(canvas, state, [](const Link&) { return paint::link; });
     for (Index k = 0; k < state.scene.bodies.count(); ++k)
         canvas.disc(paint::shown(state, k), 0.03,
@@ -53,14 +52,13 @@ std::vector<Measured<RunState<Method>>>
 columns_of(std::function<Real(const RunState<Method>&)> passes)
 {
     using State = RunState<Method>;
-    return {Measured<State>({"energy_error", "J", "energy minus that of the start",
-                             true, false},
-                            columns::energy_gained().value),
+    return {Measured<State>(
+                {"energy_error", "J", "energy minus that of the start", true},
+                columns::energy_gained().value),
             columns::kinetic(), columns::link_error(),
-            Measured<State>({"passes", "",
-                             "of Newton's method in the last step, of rattle",
-                             false, false},
-                            std::move(passes)),
+            Measured<State>(
+                {"passes", "", "of Newton's method in the last step, of rattle"},
+                std::move(passes)),
             columns::unsolved()};
 }
 
@@ -121,9 +119,9 @@ inline Demo linkage_scene()
     demo.tunables = {
         {"kind", "",
          "0 the four-bar linkage, 1 a pendulum of rods, 2 a chain of ten", 0, 0, 2,
-         true, true, false},
-        {"rods", "", "of the pendulum", 2, 1, 20, true, true, false},
-        {"substeps", "", "parts of each step", 1, 1, 64, true, false, false}};
+         true, true},
+        {"rods", "", "of the pendulum", 2, 1, 20, true, true},
+        {"substeps", "", "parts of each step", 1, 1, 64, true}};
     for (const auto& one : linkage::columns_of<ExactMethod>({}))
         demo.columns.push_back(one.column);
     demo.start = [view = demo.view](const Settings& settings) {

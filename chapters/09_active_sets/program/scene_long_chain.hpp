@@ -63,9 +63,9 @@ inline void draw(Canvas& canvas, const ExactState& state)
     std::vector<Vec2> line;
     for (Index k = 0; k < chain.bodies.count(); ++k)
         line.push_back(paint::shown(state, k));
-    canvas.polyline(line, {Colour::blue, 3, 1, false, false});
+    canvas.polyline(line, {Colour::blue, 3, 1});
     canvas.disc(line.front(), 0.02, paint::fixed_body);
-    canvas.disc(line.back(), 0.03, {Colour::red, 1.5, 1, true, false});
+    canvas.disc(line.back(), 0.03, {Colour::red, 1.5, 1, true});
     paint::draw_hand(canvas, state);
     paint::draw_caption(
         canvas, state,

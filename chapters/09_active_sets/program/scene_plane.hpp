@@ -46,7 +46,7 @@ public:
         const Vec2 zero = shown({0, 0});
         canvas.polygon(
             {zero, {corner.x(), zero.y()}, corner, {zero.x(), corner.y()}},
-            {Colour::green, 0, 0.12, true, false});
+            {Colour::green, 0, 0.12, true});
         canvas.arrow({-corner.x(), zero.y()}, {corner.x() + 0.03, zero.y()},
                      paint::axis);
         canvas.arrow({zero.x(), -corner.y()}, {zero.x(), corner.y() + 0.03},
@@ -55,8 +55,8 @@ public:
                     paint::label, Align::right);
         canvas.text({zero.x() - 0.04, corner.y()}, "λ₂ [N s]", 13, paint::label,
                     Align::right);
-        draw_line(canvas, 0, {Colour::purple, 1.5, 1, false, false}, "w₁ = 0");
-        draw_line(canvas, 1, {Colour::green, 1.5, 1, false, false}, "w₂ = 0");
+        draw_line(canvas, 0, {Colour::purple, 1.5, 1}, "w₁ = 0");
+        draw_line(canvas, 1, {Colour::green, 1.5, 1}, "w₂ = 0");
 
         for (std::size_t k = 1; k < visited_.size(); ++k)
             canvas.arrow(shown(answers_[visited_[k - 1]]),
@@ -71,7 +71,7 @@ public:
             const bool left = k == 0 || p.x() < zero.x() - 0.01;
             const Vec2 beside(left ? -0.05 : 0.05, k == 0 ? -0.09 : 0.045);
             canvas.text(p + beside, names[k] + complaint(k), 13,
-                        {here ? Colour::red : Colour::ink, 1, 1, false, false},
+                        {here ? Colour::red : Colour::ink, 1, 1},
                         left ? Align::right : Align::left);
         }
         canvas.text({0, -1.07}, walk_.told(), 14, paint::label, Align::centre);
@@ -165,12 +165,12 @@ inline Demo plane_scene()
     scene.methods = {"active_sets"};
     scene.tunables = {
         {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 3, 0, 3,
-         true, true, false},
-        {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true, false},
-        {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true, false},
-        {"a12", "1/kg", "of A, off its diagonal", 1, -3, 3, false, true, false},
-        {"q1", "m/s", "of q, row 1", -5, -6, 6, false, true, false},
-        {"q2", "m/s", "of q, row 2", -1, -6, 6, false, true, false}};
+         true, true},
+        {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true},
+        {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true},
+        {"a12", "1/kg", "of A, off its diagonal", 1, -3, 3, false, true},
+        {"q1", "m/s", "of q, row 1", -5, -6, 6, false, true},
+        {"q2", "m/s", "of q, row 2", -1, -6, 6, false, true}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) {
         return std::make_unique<PlaneRun>(settings);

@@ -1,0 +1,147 @@
+/// \file awake_manifolds.hpp
+/// The contacts stage for shapes that skips what needs nothing: bodies that sleep are not placed, not paired and make no
+/// rows. When an island falls asleep and what wakes it is chapter 10's; what the scene's owner changes is seen by itself.
+#pragma once
+
+#include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/10_skipping_work/fall_asleep.hpp"
+#include "chapters/10_skipping_work/rest_conditions.hpp"
+#include "chapters/12_contact_manifolds/manifold_stage.hpp"
+#include "chapters/12_contact_manifolds/scene_watch.hpp"
+
+namespace rigid {
+
+/// A body that turns is as fast as its farthest point: |ω| r is a speed [m/s].
+inline Vec<3> measured_velocity(const RigidScene& scene, Index k, const Vec<3>& u)
+{
+    const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
+    return {u[0], u[1], u[2] * (turning_radius(shape) + shape.radius)};
+}
+
+//! [awake_manifolds]
+struct AwakeManifolds : Sleepers<3> {
+    Manifolds touching;
+    //! [awake_manifolds]
+    SceneWatch watch;  ///< the scene as the last step left it
+    RestConditions conditions;
+    Real margin = 0;  ///< of the last step [m]
+
+    void require_valid() const
+    {
+        rigid::require_valid(rest);
+        touching.require_valid();
+    }
+
+    /// All that can move is awake: for changes that no watch sees.
+    void wake_everybody() { watch = {}; }
+
+    //! [awake_begin]
+    template <class Method>
+    void begin(const RigidScene& scene, const StepSettings& settings,
+               Method& method, StepData<3>& now)
+    {
+        rigid::require_valid(scene);
+        woken = fell_asleep = 0;
+        take_in_changes(scene, settings, method);
+        now.length = length;
+        now.active.clear();
+        if (set.awake.empty() && moved_.empty()) return;
+
+        // Whatever an awake body touches wakes, with its island, and looks too.
+        do {
+            if (!set.woken.empty()) take_in_the_woken(method);
+            now.active = set.awake;
+            now.active.insert(now.active.end(), moved_.begin(), moved_.end());
+            std::sort(now.active.begin(), now.active.end());
+            touching.begin_with(scene, margin, now.active, now);
+            for (const Contact& contact : now.contacts)
+                for (const Index k : {contact.a, contact.b})
+                    if (k != world) set.wake(k);
+        } while (!set.woken.empty());
+        //! [awake_begin]
+        // then the step ends here
+        if (set.awake.empty()) watch.remember(scene);
+
+        now.active = set.awake;
+        now.bends = {};
+        now.same_bodies = !changed;
+        changed = false;
+        begin_from(scene.bodies, now);
+    }
+
+    template <class Scene, class Method>
+    void end(Scene& scene, const StepSettings& settings, Method& method,
+             const StepData<3>& now)
+    {
+        touching.end(scene, settings, method, now);
+        fall_asleep(scene, settings, method, now);
+        watch.remember(scene);
+    }
+
+private:
+    std::vector<int> moved_;  ///< fixed bodies that are elsewhere than a step ago
+
+    template <class Method>
+    void take_in_changes(const RigidScene& scene, const StepSettings& settings,
+                         const Method& method)
+    {
+        RestConditions present{scene.gravity, 0, 0, rest, {}, sleep};
+        if constexpr (requires { method.correction.beta; })
+            present.correction = method.correction;
+        const Real found_within = settings.margin * length_of(scene);
+        moved_.clear();
+        if (scene.bodies.count() < static_cast<Index>(rests.size()) ||
+            watch.x.size() == 0 || watch.all_concerned(scene) ||
+            !same_rest(present, conditions) || found_within != margin)
+            wake_all(scene.bodies);
+        else watch.compare(scene, [&](Index k) { was_changed(scene.bodies, k); });
+        while (static_cast<Index>(rests.size()) < scene.bodies.count())
+            add(scene.bodies, static_cast<Index>(rests.size()));
+        conditions = present;
+        margin = found_within;
+        if (settings.pulled != world) {
+            set.wake(settings.pulled);
+            rests[static_cast<std::size_t>(settings.pulled)] = {};
+        }
+        std::sort(moved_.begin(), moved_.end());
+        moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+        std::erase_if(moved_, [&](int k) { return set.is_awake(k); });
+    }
+
+    /// ℓ is the scene's, and stays what it was while bodies are added.
+    Real length_of(const RigidScene& scene)
+    {
+        if (watch.x.size() == 0 || scene.length > 0) length = typical_length(scene);
+        return length;
+    }
+
+    /// Body k has been changed: it wakes, and what touched it or hangs on it.
+    void was_changed(const Bodies<3>& bodies, Index k)
+    {
+        set.wake(k);
+        const auto with = [&](Index a, Index b) {
+            if (a == k || b == k)
+                for (const Index other : {a, b})
+                    if (other != world) set.wake(other);
+        };
+        for (const TouchingPair& pair : touching.touching) with(pair.a, pair.b);
+        for (const TouchingPair& pair : touching.resting) with(pair.a, pair.b);
+        for (const PointJoint& joint : watch.joints) with(joint.a, joint.b);
+
+        Activity& activity = set.activity[static_cast<std::size_t>(k)];
+        const bool moves = bodies.can_move(k) || !bodies.velocity(k).isZero(0);
+        if (moves && activity == Activity::fixed) {
+            activity = Activity::awake;
+            set.awake.push_back(static_cast<int>(k));
+            set.woken.push_back(static_cast<int>(k));
+        }
+        if (!moves) {
+            activity = Activity::fixed;
+            moved_.push_back(static_cast<int>(k));
+        }
+        set.tidy();
+        changed = true;
+    }
+};
+
+}  // namespace rigid

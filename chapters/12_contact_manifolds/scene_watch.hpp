@@ -1,0 +1,100 @@
+/// \file scene_watch.hpp
+/// What has been changed in a scene since the last step, by whoever may change it: the bodies that this concerns are to
+/// be woken.
+///
+/// A sleeper is not looked at, so nothing in the step itself would notice that the body under it is gone. The watch keeps a
+/// copy of all that rest depends on and compares: two passes over numbers in a row, some microseconds for a thousand
+/// bodies. Nobody has to call anything when he changes a scene.
+#pragma once
+
+#include "chapters/11_rotation/rigid_scene.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+inline bool operator==(const PointJoint& a, const PointJoint& b)
+{
+    return a.measure == b.measure && a.a == b.a && a.b == b.b && a.at_a == b.at_a &&
+           a.at_b == b.at_b && a.direction == b.direction && a.gear_a == b.gear_a &&
+           a.gear_b == b.gear_b && a.length == b.length && a.sense == b.sense &&
+           a.kind == b.kind && a.speed == b.speed && a.force == b.force &&
+           a.stiffness == b.stiffness && a.damping == b.damping &&
+           a.over_a == b.over_a && a.over_b == b.over_b && a.collides == b.collides;
+}
+
+struct SceneWatch {
+    VecX x, u, inverse_mass;  ///< as the last step left them
+    std::vector<Polygon> shapes;
+    std::vector<PointJoint> joints;
+    std::vector<HalfSpace> walls;
+    Vec2 gravity = {0, 0};
+
+    /// something was another than it is here
+    mutable bool stale = true;
+
+    void remember(const RigidScene& scene)
+    {
+        x = scene.bodies.x;
+        u = scene.bodies.u;
+        if (!std::exchange(stale, false)) return;
+        inverse_mass = scene.bodies.inverse_mass;
+        gravity = scene.gravity;
+        walls = scene.walls;
+        joints = scene.joints;
+        shapes = scene.shapes;
+    }
+
+    //! [watch]
+    /// What is there for all bodies is another than it was: gravity, a wall.
+    bool all_concerned(const RigidScene& scene) const
+    {
+        const auto same = [](const HalfSpace& a, const HalfSpace& b) {
+            return a.normal == b.normal && a.offset == b.offset;
+        };
+        const bool concerned =
+            scene.gravity != gravity ||
+            !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
+                        scene.walls.end(), same);
+        stale = stale || concerned || scene.bodies.x.size() != x.size();
+        return concerned;
+    }
+
+    /// Calls changed(k) for each body with another place, velocity, mass or shape,
+    /// and for those of each joint that is another. (New bodies are not compared.)
+    template <class Changed>
+    void compare(const RigidScene& scene, const Changed& concerns) const
+    {
+        const auto changed = [&](Index k) {
+            stale = true;
+            concerns(k);
+        };
+        const Bodies<3>& bodies = scene.bodies;
+        const Index K = std::min(bodies.count(), x.size() / 3);
+        for (Index k = 0; k < K; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            if (bodies.position(k) != x.segment<3>(3 * k) ||
+                bodies.velocity(k) != u.segment<3>(3 * k) ||
+                bodies.inverse_mass.segment<3>(3 * k) !=
+                    inverse_mass.segment<3>(3 * k) ||
+                scene.shapes[i].radius != shapes[i].radius ||
+                scene.shapes[i].vertices != shapes[i].vertices)
+                changed(k);
+        }
+        const std::size_t most = std::max(joints.size(), scene.joints.size());
+        for (std::size_t i = 0; i < most; ++i) {
+            const bool was = i < joints.size(), is = i < scene.joints.size();
+            if (was && is && joints[i] == scene.joints[i]) continue;
+            for (const PointJoint* const joint :
+                 {was ? &joints[i] : nullptr, is ? &scene.joints[i] : nullptr})
+                if (joint)
+                    for (const Index k : {joint->a, joint->b})
+                        if (k != world && k < bodies.count()) changed(k);
+        }
+    }
+    //! [watch]
+};
+
+}  // namespace rigid
