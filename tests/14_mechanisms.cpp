@@ -32,11 +32,12 @@ TEST_CASE("a four-bar linkage keeps its energy for ten seconds also through the 
         for (const Real angle : {0.0, 1.0}) {
             JointedScene scene = cranks_scene(cranks, angle, 8);
             JointRattle<AllBodies> method;
+            method.solver.joints.rank_tolerance = 1e-3;  // near the line of all bars
             const Real before = energy(scene);
             Real largest = 0;
             StepData<3> now;
-            for (int i = 0; i < 10 * 480; ++i) {
-                step(scene, {.h = 1.0 / 480}, method, now);
+            for (int i = 0; i < 10 * 2000; ++i) {
+                step(scene, {.h = 1.0 / 2000}, method, now);
                 largest = std::max(largest, std::abs(energy(scene) - before));
                 REQUIRE(scene.bodies.x.allFinite());
             }
@@ -147,6 +148,8 @@ TEST_CASE("dolls on stairs stay together and finite", "[idea]")
     cover(scene, {0.6, 0, 0, 0});
     JointTrees<Manifolds> method;
     method.contacts.contacts.contacts.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
+    method.contacts.contacts.contacts.fast.stop =
+        false;  // a body that is stopped on its way is torn off its joints
     const Real worst = run(scene, method, 1.0 / 60, 600, 2);
     CHECK(worst <= 0.01 * 0.22);  // 1 % of the shortest limb
     CHECK(scene.bodies.x.allFinite());

@@ -72,7 +72,7 @@ TEST_CASE("the same chain flies apart where the load is not stiff and the steps 
     Trees method;
     method.correction.stiff = false;
     CHECK(run(scene, method, 1.0 / 60, 120) > 1);
-    // h below 2/1090 s is stable without
+    // h below 2/1085 s is stable without
     scene = chain_scene({50, 0.1, 0.1, 1000, 0.3});
     CHECK(run(scene, method, 1.0 / 60, 120, 16) <= 1e-6);
 }

@@ -16,6 +16,8 @@ class JointFactor {
 public:
     TreeFactor tree;
     std::vector<int> loop_rows;
+    /// part of J M⁻¹ Jᵀ that a loop must leave of a row, or the row gets no impulse
+    Real rank_tolerance = 1e-11;
 
     //! [factor]
     void factor(const std::vector<Row<3>>& rows, const VecX& inverse_mass,
@@ -85,8 +87,6 @@ private:
             loop_rows[static_cast<std::size_t>(i)])];
     }
 
-    /// share that a loop must keep of its rows to count
-    static constexpr Real rank_tolerance = 1e-11;
     MatX border_;
     VecX scale_, mu_, u_, lambda_;
     PivotedLdlt inverse_;

@@ -31,7 +31,14 @@ struct TreeNode {
     int group = -1;   ///< the rows to the parent; −1 = a root that floats
 };
 
-struct JointTree {
+class JointTree {
+    template <class List>
+    static auto& at(List& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+
+public:
     std::vector<RowGroup> groups;
     std::vector<TreeNode> nodes;
     std::vector<int> node_of;  ///< of each body; −1 = it has no group
@@ -85,12 +92,6 @@ struct JointTree {
     //! [find]
 
 private:
-    template <class List>
-    static auto& at(List& list, int i)
-    {
-        return list[static_cast<std::size_t>(i)];
-    }
-
     void enter(int body, int parent, int group)
     {
         if (at(node_of, body) >= 0) return;

@@ -77,11 +77,14 @@ public:
         state_.h = settings.h;
         state_.energy_at_start = energy(state_.scene);
         if (!setup_.touches) setup_.filter.set_meets(0, 0, false);
-        for (CollisionFilter* filter :
-             {&methods_.trees.contacts.contacts.contacts.finder.filter,
-              &methods_.sweeps.contacts.contacts.contacts.finder.filter,
-              &methods_.rattle.contacts.contacts.contacts.finder.filter})
-            *filter = setup_.filter;
+        for (Manifolds* touching : {&methods_.trees.contacts.contacts.contacts,
+                                    &methods_.sweeps.contacts.contacts.contacts,
+                                    &methods_.rattle.contacts.contacts.contacts}) {
+            touching->finder.filter = setup_.filter;
+            // a body that is stopped on its way is torn off its joints
+            touching->fast.stop = false;
+        }
+        methods_.rattle.solver.joints.rank_tolerance = 1e-3;
         trace();
     }
 
