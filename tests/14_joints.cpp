@@ -159,8 +159,8 @@ TEST_CASE("a tree solved from the leaves to the root and back gives what the who
         // and what moved the bodies are these impulses
         VecX moved = scene.bodies.u;
         apply(rows, lambda, moved);
-        // to rounding of the impulses, which are large where rows nearly contradict each other
-        CHECK((moved - u).norm() <= 1e-9 * (1 + u.norm() + lambda.norm()));
+        // λ comes through K and u through G: rounding times the masses' ratio, 1000, and that of their inertias
+        CHECK((moved - u).norm() <= 1e-7 * (1 + u.norm() + lambda.norm()));
     }
     CHECK(compared >= 150);
 }

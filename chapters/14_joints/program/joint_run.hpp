@@ -84,7 +84,6 @@ public:
             // a body that is stopped on its way is torn off its joints
             touching->fast.stop = false;
         }
-        methods_.rattle.solver.joints.rank_tolerance = 1e-3;
         trace();
     }
 
