@@ -878,7 +878,7 @@ TEST_CASE("Schur finds what enumeration finds in random mixtures of joints and c
     }
 }
 
-TEST_CASE("an impulse outside of its bounds is no answer although its w is zero")
+TEST_CASE("an impulse outside of its bounds is no answer although its w is zero", "[house]")
 {
     for (const Real lambda : {-1.0, 2.0}) {
         const Mlcp mlcp = problem(MatX::Constant(1, 1, 1), VecX::Constant(1, -lambda), 0, 1);

@@ -99,11 +99,8 @@ void add_matrix_runs(Registry& registry, const SharedRun& run)
     if (run->exact)
         add_solver_run(registry, run, "9", "active_sets_warm", "unit=factorisation", run->dense,
                        new_active_sets);
-    // The one heap of 990 discs falls under chapter 9's steps, and takes minutes for it: once is enough to show that.
-    const bool one_heap = run->resting && run->steps < 300;
     if (run->exact)
-        for (const int substeps : {1, 4, 16})
-            if (substeps == 1 || !one_heap) add_exact_steps(registry, run, substeps);
+        for (const int substeps : {1, 4, 16}) add_exact_steps(registry, run, substeps);
 }
 
 }  // namespace rigid::results

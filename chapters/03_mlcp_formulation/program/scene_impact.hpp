@@ -136,7 +136,8 @@ private:
     void throw_again(Real h)
     {
         if (steps_ % throw_every_ != 0) return;
-        const Real turn = static_cast<Real>(steps_ / throw_every_) * 50 * pi / 180;
+        const auto throws = steps_ / throw_every_;
+        const Real turn = static_cast<Real>(throws) * 50 * pi / 180;
         const Vec2 first(-1, -2);
         scene_.bodies.x = start_;
         scene_.bodies.u = std::cos(turn) * first +

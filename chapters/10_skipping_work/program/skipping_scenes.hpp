@@ -92,7 +92,8 @@ inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 36)
     for (Index i = 0; i < count; ++i) {
         const Real x = between * (static_cast<Real>(i % in_line) -
                                   0.5 * static_cast<Real>(in_line - 1));
-        const Real y = 2.2 + between * static_cast<Real>(i / in_line);
+        const Index line = i / in_line;
+        const Real y = 2.2 + between * static_cast<Real>(line);
         const Real radius = random.uniform(0.05, 0.1),
                    aside = random.uniform(-0.015, 0.015);
         set_disc(scene, fixed + i, {x + aside, y}, radius);
