@@ -329,13 +329,14 @@ Real Fonts::paint(ImDrawList& list, const Vec2& baseline, const std::string& tex
 }
 
 void paint(ImDrawList& list, const Canvas& canvas, const Projection& projection, const Theme& theme,
-           const Fonts& fonts, Real line_scale)
+           const Fonts& fonts, Real line_scale, bool words)
 {
     const Rectangle& area = projection.area;
     list.PushClipRect(im(Vec2(area.x, area.y)), im(Vec2(area.x + area.width, area.y + area.height)), true);
     ListPainter painter(list, projection, theme, fonts, line_scale);
     for (const DrawItem& item : canvas.items())
-        if (is_paintable(item, projection)) painter.paint(item);
+        if ((words || item.kind != DrawItem::Kind::text) && is_paintable(item, projection))
+            painter.paint(item);
     list.PopClipRect();
 }
 

@@ -50,8 +50,9 @@ private:
 
 /// Paints a canvas into the projection's area; nothing goes beyond it.
 /// \param line_scale  how many units of the list a pixel of the canvas is (HiDPI)
+/// \param words       false: no text, where the picture is so small that lines would lie over each other
 void paint(ImDrawList& list, const Canvas& canvas, const Projection& projection, const Theme& theme,
-           const Fonts& fonts, Real line_scale = 1);
+           const Fonts& fonts, Real line_scale = 1, bool words = true);
 
 /// Paints a whole picture, as in a file of its own.
 void paint_picture(ImDrawList& list, const std::vector<Pane>& panes, const PictureLayout& layout,

@@ -286,6 +286,45 @@ TEST_CASE("contacts have their names again after sleep", "[idea]")
     CHECK(left.share_kept(world.now) == 1);
 }
 
+TEST_CASE("a heap that sleeps stays where it is when all are woken and may not sleep", "[house]")
+{
+    // Heaps of random shapes; between one rest and the next something in them is changed.
+    int rests = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        RigidScene smooth;
+        smooth.walls.push_back({{0, 1}, 0});
+        for (int i = 0; i < 15; ++i) {
+            const Real size = random.uniform(0.3, 1), other = random.uniform(0.3, 1);
+            const Real x = random.uniform(-4, 4), y = random.uniform(0.7, 6);
+            const Polygon shape = i % 3 == 0   ? disc(size / 2)
+                                  : i % 3 == 1 ? capsule(size / 2, 0.2)
+                                               : box(size, other);
+            add_body(smooth, shape, 1, {x, y}, random.uniform(-1, 1));
+        }
+        World world(rough(smooth, random.uniform(0.2, 1)));
+        for (Surface& surface : world.scene.surfaces) surface.rolling = 0.02;
+        for (Surface& surface : world.scene.wall_surfaces) surface.rolling = 0.02;
+        for (int change = 0; change < 3; ++change) {
+            world.run(300);
+            const Index k = random.index(15);
+            const Real by = random.uniform(0.2, 2);
+            if (world.all_asleep()) {
+                ++rests;
+                World woken = world;
+                woken.method.contacts.contacts.sleep = false;
+                woken.run(30);
+                CAPTURE(seed, change);
+                // half a second: what rest allows is v_rest in all of it
+                CHECK((woken.scene.bodies.x - world.scene.bodies.x).cwiseAbs().maxCoeff() <= 1e-3 * 0.5);
+            }
+            if (change == 0) world.scene.bodies.position(k)[1] += by;
+            if (change == 1) world.scene.bodies.inverse_mass.segment<3>(3 * k) *= by;
+        }
+    }
+    CHECK(rests > 20);
+}
+
 TEST_CASE("a disc that spins in its place never falls asleep", "[idea]")
 {
     RigidScene smooth;

@@ -90,11 +90,15 @@ private:
             present.correction = method.correction;
         const Real found_within = settings.margin * length_of(scene);
         moved_.clear();
-        if (scene.bodies.count() < static_cast<Index>(rests.size()) ||
-            watch.x.size() == 0 || watch.all_concerned(scene) ||
-            !same_rest(present, conditions) || found_within != margin)
+        if (watch.x.size() == 0 ||
+            scene.bodies.count() < static_cast<Index>(rests.size()))
             wake_all(scene.bodies);
-        else watch.compare(scene, [&](Index k) { was_changed(scene.bodies, k); });
+        else {
+            watch.compare(scene, [&](Index k) { was_changed(scene.bodies, k); });
+            if (watch.all_concerned(scene) || !same_rest(present, conditions) ||
+                found_within != margin)
+                for (Index k = 0; k < scene.bodies.count(); ++k) set.wake(k);
+        }
         while (static_cast<Index>(rests.size()) < scene.bodies.count())
             add(scene.bodies, static_cast<Index>(rests.size()));
         conditions = present;

@@ -265,7 +265,8 @@ private:
             const Projection& projection = projections_.emplace_back(panes[i].view, picture);
             // Letters keep their place among the shapes, as far as they stay readable.
             const Real grown = projection.scale / scale_ / design_scale(panes[i].view);
-            paint(list, panes[i].canvas, projection, theme, *fonts_, scale_ * std::clamp(grown, 0.72, 1.5));
+            paint(list, panes[i].canvas, projection, theme, *fonts_, scale_ * std::clamp(grown, 0.72, 1.5),
+                  grown > 0.45);
             header(list, theme, place, label, i, panes.size() > 1, tracks[i]);
             if (!tracks[i].can_go_on()) sentence(list, theme, picture, show_failure(tracks[i]));
             draw_pointer(list, theme, projection, i);
@@ -303,9 +304,19 @@ private:
             x += 16 * scale_;
         }
         const std::string time = "t = " + fixed(track.time, 2) + " s";
-        fonts_->paint(list, {place.x + place.width - 10 * scale_, baseline}, time, 12 * scale_,
-                      theme.colour(Colour::ink, 0.62), Align::right);
+        const auto width = [&](const std::string& text, Real size) {
+            const float points = static_cast<float>(size * scale_);
+            return static_cast<Real>(
+                fonts_->nearest(size * scale_)->CalcTextSizeA(points, FLT_MAX, 0, text.c_str()).x);
+        };
+        // in a narrow pane the name comes first: the panel says the time
+        const Real end = place.x + place.width - 10 * scale_;
+        if (x + width(track.method, 13) + 8 * scale_ + width(time, 12) <= end)
+            fonts_->paint(list, {end, baseline}, time, 12 * scale_, theme.colour(Colour::ink, 0.62),
+                          Align::right);
+        list.PushClipRect(corner(place), opposite(place), true);
         fonts_->paint(list, {x, baseline}, track.method, 13 * scale_, theme.colour(Colour::ink));
+        list.PopClipRect();
     }
 
     /// A sentence across the lower end of an area.

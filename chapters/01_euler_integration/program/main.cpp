@@ -202,10 +202,14 @@ public:
             canvas.text(centre + Vec2(0.52, 0.03), "u/ω", 12, {Colour::ink},
                         Align::right);
             canvas.disc(centre, start_.x.norm(), dashed);
+            // What explodes leaves its own picture, not through the others.
+            constexpr Real edge = 0.56;
             std::vector<Vec2> trail;
-            for (const Vec2& p : trails_[i]) trail.push_back(centre + p);
+            for (const Vec2& p : trails_[i])
+                if (p.norm() <= edge) trail.push_back(centre + p);
             canvas.polyline(trail, {colours[i], 1.3});
-            canvas.disc(centre + phase(s), 0.025, {colours[i], 1, 1, true});
+            if (phase(s).norm() <= edge)
+                canvas.disc(centre + phase(s), 0.025, {colours[i], 1, 1, true});
             const Real ratio = spring_.energy(s) / spring_.energy(start_);
             canvas.text({across, 1.36}, names[i], 15, {colours[i]}, Align::centre);
             canvas.text({across, -1.38}, "energy × " + significant(ratio, 3), 14,
