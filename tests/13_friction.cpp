@@ -116,7 +116,7 @@ TEST_CASE(
 TEST_CASE("exact friction and Lemke and sweeps give blocks and discs on slopes the same motion", "[idea]")
 {
     for (const Polygon& shape : {box(1, 1), disc(0.5), box(2, 1)})
-        for (const Real degrees : {10.0, 25.0, 40.0}) {
+        for (const Real degrees : {10.0, 25.0, 40.0, -40.0}) {
             const auto end = [&](auto method) {
                 RoughScene scene = on_a_slope(shape, 0.5, degrees, 0.3);
                 run(scene, method, 1.0 / 60, 20);
@@ -538,8 +538,7 @@ TEST_CASE("a warm start at rest needs no new factor and allocates nothing", "[ho
     CHECK(guesses <= 1000);
 }
 
-TEST_CASE("a pyramid of twenty layers at rest stands still at fewer than two factorisations a step",
-          "[house]")
+TEST_CASE("a pyramid of twenty layers at rest needs a factorisation a step or fewer", "[house]")
 {
     RoughScene scene;
     static_cast<RigidScene&>(scene) = box_pyramid(20);
@@ -547,15 +546,19 @@ TEST_CASE("a pyramid of twenty layers at rest stands still at fewer than two fac
     ExactFriction<Manifolds> method;
     StepData<3> now;
     const VecX start = scene.bodies.x;
-    int factorisations = 0, unsolved = 0;
-    for (int i = 0; i < 120; ++i) {
+    int factorisations = 0, most = 0, unsolved = 0;
+    for (int i = 0; i < 320; ++i) {
         step(scene, {}, method, now);
         unsolved += method.solver.unsolved;
-        if (i >= 20) factorisations += method.solver.find.memory.work.factorisations;
+        if (i < 20) continue;
+        const int here = method.solver.find.memory.work.factorisations;
+        most = std::max(most, here);
+        factorisations += here;
     }
     CHECK(unsolved == 0);
-    CHECK(factorisations < 200);  // in 100 steps; measured: 131
-    // It stands as it was built: no weight is lost in two seconds.
+    CHECK(most <= 1);
+    CHECK(factorisations <= 20);  // in 300 steps; measured: 5
+    // It stands as it was built: no weight is lost in five seconds.
     CHECK((scene.bodies.x - start).lpNorm<Eigen::Infinity>() <= 1e-6);
 }
 

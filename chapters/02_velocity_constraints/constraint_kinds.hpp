@@ -40,7 +40,9 @@ struct Constraint {
     /// a contact: its bodies may part faster than they need to (chapter 6)
     bool bounces = false;
     Real speed = 0;  ///< of a motor or friction: the wanted J u [m/s]
-    Real force = 0;  ///< of a motor: at most this, to either side [N]
+    /// of a motor: at most this, to either side; of a spring: the same, 0 = as much
+    /// as it takes [N]
+    Real force = 0;
     /// of friction: the number of the constraint whose λ bounds it
     int bounded_by = -1;
     Real friction = 0;   ///< of friction: μ, |λ| ≤ μ λ of that constraint

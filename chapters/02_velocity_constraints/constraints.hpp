@@ -118,6 +118,9 @@ Row<Dof> row_of(const Constraint<Dof>& constraint, const VecX& inverse_mass,
         break;
     case ConstraintKind::spring:
         row.softness = 1 / (h * (h * constraint.stiffness + constraint.damping));
+        if (!(constraint.force > 0)) break;
+        row.hi = h * constraint.force;
+        row.lo = -h * constraint.force;
         break;
     }
     return row;

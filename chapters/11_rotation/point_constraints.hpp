@@ -6,6 +6,8 @@
 ///     along      C = n·(p_b − p_a) − c         the same J with a given n
 ///     turning    n turns with a                J_a = (−n, −(r_a + p_b − p_a) × n)
 ///     angle      C = g_a θ_a + g_b θ_b − c     J = (0, 0, g_a), (0, 0, g_b)
+///     pulley     C = Σ g ‖p − q‖ − c           J = g (n, r × n),  n = (p − q)/‖p − q‖, of either body
+///     rack       C = g_a θ_a + g_b n·p_b − c   J = (0, 0, g_a), g_b (n, r_b × n)
 ///     corner     C = n·p − c − ρ ≥ 0           J = (n, r × n)
 ///     contact    C = gap + n·(p_b − p_a) ≥ 0   (−n, −r_a × n), (n, r_b × n),  p in one place where the gap was found
 ///
@@ -40,8 +42,16 @@ inline void require_valid(const PointJoint& joint, std::size_t number, Index bod
                "; they must be two, and only a may be the world (−1)");
     if (!joint.at_a.allFinite() || !joint.at_b.allFinite() ||
         !std::isfinite(joint.length) || !std::isfinite(joint.gear_a) ||
-        !std::isfinite(joint.gear_b) || !std::isfinite(joint.speed))
+        !std::isfinite(joint.gear_b) || !std::isfinite(joint.speed) ||
+        !joint.over_a.allFinite() || !joint.over_b.allFinite())
         refuse("has a point, a length, a gear or a speed that is not finite");
+    if (joint.kind == ConstraintKind::spring &&
+        !(joint.stiffness >= 0 && joint.damping >= 0 &&
+          std::isfinite(joint.stiffness) && std::isfinite(joint.damping) &&
+          joint.stiffness + joint.damping > 0))
+        refuse("is a spring of the stiffness " + shortest(joint.stiffness) +
+               " and the damping " + shortest(joint.damping) +
+               "; they must be finite, zero or positive, and not both zero");
     if (!(std::abs(joint.direction.norm() - 1) <= 1e-9))
         refuse("has a direction of the length " + shortest(joint.direction.norm()) +
                "; it must be 1");
@@ -59,7 +69,7 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
     using Measure = PointJoint::Measure;
     Constraint<3> c;
     c.a = joint.a, c.b = joint.b, c.kind = joint.kind, c.speed = joint.speed,
-    c.force = joint.force;
+    c.force = joint.force, c.stiffness = joint.stiffness, c.damping = joint.damping;
     const auto centre = [&x](Index k) {
         return k == world ? Vec2(0, 0) : Vec2(x.segment<2>(3 * k));
     };
@@ -68,6 +78,19 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
         c.C = joint.gear_a * angle(c.a) + joint.gear_b * angle(c.b) - joint.length;
         c.Ja = {0, 0, joint.gear_a};
         c.Jb = {0, 0, joint.gear_b};
+    } else if (joint.measure == Measure::pulley) {
+        const Vec2 pa = point_of(x, c.a, joint.at_a),
+                   pb = point_of(x, c.b, joint.at_b);
+        const Direction da(pa - joint.over_a), db(pb - joint.over_b);
+        c.C = joint.gear_a * da.length + joint.gear_b * db.length - joint.length;
+        c.Ja = joint.gear_a * point_row(pa - centre(c.a), da.n);
+        c.Jb = joint.gear_b * point_row(pb - centre(c.b), db.n);
+    } else if (joint.measure == Measure::rack) {
+        const Vec2 pb = point_of(x, c.b, joint.at_b);
+        c.C = joint.gear_a * angle(c.a) + joint.gear_b * joint.direction.dot(pb) -
+              joint.length;
+        c.Ja = {0, 0, joint.gear_a};
+        c.Jb = joint.gear_b * point_row(pb - centre(c.b), joint.direction);
     } else {
         const Vec2 pa = point_of(x, c.a, joint.at_a),
                    pb = point_of(x, c.b, joint.at_b), d = pb - pa;

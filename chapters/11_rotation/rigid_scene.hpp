@@ -23,6 +23,11 @@ struct PointJoint {
         /// the same, with n fixed in body a and turning with it: a slider on a body
         turning,
         angle,  ///< gear_a θ_a + gear_b θ_b: a weld, gears, a motor that turns
+        /// gear_a ‖p_a − q_a‖ + gear_b ‖p_b − q_b‖: a rope over two points of the
+        /// world
+        pulley,
+        /// gear_a θ_a + gear_b n·p_b, n fixed in the world: a rack on a pinion
+        rack,
     };
     Measure measure = Measure::distance;
     Index a = world, b = 0;
@@ -38,7 +43,12 @@ struct PointJoint {
     /// −1: C is what is left to the length, not what is beyond it
     Real sense = 1;
     ConstraintKind kind = ConstraintKind::bilateral;
-    Real speed = 0, force = 0;  ///< of a motor [m/s, N], or [rad/s, N m]
+    /// of a motor [m/s, N], or [rad/s, N m]; the force also of a spring, 0 = any
+    Real speed = 0, force = 0;
+    /// of a spring [N/m, N s/m], or [N m, N m s]
+    Real stiffness = 0, damping = 0;
+    Vec2 over_a = {0, 0}, over_b = {0, 0};  ///< q_a, q_b of a pulley, of the world
+    bool collides = false;  ///< what it joins may touch (chapter 12)
 };
 
 struct RigidScene {

@@ -1,5 +1,5 @@
 /// \file pair_finder.hpp
-/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint joins them, and the filter
+/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint keeps them apart, and the filter
 /// lets them meet.
 #pragma once
 
@@ -27,7 +27,7 @@ struct PairFinder {
     std::vector<char> moves;
     /// 1: the body looks for others; 0: it is only found
     std::vector<char> asks;
-    /// a · 2³² + b of each joint, as it comes, and ascending
+    /// a · 2³² + b of each joint whose bodies may not touch, as it comes, and ascending
     std::vector<std::uint64_t> joints, joined;
     std::vector<std::uint64_t> pairs;  ///< the answer, ascending
     BoxSweep sweep;
@@ -138,7 +138,7 @@ private:
         std::size_t count = 0;
         bool same = true;
         for (const PointJoint& joint : scene.joints) {
-            if (joint.a == world) continue;
+            if (joint.a == world || joint.collides) continue;
             const std::uint64_t key = pair_key(joint.a, joint.b);
             if (count == joints.size()) joints.push_back(~key);
             same = same && joints[count] == key;

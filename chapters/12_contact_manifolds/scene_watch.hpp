@@ -20,7 +20,9 @@ inline bool operator==(const PointJoint& a, const PointJoint& b)
     return a.measure == b.measure && a.a == b.a && a.b == b.b && a.at_a == b.at_a &&
            a.at_b == b.at_b && a.direction == b.direction && a.gear_a == b.gear_a &&
            a.gear_b == b.gear_b && a.length == b.length && a.sense == b.sense &&
-           a.kind == b.kind && a.speed == b.speed && a.force == b.force;
+           a.kind == b.kind && a.speed == b.speed && a.force == b.force &&
+           a.stiffness == b.stiffness && a.damping == b.damping &&
+           a.over_a == b.over_a && a.over_b == b.over_b && a.collides == b.collides;
 }
 
 struct SceneWatch {

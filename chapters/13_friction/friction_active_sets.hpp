@@ -115,10 +115,10 @@ inline void friction_active_sets(Mlcp& mlcp, std::span<const FrictionBox> boxes,
     guess.w.resize(n);
     guess.step.resize(n);
     set_up(mlcp, acceptance, problem.scale);
-    begin_guesses(problem, guess);
     set_share(problem, 0);
     memory.factor.factorisations = 0;
     memory.factor.analyse(mlcp.A, boxes);
+    begin_guesses(problem, guess, memory.factor.is_of_these_rows());
     bool settled = guess_friction(memory, settings, solution);
     for (int retreat = 0, sweeps = 10; !settled && retreat < settings.retreats;
          ++retreat, sweeps *= 3) {

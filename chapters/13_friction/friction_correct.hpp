@@ -3,7 +3,7 @@
 /// that lend it another beginning.
 #pragma once
 
-#include "chapters/13_friction/friction_guess.hpp"
+#include "chapters/13_friction/friction_cases.hpp"
 
 namespace rigid {
 
@@ -99,8 +99,7 @@ inline bool correct_friction(FrictionMemory& memory,
     FrictionGuess& guess = memory.guess;
     guess.base = guess.lambda;
     velocities(problem, guess);
-    for (std::size_t i = 0; i < guess.cases.size(); ++i)
-        guess.cases[i] = pointed_at(problem, guess, static_cast<Index>(i));
+    first_cases(problem, guess);
     std::size_t fewest = guess.cases.size() + 1;
     for (int chances = settings.patience; chances >= 0;) {
         ++memory.work.guesses;

@@ -21,6 +21,8 @@ struct FrictionGuess {
     VecX lambda, w, step;
     std::vector<int> box_of;  ///< of each row: the number of its box, −1 = ordinary
     std::vector<Index> wrong;
+    /// the cases are those of an answer for these very rows
+    bool of_last_answer = false;
 };
 
 /// The problem that the guesses see.
@@ -42,10 +44,13 @@ inline void set_share(FrictionProblem& problem, Real share)
     problem.scale.shift = std::max(share, factor_share) * problem.scale.diagonal;
 }
 
-inline void begin_guesses(FrictionProblem& problem, FrictionGuess& guess)
+/// \param same_rows  the cases are still about these rows
+inline void begin_guesses(FrictionProblem& problem, FrictionGuess& guess,
+                          bool same_rows)
 {
     const auto n = static_cast<std::size_t>(problem.mlcp->size());
-    guess.cases.assign(n, BoundState::at_lo);
+    guess.of_last_answer = same_rows && guess.cases.size() == n;
+    if (!guess.of_last_answer) guess.cases.assign(n, BoundState::at_lo);
     guess.active.assign(n, 0);
     guess.box_of.assign(n, -1);
     for (std::size_t k = 0; k < problem.boxes.size(); ++k)
@@ -143,6 +148,26 @@ inline void impose(const FrictionProblem& problem, FrictionGuess& guess)
     }
 }
 
+/// The residual of a row up to which it is right: what rounding and the tolerance explain [m/s].
+/// \param rounding  in the units of the rows
+inline Real allowed(const FrictionProblem& problem, Real rounding, Index i)
+{
+    const GuessedProblem& scale = problem.scale;
+    return std::max({rounding * scale.unit[i],
+                     std::min(scale.tolerance * scale.unit[i], scale.ceiling),
+                     scale.enough});
+}
+
+/// What rounding does to w of a λ, in the units of the rows.
+inline Real rounding_of(const FrictionProblem& problem, const FrictionGuess& guess)
+{
+    Real largest = 0;
+    for (Index i = 0; i < guess.lambda.size(); ++i)
+        largest =
+            std::max(largest, std::abs(guess.lambda[i]) * problem.scale.unit[i]);
+    return 8 * std::numeric_limits<Real>::epsilon() * largest;
+}
+
 //! [solve]
 /// (13.10): steps with the factor of B + ε D until the active rows have no velocity left that
 /// rounding does not explain. Where rows depend on each other, the λ that they start
@@ -157,18 +182,21 @@ inline Real solve_guess(const FrictionProblem& problem, FrictionLu& factor,
     Real last = infinity;
     for (int round = 0; round < 12; ++round) {
         Real left = 0, largest = 0;
+        bool right = true;
         for (Index i = 0; i < mlcp.size(); ++i) {
             const Real unit = problem.scale.unit[i];
             largest = std::max({largest, std::abs(guess.lambda[i]) * unit,
                                 std::abs(mlcp.q[i]) / unit});
             const bool active = guess.active[static_cast<std::size_t>(i)];
             guess.step[i] = active ? -guess.w[i] : 0;
-            if (active) left = std::max(left, std::abs(guess.w[i]) / unit);
+            if (!active) continue;
+            left = std::max(left, std::abs(guess.w[i]) / unit);
+            right = right && std::abs(guess.w[i]) <= allowed(problem, 0, i);
         }
         if (left <= 4 * std::numeric_limits<Real>::epsilon() * largest) return left;
         const bool old = factor.is_old();
         if (!(left < (old ? 0.1 : 0.9) * last)) {
-            if (!old) return left;
+            if (!old || right) return left;
             // the factor of the step before does not do: begin again
             factor.factor(guess.active, guess.tie, problem.scale.shift, true);
             guess.lambda = guess.base;
@@ -186,51 +214,5 @@ inline Real solve_guess(const FrictionProblem& problem, FrictionLu& factor,
     return last;
 }
 //! [solve]
-
-/// The rows whose natural residual is more than rounding and the tolerance explain, into guess.wrong.
-inline void find_wrong(FrictionProblem& problem, Real left, FrictionGuess& guess)
-{
-    Mlcp& mlcp = *problem.mlcp;
-    const GuessedProblem& scale = problem.scale;
-    bound_by(problem.boxes, guess.lambda, mlcp);
-    Real largest = 0;
-    for (Index i = 0; i < mlcp.size(); ++i)
-        largest = std::max(largest, std::abs(guess.lambda[i]) * scale.unit[i]);
-    const Real rounding =
-        std::max(10 * left, 8 * std::numeric_limits<Real>::epsilon() * largest);
-    guess.wrong.clear();
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        const Real tolerance =
-            std::max({rounding * scale.unit[i],
-                      std::min(scale.tolerance * scale.unit[i], scale.ceiling),
-                      scale.enough});
-        const Real residual = natural_residual_row(
-            scale.diagonal[i], guess.lambda[i], guess.w[i], mlcp.lo[i], mlcp.hi[i]);
-        if (!(residual <= tolerance)) guess.wrong.push_back(i);
-    }
-}
-
-//! [flip]
-/// Gives each wrong row the case that (13.9) points at. A friction row whose normal
-/// opens slides, to the side where it points: if the contact closes again, it does
-/// not come back to the guess that has just been wrong.
-inline void flip(const FrictionProblem& problem, FrictionGuess& guess)
-{
-    for (const Index i : guess.wrong)
-        if (guess.box_of[static_cast<std::size_t>(i)] < 0)
-            guess.cases[static_cast<std::size_t>(i)] =
-                pointed_at(problem, guess, i);
-    for (std::size_t k = 0; k < problem.boxes.size(); ++k) {
-        const FrictionBox& box = problem.boxes[k];
-        const auto normal = static_cast<std::size_t>(box.normal);
-        const bool opens =
-            guess.active[normal] && guess.cases[normal] != BoundState::between;
-        if (opens ||
-            std::binary_search(guess.wrong.begin(), guess.wrong.end(), box.row))
-            guess.cases[static_cast<std::size_t>(box.row)] =
-                pointed_at(problem, guess, box.row);
-    }
-}
-//! [flip]
 
 }  // namespace rigid

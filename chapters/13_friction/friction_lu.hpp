@@ -34,6 +34,8 @@ public:
     }
     /// Whether the factor is of an A of the same pattern, but of an earlier solve.
     bool is_old() const { return old_; }
+    /// Whether there is a factor, if an old one, of rows of this pattern.
+    bool is_of_these_rows() const { return factored_; }
 
     //! [factor]
     /// Factors the active rows. A pivot that is nothing gets its share of the

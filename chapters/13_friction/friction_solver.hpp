@@ -71,7 +71,8 @@ struct CoulombSolver {
         if (now.substep == 0 && !now.second_half) unsolved = 0;
         assemble(now.rows, now.u_star, scratch, mlcp);
         boxes_of(now.rows, boxes);
-        nothing_ = std::max(enough, rounded_speed(bodies.x, bodies.u, now.h));
+        // a gap of two corners comes out of a dozen operations on positions
+        nothing_ = std::max(enough, 16 * rounded_speed(bodies.x, bodies.u, now.h));
         find(mlcp, boxes, nothing_, now.solution);
         finish(bodies, now);
     }

@@ -6,3 +6,11 @@
 # Pictures of scenes.
 run --scene slope --steps 60 --svg "$out/ch13_slope.svg"
 run --scene rod --steps 1 --svg "$out/ch13_rod.svg"
+run --scene house --steps 60 --svg "$out/ch13_house.svg"
+run --scene arch --steps 60 --svg "$out/ch13_arch.svg"
+
+# The wave of a run of dominoes.
+for gap in 0.2 0.35 0.6; do
+    run --scene dominoes --set gap=$gap --steps 2400 --csv "$data/dominoes$gap"
+done
+plot ch13_dominoes

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/11_rotation/program/turning_run.hpp"
+#include "chapters/12_contact_manifolds/manifold_method.hpp"
 #include "chapters/13_friction/slopes.hpp"
 
 #include <functional>
@@ -49,8 +50,13 @@ struct FrictionSetup {
     std::function<void(Canvas&, const FrictionState&)> picture;
     /// what tunables change while it runs
     std::function<void(RoughScene&, const Settings&)> change;
+    /// sweeps of the very first step, which has no impulses to start from
+    int first_sweeps = 0;
 };
 
+/// \tparam Contacts  the contacts stage: of chapter 11, or of chapter 12 where bodies
+///                   touch each other
+template <class Contacts>
 class FrictionRun : public Run {
 public:
     FrictionRun(FrictionSetup setup, const Settings& settings)
@@ -76,7 +82,9 @@ public:
             rigid::step(scene, how, lemke_, state_.now);
         } else {
             sweeps_.correction.restitution = e;
-            sweeps_.solver.sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
+            sweeps_.solver.sweeps.max_sweeps =
+                std::max(static_cast<int>(settings["sweeps"]),
+                         state_.t > 0 ? 0 : setup_.first_sweeps);
             rigid::step(scene, how, sweeps_, state_.now);
         }
         require_finite_state(scene.bodies);
@@ -102,9 +110,9 @@ public:
 private:
     FrictionSetup setup_;
     FrictionState state_;
-    ExactFriction<AllBodies> exact_;
-    LemkeFriction<AllBodies> lemke_;
-    FrictionSweeps<AllBodies> sweeps_;
+    ExactFriction<Contacts> exact_;
+    LemkeFriction<Contacts> lemke_;
+    FrictionSweeps<Contacts> sweeps_;
 };
 
 /// A scene with the methods and the tunables that all of them have.
@@ -112,8 +120,20 @@ inline Demo
 friction_demo(const std::string& name, const std::string& summary, const View& view,
               const std::function<FrictionSetup(const Settings&)>& setup)
 {
-    return turning_demo<FrictionRun>(name, summary, view, 1.0 / 240,
-                                     {"exact", "sweeps", "lemke"}, setup);
+    return turning_demo<FrictionRun<AllBodies>>(
+        name, summary, view, 1.0 / 240, {"exact", "sweeps", "lemke"}, setup);
+}
+
+/// The same for bodies that touch each other; more of them than Lemke's tableau has room for.
+inline Demo
+touching_demo(const std::string& name, const std::string& summary, const View& view,
+              Real h, const std::function<FrictionSetup(const Settings&)>& setup)
+{
+    Demo scene = turning_demo<FrictionRun<Manifolds>>(name, summary, view, h,
+                                                      {"exact", "sweeps"}, setup);
+    for (Tunable& tunable : scene.tunables)
+        if (tunable.name == "sweeps") tunable.value = 30;
+    return scene;
 }
 
 }  // namespace rigid

@@ -1,0 +1,164 @@
+/// \file bar_linkages.hpp
+/// Mechanisms of bars: an engine, parallel cranks, and a leg that walks, with what is known of them in closed form.
+#pragma once
+
+#include "chapters/11_rotation/mechanisms.hpp"
+#include "chapters/14_joints/joint_rows.hpp"
+
+#include <array>
+
+namespace rigid {
+
+/// Adds a thin rod between two places.
+inline Index add_bar(JointedScene& scene, const Vec2& from, const Vec2& to,
+                     Real mass)
+{
+    const Vec2 d = to - from;
+    return add_body(scene, capsule(d.norm(), 0), thin_rod(d.norm(), mass),
+                    (from + to) / 2, std::atan2(d.y(), d.x()));
+}
+
+/// Pins two bodies together at a place of the world.
+inline std::size_t pin(JointedScene& scene, Index a, Index b, const Vec2& place)
+{
+    return add_joint(scene, joint_at(scene, JointKind::revolute, a, b, place));
+}
+
+//! [cranks]
+/// Cranks of 1 m, side by side on pivots 2 m apart, and a bar across their ends. With two it is the four-bar linkage that
+/// passes through a line twice a turn; with three a row and a half too many hold it at all times.
+/// \param angle  of the cranks [rad]; 0: all bars lie in line
+/// \param spin   of the cranks [rad/s]
+inline JointedScene cranks_scene(int cranks, Real angle, Real spin)
+{
+    if (cranks < 2)
+        throw std::invalid_argument("there are " + std::to_string(cranks) +
+                                    " cranks; a bar needs two or more");
+    JointedScene scene;
+    const Vec2 arm(std::cos(angle), std::sin(angle)), v = spin * perpendicular(arm);
+    const Real width = 2.0 * (cranks - 1);
+    const Index bar = add_bar(scene, arm, arm + Vec2(width, 0), 1);
+    scene.bodies.velocity(bar).head<2>() = v;
+    for (int i = 0; i < cranks; ++i) {
+        const Vec2 pivot(2.0 * i, 0);
+        const Index crank = add_bar(scene, pivot, pivot + arm, 1);
+        scene.bodies.velocity(crank) << v / 2, spin;
+        pin(scene, world, crank, pivot);
+        pin(scene, crank, bar, pivot + arm);
+    }
+    return scene;
+}
+//! [cranks]
+
+/// A crank, a rod and a piston in a cylinder along x; the crank is turned by a motor.
+/// \param speed   of the crank [rad/s]
+/// \param torque  of its motor, at most [N m]
+inline JointedScene engine_scene(Real speed, Real torque)
+{
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    const Index crank = add_bar(scene, {0, 0}, {0.2, 0}, 1),
+                rod = add_bar(scene, {0.2, 0}, {0.7, 0}, 1),
+                piston = add_body(scene, box(0.2, 0.18), 10, {0.7, 0});
+    RigidJoint axle = joint_at(scene, JointKind::revolute, world, crank, {0, 0});
+    axle.motor.speed = speed, axle.motor.force = torque;
+    add_joint(scene, axle);
+    pin(scene, crank, rod, {0.2, 0});
+    pin(scene, rod, piston, {0.7, 0});
+    RigidJoint cylinder =
+        joint_at(scene, JointKind::prismatic, world, piston, {0.7, 0});
+    add_joint(scene, cylinder);
+    // the velocities that go with the crank's
+    scene.bodies.velocity(crank) << 0, 0.1 * speed, speed;
+    scene.bodies.velocity(rod) << 0, 0.1 * speed, -0.4 * speed;
+    return scene;
+}
+
+//! [jansen]
+/// Where the points of Jansen's leg are for an angle of its crank: crank end, top, back, knee, heel, foot. \cite jansen2007
+struct JansenLeg {
+    static constexpr Real scale = 0.01;  ///< of his numbers [m]
+    Vec2 pivot{-38 * scale, -7.8 * scale};
+    std::array<Vec2, 6> p;
+
+    explicit JansenLeg(Real angle)
+    {
+        p[0] = 15 * scale * Vec2(std::cos(angle), std::sin(angle));
+        p[1] = meet(p[0], 50, pivot, 41.5);    // above
+        p[2] = meet(p[1], 55.8, pivot, 40.1);  // to the left
+        p[3] = meet(pivot, 39.3, p[0], 61.9);  // below
+        p[4] = meet(p[2], 39.4, p[3], 36.7);
+        p[5] = meet(p[4], 65.7, p[3], 49);
+    }
+
+    /// The point at the distance r from a and s from b that lies to the left of the way from b to a, or to the right
+    /// of that from a to b.
+    static Vec2 meet(const Vec2& a, Real r, const Vec2& b, Real s)
+    {
+        r *= scale, s *= scale;
+        const Vec2 d = b - a;
+        const Real l = d.norm(), along = (r * r - s * s + l * l) / (2 * l);
+        return a + along / l * d -
+               std::sqrt(r * r - along * along) / l * perpendicular(d);
+    }
+};
+//! [jansen]
+
+/// Adds a leg of seven bodies: 2 kg for a metre of bar, triangles as three bars. Returns the number of its crank; that of
+/// the triangle with the foot is six more.
+inline Index add_jansen_leg(JointedScene& scene, Real angle,
+                            const Drive& motor = {})
+{
+    const JansenLeg leg(angle);
+    const auto& p = leg.p;
+    const auto bar = [&](const Vec2& a, const Vec2& b) {
+        return add_bar(scene, a, b, 2 * (b - a).norm());
+    };
+    const auto triangle = [&](std::array<Vec2, 3> c) {
+        Mass mass;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Real m = 2 * (c[(i + 1) % 3] - c[i]).norm();
+            mass.mass += m;
+            mass.centroid += m * (c[i] + c[(i + 1) % 3]) / 2;
+        }
+        mass.centroid /= mass.mass;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec2 e = c[(i + 1) % 3] - c[i];
+            const Real l = e.norm();
+            mass.inertia +=
+                2 * l * (l * l / 12 + (c[i] + e / 2 - mass.centroid).squaredNorm());
+        }
+        const Vec2 along = (c[1] - c[0]).normalized();
+        if (cross2(c[1] - c[0], c[2] - c[0]) < 0) std::swap(c[1], c[2]);
+        Polygon shape;  // in its own axes
+        for (const Vec2& corner : c) {
+            const Vec2 r = corner - mass.centroid;
+            shape.vertices.push_back({along.dot(r), cross2(along, r)});
+        }
+        const Vec2 middle = mass.centroid;
+        mass.centroid = {0, 0};
+        return add_body(scene, shape, mass, middle,
+                        std::atan2(along.y(), along.x()));
+    };
+    const Index crank = bar({0, 0}, p[0]), j = bar(p[0], p[1]), k = bar(p[0], p[3]),
+                upper = triangle({leg.pivot, p[1], p[2]}), c = bar(leg.pivot, p[3]),
+                f = bar(p[2], p[4]), lower = triangle({p[3], p[4], p[5]});
+    RigidJoint axle = joint_at(scene, JointKind::revolute, world, crank, {0, 0});
+    axle.motor = motor;
+    add_joint(scene, axle);
+    pin(scene, crank, j, p[0]);
+    pin(scene, crank, k, p[0]);
+    pin(scene, world, upper, leg.pivot);
+    pin(scene, j, upper, p[1]);
+    pin(scene, world, c, leg.pivot);
+    pin(scene, k, c, p[3]);
+    pin(scene, c, lower, p[3]);
+    pin(scene, upper, f, p[2]);
+    pin(scene, f, lower, p[4]);
+    return crank;
+}
+
+/// x of the piston for the angle of the crank, (11.15) with these lengths: r cos θ + √(l² − r² sin² θ).
+inline Real piston_by_hand(Real theta) { return slider_by_hand(theta); }
+
+}  // namespace rigid

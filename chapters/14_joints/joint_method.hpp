@@ -1,0 +1,40 @@
+/// \file joint_method.hpp
+/// Methods of this chapter: the stages of Parts I and II, and the trees for a solver.
+#pragma once
+
+#include "chapters/12_contact_manifolds/manifold_method.hpp"
+#include "chapters/13_friction/friction_solver.hpp"
+#include "chapters/14_joints/geometric_stiffness.hpp"
+#include "chapters/14_joints/joint_stage.hpp"
+#include "chapters/14_joints/tree_solver.hpp"
+
+namespace rigid {
+
+//! [method]
+/// \tparam Contacts  AllBodies, or Manifolds where bodies touch each other
+template <class Contacts>
+struct JointSweeps {
+    WithJoints<WithFriction<Contacts>> contacts;
+    Correction correction;
+    WarmStart start;
+    ImpulseSolver<3> solver;
+};
+
+template <class Contacts>
+struct JointTrees {
+    WithJoints<WithFriction<Contacts>> contacts;
+    LoadedJoints correction;
+    WarmStart start = last_impulses();
+    TreeSolver solver;
+};
+
+template <class Contacts>
+struct JointRattle {
+    WithJoints<WithFriction<Contacts>> contacts;
+    Rattle correction;
+    WarmStart start = last_impulses();
+    TreeSolver solver;
+};
+//! [method]
+
+}  // namespace rigid

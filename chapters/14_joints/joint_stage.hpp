@@ -1,0 +1,112 @@
+/// \file joint_stage.hpp
+/// The contacts stage with joints: a limit has its row only when it is near, a joint that bore too much breaks, and what
+/// each bears can be read.
+#pragma once
+
+#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/14_joints/joint_rows.hpp"
+
+namespace rigid {
+
+/// What a joint does to its body b: a force at the point of its frame, and a torque besides.
+struct Reaction {
+    Vec2 force = {0, 0};  ///< [N]
+    Real torque = 0;      ///< [N m]
+};
+
+//! [reaction]
+/// (14.4): the impulses of a joint's rows, along their J, over the time they took.
+/// \param now  of the step that has just been taken
+inline Reaction reaction(const JointedScene& scene, const StepData<3>& now,
+                         std::size_t number)
+{
+    const PlacedJoint& placed = scene.placed.at(number);
+    Vec<3> impulse = Vec<3>::Zero();
+    for (std::size_t i = 0; i < now.sources.size(); ++i) {
+        const Source& source = now.sources[i];
+        if (source.of != Source::Of::joint || source.index < placed.first ||
+            source.index >= placed.first + placed.count)
+            continue;
+        impulse +=
+            now.rows[i].Jb.transpose() * now.solution.lambda[static_cast<Index>(i)];
+    }
+    const Vec2 arm = point_of(scene.bodies.x, placed.joint.b, placed.joint.at_b) -
+                     scene.bodies.position(placed.joint.b).head<2>();
+    const Vec2 P = impulse.head<2>();
+    return {P / now.h, (impulse[2] - cross2(arm, P)) / now.h};
+}
+//! [reaction]
+
+//! [with_joints]
+/// The contacts stage: whatever another one finds, but for limits that are far and
+/// joints that are broken.
+template <class Contacts>
+struct WithJoints {
+    Contacts contacts;
+    /// false: every limit has its rows at all times
+    bool skip_far_limits = true;
+    int limits_skipped = 0;  ///< rows, of the last step
+    int broken = 0;          ///< joints, in the last step
+
+    void require_valid() const
+    {
+        if constexpr (requires { contacts.require_valid(); })
+            contacts.require_valid();
+    }
+    template <class Method>
+    void begin(const JointedScene& scene, const StepSettings& settings,
+               Method& method, StepData<3>& now)
+    {
+        contacts.begin(scene, settings, method, now);
+        limits_skipped = 0;
+        std::erase_if(now.sources, [&](const Source& source) {
+            if (source.of != Source::Of::joint) return false;
+            const auto j = static_cast<std::size_t>(source.index);
+            const int owner = j < scene.owner.size() ? scene.owner[j] : -1;
+            if (owner >= 0 && scene.placed[static_cast<std::size_t>(owner)].broken)
+                return true;
+            const bool far = skip_far_limits && is_far(scene, j, settings, now);
+            limits_skipped += far;
+            return far;
+        });
+    }
+    template <class Method>
+    void end(JointedScene& scene, const StepSettings& settings, Method& method,
+             const StepData<3>& now)
+    {
+        contacts.end(scene, settings, method, now);
+        broken = 0;
+        for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+            PlacedJoint& placed = scene.placed[i];
+            const RigidJoint& joint = placed.joint;
+            if (placed.broken || (joint.breaking_force == infinity &&
+                                  joint.breaking_torque == infinity))
+                continue;
+            const Reaction bears = reaction(scene, now, i);
+            placed.broken = bears.force.norm() > joint.breaking_force ||
+                            std::abs(bears.torque) > joint.breaking_torque;
+            broken += placed.broken;
+        }
+    }
+
+    /// A one-sided row that this step cannot reach: not within the margin, nor
+    /// within twice the way that it would go at its present speed and with the
+    /// weight of a step.
+    static bool is_far(const RigidScene& scene, std::size_t j,
+                       const StepSettings& settings, const StepData<3>& now)
+    {
+        const PointJoint& joint = scene.joints[j];
+        if (joint.kind != ConstraintKind::unilateral) return false;
+        const Constraint<3> c = joint_constraint(scene.bodies.x, joint);
+        const Row<3> row = unilateral(c, scene.bodies.inverse_mass);
+        const bool turns = joint.measure == PointJoint::Measure::angle;
+        const Real margin = settings.margin * (turns ? 1 : now.length),
+                   fall =
+                       settings.h * scene.gravity.norm() / (turns ? now.length : 1);
+        return c.C > margin + 2 * settings.h *
+                                  (std::abs(row.velocity(scene.bodies.u)) + fall);
+    }
+};
+//! [with_joints]
+
+}  // namespace rigid

@@ -1,0 +1,165 @@
+/// \file joint_tree.hpp
+/// Which rows hold which two bodies together, and a tree of these pairs in which no body comes before its parent.
+///
+///     world ─ joint ─ body ─ joint ─ body …        every body but a root hangs on one joint; what is left closes loops
+///
+/// (14.6): bodies are nodes, joints edges; what cannot move is the world. Found breadth first, from the world, in the
+/// order of the rows: O(n), and only when the pairs have changed.
+#pragma once
+
+#include "chapters/02_velocity_constraints/constraints.hpp"
+#include "common/bodies.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rigid {
+
+/// Rows between the same two bodies, solved together.
+struct RowGroup {
+    /// at most so many; a pair with more of them has several groups
+    static constexpr int most = 4;
+    int a = -1, b = -1;  ///< bodies; −1 = one that cannot move, and a only
+    int count = 0;
+    std::array<int, most> rows{};
+};
+
+/// A body in the tree, in an order in which parents come first.
+struct TreeNode {
+    int body = 0;
+    int parent = -1;  ///< its number in the order; −1 = the world, or nothing
+    int group = -1;   ///< the rows to the parent; −1 = a root that floats
+};
+
+class JointTree {
+    template <class List>
+    static auto& at(List& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+
+public:
+    std::vector<RowGroup> groups;
+    std::vector<TreeNode> nodes;
+    std::vector<int> node_of;  ///< of each body; −1 = it has no group
+    std::vector<int> loops;    ///< groups that close loops
+    bool found_anew = false;   ///< by the last find()
+
+    /// Whether a row is one that the tree takes: it pushes and pulls as far as it has to.
+    template <int Dof>
+    static bool takes(const Row<Dof>& row)
+    {
+        return row.lo == -infinity && row.hi == infinity && row.bounded_by < 0;
+    }
+
+    //! [find]
+    /// \param left_out  1: a row that the tree is not to take; empty = none
+    template <int Dof>
+    void find(const std::vector<Row<Dof>>& rows, const VecX& inverse_mass,
+              const std::vector<char>& left_out)
+    {
+        const Index count = inverse_mass.size() / Dof;
+        found_anew = collect(rows, inverse_mass, left_out);
+        if (!found_anew) return;
+        // the groups of each body
+        begin_.assign(static_cast<std::size_t>(count) + 1, 0);
+        for (const RowGroup& group : groups)
+            for (const int k : {group.a, group.b})
+                if (k >= 0) ++at(begin_, k + 1);
+        for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+        met_.assign(static_cast<std::size_t>(begin_.back()), 0);
+        next_ = begin_;
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            for (const int k : {groups[g].a, groups[g].b})
+                if (k >= 0) at(met_, at(next_, k)++) = static_cast<int>(g);
+
+        nodes.clear();
+        loops.clear();
+        node_of.assign(static_cast<std::size_t>(count), -1);
+        used_.assign(groups.size(), 0);
+        for (std::size_t g = 0; g < groups.size(); ++g)  // what hangs on the world
+            if (groups[g].a < 0) enter(groups[g].b, -1, static_cast<int>(g));
+        walk(0);
+        // what floats: the first body of each is a root
+        for (const RowGroup& group : groups) {
+            const std::size_t from = nodes.size();
+            if (at(node_of, group.b) < 0) enter(group.b, -1, -1);
+            walk(from);
+        }
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (!used_[g]) loops.push_back(static_cast<int>(g));
+    }
+    //! [find]
+
+private:
+    void enter(int body, int parent, int group)
+    {
+        if (at(node_of, body) >= 0) return;
+        at(node_of, body) = static_cast<int>(nodes.size());
+        nodes.push_back({body, parent, group});
+        if (group >= 0) at(used_, group) = 1;
+    }
+
+    /// Breadth first from the nodes behind `from` on.
+    void walk(std::size_t from)
+    {
+        for (std::size_t n = from; n < nodes.size(); ++n) {
+            const int body = nodes[n].body;
+            for (int p = at(begin_, body); p < at(begin_, body + 1); ++p) {
+                const int g = at(met_, p);
+                if (at(used_, g) || at(groups, g).a < 0) continue;
+                const int other =
+                    at(groups, g).a == body ? at(groups, g).b : at(groups, g).a;
+                enter(other, static_cast<int>(n), g);
+            }
+        }
+    }
+
+    /// Sorts the rows into groups. Returns false if they are those of last time.
+    template <int Dof>
+    bool collect(const std::vector<Row<Dof>>& rows, const VecX& inverse_mass,
+                 const std::vector<char>& left_out)
+    {
+        const Index count = inverse_mass.size() / Dof;
+        const auto moves = [&](Index k) {
+            return k != world &&
+                   inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0;
+        };
+        groups.swap(before_);
+        groups.clear();
+        open_.assign(static_cast<std::size_t>(count), -1);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!takes(rows[i]) || (!left_out.empty() && left_out[i])) continue;
+            int a = moves(rows[i].a) ? static_cast<int>(rows[i].a) : -1,
+                b = moves(rows[i].b) ? static_cast<int>(rows[i].b) : -1;
+            if (b < 0) std::swap(a, b);
+            if (b < 0) continue;  // nothing that could move
+            // rows that follow each other, or the last group of body b
+            int g = at(open_, b);
+            if (g < 0 || at(groups, g).a != a || at(groups, g).b != b ||
+                at(groups, g).count == RowGroup::most) {
+                g = static_cast<int>(groups.size());
+                groups.push_back({a, b, 0, {}});
+                at(open_, b) = g;
+            }
+            RowGroup& group = at(groups, g);
+            group.rows[static_cast<std::size_t>(group.count++)] =
+                static_cast<int>(i);
+        }
+        const auto same = [](const RowGroup& x, const RowGroup& y) {
+            return x.a == y.a && x.b == y.b;
+        };
+        const bool known =
+            bodies_ == count && std::equal(groups.begin(), groups.end(),
+                                           before_.begin(), before_.end(), same);
+        bodies_ = count;
+        return !known;
+    }
+
+    std::vector<RowGroup> before_;
+    std::vector<int> begin_, next_, met_, open_;
+    std::vector<char> used_;
+    Index bodies_ = -1;
+};
+
+}  // namespace rigid

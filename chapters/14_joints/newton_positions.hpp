@@ -1,0 +1,129 @@
+/// \file newton_positions.hpp
+/// The correction stage by Newton's method on C: a few solves of the same factor move the bodies onto their joints.
+///
+///     x ← x + v h,   J v = −C(x)/h     again and again, with C where the bodies are now; J of the step's start,
+///                              or of now where that is no longer good enough
+///
+/// (14.17). No velocity is touched. Contacts give back the part β of an overlap beyond the slop, joints the whole.
+#pragma once
+
+#include "chapters/06_sequential_impulse/restitution.hpp"
+#include "chapters/07_baumgarte/stabilization.hpp"
+
+namespace rigid {
+
+struct NewtonSettings {
+    int most = 8;  ///< iterations a sub-step
+    /// they end when no joint is off by more than this [ℓ]
+    Real tolerance = 1e-9;
+    Real beta = 0.2;   ///< part of an overlap that a sub-step takes back
+    Real slop = 5e-3;  ///< an overlap of up to this much is left alone [ℓ]
+    int sweeps = 10;   ///< of solvers that sweep, in an iteration
+};
+
+struct NewtonPositions : NewtonSettings, Restitution {
+    // Of the last step.
+    int iterations = 0;
+    Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
+
+    SecondProblem second;
+    VecX v;            ///< pseudo-velocities [m/s]
+    int renewals = 0;  ///< of J, in the last sub-step
+
+    void require_valid() const
+    {
+        rigid::require_valid(static_cast<const Restitution&>(*this));
+        if (most < 0 || sweeps < 0)
+            throw std::invalid_argument(
+                "Newton's method has " + std::to_string(most) + " iterations of " +
+                std::to_string(sweeps) + " sweeps; both must be zero or positive");
+        if (!(tolerance >= 0) || !(slop >= 0) || !(beta >= 0 && beta <= 1))
+            throw std::invalid_argument(
+                "Newton's method has the tolerance " + shortest(tolerance) +
+                ", the slop " + shortest(slop) + " and beta " + shortest(beta) +
+                "; they must be zero or positive, and beta at most 1");
+    }
+
+    template <class Scene>
+    void rows(const Scene& scene, const StepSettings& settings,
+              StepData<3>& now) const
+    {
+        const Real h = settings.part();
+        write_rows(scene.bodies, h, now, [h](const auto& c) {
+            if (!has_error(c.kind)) return own_bias(c, h);
+            return c.kind == ConstraintKind::unilateral && c.C > 0 ? c.C / h : 0;
+        });
+        add_bounces(scene, *this, settings, now);
+    }
+
+    //! [newton]
+    template <class Scene, class Solver>
+    void move(Scene& scene, const StepSettings& settings, Solver& solver,
+              StepData<3>& now)
+    {
+        constexpr int Dof = 3;
+        auto& bodies = scene.bodies;
+        const Real h = settings.part();
+        advance_positions(bodies, h, now);
+        const std::size_t m = now.rows.size();
+        second.bias.assign(m, 0);
+        second.left_out.assign(m, 0);
+        second.max_sweeps = sweeps;
+        second.tolerance = tolerance * now.length / h / 10;
+        if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
+        renewals = 0;
+        for (iterations = 0;; ++iterations) {
+            const Real before = left;
+            left = 0;
+            bool wanted = false;
+            now.constraints.resize(m);
+            for (std::size_t i = 0; i < m; ++i) {
+                const auto c = now.constraints[i] =
+                    constraint_at(scene, now, i, bodies.x);
+                second.left_out[i] = !has_error(c.kind);
+                if (second.left_out[i]) continue;
+                if (c.kind == ConstraintKind::bilateral) {
+                    second.bias[i] = c.C / h;
+                    left = std::max(left, std::abs(c.C));
+                } else {
+                    // what lies too deep comes out once, by the part β
+                    const Real over = std::min(Real{0}, c.C + slop * now.length);
+                    second.bias[i] = std::max(Real{0}, c.C) / h;
+                    if (over < 0 && iterations == 0) {
+                        second.bias[i] = beta * over / h;
+                        wanted = true;
+                    }
+                }
+            }
+            if (iterations >= most || (left <= tolerance * now.length && !wanted))
+                break;
+            // the old J is good enough while it takes nine tenths of the error
+            if (iterations > 0 && left > before / 10) renew(solver, bodies, now);
+            solver.solve_apart(second, v, now);
+            for (const int k : now.active)
+                bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
+        }
+        if (renewals > 0) now.rows.swap(rows_);  // those that λ belongs to
+    }
+    //! [newton]
+
+private:
+    /// J where the bodies are now, for solvers that have a factor of it.
+    template <class Solver>
+    void renew(Solver& solver, const Bodies<3>& bodies, StepData<3>& now)
+    {
+        if constexpr (requires { solver.factor_again(bodies, now); }) {
+            if (renewals++ == 0) rows_ = now.rows;
+            for (std::size_t i = 0; i < now.rows.size(); ++i) {
+                const Row<3> row =
+                    bilateral(now.constraints[i], bodies.inverse_mass);
+                now.rows[i].Ja = row.Ja, now.rows[i].Jb = row.Jb;
+                now.rows[i].Wa = row.Wa, now.rows[i].Wb = row.Wb;
+            }
+            solver.factor_again(bodies, now);
+        }
+    }
+    std::vector<Row<3>> rows_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,166 @@
+/// \file joint_run.hpp
+/// One scene with joints, under one of this chapter's methods.
+#pragma once
+
+#include "chapters/11_rotation/program/turning_run.hpp"
+#include "chapters/14_joints/joint_method.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+/// What a scene's measures and pictures are made of.
+struct JointState {
+    JointedScene scene;
+    StepData<3> now;
+    Real t = 0, h = 0;
+    Real energy_at_start = 0;
+    TreeWork work;  ///< of the trees, so far
+
+    /// What the solver left in the last step; 0 before the first [m/s].
+    Real residual() const
+    {
+        return std::isfinite(now.solution.residual) ? now.solution.residual : 0;
+    }
+};
+
+struct JointSetup {
+    JointedScene scene;
+    CollisionFilter filter;  ///< of the shapes that touch
+    bool touches = false;    ///< false: no body touches another
+    std::function<std::vector<Real>(const JointState&)> measure;
+    /// besides bodies, joints and walls
+    std::function<void(Canvas&, const JointState&)> picture;
+    /// what tunables change while it runs
+    std::function<void(JointedScene&, const Settings&)> change;
+    /// a body whose point leaves a trail
+    Index traced = world;
+    Vec2 traced_point = {0, 0};
+};
+
+struct JointMethods {
+    JointTrees<Manifolds> trees;
+    JointSweeps<Manifolds> sweeps;
+    JointRattle<Manifolds> rattle;
+
+    void step(JointState& state, const StepSettings& how, const Settings& settings)
+    {
+        const int count = static_cast<int>(settings["sweeps"]);
+        if (settings.tunables.contains("restitution"))
+            trees.correction.restitution = sweeps.correction.restitution =
+                rattle.correction.restitution = settings["restitution"];
+        if (settings.method == "rattle") {
+            rattle.solver.sweeps = count;
+            rigid::step(state.scene, how, rattle, state.now);
+            state.work = rattle.solver.joints.tree.work;
+        } else if (settings.method == "sweeps") {
+            sweeps.correction.method = Stabilizer::projection;
+            sweeps.solver.sweeps.max_sweeps = count;
+            rigid::step(state.scene, how, sweeps, state.now);
+        } else {
+            trees.correction.stiff = settings["stiff"] > 0;
+            trees.solver.sweeps = count;
+            rigid::step(state.scene, how, trees, state.now);
+            state.work = trees.solver.joints.tree.work;
+        }
+    }
+};
+
+class JointRun : public Run {
+public:
+    JointRun(JointSetup setup, const Settings& settings) : setup_(std::move(setup))
+    {
+        state_.scene = setup_.scene;
+        state_.h = settings.h;
+        state_.energy_at_start = energy(state_.scene);
+        if (!setup_.touches) setup_.filter.set_meets(0, 0, false);
+        for (Manifolds* touching : {&methods_.trees.contacts.contacts.contacts,
+                                    &methods_.sweeps.contacts.contacts.contacts,
+                                    &methods_.rattle.contacts.contacts.contacts}) {
+            touching->finder.filter = setup_.filter;
+            // a body that is stopped on its way is torn off its joints
+            touching->fast.stop = false;
+        }
+        trace();
+    }
+
+    void step(const Settings& settings, const Input& input) override
+    {
+        JointedScene& scene = state_.scene;
+        if (setup_.change) setup_.change(scene, settings);
+        const StepSettings how = step_settings(settings, input, scene.bodies);
+        methods_.step(state_, how, settings);
+        require_finite_state(scene.bodies);
+        state_.t += settings.h;
+        state_.h = settings.h;
+        trace();
+    }
+
+    std::vector<Real> measure() const override { return setup_.measure(state_); }
+
+    void draw(Canvas& canvas) const override
+    {
+        const JointedScene& scene = state_.scene;
+        for (const HalfSpace& wall : scene.walls) {
+            const Vec2 middle = wall.normal * wall.offset,
+                       along = 60 * perpendicular(wall.normal);
+            canvas.segment(middle - along, middle + along, paint::wall);
+        }
+        canvas.polyline(trail_, {Colour::purple, 1.2, 0.9, false, false});
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            paint_rigid_body(canvas, scene, k);
+        for (const PlacedJoint& placed : scene.placed) paint_joint(canvas, placed);
+        if (setup_.picture) setup_.picture(canvas, state_);
+    }
+
+private:
+    void paint_joint(Canvas& canvas, const PlacedJoint& placed) const
+    {
+        const RigidJoint& joint = placed.joint;
+        const VecX& x = state_.scene.bodies.x;
+        if (placed.broken || joint.kind == JointKind::gear) return;
+        const Vec2 a = point_of(x, joint.a, joint.at_a),
+                   b = point_of(x, joint.b, joint.at_b);
+        const Style line{Colour::purple, 2, 1, false, false};
+        if (joint.kind == JointKind::pulley) {
+            canvas.segment(a, joint.over_a, line);
+            canvas.segment(joint.over_a, joint.over_b, line);
+            canvas.segment(joint.over_b, b, line);
+        } else if (joint.kind == JointKind::distance ||
+                   joint.kind == JointKind::rope || joint.kind == JointKind::mouse)
+            canvas.segment(a, b, line);
+        canvas.disc(b, 0.02, {Colour::orange, 1, 1, true, false});
+    }
+
+    void trace()
+    {
+        if (setup_.traced == world) return;
+        trail_.push_back(
+            point_of(state_.scene.bodies.x, setup_.traced, setup_.traced_point));
+        if (trail_.size() > 3000)
+            trail_.erase(trail_.begin(), trail_.begin() + 1000);
+    }
+
+    JointSetup setup_;
+    JointState state_;
+    std::vector<Vec2> trail_;
+    JointMethods methods_;
+};
+
+/// A scene with the methods and the tunables that all of them have.
+inline Demo joint_demo(const std::string& name, const std::string& summary,
+                       const View& view, Real h,
+                       const std::function<JointSetup(const Settings&)>& setup)
+{
+    Demo scene = turning_demo<JointRun>(name, summary, view, h,
+                                        {"trees", "sweeps", "rattle"}, setup);
+    scene.tunables.push_back({"stiff", "",
+                              "1: loaded joints are stiff at the end of the step",
+                              1, 0, 1, true, false, false});
+    return scene;
+}
+
+}  // namespace rigid

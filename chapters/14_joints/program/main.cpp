@@ -1,0 +1,18 @@
+// Chapter 14. Joints: the program.
+#include "chapters/14_joints/program/scene_dolls.hpp"
+#include "chapters/14_joints/program/scene_machines.hpp"
+
+int main(int argc, char** argv)
+{
+    using namespace rigid;
+    const auto make = [] {
+        Program program;
+        program.name = "14_joints";
+        program.title = "Chapter 14. Joints";
+        program.scenes = {chain_demo(),  bridge_demo(), dolls_demo(),
+                          crane_demo(),  engine_demo(), leg_demo(),
+                          cradle_demo(), car_demo(),    trebuchet_demo()};
+        return program;
+    };
+    return run_program(make, argc, argv);
+}

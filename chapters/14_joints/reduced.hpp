@@ -1,0 +1,230 @@
+/// \file reduced.hpp
+/// The second way to the same answer: no rows at all, but coordinates that can't break a joint.
+///
+///     u_i = X_i u_p + s_i q̇_i            a body moves with its parent, and by its own joint
+///     up      A_i = M_i + Σ X_cᵀ (A_c − A_c s sᵀ A_c / sᵀ A_c s) X_c        the articulated inertia
+///     down    q̇ = sᵀ (p − A X u_p) / sᵀ A s
+///
+/// (14.20) to (14.22), Featherstone's algorithm in the plane, O(n). Takes trees from the world whose joints are revolute,
+/// prismatic, or weld; no loops, no floating bodies, no contacts. \cite featherstone2008
+#pragma once
+
+#include "chapters/14_joints/joint_rows.hpp"
+
+namespace rigid {
+
+class ReducedTree {
+public:
+    /// Finds the tree of a scene's joints.
+    /// Throws std::invalid_argument, naming the joint or body, for what coordinates of this kind cannot say.
+    explicit ReducedTree(const JointedScene& scene)
+    {
+        const Index count = scene.bodies.count();
+        std::vector<int> hangs_on(static_cast<std::size_t>(count), -1);
+        for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+            const RigidJoint& joint = scene.placed[i].joint;
+            const std::string name = "joint " + std::to_string(i);
+            if (joint.kind != JointKind::revolute &&
+                joint.kind != JointKind::prismatic && joint.kind != JointKind::weld)
+                throw std::invalid_argument(
+                    name + " is a " + std::string(to_string(joint.kind)) +
+                    " joint; coordinates of joints take revolute, prismatic, weld");
+            int& joint_of_b = hangs_on[static_cast<std::size_t>(joint.b)];
+            if (joint_of_b >= 0)
+                throw std::invalid_argument(
+                    name + " is the second on which body " +
+                    std::to_string(joint.b) +
+                    " hangs: a loop, which coordinates of joints cannot close");
+            joint_of_b = static_cast<int>(i);
+        }
+        std::vector<int> entered(static_cast<std::size_t>(count), -1);
+        for (Index k = 0; k < count; ++k)
+            if (scene.bodies.can_move(k) &&
+                hangs_on[static_cast<std::size_t>(k)] < 0)
+                throw std::invalid_argument("body " + std::to_string(k) +
+                                            " hangs on no joint; coordinates of "
+                                            "joints start from the world");
+        for (bool more = true; more;) {  // parents first; a round for each level
+            more = false;
+            for (Index k = 0; k < count; ++k) {
+                const int j = hangs_on[static_cast<std::size_t>(k)];
+                if (j < 0 || entered[static_cast<std::size_t>(k)] >= 0) continue;
+                const RigidJoint& joint =
+                    scene.placed[static_cast<std::size_t>(j)].joint;
+                const bool on_world = !scene.bodies.can_move(joint.a);
+                const int parent =
+                    on_world ? -1 : entered[static_cast<std::size_t>(joint.a)];
+                if (!on_world && parent < 0) continue;
+                entered[static_cast<std::size_t>(k)] =
+                    static_cast<int>(links_.size());
+                links_.emplace_back();
+                links_.back().joint = joint;
+                links_.back().body = k;
+                links_.back().parent = parent;
+                more = true;
+            }
+        }
+    }
+
+    std::size_t size() const { return links_.size(); }
+
+    /// q of the bodies as they are.
+    VecX coordinates(const VecX& x) const
+    {
+        VecX q = VecX::Zero(static_cast<Index>(size()));
+        for (std::size_t i = 0; i < size(); ++i)
+            if (links_[i].joint.kind != JointKind::weld)
+                q[static_cast<Index>(i)] = coordinate(x, links_[i].joint);
+        return q;
+    }
+
+    //! [place]
+    /// Positions of the bodies whose coordinates are q: no joint can be off.
+    void place(const VecX& q, VecX& x) const
+    {
+        for (std::size_t i = 0; i < size(); ++i) {
+            const RigidJoint& joint = links_[i].joint;
+            const Real along = q[static_cast<Index>(i)];
+            const Index b = joint.b;
+            const Real before = joint.a == world ? 0 : x[3 * joint.a + 2];
+            Vec2 p = point_of(x, joint.a, joint.at_a);
+            x[3 * b + 2] = before + joint.angle;
+            if (joint.kind == JointKind::revolute) x[3 * b + 2] += along;
+            if (joint.kind == JointKind::prismatic) p += along * axis(joint, x);
+            x.segment<2>(3 * b).setZero();
+            x.segment<2>(3 * b) = p - point_of(x, b, joint.at_b);
+        }
+    }
+
+    /// Velocities of the bodies whose coordinates change at the rates dq, (14.20).
+    void move(const VecX& dq, const VecX& x, VecX& u)
+    {
+        find_motions(x);
+        for (std::size_t i = 0; i < size(); ++i)
+            u.segment<3>(3 * links_[i].body) =
+                carried(i, x, u) + links_[i].s * dq[static_cast<Index>(i)];
+    }
+    //! [place]
+
+    //! [recursion]
+    /// The rates y of the coordinates for which the motion of the bodies is nearest
+    /// to a wanted one, in the sense of M: with velocities u* that is a step's
+    /// answer, with f/m and the velocity products c it is the accelerations.
+    /// \param wanted  of all bodies
+    /// \param c       what the motion has besides X and s; zero for velocities
+    /// \param motion  of all bodies: the answer
+    VecX nearest(const VecX& x, const VecX& inverse_mass, const VecX& wanted,
+                 const VecX& c, VecX& motion)
+    {
+        find_motions(x);
+        for (Link& link : links_) {
+            const Vec<3> m = inverse_mass.segment<3>(3 * link.body).cwiseInverse();
+            link.A = m.asDiagonal();
+            link.p = m.cwiseProduct(wanted.segment<3>(3 * link.body));
+        }
+        for (std::size_t i = size(); i-- > 0;) {  // (14.22)
+            Link& link = links_[i];
+            link.p -= link.A * c.segment<3>(3 * link.body);
+            link.As = link.A * link.s;
+            const Real inertia = link.s.dot(link.As);
+            link.per_inertia = inertia > 0 ? 1 / inertia : 0;
+            if (link.parent < 0) continue;
+            Link& parent = links_[static_cast<std::size_t>(link.parent)];
+            const Mat3 X = shift(i, x);
+            parent.A +=
+                X.transpose() *
+                (link.A - link.per_inertia * link.As * link.As.transpose()) * X;
+            parent.p += X.transpose() *
+                        (link.p - link.per_inertia * link.s.dot(link.p) * link.As);
+        }
+        VecX y(static_cast<Index>(size()));
+        for (std::size_t i = 0; i < size(); ++i) {  // (14.21)
+            Link& link = links_[i];
+            const Vec<3> with_parent = carried(i, x, motion);
+            y[static_cast<Index>(i)] =
+                link.per_inertia * (link.s.dot(link.p) - link.As.dot(with_parent));
+            motion.segment<3>(3 * link.body) = with_parent +
+                                               c.segment<3>(3 * link.body) +
+                                               link.s * y[static_cast<Index>(i)];
+        }
+        return y;
+    }
+    //! [recursion]
+
+    //! [products]
+    /// (14.23): the part of the accelerations that velocities alone make.
+    void velocity_products(const VecX& x, const VecX& dq, const VecX& u, VecX& c)
+    {
+        find_motions(x);
+        c.setZero(u.size());
+        for (std::size_t i = 0; i < size(); ++i) {
+            const Link& link = links_[i];
+            const Index b = link.body, a = parent_body(i);
+            const Real rate = dq[static_cast<Index>(i)],
+                       turns = a == world ? 0 : u[3 * a + 2];
+            Vec2 relative = u.segment<2>(3 * b);
+            if (a != world) relative -= u.segment<2>(3 * a);
+            Vec2 sum = turns * perpendicular(relative);
+            const Vec2 s = link.s.head<2>();
+            sum += rate * perpendicular(s) *
+                   (link.joint.kind == JointKind::revolute ? u[3 * b + 2] : turns);
+            c.segment<2>(3 * b) = sum;
+        }
+    }
+    //! [products]
+
+private:
+    using Mat3 = Eigen::Matrix<Real, 3, 3>;
+    struct Link {
+        RigidJoint joint;
+        Index body = 0;
+        int parent = -1;
+        Vec<3> s = Vec<3>::Zero(), p = s, As = s;
+        Mat3 A = Mat3::Zero();
+        Real per_inertia = 0;
+    };
+
+    static Vec2 axis(const RigidJoint& joint, const VecX& x)
+    {
+        if (joint.a == world) return joint.axis;
+        return point_of(x, joint.a, joint.axis) - x.segment<2>(3 * joint.a);
+    }
+    Index parent_body(std::size_t i) const
+    {
+        const int parent = links_[i].parent;
+        return parent < 0 ? world : links_[static_cast<std::size_t>(parent)].body;
+    }
+
+    /// s of each link: how its body moves when its own coordinate does.
+    void find_motions(const VecX& x)
+    {
+        for (Link& link : links_) {
+            link.s.setZero();
+            if (link.joint.kind == JointKind::prismatic)
+                link.s.head<2>() = axis(link.joint, x);
+            if (link.joint.kind != JointKind::revolute) continue;
+            const Vec2 arm = x.segment<2>(3 * link.body) -
+                             point_of(x, link.body, link.joint.at_b);
+            link.s << perpendicular(arm), 1;
+        }
+    }
+
+    /// X: the motion of the parent, at this body's centroid.
+    Mat3 shift(std::size_t i, const VecX& x) const
+    {
+        const Vec2 d =
+            x.segment<2>(3 * links_[i].body) - x.segment<2>(3 * parent_body(i));
+        Mat3 X = Mat3::Identity();
+        X.block<2, 1>(0, 2) = perpendicular(d);
+        return X;
+    }
+    Vec<3> carried(std::size_t i, const VecX& x, const VecX& u) const
+    {
+        if (links_[i].parent < 0) return Vec<3>::Zero();
+        return shift(i, x) * u.segment<3>(3 * parent_body(i));
+    }
+
+    std::vector<Link> links_;
+};
+
+}  // namespace rigid

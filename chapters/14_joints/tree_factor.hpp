@@ -1,0 +1,130 @@
+/// \file tree_factor.hpp
+/// The rows of a tree of joints solved together, from the leaves to the root and back: block LDLᵀ in O(n).
+///
+///     up      K = J G Jᵀ + Γ,   S_parent += J_pᵀ K⁻¹ J_p,   G = D (1 + D S D)⁻¹ D,  D = M^(−½)
+///     down    λ = −K⁻¹ (J_p u_p + J û + b),                 u = û + G Jᵀ λ
+///
+/// (14.7) to (14.10). G is the inverse mass of a body with all that hangs below it, K what one unit of λ does to the
+/// joint. Every matrix that is inverted is symmetric and positive: nothing cancels, whatever the masses. A body without
+/// inverse mass in some direction has a zero in D. \cite baraff1996 \cite featherstone2008
+#pragma once
+
+#include "chapters/14_joints/joint_block.hpp"
+
+#include <cstdint>
+#include <type_traits>
+
+namespace rigid {
+
+/// What counts of its work.
+struct TreeWork {
+    std::int64_t orders = 0;         ///< trees that were found
+    std::int64_t factored_rows = 0;  ///< rows of joints that were factored
+    std::int64_t solved_rows = 0;    ///< rows of joints that were solved
+};
+
+class TreeFactor {
+public:
+    JointTree tree;
+    TreeWork work;
+    int dependent = 0;  ///< rows that say nothing new, of the last factor()
+
+    //! [factor]
+    /// Finds the tree of the rows, where it has changed, and factors it.
+    /// \param left_out  1: a row that is not to be looked at; empty = none
+    void factor(const std::vector<Row<3>>& rows, const VecX& inverse_mass,
+                const std::vector<char>& left_out = {})
+    {
+        tree.find(rows, inverse_mass, left_out);
+        work.orders += tree.found_anew;
+        blocks_.resize(tree.nodes.size());
+        dependent = 0;
+        for (std::size_t n = 0; n < blocks_.size(); ++n) {
+            const TreeNode& node = tree.nodes[n];
+            const Index at = 3 * static_cast<Index>(node.body);
+            blocks_[n].D = inverse_mass.segment<3>(at).cwiseSqrt();
+            blocks_[n].S.setZero();
+            blocks_[n].count = 0;
+            if (node.group >= 0) blocks_[n].load(rows, group_of(n), node);
+        }
+        for (std::size_t n = blocks_.size(); n-- > 0;) {  // leaves first
+            JointBlock& block = blocks_[n];
+            block.find_mobility();
+            JointBlock* const parent = parent_of(n);
+            JointBlock::Mat3* const S = parent ? &parent->S : nullptr;
+            with_count(block.count,
+                       [&](auto d) { dependent += block.template factor<d>(S); });
+            work.factored_rows += block.count;
+        }
+    }
+    //! [factor]
+
+    //! [solve]
+    /// λ and u with J u + γ λ + b = 0 in each row of the tree, u = u* + M⁻¹ Jᵀ λ.
+    /// \param b       one number a row of the step; only those of the tree are read
+    /// \param u       u* before, u after
+    /// \param lambda  of the tree's rows; others are left as they are
+    template <class Bias>
+    void solve(const Bias& b, VecX& u, VecX& lambda)
+    {
+        for (std::size_t n = 0; n < blocks_.size(); ++n) {
+            blocks_[n].pull.setZero();
+            blocks_[n].star = u.segment<3>(place(n));
+        }
+        for (std::size_t n = blocks_.size(); n-- > 0;) {  // up
+            JointBlock& block = blocks_[n];
+            block.free = block.star - block.G * block.pull;
+            with_count(block.count, [&](auto d) {
+                block.template up<d>(b, group_of(n), u, parent_of(n));
+            });
+        }
+        for (std::size_t n = 0; n < blocks_.size(); ++n) {  // and down
+            JointBlock& block = blocks_[n];
+            if (block.count == 0) block.u = block.free;
+            with_count(block.count, [&](auto d) {
+                block.template down<d>(group_of(n), parent_of(n), lambda);
+            });
+            u.segment<3>(place(n)) = block.u;
+            work.solved_rows += block.count;
+        }
+    }
+    //! [solve]
+
+private:
+    /// Calls what(d) with the number of rows as a constant.
+    template <class What>
+    static void with_count(int count, const What& what)
+    {
+        static_assert(RowGroup::most == 4);
+        switch (count) {
+        case 1:
+            return what(std::integral_constant<int, 1>());
+        case 2:
+            return what(std::integral_constant<int, 2>());
+        case 3:
+            return what(std::integral_constant<int, 3>());
+        case 4:
+            return what(std::integral_constant<int, 4>());
+        default:
+            return;
+        }
+    }
+
+    Index place(std::size_t n) const
+    {
+        return 3 * static_cast<Index>(tree.nodes[n].body);
+    }
+    const RowGroup& group_of(std::size_t n) const
+    {
+        return tree.groups[static_cast<std::size_t>(tree.nodes[n].group)];
+    }
+    JointBlock* parent_of(std::size_t n)
+    {
+        const int parent = tree.nodes[n].parent;
+        return parent < 0 ? nullptr : &blocks_[static_cast<std::size_t>(parent)];
+    }
+
+    std::vector<JointBlock> blocks_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,235 @@
+/// Chapter 14: chains and bridges as trees, and the same trees in coordinates of their joints.
+
+#include "tests/no_allocation.hpp"
+
+#include "chapters/04_pgs/conjugate_gradients.hpp"
+#include "chapters/14_joints/joint_accelerations.hpp"
+#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/14_joints/joint_scenes.hpp"
+#include "chapters/14_joints/reduced.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/sentence.hpp"
+
+using namespace rigid;
+
+namespace {
+
+using Trees = JointTrees<AllBodies>;
+
+VecX biases(const std::vector<Row<3>>& rows)
+{
+    VecX b(static_cast<Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) b[static_cast<Index>(i)] = rows[i].bias;
+    return b;
+}
+
+template <class Method>
+Real run(JointedScene& scene, Method& method, Real h, long steps, int substeps = 1)
+{
+    StepData<3> now;
+    Real worst = 0;
+    for (long i = 0; i < steps; ++i) {
+        step(scene, {.h = h, .substeps = substeps}, method, now);
+        worst = std::max(worst, largest_joint_error(scene));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("a chain of rods hangs as the catenary of so many rods", "[idea]")
+{
+    for (const auto& [rods, sag] : {std::pair{10, 0.33358053227955107}, std::pair{20, 0.33223945827044802}}) {
+        JointedScene scene = catenary_scene(rods);
+        Trees method;
+        StepData<3> now;
+        for (int i = 0; i < 6000; ++i) {
+            step(scene, {}, method, now);
+            scene.bodies.u *= 0.97;  // air, so that it comes to rest
+        }
+        Real lowest = 0;
+        for (Index k = 0; k < rods; ++k)
+            lowest = std::min(lowest, point_of(scene.bodies.x, k, {0.625 / rods, 0}).y());
+        CHECK(std::abs(-lowest - sag) <= 1e-6);  // B8
+        CHECK(scene.bodies.u.norm() <= 1e-8);
+    }
+}
+
+TEST_CASE("a chain of 200 links stands under a weight of a thousand links at 60 steps a second", "[idea]")
+{
+    for (const Real angle : {0.0, 0.3}) {
+        JointedScene scene = chain_scene({200, 0.1, 0.1, 1000, angle});
+        Trees method;
+        CHECK(run(scene, method, 1.0 / 60, 3600) <= 1e-3);  // asked for; Newton stops at 1e-9 of a link
+    }
+}
+
+TEST_CASE("the same chain flies apart where the load is not stiff and the steps are not small", "[house]")
+{
+    JointedScene scene = chain_scene({50, 0.1, 0.1, 1000, 0.3});
+    Trees method;
+    method.correction.stiff = false;
+    CHECK(run(scene, method, 1.0 / 60, 120) > 1);
+    // h below 2/1085 s is stable without
+    scene = chain_scene({50, 0.1, 0.1, 1000, 0.3});
+    CHECK(run(scene, method, 1.0 / 60, 120, 16) <= 1e-6);
+}
+
+TEST_CASE("a bridge between two banks is a loop through the world and stays together", "[idea]")
+{
+    JointedScene scene = bridge_scene(40);
+    scene.bodies.inverse_mass.segment<3>(60) /= 1000;  // one plank of a thousand times the mass
+    Trees method;
+    CHECK(run(scene, method, 1.0 / 60, 600) <= 1e-3);
+    CHECK(method.solver.joints.loop_rows.size() == 2);
+}
+
+TEST_CASE("conjugate gradients find the impulses of the tree in about as many steps as there are rows",
+          "[house]")
+{
+    for (const Real ratio : {1.0, 1000.0}) {
+        JointedScene scene = chain_scene({20, 0.1, 0.1, ratio, 0.3});
+        Trees method;
+        StepData<3> now;
+        step(scene, {}, method, now);
+        const Solution found = conjugate_gradients(assemble(now.rows, now.u_star), 1e-9);
+        CHECK(found.status == Status::solved);
+        CHECK(found.iterations <= 2 * static_cast<int>(now.rows.size()));
+        // 1e-9 m/s at the masses of the weight and its chain
+        CHECK((found.lambda - now.solution.lambda).norm() <= 1e-6 * now.solution.lambda.norm());
+    }
+}
+
+TEST_CASE("each pin of a chain bears all that hangs below it", "[idea]")
+{
+    JointedScene scene = chain_scene({30, 0.1, 0.1, 1000, 0});
+    Trees method;
+    StepData<3> now;
+    step(scene, {}, method, now);
+    for (std::size_t k = 0; k <= 30; ++k) {
+        const Real below = (100 + 0.1 * (30 - static_cast<Real>(k))) * 9.81;
+        CHECK(std::abs(reaction(scene, now, k).force.y() - below) <= 1e-9 * below);  // rounding over h
+    }
+}
+
+TEST_CASE("a steady step of a tree asks for no memory", "[house]")
+{
+    JointedScene scene = chain_scene({20, 0.1, 0.1, 100, 0.3});
+    Trees method;
+    StepData<3> now;
+    for (int i = 0; i < 50; ++i) step(scene, {}, method, now);
+    {
+        const NoAllocation none;
+        for (int i = 0; i < 20; ++i) step(scene, {}, method, now);
+    }
+    CHECK(NoAllocation::violations() == 0);
+}
+
+TEST_CASE("a step by rows and a step by coordinates give the same velocities", "[idea]")
+{
+    Random random(20);
+    for (int round = 0; round < 50; ++round) {
+        JointedScene scene;
+        const int bodies = 1 + round % 12;
+        for (int k = 0; k < bodies; ++k) {
+            const Real exponent = random.uniform(-1, 1), q = random.uniform(-1, 1);
+            add_body(scene, box(1, 0.5), std::pow(10.0, exponent), {0, 0});
+            RigidJoint joint;
+            constexpr JointKind some[] = {JointKind::revolute, JointKind::prismatic, JointKind::weld};
+            joint.kind = some[static_cast<int>(random.uniform(0, 2.999))];
+            joint.a = k == 0 ? world : static_cast<Index>(random.uniform(0, 0.999) * k);
+            joint.b = k;
+            joint.at_a = {q, 0.5}, joint.at_b = {-0.5, 0.25};
+            joint.angle = q;
+            joint.axis = {std::cos(3 * q), std::sin(3 * q)};
+            add_joint(scene, joint);
+        }
+        Bodies<3>& all = scene.bodies;
+        ReducedTree tree(scene);
+        VecX q(bodies), u_star(3 * bodies), u = VecX::Zero(3 * bodies);
+        for (Index i = 0; i < bodies; ++i) q[i] = random.uniform(-2, 2);
+        for (Index i = 0; i < 3 * bodies; ++i) u_star[i] = random.uniform(-2, 2);
+        tree.place(q, all.x);
+        CHECK(largest_joint_error(scene) <=
+              1e-13);  // no joint can be off: to rounding of places of about 10 m
+        tree.nearest(all.x, all.inverse_mass, u_star, VecX::Zero(3 * bodies), u);
+
+        std::vector<Row<3>> rows;
+        for (const PointJoint& joint : scene.joints)
+            rows.push_back(bilateral(joint_constraint(all.x, joint), all.inverse_mass));
+        JointFactor factor;
+        factor.factor(rows, all.inverse_mass);
+        VecX v = u_star, lambda = VecX::Zero(static_cast<Index>(rows.size()));
+        factor.solve(rows, biases(rows), v, lambda);
+        CHECK((u - v).norm() <= 1e-10 * (1 + u.norm()));
+    }
+}
+
+TEST_CASE("rows and coordinates of joints follow the same motion", "[idea]")
+{
+    // A double pendulum whose second rod carries a slider, from level at rest, by Runge-Kutta of order four.
+    JointedScene scene;
+    for (int k = 0; k < 3; ++k) add_body(scene, capsule(1, 0), thin_rod(1, 1), {0.5 + k, 0});
+    RigidJoint joint;
+    joint.b = 0, joint.at_b = {-0.5, 0};
+    add_joint(scene, joint);
+    joint.a = 0, joint.at_a = {0.5, 0}, joint.b = 1;
+    add_joint(scene, joint);
+    joint.kind = JointKind::prismatic;
+    joint.a = 1, joint.b = 2;
+    add_joint(scene, joint);
+    Bodies<3>& bodies = scene.bodies;
+    const VecX x0 = bodies.x;
+    VecX weight = VecX::Zero(9);
+    for (Index k = 0; k < 3; ++k) weight[3 * k + 1] = -9.81;
+
+    ReducedTree tree(scene);
+    JointAccelerations by_rows;
+    using Rates = std::function<VecX(const VecX&)>;  // (x, u) → (u, a)
+    const auto integrate = [](VecX s, const Rates& rates, long steps) {
+        const Real h = 1.0 / static_cast<Real>(steps);
+        for (long i = 0; i < steps; ++i) {
+            const VecX k1 = rates(s), k2 = rates(s + h / 2 * k1), k3 = rates(s + h / 2 * k2),
+                       k4 = rates(s + h * k3);
+            s += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        }
+        return s;
+    };
+    const VecX rows_end = integrate((VecX(18) << x0, VecX::Zero(9)).finished(),
+                                    [&](const VecX& s) -> VecX {
+                                        VecX a = weight;
+                                        by_rows.find(scene, s.head(9), s.tail(9), a);
+                                        return (VecX(18) << s.tail(9), a).finished();
+                                    },
+                                    4000);
+    const VecX q0 = tree.coordinates(x0);
+    const VecX tree_end = integrate((VecX(6) << q0, VecX::Zero(3)).finished(),
+                                    [&](const VecX& s) -> VecX {
+                                        VecX x = x0, u = VecX::Zero(9), a = VecX::Zero(9), c;
+                                        tree.place(s.head(3), x);
+                                        tree.move(s.tail(3), x, u);
+                                        tree.velocity_products(x, s.tail(3), u, c);
+                                        const VecX ddq = tree.nearest(x, bodies.inverse_mass, weight, c, a);
+                                        return (VecX(6) << s.tail(3), ddq).finished();
+                                    },
+                                    4000);
+    VecX x = x0, u = VecX::Zero(9);
+    tree.place(tree_end.head(3), x);
+    tree.move(tree_end.tail(3), x, u);
+    // Runge-Kutta with a quarter of a millisecond is good to about 1e-12 here
+    CHECK((x - rows_end.head(9)).cwiseAbs().maxCoeff() <= 1e-10);
+    CHECK((u - rows_end.tail(9)).cwiseAbs().maxCoeff() <= 1e-10);
+}
+
+TEST_CASE("coordinates of joints refuse what they cannot say", "[house]")
+{
+    JointedScene loop = catenary_scene(4);
+    CHECK(sentence_of([&] { ReducedTree tree(loop); }) ==
+          "joint 4 is the second on which body 3 hangs: a loop, which coordinates of joints cannot close");
+    JointedScene floats;
+    add_body(floats, box(1, 1), 1.0, {0, 0});
+    CHECK(sentence_of([&] { ReducedTree tree(floats); }) ==
+          "body 0 hangs on no joint; coordinates of joints start from the world");
+}
