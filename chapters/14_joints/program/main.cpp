@@ -1,6 +1,7 @@
 // Chapter 14. Joints: the program.
 #include "chapters/14_joints/program/scene_dolls.hpp"
 #include "chapters/14_joints/program/scene_machines.hpp"
+#include "chapters/14_joints/program/scene_vehicles.hpp"
 
 int main(int argc, char** argv)
 {

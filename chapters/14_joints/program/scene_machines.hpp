@@ -1,5 +1,5 @@
 /// \file scene_machines.hpp
-/// A crane, an engine, a leg that walks, a cradle, a car on hills, a trebuchet.
+/// A crane, an engine, a leg that walks, a cradle.
 #pragma once
 
 #include "chapters/14_joints/bar_linkages.hpp"
@@ -134,121 +134,6 @@ inline Demo cradle_demo()
     scene.columns = {{"first", "rad/s", "swing of the first ball", true, false},
                      {"last", "rad/s", "of the last", true, false},
                      {"energy", "J", "gained since the start", true, false}};
-    return scene;
-}
-
-inline Demo car_demo()
-{
-    Demo scene = joint_demo(
-        "car", "Wheels on springs and a motor, over hills", {{6, 1.2}, {9, 3.5}},
-        1.0 / 120, [](const Settings& settings) {
-            JointSetup setup;
-            JointedScene& all = setup.scene;
-            setup.touches = true;
-            for (int i = 0; i < 5; ++i)
-                add_body(all, box(2.2, 0.4), Mass{}, {2.0 + 3 * i, 0.1},
-                         i % 2 == 0 ? 0.22 : -0.22);
-            all.walls.push_back({{0, 1}, 0});
-            const Index chassis = add_body(all, box(2, 0.5), 300.0, {-1.5, 1});
-            for (const Real side : {-0.7, 0.7}) {
-                RigidJoint wheel;
-                wheel.kind = JointKind::wheel;
-                wheel.a = chassis;
-                wheel.b = add_body(all, disc(0.35), 60.0, {-1.5 + side, 0.6});
-                wheel.at_a = {side, -0.4};
-                wheel.axis = {0, 1};
-                wheel.lower = -0.2, wheel.upper = 0.25;
-                wheel.spring = {0, 0, settings["stiffness"], 900, 0};
-                add_joint(all, wheel);
-                RigidJoint drive;
-                drive.kind = JointKind::friction;  // its torque alone
-                drive.a = chassis, drive.b = wheel.b;
-                drive.torque = settings["torque"];
-                add_joint(all, drive);
-            }
-            cover(all, {1, 0, 0, 0});
-            setup.change = [](JointedScene& moved, const Settings& now) {
-                for (const PlacedJoint& placed : moved.placed)
-                    if (placed.joint.kind == JointKind::friction) {
-                        PointJoint& turn = moved.joints[static_cast<std::size_t>(
-                            placed.first + placed.count - 1)];
-                        turn.speed = -now["speed"] / 0.35;
-                    }
-            };
-            setup.measure = [chassis](const JointState& s) -> std::vector<Real> {
-                const VecX& x = s.scene.bodies.x;
-                return {x[3 * chassis], s.scene.bodies.u[3 * chassis],
-                        coordinate(x, s.scene.placed[0].joint),
-                        coordinate(x, s.scene.placed[2].joint)};
-            };
-            return setup;
-        });
-    scene.methods = {"trees", "sweeps"};  // springs are rows here
-    scene.tunables.push_back(
-        {"speed", "m/s", "that the motor wants", 3, -6, 6, false, false, true});
-    scene.tunables.push_back({"torque", "N m", "of each axle, at most", 400, 0,
-                              2000, false, true, false});
-    scene.tunables.push_back(
-        {"stiffness", "N/m", "of a spring", 3e4, 1e3, 1e6, false, true, false});
-    scene.columns = {{"x", "m", "of the chassis", true, false},
-                     {"v", "m/s", "its velocity", true, false},
-                     {"rear", "m", "of the spring, out of its rest", true, false},
-                     {"front", "m", "of the other", true, false}};
-    return scene;
-}
-
-inline Demo trebuchet_demo()
-{
-    Demo scene = joint_demo(
-        "trebuchet", "A heavy box falls, a beam turns, a sling lets go",
-        {{6, 5}, {14, 8}}, 1.0 / 240, [](const Settings& settings) {
-            JointSetup setup;
-            JointedScene& all = setup.scene;
-            all.walls.push_back({{0, 1}, 0});
-            const Real angle = -0.55;
-            const Vec2 axle(0, 2.6), along(std::cos(angle), std::sin(angle));
-            const Vec2 tip = axle - 4 * Vec2(along.x(), -along.y()),
-                       end = axle + 1 * Vec2(along.x(), -along.y());
-            const Index beam = add_bar(all, tip, end, 60),
-                        weight =
-                            add_body(all, box(0.8, 0.8), settings["weight"] / 0.64,
-                                     end - Vec2(0, 0.6)),
-                        stone = add_body(all, disc(0.15), Mass{10, {0, 0}, 0.1},
-                                         tip + Vec2(2.6, -0.35));
-            pin(all, world, beam, axle);
-            pin(all, beam, weight, end);
-            RigidJoint sling;
-            sling.kind = JointKind::rope;
-            sling.a = beam, sling.b = stone;
-            sling.at_a = local_point(all, beam, tip);
-            sling.length = (all.bodies.position(stone).head<2>() - tip).norm();
-            const std::size_t rope = add_joint(all, sling);
-            setup.traced = stone;
-            const Real release = settings["release"] * pi / 180;
-            setup.change = [rope, stone, release](JointedScene& moved,
-                                                  const Settings&) {
-                const Vec2 v = moved.bodies.velocity(stone).head<2>();
-                // it lets go when the stone flies forward at this angle
-                if (v.norm() > 5 && v.x() > 0 && std::atan2(v.y(), v.x()) < release)
-                    moved.placed[rope].broken = true;
-            };
-            setup.measure = [stone,
-                             rope](const JointState& s) -> std::vector<Real> {
-                return {s.scene.bodies.x[3 * stone],
-                        s.scene.bodies.x[3 * stone + 1],
-                        s.scene.bodies.velocity(stone).head<2>().norm(),
-                        s.scene.placed[rope].broken ? 1.0 : 0.0};
-            };
-            return setup;
-        });
-    scene.tunables.push_back(
-        {"weight", "kg", "of the box", 1000, 100, 5000, false, true, false});
-    scene.tunables.push_back({"release", "°", "at which the sling lets go", 40, 0,
-                              90, false, true, false});
-    scene.columns = {{"x", "m", "of the stone", true, false},
-                     {"y", "m", "its height", true, false},
-                     {"speed", "m/s", "of the stone", true, false},
-                     {"free", "", "1: the sling has let go", false, false}};
     return scene;
 }
 
