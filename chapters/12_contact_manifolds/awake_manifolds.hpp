@@ -40,7 +40,7 @@ struct AwakeManifolds : Sleepers<3> {
     void begin(const RigidScene& scene, const StepSettings& settings,
                Method& method, StepData<3>& now)
     {
-        rigid::require_valid(scene);
+        require_bodies(scene);
         woken = fell_asleep = 0;
         take_in_changes(scene, settings, method);
         now.length = length;

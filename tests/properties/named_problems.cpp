@@ -323,7 +323,7 @@ TEST_CASE("rows that differ in their last digits are not called infeasible becau
         {1, -0.5476545878115057, 1}, {-infinity, 0, 0}, {infinity, infinity, infinity});
     for (const Mlcp& mlcp : {two, three}) {
         CHECK(enumerate(mlcp).status != Status::infeasible);
-        CHECK(enumerate(mlcp, {.stop_at_first = true}).status != Status::infeasible);
+        CHECK(enumerate(mlcp, {.stop_at_first = true, .first = {}}).status != Status::infeasible);
         CHECK(schur(mlcp).status != Status::infeasible);
     }
 }
