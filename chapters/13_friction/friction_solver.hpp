@@ -47,6 +47,15 @@ struct FindByStewartTrinkle {
     }
 };
 
+/// What rounding makes of the gap of two corners: four times that of two positions,
+/// as far as that is below 10⁻⁷ ℓ/s. Far from the origin nothing is added to it.
+template <int Dof>
+Real noise_of_corners(const Bodies<Dof>& bodies, const StepData<Dof>& now)
+{
+    const Real noise = rounded_speed(bodies.x, bodies.u, now.h);
+    return std::max(noise, std::min(4 * noise, 1e-7 * now.length));
+}
+
 //! [coulomb_solver]
 /// The solver stage: λ of the Coulomb problem, u = u* + M⁻¹ Jᵀ λ (3.9).
 template <class Find>
@@ -71,8 +80,7 @@ struct CoulombSolver {
         if (now.substep == 0 && !now.second_half) unsolved = 0;
         assemble(now.rows, now.u_star, scratch, mlcp);
         boxes_of(now.rows, boxes);
-        // a gap of two corners comes out of a dozen operations on positions
-        nothing_ = std::max(enough, 16 * rounded_speed(bodies.x, bodies.u, now.h));
+        nothing_ = std::max(enough, noise_of_corners(bodies, now));
         find(mlcp, boxes, nothing_, now.solution);
         finish(bodies, now);
     }
