@@ -959,6 +959,23 @@ TEST_CASE("a motor keeps its speed whatever corrects the error", "[idea]")
     }
 }
 
+TEST_CASE("a motor does not hold back what split impulse corrects")
+{
+    // A disc 0.1 m behind a stop, and a motor of speed zero along the same line. The pseudo-velocity takes a fifth of the
+    // error in a step; a motor that had a say in it would hold the disc where it is.
+    DiscScene scene;
+    scene.gravity = {0, 0};
+    add_disc(scene, {0, 0}, 1, 0.1);
+    scene.joints.push_back(
+        {.kind = Joint::Kind::stop, .a = world, .b = 0, .direction = {1, 0}, .length = 0.1});
+    scene.joints.push_back(
+        {.kind = Joint::Kind::motor, .a = world, .b = 0, .direction = {1, 0}, .speed = 0, .force = 1e6});
+    Discs run(std::move(scene), Stabilizer::split_impulse);
+    run.advance(1);
+    CHECK(run.scene.bodies.x[0] == Approx(0.02).epsilon(1e-12));
+    CHECK(run.scene.bodies.u[0] == 0);
+}
+
 // ---- properties ---------------------------------------------------------------------------------------
 
 /// Six to ten discs here and there, some of them overlapping, three links that are a little off, two walls.

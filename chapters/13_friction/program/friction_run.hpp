@@ -80,6 +80,13 @@ public:
         } else if (settings.method == "lemke") {
             lemke_.correction.restitution = e;
             rigid::step(scene, how, lemke_, state_.now);
+        } else if (settings.method == "skipping") {
+            skipping_.correction.restitution = e;
+            skipping_.solver.sweeps.max_sweeps =
+                static_cast<int>(settings["sweeps"]);
+            // an island that is this good is done, and may rest
+            skipping_.solver.sweeps.tolerance = 1e-6;
+            rigid::step(scene, how, skipping_, state_.now);
         } else {
             sweeps_.correction.restitution = e;
             sweeps_.solver.sweeps.max_sweeps =
@@ -102,8 +109,13 @@ public:
                        along = 30 * perpendicular(wall.normal);
             canvas.segment(middle - along, middle + along, paint::wall);
         }
-        for (Index k = 0; k < scene.bodies.count(); ++k)
+        const AwakeSet& set = skipping_.contacts.contacts.set;
+        for (Index k = 0; k < scene.bodies.count(); ++k) {
             paint_rigid_body(canvas, scene, k);
+            if (k < static_cast<Index>(set.activity.size()) && set.is_asleep(k))
+                canvas.text(scene.bodies.position(k).head<2>(), "z", 14,
+                            {Colour::faint}, Align::centre);
+        }
         if (setup_.picture) setup_.picture(canvas, state_);
     }
 
@@ -113,6 +125,7 @@ private:
     ExactFriction<Contacts> exact_;
     LemkeFriction<Contacts> lemke_;
     FrictionSweeps<Contacts> sweeps_;
+    SkippingFriction skipping_;
 };
 
 /// A scene with the methods and the tunables that all of them have.
@@ -129,8 +142,8 @@ inline Demo
 touching_demo(const std::string& name, const std::string& summary, const View& view,
               Real h, const std::function<FrictionSetup(const Settings&)>& setup)
 {
-    Demo scene = turning_demo<FrictionRun<Manifolds>>(name, summary, view, h,
-                                                      {"exact", "sweeps"}, setup);
+    Demo scene = turning_demo<FrictionRun<Manifolds>>(
+        name, summary, view, h, {"exact", "sweeps", "skipping"}, setup);
     for (Tunable& tunable : scene.tunables)
         if (tunable.name == "sweeps") tunable.value = 30;
     return scene;
