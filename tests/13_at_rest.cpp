@@ -104,10 +104,10 @@ struct World {
 
 World asleep_towers()
 {
-    World world(two_towers());
-    world.run(240);
-    REQUIRE(world.all_asleep());
-    return world;
+    World room(two_towers());
+    room.run(240);
+    REQUIRE(room.all_asleep());
+    return room;
 }
 
 }  // namespace
@@ -155,57 +155,57 @@ TEST_CASE("without sleep the stage for shapes finds what the plain one finds to 
 
 TEST_CASE("a heap of shapes with friction falls asleep and then a step does nothing", "[idea]")
 {
-    World world(rough(pile(60)));
-    world.method.solver.sweeps.max_sweeps = 1000;
+    World room(rough(pile(60)));
+    room.method.solver.sweeps.max_sweeps = 1000;
     int steps = 0;
-    do world.run(1);
-    while (!world.all_asleep() && ++steps < 3000);
+    do room.run(1);
+    while (!room.all_asleep() && ++steps < 3000);
     INFO("asleep after " << steps << " steps");
-    REQUIRE(world.all_asleep());
-    const VecX x = world.scene.bodies.x;
-    world.run(60);
-    CHECK((world.scene.bodies.x == x));
-    CHECK(world.scene.bodies.u.isZero(0));
-    CHECK(world.now.visits == 0);
-    CHECK(world.now.active.empty());
+    REQUIRE(room.all_asleep());
+    const VecX x = room.scene.bodies.x;
+    room.run(60);
+    CHECK((room.scene.bodies.x == x));
+    CHECK(room.scene.bodies.u.isZero(0));
+    CHECK(room.now.visits == 0);
+    CHECK(room.now.active.empty());
 }
 
 TEST_CASE("a tower that is hit wakes and the other one sleeps on", "[idea]")
 {
-    World world = asleep_towers();
-    const Index ball = add_body(world.scene, disc(0.3), 1, {-6, 2.5});
-    world.scene.bodies.velocity(ball) << 8, 1, 0;
-    world.scene.surfaces.push_back({.friction = 0.6});
+    World room = asleep_towers();
+    const Index ball = add_body(room.scene, disc(0.3), 1, {-6, 2.5});
+    room.scene.bodies.velocity(ball) << 8, 1, 0;
+    room.scene.surfaces.push_back({.friction = 0.6});
     // a surface more is another set of surfaces: all wake once, and the right tower sleeps again while the ball comes
-    world.scene.bodies.position(ball)[0] = -40;
-    const VecX right = world.scene.bodies.x.segment(15, 15);
-    world.run(60);
-    CHECK(world.asleep(5));
-    CHECK(!world.asleep(ball));
-    world.scene.bodies.position(ball) << -6, 2.5, 0;
-    world.scene.bodies.velocity(ball) << 8, 1, 0;
+    room.scene.bodies.position(ball)[0] = -40;
+    const VecX right = room.scene.bodies.x.segment(15, 15);
+    room.run(60);
+    CHECK(room.asleep(5));
+    CHECK(!room.asleep(ball));
+    room.scene.bodies.position(ball) << -6, 2.5, 0;
+    room.scene.bodies.velocity(ball) << 8, 1, 0;
     bool woke = false;
     for (int i = 0; i < 60; ++i) {
-        world.run(1);
-        woke = woke || !world.asleep(0);
-        CHECK(world.asleep(5));
-        CHECK(world.asleep(9));
+        room.run(1);
+        woke = woke || !room.asleep(0);
+        CHECK(room.asleep(5));
+        CHECK(room.asleep(9));
     }
     CHECK(woke);
     // (10.9) allows a creep of v_rest for t_rest: 0.5 mm
-    CHECK((world.scene.bodies.x.segment(15, 15) - right).cwiseAbs().maxCoeff() <= 5e-4);
+    CHECK((room.scene.bodies.x.segment(15, 15) - right).cwiseAbs().maxCoeff() <= 5e-4);
 }
 
 TEST_CASE("what is changed in a scene wakes those that it concerns without anybody being told", "[idea]")
 {
     using Change = std::function<void(RoughScene&)>;
     const auto moved_by = [](const Change& change, int left, int right) {
-        World world = asleep_towers();
-        change(world.scene);
-        world.run(1);
-        CHECK(!world.asleep(left));
-        if (right >= 0) CHECK(world.asleep(right));
-        else CHECK(!world.asleep(5));
+        World room = asleep_towers();
+        change(room.scene);
+        room.run(1);
+        CHECK(!room.asleep(left));
+        if (right >= 0) CHECK(room.asleep(right));
+        else CHECK(!room.asleep(5));
     };
     // one body: its tower wakes and the other one does not
     moved_by([](RoughScene& s) { s.bodies.velocity(4)[0] = 1; }, 0, 5);
@@ -228,28 +228,28 @@ TEST_CASE("a fixed shelf that is taken from under a sleeper wakes it and so does
     RigidScene smooth;
     add_body(smooth, box(4, 1), Mass{}, {0, -0.5});
     add_body(smooth, box(1, 1), 1, {0, 0.5});
-    World world(rough(smooth));
-    world.run(120);
-    REQUIRE(world.asleep(1));
-    world.scene.bodies.position(0)[1] = -20;
-    world.run(60);
-    CHECK(world.scene.bodies.x[4] < -3);  // it has fallen freely for a second: 4.9 m
+    World room(rough(smooth));
+    room.run(120);
+    REQUIRE(room.asleep(1));
+    room.scene.bodies.position(0)[1] = -20;
+    room.run(60);
+    CHECK(room.scene.bodies.x[4] < -3);  // it has fallen freely for a second: 4.9 m
     // put under it again, above: it is met on the way and carries the box
-    world.scene.bodies.position(0)[1] = -8;
-    world.run(240);
-    CHECK(world.asleep(1));
-    CHECK(std::abs(world.scene.bodies.x[4] - -7.0) < 0.01);
-    world.scene.bodies.position(0)[1] = -7.9;  // 0.1 m into the sleeper
-    world.run(1);
-    CHECK(!world.asleep(1));
+    room.scene.bodies.position(0)[1] = -8;
+    room.run(240);
+    CHECK(room.asleep(1));
+    CHECK(std::abs(room.scene.bodies.x[4] - -7.0) < 0.01);
+    room.scene.bodies.position(0)[1] = -7.9;  // 0.1 m into the sleeper
+    room.run(1);
+    CHECK(!room.asleep(1));
 }
 
 TEST_CASE("sleepers wake with the impulses that they fell asleep with", "[idea]")
 {
-    World world = asleep_towers();
-    const VecX x = world.scene.bodies.x;
+    World room = asleep_towers();
+    const VecX x = room.scene.bodies.x;
     // far too little to move anything, but another number
-    world.scene.bodies.velocity(4)[0] = 1e-9;
+    room.scene.bodies.velocity(4)[0] = 1e-9;
     const auto fastest = [](World& w, int steps) {
         Real most = 0;
         for (int i = 0; i < steps; ++i) {
@@ -258,32 +258,32 @@ TEST_CASE("sleepers wake with the impulses that they fell asleep with", "[idea]"
         }
         return most;
     };
-    World cold = world;
+    World cold = room;
     cold.method.contacts.contacts.forces = {};
     cold.method.contacts.contacts.forces.head.assign(10, -1);
     cold.method.start.cache.entries.clear();
-    cold.method.solver.sweeps = world.method.solver.sweeps = {.max_sweeps = 4};
-    const Real warm_speed = fastest(world, 5), cold_speed = fastest(cold, 5);
-    CHECK(!world.asleep(0));
+    cold.method.solver.sweeps = room.method.solver.sweeps = {.max_sweeps = 4};
+    const Real warm_speed = fastest(room, 5), cold_speed = fastest(cold, 5);
+    CHECK(!room.asleep(0));
     // as slow as it has to be to sleep, v_rest of 1 mm/s; from zero, four sweeps on a tower of five let it drop
     CHECK(warm_speed <= 1e-3);
     CHECK(cold_speed > 10 * warm_speed);
-    CHECK((world.scene.bodies.x - x).cwiseAbs().maxCoeff() <= 1e-4);
+    CHECK((room.scene.bodies.x - x).cwiseAbs().maxCoeff() <= 1e-4);
 }
 
 TEST_CASE("contacts have their names again after sleep", "[idea]")
 {
-    World world = asleep_towers();
+    World room = asleep_towers();
     NamedImpulses last;
-    last.remember(world.now);
-    world.scene.bodies.velocity(4)[0] = 1e-9;
-    world.run(1);
-    REQUIRE(!world.asleep(0));
+    last.remember(room.now);
+    room.scene.bodies.velocity(4)[0] = 1e-9;
+    room.run(1);
+    REQUIRE(!room.asleep(0));
     // of the left tower; the right one still sleeps
     NamedImpulses left;
     for (const auto& entry : last.of)
         if (entry.key.second < 5) left.of.push_back(entry);
-    CHECK(left.share_kept(world.now) == 1);
+    CHECK(left.share_kept(room.now) == 1);
 }
 
 TEST_CASE("a heap that sleeps stays where it is when all are woken and may not sleep", "[house]")
@@ -302,24 +302,24 @@ TEST_CASE("a heap that sleeps stays where it is when all are woken and may not s
                                                : box(size, other);
             add_body(smooth, shape, 1, {x, y}, random.uniform(-1, 1));
         }
-        World world(rough(smooth, random.uniform(0.2, 1)));
-        for (Surface& surface : world.scene.surfaces) surface.rolling = 0.02;
-        for (Surface& surface : world.scene.wall_surfaces) surface.rolling = 0.02;
+        World room(rough(smooth, random.uniform(0.2, 1)));
+        for (Surface& surface : room.scene.surfaces) surface.rolling = 0.02;
+        for (Surface& surface : room.scene.wall_surfaces) surface.rolling = 0.02;
         for (int change = 0; change < 3; ++change) {
-            world.run(300);
+            room.run(300);
             const Index k = random.index(15);
             const Real by = random.uniform(0.2, 2);
-            if (world.all_asleep()) {
+            if (room.all_asleep()) {
                 ++rests;
-                World woken = world;
+                World woken = room;
                 woken.method.contacts.contacts.sleep = false;
                 woken.run(30);
                 CAPTURE(seed, change);
                 // half a second: what rest allows is v_rest in all of it
-                CHECK((woken.scene.bodies.x - world.scene.bodies.x).cwiseAbs().maxCoeff() <= 1e-3 * 0.5);
+                CHECK((woken.scene.bodies.x - room.scene.bodies.x).cwiseAbs().maxCoeff() <= 1e-3 * 0.5);
             }
-            if (change == 0) world.scene.bodies.position(k)[1] += by;
-            if (change == 1) world.scene.bodies.inverse_mass.segment<3>(3 * k) *= by;
+            if (change == 0) room.scene.bodies.position(k)[1] += by;
+            if (change == 1) room.scene.bodies.inverse_mass.segment<3>(3 * k) *= by;
         }
     }
     CHECK(rests > 20);
@@ -330,11 +330,11 @@ TEST_CASE("a disc that spins in its place never falls asleep", "[idea]")
     RigidScene smooth;
     smooth.gravity = {0, 0};
     add_body(smooth, disc(1), 1, {0, 0});
-    World world(rough(smooth));
-    world.scene.bodies.velocity(0)[2] = 0.01;  // its rim runs at ten times v_rest
-    world.run(300);
-    CHECK(!world.asleep(0));
-    CHECK(world.scene.bodies.velocity(0)[2] == 0.01);
+    World room(rough(smooth));
+    room.scene.bodies.velocity(0)[2] = 0.01;  // its rim runs at ten times v_rest
+    room.run(300);
+    CHECK(!room.asleep(0));
+    CHECK(room.scene.bodies.velocity(0)[2] == 0.01);
 }
 
 TEST_CASE("a box that a slow platform carries never falls asleep", "[idea]")
@@ -342,19 +342,19 @@ TEST_CASE("a box that a slow platform carries never falls asleep", "[idea]")
     RigidScene smooth;
     add_body(smooth, box(4, 1), Mass{}, {0, -0.5});
     add_body(smooth, box(1, 1), 1, {0, 0.5});
-    World world(rough(smooth));
-    world.scene.bodies.velocity(0)[0] = 2e-4;  // slower than rest
-    world.run(300);
-    CHECK(!world.asleep(1));
-    CHECK(world.scene.bodies.x[3] - world.scene.bodies.x[0] < 1e-4);
+    World room(rough(smooth));
+    room.scene.bodies.velocity(0)[0] = 2e-4;  // slower than rest
+    room.run(300);
+    CHECK(!room.asleep(1));
+    CHECK(room.scene.bodies.x[3] - room.scene.bodies.x[0] < 1e-4);
 }
 
 TEST_CASE("steps of boxes that wake and sleep again allocate nothing", "[house]")
 {
-    World world = asleep_towers();
+    World room = asleep_towers();
     const auto knock = [&] {
-        world.scene.bodies.velocity(4)[0] += 0.01;
-        world.run(120);
+        room.scene.bodies.velocity(4)[0] += 0.01;
+        room.run(120);
     };
     knock();
     knock();
@@ -363,12 +363,12 @@ TEST_CASE("steps of boxes that wake and sleep again allocate nothing", "[house]"
         knock();
     }
     CHECK(NoAllocation::violations() == 0);
-    CHECK(world.all_asleep());
+    CHECK(room.all_asleep());
 }
 
 TEST_CASE("settings of rest that make no sense are refused before shapes move", "[house]")
 {
-    World world(two_towers());
-    world.method.contacts.contacts.rest.speed = -1;
-    CHECK(sentence_of([&] { world.run(1); }) == "the speed of rest is -1; it must be positive and finite");
+    World room(two_towers());
+    room.method.contacts.contacts.rest.speed = -1;
+    CHECK(sentence_of([&] { room.run(1); }) == "the speed of rest is -1; it must be positive and finite");
 }
