@@ -33,7 +33,11 @@ struct AwakeManifolds : Sleepers<3> {
     }
 
     /// All that can move is awake: for changes that no watch sees.
-    void wake_everybody() { watch = {}; }
+    void wake_everybody()
+    {
+        for (std::size_t k = 0; k < set.activity.size(); ++k)
+            set.wake(static_cast<Index>(k));
+    }
 
     //! [awake_begin]
     template <class Method>
@@ -97,7 +101,7 @@ private:
             watch.compare(scene, [&](Index k) { was_changed(scene.bodies, k); });
             if (watch.all_concerned(scene) || !same_rest(present, conditions) ||
                 found_within != margin)
-                for (Index k = 0; k < scene.bodies.count(); ++k) set.wake(k);
+                wake_everybody();
         }
         while (static_cast<Index>(rests.size()) < scene.bodies.count())
             add(scene.bodies, static_cast<Index>(rests.size()));

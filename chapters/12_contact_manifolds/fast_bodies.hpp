@@ -158,7 +158,6 @@ void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
         if (impact.close && inner > 0) {
             const Real deep = std::min(-inner / 2, impact.start - inner / 8);
             impact = time_of_impact(other, moving, deep, inner / 16, fast.memory);
-            impact.close = true;
             fast.rounds += impact.rounds;
         }
         return impact;
