@@ -40,8 +40,6 @@ std::vector<Setting> settings_of(Scene& scene, StepSettings& settings, Solving& 
     add_settings(all, by.correction);
     if constexpr (requires { by.start.factor; })
         all.push_back({"warm start factor", &by.start.factor, false});
-    if constexpr (requires { by.start.factor; })
-        all.push_back({"warm start factor", &by.start.factor, false});
     if constexpr (requires { by.solver.sweeps; })
         all.push_back({"tolerance", &by.solver.sweeps.tolerance, true});
     if constexpr (requires { by.solver.find.settings.tolerance; })
