@@ -5,25 +5,10 @@
 #include "chapters/14_joints/ragdoll.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/joint_run.hpp"
 #include "tests/sentence.hpp"
 
 using namespace rigid;
-
-namespace {
-
-template <class Method>
-Real run(JointedScene& scene, Method& method, Real h, long steps, int substeps = 1)
-{
-    StepData<3> now;
-    Real worst = 0;
-    for (long i = 0; i < steps; ++i) {
-        step(scene, {.h = h, .substeps = substeps}, method, now);
-        worst = std::max(worst, largest_joint_error(scene));
-    }
-    return worst;
-}
-
-}  // namespace
 
 TEST_CASE("a four-bar linkage keeps its energy for ten seconds also through the line of all its bars",
           "[idea]")

@@ -10,6 +10,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/joint_run.hpp"
 #include "tests/sentence.hpp"
 
 using namespace rigid;
@@ -23,18 +24,6 @@ VecX biases(const std::vector<Row<3>>& rows)
     VecX b(static_cast<Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) b[static_cast<Index>(i)] = rows[i].bias;
     return b;
-}
-
-template <class Method>
-Real run(JointedScene& scene, Method& method, Real h, long steps, int substeps = 1)
-{
-    StepData<3> now;
-    Real worst = 0;
-    for (long i = 0; i < steps; ++i) {
-        step(scene, {.h = h, .substeps = substeps}, method, now);
-        worst = std::max(worst, largest_joint_error(scene));
-    }
-    return worst;
 }
 
 }  // namespace

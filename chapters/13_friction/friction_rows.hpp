@@ -6,15 +6,12 @@
 ///     rolling   J = (0, 0, −1),      (0, 0, 1)         |λ_r| ≤ c λ_n
 ///     cloth     J = (d, 0), (0, 0, 1), d along u*      |λ| ≤ h μ m g,   |λ| ≤ h c μ m g
 ///
-/// (13.3). The step learns of friction by these rows alone: a stage that wraps another contacts stage adds a source for
-/// each, all of them before the normals (section 13.5). The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
+/// (13.3). The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
 #pragma once
 
+#include "chapters/06_sequential_impulse/restitution.hpp"
 #include "chapters/11_rotation/rigid_constraints.hpp"
 #include "chapters/13_friction/surfaces.hpp"
-
-#include <algorithm>
-#include <iterator>
 
 namespace rigid {
 
@@ -154,69 +151,5 @@ inline void add_bounces(const RoughScene& scene, const Restitution& bounce,
         row.bias = b < 0 ? std::min(b, correcting) : correcting;
     }
 }
-
-//! [with_friction]
-/// The contacts stage: whatever another one finds, and for each contact the rows of
-/// its surfaces. A contact without friction gets none. Sweeps visit the normals
-/// last: what is visited last is right.
-template <class Contacts>
-struct WithFriction {
-    Contacts contacts;
-    std::vector<Source> all;  ///< memory
-    /// of the last step: what rests on other surfaces wakes
-    std::vector<Surface> surfaces, walls;
-    Cloth cloth;
-
-    void require_valid() const
-    {
-        if constexpr (requires { contacts.require_valid(); })
-            contacts.require_valid();
-    }
-    template <class Method>
-    void begin(const RoughScene& scene, const StepSettings& settings,
-               Method& method, StepData<3>& now)
-    {
-        require_valid_surfaces(scene);
-        if constexpr (requires { contacts.wake_everybody(); })
-            if (!(scene.surfaces == surfaces && scene.wall_surfaces == walls &&
-                  scene.cloth == cloth)) {
-                contacts.wake_everybody();
-                surfaces = scene.surfaces;
-                walls = scene.wall_surfaces;
-                cloth = scene.cloth;
-            }
-        contacts.begin(scene, settings, method, now);
-        if (now.active.empty()) return;  // all sleep
-        const auto is_normal = [](const Source& source) {
-            return source.of == Source::Of::contact;
-        };
-        all.clear();
-        std::remove_copy_if(now.sources.begin(), now.sources.end(),
-                            std::back_inserter(all), is_normal);
-        if (scene.cloth.friction > 0)
-            for (const int k : now.active)
-                if (scene.bodies.can_move(k))
-                    for (const int part : {sliding_part, spinning_part})
-                        all.push_back({Source::Of::body, k, part});
-        for (std::size_t i = 0; i < now.contacts.size(); ++i) {
-            const int index = static_cast<int>(i);
-            const Surface surface = surface_of(scene, now.contacts[i]);
-            if (surface.friction > 0)
-                all.push_back({Source::Of::contact, index, tangent_part});
-            if (surface.rolling > 0)
-                all.push_back({Source::Of::contact, index, rolling_part});
-        }
-        for (std::size_t i = 0; i < now.contacts.size(); ++i)
-            all.push_back({Source::Of::contact, static_cast<int>(i), normal_part});
-        now.sources.swap(all);
-    }
-    template <class Method>
-    void end(RoughScene& scene, const StepSettings& settings, Method& method,
-             const StepData<3>& now)
-    {
-        contacts.end(scene, settings, method, now);
-    }
-};
-//! [with_friction]
 
 }  // namespace rigid

@@ -10,7 +10,7 @@
 #include "chapters/11_rotation/rigid_method.hpp"
 #include "chapters/12_contact_manifolds/awake_manifolds.hpp"
 #include "chapters/13_friction/friction_active_sets.hpp"
-#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/13_friction/friction_stage.hpp"
 
 namespace rigid {
 

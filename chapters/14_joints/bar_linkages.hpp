@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/11_rotation/mechanisms.hpp"
-#include "chapters/14_joints/joint_rows.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
 
 #include <array>
 

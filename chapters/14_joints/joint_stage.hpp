@@ -3,7 +3,7 @@
 /// each bears can be read.
 #pragma once
 
-#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/13_friction/friction_stage.hpp"
 #include "chapters/14_joints/joint_rows.hpp"
 
 namespace rigid {

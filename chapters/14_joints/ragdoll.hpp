@@ -2,7 +2,7 @@
 /// A doll of ten limbs: nine revolute joints with limits, and friction that keeps them from swinging forever.
 #pragma once
 
-#include "chapters/14_joints/joint_rows.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
 
 namespace rigid {
 
