@@ -4,10 +4,11 @@
 #include "tests/order.hpp"
 #include "tests/sentence.hpp"
 
-#include "chapters/04_pgs/pgs.hpp"
 #include "chapters/15_soft_constraints/soft_method.hpp"
 #include "chapters/15_soft_constraints/soft_scenes.hpp"
 #include "common/random.hpp"
+
+#include <Eigen/Eigenvalues>
 
 using namespace rigid;
 
@@ -32,8 +33,7 @@ JointedScene random_network(Random& random, Real omega, Real zeta, Real h_scale)
     for (int k = 0; k < 6; ++k) {
         const Real x = random.uniform(-2, 2), y = random.uniform(-2, 2), exponent = random.uniform(-1, 1);
         add_body(scene, disc(0.1), std::pow(10.0, exponent), {x, y});
-        for (const Index i : {3 * k, 3 * k + 1})
-            scene.bodies.u[i] = h_scale * random.uniform(-1, 1);
+        for (const Index i : {3 * k, 3 * k + 1}) scene.bodies.u[i] = h_scale * random.uniform(-1, 1);
     }
     for (int i = 0; i < 9; ++i) {
         const Index b = 1 + random.index(5), a = random.index(b + 1) - 1;
@@ -135,10 +135,12 @@ TEST_CASE("the limits of a spring are a hard row that takes back all and one tha
 
 TEST_CASE("a softness that makes no sense is refused by name", "[house]")
 {
-    CHECK(sentence_of([] { require_valid(Softness{0, 1}, "joints"); }) ==
-          "the frequency of joints is 0 Hz; it must be positive (infinite: hard)");
-    CHECK(sentence_of([] { require_valid(Softness{1, -1}, "contacts"); }) ==
-          "the damping ratio of contacts is -1; it must be zero or positive and finite");
+    CHECK(sentence_of([] {
+              require_valid(Softness{0, 1}, "joints");
+          }) == "the frequency of joints is 0 Hz; it must be positive (infinite: hard)");
+    CHECK(sentence_of([] {
+              require_valid(Softness{1, -1}, "contacts");
+          }) == "the damping ratio of contacts is -1; it must be zero or positive and finite");
     CHECK(sentence_of([] { require_valid(Softness{infinity, 0}, "contacts"); }) == "accepted");
 }
 

@@ -164,8 +164,8 @@ struct BlockDescent {
         const Real r = position_residual(c, along(c, d), h) - left[i];
         if (is_augmented(now.rows[i])) force[index] = F;
         if (F > lo && F < hi)
-            stiffness[index] = std::min(
-                most, stiffness[index] + beta * std::abs(r) / now.length);
+            stiffness[index] =
+                std::min(most, stiffness[index] + beta * std::abs(r) / now.length);
     }
     //! [row]
 
@@ -195,15 +195,15 @@ private:
         d.setZero(x0.size());
         for (const int k : now.active) {
             const Index at = Dof * k;
-            const Vec<Dof> u = before.segment<Dof>(at),
-                           pull = now.u_star.segment<Dof>(at) - u,
-                           change = u - last.segment<Dof>(at);
+            const Vec<Dof> u = before.template segment<Dof>(at),
+                           pull = now.u_star.template segment<Dof>(at) - u,
+                           change = u - last.template segment<Dof>(at);
             const Real square = pull.squaredNorm();
             const Real part =
                 square > 0 ? std::clamp<Real>(pull.dot(change) / square, 0, 1) : 0;
-            y.segment<Dof>(at) += h * now.u_star.segment<Dof>(at);
-            d.segment<Dof>(at) = h * (u + part * pull);
-            bodies.position(k) += d.segment<Dof>(at);
+            y.template segment<Dof>(at) += h * now.u_star.template segment<Dof>(at);
+            d.template segment<Dof>(at) = h * (u + part * pull);
+            bodies.position(k) += d.template segment<Dof>(at);
         }
         const auto m = static_cast<Index>(now.rows.size());
         force.setZero(m);

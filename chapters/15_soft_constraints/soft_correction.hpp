@@ -31,8 +31,7 @@ struct SoftCorrection : Restitution {
     SoftFinish finish = SoftFinish::relaxation;
     bool preloaded = false;
     /// of the finish by projection
-    StabilizerSettings repair{
-        Stabilizer::projection, 1, 0, 0, infinity, 100, 1e-9};
+    StabilizerSettings repair{Stabilizer::projection, 1, 0, 0, infinity, 100, 1e-9};
 
     // What is kept from step to step.
     std::vector<Real> goal;      ///< of projection [m]

@@ -60,8 +60,7 @@ inline Index add_net(JointedScene& scene, const Net& net)
     const Real r = 0.3 * net.spacing;
     for (int j = 0; j < net.rows; ++j)
         for (int i = 0; i < net.columns; ++i)
-            add_body(scene, disc(r),
-                     Mass{net.mass, {0, 0}, net.mass * r * r / 2},
+            add_body(scene, disc(r), Mass{net.mass, {0, 0}, net.mass * r * r / 2},
                      net.corner + net.spacing * Vec2(i, j));
     const auto join = [&](int i, int j, int di, int dj) {
         if (i + di < 0 || i + di >= net.columns || j + dj >= net.rows) return;
@@ -75,9 +74,8 @@ inline Index add_net(JointedScene& scene, const Net& net)
     };
     for (int j = 0; j < net.rows; ++j)
         for (int i = 0; i < net.columns; ++i)
-            for (const auto& [di, dj] :
-                 {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1},
-                  std::pair{-1, 1}})
+            for (const auto& [di, dj] : {std::pair{1, 0}, std::pair{0, 1},
+                                         std::pair{1, 1}, std::pair{-1, 1}})
                 join(i, j, di, dj);
     return first;
 }
@@ -100,9 +98,8 @@ inline JointedScene hung_net(const Net& net)
     const Index first = add_net(scene, net);
     for (const Index k : {first + (net.rows - 1) * net.columns,
                           first + net.rows * net.columns - 1}) {
-        RigidJoint pin =
-            joint_at(scene, JointKind::revolute, world, k,
-                     scene.bodies.position(k).head<2>());
+        RigidJoint pin = joint_at(scene, JointKind::revolute, world, k,
+                                  scene.bodies.position(k).head<2>());
         add_joint(scene, pin);
     }
     return scene;
@@ -116,8 +113,8 @@ inline JointedScene quarter_car(const Softness& how, Real lift)
     JointedScene scene;
     scene.walls.push_back({{0, 1}, 0});
     const Index body = add_body(scene, box(1.4, 0.5), 400 / 0.7, {0, 1.2 + lift}),
-                tyre = add_body(scene, disc(0.35), Mass{40, {0, 0}, 2.5},
-                                {0, 0.35});
+                tyre =
+                    add_body(scene, disc(0.35), Mass{40, {0, 0}, 2.5}, {0, 0.35});
     RigidJoint leg;
     leg.kind = JointKind::prismatic;
     leg.a = tyre, leg.b = body;

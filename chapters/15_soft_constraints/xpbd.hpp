@@ -86,8 +86,7 @@ struct Xpbd : Restitution {
             hi = bounds.friction * std::max(Real{0}, sums[bounds.bounded_by]);
             lo = -hi;
         }
-        const Real next =
-            std::clamp(sum - (r + gamma * sum) / (A + gamma), lo, hi);
+        const Real next = std::clamp(sum - (r + gamma * sum) / (A + gamma), lo, hi);
         row.apply(next - sum, bodies.x);
         row.apply(next - sum, d);
         sum = next;
@@ -105,7 +104,8 @@ struct Xpbd : Restitution {
             Real& lambda = now.solution.lambda[static_cast<Index>(i)];
             if (!c.bounces || !(lambda > 0)) continue;
             Row<Dof> row = bilateral(c, bodies.inverse_mass);
-            row.bias = std::min(Real{0}, now.rows[i].bias);  // −e times the approach
+            row.bias =
+                std::min(Real{0}, now.rows[i].bias);  // −e times the approach
             const Real A = row.inverse_effective_mass();
             if (!(A > 0)) continue;
             const Real change = -row.velocity(bodies.u) / A;
