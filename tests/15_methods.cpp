@@ -130,8 +130,7 @@ TEST_CASE("many small steps of one sweep hold what one step of as many sweeps do
 {
     // the same visits: 16 a step
     JointSweeps<Manifolds> method;
-    method.correction = steady_contacts();
-    method.correction.slop = 0;
+    method.correction.method = Stabilizer::baumgarte;  // no sweeps but those
     const auto sag = [&](int substeps, int sweeps) {
         JointSweeps<Manifolds> fresh = method;
         fresh.start.from = Start::previous;

@@ -23,7 +23,7 @@ struct BlockDescent {
     Real alpha = 0.95;  ///< part of an error at the start that is left alone
     Real gamma = 0.99;  ///< part of λ and s that a step starts from
     /// growth of s: by so many m/h² for an error of one ℓ; 0 = s stays
-    Real beta = 1e4;
+    Real beta = 1e5;
     /// s of a hard row to begin with, and at most [m/h², m = 1/(J M⁻¹ Jᵀ)]
     Real first = 1, most = 1e9;
     bool augmented = true;  ///< false: λ = 0, a spring of stiffness s
