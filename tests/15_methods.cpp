@@ -88,8 +88,8 @@ TEST_CASE("a projection at the end of a step leaves no sag", "[idea]")
     auto method = soft_sweeps(20);
     method.correction.finish = SoftFinish::projection;
     JointedScene scene = stack(5);
-    // its tolerance of 1e-9 m/s over a step
-    CHECK(take(scene, method, 1.0 / 60, 100, 4) < 1e-9);
+    // what a hundred sweeps over positions leave of 3 mm
+    CHECK(take(scene, method, 1.0 / 60, 100, 4) < 1e-6);
 }
 
 TEST_CASE("relaxation takes the velocity that pushed an overlap out", "[idea]")
@@ -261,8 +261,9 @@ TEST_CASE("a ball bounces in positions as high as it fell", "[idea]")
         bounced = bounced || scene.bodies.u[1] > 0;
         if (bounced) highest = std::max(highest, scene.bodies.x[1]);
     }
-    // h g/2 at 4.4 m/s and the part of a step in which it strikes
-    CHECK(highest == Approx(1.5).epsilon(0.02));
+    // the approach is that of before the step, up to gh slower: 1.8 % of the height; and up to a step's way is lost, 1.8 cm
+    CHECK(highest > 1.5 - 0.037);
+    CHECK(highest <= 1.5);
 }
 
 TEST_CASE("masses of another unit give the same motion", "[house]")
