@@ -126,6 +126,26 @@ TEST_CASE("an overlap comes out no faster than the push-out speed", "[idea]")
     CHECK(before > 0.47);
 }
 
+TEST_CASE("ten boxes that overlap by a fifth come apart and none is thrown", "[idea]")
+{
+    auto method = soft_sweeps(20);
+    method.correction.push_out = 1;
+    JointedScene scene = stack(10);
+    for (Index k = 0; k < 10; ++k) scene.bodies.x[3 * k + 1] = 0.5 + 0.8 * static_cast<Real>(k);
+    StepData<3> now;
+    Real highest = 0, before = height_of_top(scene);
+    for (int i = 0; i < 360; ++i) {
+        step(scene, {.h = 1.0 / 60}, method, now);
+        // nine contacts part at the push-out speed
+        CHECK(height_of_top(scene) - before <= 9 * 1.0 / 60 + 1e-6);
+        before = height_of_top(scene);
+        highest = std::max(highest, before);
+    }
+    CHECK(highest < 9.5);
+    CHECK(scene.bodies.u.norm() < 1e-3);
+    CHECK(before > 9);
+}
+
 TEST_CASE("many small steps of one sweep hold what one step of as many sweeps does not", "[idea]")
 {
     // the same visits: 16 a step
