@@ -10,7 +10,7 @@ using namespace rigid;
 namespace {
 
 template <class Method>
-Real take(JointedScene& scene, Method& method, Real h, int steps, int substeps = 1)
+Real settle(JointedScene& scene, Method& method, Real h, int steps, int substeps = 1)
 {
     StepData<3> now;
     Real deepest = 0;
@@ -66,7 +66,7 @@ TEST_CASE("a soft stack sags by its load over its stiffness", "[idea]")
         auto method = soft_sweeps(20);
         method.correction.contacts = {infinity, 10};  // as stiff as the sub-steps let it be
         JointedScene scene = stack(5);
-        const Real deepest = take(scene, method, 1.0 / 60, 300, substeps);
+        const Real deepest = settle(scene, method, 1.0 / 60, 300, substeps);
         INFO(substeps);
         // the contacts turn by the square of the overlap over a metre, and it has not quite settled
         CHECK(deepest == Approx(sag_by_hand(5, 0.25 * 60 * substeps)).epsilon(0.01));
@@ -78,7 +78,7 @@ TEST_CASE("a stack of preloaded springs does not sag", "[idea]")
     auto method = soft_sweeps(20);
     method.correction.preloaded = true;
     JointedScene scene = stack(5);
-    const Real deepest = take(scene, method, 1.0 / 60, 300, 4);
+    const Real deepest = settle(scene, method, 1.0 / 60, 300, 4);
     // what is left decays as exp(−ω t/2ζ)
     CHECK(deepest < 1e-3 * sag_by_hand(5, 30));
 }
@@ -89,7 +89,7 @@ TEST_CASE("a projection at the end of a step leaves no sag", "[idea]")
     method.correction.finish = SoftFinish::projection;
     JointedScene scene = stack(5);
     // what a hundred sweeps over positions leave of 3 mm
-    CHECK(take(scene, method, 1.0 / 60, 100, 4) < 1e-6);
+    CHECK(settle(scene, method, 1.0 / 60, 100, 4) < 1e-6);
 }
 
 TEST_CASE("relaxation takes the velocity that pushed an overlap out", "[idea]")
@@ -100,7 +100,7 @@ TEST_CASE("relaxation takes the velocity that pushed an overlap out", "[idea]")
         JointedScene scene = stack(1);
         scene.gravity = {0, 0};
         scene.bodies.x[1] -= 0.1;
-        take(scene, method, 1.0 / 60, 1);
+        settle(scene, method, 1.0 / 60, 1);
         const SoftTerms terms = soft_terms(Softness{15, 10}, 2.5, 1.0 / 60);
         // two equal rows, whose impulses couple by 1 − ¼ · 6
         const Real lambda = terms.rate * 0.1 / (2.5 - 0.5 + terms.softness), out = 2 * lambda;
@@ -156,7 +156,7 @@ TEST_CASE("many small steps of one sweep hold what one step of as many sweeps do
         fresh.start.from = Start::previous;
         fresh.solver.sweeps = {sweeps, 0, false};
         JointedScene scene = stack(20);
-        return take(scene, fresh, 1.0 / 60, 60, substeps);
+        return settle(scene, fresh, 1.0 / 60, 60, substeps);
     };
     const Real small = sag(16, 1), whole = sag(1, 16);
     CHECK(small < whole / 10);
@@ -176,9 +176,9 @@ TEST_CASE("sweeps over rows and over bodies have one answer on linear springs", 
         BodyDescent<AllBodies> bodies;
         bodies.correction.first = bodies.correction.most = 1e15;
         bodies.correction.sweeps = 3000;
-        take(first, exact, 1.0 / 60, 5);
-        take(second, positions, 1.0 / 60, 5);
-        take(third, bodies, 1.0 / 60, 5);
+        settle(first, exact, 1.0 / 60, 5);
+        settle(second, positions, 1.0 / 60, 5);
+        settle(third, bodies, 1.0 / 60, 5);
         CHECK((second.bodies.x - first.bodies.x).norm() < 1e-9);
         // x − y is divided by h² and loses the digits of x/h² k beside it
         CHECK((third.bodies.x - first.bodies.x).norm() < 1e-9);
@@ -195,7 +195,7 @@ TEST_CASE("heavy ends slow rows down and leave bodies alone", "[idea]")
             JointSweeps<AllBodies> method;
             method.start.from = Start::cold;
             method.solver.sweeps = {sweeps, 0, false};
-            take(scene, method, 1.0 / 60, 1);
+            settle(scene, method, 1.0 / 60, 1);
             return scene.bodies.u;
         };
         CHECK(rate_of(5, rows) == Approx(heavy / (1 + heavy)).epsilon(1e-6));
@@ -205,7 +205,7 @@ TEST_CASE("heavy ends slow rows down and leave bodies alone", "[idea]")
             BodyDescent<AllBodies> method;
             method.correction.first = method.correction.most = 1e15;
             method.correction.sweeps = sweeps;
-            take(scene, method, 1.0 / 60, 1);
+            settle(scene, method, 1.0 / 60, 1);
             return scene.bodies.x;
         };
         const Real c = std::cos(pi / 10);
@@ -217,12 +217,12 @@ TEST_CASE("block descent holds a thousand times on a stack where ten sweeps do n
 {
     JointedScene held = heavy_top(5, 1000), fallen = held;
     BodyDescent<Manifolds> bodies;
-    take(held, bodies, 1.0 / 60, 120);
+    settle(held, bodies, 1.0 / 60, 120);
     CHECK(height_of_top(held) > 5.45);
     JointSweeps<Manifolds> rows;
     rows.correction = steady_contacts();
     rows.solver.sweeps = {10, 0, false};
-    take(fallen, rows, 1.0 / 60, 120);
+    settle(fallen, rows, 1.0 / 60, 120);
     CHECK(height_of_top(fallen) < 5);
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("rows keep momentum and bodies do not", "[house]")
             if (k > 0) add_linear_spring(scene, k - 1, k, {1, 0}, 1, {1e5, 0});
         }
         const Vec<3> start = momenta(scene.bodies);
-        take(scene, method, 1.0 / 60, 10);
+        settle(scene, method, 1.0 / 60, 10);
         return (momenta(scene.bodies) - start).norm();
     };
     PositionSweeps<AllBodies> positions;
@@ -254,7 +254,7 @@ TEST_CASE("a sliding box slows down by friction in every method", "[idea]")
         JointedScene scene = stack(1);
         cover(scene, {0.3, 0, 0, 0});
         scene.bodies.u[0] = 5;
-        take(scene, method, 1.0 / 240, 120);
+        settle(scene, method, 1.0 / 240, 120);
         return scene.bodies.u[0];
     };
     const Real expected = 5 - 0.3 * 9.81 / 2;
@@ -291,7 +291,7 @@ TEST_CASE("masses of another unit give the same motion", "[house]")
     const auto end = [](auto method, Real unit) {
         JointedScene scene = heavy_top(3, 5);
         scene.bodies.inverse_mass /= unit;
-        take(scene, method, 1.0 / 60, 40, 2);
+        settle(scene, method, 1.0 / 60, 40, 2);
         return scene.bodies.x;
     };
     const auto check = [&](const auto& method) {
