@@ -29,9 +29,9 @@ inline void require_valid(const RattleSettings& settings)
 }
 
 //! [turns_too_far]
-/// A contact of a body that turns by more than a radian in the (sub-)step: its corner
-/// comes by the surface more than once, and a λ that puts it there after the step may
-/// do any work. Such a row keeps to its velocity. (Discs of Part I do not turn.)
+/// A contact of a body that turns by more than a radian in the (sub-)step: its
+/// corner comes by the surface more than once, and a λ that puts it there after the
+/// step may do any work. Such a row keeps to its velocity. (Discs do not turn.)
 template <int Dof>
 bool turns_too_far(const Row<Dof>& row, ConstraintKind kind,
                    const StepData<Dof>& now)
