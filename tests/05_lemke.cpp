@@ -11,6 +11,7 @@
 #include "tests/limit.hpp"
 #include "tests/random_problems.hpp"
 #include "tests/says.hpp"
+#include "tests/sentence.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <functional>
@@ -971,19 +972,19 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
     SECTION("NaN in q")
     {
         problem.q[1] = std::nan("");
-        CHECK(refused([&] { lemke(problem); }) == "q[1] is nan; it must be finite");
+        CHECK(sentence_of([&] { lemke(problem); }) == "q[1] is nan; it must be finite");
     }
     SECTION("lo above hi")
     {
         problem.lo[0] = 2;
         problem.hi[0] = 1;
-        CHECK(refused([&] { lemke(problem); }) != "accepted");
+        CHECK(sentence_of([&] { lemke(problem); }) != "accepted");
     }
     SECTION("a tolerance of zero")
     {
         settings.tolerance = 0;
         CHECK(
-            refused([&] { lemke(problem, settings); }) ==
+            sentence_of([&] { lemke(problem, settings); }) ==
             "the tolerance is 0, enough 0 and the pivot limit 0; the tolerance must be positive, the others "
             "not negative");
     }
@@ -991,7 +992,7 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
     {
         BoxStack stack;
         stack.boxes = 0;
-        CHECK(refused([&] { contact_rows(stack); }) == "the number of boxes is 0; it must be at least 1");
+        CHECK(sentence_of([&] { contact_rows(stack); }) == "the number of boxes is 0; it must be at least 1");
     }
 }
 

@@ -19,6 +19,7 @@
 #include "tests/catch.hpp"
 #include "tests/order.hpp"
 #include "tests/random_problems.hpp"
+#include "tests/sentence.hpp"
 
 #include <functional>
 #include <set>
@@ -1022,29 +1023,29 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
     SECTION("NaN in q")
     {
         problem.q[1] = std::nan("");
-        CHECK(refused([&] { active_sets(problem); }) == "q[1] is nan; it must be finite");
-        CHECK(refused([&] { dantzig(problem); }) == "q[1] is nan; it must be finite");
+        CHECK(sentence_of([&] { active_sets(problem); }) == "q[1] is nan; it must be finite");
+        CHECK(sentence_of([&] { dantzig(problem); }) == "q[1] is nan; it must be finite");
     }
     SECTION("lo above hi")
     {
         problem.lo[0] = 2;
         problem.hi[0] = 1;
-        CHECK(refused([&] { active_sets(problem); }) != "accepted");
+        CHECK(sentence_of([&] { active_sets(problem); }) != "accepted");
     }
     SECTION("a tolerance of zero")
     {
         settings.tolerance = 0;
-        CHECK(refused([&] { active_sets(problem, settings); }) ==
+        CHECK(sentence_of([&] { active_sets(problem, settings); }) ==
               "tolerance 0, limit 0, patience 5: the tolerance must be positive, the others not negative");
     }
     SECTION("an A that is not symmetric one row at a time")
     {
-        CHECK(refused([&] { dantzig(plain_lcp(matrix2(2, 1, 0, 2), vector({-1, -1}))); }) != "accepted");
+        CHECK(sentence_of([&] { dantzig(plain_lcp(matrix2(2, 1, 0, 2), vector({-1, -1}))); }) != "accepted");
     }
     SECTION("a friction box for a row that is not there")
     {
         const std::vector<FrictionBox> boxes{{2, 0, 0.5}};
-        CHECK(refused([&] { active_sets(problem, boxes); }) ==
+        CHECK(sentence_of([&] { active_sets(problem, boxes); }) ==
               "a friction box for row 2 by row 0 with mu = 0.5; rows go from 0 to 1, mu is at least 0");
     }
 }
@@ -1237,6 +1238,6 @@ TEST_CASE("what rounding makes of a step is not solved and what gravity makes of
     CHECK(solution.status == Status::solved);
     CHECK(solution.residual <= 1e-10 * weight.cwiseAbs().maxCoeff());
     settings.enough = -1;
-    CHECK(refused([&] { active_sets(problem, settings); }) ==
+    CHECK(sentence_of([&] { active_sets(problem, settings); }) ==
           "the residual that is nothing is -1 m/s; it must be zero or positive, and finite");
 }

@@ -11,10 +11,10 @@
 
 #include "tests/catch.hpp"
 #include "tests/order.hpp"
+#include "tests/sentence.hpp"
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -54,16 +54,6 @@ Path run(DiscScene scene, Method method, const StepSettings& settings, int steps
 
 /// Two rods of 1 m, the upper one level, the lower one straight down, discs of 1 kg, at rest.
 DiscScene double_pendulum() { return linked_discs(2); }
-
-std::string refused(const std::function<void()>& what)
-{
-    try {
-        what();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
-}
 
 /// The angles of the double pendulum of unit lengths and masses, from straight down, and their rates.
 using Angles = std::array<Real, 4>;
@@ -380,7 +370,7 @@ TEST_CASE("a pile that sleeps under RATTLE stays where it is and wakes by a push
 TEST_CASE("RATTLE refuses settings that make no sense", "[house]")
 {
     const auto say = [](auto change) {
-        return refused([&] {
+        return sentence_of([&] {
             DiscScene scene = column(1);
             RattleMethod method;
             change(method.correction);
@@ -398,6 +388,6 @@ TEST_CASE("RATTLE refuses settings that make no sense", "[house]")
     DiscScene scene = column(1);
     RattleMethod method;
     StepData<2> now;
-    CHECK(refused([&] { step(scene, {.h = 0}, method, now); }) ==
+    CHECK(sentence_of([&] { step(scene, {.h = 0}, method, now); }) ==
           "the time step h is 0 s; it must be positive and finite");
 }

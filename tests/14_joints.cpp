@@ -1,5 +1,6 @@
 /// Chapter 14: joints on the step of Part I, and trees of them solved at once.
 
+#include "tests/joint_run.hpp"
 #include "tests/no_allocation.hpp"
 
 #include "chapters/14_joints/joint_method.hpp"
@@ -97,13 +98,6 @@ std::vector<Row<3>> rows_of(const JointedScene& scene, Random& random)
     return rows;
 }
 
-VecX biases(const std::vector<Row<3>>& rows)
-{
-    VecX b(static_cast<Index>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) b[static_cast<Index>(i)] = rows[i].bias;
-    return b;
-}
-
 }  // namespace
 
 // ---- identities of the scheme
@@ -148,7 +142,7 @@ TEST_CASE("a tree solved from the leaves to the root and back gives what the who
         JointFactor factor;
         factor.factor(rows, scene.bodies.inverse_mass);
         VecX u = scene.bodies.u, lambda = VecX::Zero(static_cast<Index>(rows.size()));
-        factor.solve(rows, biases(rows), u, lambda);
+        factor.solve(rows, biases_of(rows), u, lambda);
         const RowsAnswer whole = solve_rows(rows, scene.bodies.u);
         VecX v = scene.bodies.u;
         apply(rows, whole.lambda, v);
@@ -174,7 +168,7 @@ TEST_CASE("the work on a chain grows with its length and not faster", "[house]")
         JointFactor factor;
         factor.factor(rows, scene.bodies.inverse_mass);
         VecX u = scene.bodies.u, lambda = VecX::Zero(static_cast<Index>(rows.size()));
-        factor.solve(rows, biases(rows), u, lambda);
+        factor.solve(rows, biases_of(rows), u, lambda);
         const TreeWork& work = factor.tree.work;
         CHECK(work.factored_rows == static_cast<std::int64_t>(rows.size()));
         CHECK(work.solved_rows == static_cast<std::int64_t>(rows.size()));

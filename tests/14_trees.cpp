@@ -19,13 +19,6 @@ namespace {
 
 using Trees = JointTrees<AllBodies>;
 
-VecX biases(const std::vector<Row<3>>& rows)
-{
-    VecX b(static_cast<Index>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) b[static_cast<Index>(i)] = rows[i].bias;
-    return b;
-}
-
 }  // namespace
 
 TEST_CASE("a chain of rods hangs as the catenary of so many rods", "[idea]")
@@ -151,7 +144,7 @@ TEST_CASE("a step by rows and a step by coordinates give the same velocities", "
         JointFactor factor;
         factor.factor(rows, all.inverse_mass);
         VecX v = u_star, lambda = VecX::Zero(static_cast<Index>(rows.size()));
-        factor.solve(rows, biases(rows), v, lambda);
+        factor.solve(rows, biases_of(rows), v, lambda);
         CHECK((u - v).norm() <= 1e-10 * (1 + u.norm()));
     }
 }

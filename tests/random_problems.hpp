@@ -6,10 +6,7 @@
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
 #include "common/random.hpp"
 
-#include <functional>
 #include <initializer_list>
-#include <stdexcept>
-#include <string>
 
 namespace rigid {
 
@@ -111,16 +108,6 @@ inline Mlcp planted(Kind kind, Index n, Random& random, VecX& lambda)
     }
     mlcp.q = w - mlcp.A * lambda;
     return mlcp;
-}
-
-inline std::string refused(const std::function<void()>& action)
-{
-    try {
-        action();
-    } catch (const std::invalid_argument& sentence) {
-        return sentence.what();
-    }
-    return "accepted";
 }
 
 }  // namespace rigid

@@ -195,7 +195,7 @@ struct TwoRows {
 };
 
 template <class Contacts, class Solver>
-struct AnyMethod {
+struct StepMethod {
     Contacts contacts;
     Correction correction;
     WarmStart start;
@@ -215,12 +215,12 @@ void for_each_method(const Use& use)
                 method.correction.method = way;
                 use(solver_name + ", " + name, method);
             };
-            AnyMethod<Contacts, ImpulseSolver<2>> sweeps;
+            StepMethod<Contacts, ImpulseSolver<2>> sweeps;
             sweeps.solver.sweeps = {1000, 1e-13, false};
             with("rows", sweeps);
             sweeps.solver.in_pairs = true;
             with("pairs", sweeps);
-            AnyMethod<Contacts, ExactSolver> exact;
+            StepMethod<Contacts, ExactSolver> exact;
             exact.solver.find.settings.tolerance = 1e-13;
             with("active sets", exact);
         }
@@ -427,15 +427,15 @@ TEST_CASE("a soft row or a bounded one that makes no sense is refused by name")
         change(rows);
         return sentence_of([&] { assemble(rows, problem.u_star); });
     };
-    CHECK(refused([](auto& rows) { rows[3].bounded_by = 10; }) ==
+    CHECK(sentence_of([](auto& rows) { rows[3].bounded_by = 10; }) ==
           "row 3 is bounded by row 10; there are 10 rows");
-    CHECK(refused([](auto& rows) { rows[3].bounded_by = 1; }) ==
+    CHECK(sentence_of([](auto& rows) { rows[3].bounded_by = 1; }) ==
           "row 3 is bounded by row 1, which another row bounds itself");
-    CHECK(refused([](auto& rows) { rows[2].lo = -1; }) ==
+    CHECK(sentence_of([](auto& rows) { rows[2].lo = -1; }) ==
           "row 3 is bounded by row 2, which may pull; a row that bounds others must only push");
-    CHECK(refused([](auto& rows) { rows[1].friction = -0.5; }) ==
+    CHECK(sentence_of([](auto& rows) { rows[1].friction = -0.5; }) ==
           "row 1 has the friction coefficient -0.5; it must be zero or positive and finite");
-    CHECK(refused([](auto& rows) { rows[0].softness = -1; }) ==
+    CHECK(sentence_of([](auto& rows) { rows[0].softness = -1; }) ==
           "row 0 has the softness -1 1/kg; it must be zero or positive and finite");
-    CHECK(refused([](auto&) {}) == "accepted");
+    CHECK(sentence_of([](auto&) {}) == "accepted");
 }
