@@ -300,6 +300,28 @@ TEST_CASE("contacts have their names again after sleep", "[idea]")
     CHECK(left.share_kept(room.now) == 1);
 }
 
+TEST_CASE("a name that memory alone keeps is there again after sleep", "[idea]")
+{
+    RigidScene smooth;
+    smooth.walls.push_back({{0, 1}, 0});
+    add_body(smooth, box(1, 1), 1, {0, 0.5});
+    add_body(smooth, box(1, 1), 1, {1e-6, 1.5});
+    World room(rough(smooth));
+    room.run(1);
+    // Corners over corners, now on the other side: the pair keeps its names only because it had them before.
+    room.scene.bodies.position(1)[0] = -1e-6;
+    NamedImpulses last;
+    for (int i = 0; i < 240 && !room.all_asleep(); ++i) {
+        room.run(1);
+        last.remember(room.now);
+    }
+    REQUIRE(room.all_asleep());
+    room.scene.bodies.velocity(1)[0] = 1e-9;
+    room.run(1);
+    REQUIRE(!room.asleep(0));
+    CHECK(last.share_kept(room.now) == 1);
+}
+
 TEST_CASE("a heap that sleeps stays where it is when all are woken and may not sleep", "[house]")
 {
     // Heaps of random shapes; between one rest and the next something in them is changed.
