@@ -35,4 +35,15 @@ foreach(main ${mains})
     COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:${chapter}> ${script})
   list(APPEND scripts ${script})
 endforeach()
+
+# The race (docs/race.md): no program of a chapter, and on a page of its own.
+add_executable(race docs/race/race.cpp)
+target_link_libraries(race PRIVATE rigid_web)
+target_link_options(race PRIVATE --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)
+set_target_properties(race PROPERTIES SUFFIX .wasm)
+set(script ${CMAKE_BINARY_DIR}/race/race.js)
+add_custom_command(OUTPUT ${script} DEPENDS race docs/web/pack.py
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:race> ${script})
+list(APPEND scripts ${script})
+
 add_custom_target(web ALL DEPENDS ${scripts})
