@@ -280,8 +280,9 @@ class Page:
         if not RACE.match(block.lines[0]) or not (self.root / "build/docs/demos/race.js").is_file():
             return None
         peer = (self.root / "build/docs/demos/box2d3_wasm.js").is_file()
+        peer_mark = ' data-peer=""' if peer else ""
         return (loading("demo.css", "unpack", "machine") + loading("race.css", *(["box2d"] if peer else []), "race") +
-                f'<div class="demo race"{" data-peer=" + chr(34) * 2 if peer else ""}><div class="demo-begin">'
+                f'<div class="demo race"{peer_mark}><div class="demo-begin">'
                 '<button type="button" class="demo-start" aria-label="Run the race">&#9654;&#65038; Run it</button>'
                 "<span>The same scene on both sides, at the same time</span></div></div>")
 
