@@ -63,6 +63,7 @@
                     }
                     // The least of several: other programs run beside this, and a run of some milliseconds is short.
                     for (let turn = 0, spent = 0; turn < 2 || (spent < 200 && turn < 20); ++turn) {
+                        await wait(); // the page stays awake
                         begin();
                         const before = performance.now();
                         for (let k = 0; k < scene.steps; ++k) step();
@@ -137,7 +138,7 @@
                     element('div', {class: 'demo-title'}, element('b', {style: `color: var(--demo-${colours[name]})`}, title), value), canvas)};
             };
             this.sides = {ours: side('ours', 'this book')};
-            if (race.box) this.sides.theirs = side('theirs', 'Box2D ' + space.rigid_box2d.version);
+            if (race.box) this.sides.theirs = side('theirs', 'Box2D v3');
             const plot = title => {
                 const canvas = element('canvas', {role: 'img', 'aria-label': 'Plot of the ' + title});
                 return {canvas, title: element('span', {}, title), all: null};

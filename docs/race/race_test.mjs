@@ -75,9 +75,9 @@ async function table(page) {
         console.log(`       ${line.scene.padEnd(8)} ${line.who.padEnd(6)} ${line.method.padEnd(12)} ${String(line.substeps).padStart(2)}  error ${line.error.padStart(8)} m  ${line.time.toFixed(0).padStart(6)} µs a step`);
     const csv = join(own, 'table.csv');
     if (words.includes('--write')) {
-        writeFileSync(csv, 'scene,who,method,substeps,error_m,us_a_step\n' +
-                           lines.map(line => [line.scene, line.who, line.method, line.substeps, line.error, line.time.toPrecision(2)].join(',') + '\n').join(''));
-        const rows = lines.map((line, i) => `| ${i && lines[i - 1].scene === line.scene ? '' : line.title} | ${line.who} | ${line.method} | ${line.substeps} | ${line.error} | ${String(Number(line.time.toPrecision(2)))} |`);
+        writeFileSync(csv, 'scene,who,method,substeps,error_m\n' +
+                           lines.map(line => [line.scene, line.who, line.method, line.substeps, line.error].join(',') + '\n').join(''));
+        const rows = lines.map((line, i) => `| ${i && lines[i - 1].scene === line.scene ? '' : line.title} | ${line.who} | ${line.method} | ${line.substeps} | ${line.error} |`);
         const text = join(own, '../race.md'), old = readFileSync(text, 'utf8');
         writeFileSync(text, old.replace(/(\| scene \|.*\n\|[-:| ]*\n)(\|.*\n)*/, (all, head) => head + rows.join('\n') + '\n'));
         return;
