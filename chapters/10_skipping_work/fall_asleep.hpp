@@ -87,8 +87,10 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
     if (!sleep) return;
     const RestSettings slow = in_metres(rest, length);
     Real noise = 0;
-    if constexpr (requires { method.solver.sweeps; })
+    if constexpr (requires { method.solver.sweeps.tolerance; })
         noise = method.solver.sweeps.tolerance * length;
+    else if constexpr (requires { method.solver.tolerance; })
+        noise = method.solver.tolerance * length;
     const auto restless = [&](int k) {
         const Vec<Dof> u = scene.bodies.velocity(k);
         return !may_sleep(rests[static_cast<std::size_t>(k)],

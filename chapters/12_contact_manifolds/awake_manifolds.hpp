@@ -90,8 +90,12 @@ private:
                          const Method& method)
     {
         RestConditions present{scene.gravity, 0, 0, rest, {}, sleep};
-        if constexpr (requires { method.correction.beta; })
+        if constexpr (requires { present.correction = method.correction; })
             present.correction = method.correction;
+        else if constexpr (requires { method.correction.slop; }) {
+            present.correction.beta = method.correction.beta;
+            present.correction.slop = method.correction.slop;
+        }
         const Real found_within = settings.margin * length_of(scene);
         moved_.clear();
         if (watch.x.size() == 0 ||

@@ -8,8 +8,6 @@
 
 #include "chapters/14_joints/joint_tree.hpp"
 
-#include <Eigen/Cholesky>
-
 namespace rigid {
 
 /// A body and the joint that it hangs on.
@@ -40,14 +38,23 @@ struct JointBlock {
     }
 
     //! [mobility]
-    /// (14.9): G = (M + S)⁻¹, in a form that takes 1/m = 0 and keeps symmetry.
+    /// (14.9): G = (M + S)⁻¹, in a form that takes 1/m = 0 and keeps symmetry:
+    /// 1 + D S D = l diag(p) lᵀ, and G = D (l⁻ᵀ diag(1/p) l⁻¹) D.
     void find_mobility()
     {
-        Mat3 B = D.asDiagonal() * S * D.asDiagonal();
-        B.diagonal().array() += 1;
-        Mat3 half = D.asDiagonal();
-        B.llt().matrixL().solveInPlace(half);
-        G.noalias() = half.transpose() * half;
+        const Real b10 = D[1] * S(1, 0) * D[0], b20 = D[2] * S(2, 0) * D[0];
+        const Real q0 = 1 / (1 + D[0] * S(0, 0) * D[0]);
+        const Real l10 = b10 * q0, l20 = b20 * q0;
+        const Real q1 = 1 / (1 + D[1] * S(1, 1) * D[1] - l10 * b10);
+        const Real b21 = D[2] * S(2, 1) * D[1] - l20 * b10, l21 = b21 * q1;
+        const Real q2 = 1 / (1 + D[2] * S(2, 2) * D[2] - l20 * b20 - l21 * b21);
+        const Real m20 = l21 * l10 - l20;  // of l⁻¹
+        G(0, 0) = D[0] * D[0] * (q0 + l10 * l10 * q1 + m20 * m20 * q2);
+        G(1, 1) = D[1] * D[1] * (q1 + l21 * l21 * q2);
+        G(2, 2) = D[2] * D[2] * q2;
+        G(1, 0) = G(0, 1) = -D[1] * D[0] * (l10 * q1 + l21 * m20 * q2);
+        G(2, 0) = G(0, 2) = D[2] * D[0] * m20 * q2;
+        G(2, 1) = G(1, 2) = -D[2] * D[1] * l21 * q2;
     }
     //! [mobility]
 

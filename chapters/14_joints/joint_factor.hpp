@@ -7,14 +7,24 @@
 /// (14.14): k rows that close loops cost k solves of the tree, and k³. \cite baraff1996
 #pragma once
 
+#include "chapters/14_joints/assemblies.hpp"
 #include "chapters/14_joints/pivoted_ldlt.hpp"
 #include "chapters/14_joints/tree_factor.hpp"
 
 namespace rigid {
 
+/// J u of a row [m/s], without its b.
+inline Real speed_along(const Row<3>& row, const VecX& u)
+{
+    Real speed = row.Jb.dot(u.segment<3>(3 * row.b));
+    if (row.a != world) speed += row.Ja.dot(u.segment<3>(3 * row.a));
+    return speed;
+}
+
 class JointFactor {
 public:
     TreeFactor tree;
+    Assemblies assemblies;
     std::vector<int> loop_rows;
     /// part of J M⁻¹ Jᵀ that a loop must leave of a row, or the row gets no impulse
     Real rank_tolerance = 1e-11;
@@ -24,6 +34,8 @@ public:
                 const std::vector<char>& left_out = {})
     {
         tree.factor(rows, inverse_mass, left_out);
+        if (tree.tree.found_anew) assemblies.find(tree.tree);
+        lambda_.resize(static_cast<Index>(rows.size()));
         loop_rows.clear();
         for (const int g : tree.tree.loops) {
             const RowGroup& group = tree.tree.groups[static_cast<std::size_t>(g)];
@@ -32,7 +44,6 @@ public:
         }
         const auto k = static_cast<Index>(loop_rows.size());
         if (k == 0) return;
-        lambda_.setZero(static_cast<Index>(rows.size()));
         border_.resize(k, k);
         scale_.resize(k);
         for (Index j = 0; j < k; ++j) {
@@ -41,7 +52,7 @@ public:
             column.apply(1, u_);
             tree.solve(Zero(), u_, lambda_);
             for (Index i = 0; i < k; ++i)
-                border_(i, j) = row(rows, i).velocity(u_) - row(rows, i).bias;
+                border_(i, j) = speed_along(row(rows, i), u_);
             border_(j, j) += column.softness;
             const Real whole = column.diagonal();
             scale_[j] = whole > 0 ? 1 / std::sqrt(whole) : 1;
@@ -65,7 +76,7 @@ public:
         const auto k = static_cast<Index>(loop_rows.size());
         mu_.resize(k);
         for (Index i = 0; i < k; ++i)
-            mu_[i] = -scale_[i] * (row(rows, i).velocity(u_) - row(rows, i).bias +
+            mu_[i] = -scale_[i] * (speed_along(row(rows, i), u_) +
                                    b[loop_rows[static_cast<std::size_t>(i)]]);
         inverse_.solve(mu_);
         for (Index i = 0; i < k; ++i) {
@@ -76,6 +87,36 @@ public:
         tree.solve(b, u, lambda);
     }
     //! [solve]
+
+    /// Where the velocities of a node are.
+    Index place(int node) const
+    {
+        return 3 * static_cast<Index>(
+                       tree.tree.nodes[static_cast<std::size_t>(node)].body);
+    }
+
+    //! [hold]
+    /// What the joints leave of velocities that are zero but on one assembly: b = 0.
+    void hold(const std::vector<Row<3>>& rows, int assembly, VecX& u)
+    {
+        const std::span<const int> nodes = assemblies.nodes_of(assembly);
+        const auto k = static_cast<Index>(loop_rows.size());
+        if (k > 0) {
+            if (held_.size() != u.size()) held_.setZero(u.size());
+            for (const int n : nodes)
+                held_.segment<3>(place(n)) = u.segment<3>(place(n));
+            tree.solve_some(nodes, Zero(), held_, lambda_);
+            mu_.resize(k);
+            for (Index i = 0; i < k; ++i)
+                mu_[i] = -scale_[i] * speed_along(row(rows, i), held_);
+            inverse_.solve(mu_);
+            for (Index i = 0; i < k; ++i)
+                if (mu_[i] != 0) row(rows, i).apply(scale_[i] * mu_[i], u);
+            for (const int n : nodes) held_.segment<3>(place(n)).setZero();
+        }
+        tree.solve_some(nodes, Zero(), u, lambda_);
+    }
+    //! [hold]
 
 private:
     struct Zero {
@@ -89,6 +130,7 @@ private:
 
     MatX border_;
     VecX scale_, mu_, u_, lambda_;
+    VecX held_;  ///< zero between calls
     PivotedLdlt inverse_;
 };
 

@@ -35,6 +35,9 @@ struct JointRattle {
     WarmStart start = last_impulses();
     TreeSolver solver;
 };
+
+/// What rests, sleeps.
+using SkippingJoints = JointTrees<AwakeManifolds>;
 //! [method]
 
 }  // namespace rigid

@@ -57,18 +57,22 @@ struct WithJoints {
     void begin(const JointedScene& scene, const StepSettings& settings,
                Method& method, StepData<3>& now)
     {
-        contacts.begin(scene, settings, method, now);
-        limits_skipped = 0;
-        std::erase_if(now.sources, [&](const Source& source) {
-            if (source.of != Source::Of::joint) return false;
-            const auto j = static_cast<std::size_t>(source.index);
-            const int owner = j < scene.owner.size() ? scene.owner[j] : -1;
-            if (owner >= 0 && scene.placed[static_cast<std::size_t>(owner)].broken)
-                return true;
-            const bool far = skip_far_limits && is_far(scene, j, settings, now);
-            limits_skipped += far;
-            return far;
-        });
+        wake_the_broken(scene);
+        do {
+            contacts.begin(scene, settings, method, now);
+            limits_skipped = 0;
+            std::erase_if(now.sources, [&](const Source& source) {
+                if (source.of != Source::Of::joint) return false;
+                const auto j = static_cast<std::size_t>(source.index);
+                const int owner = j < scene.owner.size() ? scene.owner[j] : -1;
+                if (owner >= 0 &&
+                    scene.placed[static_cast<std::size_t>(owner)].broken)
+                    return true;
+                const bool far = skip_far_limits && is_far(scene, j, settings, now);
+                limits_skipped += far;
+                return far;
+            });
+        } while (wake_the_joined(scene, now));
     }
     template <class Method>
     void end(JointedScene& scene, const StepSettings& settings, Method& method,
@@ -89,6 +93,44 @@ struct WithJoints {
         }
     }
 
+    /// A rope that was slack may pull at a sleeper: true if one had to be woken.
+    bool wake_the_joined(const JointedScene& scene, const StepData<3>& now)
+    {
+        bool woken = false;
+        if constexpr (requires { contacts.contacts.set; }) {
+            auto& set = contacts.contacts.set;
+            if (now.active.empty()) return false;
+            for (const Source& source : now.sources) {
+                if (source.of != Source::Of::joint) continue;
+                const PointJoint& joint =
+                    scene.joints[static_cast<std::size_t>(source.index)];
+                for (const Index k : {joint.a, joint.b}) {
+                    if (k == world || !set.is_asleep(k)) continue;
+                    set.wake(k);
+                    woken = true;
+                }
+            }
+        }
+        return woken;
+    }
+
+    /// Whatever a joint held wakes when it breaks, or is whole again.
+    void wake_the_broken(const JointedScene& scene)
+    {
+        if constexpr (requires { contacts.contacts.set; }) {
+            auto& set = contacts.contacts.set;
+            was_broken_.resize(scene.placed.size(), 0);
+            for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+                const PlacedJoint& placed = scene.placed[i];
+                if (placed.broken == (was_broken_[i] != 0)) continue;
+                was_broken_[i] = placed.broken;
+                for (const Index k : {placed.joint.a, placed.joint.b})
+                    if (k != world && k < static_cast<Index>(set.activity.size()))
+                        set.wake(k);
+            }
+        }
+    }
+
     /// A one-sided row that this step cannot reach: not within the margin, nor
     /// within twice the way that it would go at its present speed and with the
     /// weight of a step.
@@ -106,6 +148,9 @@ struct WithJoints {
         return c.C > margin + 2 * settings.h *
                                   (std::abs(row.velocity(scene.bodies.u)) + fall);
     }
+
+private:
+    std::vector<char> was_broken_;
 };
 //! [with_joints]
 

@@ -67,18 +67,32 @@ public:
     template <class Bias>
     void solve(const Bias& b, VecX& u, VecX& lambda)
     {
-        for (std::size_t n = 0; n < blocks_.size(); ++n) {
+        solve_some(All{blocks_.size()}, b, u, lambda);
+    }
+    //! [solve]
+
+    //! [solve_some]
+    /// The same for a part of the tree that no joint joins to the rest of it.
+    /// \param nodes  ascending: parents first
+    template <class Nodes, class Bias>
+    void solve_some(const Nodes& nodes, const Bias& b, VecX& u, VecX& lambda)
+    {
+        const std::size_t count = nodes.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto n = static_cast<std::size_t>(nodes[i]);
             blocks_[n].pull.setZero();
             blocks_[n].star = u.segment<3>(place(n));
         }
-        for (std::size_t n = blocks_.size(); n-- > 0;) {  // up
+        for (std::size_t i = count; i-- > 0;) {  // up
+            const auto n = static_cast<std::size_t>(nodes[i]);
             JointBlock& block = blocks_[n];
             block.free = block.star - block.G * block.pull;
             with_count(block.count, [&](auto d) {
                 block.template up<d>(b, group_of(n), u, parent_of(n));
             });
         }
-        for (std::size_t n = 0; n < blocks_.size(); ++n) {  // and down
+        for (std::size_t i = 0; i < count; ++i) {  // and down
+            const auto n = static_cast<std::size_t>(nodes[i]);
             JointBlock& block = blocks_[n];
             if (block.count == 0) block.u = block.free;
             with_count(block.count, [&](auto d) {
@@ -88,9 +102,15 @@ public:
             work.solved_rows += block.count;
         }
     }
-    //! [solve]
+    //! [solve_some]
 
 private:
+    struct All {
+        std::size_t count;
+        std::size_t size() const { return count; }
+        std::size_t operator[](std::size_t i) const { return i; }
+    };
+
     /// Calls what(d) with the number of rows as a constant.
     template <class What>
     static void with_count(int count, const What& what)

@@ -1,14 +1,14 @@
 /// \file tree_solver.hpp
-/// The solver stage of the step: the joints at once, and the rest by sweeps on top of them.
+/// The solver stage of the step: the joints at once, and above them the rows with bounds.
 ///
-///     repeat     rows with bounds, one after the other, (6.5)
-///                all joints at once: J u + γ λ + b = 0, from the u that these left
+///     û, what joints alone make of u*  →  λ of the rows with bounds, (14.16)  →  joints from u* and these impulses
 ///
-/// (14.15): block Gauss-Seidel, with all joints as one block. Without rows that have bounds it is one exact solve.
+/// Where (14.16) has too many rows or no answer found: sweeps over them, and all joints after each, (14.15). Whatever was
+/// done, the natural residual of all rows decides whether it is called solved.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
-#include "chapters/14_joints/joint_factor.hpp"
+#include "chapters/14_joints/bounded_rows.hpp"
 
 namespace rigid {
 
@@ -17,54 +17,47 @@ struct TreeSolver {
     int sweeps = 10;  ///< over the rows with bounds, at most
     /// they end when none changes a row by more than this [ℓ/s]
     Real tolerance = 1e-9;
+    /// rows with bounds that are found exactly, of an island at most; 0: by sweeps
+    int most_exact = 400;
+    FrictionSettings exact;  ///< how hard it tries
 
     // What is kept from step to step.
     JointFactor joints;
     JointFactor apart;    ///< of solve_apart(), where springs are left out
+    BoundedRows bounded;  ///< above the joints
+    BoundedRows bounded_apart;
     int sweeps_made = 0;  ///< of the last solve
 
     void require_valid() const
     {
-        if (sweeps < 0)
-            throw std::invalid_argument("the number of sweeps is " +
-                                        std::to_string(sweeps) +
-                                        "; it must be zero or positive");
+        const auto refuse = [](const std::string& what) {
+            throw std::invalid_argument(what + "; it must be zero or positive");
+        };
+        if (sweeps < 0) refuse("the number of sweeps is " + std::to_string(sweeps));
         if (!(tolerance >= 0))
-            throw std::invalid_argument("the tolerance of the sweeps is " +
-                                        shortest(tolerance) +
-                                        "; it must be zero or positive");
+            refuse("the tolerance of the sweeps is " + shortest(tolerance));
+        if (most_exact < 0)
+            refuse("the rows with bounds that are found exactly are at most " +
+                   std::to_string(most_exact));
+        rigid::require_valid(exact);
     }
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
-        joints.factor(now.rows, bodies.inverse_mass);
-        inverse_mass_ = bodies.inverse_mass;
-        VecX& lambda = now.solution.lambda;
-        for (const int k : now.active)
-            bodies.velocity(k) = now.u_star.segment<3>(3 * k);
-        for (std::size_t i = 0; i < now.rows.size(); ++i) {
-            Real& start = lambda[static_cast<Index>(i)];
-            if (JointTree::takes(now.rows[i])) start = 0;
-            else {
-                const auto [lo, hi] = bounds_of(now.rows[i], lambda);
-                start = std::clamp(start, lo, hi);
-                now.rows[i].apply(start, bodies.u);
-            }
-        }
-        bias_.resize(lambda.size());
+        factor_again(bodies, now);
+        bias_.resize(now.solution.lambda.size());
         for (std::size_t i = 0; i < now.rows.size(); ++i)
             bias_[static_cast<Index>(i)] = now.rows[i].bias;
-        run(joints, {}, sweeps, tolerance * now.length, bodies.u, lambda, now);
-        judge(bodies.u, lambda, now, now.solution);
+        enough_ = std::max(std::max(tolerance, 1e-9) * now.length,
+                           noise_of_corners(bodies, now));
+        answer(bodies, now);
     }
 
-    /// Other biases, the same u*: on from the present λ and u.
+    /// Other biases, the same u*.
     void solve_again(SecondProblem& second, Bodies<3>& bodies, StepData<3>& now)
     {
         take(second.bias);
-        run(joints, {}, std::max(sweeps, 1), tolerance * now.length, bodies.u,
-            now.solution.lambda, now);
-        judge(bodies.u, now.solution.lambda, now, now.solution);
+        answer(bodies, now);
     }
 
     /// The rows have another J: what solve_apart() needs.
@@ -72,22 +65,33 @@ struct TreeSolver {
     {
         inverse_mass_ = bodies.inverse_mass;
         joints.factor(now.rows, inverse_mass_);
+        listed_ = listed_apart_ = false;
     }
 
     /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
     void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
     {
         take(second.bias);
-        for (const int k : now.active) v.segment<3>(3 * k).setZero();
-        second.solution.lambda.setZero(bias_.size());
-        bool same =
-            true;  // are the joints of this problem those of the velocities?
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
+        VecX& lambda = second.solution.lambda;
+        if (lambda.size() != bias_.size()) lambda.setZero(bias_.size());
+        // are the joints of this problem those of the velocities?
+        bool same = true;
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
             same = same && !(second.left_out[i] && JointTree::takes(now.rows[i]));
-        if (!same) apart.factor(now.rows, inverse_mass_, second.left_out);
-        run(same ? joints : apart, second.left_out, second.max_sweeps,
-            second.tolerance, v, second.solution.lambda, now);
-        second.solution.status = Status::solved;
+            if (second.left_out[i]) lambda[static_cast<Index>(i)] = 0;
+        }
+        if (!listed_apart_ || second.left_out != left_out_) {
+            if (!same) apart.factor(now.rows, inverse_mass_, second.left_out);
+            left_out_ = second.left_out;
+            listed_apart_ = false;
+        }
+        const auto from_rest = [&] {
+            for (const int k : now.active) v.segment<3>(3 * k).setZero();
+        };
+        const bool done = run(same ? joints : apart, bounded_apart, listed_apart_,
+                              second.left_out, second.max_sweeps, second.tolerance,
+                              from_rest, v, lambda, now);
+        second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
     //! [tree_solver]
 
@@ -98,15 +102,61 @@ private:
             Eigen::Map<const VecX>(bias.data(), static_cast<Index>(bias.size()));
     }
 
-    //! [run]
-    /// (14.15), from the present λ and u on.
-    /// \param left_out  1: a row without impulse; empty = none
-    void run(JointFactor& factor, const std::vector<char>& left_out, int most,
-             Real small, VecX& u, VecX& lambda, StepData<3>& now)
+    void answer(Bodies<3>& bodies, StepData<3>& now)
     {
-        sweeps_made = 0;
+        const auto from_free = [&] {
+            for (const int k : now.active)
+                bodies.velocity(k) = now.u_star.segment<3>(3 * k);
+        };
+        run(joints, bounded, listed_, {}, sweeps, tolerance * now.length, from_free,
+            bodies.u, now.solution.lambda, now);
+        judge(bodies.u, now.solution.lambda, now, now.solution);
+    }
+
+    //! [run]
+    /// Algorithm 14.2.
+    /// \param listed    whether A is that of these rows and joints
+    /// \param left_out  1: a row without impulse; empty = none
+    /// \param begin     sets u to u*
+    /// \param lambda    in: where the rows with bounds start from
+    /// \return          whether the rows with bounds have an answer
+    template <class Begin>
+    bool run(JointFactor& factor, BoundedRows& above, bool& listed,
+             const std::vector<char>& left_out, int most, Real small,
+             const Begin& begin, VecX& u, VecX& lambda, StepData<3>& now)
+    {
+        const bool any = clamp_start(now.rows, left_out, lambda);
+        begin();
+        bool found = !any;
+        if (any && most_exact > 0) {
+            solve_joints(factor, u, lambda, now);  // û
+            if (!listed)
+                above.eliminate(factor, now.rows, left_out, most_exact,
+                                u.size() / 3);
+            now.visits += above.islands.listed;
+            above.solve(now.rows, u, bias_, exact, enough_ / 2, lambda);
+            found = above.unsolved == 0;
+            begin();
+        }
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+            Real& here = lambda[static_cast<Index>(i)];
+            if (JointTree::takes(now.rows[i])) here = 0;
+            else now.rows[i].apply(here, u);
+        }
         solve_joints(factor, u, lambda, now);
-        for (int changed = 1; sweeps_made < most && changed > 0; ++sweeps_made) {
+        listed = true;
+        sweeps_made = 0;
+        return found || sweep_on(factor, left_out, most, small, u, lambda, now);
+    }
+    //! [run]
+
+    //! [sweep_on]
+    /// (14.15), from the present λ and u on.
+    bool sweep_on(JointFactor& factor, const std::vector<char>& left_out, int most,
+                  Real small, VecX& u, VecX& lambda, StepData<3>& now)
+    {
+        int changed = 1;
+        for (; sweeps_made < most && changed > 0; ++sweeps_made) {
             changed = 0;
             for (std::size_t i = 0; i < now.rows.size(); ++i) {
                 const Row<3>& row = now.rows[i];
@@ -127,6 +177,26 @@ private:
             }
             if (changed > 0) solve_joints(factor, u, lambda, now);
         }
+        return changed == 0;
+    }
+    //! [sweep_on]
+
+    /// λ of joints is zero, of others within its bounds. Returns whether there are others.
+    static bool clamp_start(const std::vector<Row<3>>& rows,
+                            const std::vector<char>& left_out, VecX& lambda)
+    {
+        bool any = false;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            Real& start = lambda[static_cast<Index>(i)];
+            const bool out = !left_out.empty() && left_out[i];
+            if (JointTree::takes(rows[i]) || out || !std::isfinite(start))
+                start = 0;
+            if (JointTree::takes(rows[i]) || out) continue;
+            any = true;
+            const auto [lo, hi] = bounds_of(rows[i], lambda);
+            start = std::clamp(start, lo, hi);
+        }
+        return any;
     }
 
     /// What is missing to J u + γ λ + b = 0 in each row of the joints.
@@ -141,7 +211,6 @@ private:
         factor.solve(now.rows, missing_, u, change_);
         lambda += change_;
     }
-    //! [run]
 
     /// `solved` if the natural residual of λ, from the velocities themselves, is below the tolerance.
     void judge(const VecX& u, const VecX& lambda, const StepData<3>& now,
@@ -160,14 +229,17 @@ private:
         }
         solution.residual = residual;
         solution.iterations = sweeps_made;
-        solution.status = residual <= std::max(tolerance, 1e-9) * now.length
-                              ? Status::solved
+        solution.status = residual <= enough_ ? Status::solved
                           : joints.tree.dependent > 0 || !std::isfinite(residual)
                               ? Status::singular
                               : Status::iteration_limit;
     }
 
     VecX bias_, missing_, change_, inverse_mass_;
+    Real enough_ = 0;  ///< a residual below this is none [m/s]
+    // are factor and A of velocities, of positions, those of the present rows?
+    bool listed_ = false, listed_apart_ = false;
+    std::vector<char> left_out_;  ///< of the last solve_apart()
 };
 
 }  // namespace rigid

@@ -3,13 +3,30 @@
 ///     chain/METHOD/LINKS/RATIO   time of one solve [µs], and how far the velocities are from those in coordinates of
 ///                                the joints [m/s]; sweeps or steps that it took
 ///     per_sweep/LINKS            a factor and a solve of the tree, each over one sweep over the same rows
+///     beside/SCENE/WHO/SUBSTEPS  four seconds at 60 steps a second: the largest gap of a joint [m], the largest change of
+///                                energy as a part of what the scene could lose, and the time of a step [µs]
+///     leg/SWEEPS                 a second of Jansen's leg on its motor, by so many sweeps, 0 = exactly: how far the crank is
+///                                from the motor's speed at the end [rad/s], and the time of a step [µs]
+///     dolls/DOLLS                dolls fall on stairs until all sleep, or for a minute: the largest gap as a part of the
+///                                shortest limb, steps without an exact answer, when the last fell asleep [s], and the time
+///                                of a step [ms]
 
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 #include "chapters/09_active_sets/active_sets.hpp"
+#include "chapters/14_joints/bar_linkages.hpp"
 #include "chapters/14_joints/joint_factor.hpp"
+#include "chapters/14_joints/joint_method.hpp"
 #include "chapters/14_joints/joint_scenes.hpp"
+#include "chapters/14_joints/ragdoll.hpp"
 #include "chapters/14_joints/reduced.hpp"
+
+#ifdef RIGID_HAS_BOX2D
+#include "chapters/14_joints/benchmark/peers_box2d.hpp"
+#endif
+#ifdef RIGID_HAS_CHIPMUNK
+#include "chapters/14_joints/benchmark/peers_chipmunk.hpp"
+#endif
 
 #include <benchmark/benchmark.h>
 
@@ -151,6 +168,163 @@ void per_sweep(benchmark::State& state)
     state.counters["solve"] = solve_time / sweep_time;
 }
 
+/// A chain at 20° under a weight of so many links, or a bridge with one plank of so many others.
+JointedScene loaded(const std::string& name, Real ratio)
+{
+    if (name == "chain") return chain_scene({50, 0.1, 0.1, ratio, pi / 9});
+    JointedScene scene = bridge_scene(40);
+    scene.bodies.inverse_mass.segment<3>(60) /= ratio;
+    return scene;
+}
+
+/// \param advance  one step of 1/60 s; afterwards the scene is where the bodies are
+void follow(benchmark::State& state, JointedScene& scene,
+            const std::function<void()>& advance)
+{
+    const Real before = energy(scene);
+    // what it would lose if its heaviest body fell by a metre
+    Real scale = 0;
+    for (Index k = 0; k < scene.bodies.count(); ++k)
+        scale = std::max(scale, 9.81 / scene.bodies.inverse_mass[3 * k]);
+    Real gap = 0, drift = 0, time = 0;
+    for (auto _ : state)
+        for (int i = 0; i < 240 && scene.bodies.x.allFinite(); ++i) {
+            time += microseconds(advance);
+            gap = std::max(gap, largest_joint_error(scene));
+            drift = std::max(drift, std::abs(energy(scene) - before) / scale);
+        }
+    state.counters["gap"] = scene.bodies.x.allFinite() ? gap : infinity;
+    state.counters["energy"] = scene.bodies.x.allFinite() ? drift : infinity;
+    state.counters["us_step"] = time / 240;
+}
+
+template <class Method>
+void by_book(benchmark::State& state, JointedScene scene, Method method)
+{
+    StepData<3> now;
+    const int substeps = static_cast<int>(state.range(0));
+    follow(state, scene, [&] {
+        step(scene, {.h = 1.0 / 60, .substeps = substeps}, method, now);
+    });
+}
+
+/// \tparam Engine  with step(h) and read(scene)
+template <class Engine>
+void by_engine(benchmark::State& state, JointedScene scene, Engine& engine)
+{
+    const int substeps = static_cast<int>(state.range(0));
+    follow(state, scene, [&] {
+        for (int k = 0; k < substeps; ++k) engine.step(1.0 / 60 / substeps);
+        engine.read(scene);
+    });
+}
+
+void register_beside(const std::string& name, int ratio)
+{
+    const std::string begin = "beside/" + name + "_" + std::to_string(ratio) + "/";
+    const auto add = [&](const std::string& who,
+                         const std::function<void(benchmark::State&)>& run) {
+        benchmark::RegisterBenchmark((begin + who).c_str(), run)
+            ->Arg(1)
+            ->Arg(4)
+            ->Arg(16)
+            ->Iterations(1);
+    };
+    const auto scene = [name, ratio] { return loaded(name, ratio); };
+    add("trees", [scene](benchmark::State& state) {
+        by_book(state, scene(), JointTrees<AllBodies>{});
+    });
+    add("trees_not_stiff", [scene](benchmark::State& state) {
+        JointTrees<AllBodies> method;
+        method.correction.stiff = false;
+        by_book(state, scene(), method);
+    });
+    add("sweeps_10", [scene](benchmark::State& state) {
+        JointSweeps<AllBodies> method;
+        method.correction.method = Stabilizer::projection;
+        method.solver.sweeps.max_sweeps = 10;
+        by_book(state, scene(), method);
+    });
+#ifdef RIGID_HAS_BOX2D
+    add("box2d_8_3", [scene](benchmark::State& state) {
+        JointedScene here = scene();
+        Box2dJoints engine(here, 8, 3);
+        by_engine(state, here, engine);
+    });
+#endif
+#ifdef RIGID_HAS_CHIPMUNK
+    add("chipmunk_10", [scene](benchmark::State& state) {
+        JointedScene here = scene();
+        ChipmunkJoints engine(here, 10);
+        by_engine(state, here, engine);
+    });
+#endif
+}
+
+void leg(benchmark::State& state)
+{
+    JointedScene scene;
+    const Index crank = add_jansen_leg(scene, 0.4, {6, 1e3, 0, 0, 0});
+    JointTrees<AllBodies> method;
+    if (state.range(0) > 0) method.solver.most_exact = 0;
+    method.solver.sweeps = static_cast<int>(state.range(0));
+    StepData<3> now;
+    Real time = 0;
+    for (auto _ : state)
+        for (int i = 0; i < 240; ++i)
+            time +=
+                microseconds([&] { step(scene, {.h = 1.0 / 240}, method, now); });
+    state.counters["off"] = std::abs(scene.bodies.u[3 * crank + 2] - 6);
+    state.counters["residual"] = now.solution.residual;
+    state.counters["us_step"] = time / 240;
+}
+
+/// Six dolls beside each other, and others above them.
+JointedScene falling_dolls(int dolls, SkippingJoints& method)
+{
+    JointedScene scene;
+    add_stairs(scene, 8);
+    std::vector<std::pair<Index, Index>> pairs;
+    for (int i = 0; i < dolls; ++i)
+        forbid_itself(add_ragdoll(scene, {0.2 + 0.9 * (i % 6) + 0.05 * (i / 6 % 3),
+                                          3.6 + 1.9 * (i / 6) - 0.25 * (i % 6)}),
+                      [&pairs](Index a, Index b) {
+                          pairs.push_back({a, b});
+                      });
+    cover(scene, {0.6, 0, 0, 0});
+    auto& touching = method.contacts.contacts.contacts.touching;
+    touching.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
+    touching.fast.stop = false;
+    return scene;
+}
+
+void dolls(benchmark::State& state)
+{
+    SkippingJoints method;
+    JointedScene scene = falling_dolls(static_cast<int>(state.range(0)), method);
+    const auto& awake = method.contacts.contacts.contacts.set.awake;
+    StepData<3> now;
+    Real gap = 0, time = 0;
+    int steps = 0, unsolved = 0, largest = 0;
+    bool finite = true;
+    for (auto _ : state) do {
+            time += microseconds(
+                [&] { step(scene, {.h = 1.0 / 60, .substeps = 2}, method, now); });
+            ++steps;
+            unsolved += !awake.empty() && now.solution.status != Status::solved;
+            gap = std::max(gap, largest_joint_error(scene));
+            largest = std::max(largest, method.solver.bounded.islands.listed);
+            finite = finite && scene.bodies.x.allFinite();
+        } while (!awake.empty() && steps < 3600 && finite);
+    state.counters["gap"] = gap / 0.22;
+    state.counters["unsolved"] = unsolved;
+    state.counters["asleep_after"] = awake.empty() ? steps / 60.0 : -1;
+    state.counters["awake"] = static_cast<double>(awake.size());
+    state.counters["finite"] = finite;
+    state.counters["rows"] = largest;
+    state.counters["ms_a_step"] = time / 1000 / steps;
+}
+
 const bool registered = [] {
     using Solve = std::function<int(const Given&, VecX&)>;
     std::vector<std::pair<std::string, Solve>> methods = {
@@ -175,6 +349,14 @@ const bool registered = [] {
     auto* const ratio = benchmark::RegisterBenchmark("per_sweep", per_sweep);
     for (const int links : {50, 200, 500, 5000}) ratio->Args({links});
     ratio->Iterations(1);
+    for (const char* const name : {"chain", "bridge"})
+        for (const int heavy : {1, 1000}) register_beside(name, heavy);
+    auto* const walking = benchmark::RegisterBenchmark("leg", leg);
+    for (const int sweeps : {0, 10, 200, 1000}) walking->Args({sweeps});
+    walking->Iterations(1);
+    auto* const falling = benchmark::RegisterBenchmark("dolls", dolls);
+    for (const int count : {3, 12, 100}) falling->Args({count});
+    falling->Iterations(1);
     return true;
 }();
 

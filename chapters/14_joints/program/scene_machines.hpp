@@ -86,8 +86,6 @@ inline Demo leg_demo()
             };
             return setup;
         });
-    for (Tunable& tunable : scene.tunables)  // a motor has bounds, and is swept
-        if (tunable.name == "sweeps") tunable.value = 200;
     scene.tunables.push_back(
         {"speed", "rad/s", "of the crank", 6, -20, 20, false, true, false});
     scene.columns = {{"omega", "rad/s", "of the crank", true, false},

@@ -1,0 +1,155 @@
+/// Chapter 14: bodies on joints that rest sleep, and what wakes them.
+
+#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/14_joints/joint_scenes.hpp"
+#include "chapters/14_joints/ragdoll.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/joint_run.hpp"
+
+#include <functional>
+
+using namespace rigid;
+
+namespace {
+
+struct Room {
+    JointedScene scene;
+    SkippingJoints method;
+    StepData<3> now;
+    Real worst = 0;  ///< the largest error of a joint so far [m]
+
+    void run(int steps)
+    {
+        for (int i = 0; i < steps; ++i) {
+            step(scene, {.h = 1.0 / 60}, method, now);
+            REQUIRE(scene.bodies.x.allFinite());
+            worst = std::max(worst, largest_joint_error(scene));
+        }
+    }
+    bool asleep(Index k) const { return method.contacts.contacts.contacts.set.is_asleep(k); }
+    bool all_asleep() const { return method.contacts.contacts.contacts.set.awake.empty(); }
+    /// \return  the steps that it took
+    int until_asleep(int most)
+    {
+        int steps = 0;
+        do run(1);
+        while (!all_asleep() && ++steps < most);
+        return steps;
+    }
+};
+
+/// Dolls above a floor, or stairs, that do not collide with themselves.
+Room room_of_dolls(int dolls, int stairs, Real apart)
+{
+    Room room;
+    if (stairs > 0) add_stairs(room.scene, stairs);
+    else room.scene.walls.push_back({{0, 1}, 0});
+    std::vector<std::pair<Index, Index>> pairs;
+    for (int i = 0; i < dolls; ++i) {
+        const Vec2 at =
+            stairs > 0 ? Vec2(-0.1 + 0.15 * (i % 3), 0.3 * stairs + 1.1 + 1.8 * i) : Vec2(apart * i, 1.1);
+        const Index first = add_ragdoll(room.scene, at);
+        // it is pushed, or it would stand on its feet until rounding topples it
+        for (Index k = first; k < first + 10; ++k) room.scene.bodies.velocity(k)[0] = 0.8;
+        forbid_itself(first, [&pairs](Index a, Index b) { pairs.push_back({a, b}); });
+    }
+    cover(room.scene, {0.6, 0, 0, 0});
+    auto& touching = room.method.contacts.contacts.contacts.touching;
+    touching.finder.filter = forbid_pairs(room.scene.bodies.count(), pairs);
+    touching.fast.stop = false;  // a body that is stopped on its way is torn off its joints
+    return room;
+}
+
+}  // namespace
+
+TEST_CASE("dolls that lie still sleep and a motor that changes wakes its own doll alone", "[idea]")
+{
+    Room room = room_of_dolls(2, 0, 6);
+    const int took = room.until_asleep(1200);
+    INFO("asleep after " << took << " steps");
+    REQUIRE(room.all_asleep());
+    CHECK(room.worst <= 0.01 * 0.22);  // 1 % of the shortest limb
+    const VecX x = room.scene.bodies.x;
+    room.run(60);
+    CHECK((room.scene.bodies.x == x));
+    CHECK(room.scene.bodies.u.isZero(0));
+    CHECK(room.now.visits == 0);
+    // the neck of the first doll: it now nods
+    RigidJoint neck = room.scene.placed[0].joint;
+    neck.motor.speed = 2, neck.motor.force = 50;
+    change_joint(room.scene, 0, neck);
+    room.run(1);
+    CHECK(!room.asleep(0));
+    CHECK(!room.asleep(9));
+    CHECK(room.asleep(10));
+    room.run(30);
+    CHECK(room.asleep(10));
+    CHECK((room.scene.bodies.x.tail(30) == x.tail(30)));
+    CHECK((room.scene.bodies.x.head(30) - x.head(30)).cwiseAbs().maxCoeff() > 0.01);
+}
+
+TEST_CASE("what hangs at rest sleeps and falls when its joint breaks or is gone", "[idea]")
+{
+    for (const bool breaks : {true, false}) {
+        Room room;
+        add_body(room.scene, box(1, 1), 1, {0, 0});
+        add_joint(room.scene, joint_at(room.scene, JointKind::revolute, world, 0, {0, 0.5}));
+        cover(room.scene, {0.6, 0, 0, 0});
+        room.until_asleep(300);
+        REQUIRE(room.asleep(0));
+        if (breaks) room.scene.placed[0].broken = true;
+        else {
+            room.scene.placed.clear();
+            room.scene.joints.clear();
+            room.scene.owner.clear();
+        }
+        room.run(60);
+        CHECK(!room.asleep(0));
+        CHECK(room.scene.bodies.x[1] < -4.8);  // half of g after a second
+    }
+}
+
+TEST_CASE("a rope that was slack wakes the sleeper that it pulls at", "[idea]")
+{
+    Room room;
+    room.scene.walls.push_back({{0, 1}, 0});
+    add_body(room.scene, box(1, 1), 1, {0, 0.5});
+    add_body(room.scene, box(1, 1), 1, {3, 0.5});
+    RigidJoint rope;
+    rope.kind = JointKind::rope;
+    rope.a = 0, rope.b = 1;
+    rope.length = 6;
+    add_joint(room.scene, rope);
+    cover(room.scene, {0.3, 0, 0, 0});
+    room.until_asleep(300);
+    REQUIRE(room.all_asleep());
+    room.scene.bodies.velocity(1)[0] = 10;
+    room.run(1);
+    CHECK(!room.asleep(1));
+    CHECK((room.asleep(0) || room.scene.bodies.x[3] > 3));  // the rope's bodies may wake with it
+    room.run(120);
+    CHECK(room.scene.bodies.x[0] > 0.05);  // it was pulled along
+    CHECK((room.scene.bodies.position(1) - room.scene.bodies.position(0)).head<2>().norm() <= 6.05);
+}
+
+TEST_CASE("dolls on stairs come to rest and sleep with all their limbs", "[idea]")
+{
+    Room room = room_of_dolls(3, 5, 0);
+    const int took = room.until_asleep(2400);
+    INFO("asleep after " << took << " steps");
+    CHECK(room.all_asleep());
+    CHECK(room.worst <= 0.01 * 0.22);
+}
+
+TEST_CASE("bodies on joints that sleep stay where they are when all are woken and may not sleep", "[house]")
+{
+    Room room = room_of_dolls(2, 0, 6);
+    room.until_asleep(1200);
+    REQUIRE(room.all_asleep());
+    Room woken = room;
+    woken.method.contacts.contacts.contacts.sleep = false;
+    woken.run(30);
+    // half a second: what rest allows is v_rest in all of it
+    CHECK((woken.scene.bodies.x - room.scene.bodies.x).cwiseAbs().maxCoeff() <= 1e-3 * 0.5);
+}

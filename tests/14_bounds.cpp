@@ -1,0 +1,251 @@
+/// Chapter 14: rows with bounds above joints that are solved at once.
+
+#include "tests/no_allocation.hpp"
+
+#include "chapters/14_joints/bar_linkages.hpp"
+#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/14_joints/joint_scenes.hpp"
+#include "chapters/14_joints/ragdoll.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/joint_run.hpp"
+#include "tests/sentence.hpp"
+
+using namespace rigid;
+
+namespace {
+
+using Trees = JointTrees<AllBodies>;
+
+/// The whole problem as one matrix, joints and all, by chapter 13.
+struct WholeMatrix {
+    WithJoints<WithFriction<AllBodies>> contacts;
+    NewtonPositions correction;
+    WarmStart start = last_impulses();
+    CoulombSolver<FindFriction> solver;
+};
+
+/// Boxes on a tree of pins and rails with motors and limits that are near, some loops, and ropes.
+JointedScene driven_tree(Random& random, int bodies, int loops)
+{
+    JointedScene scene;
+    for (int k = 0; k < bodies; ++k) {
+        const Real x = random.uniform(-2, 2), y = random.uniform(-2, 2), angle = random.uniform(-3, 3),
+                   exponent = random.uniform(-1, 1);
+        add_body(scene, box(1, 0.5), std::pow(10.0, exponent), {x, y}, angle);
+    }
+    for (Index i = 0; i < 3 * bodies; ++i) scene.bodies.u[i] = random.uniform(-1, 1);
+    for (Index k = 0; k < bodies; ++k) {
+        const Real share = random.uniform(0, 1), x = random.uniform(-2, 2), y = random.uniform(-2, 2);
+        RigidJoint joint =
+            joint_at(scene, random.uniform(0, 1) < 0.7 ? JointKind::revolute : JointKind::prismatic,
+                     k == 0 ? world : static_cast<Index>(share * static_cast<Real>(k)), k, {x, y});
+        const Real speed = random.uniform(-3, 3), force = random.uniform(0, 30);
+        joint.motor.speed = speed, joint.motor.force = force;
+        if (k % 3 == 1) joint.spring = {0, 50, 40, 2, 0.3};       // a servo: a soft row with a bound
+        if (k % 2 == 0) joint.lower = -1e-3, joint.upper = 1e-3;  // both within a step's reach
+        add_joint(scene, joint);
+    }
+    for (int i = 0; i < loops; ++i) {
+        RigidJoint rope;
+        rope.kind = JointKind::rope;
+        rope.a = i, rope.b = bodies - 1 - i;
+        rope.length = (scene.bodies.position(rope.a) - scene.bodies.position(rope.b)).head<2>().norm() + 1e-3;
+        if (rope.a < rope.b) add_joint(scene, rope);
+    }
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("motors and limits and ropes above joints move the bodies as the whole matrix says", "[idea]")
+{
+    Random random(3);
+    for (int round = 0; round < 60; ++round) {
+        JointedScene scene = driven_tree(random, 2 + round % 9, round % 3), twin = scene;
+        Trees method;
+        method.correction.stiff = false;
+        WholeMatrix whole;
+        StepData<3> now, all;
+        step(scene, {.h = 1.0 / 100}, method, now);
+        step(twin, {.h = 1.0 / 100}, whole, all);
+        CAPTURE(round);
+        REQUIRE(all.solution.status == Status::solved);
+        CHECK(now.solution.status == Status::solved);
+        CHECK(method.solver.sweeps_made == 0);
+        CHECK(method.solver.bounded.islands.listed > 0);
+        // the velocities are unique, the impulses need not be; masses differ by 100
+        CHECK((scene.bodies.u - twin.bodies.u).norm() <= 1e-8 * (1 + twin.bodies.u.norm()));
+    }
+}
+
+TEST_CASE("the joints eliminated leave the matrix that the whole one leaves", "[house]")
+{
+    Random random(9);
+    for (int round = 0; round < 30; ++round) {
+        JointedScene scene = driven_tree(random, 3 + round % 6, round % 3);
+        // the bridge of section 14.5: a loop
+        if (round % 2) pin(scene, world, scene.bodies.count() - 1, {2.5, 0});
+        Trees method;
+        method.correction.stiff = false;
+        StepData<3> now;
+        step(scene, {.h = 1.0 / 100}, method, now);
+        JointFactor factor;
+        factor.factor(now.rows, scene.bodies.inverse_mass);
+        BoundedRows bounded;
+        bounded.eliminate(factor, now.rows, {}, 1000, scene.bodies.count());
+        // A in parts: J of joints, B of rows with bounds
+        const MatX A = MatX(assemble(now.rows, scene.bodies.u).A);
+        std::vector<Index> J, B;
+        for (std::size_t i = 0; i < now.rows.size(); ++i)
+            (JointTree::takes(now.rows[i]) ? J : B).push_back(static_cast<Index>(i));
+        const auto part = [&A](const std::vector<Index>& r, const std::vector<Index>& c) {
+            MatX some(static_cast<Index>(r.size()), static_cast<Index>(c.size()));
+            for (std::size_t i = 0; i < r.size(); ++i)
+                for (std::size_t j = 0; j < c.size(); ++j)
+                    some(static_cast<Index>(i), static_cast<Index>(j)) = A(r[i], c[j]);
+            return some;
+        };
+        const MatX left =
+            part(B, B) - part(B, J) * part(J, J).completeOrthogonalDecomposition().solve(part(J, B));
+        std::vector<Index> place(now.rows.size(), -1);
+        for (std::size_t i = 0; i < B.size(); ++i)
+            place[static_cast<std::size_t>(B[i])] = static_cast<Index>(i);
+        Index entries = 0;
+        for (int k = 0; k < bounded.islands.count; ++k) {
+            const auto& rows = bounded.islands.rows[static_cast<std::size_t>(k)];
+            const MatX S = MatX(bounded.matrix(k));
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                for (std::size_t j = 0; j < rows.size(); ++j) {
+                    ++entries;
+                    CHECK(std::abs(S(static_cast<Index>(i), static_cast<Index>(j)) -
+                                   left(place[static_cast<std::size_t>(rows[i])],
+                                        place[static_cast<std::size_t>(rows[j])])) <=
+                          1e-9 * (1 + A.diagonal().maxCoeff()));
+                }
+            CHECK(S == S.transpose());
+        }
+        CHECK(entries > 0);
+    }
+}
+
+TEST_CASE("a leg with a motor turns at its speed from the first step without a sweep", "[idea]")
+{
+    JointedScene scene;
+    const Index crank = add_jansen_leg(scene, 0.4, {6, 1e3, 0, 0, 0});
+    JointedScene twin = scene;
+    Trees method, swept;
+    swept.solver.most_exact = 0;
+    swept.solver.sweeps = 10;
+    StepData<3> now, then;
+    for (int i = 0; i < 240; ++i) {
+        step(scene, {.h = 1.0 / 240}, method, now);
+        REQUIRE(now.solution.status == Status::solved);
+        CHECK(method.solver.sweeps_made == 0);
+        CHECK(std::abs(scene.bodies.u[3 * crank + 2] - 6) <= 1e-8);
+    }
+    step(twin, {.h = 1.0 / 240}, swept, then);
+    // ten sweeps are not enough, and it is not called solved
+    CHECK(std::abs(twin.bodies.u[3 * crank + 2] - 6) > 0.1);
+    CHECK(then.solution.status == Status::iteration_limit);
+}
+
+TEST_CASE("what joints hold does not move and its motor pushes with all it has", "[idea]")
+{
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    add_body(scene, box(1, 1), 1.0, {0, 0});
+    add_joint(scene, joint_at(scene, JointKind::weld, world, 0, {0, 0}));
+    RigidJoint axle = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+    axle.motor = {2, 7, 0, 0, 0};
+    const std::size_t motor = add_joint(scene, axle);
+    Trees method;
+    StepData<3> now;
+    step(scene, {.h = 0.01}, method, now);
+    CHECK(now.solution.status == Status::solved);
+    CHECK(scene.bodies.u.norm() <= 1e-12);
+    CHECK(std::abs(reaction(scene, now, motor).torque - 7) <= 1e-12);  // its bound
+    CHECK(std::abs(reaction(scene, now, 0).torque + 7) <= 1e-9);       // and the weld bears it
+}
+
+TEST_CASE("two motors that want different speeds pull with their bounds and the stronger one wins", "[idea]")
+{
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    add_body(scene, disc(1), Mass{1, {0, 0}, 0.5}, {0, 0});
+    for (const auto& [speed, torque] : {std::pair{3.0, 5.0}, std::pair{-2.0, 2.0}}) {
+        RigidJoint axle = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+        axle.motor.speed = speed, axle.motor.force = torque;
+        add_joint(scene, axle);
+    }
+    Trees method;
+    StepData<3> now;
+    for (int i = 1; i <= 100; ++i) {
+        step(scene, {.h = 0.01}, method, now);
+        CHECK(now.solution.status == Status::solved);
+        // 5 - 2 N m on 0.5 kg m^2 until it is as fast as the stronger one wants
+        CHECK(std::abs(scene.bodies.u[2] - std::min(3.0, 6 * 0.01 * i)) <= 1e-9);
+    }
+}
+
+TEST_CASE("dolls on stairs are solved exactly in every step but few", "[house]")
+{
+    JointedScene scene;
+    add_stairs(scene, 5);
+    std::vector<std::pair<Index, Index>> pairs;
+    for (int i = 0; i < 2; ++i)
+        forbid_itself(add_ragdoll(scene, {-0.1 + 0.15 * i, 2.6 + 1.8 * i}), [&pairs](Index a, Index b) {
+            pairs.push_back({a, b});
+        });
+    cover(scene, {0.6, 0, 0, 0});
+    JointTrees<Manifolds> method;
+    method.contacts.contacts.contacts.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
+    method.contacts.contacts.contacts.fast.stop = false;
+    StepData<3> now;
+    int solved = 0;
+    for (int i = 0; i < 180; ++i) {
+        step(scene, {}, method, now);
+        solved += now.solution.status == Status::solved;
+        REQUIRE(scene.bodies.x.allFinite());
+        CHECK(largest_joint_error(scene) <= 0.01 * 0.22);
+    }
+    CHECK(solved >= 175);
+}
+
+TEST_CASE(
+    "an island with more rows than are wanted exactly is swept and settings that make no sense are refused",
+    "[house]")
+{
+    Random random(5);
+    JointedScene scene = driven_tree(random, 6, 0);
+    Trees method;
+    method.solver.most_exact = 3;
+    StepData<3> now;
+    step(scene, {.h = 1.0 / 100}, method, now);
+    CHECK(method.solver.bounded.unsolved == 1);
+    CHECK(method.solver.sweeps_made > 0);
+    method.solver.most_exact = -1;
+    CHECK(sentence_of([&] { step(scene, {}, method, now); }) ==
+          "the rows with bounds that are found exactly are at most -1; it must be zero or positive");
+}
+
+TEST_CASE("a steady step with motors and limits above joints asks for no memory", "[house]")
+{
+    JointedScene scene = chain_scene({8, 0.3, 1, 2, 0.5});
+    for (std::size_t i = 0; i < 4; ++i) {
+        RigidJoint joint = scene.placed[i].joint;
+        joint.motor.force = 0.1;
+        joint.lower = -4, joint.upper = 4;
+        add_joint(scene, joint);
+    }
+    Trees method;
+    method.contacts.skip_far_limits = false;
+    StepData<3> now;
+    for (int i = 0; i < 100; ++i) step(scene, {}, method, now);
+    {
+        const NoAllocation none;
+        for (int i = 0; i < 20; ++i) step(scene, {}, method, now);
+    }
+    CHECK(NoAllocation::violations() == 0);
+}
