@@ -16,8 +16,12 @@ endif()
 # compiled once for all of them: about half of the time. An author who edits one of them builds with -DRIGID_TOGETHER=OFF,
 # as CI does with clang++: there each source must stand alone.
 function(compile_together target)
-  if(RIGID_TOGETHER)
+  get_target_property(sources ${target} SOURCES)
+  list(LENGTH sources number)
+  if(RIGID_TOGETHER AND number GREATER 1)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
+    # g++ takes the anonymous namespace of an included source for that of a header.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 

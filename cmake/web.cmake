@@ -18,6 +18,10 @@ add_library(rigid_web_program OBJECT common/program/web_program.cpp)
 target_link_libraries(rigid_web_program PRIVATE rigid_web)
 target_compile_options(rigid_web_program PRIVATE -Os)
 
+# Two numbers at once where the compiler sees how, as the native programs have it: the sums stay in their order, so the
+# bits are the same. Loops that are not unrolled whole are not unrolled in part: that only makes a page heavier.
+set(fast -msimd128 "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")
+
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/program/main.cpp)
 foreach(main ${mains})
   cmake_path(GET main PARENT_PATH folder)
@@ -25,6 +29,13 @@ foreach(main ${mains})
   cmake_path(GET folder FILENAME chapter)
   add_executable(${chapter} ${main} $<TARGET_OBJECTS:rigid_web_program>)
   set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=chapter_main)
+  target_compile_options(${chapter} PRIVATE ${fast})
+  target_link_options(${chapter} PRIVATE -msimd128)
+  if(chapter STREQUAL 13_friction)   # it has the most methods, and would weigh more than 200 kB
+    target_link_options(${chapter} PRIVATE -Os)
+  else()
+    target_compile_options(${chapter} PRIVATE -O3)
+  endif()
   target_include_directories(${chapter} BEFORE PRIVATE cmake/web)   # headers in place of those that need files
   target_link_libraries(${chapter} PRIVATE rigid_web)
   # A bare .wasm that knows nothing of a browser: docs/web/machine.js gives it a clock.
@@ -35,4 +46,17 @@ foreach(main ${mains})
     COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:${chapter}> ${script})
   list(APPEND scripts ${script})
 endforeach()
+
+# The race (docs/race.md): no program of a chapter, and on a page of its own.
+add_executable(race docs/race/race.cpp)
+target_compile_options(race PRIVATE ${fast})
+target_link_options(race PRIVATE -msimd128)
+target_link_libraries(race PRIVATE rigid_web)
+target_link_options(race PRIVATE --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)
+set_target_properties(race PROPERTIES SUFFIX .wasm)
+set(script ${CMAKE_BINARY_DIR}/race/race.js)
+add_custom_command(OUTPUT ${script} DEPENDS race docs/web/pack.py
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:race> ${script})
+list(APPEND scripts ${script})
+
 add_custom_target(web ALL DEPENDS ${scripts})

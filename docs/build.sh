@@ -57,6 +57,11 @@ if [ -d build/web/demos ] && command -v node >/dev/null 2>&1; then
     python3 docs/tools/demos.py >build/docs/demos.list
     mkdir -p build/docs/demos
     node docs/web/stills.mjs build/web/demos build/docs/demos <build/docs/demos.list || fail "a demo can't be shown"
+    if [ -f build/web/race/race.js ]; then
+        cp build/web/race/race.js build/docs/demos/
+        box2d=build/peers/node_modules/box2d3-wasm
+        [ ! -d $box2d ] || python3 docs/race/pack_box2d.py $box2d build/docs/demos/box2d3_wasm.js
+    fi
     say "with the demos of build/web"
 else
     say "without demos: ./book web builds them"
@@ -78,6 +83,12 @@ if [ -d build/docs/demos ]; then
     for name in $(grep -oh 'data-program="[^"]*"' build/docs/html/*.html | sort -u | cut -d'"' -f2); do
         cp "build/web/demos/$name.js" build/docs/html/demos/
     done
+    if [ -f build/docs/demos/race.js ]; then
+        cp docs/race/race.js docs/race/box2d.js docs/race/race.css build/docs/html/
+        for name in race box2d3_wasm; do
+            [ ! -f build/docs/demos/$name.js ] || cp build/docs/demos/$name.js build/docs/html/demos/
+        done
+    fi
 fi
 python3 docs/tools/check_html.py build/docs/html
 say "the site is build/docs/html/index.html"

@@ -15,7 +15,7 @@ using namespace rigid;
 
 namespace {
 
-constexpr Real h = 1.0 / 60;
+constexpr Real time_step = 1.0 / 60;
 
 /// Sweeps that go on until an island's residual is a micrometre a second.
 SkippingFriction careful()
@@ -80,7 +80,7 @@ Real late_speed(Method method, Stabilizer correction, Real slop)
     StepData<3> now;
     Real fastest = 0;
     for (int i = 0; i < 900; ++i) {
-        step(scene, {.h = h}, method, now);
+        step(scene, {.h = time_step}, method, now);
         for (Index k = 0; i > 600 && k < 10; ++k)
             fastest = std::max(fastest, scene.bodies.velocity(k).head<2>().norm());
     }
@@ -96,7 +96,7 @@ struct World {
 
     void run(int steps)
     {
-        for (int i = 0; i < steps; ++i) step(scene, {.h = h}, method, now);
+        for (int i = 0; i < steps; ++i) step(scene, {.h = time_step}, method, now);
     }
     bool asleep(Index k) const { return method.contacts.contacts.set.is_asleep(k); }
     bool all_asleep() const { return method.contacts.contacts.set.awake.empty(); }
@@ -145,8 +145,8 @@ TEST_CASE("without sleep the stage for shapes finds what the plain one finds to 
     skipping.contacts.contacts.sleep = false;
     StepData<3> now, found;
     for (int i = 0; i < 400; ++i) {
-        step(scene, {.h = h, .substeps = 2}, plain, now);
-        step(twin, {.h = h, .substeps = 2}, skipping, found);
+        step(scene, {.h = time_step, .substeps = 2}, plain, now);
+        step(twin, {.h = time_step, .substeps = 2}, skipping, found);
         REQUIRE(now.contacts.size() == found.contacts.size());
         REQUIRE((scene.bodies.x == twin.bodies.x));
         REQUIRE((scene.bodies.u == twin.bodies.u));

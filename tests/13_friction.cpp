@@ -624,6 +624,45 @@ TEST_CASE("mirroring and reordering and other units of mass and length do the sa
     }
 }
 
+TEST_CASE("a pile 1024 times as large under 1024 times the gravity moves the same to the bit", "[house]")
+{
+    // Also where a residual is called none below a setting: that is measured in lengths of the scene a second.
+    for (const Real enough : {0.0, 1e-3}) {
+        RoughScene small, large;
+        for (const Real scale : {1.0, 1024.0}) {
+            RoughScene& scene = scale == 1 ? small : large;
+            static_cast<RigidScene&>(scene) = pile(9);
+            scene.length = scale;
+            scene.gravity *= scale;
+            for (Index k = 0; k < scene.bodies.count(); ++k) {
+                scene.bodies.position(k).head<2>() *= scale;
+                scene.bodies.inverse_mass[3 * k + 2] /= scale * scale;
+                Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
+                shape.radius *= scale;
+                for (Vec2& vertex : shape.vertices) vertex *= scale;
+            }
+            cover(scene, {0.5, 0, 0, 0});
+            ExactFriction<Manifolds> method;
+            method.correction = exact_correction();
+            method.solver.enough = enough;
+            run(scene, method, 1.0 / 60, 90);
+        }
+        for (Index k = 0; k < small.bodies.count(); ++k) {
+            const Vec<3> x = small.bodies.position(k), y = large.bodies.position(k);
+            CHECK(Vec<3>(1024 * x[0], 1024 * x[1], x[2]) == y);
+        }
+    }
+    CHECK(
+        sentence_of([] {
+            RoughScene scene = on_a_slope(box(1, 1), 0.5, 15, 0.3);
+            Exact method;
+            method.solver.enough = -1;
+            run(scene, method, 0.01, 1);
+        }) ==
+        "the residual that is nothing is -1 lengths of the scene a second; it must be zero or positive, and "
+        "finite");
+}
+
 TEST_CASE("bad surfaces are refused with a sentence", "[house]")
 {
     const auto refused = [](Surface surface) {

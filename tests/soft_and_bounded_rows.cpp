@@ -427,15 +427,15 @@ TEST_CASE("a soft row or a bounded one that makes no sense is refused by name")
         change(rows);
         return sentence_of([&] { assemble(rows, problem.u_star); });
     };
-    CHECK(sentence_of([](auto& rows) { rows[3].bounded_by = 10; }) ==
+    CHECK(refused([](auto& rows) { rows[3].bounded_by = 10; }) ==
           "row 3 is bounded by row 10; there are 10 rows");
-    CHECK(sentence_of([](auto& rows) { rows[3].bounded_by = 1; }) ==
+    CHECK(refused([](auto& rows) { rows[3].bounded_by = 1; }) ==
           "row 3 is bounded by row 1, which another row bounds itself");
-    CHECK(sentence_of([](auto& rows) { rows[2].lo = -1; }) ==
+    CHECK(refused([](auto& rows) { rows[2].lo = -1; }) ==
           "row 3 is bounded by row 2, which may pull; a row that bounds others must only push");
-    CHECK(sentence_of([](auto& rows) { rows[1].friction = -0.5; }) ==
+    CHECK(refused([](auto& rows) { rows[1].friction = -0.5; }) ==
           "row 1 has the friction coefficient -0.5; it must be zero or positive and finite");
-    CHECK(sentence_of([](auto& rows) { rows[0].softness = -1; }) ==
+    CHECK(refused([](auto& rows) { rows[0].softness = -1; }) ==
           "row 0 has the softness -1 1/kg; it must be zero or positive and finite");
-    CHECK(sentence_of([](auto&) {}) == "accepted");
+    CHECK(refused([](auto&) {}) == "accepted");
 }

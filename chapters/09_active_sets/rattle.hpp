@@ -12,27 +12,9 @@
 #include "chapters/06_sequential_impulse/restitution.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/09_active_sets/exact_method.hpp"
+#include "chapters/09_active_sets/rattle_settings.hpp"
 
 namespace rigid {
-
-struct RattleSettings {
-    /// C is to be met to this [ℓ]; never less than what rounding makes
-    Real tolerance = 1e-12;
-    int max_iterations = 50;  ///< of Newton's method in a sub-step
-};
-
-/// Throws std::invalid_argument, naming the setting and its value, unless both make sense.
-inline void require_valid(const RattleSettings& settings)
-{
-    if (!(settings.tolerance > 0) || !std::isfinite(settings.tolerance))
-        throw std::invalid_argument("the tolerance of the positions is " +
-                                    shortest(settings.tolerance) +
-                                    "; it must be positive and finite");
-    if (settings.max_iterations < 1)
-        throw std::invalid_argument("max_iterations of the positions is " +
-                                    std::to_string(settings.max_iterations) +
-                                    "; it must be 1 or more");
-}
 
 struct Rattle : RattleSettings, Restitution {
     // Of the last step.
@@ -186,7 +168,7 @@ private:
             const auto& row = now.rows[i];
             const auto c = constraint_at(scene, now, i, x);
             second.bias[i] = row.bias;
-            if (!has_error(c.kind)) continue;
+            if (!has_error(c.kind) || turns_too_far(row, c.kind, now)) continue;
             const Real off = c.C - goal[i];
             // (C − goal)/h − J u
             second.bias[i] += off / h - row.velocity(bodies.u);

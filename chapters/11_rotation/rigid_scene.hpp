@@ -51,6 +51,15 @@ struct PointJoint {
     bool collides = false;  ///< what it joins may touch (chapter 12)
 };
 
+/// Bodies `first` to `last` are the edges of one line, each beginning where the one before it ends: solid to the left,
+/// open to the right, as the outline of a polygon is (chapter 12).
+struct Chain {
+    Index first = 0, last = 0;
+    bool closed = false;  ///< the last one ends where the first one begins
+
+    bool operator==(const Chain&) const = default;
+};
+
 struct RigidScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};
@@ -58,6 +67,7 @@ struct RigidScene {
     std::vector<Polygon> shapes;
     std::vector<PointJoint> joints;
     std::vector<HalfSpace> walls;
+    std::vector<Chain> chains;
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;

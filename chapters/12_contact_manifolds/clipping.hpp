@@ -47,6 +47,16 @@ inline EdgeEnds ends_of(const Placed& shape, int first)
     return {{first, second}, {shape.vertex(first), shape.vertex(second)}, {}};
 }
 
+/// Both edges measured along t, from the beginning of a's.
+inline void measure_along(const Vec2& t, EdgeEnds& ea, EdgeEnds& eb)
+{
+    const Vec2 origin = ea.at[0];
+    for (std::size_t i = 0; i < 2; ++i) {
+        ea.along[i] = t.dot(ea.at[i] - origin);
+        eb.along[i] = t.dot(eb.at[i] - origin);
+    }
+}
+
 //! [point_on]
 /// The point of an edge at the coordinate τ, which an end of it meets to the bit.
 inline Vec2 point_on(const EdgeEnds& edge, Real tau)

@@ -3,14 +3,16 @@
 ///
 /// A body that moves by no more than half its inner radius, from its centroid to its nearest side, is still on the side it
 /// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way,
-/// from where it was to where it is, to its first impact (time_of_impact.hpp). It keeps its velocity and loses the rest
-/// of the step's time; the next step finds the contact. Of two that are close already, the contact has its row; they are
+/// from where it was to where it is, to its first impact (time_of_impact.hpp). It loses the rest of the step's time, and
+/// with it what its weight did in that time (12.6a); the next step finds the contact. Of two that are close already, the contact has its row; they are
 /// only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than it was.
 ///
 /// Where a body stops early it stands in the way of others, which were looked at as if it went on: fast bodies are looked
 /// at in pairs again until none of them stops any earlier.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "chapters/12_contact_manifolds/chains.hpp"
 #include "chapters/12_contact_manifolds/time_of_impact.hpp"
 
 namespace rigid {
@@ -26,7 +28,8 @@ struct FastBodies {
     std::vector<Real> part;  ///< of the way that each of them goes
     std::vector<Box> swept;
     std::vector<char> is_fast;
-    std::vector<Real> inner;  ///< inner radii [m]
+    std::vector<char> is_held;  ///< 1: a row of the step acts on the body
+    std::vector<Real> inner;    ///< inner radii [m]
     ImpactMemory memory;
 };
 
@@ -100,17 +103,60 @@ void stop_each_other(const Motion& motion, const MayMeet& may_meet,
 }
 //! [each_other]
 
+//! [lost_time]
+/// (12.6a): what the force on body k did in the time that it has lost. With nothing
+/// else at work that is a velocity. Where rows were at work they may have borne it:
+/// then only the energy of the way that it did not go is taken back.
+/// \param lost  time [s]
+/// \param free  no row of the step acts on it
+inline void take_back(Bodies<3>& bodies, Index k, Real lost, bool free)
+{
+    auto u = bodies.velocity(k);
+    const Vec<3> gained = lost * bodies.apply_inverse_mass(k, bodies.force(k));
+    if (free) u -= gained;
+    else if (const Real work = gained.head<2>().dot(u.head<2>()); work > 0)
+        u.head<2>() *=
+            std::sqrt(std::max(Real{0}, 1 - 2 * work / u.head<2>().squaredNorm()));
+}
+
+/// Puts the fast bodies that were stopped where they stop.
+/// \param motion  MovingShape(int): the way of a body in this step
+template <class Motion>
+void put_back(Bodies<3>& bodies, Real h, const std::vector<Row<3>>& rows,
+              const Motion& motion, FastBodies& fast)
+{
+    for (const int k : fast.bodies) {
+        const Real part = fast.part[static_cast<std::size_t>(k)];
+        if (part >= 1) continue;
+        if (fast.impacts++ == 0) {
+            fast.is_held.assign(fast.is_fast.size(), 0);
+            for (const Row<3>& row : rows)
+                for (const Index body : {row.a, row.b})
+                    if (body != world)
+                        fast.is_held[static_cast<std::size_t>(body)] = 1;
+        }
+        bodies.position(k) = motion(k).at(part);
+        take_back(bodies, k, (1 - part) * h,
+                  fast.is_held[static_cast<std::size_t>(k)] == 0);
+    }
+}
+//! [lost_time]
+
 //! [fast]
-/// \param active     bodies that could have moved in this step, ascending
-/// \param x_found    where all bodies were at the beginning of the step
-/// \param margin     of contacts [m]; bodies are stopped at a quarter to a half of it
-/// \param placed     the shapes at x_found
+/// \param now        of the step that has just been taken
+/// \param settings   of it: bodies are stopped at a quarter to a half of the margin
+/// \param placed     the shapes at now.x_found
+/// \param edges      of chains: what slides over them is close to the next one when
+///                   it gets there, and goes on until it is too deep
 /// \param may_touch  bool(int, int)
 template <class MayTouch>
-void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
-                      const VecX& x_found, Real margin, const PlacedShapes& placed,
-                      const MayTouch& may_touch, FastBodies& fast)
+void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
+                      const StepData<3>& now, const PlacedShapes& placed,
+                      const ChainEdges& edges, const MayTouch& may_touch,
+                      FastBodies& fast)
 {
+    const VecX& x_found = now.x_found;
+    const Real margin = settings.margin * now.length;
     const int K = static_cast<int>(scene.bodies.count());
     const auto motion = [&](Index k) {
         return MovingShape{&scene.shapes[static_cast<std::size_t>(k)],
@@ -121,7 +167,7 @@ void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
     };
     fast.bodies.clear();
     fast.impacts = fast.rounds = 0;
-    for (const int k : active) {
+    for (const int k : now.active) {
         const MovingShape m = motion(k);
         const Vec<3> way = m.way();
         const Real far = std::hypot(way[0], way[1]) +
@@ -151,9 +197,10 @@ void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
     // of what is close already, only that it gets deeper than half its inner radius,
     // or than it is by an eighth
     const auto first_impact = [&](const auto& other, const MovingShape& moving,
-                                  Real inner) {
-        Impact impact =
-            time_of_impact(other, moving, margin / 4, margin / 4, fast.memory);
+                                  Real inner, bool edge = false) {
+        const Real target = edge ? -std::min(inner, margin) / 2 : margin / 4;
+        Impact impact = time_of_impact(
+            other, moving, target, edge ? -target / 4 : margin / 4, fast.memory);
         fast.rounds += impact.rounds;
         if (impact.close && inner > 0) {
             const Real deep = std::min(-inner / 2, impact.start - inner / 8);
@@ -161,6 +208,10 @@ void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
             fast.rounds += impact.rounds;
         }
         return impact;
+    };
+    // what slides over a chain is close to its next edge when it gets there
+    const auto starts_before = [&](const MovingShape& moving, const Placed& edge) {
+        return edge.normal(0).dot(moving.from.head<2>() - edge.vertex(0)) >= 0;
     };
     const auto may_meet = [&](int a, int b) {
         return may_touch(a, b) && overlap(fast.swept[static_cast<std::size_t>(a)],
@@ -173,18 +224,15 @@ void stop_fast_bodies(RigidScene& scene, std::span<const int> active,
             if (fast.is_fast[static_cast<std::size_t>(b)] || !may_meet(a, b))
                 continue;
             const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
-            hold(a, first_impact(motion(b), moving, std::max(inner_a, inner_b)));
+            if (edges.has(b) && !starts_before(moving, placed.of(b))) continue;
+            hold(a, first_impact(motion(b), moving, std::max(inner_a, inner_b),
+                                 edges.has(b) && inner_a > 0));
         }
         for (const HalfSpace& wall : scene.walls)
             hold(a, first_impact(wall, moving, inner_a));
     }
     stop_each_other(motion, may_meet, first_impact, fast);
-    for (const int k : fast.bodies) {
-        const Real part = fast.part[static_cast<std::size_t>(k)];
-        if (part >= 1) continue;
-        ++fast.impacts;
-        scene.bodies.position(k) = motion(k).at(part);
-    }
+    put_back(scene.bodies, settings.h, now.rows, motion, fast);
 }
 //! [fast]
 

@@ -134,11 +134,7 @@ inline Manifold collide(const Placed& a, const Placed& b,
         m.normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
     }
     // 4: the points
-    const Vec2 t = perpendicular(m.normal), origin = ea.at[0];
-    for (std::size_t i = 0; i < 2; ++i) {
-        ea.along[i] = t.dot(ea.at[i] - origin);
-        eb.along[i] = t.dot(eb.at[i] - origin);
-    }
+    measure_along(perpendicular(m.normal), ea, eb);
     if (corners) {  // one over the other, whatever rounding says
         eb.along[1] -= eb.along[0];
         eb.along[0] = 0;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chapters/11_rotation/rigid_constraints.hpp"
+#include "chapters/12_contact_manifolds/chains.hpp"
 #include "chapters/12_contact_manifolds/fast_bodies.hpp"
 #include "chapters/12_contact_manifolds/manifold.hpp"
 #include "chapters/12_contact_manifolds/pair_finder.hpp"
@@ -31,6 +32,7 @@ struct Manifolds {
 
     // What is kept from step to step.
     PlacedShapes placed;
+    ChainEdges edges;
     std::vector<TouchingPair> touching, before;  ///< ascending
     /// of bodies that are not looked at: as they were last
     std::vector<TouchingPair> resting;
@@ -61,6 +63,7 @@ struct Manifolds {
 
     void list_rows(const RigidScene& scene, Real margin, StepData<3>& now)
     {
+        edges.list(scene);
         now.x_found = scene.bodies.x;
         now.contacts.clear();
         now.sources.clear();
@@ -79,9 +82,8 @@ struct Manifolds {
     {
         if (fast.stop)
             stop_fast_bodies(
-                scene, now.active, now.x_found, settings.margin * now.length,
-                placed, [this](int a, int b) { return finder.may_touch(a, b); },
-                fast);
+                scene, settings, now, placed, edges,
+                [this](int a, int b) { return finder.may_touch(a, b); }, fast);
     }
     //! [stage]
 
@@ -154,8 +156,11 @@ struct Manifolds {
             while (old != before.end() && key_of(*old) < pair) ++old;
             const bool known = old != before.end() && key_of(*old) == pair;
             const Manifold* const last = known ? &old->manifold : at_rest(pair);
+            const ManifoldSettings how{margin, stay * margin, last};
             const Manifold m =
-                collide(placed.of(a), placed.of(b), {margin, stay * margin, last});
+                edges.has(a) || edges.has(b)
+                    ? collide_in_chain(placed, edges, scene.bodies.x, a, b, how)
+                    : collide(placed.of(a), placed.of(b), how);
             if (m.count == 0) continue;
             touching.push_back({a, b, m});
             add(scene, a, b, m, 0, now);

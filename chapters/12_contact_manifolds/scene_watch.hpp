@@ -30,6 +30,7 @@ struct SceneWatch {
     std::vector<Polygon> shapes;
     std::vector<PointJoint> joints;
     std::vector<HalfSpace> walls;
+    std::vector<Chain> chains;
     Vec2 gravity = {0, 0};
 
     /// something was another than it is here
@@ -43,6 +44,7 @@ struct SceneWatch {
         inverse_mass = scene.bodies.inverse_mass;
         gravity = scene.gravity;
         walls = scene.walls;
+        chains = scene.chains;
         joints = scene.joints;
         shapes = scene.shapes;
     }
@@ -55,7 +57,7 @@ struct SceneWatch {
             return a.normal == b.normal && a.offset == b.offset;
         };
         const bool concerned =
-            scene.gravity != gravity ||
+            scene.gravity != gravity || scene.chains != chains ||
             !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
                         scene.walls.end(), same);
         stale = stale || concerned || scene.bodies.x.size() != x.size();

@@ -13,24 +13,40 @@
 #include "chapters/11_rotation/rigid_constraints.hpp"
 #include "chapters/13_friction/surfaces.hpp"
 
+#include <algorithm>
+
 namespace rigid {
 
 /// The rows of a contact, and of a body on a cloth: Source::part.
 enum ContactPart : int { normal_part = 0, tangent_part = 1, rolling_part = 2 };
 enum ClothPart : int { sliding_part = 0, spinning_part = 1 };
 
-/// The surface of a contact: what the two that touch make together.
-inline Surface surface_of(const RoughScene& scene, const Contact& contact)
+/// What the two that touch make together, and the wall if one of them is a wall.
+struct TouchedSurface {
+    Surface surface;
+    std::size_t wall = 0;  ///< of a contact with the world; else none
+};
+
+inline TouchedSurface touched_surface(const RoughScene& scene,
+                                      const Contact& contact)
 {
     const auto of_body = [&scene](Index k) {
         return scene.surfaces.empty() ? Surface{}
                                       : scene.surfaces[static_cast<std::size_t>(k)];
     };
-    if (contact.a != world) return combined(of_body(contact.a), of_body(contact.b));
+    if (contact.a != world)
+        return {combined(of_body(contact.a), of_body(contact.b)),
+                scene.walls.size()};
     const std::size_t wall = wall_of(scene, contact.normal, contact.point);
-    return combined(wall < scene.wall_surfaces.size() ? scene.wall_surfaces[wall]
-                                                      : Surface{},
-                    of_body(contact.b));
+    return {combined(wall < scene.wall_surfaces.size() ? scene.wall_surfaces[wall]
+                                                       : Surface{},
+                     of_body(contact.b)),
+            wall};
+}
+
+inline Surface surface_of(const RoughScene& scene, const Contact& contact)
+{
+    return touched_surface(scene, contact).surface;
 }
 
 //! [tangent]
@@ -90,6 +106,37 @@ inline Constraint<3> cloth_constraint(const RoughScene& scene,
     return c;
 }
 
+/// The place of a contact's normal among the rows: the normals are the last ones.
+inline std::size_t normal_of(const StepData<3>& now, int contact)
+{
+    return now.sources.size() - now.contacts.size() +
+           static_cast<std::size_t>(contact);
+}
+
+/// A row of friction of a contact at the positions x, by its normal there and its surface.
+inline Constraint<3> drag_constraint(const RoughScene& scene,
+                                     const StepData<3>& now, const Source& source,
+                                     const Constraint<3>& normal,
+                                     const TouchedSurface& touched, const VecX& x)
+{
+    const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
+    const int number = static_cast<int>(normal_of(now, source.index));
+    if (source.part == rolling_part)
+        return rolling_constraint(normal, number, touched.surface);
+    // the point moves with a
+    Vec2 arm_a(0, 0), point = contact.point;
+    if (contact.a != world) {
+        const auto moved = x.segment<2>(3 * contact.a);
+        arm_a = point - now.x_found.segment<2>(3 * contact.a);
+        point = moved + arm_a;
+    } else if (touched.wall < scene.walls.size())
+        // chapter 11 has the centre of a round corner: drag acts on the wall
+        point -= (contact.normal.dot(point) - scene.walls[touched.wall].offset) *
+                 contact.normal;
+    const Vec2 arm_b = point - x.segment<2>(3 * contact.b);
+    return friction_constraint(normal, number, arm_a, arm_b, touched.surface);
+}
+
 /// Constraint i of the step at any positions x: chapter 11's and chapter 12's, and the rows of this chapter.
 inline Constraint<3> constraint_at(const RoughScene& scene, const StepData<3>& now,
                                    std::size_t i, const VecX& x)
@@ -99,36 +146,39 @@ inline Constraint<3> constraint_at(const RoughScene& scene, const StepData<3>& n
         return cloth_constraint(scene, now, source.index, source.part);
     const auto& smooth = static_cast<const RigidScene&>(scene);
     if (source.part == normal_part) return constraint_at(smooth, now, i, x);
-    // the normals of all contacts are the last rows
-    const std::size_t n = now.sources.size() - now.contacts.size() +
-                          static_cast<std::size_t>(source.index);
-    const Constraint<3> normal = constraint_at(smooth, now, n, x);
     const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
-    const Surface surface = surface_of(scene, contact);
-    const int number = static_cast<int>(n);
-    if (source.part == rolling_part)
-        return rolling_constraint(normal, number, surface);
-    // the point moves with a
-    Vec2 arm_a(0, 0), point = contact.point;
-    if (contact.a != world) {
-        const auto moved = x.segment<2>(3 * contact.a);
-        arm_a = point - now.x_found.segment<2>(3 * contact.a);
-        point = moved + arm_a;
-    } else if (const std::size_t wall =
-                   wall_of(scene, contact.normal, contact.point);
-               wall < scene.walls.size())
-        // chapter 11 has the centre of a round corner: drag acts on the wall
-        point -=
-            (contact.normal.dot(point) - scene.walls[wall].offset) * contact.normal;
-    const Vec2 arm_b = point - x.segment<2>(3 * contact.b);
-    return friction_constraint(normal, number, arm_a, arm_b, surface);
+    return drag_constraint(
+        scene, now, source,
+        constraint_at(smooth, now, normal_of(now, source.index), x),
+        touched_surface(scene, contact), x);
 }
 
+/// All of them where the bodies are. The normals come first, though they are the last rows: the others are made of
+/// them. The rows of a contact are neighbours, so its surface is found once.
 inline void evaluate_constraints(const RoughScene& scene, StepData<3>& now)
 {
-    now.constraints.resize(now.sources.size());
-    for (std::size_t i = 0; i < now.sources.size(); ++i)
-        now.constraints[i] = constraint_at(scene, now, i, scene.bodies.x);
+    const std::size_t rows = now.sources.size(), others = normal_of(now, 0);
+    const VecX& x = scene.bodies.x;
+    now.constraints.resize(rows);
+    for (std::size_t i = others; i < rows; ++i)
+        now.constraints[i] =
+            constraint_at(static_cast<const RigidScene&>(scene), now, i, x);
+    TouchedSurface touched;
+    int of = -1;
+    for (std::size_t i = 0; i < others; ++i) {
+        const Source& source = now.sources[i];
+        if (source.of != Source::Of::contact) {
+            now.constraints[i] = constraint_at(scene, now, i, x);
+            continue;
+        }
+        if (source.index != of)
+            touched = touched_surface(
+                scene, now.contacts[static_cast<std::size_t>(source.index)]);
+        of = source.index;
+        now.constraints[i] = drag_constraint(
+            scene, now, source, now.constraints[normal_of(now, source.index)],
+            touched, x);
+    }
 }
 
 /// Chapter 6's bounces, with the e of each pair of surfaces where it is more than that of the method.
@@ -136,6 +186,13 @@ inline void add_bounces(const RoughScene& scene, const Restitution& bounce,
                         const StepSettings& settings, StepData<3>& now)
 {
     const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
+    const auto none = [](const std::vector<Surface>& surfaces) {
+        return std::none_of(surfaces.begin(), surfaces.end(),
+                            [](const Surface& s) { return s.restitution > 0; });
+    };
+    if (!(bounce.restitution > 0) && none(scene.surfaces) &&
+        none(scene.wall_surfaces))
+        return;
     for (std::size_t i = 0; i < now.constraints.size(); ++i) {
         if (!now.constraints[i].bounces) continue;
         const auto& contact =

@@ -62,7 +62,7 @@ template <class Find>
 struct CoulombSolver {
     Find find;
     Find errors;       ///< the second problem of a step has a memory of its own
-    Real enough = 0;   ///< a residual below this is none [m/s]
+    Real enough = 0;   ///< a residual below this is none [ℓ/s]
     int unsolved = 0;  ///< problems of this step without an answer
 
     AssemblyScratch scratch;
@@ -71,6 +71,11 @@ struct CoulombSolver {
 
     void require_valid() const
     {
+        if (!(enough >= 0 && enough < infinity))
+            throw std::invalid_argument(
+                "the residual that is nothing is " + shortest(enough) +
+                " lengths of the scene a second; it must be zero or positive, and "
+                "finite");
         if constexpr (requires { find.require_valid(); }) find.require_valid();
     }
 
@@ -80,7 +85,7 @@ struct CoulombSolver {
         if (now.substep == 0 && !now.second_half) unsolved = 0;
         assemble(now.rows, now.u_star, scratch, mlcp);
         boxes_of(now.rows, boxes);
-        nothing_ = std::max(enough, noise_of_corners(bodies, now));
+        nothing_ = std::max(enough * now.length, noise_of_corners(bodies, now));
         find(mlcp, boxes, nothing_, now.solution);
         finish(bodies, now);
     }

@@ -13,7 +13,7 @@ namespace rigid::results {
 namespace {
 
 constexpr Real g = 9.81, drop = 1, restitution = 0.8, end_time = 2;
-const char* const scene_parameters = "drop=1 e=0.8 T=2";
+const std::string scene_parameters = "drop=1 e=0.8 T=2";
 
 /// Bounce by bounce: each flight begins with e times the speed of the last.
 Real exact_height()
@@ -37,8 +37,7 @@ void add_events(Registry& registry)
 {
     for (int digits = 2; digits <= 12; digits += 2) {
         const Real tolerance = std::pow(10, -digits);
-        const std::string parameters = std::string(scene_parameters) + " tolerance=1e-" +
-                                       std::to_string(digits) +
+        const std::string parameters = scene_parameters + " tolerance=1e-" + std::to_string(digits) +
                                        " unit=force_evaluation reference=closed_form";
         registry.add({"1", "adaptive_with_events", "bouncing_ball", parameters, 0, digits == 6, [=] {
                           const auto run = std::make_shared<Adaptive<2>>();
@@ -67,8 +66,7 @@ void add_steps(Registry& registry)
     for (int doubling = 0; doubling <= 9; ++doubling) {
         const int steps = 120 << doubling;
         const Real h = end_time / steps;
-        const std::string parameters =
-            std::string(scene_parameters) + " unit=row_visit reference=closed_form";
+        const std::string parameters = scene_parameters + " unit=row_visit reference=closed_form";
         registry.add({"6", "sequential_impulse", "bouncing_ball", parameters, h, doubling == 3, [=] {
                           DiscScene start = column(1);
                           start.bodies.position(0).y() = drop + start.radius[0];

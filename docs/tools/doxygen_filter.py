@@ -41,6 +41,14 @@ def section_label(page, anchor):
     return f"{page}_{label(anchor)}"
 
 
+RACE = re.compile(r"^<!--\s*race\s*-->\s*$")
+
+
+def loading(sheet, *scripts):
+    return f'<link href="{sheet}" rel="stylesheet" type="text/css"/>' + "".join(
+        f'<script src="{script}.js" defer="defer"></script>' for script in scripts)
+
+
 class Book:
     """What a page must know of the others: on which page each equation and figure is."""
 
@@ -257,8 +265,7 @@ class Page:
             data["opens"] = ""
         attributes = "".join(f' data-{name}="{html.escape(value)}"' for name, value in data.items())
         summary = html.escape(told["summary"])
-        head = "" if self.has_demo else ('<link href="demo.css" rel="stylesheet" type="text/css"/>' + "".join(
-            f'<script src="{script}.js" defer="defer"></script>' for script in ("unpack", "machine", "painter", "demo")))
+        head = "" if self.has_demo else loading("demo.css", "unpack", "machine", "painter", "demo")
         self.has_demo = True
         still = self.image(picture) if picture else (
             f'<img class="demo-still" src="demos/{demo["still"]}" alt="Still picture of the demo: {summary}" '
@@ -266,6 +273,18 @@ class Page:
         return (f'{head}<div class="demo"{attributes}><div class="figure">{still}</div><div class="demo-begin">'
                 f'<button type="button" class="demo-start" aria-label="Run the demo: {summary}">&#9654;&#65038; Run it</button>'
                 f"<span>{summary}</span></div></div>")
+
+    def race(self, block):
+        """The place of the race (docs/race.md), if its program was built; with what it needs of the other engine, if that is
+        installed."""
+        if not RACE.match(block.lines[0]) or not (self.root / "build/docs/demos/race.js").is_file():
+            return None
+        peer = (self.root / "build/docs/demos/box2d3_wasm.js").is_file()
+        peer_mark = ' data-peer=""' if peer else ""
+        return (loading("demo.css", "unpack", "machine") + loading("race.css", *(["box2d"] if peer else []), "race") +
+                f'<div class="demo race"{peer_mark}><div class="demo-begin">'
+                '<button type="button" class="demo-start" aria-label="Run the race">&#9654;&#65038; Run it</button>'
+                "<span>The same scene on both sides, at the same time</span></div></div>")
 
     def text(self):
         source = self.path.read_text(encoding="utf-8")
@@ -295,7 +314,7 @@ class Page:
                 after = next((one for one in parts[k + 1:] if one.kind != "blank"), None)
                 if after and lone_picture(after):
                     before = block
-                elif shown := self.demo(block):
+                elif shown := self.demo(block) or self.race(block):
                     out += ["", f"\\htmlonly[block]{shown}\\endhtmlonly", ""]
             elif lone_picture(block):
                 after = k + 1

@@ -9,12 +9,14 @@
   pictures/chapters/…         are copied from the book
   [1] for a citation          becomes its key, as in the texts
   packed words of the filter  are unpacked; a formula and its comma stay on one line
+  chapters on the front page  show the first frame of their first demo, where the demos were built
   the sidebar                 has each chapter before what goes deeper
   Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
                               whose variable starts with a digit, as 01_euler_integration.cpp does
 """
 import argparse
 import html
+import json
 import os
 import pathlib
 import re
@@ -22,6 +24,7 @@ import shutil
 import xml.etree.ElementTree as xml
 
 from booktext import EQUATION, ROOT, TextError, chapter_texts, chapters, equation_tags, page_id, run_tool
+from demos import demos_of
 from doxygen_filter import label, unpacked
 
 
@@ -72,6 +75,21 @@ def places_in_order(index, deeper):
     return re.sub(r'"(ch\d\d_\w+)\.html((?:#[^"]*)?)":\[(\d+)', moved, index)
 
 
+def thumbnails(page, root):
+    """The front page with a demo's still picture in place of the figure of each chapter that has a demo."""
+    stills = root / "build/docs/demos/demos.json"
+    told = json.loads(stills.read_text(encoding="utf-8")) if stills.is_file() else {}
+
+    def frame(m):
+        text = root / "chapters" / m.group(1) / "README.md"
+        still = next((demo["still"] for demo in demos_of(root, text) if demo["still"] in told), None) if text.is_file() else None
+        if not still:
+            return m.group(0)
+        return f'<img src="demos/{still}" alt="First frame of a demo: {html.escape(told[still]["summary"])}"'
+
+    return re.sub(r'<img src="pictures/chapters/([\w-]+)/figures/[^"]*" alt="[^"]*"', frame, page)
+
+
 def finish(folder, tag_file, root):
     pages, equations = addresses(tag_file, root), equation_pages(root)
     pictures = set()
@@ -105,6 +123,8 @@ def finish(folder, tag_file, root):
         new = re.sub(r"(?<![\w])(\(?\\\((?:(?!\\[()]).)+\\\)(?:&zwnj;)?[.,;:!?)’]+)", r'<span class="nobreak">\1</span>', new)
         if 'id="nested-classes"' not in new and 'name="nested-classes"' not in new:
             new = re.sub(r'<a href="#nested-classes">[^<]*</a>(?:\s*&#124;\s*)?', "", new)
+        if page.name == "index.html":
+            new = thumbnails(new, root)
         pictures.update(html.unescape(p) for p in re.findall(r'src="pictures/([^"]+)"', new))
         if new != old:
             page.write_text(new, encoding="utf-8")

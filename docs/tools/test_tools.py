@@ -687,6 +687,29 @@ class Demos(Folder):
                      'alt="A picture of a spring."', '<script src="demo.js" defer="defer">', "<b>Figure 1.1.</b>"):
             self.assertIn(part, page)
 
+    def test_the_front_page_shows_a_frame_of_a_demo_for_a_chapter_that_has_one(self):
+        page = '<td><img src="pictures/chapters/01_euler/figures/ch01_spring.svg" alt="A spring"/></td>'
+        self.place("springs")
+        self.assertEqual(finish_html.thumbnails(page, self.root), page)
+        still = demos.demos_of(self.root, self.root / "chapters/01_euler/README.md")[0]["still"]
+        self.write("build/docs/demos/demos.json", '{"%s": {"summary": "A <spring>"}}' % still)
+        self.assertEqual(finish_html.thumbnails(page, self.root),
+                         f'<td><img src="demos/{still}" alt="First frame of a demo: A &lt;spring&gt;"/></td>')
+        other = page.replace("01_euler", "02_constraints")
+        self.assertEqual(finish_html.thumbnails(other, self.root), other)
+
+    def test_the_race_has_a_place_when_its_program_was_built_and_the_other_engine_when_it_is_there(self):
+        self.change("chapters/01_euler/README.md", "## 1.2 Sources", "<!-- race -->\n\n## 1.2 Sources")
+        self.assertNotIn('class="demo race"', self.page())
+        self.write("build/docs/demos/race.js", "")
+        page = self.page()
+        self.assertIn('class="demo race"><', page)
+        self.assertNotIn("box2d.js", page)
+        self.write("build/docs/demos/box2d3_wasm.js", "")
+        page = self.page()
+        self.assertIn('class="demo race" data-peer=""><', page)
+        self.assertIn('src="box2d.js"', page)
+
     def test_a_demo_is_run_as_a_command_and_with_its_idea_turned_off(self):
         self.place("springs, explicit, k=2, break off: h=0.5")
         demo = check_commands.demo_commands(self.root, self.root / "chapters/01_euler/README.md")

@@ -1,7 +1,7 @@
 // The size of each program for a page, as a browser gets it from a host that compresses (gzip), and of what all demos
 // share.
 //
-//     node docs/web/sizes.mjs DEMOS
+//     node docs/web/sizes.mjs DEMOS RACE
 //
 // Exit code 1 if one is larger than 200 kB or all together are larger than 3 MB.
 import {readFileSync, readdirSync} from 'node:fs';
@@ -17,8 +17,8 @@ const own = dirname(fileURLToPath(import.meta.url));
 let all = 0, faults = 0;
 const row = (name, [raw, packed]) => console.log(name.padEnd(28) + kilobytes(raw) + kilobytes(packed));
 console.log('program'.padEnd(28) + 'as it is'.padStart(11) + 'gzip'.padStart(11));
-for (const name of readdirSync(process.argv[2]).filter(one => one.endsWith('.js')).sort()) {
-    const found = sizes(join(process.argv[2], name));
+for (const folder of process.argv.slice(2)) for (const name of readdirSync(folder).filter(one => one.endsWith('.js')).sort()) {
+    const found = sizes(join(folder, name));
     row(name.replace('.js', ''), found);
     all += found[1];
     if (found[1] > most) {
@@ -26,9 +26,9 @@ for (const name of readdirSync(process.argv[2]).filter(one => one.endsWith('.js'
         console.error(`${name} has ${found[1]} bytes in gzip; a program for a page has ${most} at most`);
     }
 }
-for (const name of ['unpack.js', 'machine.js', 'painter.js', 'demo.js', 'demo.css']) {
+for (const name of ['unpack.js', 'machine.js', 'painter.js', 'demo.js', 'demo.css', '../race/race.js', '../race/box2d.js', '../race/race.css']) {
     const found = sizes(join(own, name));
-    row(name, found);
+    row(name.split('/').pop(), found);
     all += found[1];
 }
 console.log('all'.padEnd(28) + ''.padStart(11) + kilobytes(all));

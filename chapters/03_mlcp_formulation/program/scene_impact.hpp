@@ -3,6 +3,7 @@
 /// them that changes the momentum least.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/direct.hpp"
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/impact_drawing.hpp"
 #include "chapters/03_mlcp_formulation/step.hpp"
@@ -14,6 +15,14 @@
 #include <vector>
 
 namespace rigid {
+
+/// Chapter 2's answer: every row is an equation, w = 0, and λ may pull.
+inline Solution as_equations(Mlcp mlcp)
+{
+    mlcp.lo.setConstant(-infinity);
+    mlcp.hi.setConstant(infinity);
+    return direct(mlcp);
+}
 
 class ImpactRun : public Run {
 public:
@@ -57,7 +66,8 @@ public:
             now_.rows.push_back(row);
         }
         assemble(now_.rows, now_.u_star, scratch_, now_.mlcp);
-        now_.solution = enumerate(now_.mlcp);
+        now_.solution = settings.method == "equations" ? as_equations(now_.mlcp)
+                                                       : enumerate(now_.mlcp);
         if (now_.solution.status != Status::solved)
             throw StepFailure(
                 "the disc finds no velocity that its contacts allow (" +
@@ -164,6 +174,7 @@ inline Demo impact_scene(const std::string& name, const std::string& summary)
     scene.h = 1.0 / 60;
     scene.h_low = 1e-3;
     scene.h_high = 1.0 / 20;
+    scene.methods = {"either_or", "equations"};
     scene.tunables = {{"e", "",
                        "restitution: leave with e times the speed of approach", 0.6,
                        0, 1, false, false, true},

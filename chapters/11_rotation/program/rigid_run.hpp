@@ -31,6 +31,8 @@ struct RigidSetup {
     Vec2 traced_point = {0, 0};
     /// what tunables change while it runs
     std::function<void(RigidScene&, const Settings&)> change;
+    /// there is nothing more to see: the scene begins again
+    std::function<bool(const RigidScene&)> over;
 };
 
 class RigidRun : public Run {
@@ -69,6 +71,7 @@ public:
         require_finite_state(scene.bodies);
         state_.t += settings.h;
         state_.h = settings.h;
+        if (setup_.over && setup_.over(scene)) scene = setup_.scene;
         trace();
     }
 

@@ -30,6 +30,11 @@ inline Demo rod_scene()
                        e = settings["restitution"];
             RigidSetup setup;
             setup.scene = struck_rod(angle);
+            // it has left the picture
+            setup.over = [](const RigidScene& moved) {
+                return !(std::abs(moved.bodies.x[0]) < 1.3 &&
+                         std::abs(moved.bodies.x[1] - 0.22) < 1.1);
+            };
             setup.measure = [angle, e](const RigidState& s) -> std::vector<Real> {
                 const Vec<3> hand = struck_rod_by_hand(angle, e);
                 const Real lambda =

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -78,15 +79,19 @@ public:
             rigid::step(scene, how, exact_, state_.now);
             state_.guesses = exact_.solver.find.memory.work.guesses;
         } else if (settings.method == "lemke") {
-            lemke_.correction.restitution = e;
-            rigid::step(scene, how, lemke_, state_.now);
+            if constexpr (!touching) {
+                lemke_.correction.restitution = e;
+                rigid::step(scene, how, lemke_, state_.now);
+            }
         } else if (settings.method == "skipping") {
-            skipping_.correction.restitution = e;
-            skipping_.solver.sweeps.max_sweeps =
-                static_cast<int>(settings["sweeps"]);
-            // an island that is this good is done, and may rest
-            skipping_.solver.sweeps.tolerance = 1e-6;
-            rigid::step(scene, how, skipping_, state_.now);
+            if constexpr (touching) {
+                skipping_.correction.restitution = e;
+                skipping_.solver.sweeps.max_sweeps =
+                    static_cast<int>(settings["sweeps"]);
+                // an island that is this good is done, and may rest
+                skipping_.solver.sweeps.tolerance = 1e-6;
+                rigid::step(scene, how, skipping_, state_.now);
+            }
         } else {
             sweeps_.correction.restitution = e;
             sweeps_.solver.sweeps.max_sweeps =
@@ -120,6 +125,9 @@ public:
     }
 
 private:
+    /// the methods of touching_demo(), else those of friction_demo()
+    static constexpr bool touching = std::is_same_v<Contacts, Manifolds>;
+
     FrictionSetup setup_;
     FrictionState state_;
     ExactFriction<Contacts> exact_;

@@ -32,10 +32,10 @@ console.log('scene'.padEnd(40) + 'steps'.padStart(8) + 'native'.padStart(10) + '
 for (const program of programs(demos)) {
     const machine = await machine_of(join(demos, program + '.js'));
     const scene = machine.program.scenes[0].name;
-    web(machine, scene, 300); // the compiler of the browser has seen it
+    web(machine, scene, 3000); // the compiler of the browser has seen it
     // As many steps as take about a third of a second.
-    const guess = Math.max(1, (web(machine, scene, 500) - web(machine, scene, short_run)) / 400);
-    const steps = short_run + Math.min(20000, Math.max(200, Math.round(3e5 / guess)));
+    const guess = Math.max(0.1, (web(machine, scene, 500) - web(machine, scene, short_run)) / 400);
+    const steps = short_run + Math.min(1000000, Math.max(200, Math.round(3e5 / guess)));
     const best = {native: Infinity, web: Infinity};
     for (let turn = 0; turn < turns; ++turn) {
         best.native = Math.min(best.native, native(program, scene, steps) - native(program, scene, short_run));

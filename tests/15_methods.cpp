@@ -1,0 +1,304 @@
+/// Chapter 15: soft contacts, positions before velocities, and bodies in place of rows.
+
+#include "tests/catch.hpp"
+
+#include "chapters/15_soft_constraints/soft_method.hpp"
+#include "chapters/15_soft_constraints/soft_scenes.hpp"
+
+using namespace rigid;
+
+namespace {
+
+template <class Method>
+Real settle(JointedScene& scene, Method& method, Real h, int steps, int substeps = 1)
+{
+    StepData<3> now;
+    Real deepest = 0;
+    for (int i = 0; i < steps; ++i) {
+        step(scene, {.h = h, .substeps = substeps}, method, now);
+        deepest = 0;
+        for (const Contact& contact : now.contacts)
+            deepest = std::max(deepest, -contact_constraint(contact, now.x_found, scene.bodies.x).C);
+    }
+    return deepest;
+}
+
+JointedScene stack(int boxes)
+{
+    JointedScene scene;
+    static_cast<RigidScene&>(scene) = box_stack(boxes);
+    cover(scene, {0.6, 0, 0, 0});
+    return scene;
+}
+
+/// (15.16): the overlap of the most loaded contact between boxes of 1 m: two points bear the load of all boxes above, each
+/// with A = 2 (1 + ¼ · 6) = 5 per kg.
+Real sag_by_hand(int boxes, Real frequency)
+{
+    const Real omega = 2 * pi * frequency;
+    return (boxes - 1) * 9.81 / 2 * 5 / (omega * omega);
+}
+
+SoftSweeps<Manifolds> soft_sweeps(int sweeps)
+{
+    SoftSweeps<Manifolds> method;
+    method.solver.sweeps = {sweeps, 0, false};
+    return method;
+}
+
+Real height_of_top(const JointedScene& scene) { return scene.bodies.x[scene.bodies.x.size() - 2]; }
+
+/// How much smaller a change is than the one before it, after so many visits of all: f(sweeps) is a vector.
+template <class At>
+Real rate_of(int sweeps, const At& at)
+{
+    const VecX a = at(sweeps), b = at(sweeps + 1), c = at(sweeps + 2);
+    return (c - b).norm() / (b - a).norm();
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------------ soft contacts
+
+TEST_CASE("a soft stack sags by its load over its stiffness", "[idea]")
+{
+    for (const int substeps : {1, 2, 4, 8}) {
+        auto method = soft_sweeps(20);
+        method.correction.contacts = {infinity, 10};  // as stiff as the sub-steps let it be
+        JointedScene scene = stack(5);
+        const Real deepest = settle(scene, method, 1.0 / 60, 300, substeps);
+        INFO(substeps);
+        // the contacts turn by the square of the overlap over a metre, and it has not quite settled
+        CHECK(deepest == Approx(sag_by_hand(5, 0.25 * 60 * substeps)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("a stack of preloaded springs does not sag", "[idea]")
+{
+    auto method = soft_sweeps(20);
+    method.correction.preloaded = true;
+    JointedScene scene = stack(5);
+    const Real deepest = settle(scene, method, 1.0 / 60, 300, 4);
+    // what is left decays as exp(−ω t/2ζ)
+    CHECK(deepest < 1e-3 * sag_by_hand(5, 30));
+}
+
+TEST_CASE("a projection at the end of a step leaves no sag", "[idea]")
+{
+    auto method = soft_sweeps(20);
+    method.correction.finish = SoftFinish::projection;
+    JointedScene scene = stack(5);
+    // what a hundred sweeps over positions leave of 3 mm
+    CHECK(settle(scene, method, 1.0 / 60, 100, 4) < 1e-6);
+}
+
+TEST_CASE("relaxation takes the velocity that pushed an overlap out", "[idea]")
+{
+    for (const SoftFinish finish : {SoftFinish::none, SoftFinish::relaxation}) {
+        auto method = soft_sweeps(50);
+        method.correction.finish = finish;
+        JointedScene scene = stack(1);
+        scene.gravity = {0, 0};
+        scene.bodies.x[1] -= 0.1;
+        settle(scene, method, 1.0 / 60, 1);
+        const SoftTerms terms = soft_terms(Softness{15, 10}, 2.5, 1.0 / 60);
+        // two equal rows, whose impulses couple by 1 − ¼ · 6
+        const Real lambda = terms.rate * 0.1 / (2.5 - 0.5 + terms.softness), out = 2 * lambda;
+        CHECK(scene.bodies.x[1] == Approx(0.4 + out / 60).epsilon(1e-9));
+        if (finish == SoftFinish::none) CHECK(scene.bodies.u[1] == Approx(out).epsilon(1e-9));
+        else CHECK(std::abs(scene.bodies.u[1]) < 1e-9);
+    }
+}
+
+TEST_CASE("an overlap comes out no faster than the push-out speed", "[idea]")
+{
+    auto method = soft_sweeps(50);
+    method.correction.push_out = 0.3;
+    JointedScene scene = stack(1);
+    scene.bodies.x[1] -= 0.1;
+    StepData<3> now;
+    Real before = scene.bodies.x[1];
+    for (int i = 0; i < 60; ++i) {
+        step(scene, {.h = 1.0 / 60}, method, now);
+        CHECK(scene.bodies.x[1] - before <= 0.3 / 60 + 1e-12);
+        before = scene.bodies.x[1];
+    }
+    CHECK(before > 0.47);
+}
+
+TEST_CASE("ten boxes that overlap by a fifth come apart and none is thrown", "[idea]")
+{
+    auto method = soft_sweeps(20);
+    method.correction.push_out = 1;
+    JointedScene scene = stack(10);
+    for (Index k = 0; k < 10; ++k) scene.bodies.x[3 * k + 1] = 0.5 + 0.8 * static_cast<Real>(k);
+    StepData<3> now;
+    Real highest = 0, before = height_of_top(scene);
+    for (int i = 0; i < 360; ++i) {
+        step(scene, {.h = 1.0 / 60}, method, now);
+        // nine contacts part at the push-out speed
+        CHECK(height_of_top(scene) - before <= 9 * 1.0 / 60 + 1e-6);
+        before = height_of_top(scene);
+        highest = std::max(highest, before);
+    }
+    CHECK(highest < 9.5);
+    CHECK(scene.bodies.u.norm() < 0.05);  // twenty sweeps of relaxation
+    CHECK(before > 9);
+}
+
+TEST_CASE("many small steps of one sweep hold what one step of as many sweeps does not", "[idea]")
+{
+    // the same visits: 16 a step
+    JointSweeps<Manifolds> method;
+    method.correction.method = Stabilizer::baumgarte;  // no sweeps but those
+    const auto sag = [&](int substeps, int sweeps) {
+        JointSweeps<Manifolds> fresh = method;
+        fresh.start.from = Start::previous;
+        fresh.solver.sweeps = {sweeps, 0, false};
+        JointedScene scene = stack(20);
+        return settle(scene, fresh, 1.0 / 60, 60, substeps);
+    };
+    const Real small = sag(16, 1), whole = sag(1, 16);
+    CHECK(small < whole / 10);
+}
+
+// ------------------------------------------------------------------------------------------------ rows against bodies
+
+TEST_CASE("sweeps over rows and over bodies have one answer on linear springs", "[idea]")
+{
+    for (const Real k : {10.0, 1000.0, 20000.0}) {
+        const std::vector<Real> masses = {1, 3, 0.5, 2};
+        const SpringConstants spring{k, 5};
+        JointedScene first = hanging_masses(masses, spring), second = first, third = first;
+        SoftExact<AllBodies> exact;
+        PositionSweeps<AllBodies> positions;
+        positions.correction.sweeps = 3000;
+        BodyDescent<AllBodies> bodies;
+        bodies.correction.first = bodies.correction.most = 1e15;
+        bodies.correction.sweeps = 3000;
+        settle(first, exact, 1.0 / 60, 5);
+        settle(second, positions, 1.0 / 60, 5);
+        settle(third, bodies, 1.0 / 60, 5);
+        CHECK((second.bodies.x - first.bodies.x).norm() < 1e-9);
+        // x − y is divided by h² and loses the digits of x/h² k beside it
+        CHECK((third.bodies.x - first.bodies.x).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("heavy ends slow rows down and leave bodies alone", "[idea]")
+{
+    for (const Real heavy : {1.0, 1000.0}) {
+        // two masses: the rate of rows is R/(1+R)
+        const auto rows = [&](int sweeps) {
+            JointedScene scene = hanging_masses({1, heavy}, {1e12, 0});
+            for (PointJoint& joint : scene.joints) joint.kind = ConstraintKind::bilateral;
+            JointSweeps<AllBodies> method;
+            method.start.from = Start::cold;
+            method.solver.sweeps = {sweeps, 0, false};
+            settle(scene, method, 1.0 / 60, 1);
+            return scene.bodies.u;
+        };
+        CHECK(rate_of(5, rows) == Approx(heavy / (1 + heavy)).epsilon(1e-6));
+        // and of bodies cos²(π/2N), whatever the masses, where springs are stiff: h²ω² = 3e5 and more
+        const auto bodies = [&](int sweeps) {
+            JointedScene scene = hanging_masses({1, 1, 1, 1, heavy}, {1e12, 0});
+            BodyDescent<AllBodies> method;
+            method.correction.first = method.correction.most = 1e15;
+            method.correction.sweeps = sweeps;
+            settle(scene, method, 1.0 / 60, 1);
+            return scene.bodies.x;
+        };
+        const Real c = std::cos(pi / 10);
+        CHECK(rate_of(40, bodies) == Approx(c * c).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("block descent holds a thousand times on a stack where ten sweeps do not", "[idea]")
+{
+    JointedScene held = heavy_top(5, 1000), fallen = held;
+    BodyDescent<Manifolds> bodies;
+    settle(held, bodies, 1.0 / 60, 120);
+    CHECK(height_of_top(held) > 5.45);
+    JointSweeps<Manifolds> rows;
+    rows.correction = steady_contacts();
+    rows.solver.sweeps = {10, 0, false};
+    settle(fallen, rows, 1.0 / 60, 120);
+    CHECK(height_of_top(fallen) < 5);
+}
+
+TEST_CASE("rows keep momentum and bodies do not", "[house]")
+{
+    const auto change = [](auto method) {
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        for (int k = 0; k < 3; ++k) {
+            add_body(scene, disc(0.2), 1, {1.2 * k, 0});
+            if (k > 0) add_linear_spring(scene, k - 1, k, {1, 0}, 1, {1e5, 0});
+        }
+        const Vec<3> start = momenta(scene.bodies);
+        settle(scene, method, 1.0 / 60, 10);
+        return (momenta(scene.bodies) - start).norm();
+    };
+    PositionSweeps<AllBodies> positions;
+    positions.correction.sweeps = 3;
+    // velocities of 12 m/s, masses of 0.1 kg
+    CHECK(change(positions) < 1e-12);
+    BodyDescent<AllBodies> bodies;
+    bodies.correction.sweeps = 3;
+    CHECK(change(bodies) > 1e-3);
+}
+
+TEST_CASE("a sliding box slows down by friction in every method", "[idea]")
+{
+    const auto speed = [](auto method) {
+        JointedScene scene = stack(1);
+        cover(scene, {0.3, 0, 0, 0});
+        scene.bodies.u[0] = 5;
+        settle(scene, method, 1.0 / 240, 120);
+        return scene.bodies.u[0];
+    };
+    const Real expected = 5 - 0.3 * 9.81 / 2;
+    CHECK(speed(soft_sweeps(20)) == Approx(expected).epsilon(1e-3));
+    PositionSweeps<Manifolds> positions;
+    positions.correction.sweeps = 20;
+    CHECK(speed(positions) == Approx(expected).epsilon(0.01));
+    // its λ begins at zero, and grows over the first steps
+    CHECK(speed(BodyDescent<Manifolds>{}) == Approx(expected).epsilon(0.02));
+}
+
+TEST_CASE("a ball bounces in positions as high as it fell", "[idea]")
+{
+    JointedScene scene;
+    scene.walls.push_back({{0, 1}, 0});
+    add_body(scene, disc(0.5), 1, {0, 1.5});
+    PositionSweeps<Manifolds> method;
+    method.correction.restitution = 1;
+    StepData<3> now;
+    Real highest = 0;
+    bool bounced = false;
+    for (int i = 0; i < 240; ++i) {  // it falls 1 m in 0.45 s
+        step(scene, {.h = 1.0 / 240}, method, now);
+        bounced = bounced || scene.bodies.u[1] > 0;
+        if (bounced) highest = std::max(highest, scene.bodies.x[1]);
+    }
+    // the approach is that of before the step, up to gh slower: 1.8 % of the height; and up to a step's way is lost, 1.8 cm
+    CHECK(highest > 1.5 - 0.037);
+    CHECK(highest <= 1.5);
+}
+
+TEST_CASE("masses of another unit give the same motion", "[house]")
+{
+    const auto end = [](auto method, Real unit) {
+        JointedScene scene = heavy_top(3, 5);
+        scene.bodies.inverse_mass /= unit;
+        settle(scene, method, 1.0 / 60, 40, 2);
+        return scene.bodies.x;
+    };
+    const auto check = [&](const auto& method) {
+        // a power of two changes no digit
+        CHECK((end(method, 1024) - end(method, 1)).norm() < 1e-12);
+    };
+    check(soft_sweeps(5));
+    check(PositionSweeps<Manifolds>{});
+    check(BodyDescent<Manifolds>{});
+}
