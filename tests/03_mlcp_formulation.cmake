@@ -2,6 +2,8 @@
 foreach(scene bounce corner ten_discs)
   add_program_test(ch03 03_mlcp_formulation "runs 300 steps of scene ${scene}" --headless --scene ${scene} --steps 300 --csv -)
 endforeach()
+add_program_test(ch03 03_mlcp_formulation "runs a bounce with equations in place of either or" --headless --scene bounce
+                 --method equations --steps 300 --csv -)
 add_program_test(ch03 03_mlcp_formulation "runs the ten discs by enumerating links and contacts alike" --headless
                  --scene ten_discs --method enumerate --steps 300 --csv -)
 

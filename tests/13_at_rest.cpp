@@ -271,7 +271,7 @@ TEST_CASE("sleepers wake with the impulses that they fell asleep with", "[idea]"
     CHECK((room.scene.bodies.x - x).cwiseAbs().maxCoeff() <= 1e-4);
 }
 
-TEST_CASE("what changes for all wakes sleepers with their impulses as well")
+TEST_CASE("what changes for all wakes sleepers with their impulses as well", "[idea]")
 {
     World room = asleep_towers();
     for (Surface& surface : room.scene.surfaces) surface.friction = 0.5;

@@ -222,7 +222,7 @@ TEST_CASE("a block between two walls falls or is held and both are answers", "[i
 
 // ---- what moves
 
-TEST_CASE("without repayment exact friction never adds energy to rubble in motion", "[house]")
+TEST_CASE("without repayment exact friction never adds energy to rubble in motion", "[idea]")
 {
     Random random(2024);
     int unsolved = 0;
@@ -251,7 +251,7 @@ TEST_CASE("without repayment exact friction never adds energy to rubble in motio
     CHECK(unsolved == 0);
 }
 
-TEST_CASE("a wall that a ball hits and a run of dominoes keep their bodies finite and lose energy", "[house]")
+TEST_CASE("a wall that a ball hits and a run of dominoes keep their bodies finite and lose energy", "[idea]")
 {
     for (RoughScene scene : {brick_wall(6, 5, 0.6, 12), domino_run(10, 0.35, 1, 0.2)}) {
         ExactPile method;

@@ -355,6 +355,8 @@ TurningStress time_step()
         per_second, "", {}, [](Real rate) {
             Case now{{}, moving()};
             static_cast<RigidScene&>(now.scene) = pile(12);
+            // as it is, the leftmost disc begins 12 cm deep in a wall: that is `deep overlap`
+            for (Index k = 3; k < now.scene.bodies.count(); ++k) now.scene.bodies.x[3 * k] *= 0.9;
             cover(now.scene, {mu, 0, 0, 0});
             now.task.h = 1 / rate;
             now.task.steps = std::lround(4 * rate);
