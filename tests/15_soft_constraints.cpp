@@ -296,3 +296,17 @@ TEST_CASE("two springs side by side are one of the sum of their stiffness", "[id
     };
     CHECK(after({300, 50}) == Approx(after({350})).epsilon(1e-12));
 }
+
+TEST_CASE("the small system of a body gives back the motion that it was made of", "[house]")
+{
+    Random random(15);
+    for (int n = 0; n < 200; ++n) {
+        Mat<3> B;
+        for (Index i = 0; i < 9; ++i) B(i / 3, i % 3) = random.normal();
+        Vec<3> x;
+        for (Index i = 0; i < 3; ++i) x[i] = random.normal();
+        const Mat<3> H = B * B.transpose() + 0.1 * Mat<3>::Identity();
+        // ten roundings, times the condition number, at most about 300
+        CHECK((solve_definite<3>(H, H * x) - x).norm() < 1e-12 * (1 + x.norm()));
+    }
+}
