@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/joint_run.hpp"
 
+#include <cmath>
 #include <functional>
 
 using namespace rigid;
@@ -131,6 +132,30 @@ TEST_CASE("a rope that was slack wakes the sleeper that it pulls at", "[idea]")
     room.run(120);
     CHECK(room.scene.bodies.x[0] > 0.05);  // it was pulled along
     CHECK((room.scene.bodies.position(1) - room.scene.bodies.position(0)).head<2>().norm() <= 6.05);
+}
+
+TEST_CASE("a rope wakes the sleeper at its end when what slides at the other end has tightened it", "[idea]")
+{
+    Room room;
+    room.scene.walls.push_back({{0, 1}, 0});
+    add_body(room.scene, box(1, 1), 1, {0, 0.5});
+    add_body(room.scene, box(1, 1), 1, {3, 0.5});
+    RigidJoint rope;
+    rope.kind = JointKind::rope;
+    rope.a = 0, rope.b = 1;
+    rope.length = 6;
+    add_joint(room.scene, rope);
+    cover(room.scene, {0.3, 0, 0, 0});
+    room.scene.surfaces[1].friction = 0;  // this one slides on, and is never at rest
+    room.scene.bodies.velocity(1)[0] = 1;
+    room.run(150);
+    REQUIRE(room.asleep(0));
+    REQUIRE(!room.asleep(1));
+    REQUIRE(std::abs(room.scene.bodies.x[0]) < 1e-9);
+    room.run(
+        60);  // the rope is tight after 3 s: both go on at half the speed, and the first is braked by 0.3 g
+    CHECK(room.scene.bodies.x[0] > 0.5 * 0.5 * 0.5 / (2 * 0.3 * 9.81) / 2);
+    CHECK(room.worst <= 0.03);  // the step in which it tightens: 1 m/s · h, and what is left of it
 }
 
 TEST_CASE("dolls on stairs come to rest and sleep with all their limbs", "[idea]")

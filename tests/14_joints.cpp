@@ -1,6 +1,5 @@
 /// Chapter 14: joints on the step of Part I, and trees of them solved at once.
 
-#include "tests/joint_run.hpp"
 #include "tests/no_allocation.hpp"
 
 #include "chapters/14_joints/joint_method.hpp"
@@ -8,6 +7,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/joint_run.hpp"
 #include "tests/sentence.hpp"
 
 #include <set>
@@ -224,6 +224,32 @@ TEST_CASE("an Atwood machine whose pulley turns starts with the acceleration and
     CHECK(std::abs(atwood_by_hand() - 2.802857142857143) <= 1e-12);
     CHECK(std::abs(reaction(scene, now, 2).force.y() - 14.01428571428571) <= 1e-11);
     CHECK(std::abs(reaction(scene, now, 1).force.y() - 12.61285714285714) <= 1e-11);
+}
+
+TEST_CASE("a pulley of two to one holds twice the weight and moves what is not in balance by hand", "[idea]")
+{
+    // ‖p_a − q_a‖ + 2 ‖p_b − q_b‖ stays: T pulls at a, 2T at b. With m_a = 1 kg and a_a = −2 a_b (downwards) that is
+    // T = 3g / (1/m_a + 4/m_b), a_b = g − 2T/m_b.
+    for (const Real mass : {2.0, 3.0}) {
+        JointedScene scene;
+        add_body(scene, box(1, 1), 1, {-2, 0});
+        add_body(scene, box(1, 1), mass, {2, 0});
+        RigidJoint pulley;
+        pulley.kind = JointKind::pulley;
+        pulley.a = 0, pulley.b = 1;
+        pulley.over_a = {-2, 5}, pulley.over_b = {2, 5};
+        pulley.ratio = 2;
+        pulley.length = 15;
+        add_joint(scene, pulley);
+        Trees method;
+        StepData<3> now;
+        step(scene, {}, method, now);
+        const Real g = 9.81, T = 3 * g / (1 + 4 / mass), down = g - 2 * T / mass;
+        // one step from rest is exact, to rounding over h
+        CHECK(std::abs(-60 * scene.bodies.u[4] - down) <= 1e-12);
+        CHECK(std::abs(-60 * scene.bodies.u[1] + 2 * down) <= 1e-12);
+        CHECK((mass == 2) == (std::abs(down) < 1e-12));
+    }
 }
 
 TEST_CASE("a mouse pulls with its force and no more", "[idea]")
