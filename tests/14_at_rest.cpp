@@ -62,6 +62,22 @@ Room room_of_dolls(int dolls, int stairs, Real apart)
     return room;
 }
 
+/// Two boxes on a floor, 3 m apart, on a rope of 6 m.
+Room room_of_a_slack_rope()
+{
+    Room room;
+    room.scene.walls.push_back({{0, 1}, 0});
+    add_body(room.scene, box(1, 1), 1, {0, 0.5});
+    add_body(room.scene, box(1, 1), 1, {3, 0.5});
+    RigidJoint rope;
+    rope.kind = JointKind::rope;
+    rope.a = 0, rope.b = 1;
+    rope.length = 6;
+    add_joint(room.scene, rope);
+    cover(room.scene, {0.3, 0, 0, 0});
+    return room;
+}
+
 }  // namespace
 
 TEST_CASE("dolls that lie still sleep and a motor that changes wakes its own doll alone", "[idea]")
@@ -113,16 +129,7 @@ TEST_CASE("what hangs at rest sleeps and falls when its joint breaks or is gone"
 
 TEST_CASE("a rope that was slack wakes the sleeper that it pulls at", "[idea]")
 {
-    Room room;
-    room.scene.walls.push_back({{0, 1}, 0});
-    add_body(room.scene, box(1, 1), 1, {0, 0.5});
-    add_body(room.scene, box(1, 1), 1, {3, 0.5});
-    RigidJoint rope;
-    rope.kind = JointKind::rope;
-    rope.a = 0, rope.b = 1;
-    rope.length = 6;
-    add_joint(room.scene, rope);
-    cover(room.scene, {0.3, 0, 0, 0});
+    Room room = room_of_a_slack_rope();
     room.until_asleep(300);
     REQUIRE(room.all_asleep());
     room.scene.bodies.velocity(1)[0] = 10;
@@ -136,16 +143,7 @@ TEST_CASE("a rope that was slack wakes the sleeper that it pulls at", "[idea]")
 
 TEST_CASE("a rope wakes the sleeper at its end when what slides at the other end has tightened it", "[idea]")
 {
-    Room room;
-    room.scene.walls.push_back({{0, 1}, 0});
-    add_body(room.scene, box(1, 1), 1, {0, 0.5});
-    add_body(room.scene, box(1, 1), 1, {3, 0.5});
-    RigidJoint rope;
-    rope.kind = JointKind::rope;
-    rope.a = 0, rope.b = 1;
-    rope.length = 6;
-    add_joint(room.scene, rope);
-    cover(room.scene, {0.3, 0, 0, 0});
+    Room room = room_of_a_slack_rope();
     room.scene.surfaces[1].friction = 0;  // this one slides on, and is never at rest
     room.scene.bodies.velocity(1)[0] = 1;
     room.run(150);

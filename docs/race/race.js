@@ -38,7 +38,7 @@
         step_theirs() { this.box.step(h); }
     }
 
-    // What the table has of one scene: [who, method, sub-steps] for each line.
+    // What the table has of one scene: [program, method, sub-steps] for each line.
     function lines_of(scene, with_box) {
         const ours = [[scene.methods[0], 1], ['small steps', 8]].map(([method, substeps]) => ({who: 'book', method, substeps}));
         return with_box ? [...ours, ...[4, 16].map(substeps => ({who: 'Box2D', method: 'its own', substeps}))] : ours;
