@@ -16,7 +16,9 @@ namespace rigid {
 
 //! [xpbd]
 /// The correction stage; the solver stage is FreeVelocities.
-struct Xpbd : Restitution {
+/// Its rows are those of sweeps over velocities that leave errors alone: γ, the
+/// bounds, and b of a bounce.
+struct Xpbd : LeaveErrors {
     int sweeps = 1;
     /// false: what pushes an overlap out stays as velocity
     bool velocity_pass = true;
@@ -28,23 +30,11 @@ struct Xpbd : Restitution {
 
     void require_valid() const
     {
-        rigid::require_valid(static_cast<const Restitution&>(*this));
+        LeaveErrors::require_valid();
         if (sweeps < 0)
             throw std::invalid_argument("the number of sweeps is " +
                                         std::to_string(sweeps) +
                                         "; it must be zero or positive");
-    }
-
-    /// The rows are as they would be for sweeps over velocities. Used of them: γ,
-    /// the bounds, and b of a bounce.
-    template <class Scene>
-    void rows(const Scene& scene, const StepSettings& settings,
-              StepData<Scene::dof>& now) const
-    {
-        const Real h = settings.part();
-        write_rows(scene.bodies, h, now,
-                   [h](const auto& c) { return gap_bias(c, h); });
-        add_bounces(scene, *this, settings, now);
     }
 
     template <class Scene, class Solver>
