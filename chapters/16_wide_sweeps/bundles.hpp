@@ -25,7 +25,7 @@ struct Movers {
 /// Rows in bundles, and the bundles in colours. Memory is kept from step to step.
 struct Bundles {
     /// rows of a bundle; what is more becomes another bundle
-    static constexpr int most_rows = 12;
+    static constexpr int most_rows = 15;
     /// the last colour: bundles that found no free one, to be visited one by one
     static constexpr int rest = Colouring::most - 1;
 

@@ -33,11 +33,19 @@ bool settle_unmoved(const std::vector<Row<Dof>>& rows, const VecX& u,
                     Real tolerance, VecX& lambda)
 {
     bool hopeless = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].diagonal() > 0) continue;
+    // those that another row bounds come last
+    for (std::size_t k = 0; k < 2 * rows.size(); ++k) {
+        const std::size_t i = k % rows.size();
+        if (rows[i].inverse_effective_mass() > 0 ||
+            (rows[i].bounded_by >= 0) != (k >= rows.size()))
+            continue;
         Real& own = lambda[static_cast<Index>(i)];
         const auto [lo, hi] = bounds_of(rows[i], lambda);
         const Real w = rows[i].velocity(u);
+        if (rows[i].softness > 0) {
+            own = std::clamp(-w / rows[i].softness, lo, hi);
+            continue;
+        }
         const Real bound = w > 0 ? lo : w < 0 ? hi : own;
         if (std::isfinite(bound)) own = bound;
         else hopeless = hopeless || std::abs(w) > tolerance;
@@ -142,10 +150,11 @@ struct WideSolver {
             const Real found =
                 lane(wide.rows[static_cast<std::size_t>(at)].lambda, l);
             Real& own = lambda[static_cast<Index>(i)];
-            own = in_differences<T> ? own + found : found;
+            own = in_differences<T> ? std::clamp(own + found, problem.rows[i].lo,
+                                                 problem.rows[i].hi)
+                                    : found;
         }
         if constexpr (in_differences<T>) {
-            clamp_start(problem.rows, lambda);
             for (std::size_t i = 0; i < problem.rows.size(); ++i)
                 problem.rows[i].apply(lambda[static_cast<Index>(i)] -
                                           last_[static_cast<Index>(i)],
