@@ -20,7 +20,7 @@ using namespace rigid;
 
 namespace {
 
-/// (16.1): five bodies in a line, four rows between neighbours.
+/// Bodies in a line, and rows between neighbours.
 std::vector<Row<2>> line_rows(Index bodies)
 {
     std::vector<Row<2>> rows;
@@ -321,7 +321,7 @@ TEST_CASE("on a line the colours leave the error of the given order and twice it
 {
     const int N = 40;
     const LineModes modes(N, 1);
-    // after one sweep of the slowest mode: (16.6), (16.7)
+    // the slowest mode, by (16.6) to (16.9)
     const auto rows = line_rows(N + 1);
     for (const bool coloured : {false, true}) {
         const VecX e = coloured ? modes.coloured() : modes.given();
@@ -423,6 +423,36 @@ TEST_CASE("a chain of visits is as long as the line in its order and as its colo
     // four colours of four rows, and then each waits for the one before in its bundle
     CHECK(coloured == 16);
     CHECK(given > 10 * coloured);
+}
+
+TEST_CASE("a ring of bodies takes two colours or three", "[idea]")
+{
+    for (const Index bodies : {4, 5, 8, 11}) {
+        auto rows = line_rows(bodies);
+        rows.push_back(rows.back());
+        rows.back().a = bodies - 1;
+        rows.back().b = 0;
+        WideSolver<2> solver;
+        arrange_all(rows, bodies, solver);
+        const int hand = bodies % 2 == 0 ? 2 : 3;
+        CHECK(solver.bundles.colours == hand);
+        const auto order = visiting_order(solver.wide);
+        CHECK(longest_chain(rows, std::span<const int>(order), bodies) == hand);
+    }
+}
+
+TEST_CASE("the chain of a column is eight visits in colours", "[idea]")
+{
+    // four rows between neighbours, two for friction before two for the normals
+    const Index bodies = 41, N = bodies - 1;
+    std::vector<Row<2>> rows;
+    for (int part = 0; part < 2; ++part)
+        for (const Row<2>& row : line_rows(bodies)) rows.insert(rows.end(), {row, row});
+    WideSolver<2> solver;
+    arrange_all(rows, bodies, solver);
+    const auto order = visiting_order(solver.wide);
+    CHECK(longest_chain(rows, std::span<const int>(order), bodies) == 8);
+    CHECK(longest_chain(rows, {}, bodies) == 2 * N + 4);
 }
 
 TEST_CASE("colours leave about as much of a pyramid's residual as the given order", "[idea]")

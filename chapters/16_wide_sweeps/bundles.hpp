@@ -96,8 +96,8 @@ void bundle_rows(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
 //! [bundle]
 
 //! [colours]
-/// Chapter 6's greedy colours, for bundles: each takes the first colour that neither
-/// of its bodies has. A body that cannot move does not count.
+/// Chapter 6's greedy colours, for bundles: each takes the first colour that
+/// neither of its bodies has. A body that cannot move does not count.
 template <int Dof>
 void colour_bundles(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
 {

@@ -6,7 +6,7 @@
 ///     given      e_i = c^i sin iθ                       each sweep: e ← c² e,    c = cos θ, θ = kπ/(N+1)
 ///     coloured   e_i = sin iθ (odd), c sin iθ (even)    each sweep: e ← c² e
 ///
-/// (16.4) to (16.7). \cite young1954
+/// (16.6) to (16.9). \cite young1954
 #pragma once
 
 #include "common/math.hpp"
@@ -25,23 +25,23 @@ struct LineModes {
         : N(rows), theta(k * pi / (rows + 1)), c(std::cos(theta))
     {
     }
-    Real rate() const { return c * c; }  ///< (16.4)
+    Real rate() const { return c * c; }  ///< (16.6)
 
-    VecX given() const  ///< (16.5)
+    VecX given() const  ///< (16.6)
     {
         return VecX::NullaryExpr(N, [&](Index i) {
             const auto n = static_cast<Real>(i + 1);
             return std::pow(c, n) * std::sin(n * theta);
         });
     }
-    VecX coloured() const
+    VecX coloured() const  ///< (16.7)
     {
         return VecX::NullaryExpr(N, [&](Index i) {
             const Real s = std::sin(static_cast<Real>(i + 1) * theta);
             return i % 2 == 0 ? s : c * s;
         });
     }
-    /// (16.6): the largest residual of given(): (1 − c²) max c^{i−1} sin (i+1)θ.
+    /// (16.8): the largest residual of given(): (1 − c²) max c^{i−1} sin (i+1)θ.
     Real residual_given() const
     {
         Real most = 0;
@@ -50,7 +50,7 @@ struct LineModes {
                                       std::abs(std::sin((i + 1) * theta)));
         return (1 - c * c) * most;
     }
-    /// (16.7): of coloured(): 2 (1 − c²) max sin iθ over the first colour.
+    /// (16.9): of coloured(): 2 (1 − c²) max sin iθ over the first colour.
     Real residual_coloured() const
     {
         Real most = 0;

@@ -74,7 +74,7 @@ template <class T>
 constexpr bool in_differences = sizeof(T) < sizeof(Real);
 
 //! [differences]
-/// (16.9): what is left to do for row i, so that floats need not be large.
+/// (16.5): what is left to do for row i, so that floats need not be large.
 /// \param u  with the effect of λ [m/s]
 template <int Dof>
 void pose_difference(const std::vector<Row<Dof>>& rows, std::size_t i,

@@ -122,7 +122,7 @@ struct WideSolver {
             if (!filled)
                 fill(problem, bundles, solution.lambda, u, wide), swept = 0;
             filled = true;
-            off = wide_sweep(wide, static_cast<T>(tolerance), threads);
+            off = wide_sweep(wide, static_cast<T>(tolerance), team());
             visits_ += m;
             const bool last = ++solution.iterations == most || !off,
                        passed = in_differences<T> && ++swept == pass;
@@ -186,6 +186,9 @@ struct WideSolver {
     }
 
 private:
+    /// Lanes that overwrite each other are to do so in the same way each time.
+    int team() const { return careless ? 1 : threads; }
+
     /// Without a residual, as chapter 6 answers a second problem.
     void sweep_until(const WideProblem<Dof>& problem, const SecondProblem& second,
                      VecX& u, Solution& solution)
@@ -196,7 +199,7 @@ private:
         for (int n = 0, swept = 0; n < second.max_sweeps && off; ++n) {
             if (!filled)
                 fill(problem, bundles, solution.lambda, u, wide), swept = 0;
-            off = wide_sweep(wide, static_cast<T>(second.tolerance), threads);
+            off = wide_sweep(wide, static_cast<T>(second.tolerance), team());
             visits_ += m;
             filled = !in_differences<T> || ++swept < pass;
             if (!filled || n + 1 == second.max_sweeps || !off)

@@ -17,8 +17,8 @@ namespace rigid {
 
 //! [packet]
 /// Visits all rows of a packet, one after the other, L bundles side by side.
-/// \param excess     the largest |Δλ| − tolerance · mass so far: positive = a row was
-///                   off by more than the tolerance
+/// \param excess     the largest |Δλ| − tolerance · mass so far: positive = a row
+///                   was off by more than the tolerance
 /// \param tolerance  [m/s]
 template <int Dof, class T, int L>
 void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,

@@ -19,7 +19,7 @@ eigen=$(pkg-config --cflags eigen3)
 fresh() { [ -f "$1" ] && [ -z "$(find chapters common -newer "$1" \( -name '*.hpp' -o -name '*.cpp' \) -path '*[16]*' | grep -E 'chapters/(02|03|06|16)|common/' | head -n 1)" ]; }
 
 # one source is the team, whoever compiles the rest
-fresh "$out/team.o" || g++ -std=c++20 -O2 -fopenmp -I. -c chapters/16_wide_sweeps/team.cpp -o "$out/team.o"
+fresh "$out/team.o" || g++ -std=c++20 -O2 -fopenmp -DRIGID_HAS_TEAM -I. -c chapters/16_wide_sweeps/team.cpp -o "$out/team.o"
 for compiler in g++ clang++; do
     command -v $compiler >/dev/null || continue
     for build in portable native; do
