@@ -53,6 +53,14 @@ constexpr Real flops = 36;
 template <class T>
 constexpr Real bytes = 18.5 * sizeof(T);
 
+/// A table has the same columns in each line.
+void no_counters(benchmark::State& state)
+{
+    for (const char* name :
+         {"ns", "flops", "bytes", "gflops", "lanes", "times", "gbytes"})
+        state.counters[name] = 0;
+}
+
 void report(benchmark::State& state, Real ns, Real bytes_a_visit)
 {
     state.counters["ns"] = ns;
@@ -194,7 +202,11 @@ void once(benchmark::internal::Benchmark* one) { one->Iterations(1); }
 
 const bool registered = [] {
     const auto named = [](const std::string& name, const auto& work) {
-        return benchmark::RegisterBenchmark(name.c_str(), work);
+        return benchmark::RegisterBenchmark(name.c_str(),
+                                            [work](benchmark::State& state) {
+                                                no_counters(state);
+                                                work(state);
+                                            });
     };
     constexpr int D = full_lanes<Real>, F = full_lanes<float>;
     const auto given = [](auto& s) { chapter_6(s, Order::given); };
