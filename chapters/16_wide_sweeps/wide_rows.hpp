@@ -73,27 +73,31 @@ struct WideProblem {
 template <class T>
 constexpr bool in_differences = sizeof(T) < sizeof(Real);
 
+/// b and bounds of a row as they are swept.
+struct Terms {
+    Real bias, lo, hi;
+};
+
 //! [differences]
 /// (16.5): what is left to do for row i, so that floats need not be large.
 /// \param u  with the effect of λ [m/s]
 template <int Dof>
-void pose_difference(const std::vector<Row<Dof>>& rows, std::size_t i,
-                     const VecX& lambda, const VecX& u, Row<Dof>& row)
+Terms difference(const std::vector<Row<Dof>>& rows, std::size_t i, Real bias,
+                 const VecX& lambda, const VecX& u)
 {
+    const Row<Dof>& row = rows[i];
     const Real own = lambda[static_cast<Index>(i)];
-    const auto [lo, hi] = bounds_of(rows[i], lambda);
-    row.bias +=
-        row.Jb.dot(u.template segment<Dof>(Dof * row.b)) + row.softness * own;
-    if (row.a != world)
-        row.bias += row.Ja.dot(u.template segment<Dof>(Dof * row.a));
-    row.lo = lo - own;
-    row.hi = hi - own;
+    const auto [lo, hi] = bounds_of(row, lambda);
+    Real w = bias + row.Jb.dot(u.template segment<Dof>(Dof * row.b)) +
+             row.softness * own;
+    if (row.a != world) w += row.Ja.dot(u.template segment<Dof>(Dof * row.a));
     const int n = row.bounded_by;
     if (n >= 0 && rows[static_cast<std::size_t>(n)].lo < 0)
         throw std::invalid_argument(
             "row " + std::to_string(i) + " is bounded by row " + std::to_string(n) +
             ", whose impulse may be negative; sweeps in floats need one that only "
             "pushes");
+    return {w, lo - own, hi - own};
 }
 //! [differences]
 
@@ -109,15 +113,14 @@ void fill(const WideProblem<Dof>& problem, const Bundles& bundles,
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         const auto [at, l] = out.place[i];
         if (at < 0) continue;
-        Row<Dof> row = problem.rows[i];
-        row.bias = problem.bias(i);
-        if (row.bounded_by >= 0) row.lo = row.hi = 0;
-        LaneBlocks<Dof> blocks = lane_blocks(
+        const Row<Dof>& row = problem.rows[i];
+        const LaneBlocks<Dof> blocks = lane_blocks(
             row, bundles.movers[static_cast<std::size_t>(bundles.of_row[i])], u);
-        if constexpr (in_differences<T>) {
-            pose_difference(problem.rows, i, lambda, u, row);
-            blocks.bias = 0;
-        }
+        const bool bounded = row.bounded_by >= 0;
+        Terms terms{problem.bias(i) + blocks.bias, bounded ? 0 : row.lo,
+                    bounded ? 0 : row.hi};
+        if constexpr (in_differences<T>)
+            terms = difference(problem.rows, i, problem.bias(i), lambda, u);
         auto& wide = out.rows[static_cast<std::size_t>(at)];
         for (int d = 0; d < Dof; ++d) {
             set_lane(wide.Ja[d], l, blocks.Ja[d]);
@@ -127,9 +130,9 @@ void fill(const WideProblem<Dof>& problem, const Bundles& bundles,
         }
         const Real A = row.diagonal();
         set_lane(wide.mass, l, A > 0 && !problem.left_out(i) ? 1 / A : 0);
-        set_lane(wide.bias, l, row.bias + blocks.bias);
-        set_lane(wide.lo, l, row.lo);
-        set_lane(wide.hi, l, row.hi);
+        set_lane(wide.bias, l, terms.bias);
+        set_lane(wide.lo, l, terms.lo);
+        set_lane(wide.hi, l, terms.hi);
         set_lane(wide.lambda, l,
                  in_differences<T> ? 0 : lambda[static_cast<Index>(i)]);
         set_lane(wide.friction, l, row.friction);

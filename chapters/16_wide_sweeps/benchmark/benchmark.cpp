@@ -137,6 +137,11 @@ void by_threads(benchmark::State& state)
 void prepare(benchmark::State& state, const std::string& what)
 {
     Wide<Real, full_lanes<Real>> problem(40);
+    ImpulseMemory<3> memory;
+    Solution solution;
+    Colouring colouring;
+    Random random(1);
+    std::vector<int> order;
     const auto m = static_cast<Real>(problem.all.rows.size());
     Real best = 0;
     for (auto _ : state)
@@ -222,7 +227,7 @@ const bool registered = [] {
         named("threads/doubles", by_threads<Real, D>)->Arg(threads)->Apply(once);
         named("threads/floats", by_threads<float, F>)->Arg(threads)->Apply(once);
     }
-    for (const char* what : {"bundle", "colour", "arrange", "fill"})
+    for (const char* what : {"chapter_6", "bundle", "colour", "arrange", "fill"})
         named(std::string("prepare/") + what, [what](auto& s) {
             prepare(s, what);
         })->Apply(once);

@@ -17,9 +17,9 @@ colours = "#4477AA #66CCEE #228833 #EE7733 #AA3377"
 one = peak('one'); doubles = peak('doubles'); floats = peak('floats')
 names = "'first cache' 'second cache' 'third cache' memory"
 do for [k = 1:4] { set label k word(names, k) at 1.2 / band(k), 1.35 rotate by 42 tc rgb '#808080' font ',11' }
-set label 5 'one number at a time' at 3, one * 1.2 tc rgb '#808080' font ',11'
-set label 6 'doubles' at 3, doubles * 1.2 tc rgb '#808080' font ',11'
-set label 7 'floats' at 3, floats * 1.2 tc rgb '#808080' font ',11'
+set label 5 'one number at a time' at 1.2, one * 1.2 tc rgb '#808080' font ',11'
+set label 6 'doubles' at 1.2, doubles * 1.2 tc rgb '#808080' font ',11'
+set label 7 'floats' at 1.2, floats * 1.2 tc rgb '#808080' font ',11'
 plot for [k = 1:4] min(band(k) * x, floats) with lines lw 1 lc rgb '#808080' notitle, \
      one with lines lw 1 dt 3 lc rgb '#808080' notitle, \
      doubles with lines lw 1 dt 3 lc rgb '#808080' notitle, \
