@@ -22,7 +22,7 @@ struct Slider {
 };
 
 //! [hold_or_slide]
-/// A solver stage that chooses between μ_s and μ_k, and leaves the rest to `Solver`.
+/// A solver stage that chooses between μ_s and μ_k; the rest is left to `Solver`.
 template <class Solver>
 struct HoldOrSlide : Solver {
     /// what is slower than this is at rest [ℓ/s]: exact answers leave 1e-10 of it,
