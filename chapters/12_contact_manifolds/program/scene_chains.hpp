@@ -45,7 +45,7 @@ inline Demo chain_scene()
             };
             setup.picture = [](Canvas& canvas, const ManifoldState&) {
                 for (int i = -9; i <= 9; ++i)
-                    canvas.segment({0.5 * i, -0.06}, {0.5 * i, 0.0},
+                    canvas.segment({0.5 * i, -0.16}, {0.5 * i, -0.02},
                                    {Colour::faint, 1.5, 1, false, false});
             };
             return setup;

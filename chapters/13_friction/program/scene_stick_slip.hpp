@@ -47,10 +47,12 @@ inline Demo stick_slip_scene()
                 for (const auto& [x, name] :
                      {std::pair{hand.balance + hand.beyond, "slips"},
                       std::pair{hand.balance, "balance"}}) {
-                    const Real high = x > hand.balance ? 0.42 : 0.32;
+                    const bool right = x > hand.balance;
+                    const Real high = right ? 0.42 : 0.32;
                     canvas.segment({x, 0}, {x, high},
                                    {Colour::green, 1.5, 1, false, true});
-                    canvas.text({x + 0.01, high - 0.02}, name, 14, paint::label);
+                    canvas.text({x + (right ? 0.01 : -0.01), high - 0.02}, name, 14,
+                                paint::label, right ? Align::left : Align::right);
                 }
                 canvas.disc(centre, 0.012, {Colour::red, 1, 1, true, false});
             };
