@@ -15,7 +15,7 @@
 namespace rigid {
 
 //! [id]
-/// Names a thing of a world. A default one names nothing; as a body it is the world.
+/// Names a thing of a world. A default one names nothing; as a body, the world.
 template <class Thing>
 struct Id {
     std::uint32_t place = 0;

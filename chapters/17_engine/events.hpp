@@ -32,8 +32,8 @@ struct Seen {
     auto operator<=>(const Seen&) const = default;
 };
 
-/// Of the last step, each list ascending. What begins has both bodies in the world; what ends
-/// may have lost one.
+/// Of the last step. What begins has both bodies in the world; what ends may have
+/// lost one.
 struct Events {
     std::vector<Touch> began, ended;
     std::vector<Hit> hits;

@@ -114,7 +114,7 @@ private:
         exact.bounded.forget();
         exact.bounded_apart.forget();
         rescuer.bounded.forget();
-        exactly.second.solution.lambda.resize(0);
+        exactly.second.solution.lambda.setZero();
         const bool same = now.same_rows && now.same_bodies && was_configured;
         swept.now.same_rows = swept.now.same_bodies = same;
         if (same) return;

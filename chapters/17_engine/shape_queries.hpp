@@ -12,20 +12,21 @@
 namespace rigid {
 
 //! [place]
-/// The stage keeps shapes and boxes as they were when it looked; what has moved since is placed again.
+/// The stage keeps shapes and boxes as they were when it looked; what has moved
+/// since is placed again.
 inline void place_moved(EngineState& state)
 {
     if (state.unplaced.empty()) return;
     Manifolds& stage = state.awake().touching;
     std::vector<int>& list = state.unplaced;
     std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
     stage.placed.move(state.scene, list);
     for (const int k : list)
-        // as large as the stage has them, or a pair of its own would be missed
+        // as large as the stage has them, or it would miss a pair
         stage.finder.tree.place(
             k, grown(stage.placed.boxes[static_cast<std::size_t>(k)],
                      state.awake().margin / 2));
+    for (const int k : list) state.is_unplaced[static_cast<std::size_t>(k)] = 0;
     list.clear();
 }
 //! [place]

@@ -62,7 +62,7 @@ struct World::State : EngineState {
         AwakeManifolds& sleepers = awake();
         Manifolds& stage = sleepers.touching;
         const bool looked = stage.finder.tested >= 0;
-        unplaced.insert(unplaced.end(), now.active.begin(), now.active.end());
+        for (const int k : now.active) displace(k);
         if (now.active.empty()) {  // nobody is awake: nothing touches anew
             now.sources.clear();
             now.contacts.clear();

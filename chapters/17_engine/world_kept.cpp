@@ -54,7 +54,7 @@ World World::load(std::string_view bytes)
     require_valid(static_cast<const RigidScene&>(state->scene));
     state->configure();
     for (Index k = 0; k < state->scene.bodies.count(); ++k)
-        state->unplaced.push_back(static_cast<int>(k));
+        state->displace(static_cast<int>(k));
     return World(std::move(state));
 }
 //! [save]

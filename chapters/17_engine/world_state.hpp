@@ -14,7 +14,8 @@
 namespace rigid {
 
 //! [method]
-/// The method of the engine: chapter 14's that lets bodies sleep, with a solver for each island.
+/// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
+/// each island.
 struct EngineMethod {
     WithJoints<WithFriction<AwakeManifolds>> contacts;
     LoadedJoints correction;
@@ -61,6 +62,7 @@ struct EngineState {
 
     /// bodies that have moved since the shapes were placed; queries place them
     mutable std::vector<int> unplaced;
+    mutable std::vector<char> is_unplaced;  ///< of each body, 1: it is in the list
     //! [state]
 
     AwakeManifolds& awake() { return method.contacts.contacts.contacts; }
@@ -103,9 +105,18 @@ struct EngineState {
             remembered[3 * k] = std::numeric_limits<Real>::quiet_NaN();
         if (auto& rests = awake().rests; k < static_cast<Index>(rests.size()))
             rests[static_cast<std::size_t>(k)] = {};
-        unplaced.push_back(static_cast<int>(k));
+        displace(static_cast<int>(k));
     }
     //! [disturb]
+
+    /// Body k is elsewhere than the shapes have it.
+    void displace(int k)
+    {
+        is_unplaced.resize(std::max(is_unplaced.size(), bodies.size()), 0);
+        char& listed = is_unplaced[static_cast<std::size_t>(k)];
+        if (!listed) unplaced.push_back(k);
+        listed = 1;
+    }
 
     /// Which bodies go on however fast they are.
     void list_unstopped()
