@@ -339,6 +339,26 @@ TEST_CASE("the sixty-fourth filter is refused and a filter that nobody has is fr
     CHECK_NOTHROW(world.add_body(body));
 }
 
+TEST_CASE("a friction problem that nothing drives is answered by zero from any memory", "[house]")
+{
+    Mlcp mlcp;
+    mlcp.A = MatX(2 * MatX::Identity(2, 2)).sparseView();
+    mlcp.q = Vec2(1e-12, -1e-12);  // below what is enough: nothing is guessed
+    mlcp.lo = Vec2(0, 0);
+    mlcp.hi = Vec2(infinity, 0);
+    ActiveSetSettings settings;
+    settings.enough = 1e-9;
+    const std::vector<FrictionBox> boxes{{1, 0, 0.5}};
+    for (const std::size_t old : {0, 1, 2, 3}) {
+        ActiveSetMemory memory;
+        memory.cases.assign(old, BoundState::at_hi);
+        Solution solution;
+        active_sets(mlcp, boxes, settings, memory, solution);
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.lambda.isZero(0));
+    }
+}
+
 TEST_CASE("hostile worlds stay finite or are refused", "[house]")
 {
     Random random(11);

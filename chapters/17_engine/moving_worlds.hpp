@@ -63,13 +63,16 @@ inline World tumbler_world(int bodies, Real spin)
     return world;
 }
 
-/// The walls of a drum go on along a circle: what they are told before each step.
-inline void turn_tumbler(World& world, Real spin)
+/// The walls of a drum go on along a circle: in a step each moves along the chord to where it is to be.
+inline void turn_tumbler(World& world, Real spin, Real h)
 {
+    const Real c = std::cos(spin * h), s = std::sin(spin * h);
     const std::vector<BodyId> all = world.bodies();
-    for (std::size_t i = 0; i < 4 && i < all.size(); ++i)
-        world.set_velocity(all[i], spin * perpendicular(world.position(all[i])),
-                           spin);
+    for (std::size_t i = 0; i < 4 && i < all.size(); ++i) {
+        const Vec2 p = world.position(all[i]);
+        const Vec2 next(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+        world.set_velocity(all[i], (next - p) / h, spin);
+    }
 }
 
 /// Many small piles, far from each other.

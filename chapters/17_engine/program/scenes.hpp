@@ -68,7 +68,7 @@ inline std::vector<Demo> samples()
                        return WorldSetup{tumbler_world(whole(settings["boxes"]),
                                                        settings["spin"]),
                                          [](World& world, const Settings& s) {
-                                             turn_tumbler(world, s["spin"]);
+                                             turn_tumbler(world, s["spin"], s.h);
                                          }};
                    });
     tumbler.tunables.insert(
