@@ -18,7 +18,7 @@ try {
 
     BodyId above;  // the world
     for (int i = 0; i < 3; ++i) {
-        const Vec2 pin(-3.5 + 1.0 * i, 4);
+        const Vec2 pin(-2.5 + 1.0 * i, 4);
         const BodyId link = world.add_body({.shape = capsule(0.9, 0.05),
                                             .position = pin + Vec2(0.5, 0),
                                             .density = i < 2 ? 1.0 : 20.0});
