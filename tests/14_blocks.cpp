@@ -107,7 +107,8 @@ TEST_CASE("a joint that is given twice is swept to the same velocities", "[house
     add_joint(scene, scene.placed[1].joint);
     const std::vector<Row<3>> twice = rows_of(scene);
     const ImpulseSettings settings{.max_sweeps = 100000, .tolerance = 1e-11};
-    const Swept a = by_joints(once, stirred(scene, 2), settings), b = by_joints(twice, stirred(scene, 2), settings);
+    const Swept a = by_joints(once, stirred(scene, 2), settings),
+                b = by_joints(twice, stirred(scene, 2), settings);
     CHECK(b.solution.status == Status::solved);
     CHECK((a.u - b.u).norm() <= 1e-7);
 }

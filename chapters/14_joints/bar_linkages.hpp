@@ -164,8 +164,7 @@ inline Index add_jansen_leg(JointedScene& scene, Real angle,
                             const Drive& motor = {})
 {
     const JansenLeg leg(angle);
-    const Index crank =
-        add_bar(scene, {0, 0}, leg.p[0], 2 * leg.p[0].norm());
+    const Index crank = add_bar(scene, {0, 0}, leg.p[0], 2 * leg.p[0].norm());
     RigidJoint axle = joint_at(scene, JointKind::revolute, world, crank, {0, 0});
     axle.motor = motor;
     add_joint(scene, axle);

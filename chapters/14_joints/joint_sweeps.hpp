@@ -35,8 +35,7 @@ inline void find_runs(const std::vector<SolverRow<3>>& rows,
     Eigen::Matrix<Real, 3, 3> K, L;
     for (std::size_t k = 0; k < rows.size();) {
         JointRun run{static_cast<int>(k)};
-        const auto row = [&](int i) -> const SolverRow<3>&
-        {
+        const auto row = [&](int i) -> const SolverRow<3>& {
             return rows[k + static_cast<std::size_t>(i)];
         };
         K(0, 0) = L(0, 0) = rows[k].mass > 0 ? 1 / rows[k].mass : 1;

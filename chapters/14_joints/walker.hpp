@@ -12,7 +12,7 @@ namespace rigid {
 
 struct Walker {
     Index chassis = 0, crank = 0;
-    std::size_t motor = 0;      ///< the joint that turns the crank
+    std::size_t motor = 0;        ///< the joint that turns the crank
     std::array<Index, 6> feet{};  ///< the triangles that touch the ground
 };
 
@@ -33,8 +33,7 @@ inline Walker add_walker(JointedScene& scene, Real x, Real ground,
     const Real arm = 15 * JansenLeg::scale, below = 7.8 * JansenLeg::scale;
     walker.chassis = add_body(scene, box(0.76, 0.06), Mass{10, {0, 0}, 0.5},
                               axle - Vec2(0, below));
-    walker.crank =
-        add_body(scene, disc(arm), Mass{2, {0, 0}, arm * arm}, axle);
+    walker.crank = add_body(scene, disc(arm), Mass{2, {0, 0}, arm * arm}, axle);
     RigidJoint turns =
         joint_at(scene, JointKind::revolute, walker.chassis, walker.crank, axle);
     turns.motor = motor;

@@ -20,7 +20,7 @@ struct JointState {
     StepData<3> now;
     Real t = 0, h = 0;
     Real energy_at_start = 0;
-    TreeWork work;  ///< of the trees, so far
+    TreeWork work;   ///< of the trees, so far
     int asleep = 0;  ///< bodies
     int rounds = 0;  ///< of (14.15), in the last solve
 
@@ -76,9 +76,9 @@ struct JointMethods {
             rigid::step(state.scene, how, sweeps, state.now);
         } else if (settings.method == "sleeping") {
             by_trees(state, how, settings, sleeping);
-            state.asleep =
-                static_cast<int>(state.scene.bodies.count() -
-                                 std::ssize(sleeping.contacts.contacts.contacts.set.awake));
+            state.asleep = static_cast<int>(
+                state.scene.bodies.count() -
+                std::ssize(sleeping.contacts.contacts.contacts.set.awake));
         } else by_trees(state, how, settings, trees);
     }
 

@@ -12,9 +12,9 @@ int main(int argc, char** argv)
         Program program;
         program.name = "14_joints";
         program.title = "Chapter 14. Joints";
-        program.scenes = {chain_demo(),  bridge_demo(), dolls_demo(),
-                          crane_demo(),  engine_demo(), leg_demo(),
-                          cradle_demo(), car_demo(),    trebuchet_demo(),
+        program.scenes = {chain_demo(),   bridge_demo(),   dolls_demo(),
+                          crane_demo(),   engine_demo(),   leg_demo(),
+                          cradle_demo(),  car_demo(),      trebuchet_demo(),
                           walkers_demo(), excavator_demo()};
         return program;
     };

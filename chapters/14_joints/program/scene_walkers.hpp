@@ -11,8 +11,8 @@ inline JointSetup walkers_setup(const Settings& settings)
 {
     JointSetup setup;
     setup.touches = true;
-    setup.scene = bridge_scene(static_cast<int>(settings["planks"]),
-                               settings["plank"], 8.03);
+    setup.scene =
+        bridge_scene(static_cast<int>(settings["planks"]), settings["plank"], 8.03);
     JointedScene& all = setup.scene;
     const Index planks = all.bodies.count();
     for (const Real side : {-1.0, 1.0})  // the banks
@@ -54,9 +54,8 @@ inline JointSetup walkers_setup(const Settings& settings)
 
 inline Demo walkers_demo()
 {
-    Demo scene =
-        joint_demo("walkers", "Machines on Jansen's legs cross a bridge",
-                   {{-1.5, 0.2}, {7.5, 2.4}}, 1.0 / 240, walkers_setup);
+    Demo scene = joint_demo("walkers", "Machines on Jansen's legs cross a bridge",
+                            {{-1.5, 0.2}, {7.5, 2.4}}, 1.0 / 240, walkers_setup);
     scene.methods = {"trees", "sweeps"};
     scene.tunables.push_back(
         {"walkers", "", "how many", 2, 1, 3, true, true, false});
@@ -66,8 +65,8 @@ inline Demo walkers_demo()
         {"plank", "kg", "of each", 20, 1, 200, false, true, false});
     scene.tunables.push_back(
         {"speed", "rad/s", "of the cranks", 4, -8, 8, false, false, true});
-    scene.tunables.push_back({"torque", "N m", "of each motor, at most", 300, 1, 3000,
-                              false, true, false});
+    scene.tunables.push_back({"torque", "N m", "of each motor, at most", 300, 1,
+                              3000, false, true, false});
     scene.columns = {{"x", "m", "of the first walker", true, false},
                      {"sag", "m", "of the bridge", true, false},
                      {"gap", "m", "largest error of a joint", true, true},
