@@ -31,6 +31,23 @@ struct JointState {
     }
 };
 
+/// The largest error of a joint that is whole [m].
+inline Real largest_gap(const JointedScene& scene)
+{
+    Real largest = 0;
+    for (const PlacedJoint& placed : scene.placed) {
+        if (placed.broken) continue;
+        for (int i = 0; i < placed.count; ++i) {
+            const PointJoint& row =
+                scene.joints[static_cast<std::size_t>(placed.first + i)];
+            if (row.kind == ConstraintKind::bilateral)
+                largest = std::max(
+                    largest, std::abs(joint_constraint(scene.bodies.x, row).C));
+        }
+    }
+    return largest;
+}
+
 struct JointSetup {
     JointedScene scene;
     CollisionFilter filter;  ///< of the shapes that touch
@@ -76,9 +93,10 @@ struct JointMethods {
             rigid::step(state.scene, how, sweeps, state.now);
         } else if (settings.method == "sleeping") {
             by_trees(state, how, settings, sleeping);
-            state.asleep = static_cast<int>(
-                state.scene.bodies.count() -
-                std::ssize(sleeping.contacts.contacts.contacts.set.awake));
+            const auto& set = sleeping.contacts.contacts.contacts.set;
+            state.asleep = 0;
+            for (Index k = 0; k < state.scene.bodies.count(); ++k)
+                state.asleep += state.scene.bodies.can_move(k) && set.is_asleep(k);
         } else by_trees(state, how, settings, trees);
     }
 

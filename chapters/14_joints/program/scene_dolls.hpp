@@ -30,7 +30,7 @@ inline Demo dolls_demo()
             cover(setup.scene, {settings["mu"], 0, 0, 0});
             setup.touches = true;
             setup.measure = [](const JointState& s) -> std::vector<Real> {
-                return {largest_joint_error(s.scene),
+                return {largest_gap(s.scene),
                         energy(s.scene),
                         s.residual(),
                         static_cast<Real>(s.now.contacts.size()),
@@ -40,6 +40,8 @@ inline Demo dolls_demo()
             return setup;
         });
     scene.methods.insert(scene.methods.begin(), "sleeping");
+    for (Tunable& tunable : scene.tunables)
+        if (tunable.name == "sweeps") tunable.value = 40;  // of large heaps
     scene.tunables.push_back(
         {"dolls", "", "how many", 2, 1, 100, true, true, false});
     scene.tunables.push_back(

@@ -59,7 +59,7 @@ inline JointSetup excavator_setup(const Settings& settings)
     setup.measure = [=](const JointState& s) -> std::vector<Real> {
         const VecX& x = s.scene.bodies.x;
         const Vec2 tip = point_of(x, floor, {(lip - heel).norm() / 2, 0});
-        return {tip.x(), tip.y(), largest_joint_error(s.scene), s.residual()};
+        return {tip.x(), tip.y(), largest_gap(s.scene), s.residual()};
     };
     return setup;
 }

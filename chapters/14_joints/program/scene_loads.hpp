@@ -18,8 +18,8 @@ inline std::vector<Column> load_columns()
 
 inline std::vector<Real> load_measures(const JointState& s)
 {
-    return {largest_joint_error(s.scene), energy(s.scene) - s.energy_at_start,
-            s.residual(), static_cast<Real>(s.work.solved_rows)};
+    return {largest_gap(s.scene), energy(s.scene) - s.energy_at_start, s.residual(),
+            static_cast<Real>(s.work.solved_rows)};
 }
 
 /// A chain with a weight of 1000 links at its end.

@@ -46,7 +46,7 @@ inline JointSetup walkers_setup(const Settings& settings)
         Real sag = 0;
         for (Index k = 0; k < planks; ++k)
             sag = std::min(sag, s.scene.bodies.x[3 * k + 1]);
-        return {s.scene.bodies.x[3 * chassis], -sag, largest_joint_error(s.scene),
+        return {s.scene.bodies.x[3 * chassis], -sag, largest_gap(s.scene),
                 s.residual()};
     };
     return setup;
