@@ -266,9 +266,9 @@ TEST_CASE("an overlap that joints all but hold is left and does not throw its bo
     scene.gravity = {0, 0};
     add_body(scene, box(2, 0.2), Mass{}, {0, -1});
     add_body(scene, capsule(1, 0.05), 5.0, {0, -0.45}, -pi / 2);
-    RigidJoint pin = joint_at(scene, JointKind::revolute, world, 1, {0.001, 0.05});
-    pin.collide_connected = true;
-    add_joint(scene, pin);
+    RigidJoint hook = joint_at(scene, JointKind::revolute, world, 1, {0.001, 0.05});
+    hook.collide_connected = true;
+    add_joint(scene, hook);
     JointTrees<Manifolds> method;
     method.contacts.contacts.contacts.fast.stop = false;
     StepData<3> now;
