@@ -17,8 +17,7 @@ struct TreeSolver {
     int sweeps = 40;  ///< over the rows with bounds of larger islands
     /// rounds end when none changes a row by more than this [ℓ/s]
     Real tolerance = 1e-9;
-    /// rows with bounds of an island that are found exactly, at most; 0: of none, and
-    /// no joint is eliminated: rounds of (14.15)
+    /// rows of an island that are found exactly, at most; 0: rounds of (14.15)
     int most_exact = 600;
     FrictionSettings exact;  ///< how hard it tries
 
