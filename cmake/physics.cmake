@@ -39,7 +39,8 @@ set(rigid_rounding $<IF:$<CXX_COMPILER_ID:MSVC>,/fp:precise,-ffp-contract=off>)
 target_compile_options(rigid_options INTERFACE ${rigid_rounding})
 
 # ---- the library ------------------------------------------------------------------------------------
-add_library(rigid_physics STATIC common/contact.cpp common/measure.cpp common/scenes.cpp)
+add_library(rigid_physics STATIC common/contact.cpp common/measure.cpp common/scenes.cpp
+            chapters/17_engine/world.cpp chapters/17_engine/world_kept.cpp)
 add_library(rigid::physics ALIAS rigid_physics)
 set_target_properties(rigid_physics PROPERTIES EXPORT_NAME physics POSITION_INDEPENDENT_CODE ON)
 target_compile_features(rigid_physics PUBLIC cxx_std_20)

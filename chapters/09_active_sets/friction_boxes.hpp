@@ -130,6 +130,9 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     int guesses = 0;
     for (int round = 0; round < 200; ++round) {
         active_sets(fixed, settings, memory, solution);
+        // λ = 0 did, and what the memory has is of another problem
+        if (solution.iterations == 0)
+            memory.cases.assign(static_cast<std::size_t>(n), BoundState::between);
         guesses += solution.iterations;
         solution.iterations = guesses;
         if (solution.status != Status::solved) return;

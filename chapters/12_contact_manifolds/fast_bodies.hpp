@@ -19,6 +19,8 @@ namespace rigid {
 
 struct FastBodies {
     bool stop = true;  ///< false: nothing is looked for
+    /// of each body, 1: it is never stopped; empty = all may be
+    std::vector<char> goes_on;
 
     // What the last step found.
     std::vector<int> bodies;  ///< that were fast
@@ -172,7 +174,9 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         const Vec<3> way = m.way();
         const Real far = std::hypot(way[0], way[1]) +
                          std::abs(way[2]) * turning_radius(*m.shape);
-        if (far > 0.5 * inner_of(k)) fast.bodies.push_back(k);
+        const auto at = static_cast<std::size_t>(k);
+        const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
+        if (far > 0.5 * inner_of(k) && !goes_on) fast.bodies.push_back(k);
     }
     if (fast.bodies.empty()) return;
     fast.is_fast.assign(static_cast<std::size_t>(K), 0);

@@ -34,6 +34,14 @@ struct FrictionMemory {
     FrictionLu factor;
     VecX candidate, proximal_base;
     ActiveSetMemory rounds;
+
+    /// What was found is nothing to the next solve: only room is kept.
+    void forget()
+    {
+        guess.cases.clear();
+        factor.forget();
+        if (!rounds.cases.empty()) rounds = {};
+    }
 };
 
 inline void require_valid(const FrictionSettings& settings)

@@ -27,6 +27,13 @@ public:
         return problems_[at(island)].mlcp.A;
     }
 
+    /// The next guesses begin from λ alone: cases and factors of earlier solves are
+    /// nothing to them.
+    void forget()
+    {
+        for (Problem& problem : problems_) problem.find.memory.forget();
+    }
+
     //! [eliminate]
     /// A of each island.
     void eliminate(JointFactor& joints, const std::vector<Row<3>>& rows,

@@ -45,8 +45,9 @@ struct WithJoints {
     Contacts contacts;
     /// false: every limit has its rows at all times
     bool skip_far_limits = true;
-    int limits_skipped = 0;  ///< rows, of the last step
-    int broken = 0;          ///< joints, in the last step
+    int limits_skipped = 0;        ///< rows, of the last step
+    int broken = 0;                ///< joints, in the last step
+    std::vector<char> was_broken;  ///< of each joint, when the last step began
 
     void require_valid() const
     {
@@ -119,11 +120,11 @@ struct WithJoints {
     {
         if constexpr (requires { contacts.contacts.set; }) {
             auto& set = contacts.contacts.set;
-            was_broken_.resize(scene.placed.size(), 0);
+            was_broken.resize(scene.placed.size(), 0);
             for (std::size_t i = 0; i < scene.placed.size(); ++i) {
                 const PlacedJoint& placed = scene.placed[i];
-                if (placed.broken == (was_broken_[i] != 0)) continue;
-                was_broken_[i] = placed.broken;
+                if (placed.broken == (was_broken[i] != 0)) continue;
+                was_broken[i] = placed.broken;
                 for (const Index k : {placed.joint.a, placed.joint.b})
                     if (k != world && k < static_cast<Index>(set.activity.size()))
                         set.wake(k);
@@ -148,9 +149,6 @@ struct WithJoints {
         return c.C > margin + 2 * settings.h *
                                   (std::abs(row.velocity(scene.bodies.u)) + fall);
     }
-
-private:
-    std::vector<char> was_broken_;
 };
 //! [with_joints]
 

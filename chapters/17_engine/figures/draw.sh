@@ -1,0 +1,8 @@
+#!/bin/sh
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
+[ -z "$table" ] || exit 0
+
+# Pictures of scenes.
+run --scene poured --set bodies=60 --steps 400 --svg "$out/ch17_poured.svg"
+run --scene dolls --steps 100 --svg "$out/ch17_dolls.svg"

@@ -1,0 +1,195 @@
+/// \file world_run.hpp
+/// One runner for every program that has a World: it steps, draws and measures by the public header alone.
+#pragma once
+
+#include "chapters/11_rotation/program/rigid_picture.hpp"
+#include "chapters/17_engine/moving_worlds.hpp"
+#include "common/program/program.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace rigid {
+
+struct WorldSetup {
+    World world;
+    /// what the scene does itself before each step
+    std::function<void(World&, const Settings&)> before = {};
+};
+
+class WorldRun : public Run {
+public:
+    WorldRun(WorldSetup setup, const Settings& settings) : setup_(std::move(setup))
+    {
+        (void)settings;
+        for (const BodyId body : setup_.world.bodies())
+            if (setup_.world.mass(body) < infinity)
+                top_ = std::max(top_, setup_.world.position(body).y());
+    }
+
+    void step(const Settings& settings, const Input& input) override
+    {
+        World& world = setup_.world;
+        WorldSettings how = world.settings();
+        how.substeps = static_cast<int>(settings["substeps"]);
+        how.sleep = settings["sleep"] > 0;
+        how.solving = settings.method == "exact"    ? Solving::exact
+                      : settings.method == "sweeps" ? Solving::sweeps
+                                                    : Solving::by_island;
+        if (how.substeps != world.settings().substeps ||
+            how.sleep != world.settings().sleep ||
+            how.solving != world.settings().solving)
+            world.change(how);
+        for (; thrown_ < static_cast<int>(settings["thrown"]); ++thrown_)
+            throw_one();
+        hold(input);
+        if (setup_.before) setup_.before(world, settings);
+        world.step(settings.h);
+        for (const BodyId body : world.bodies())
+            if (!world.position(body).allFinite() ||
+                !world.velocity(body).allFinite())
+                throw StepFailure("the state of body " +
+                                  std::to_string(body.place) + " is not finite");
+    }
+
+    std::vector<Real> measure() const override
+    {
+        const World& world = setup_.world;
+        const StepWork& work = world.work();
+        world.contacts(contacts_);
+        Real overlap = 0, gap = 0;
+        for (const ContactView& contact : contacts_)
+            overlap = std::max(overlap, -contact.gap);
+        for (const JointId joint : world.joints())
+            if (!world.is_broken(joint)) gap = std::max(gap, world.error(joint));
+        return {Real(work.bodies),
+                Real(work.awake),
+                Real(work.contacts),
+                Real(work.rows),
+                Real(work.exact),
+                Real(work.swept),
+                Real(work.rescued),
+                Real(work.unsolved),
+                Real(work.visits),
+                Real(work.tested),
+                overlap,
+                gap};
+    }
+
+    void draw(Canvas& canvas) const override
+    {
+        const World& world = setup_.world;
+        for (const WallId id : world.walls()) {
+            const HalfSpace& wall = world.wall(id);
+            const Vec2 middle = wall.normal * wall.offset,
+                       along = 200 * perpendicular(wall.normal);
+            canvas.segment(middle - along, middle + along, paint::wall);
+        }
+        for (const BodyId body : world.bodies()) paint_body(canvas, body);
+        for (const JointId joint : world.joints()) {
+            if (world.is_broken(joint)) continue;
+            const RigidJoint& it = world.joint(joint);
+            const Vec2 a = world.point_of(world.body_a(joint), it.at_a),
+                       b = world.point_of(world.body_b(joint), it.at_b);
+            if ((a - b).norm() > 0.02)
+                canvas.segment(a, b, {Colour::purple, 2, 1, false, false});
+            canvas.disc(b, 0.02, {Colour::orange, 1, 1, true, false});
+        }
+    }
+
+private:
+    void paint_body(Canvas& canvas, BodyId body) const
+    {
+        const World& world = setup_.world;
+        const Polygon& shape = world.shape(body);
+        Style style = world.mass(body) < infinity ? paint::body : paint::fixed_body;
+        if (world.mass(body) < infinity && !world.is_awake(body))
+            style.colour = Colour::purple;
+        std::vector<Vec2> corners;
+        for (const Vec2& vertex : shape.vertices)
+            corners.push_back(world.point_of(body, vertex));
+        if (corners.size() == 1) {
+            canvas.disc(corners[0], shape.radius, style);
+            canvas.segment(corners[0],
+                           world.point_of(body, {0.9 * shape.radius, 0}),
+                           {Colour::blue, 1.5, 1, false, false});
+        } else if (shape.radius > 0)
+            canvas.polygon(rounded_outline(corners, shape.radius), style);
+        else if (corners.size() == 2)
+            canvas.segment(corners[0], corners[1],
+                           {style.colour, 3, 0.8, false, false});
+        else canvas.polygon(corners, style);
+    }
+
+    /// The hand pulls the body that is nearest to it.
+    void hold(const Input& input)
+    {
+        World& world = setup_.world;
+        if (!input.pressed) {
+            if (held_) world.pull({});
+            held_ = {};
+            return;
+        }
+        if (!held_ || !world.has(held_)) {
+            Real nearest = infinity;
+            for (const BodyId body : world.bodies()) {
+                const Real d = (world.position(body) - input.pointer).norm();
+                if (world.mass(body) < infinity && d < nearest)
+                    nearest = d, held_ = body;
+            }
+        }
+        if (held_) world.pull(held_, input.pointer);
+    }
+
+    void throw_one()
+    {
+        const Real side = thrown_ % 2 == 0 ? 1 : -1;
+        BodyDefinition box_thrown = body_of(
+            box(0.5, 0.5), {side * (1 + 0.3 * (thrown_ % 5)), top_ + 2}, 0.3);
+        box_thrown.velocity = {-side * 4, -4};
+        setup_.world.add_body(box_thrown);
+    }
+
+    WorldSetup setup_;
+    Real top_ = 0;
+    int thrown_ = 0;
+    BodyId held_;
+    mutable std::vector<ContactView> contacts_;
+};
+
+/// A scene of this program: columns and tunables that all worlds have.
+inline Demo world_demo(const std::string& name, const std::string& summary,
+                       const View& view,
+                       std::function<WorldSetup(const Settings&)> setup)
+{
+    Demo scene;
+    scene.name = name;
+    scene.summary = summary;
+    scene.view = view;
+    scene.methods = {"by_island", "exact", "sweeps"};
+    scene.tunables = {
+        {"substeps", "", "parts of a step", 1, 1, 32, true, false, false},
+        {"sleep", "", "1: what rests, sleeps", 1, 0, 1, true, false, false},
+        {"thrown", "", "boxes thrown in so far", 0, 0, 60, true, false, true}};
+    scene.columns = {
+        {"bodies", "", "in the world", false, false},
+        {"awake", "", "bodies that a step looks at", true, false},
+        {"contacts", "", "points", false, false},
+        {"rows", "", "of the step", true, false},
+        {"exact", "", "islands solved exactly", false, false},
+        {"swept", "", "islands swept", false, false},
+        {"rescued", "", "of those, solved exactly after all", false, false},
+        {"unsolved", "", "islands above the tolerance", false, false},
+        {"visits", "", "rows visited, whatever for", true, false},
+        {"tested", "", "boxes compared in search of pairs", false, false},
+        {"overlap", "m", "the deepest", true, true},
+        {"gap", "m", "the largest error of a joint", true, true}};
+    scene.start = [setup = std::move(setup)](const Settings& settings) {
+        return std::make_unique<WorldRun>(setup(settings), settings);
+    };
+    return scene;
+}
+
+}  // namespace rigid

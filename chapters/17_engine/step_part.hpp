@@ -1,0 +1,152 @@
+/// \file step_part.hpp
+/// Some islands of a step as a step of their own: their bodies and rows numbered from 0.
+///
+/// So a solver of this part costs as much as the part is large, however many bodies sleep beside it, and islands can go
+/// to different solvers. Numbers ascend as they did: the same rows make the same bits.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/step_data.hpp"
+
+#include <algorithm>
+
+namespace rigid {
+
+//! [part]
+struct StepPart {
+    std::vector<int> rows;    ///< of the step, in the order that they have here
+    std::vector<int> bodies;  ///< of the scene, ascending; walls of any kind too
+    Bodies<3> local{0};
+    StepData<3> now;
+    SecondProblem second;
+    VecX v;  ///< pseudo-velocities [m/s]
+
+    bool empty() const { return bodies.empty(); }
+    void clear()
+    {
+        rows.clear();
+        bodies.clear();
+    }
+    //! [part]
+
+    /// Numbers what is in `rows` and `bodies`, and in the rows beside these bodies.
+    /// \param count  bodies of the scene
+    void number(const StepData<3>& whole, Index count)
+    {
+        number_.resize(static_cast<std::size_t>(count), -1);
+        row_number_.resize(whole.rows.size());
+        std::sort(bodies.begin(), bodies.end());
+        const std::size_t active = bodies.size();
+        for (const int k : bodies) at(number_, k) = 0;
+        for (const int i : rows)
+            for (const Index k : {whole.rows[at(i)].a, whole.rows[at(i)].b})
+                if (k != world && at(number_, static_cast<int>(k)) < 0) {
+                    at(number_, static_cast<int>(k)) = 1;  // not active here
+                    bodies.push_back(static_cast<int>(k));
+                }
+        const auto beside = bodies.begin() + static_cast<std::ptrdiff_t>(active);
+        std::sort(beside, bodies.end());
+        std::inplace_merge(bodies.begin(), beside, bodies.end());
+        now.active.clear();
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            int& number = at(number_, bodies[i]);
+            if (number == 0) now.active.push_back(static_cast<int>(i));
+            number = static_cast<int>(i);
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            row_number_[at(rows[i])] = static_cast<int>(i);
+        local.resize(static_cast<Index>(bodies.size()));
+        now.rows.resize(rows.size());
+        local_a_.clear();
+        local_b_.clear();
+        for (const int i : rows) {
+            const Row<3>& row = whole.rows[at(i)];
+            local_a_.push_back(row.a == world ? -1 : number_[at(row.a)]);
+            local_b_.push_back(number_[at(row.b)]);
+        }
+        for (const int k : bodies) at(number_, k) = -1;  // ready for the next time
+    }
+
+    //! [gather]
+    /// Takes in the state of the step: rows, velocities, the λ to start from.
+    void gather(const Bodies<3>& all, const StepData<3>& whole)
+    {
+        now.h = whole.h;
+        now.length = whole.length;
+        now.substep = whole.substep;
+        now.second_half = whole.second_half;
+        now.visits = 0;
+        now.u_star.resize(local.u.size());
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const Index from = 3 * bodies[i], to = 3 * static_cast<Index>(i);
+            local.x.segment<3>(to) = all.x.segment<3>(from);
+            local.u.segment<3>(to) = all.u.segment<3>(from);
+            now.u_star.segment<3>(to) = whole.u_star.segment<3>(from);
+        }
+        gather_rows(all, whole);
+        now.solution.lambda.resize(static_cast<Index>(rows.size()));
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            now.solution.lambda[static_cast<Index>(i)] =
+                whole.solution.lambda[rows[i]];
+    }
+    //! [gather]
+
+    void gather_rows(const Bodies<3>& all, const StepData<3>& whole)
+    {
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            local.inverse_mass.segment<3>(3 * static_cast<Index>(i)) =
+                all.inverse_mass.segment<3>(3 * bodies[i]);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            Row<3>& row = now.rows[i] = whole.rows[at(rows[i])];
+            row.a = local_a_[i], row.b = local_b_[i];
+            if (row.bounded_by >= 0)
+                row.bounded_by = row_number_[at(row.bounded_by)];
+        }
+    }
+
+    /// Gives back velocities and λ.
+    void scatter(Bodies<3>& all, StepData<3>& whole)
+    {
+        for (const int i : now.active)
+            all.velocity(bodies[at(i)]) = local.velocity(i);
+        scatter_lambda(whole);
+    }
+    void scatter_lambda(StepData<3>& whole)
+    {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            whole.solution.lambda[rows[i]] =
+                now.solution.lambda[static_cast<Index>(i)];
+        whole.visits += now.visits;
+        now.visits = 0;
+    }
+
+    /// The part of a second problem that is about these rows.
+    void gather(const SecondProblem& all)
+    {
+        second.max_sweeps = all.max_sweeps;
+        second.tolerance = all.tolerance;
+        second.bias.resize(rows.size());
+        second.left_out.resize(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            second.bias[i] = all.bias[at(rows[i])];
+            second.left_out[i] =
+                all.left_out.empty() ? 0 : all.left_out[at(rows[i])];
+        }
+        if (v.size() != local.u.size()) v.setZero(local.u.size());
+    }
+
+private:
+    template <class Number>
+    static std::size_t at(Number i)
+    {
+        return static_cast<std::size_t>(i);
+    }
+    static int& at(std::vector<int>& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+    std::vector<int> number_;      ///< of each body of the scene: here; −1
+    std::vector<int> row_number_;  ///< of each row of the step: here, if it is here
+    std::vector<int> local_a_, local_b_;
+};
+
+}  // namespace rigid

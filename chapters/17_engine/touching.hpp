@@ -1,0 +1,152 @@
+/// \file touching.hpp
+/// Which bodies touch, from step to step: what began, what ended, and how hard it began.
+///
+///     begins   a point of the pair bears an impulse, or overlaps
+///     ends     no point bears one, and each gap is above a tenth of the margin
+///
+/// Between the two a touch stays what it is: a box at rest on three points, of which one bears nothing now and then, does
+/// not end and begin. Bodies that sleep go on touching what they touched.
+#pragma once
+
+#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/17_engine/events.hpp"
+
+#include <tuple>
+
+namespace rigid {
+
+/// Two bodies by their numbers, or a body and a wall by its number; ascending order is that of the step's contacts.
+struct TouchKey {
+    std::int32_t a = -1, b = 0, wall = -1;
+
+    auto operator<=>(const TouchKey&) const = default;
+};
+
+/// A pair that touches, under the names that it had when it began.
+struct HeldTouch {
+    TouchKey key;
+    Touch touch;
+};
+
+//! [touching]
+struct Touching {
+    std::vector<HeldTouch> held;  ///< ascending
+
+    /// Takes in the contacts of a step.
+    /// \param now        as it was taken
+    /// \param looked_at  bool(int): its contacts were looked for in this step
+    /// \param before     Vec<3>(Index): the velocity of a body before the step
+    /// \param name       Touch(const TouchKey&)
+    /// \param slowest    slower ones are no hits [m/s]
+    template <class LookedAt, class Before, class Name>
+    void update(const RigidScene& scene, const StepData<3>& now, Real margin,
+                Real slowest, const LookedAt& looked_at, const Before& before,
+                const Name& name, Events& events)
+    {
+        list_pairs(scene, now, margin);
+        next_.clear();
+        auto found = pairs_.begin();
+        for (const HeldTouch& old : held) {
+            for (; found != pairs_.end() && found->key < old.key; ++found)
+                begin(*found, now, slowest, before, name, events);
+            const bool there = found != pairs_.end() && found->key == old.key;
+            const bool seen =
+                looked_at(old.key.b) || (old.key.a >= 0 && looked_at(old.key.a));
+            const bool stays = there ? found->near : !seen;
+            if (stays) next_.push_back(old);
+            else events.ended.push_back(old.touch);
+            found += there;
+        }
+        for (; found != pairs_.end(); ++found)
+            begin(*found, now, slowest, before, name, events);
+        held.swap(next_);
+    }
+    //! [touching]
+
+    /// Body k is taken out: what it touched ends.
+    void forget(int k, Events& events)
+    {
+        std::erase_if(held, [&](const HeldTouch& old) {
+            if (old.key.a != k && old.key.b != k) return false;
+            events.ended.push_back(old.touch);
+            return true;
+        });
+    }
+    void forget_wall(int wall, Events& events)
+    {
+        std::erase_if(held, [&](const HeldTouch& old) {
+            if (old.key.wall != wall) return false;
+            events.ended.push_back(old.touch);
+            return true;
+        });
+    }
+
+private:
+    struct Pair {
+        TouchKey key;
+        int contact = 0;       ///< the deepest
+        bool touches = false;  ///< it would begin now
+        bool near = false;     ///< it would not end now
+    };
+
+    void list_pairs(const RigidScene& scene, const StepData<3>& now, Real margin)
+    {
+        pairs_.clear();
+        for (std::size_t i = 0; i < now.sources.size(); ++i) {
+            const Source& source = now.sources[i];
+            if (source.of != Source::Of::contact || source.part != normal_part)
+                continue;
+            const Contact& contact =
+                now.contacts[static_cast<std::size_t>(source.index)];
+            TouchKey key{static_cast<int>(contact.a), static_cast<int>(contact.b),
+                         -1};
+            if (contact.a == world) {
+                const auto corners = static_cast<Index>(
+                    scene.shapes[static_cast<std::size_t>(contact.b)]
+                        .vertices.size());
+                key.wall = static_cast<int>(contact.feature / corners);
+            }
+            if (pairs_.empty() || pairs_.back().key != key)
+                pairs_.push_back({key, source.index, false, false});
+            Pair& pair = pairs_.back();
+            if (contact.gap <
+                now.contacts[static_cast<std::size_t>(pair.contact)].gap)
+                pair.contact = source.index;
+            const bool bears = now.solution.lambda[static_cast<Index>(i)] > 0;
+            pair.touches = pair.touches || bears || contact.gap <= 0;
+            pair.near = pair.near || bears || contact.gap <= margin / 10;
+        }
+        const auto ascending = [](const Pair& x, const Pair& y) {
+            return x.key < y.key;
+        };
+        if (!std::is_sorted(pairs_.begin(), pairs_.end(), ascending))
+            std::sort(pairs_.begin(), pairs_.end(), ascending);
+    }
+
+    template <class Before, class Name>
+    void begin(const Pair& pair, const StepData<3>& now, Real slowest,
+               const Before& before, const Name& name, Events& events)
+    {
+        if (!pair.touches) return;
+        next_.push_back({pair.key, name(pair.key)});
+        events.began.push_back(next_.back().touch);
+        const Contact& contact =
+            now.contacts[static_cast<std::size_t>(pair.contact)];
+        const auto velocity = [&](Index k) {
+            if (k == world) return Vec2(0, 0);
+            const Vec<3> u = before(k);
+            const Vec2 r = contact.point - now.x_found.segment<2>(3 * k);
+            return Vec2(u.head<2>() + u[2] * perpendicular(r));
+        };
+        const Real speed =
+            contact.normal.dot(velocity(contact.a) - velocity(contact.b));
+        if (speed >= slowest)
+            events.hits.push_back(
+                {next_.back().touch, contact.point, contact.normal, speed});
+    }
+
+    std::vector<Pair> pairs_;
+    std::vector<HeldTouch> next_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,153 @@
+/// \file world_state.hpp
+/// What a world is made of: a scene of chapter 14, the stages of the step, and what the engine knows besides.
+#pragma once
+
+#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
+#include "chapters/17_engine/filter_classes.hpp"
+#include "chapters/17_engine/island_choice.hpp"
+#include "chapters/17_engine/places.hpp"
+#include "chapters/17_engine/touching.hpp"
+
+#include <limits>
+
+namespace rigid {
+
+//! [method]
+/// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
+/// each island.
+struct EngineMethod {
+    WithJoints<WithFriction<AwakeManifolds>> contacts;
+    LoadedJoints correction;
+    WarmStart start = last_impulses();
+    IslandChoice solver;
+};
+//! [method]
+
+class Recording;
+
+/// What the engine knows of a body besides the scene.
+struct BodyNotes {
+    Filter filter;
+    std::uint64_t user = 0;
+    bool sensor = false, bullet = false;
+    int chain = -1;  ///< first body of the chain that it is an edge of
+    int joints = 0;  ///< that hold it
+};
+
+//! [state]
+struct EngineState {
+    WorldSettings settings;
+    JointedScene scene;
+    EngineMethod method;
+    StepData<3> now;  ///< found by the last step, on its way
+
+    Places<BodyTag> bodies;   ///< of scene.bodies
+    Places<JointTag> joints;  ///< of scene.placed
+    Places<WallTag> walls;    ///< of scene.walls
+    std::vector<BodyNotes> notes;
+    FilterClasses classes;
+
+    Touching touching;
+    std::vector<Seen> seen;  ///< by sensors, ascending
+    Events events;           ///< of the last step
+    Events meanwhile;        ///< what ended by calls since then
+    StepWork work;
+    Real time = 0;
+    std::int64_t steps = 0;
+    Index pulled = world;
+    Vec2 pulled_to = {0, 0};
+    bool changed = true;  ///< by a call since the last step
+    Recording* recording = nullptr;
+
+    /// bodies that have moved since the shapes were placed; queries place them
+    mutable std::vector<int> unplaced;
+    mutable std::vector<char> is_unplaced;  ///< of each body, 1: it is in the list
+    //! [state]
+
+    AwakeManifolds& awake() { return method.contacts.contacts.contacts; }
+    const AwakeManifolds& awake() const
+    {
+        return method.contacts.contacts.contacts;
+    }
+    CollisionFilter& filter() { return awake().touching.finder.filter; }
+    Real metres(Real lengths) const { return lengths * settings.length; }
+
+    Index number(BodyId id) const
+    {
+        return static_cast<Index>(bodies.require(id, "body"));
+    }
+    /// The world for an id of nothing.
+    Index number_or_world(BodyId id) const { return id ? number(id) : world; }
+    BodyId id(Index k) const
+    {
+        return k == world ? BodyId{} : bodies.id(static_cast<std::size_t>(k));
+    }
+    BodyNotes& note(Index k) { return notes[static_cast<std::size_t>(k)]; }
+    const BodyNotes& note(Index k) const
+    {
+        return notes[static_cast<std::size_t>(k)];
+    }
+    const Polygon& shape(Index k) const
+    {
+        return scene.shapes[static_cast<std::size_t>(k)];
+    }
+
+    //! [disturb]
+    /// Body k counts as changed: it wakes, and what touches it or hangs on it. The
+    /// watch of chapter 12 compares with what it remembers; this it cannot have
+    /// remembered.
+    void disturb(Index k)
+    {
+        changed = true;
+        VecX& remembered = awake().watch.x;
+        if (3 * k < remembered.size())
+            remembered[3 * k] = std::numeric_limits<Real>::quiet_NaN();
+        if (auto& rests = awake().rests; k < static_cast<Index>(rests.size()))
+            rests[static_cast<std::size_t>(k)] = {};
+        displace(static_cast<int>(k));
+    }
+    //! [disturb]
+
+    /// Body k is elsewhere than the shapes have it.
+    void displace(int k)
+    {
+        is_unplaced.resize(std::max(is_unplaced.size(), bodies.size()), 0);
+        char& listed = is_unplaced[static_cast<std::size_t>(k)];
+        if (!listed) unplaced.push_back(k);
+        listed = 1;
+    }
+
+    /// Which bodies go on however fast they are.
+    void list_unstopped()
+    {
+        std::vector<char>& goes_on = awake().touching.fast.goes_on;
+        goes_on.assign(notes.size(), 0);
+        for (std::size_t k = 0; k < notes.size(); ++k)
+            goes_on[k] =
+                !notes[k].bullet && (!settings.stop_fast || notes[k].joints > 0);
+    }
+
+    /// The settings, written into the stages.
+    void configure()
+    {
+        scene.gravity = settings.gravity;
+        scene.length = settings.length;
+        AwakeManifolds& sleepers = awake();
+        sleepers.sleep = settings.sleep;
+        sleepers.rest = settings.rest;
+        method.correction.slop = settings.slop;
+        IslandChoice& solver = method.solver;
+        solver.solving = settings.solving;
+        solver.tolerance = settings.tolerance;
+        solver.rule.at_most = settings.most_exact;
+        solver.rule.always = std::min(solver.rule.always, settings.most_exact);
+        solver.exact.most_exact = solver.rescuer.most_exact = settings.most_exact;
+        solver.sweeps.sweeps.max_sweeps = settings.sweeps;
+        solver.sweeps.sweeps.tolerance = settings.tolerance;
+        solver.was_configured = false;
+        list_unstopped();
+    }
+};
+
+}  // namespace rigid

@@ -1,0 +1,418 @@
+/// Chapter 17: which solver an island gets, what comes and goes, settings at their ends, and hostile worlds.
+
+#include "tests/no_allocation.hpp"
+
+#include "chapters/17_engine/island_choice.hpp"
+#include "chapters/17_engine/moving_worlds.hpp"
+#include "chapters/17_engine/recording.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <limits>
+
+using namespace rigid;
+using Catch::Contains;
+
+namespace {
+
+constexpr Real h = 1.0 / 60;
+
+/// Boxes on a floor, of these masses, as the rows of a step.
+IslandShape shape_of_tower(const std::vector<Real>& masses)
+{
+    RoughScene scene;
+    scene.walls.push_back({{0, 1}, 0});
+    for (std::size_t i = 0; i < masses.size(); ++i)
+        add_body(scene, box(1, 1), masses[i], {0, 0.5 + static_cast<Real>(i)});
+    cover(scene, {0.6, 0, 0, 0});
+    FrictionSweeps<Manifolds> method;
+    StepData<3> now;
+    step(scene, {.h = h}, method, now);
+    Islands islands;
+    find_islands(scene.bodies, now, {}, islands);
+    REQUIRE(islands.count() == 1);
+    IslandSurveyor survey;
+    return survey(scene.bodies, now.rows, islands.rows_of(0), islands.bodies_of(0));
+}
+
+Real deepest(const World& world)
+{
+    std::vector<ContactView> contacts;
+    world.contacts(contacts);
+    Real most = 0;
+    for (const ContactView& contact : contacts) most = std::max(most, -contact.gap);
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("the sweeps that an island needs are counted as by hand", "[idea]")
+{
+    const IslandShape heavy = shape_of_tower({1, 1, 100}), tower = shape_of_tower(std::vector<Real>(20, 1));
+    CHECK(heavy.length == 3);
+    CHECK(heavy.bounded == 12);  // two points a contact, two rows a point
+    CHECK(heavy.sweeps_needed() == Approx(900).epsilon(1e-12));
+    CHECK(tower.sweeps_needed() == Approx(400).epsilon(1e-12));
+    CHECK(tower.bounded == 80);
+    CHECK(should_be_exact(heavy, {}));
+    CHECK(should_be_exact(tower, {}));
+    // exercise 17.1
+    CHECK(shape_of_tower({1, 2, 4, 8, 16}).sweeps_needed() == Approx(25 * 16).epsilon(1e-12));
+    CHECK(shape_of_tower({1, 2, 4, 8}).sweeps_needed() == Approx(16 * 8).epsilon(1e-12));
+}
+
+TEST_CASE("loops of joints are counted and a net of pins is not given to a dense border", "[idea]")
+{
+    for (const int side : {3, 20}) {
+        World world = grid_world(side);
+        world.step(h);
+        // (side − 1)² meshes of two rows each, and the loop through the two bodies that cannot move
+        const int loops = 2 * (side - 1) * (side - 1);
+        CHECK(world.work().exact == (loops <= 100));
+        CHECK(world.work().swept == (loops > 100));
+    }
+}
+
+TEST_CASE("a thousand times as heavy stands on ten boxes and a thousand rods hang on fifty", "[idea]")
+{
+    World tower = column_world(10, 1000), chain = chain_world(50, 1000);
+    for (int i = 0; i < 240; ++i) {
+        tower.step(h);
+        chain.step(h);
+        CHECK(tower.work().unsolved == 0);
+        for (const JointId joint : chain.joints())
+            REQUIRE(chain.error(joint) < 1e-6);  // metres, of links of 0.1 m
+    }
+    CHECK(tower.position(tower.bodies().back()).y() > 10.5 - 11 * 0.0055);  // the slop, in eleven contacts
+    CHECK(deepest(tower) < 0.006);
+}
+
+TEST_CASE("whatever solves an island it comes to rest at the same place", "[idea]")
+{
+    Real height[3];
+    for (const Solving solving : {Solving::by_island, Solving::exact, Solving::sweeps}) {
+        WorldSettings settings;
+        settings.solving = solving;
+        World world(settings);
+        put_in(world, card_house(2, 0.6));
+        for (int i = 0; i < 300; ++i) world.step(h);
+        height[static_cast<int>(solving)] = world.position(world.bodies().back()).y();
+        CHECK(world.work().unsolved == 0);
+    }
+    CHECK(height[1] == Approx(height[0]).margin(1e-3));
+    CHECK(height[2] == Approx(height[0]).margin(1e-2));  // sweeps that end at 1e-4 m/s
+}
+
+TEST_CASE("a steady step asks for no memory", "[house]")
+{
+    for (const Solving solving : {Solving::by_island, Solving::sweeps}) {
+        WorldSettings settings;
+        settings.solving = solving;
+        settings.sleep = false;
+        World world(settings);
+        put_in(world, card_house(2, 0.6));
+        JointedScene chain = chain_scene({8, 0.1, 0.1, 10, 0});
+        for (Index k = 0; k < chain.bodies.count(); ++k) chain.bodies.position(k).head<2>() += Vec2(9, 9);
+        chain.placed[0].joint.at_a += Vec2(9, 9);
+        put_in(world, chain, {1, ~0u, -1});
+        for (int i = 0; i < 300; ++i) world.step(h);
+        int count = 0;
+        {
+            const NoAllocation watch;
+            for (int i = 0; i < 20; ++i) world.step(h);
+            count = NoAllocation::violations();
+        }
+        CHECK(count == 0);
+    }
+}
+
+TEST_CASE("a joint that is taken out holds no more and its place is used again", "[idea]")
+{
+    World world;
+    const BodyId bob = world.add_body(body_of(disc(0.2), {1, 5}));
+    RigidJoint pin = world.joint_at(JointKind::revolute, {}, bob, {0, 5});
+    const JointId first = world.add_joint({}, bob, pin);
+    for (int i = 0; i < 60; ++i) world.step(h);
+    CHECK((world.position(bob) - Vec2(0, 5)).norm() == Approx(1).margin(1e-6));
+    world.remove(first);
+    CHECK(!world.has(first));
+    CHECK_THROWS_WITH(world.error(first), Contains("was removed"));
+    const Vec2 v = world.velocity(bob);
+    world.step(h);
+    CHECK(world.velocity(bob).x() == Approx(v.x()).epsilon(1e-13));
+    const JointId second =
+        world.add_joint({}, bob, world.joint_at(JointKind::revolute, {}, bob, world.position(bob)));
+    CHECK(second.place == first.place);
+    for (int i = 0; i < 60; ++i) world.step(h);
+    CHECK(world.error(second) < 1e-8);
+    world.remove(bob);
+    CHECK(!world.has(second));
+    world.step(h);
+}
+
+TEST_CASE("two bodies whose joint is taken out touch again", "[idea]")
+{
+    World world;
+    world.add_wall({{0, 1}, 0});
+    const BodyId low = world.add_body(body_of(box(1, 1), {0, 0.5})),
+                 high = world.add_body(body_of(box(1, 1), {0, 1.5}));
+    const JointId weld = world.add_joint(low, high, world.joint_at(JointKind::weld, low, high, {0, 1}));
+    for (int i = 0; i < 100; ++i) world.step(h);
+    world.remove(weld);
+    for (int i = 0; i < 100; ++i) world.step(h);
+    CHECK(world.position(high).y() == Approx(1.5).margin(0.012));
+}
+
+TEST_CASE("a joint that breaks is reported once", "[idea]")
+{
+    World world;
+    const BodyId weight = world.add_body(body_of(disc(0.2), {0, 4}, 0, 100));
+    RigidJoint pin = world.joint_at(JointKind::rope, {}, weight, {0, 4});
+    pin.length = 1;
+    pin.breaking_force = 500;
+    const JointId rope = world.add_joint({}, weight, pin);
+    int broken = 0;
+    for (int i = 0; i < 120; ++i) {
+        world.step(h);
+        broken += static_cast<int>(world.events().broken.size());
+    }
+    CHECK(broken == 1);
+    CHECK(world.is_broken(rope));
+    CHECK(world.position(weight).y() < 2);
+}
+
+TEST_CASE("a body slides over a chain of edges and the chain goes as a whole", "[idea]")
+{
+    World world;
+    std::vector<Vec2> floor;
+    for (int i = 20; i >= -20; --i) floor.push_back({0.5 * i, 0});
+    const BodyId chain = world.add_chain(floor, false, {0, 0, 0, 0});
+    BodyDefinition slides = body_of(box(0.6, 0.6), {-8, 0.3});
+    slides.velocity = {3, 0};
+    const BodyId body = world.add_body(slides);
+    for (int i = 0; i < 120; ++i) world.step(h);
+    CHECK(world.velocity(body).x() == Approx(3).margin(1e-9));
+    CHECK(world.bodies().size() == 41);
+    world.remove(chain);
+    CHECK(world.bodies() == std::vector<BodyId>{body});
+    for (int i = 0; i < 30; ++i) world.step(h);
+    CHECK(world.position(body).y() < -0.5);
+}
+
+TEST_CASE("a fixed body that is put into a sleeping pile wakes what it touches and nothing else", "[idea]")
+{
+    World world = piles_world(3);
+    for (int i = 0; i < 200; ++i) world.step(h);
+    REQUIRE(world.work().skipped);
+    BodyDefinition wedge = body_of(box(0.5, 0.1), {0.2, 2.52}, 0, 0);
+    world.add_body(wedge);
+    world.step(h);
+    int awake = 0;
+    const std::vector<BodyId> all = world.bodies();
+    for (std::size_t i = 0; i < 15; ++i) {
+        awake += world.is_awake(all[i]);
+        if (i >= 5) CHECK(!world.is_awake(all[i]));
+    }
+    CHECK(awake == 5);
+}
+
+TEST_CASE("another surface or filter of one body wakes that body and no other pile", "[idea]")
+{
+    World world = piles_world(2);
+    for (int i = 0; i < 200; ++i) world.step(h);
+    const std::vector<BodyId> all = world.bodies();
+    world.set_surface(all[0], {0.1, 0, 0, 0});
+    world.step(h);
+    CHECK(world.is_awake(all[0]));
+    CHECK(!world.is_awake(all[9]));
+    world.set_filter(all[4], {1, 0, 0});  // the top one meets walls alone
+    for (int i = 0; i < 120; ++i) world.step(h);
+    CHECK(world.position(all[4]).y() == Approx(0.25).margin(0.006));
+    CHECK(!world.is_awake(all[9]));
+}
+
+TEST_CASE("a world of other units moves as the first one does", "[idea]")
+{
+    // lengths by 1000, masses by 8: 1000 is no power of two, so rounding differs, and a heap makes it grow
+    const auto made = [](Real length) {
+        WorldSettings settings;
+        settings.length = length;
+        settings.gravity *= length;
+        World world(settings);
+        world.add_wall({{0, 1}, 0});
+        for (int i = 0; i < 6; ++i) {
+            BodyDefinition body = body_of(i % 2 ? disc(0.3 * length) : box(0.6 * length, 0.5 * length),
+                                          {0.2 * i * length, (0.4 + 0.8 * i) * length}, 0.1 * i, 8);
+            body.surface.restitution = 0.2;
+            world.add_body(body);
+        }
+        return world;
+    };
+    World one = made(1), other = made(1000);
+    for (int i = 0; i < 90; ++i) {
+        one.step(h);
+        other.step(h);
+    }
+    const std::vector<BodyId> a = one.bodies(), b = other.bodies();
+    for (std::size_t k = 0; k < a.size(); ++k)
+        CHECK((other.position(b[k]) / 1000 - one.position(a[k])).norm() < 1e-6);
+}
+
+TEST_CASE("settings at their ends make worlds that step or sentences", "[house]")
+{
+    const auto with = [](const std::function<void(WorldSettings&)>& change) {
+        WorldSettings settings;
+        change(settings);
+        World world(settings);
+        world.add_wall({{0, 1}, 0});
+        for (int i = 0; i < 4; ++i) world.add_body(body_of(box(1, 1), {0.1 * i, 0.5 + i}));
+        for (int i = 0; i < 120; ++i) world.step(h);
+        for (const BodyId body : world.bodies()) CHECK(world.position(body).allFinite());
+        return world.position(world.bodies()[3]).y();
+    };
+    CHECK(with([](auto& s) { s.substeps = 50; }) == Approx(3.5).margin(0.03));
+    CHECK(with([](auto& s) { s.margin = 0; }) > 3);
+    CHECK(with([](auto& s) { s.margin = 2; }) == Approx(3.5).margin(0.03));
+    CHECK(with([](auto& s) { s.slop = 0; }) == Approx(3.5).margin(1e-3));
+    CHECK(with([](auto& s) { s.sweeps = 1; }) > 3);
+    CHECK(with([](auto& s) { s.most_exact = 0; }) == Approx(3.5).margin(0.03));
+    CHECK(with([](auto& s) { s.tolerance = 1e-12; }) == Approx(3.5).margin(0.03));
+    CHECK(with([](auto& s) { s.tolerance = 10; }) > 3);
+    CHECK(with([](auto& s) { s.gravity = {0, 0}; }) == Approx(3.5).margin(1e-12));
+    CHECK(with([](auto& s) { s.hit_speed = 0; }) == Approx(3.5).margin(0.03));
+
+    CHECK_THROWS_WITH(with([](auto& s) { s.substeps = 0; }), Contains("sub-steps of the world is 0"));
+    CHECK_THROWS_WITH(with([](auto& s) { s.length = -1; }), Contains("length of the world is -1 m"));
+    CHECK_THROWS_WITH(with([](auto& s) { s.tolerance = 0; }), Contains("tolerance of the world is 0"));
+    CHECK_THROWS_WITH(with([](auto& s) { s.gravity.x() = infinity; }), Contains("gravity"));
+}
+
+TEST_CASE("bad input gets a sentence and changes nothing", "[house]")
+{
+    World world = piles_world(1);
+    for (int i = 0; i < 50; ++i) world.step(h);
+    const std::string before = world.save();
+    const BodyId body = world.bodies()[0];
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    CHECK_THROWS_WITH(world.step(0), Contains("time step h is 0"));
+    CHECK_THROWS_WITH(world.step(nan), Contains("time step h is nan"));
+    CHECK_THROWS_WITH(world.add_body(body_of(box(1, 1), {nan, 0})), Contains("nan"));
+    CHECK_THROWS_WITH(world.add_body(body_of({{}, 1}, {0, 0})), Contains("no vertex"));
+    CHECK_THROWS_WITH(world.add_body(body_of(box(1, 1), {0, 0}, 0, -1)),
+                      Contains("density of the body is -1"));
+    CHECK_THROWS_WITH(world.add_body(body_of({{{0, 0}, {1, 0}}, 0}, {0, 0})), Contains("area"));
+    BodyDefinition sensor = body_of(box(1, 1), {0, 0});
+    sensor.sensor = true;
+    CHECK_THROWS_WITH(world.add_body(sensor), Contains("sensor"));
+    CHECK_THROWS_WITH(world.position({}), Contains("no body"));
+    CHECK_THROWS_WITH(world.position({99, 1}), Contains("not of this world"));
+    CHECK_THROWS_WITH(world.move(body, {nan, 0}, 0), Contains("finite"));
+    CHECK_THROWS_WITH(world.set_velocity(body, {0, infinity}, 0), Contains("finite"));
+    CHECK_THROWS_WITH(world.push(body, {nan, 0}, {0, 0}), Contains("impulse"));
+    CHECK_THROWS_WITH(world.add_wall({{0, 2}, 0}), Contains("normal"));
+    CHECK_THROWS_WITH(world.add_joint(body, body, {}), Contains("itself"));
+    CHECK_THROWS_WITH(world.add_chain(std::vector<Vec2>{{0, 0}}), Contains("two or more"));
+    CHECK_THROWS_WITH(world.ray({nan, 0}, {1, 0}), Contains("ray"));
+    CHECK_THROWS_WITH(World::load("rubbish"), Contains("save()"));
+    std::string changed = before;
+    changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+    CHECK_THROWS_WITH(World::load(changed), Contains("changed"));
+    CHECK_THROWS_WITH(World::load(before.substr(0, before.size() - 9)), Contains("changed"));
+    CHECK(world.save() == before);
+}
+
+TEST_CASE("the sixty-fourth filter is refused and a filter that nobody has is free again", "[house]")
+{
+    World world;
+    std::vector<BodyId> all;
+    for (unsigned i = 0; i < 63; ++i) {
+        BodyDefinition body = body_of(disc(0.1), {1.0 * i, 0});
+        body.filter.category = i + 1;
+        all.push_back(world.add_body(body));
+    }
+    BodyDefinition body = body_of(disc(0.1), {0, 5});
+    body.filter.category = 1000;
+    CHECK_THROWS_WITH(world.add_body(body), Contains("63 filters"));
+    world.remove(all[7]);
+    CHECK_NOTHROW(world.add_body(body));
+}
+
+TEST_CASE("a friction problem that nothing drives is answered by zero from any memory", "[house]")
+{
+    Mlcp mlcp;
+    mlcp.A = MatX(2 * MatX::Identity(2, 2)).sparseView();
+    mlcp.q = Vec2(1e-12, -1e-12);  // below what is enough: nothing is guessed
+    mlcp.lo = Vec2(0, 0);
+    mlcp.hi = Vec2(infinity, 0);
+    ActiveSetSettings settings;
+    settings.enough = 1e-9;
+    const std::vector<FrictionBox> boxes{{1, 0, 0.5}};
+    for (const std::size_t old : {0, 1, 2, 3}) {
+        ActiveSetMemory memory;
+        memory.cases.assign(old, BoundState::at_hi);
+        Solution solution;
+        active_sets(mlcp, boxes, settings, memory, solution);
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.lambda.isZero(0));
+    }
+}
+
+TEST_CASE("hostile worlds stay finite or are refused", "[house]")
+{
+    Random random(11);
+    for (int world_number = 0; world_number < 40; ++world_number) {
+        INFO("world " << world_number);
+        WorldSettings settings;
+        settings.substeps = 1 + static_cast<int>(random.index(3));
+        World world(settings);
+        world.add_wall({{0, 1}, 0});
+        std::vector<JointId> joints;
+        for (int i = 0; i < 60; ++i) {
+            const std::vector<BodyId> all = world.bodies();
+            const auto some = [&] {
+                return all[static_cast<std::size_t>(random.index(static_cast<Index>(all.size())))];
+            };
+            const Index what = random.index(8);
+            const Real x = random.uniform(-3, 3), y = random.uniform(-1, 4), angle = random.uniform(-7, 7);
+            const Real size = std::pow(10, random.uniform(-2.5, 1)),
+                       density = std::pow(10, random.uniform(-5, 6));
+            if (what <= 2 || all.size() < 2) {
+                BodyDefinition body = body_of(what == 0   ? disc(size)
+                                              : what == 1 ? capsule(size, 0.3 * size)
+                                                          : box(size, 0.2 * size),
+                                              {x, y}, angle, random.index(6) == 0 ? 0 : density);
+                const Real speed = std::pow(10, random.uniform(-2, 3));
+                body.velocity = {speed * std::cos(angle), speed * std::sin(angle)};
+                body.spin = random.uniform(-100, 100);
+                body.surface.friction = random.uniform(0, 2);
+                body.surface.restitution = random.uniform();
+                world.add_body(body);
+            } else if (what == 3) world.remove(some());
+            else if (what == 4) {
+                const BodyId a = some(), b = some();
+                const auto kind = static_cast<JointKind>(random.index(5));
+                try {
+                    RigidJoint joint = world.joint_at(kind, a, b, {x, y});
+                    joint.length = std::abs(y);
+                    joints.push_back(world.add_joint(a, b, joint));
+                } catch (const std::invalid_argument&) {
+                }
+            } else if (what == 5) world.move(some(), {x, y}, angle);
+            else if (what == 6) world.push(some(), {100 * x, 100 * y}, {x, y});
+            else if (!joints.empty() && world.has(joints.back())) world.remove(joints.back());
+            for (int k = 0; k < 4; ++k) world.step(h);
+        }
+        World again = World::load(world.save());
+        for (int k = 0; k < 30; ++k) {
+            world.step(h);
+            again.step(h);
+        }
+        CHECK(again.hash() == world.hash());
+        for (const BodyId body : world.bodies()) {
+            CHECK(world.position(body).allFinite());
+            CHECK(world.velocity(body).allFinite());
+        }
+    }
+}
