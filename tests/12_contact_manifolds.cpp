@@ -226,6 +226,25 @@ TEST_CASE("two shapes touch at the same points whichever is named first", "[idea
 
 // ---- what stands
 
+TEST_CASE("a capsule that stands upright in a box touches it with its nearer end", "[idea]")
+{
+    for (const Real angle : {-pi / 2, pi / 2})
+        for (const Real width : {0.5, 2.0, 3.0}) {
+            RigidScene scene;
+            add_body(scene, box(width, 0.2), 1.0, {0, -1});
+            add_body(scene, capsule(1, 0.05), 1.0, {0, -0.45}, angle);
+            PlacedShapes placed;
+            placed.move(scene);
+            for (const bool flipped : {false, true}) {
+                const Manifold m =
+                    collide(placed.of(flipped ? 1 : 0), placed.of(flipped ? 0 : 1), {.margin = 0.02});
+                CAPTURE(angle, width, flipped);
+                REQUIRE(m.count == 1);
+                CHECK(std::abs(m.points[0].gap + 0.1) <= 1e-14);  // rounding of lengths of about 1 m
+            }
+        }
+}
+
 TEST_CASE("a stack of ten boxes stands and none of its impulses is lost", "[idea]")
 {
     RigidScene scene = box_stack(10);

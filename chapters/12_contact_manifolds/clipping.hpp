@@ -69,17 +69,30 @@ inline Vec2 point_on(const EdgeEnds& edge, Real tau)
 }
 //! [point_on]
 
+/// An edge along the normal has one place and two ends: the one that is nearer to the other shape counts.
+/// \param n  towards the other shape
+inline EdgeEnds nearer_end_first(EdgeEnds edge, const Vec2& n)
+{
+    if (edge.along[0] == edge.along[1] && n.dot(edge.at[1] - edge.at[0]) > 0) {
+        std::swap(edge.at[0], edge.at[1]);
+        std::swap(edge.vertex[0], edge.vertex[1]);
+    }
+    return edge;
+}
+
 //! [clip]
 /// The ends of what both edges have in common along t, as points of the manifold.
-/// \param ea, eb  with their coordinates
+/// \param of_a, of_b  with their coordinates
 /// \param margin  a point whose gap is not below it is left out [m]
 /// \param stay    as long as both edges end within this of each other, a name
 ///                stays what it was [m]
 /// \param before  names to stay with; may be null
-inline void clip(const Placed& a, const Placed& b, const EdgeEnds& ea,
-                 const EdgeEnds& eb, Real margin, Real stay, const Manifold* before,
-                 Manifold& m)
+inline void clip(const Placed& a, const Placed& b, const EdgeEnds& of_a,
+                 const EdgeEnds& of_b, Real margin, Real stay,
+                 const Manifold* before, Manifold& m)
 {
+    const EdgeEnds ea = nearer_end_first(of_a, m.normal),
+                   eb = nearer_end_first(of_b, -m.normal);
     const Real radii = a.radius + b.radius;
     const auto rises = [](const EdgeEnds& e) { return e.along[0] <= e.along[1]; };
     const std::size_t low_a = rises(ea) ? 0 : 1, low_b = rises(eb) ? 0 : 1;

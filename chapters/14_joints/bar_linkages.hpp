@@ -104,13 +104,16 @@ struct JansenLeg {
 };
 //! [jansen]
 
-/// Adds a leg of seven bodies: 2 kg for a metre of bar, triangles as three bars. Returns the number of its crank; that of
-/// the triangle with the foot is six more.
-inline Index add_jansen_leg(JointedScene& scene, Real angle,
-                            const Drive& motor = {})
+/// Hangs the bars and triangles of a leg on a body and on a crank: 2 kg for a metre of bar, triangles as three bars.
+/// \param place  where in the world a point of the leg is: a motion, or a mirror image
+/// \return       the number of the triangle with the foot; its five companions are those before it
+template <class Place>
+Index hang_jansen_leg(JointedScene& scene, Index on, Index crank,
+                      const JansenLeg& leg, const Place& place)
 {
-    const JansenLeg leg(angle);
-    const auto& p = leg.p;
+    std::array<Vec2, 6> p;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = place(leg.p[i]);
+    const Vec2 pivot = place(leg.pivot);
     const auto bar = [&](const Vec2& a, const Vec2& b) {
         return add_bar(scene, a, b, 2 * (b - a).norm());
     };
@@ -140,21 +143,32 @@ inline Index add_jansen_leg(JointedScene& scene, Real angle,
         return add_body(scene, shape, mass, middle,
                         std::atan2(along.y(), along.x()));
     };
-    const Index crank = bar({0, 0}, p[0]), j = bar(p[0], p[1]), k = bar(p[0], p[3]),
-                upper = triangle({leg.pivot, p[1], p[2]}), c = bar(leg.pivot, p[3]),
+    const Index j = bar(p[0], p[1]), k = bar(p[0], p[3]),
+                upper = triangle({pivot, p[1], p[2]}), c = bar(pivot, p[3]),
                 f = bar(p[2], p[4]), lower = triangle({p[3], p[4], p[5]});
-    RigidJoint axle = joint_at(scene, JointKind::revolute, world, crank, {0, 0});
-    axle.motor = motor;
-    add_joint(scene, axle);
     pin(scene, crank, j, p[0]);
     pin(scene, crank, k, p[0]);
-    pin(scene, world, upper, leg.pivot);
+    pin(scene, on, upper, pivot);
     pin(scene, j, upper, p[1]);
-    pin(scene, world, c, leg.pivot);
+    pin(scene, on, c, pivot);
     pin(scene, k, c, p[3]);
     pin(scene, c, lower, p[3]);
     pin(scene, upper, f, p[2]);
     pin(scene, f, lower, p[4]);
+    return lower;
+}
+
+/// Adds a leg of seven bodies on the world, its crank at the origin. Returns the number of the crank; that of the triangle
+/// with the foot is six more.
+inline Index add_jansen_leg(JointedScene& scene, Real angle,
+                            const Drive& motor = {})
+{
+    const JansenLeg leg(angle);
+    const Index crank = add_bar(scene, {0, 0}, leg.p[0], 2 * leg.p[0].norm());
+    RigidJoint axle = joint_at(scene, JointKind::revolute, world, crank, {0, 0});
+    axle.motor = motor;
+    add_joint(scene, axle);
+    hang_jansen_leg(scene, world, crank, leg, [](const Vec2& p) { return p; });
     return crank;
 }
 

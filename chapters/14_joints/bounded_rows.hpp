@@ -19,8 +19,9 @@ public:
     int columns = 0;   ///< of A, computed in the last eliminate()
     int unsolved = 0;  ///< islands without an answer, of the last solve()
     int guesses = 0;   ///< of all islands, in the last solve()
+    int swept = 0;     ///< islands that were too large for guesses
 
-    /// A of an island that is solved exactly.
+    /// A of an island.
     const SparseMatrix& matrix(int island) const
     {
         return problems_[at(island)].mlcp.A;
@@ -34,20 +35,17 @@ public:
     }
 
     //! [eliminate]
-    /// A of each island of up to so many rows.
+    /// A of each island.
     void eliminate(JointFactor& joints, const std::vector<Row<3>>& rows,
-                   const std::vector<char>& left_out, int most, Index bodies)
+                   const std::vector<char>& left_out, Index bodies)
     {
         islands.list(rows, joints.assemblies, left_out);
         if (problems_.size() < static_cast<std::size_t>(islands.count))
             problems_.resize(static_cast<std::size_t>(islands.count));
         if (u_.size() != 3 * bodies) u_.setZero(3 * bodies);
         columns = 0;
-        for (int k = 0; k < islands.count; ++k) {
-            Problem& problem = problems_[at(k)];
-            problem.exact = static_cast<int>(islands.rows[at(k)].size()) <= most;
-            if (problem.exact) eliminate(k, joints, rows, problem.mlcp);
-        }
+        for (int k = 0; k < islands.count; ++k)
+            eliminate(k, joints, rows, problems_[at(k)].mlcp);
     }
     //! [eliminate]
 
@@ -57,18 +55,17 @@ public:
     /// \param b       of all rows
     /// \param lambda  in: where the guesses begin; out: the answer, where there is
     ///                one, else the best that was found
+    /// \param most    rows that an island may have to be guessed
+    /// \param sweeps  over those of a larger one
     /// \param enough  a residual below this is none [m/s]
     void solve(const std::vector<Row<3>>& rows, const VecX& u, const VecX& b,
-               const FrictionSettings& settings, Real enough, VecX& lambda)
+               const FrictionSettings& settings, int most, int sweeps, Real enough,
+               VecX& lambda)
     {
-        unsolved = guesses = 0;
+        unsolved = guesses = swept = 0;
         for (int k = 0; k < islands.count; ++k) {
             Problem& problem = problems_[at(k)];
             const std::vector<int>& here = islands.rows[at(k)];
-            if (!problem.exact) {
-                ++unsolved;
-                continue;
-            }
             const auto m = static_cast<Index>(here.size());
             Mlcp& mlcp = problem.mlcp;
             mlcp.q.resize(m), mlcp.lo.resize(m), mlcp.hi.resize(m);
@@ -81,10 +78,14 @@ public:
                 bound(rows, i, number, enough, problem);
                 solution.lambda[i] = lambda[number];
             }
-            problem.find.settings = settings;
-            problem.find(mlcp, problem.boxes, enough, solution);
+            if (m > most) sweep(problem, settings, sweeps, enough);
+            else {
+                problem.find.settings = settings;
+                problem.find(mlcp, problem.boxes, enough, solution);
+                guesses += solution.iterations;
+            }
+            swept += m > most;
             unsolved += solution.status != Status::solved;
-            guesses += solution.iterations;
             slide_held(rows, here, enough, problem);
             for (Index i = 0; i < m; ++i) lambda[here[at(i)]] = solution.lambda[i];
         }
@@ -97,8 +98,29 @@ private:
         std::vector<FrictionBox> boxes;
         FindFriction find;
         Solution solution;
-        bool exact = true;
     };
+
+    //! [sweep]
+    /// Sweeps over A, each row by what the joints leave of its impulse.
+    static void sweep(Problem& problem, const FrictionSettings& settings,
+                      int sweeps, Real enough)
+    {
+        FrictionMemory& memory = problem.find.memory;
+        Solution& solution = problem.solution;
+        memory.problem.mlcp = &problem.mlcp;
+        memory.problem.boxes = problem.boxes;
+        std::vector<int>& box_of = memory.guess.box_of;
+        box_of.assign(at(problem.mlcp.size()), -1);
+        for (std::size_t i = 0; i < problem.boxes.size(); ++i)
+            box_of[at(problem.boxes[i].row)] = static_cast<int>(i);
+        sweep_friction(memory.problem, sweeps, box_of, solution.lambda);
+        memory.candidate = solution.lambda;
+        solution.status = Status::iteration_limit;
+        solution.residual = infinity;
+        accept_coulomb(problem.mlcp, problem.boxes, {settings.tolerance, enough},
+                       memory.candidate, solution);
+    }
+    //! [sweep]
 
     template <class Number>
     static std::size_t at(Number i)

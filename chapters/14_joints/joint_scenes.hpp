@@ -107,17 +107,22 @@ inline Real atwood_by_hand(Real left = 1, Real right = 2)
 
 /// Planks of 8.4 m together between two banks 8 m apart, on pins: a loop through the world. They start on two sides of a
 /// triangle. (Planks of 8 m would lie in line, and no finite pull holds a weight on a straight rope.)
-inline JointedScene bridge_scene(int planks, Real mass = 5)
+/// \param whole  length of all planks together [m]
+inline JointedScene bridge_scene(int planks, Real mass = 5, Real whole = 8.4)
 {
     if (planks < 2)
         throw std::invalid_argument("the bridge has " + std::to_string(planks) +
                                     " planks; it needs two or more");
+    if (!(whole > 8 && std::isfinite(whole)))
+        throw std::invalid_argument("the planks have " + shortest(whole) +
+                                    " m together; the banks are 8 m apart");
     JointedScene scene;
-    const Real L = 8.4 / planks, sag = std::sqrt(4.2 * 4.2 - 16);
+    const Real half = whole / 2, L = whole / planks,
+               sag = std::sqrt(half * half - 16);
     Vec2 end(-4, 0);
     for (int k = 0; k <= planks; ++k) {
         const bool bank = k == planks;
-        const Vec2 along = Vec2(4, 2 * k < planks ? -sag : sag) / 4.2;
+        const Vec2 along = Vec2(4, 2 * k < planks ? -sag : sag) / half;
         const Index a = k - 1;
         if (bank) {
             RigidJoint last =

@@ -25,6 +25,7 @@ struct NewtonPositions : NewtonSettings, Restitution {
     // Of the last step.
     int iterations = 0;
     Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
+    bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
 
     SecondProblem second;
     VecX v;            ///< pseudo-velocities [m/s]
@@ -72,6 +73,8 @@ struct NewtonPositions : NewtonSettings, Restitution {
         second.tolerance = tolerance * now.length / h / 10;
         if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
         renewals = 0;
+        gave_up_pushing = false;
+        Real pushed = 0;  // the largest part of an overlap that is to come out
         for (iterations = 0;; ++iterations) {
             const Real before = left;
             left = 0;
@@ -91,6 +94,7 @@ struct NewtonPositions : NewtonSettings, Restitution {
                     second.bias[i] = std::max(Real{0}, c.C) / h;
                     if (over < 0 && iterations == 0) {
                         second.bias[i] = beta * over / h;
+                        pushed = std::max(pushed, -beta * over);
                         wanted = true;
                     }
                 }
@@ -100,6 +104,14 @@ struct NewtonPositions : NewtonSettings, Restitution {
             // the old J is good enough while it takes nine tenths of the error
             if (iterations > 0 && left > before / 10) renew(solver, bodies, now);
             solver.solve_apart(second, v, now);
+            if (wanted && goes_far(now, h, std::max(pushed, left))) {
+                // overlaps that work against each other: they stay
+                gave_up_pushing = true;
+                for (std::size_t i = 0; i < m; ++i)
+                    if (now.constraints[i].kind == ConstraintKind::unilateral)
+                        second.bias[i] = std::max(Real{0}, second.bias[i]);
+                solver.solve_apart(second, v, now);
+            }
             for (const int k : now.active)
                 bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
         }
@@ -108,6 +120,15 @@ struct NewtonPositions : NewtonSettings, Restitution {
     //! [newton]
 
 private:
+    /// Whether v moves a body much farther than what is to be corrected, and by more than a twentieth of ℓ.
+    bool goes_far(const StepData<3>& now, Real h, Real wanted) const
+    {
+        Real farthest = 0;
+        for (const int k : now.active)
+            farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
+        return !(farthest <= std::max(8 * wanted, now.length / 20));
+    }
+
     /// J where the bodies are now, for solvers that have a factor of it.
     template <class Solver>
     void renew(Solver& solver, const Bodies<3>& bodies, StepData<3>& now)

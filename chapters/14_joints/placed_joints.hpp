@@ -26,6 +26,18 @@ inline std::size_t add_joint(JointedScene& scene, const RigidJoint& joint)
 }
 //! [place]
 
+/// Takes the joint that was added last out of the scene again.
+/// Throws std::invalid_argument if there is none.
+inline void remove_last_joint(JointedScene& scene)
+{
+    if (scene.placed.empty())
+        throw std::invalid_argument("there is no joint that could be removed");
+    const auto first = static_cast<std::size_t>(scene.placed.back().first);
+    scene.joints.resize(first);
+    scene.owner.resize(first);
+    scene.placed.pop_back();
+}
+
 /// The point of body k that is at a place of the world now; of the world: the place.
 inline Vec2 local_point(const RigidScene& scene, Index k, const Vec2& place)
 {

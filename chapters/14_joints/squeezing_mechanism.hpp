@@ -5,7 +5,7 @@
 ///     K1 crank at the origin · K2 on its end · K3, K4, K6 on the other end of K2 · K5, K7 on a pivot, joined to K4, K6
 ///
 /// A constant torque drives the crank, a spring pulls K3 to a fixed point. Lengths, masses and the start are those of the
-/// literature. \cite schiehlen1990 \cite hairer1996
+/// literature, digit by digit as public test sets have them. \cite schiehlen1990 \cite hairer1996 \cite mazzia2008
 #pragma once
 
 #include "chapters/14_joints/placed_joints.hpp"

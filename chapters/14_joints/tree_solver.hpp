@@ -3,8 +3,8 @@
 ///
 ///     û, what joints alone make of u*  →  λ of the rows with bounds, (14.16)  →  joints from u* and these impulses
 ///
-/// Where (14.16) has too many rows or no answer found: sweeps over them, and all joints after each, (14.15). Whatever was
-/// done, the natural residual of all rows decides whether it is called solved.
+/// Where an island of (14.16) has too many rows for guesses: sweeps over its A. Without (14.16): rounds of sweeps, and all
+/// joints after each, (14.15). Whatever was done, the natural residual of all rows decides whether it is called solved.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
@@ -14,11 +14,11 @@ namespace rigid {
 
 //! [tree_solver]
 struct TreeSolver {
-    int sweeps = 10;  ///< over the rows with bounds, at most
-    /// they end when none changes a row by more than this [ℓ/s]
+    int sweeps = 40;  ///< over the rows with bounds of larger islands
+    /// rounds end when none changes a row by more than this [ℓ/s]
     Real tolerance = 1e-9;
-    /// rows with bounds that are found exactly, of an island at most; 0: by sweeps
-    int most_exact = 400;
+    /// rows of an island that are found exactly, at most; 0: rounds of (14.15)
+    int most_exact = 600;
     FrictionSettings exact;  ///< how hard it tries
 
     // What is kept from step to step.
@@ -130,11 +130,10 @@ private:
         bool found = !any;
         if (any && most_exact > 0) {
             solve_joints(factor, u, lambda, now);  // û
-            if (!listed)
-                above.eliminate(factor, now.rows, left_out, most_exact,
-                                u.size() / 3);
+            if (!listed) above.eliminate(factor, now.rows, left_out, u.size() / 3);
             now.visits += above.islands.listed;
-            above.solve(now.rows, u, bias_, exact, enough_ / 2, lambda);
+            above.solve(now.rows, u, bias_, exact, most_exact, most, enough_ / 2,
+                        lambda);
             found = above.unsolved == 0;
             begin();
         }
@@ -145,8 +144,9 @@ private:
         }
         solve_joints(factor, u, lambda, now);
         listed = true;
-        sweeps_made = 0;
-        return found || sweep_on(factor, left_out, most, small, u, lambda, now);
+        sweeps_made = any && most_exact > 0 && above.swept > 0 ? most : 0;
+        if (found || most_exact > 0) return found;
+        return sweep_on(factor, left_out, most, small, u, lambda, now);
     }
     //! [run]
 

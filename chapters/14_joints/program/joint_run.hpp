@@ -3,8 +3,10 @@
 #pragma once
 
 #include "chapters/11_rotation/program/turning_run.hpp"
+#include "chapters/14_joints/hand.hpp"
 #include "chapters/14_joints/joint_method.hpp"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -18,7 +20,9 @@ struct JointState {
     StepData<3> now;
     Real t = 0, h = 0;
     Real energy_at_start = 0;
-    TreeWork work;  ///< of the trees, so far
+    TreeWork work;   ///< of the trees, so far
+    int asleep = 0;  ///< bodies
+    int rounds = 0;  ///< of (14.15), in the last solve
 
     /// What the solver left in the last step; 0 before the first [m/s].
     Real residual() const
@@ -26,6 +30,23 @@ struct JointState {
         return std::isfinite(now.solution.residual) ? now.solution.residual : 0;
     }
 };
+
+/// The largest error of a joint that is whole [m].
+inline Real largest_gap(const JointedScene& scene)
+{
+    Real largest = 0;
+    for (const PlacedJoint& placed : scene.placed) {
+        if (placed.broken) continue;
+        for (int i = 0; i < placed.count; ++i) {
+            const PointJoint& row =
+                scene.joints[static_cast<std::size_t>(placed.first + i)];
+            if (row.kind == ConstraintKind::bilateral)
+                largest = std::max(
+                    largest, std::abs(joint_constraint(scene.bodies.x, row).C));
+        }
+    }
+    return largest;
+}
 
 struct JointSetup {
     JointedScene scene;
@@ -43,15 +64,25 @@ struct JointSetup {
 
 struct JointMethods {
     JointTrees<Manifolds> trees;
+    SkippingJoints sleeping;
     JointSweeps<Manifolds> sweeps;
     JointRattle<Manifolds> rattle;
+
+    std::array<Manifolds*, 4> touching()
+    {
+        return {&trees.contacts.contacts.contacts,
+                &sleeping.contacts.contacts.contacts.touching,
+                &sweeps.contacts.contacts.contacts,
+                &rattle.contacts.contacts.contacts};
+    }
 
     void step(JointState& state, const StepSettings& how, const Settings& settings)
     {
         const int count = static_cast<int>(settings["sweeps"]);
         if (settings.tunables.contains("restitution"))
-            trees.correction.restitution = sweeps.correction.restitution =
-                rattle.correction.restitution = settings["restitution"];
+            trees.correction.restitution = sleeping.correction.restitution =
+                sweeps.correction.restitution = rattle.correction.restitution =
+                    settings["restitution"];
         if (settings.method == "rattle") {
             rattle.solver.sweeps = count;
             rigid::step(state.scene, how, rattle, state.now);
@@ -60,12 +91,25 @@ struct JointMethods {
             sweeps.correction.method = Stabilizer::projection;
             sweeps.solver.sweeps.max_sweeps = count;
             rigid::step(state.scene, how, sweeps, state.now);
-        } else {
-            trees.correction.stiff = settings["stiff"] > 0;
-            trees.solver.sweeps = count;
-            rigid::step(state.scene, how, trees, state.now);
-            state.work = trees.solver.joints.tree.work;
-        }
+        } else if (settings.method == "sleeping") {
+            by_trees(state, how, settings, sleeping);
+            const auto& set = sleeping.contacts.contacts.contacts.set;
+            state.asleep = 0;
+            for (Index k = 0; k < state.scene.bodies.count(); ++k)
+                state.asleep += state.scene.bodies.can_move(k) && set.is_asleep(k);
+        } else by_trees(state, how, settings, trees);
+    }
+
+private:
+    template <class Method>
+    static void by_trees(JointState& state, const StepSettings& how,
+                         const Settings& settings, Method& method)
+    {
+        method.correction.stiff = settings["stiff"] > 0;
+        method.solver.sweeps = static_cast<int>(settings["sweeps"]);
+        rigid::step(state.scene, how, method, state.now);
+        state.work = method.solver.joints.tree.work;
+        state.rounds = method.solver.sweeps_made;
     }
 };
 
@@ -77,9 +121,7 @@ public:
         state_.h = settings.h;
         state_.energy_at_start = energy(state_.scene);
         if (!setup_.touches) setup_.filter.set_meets(0, 0, false);
-        for (Manifolds* touching : {&methods_.trees.contacts.contacts.contacts,
-                                    &methods_.sweeps.contacts.contacts.contacts,
-                                    &methods_.rattle.contacts.contacts.contacts}) {
+        for (Manifolds* touching : methods_.touching()) {
             touching->finder.filter = setup_.filter;
             // a body that is stopped on its way is torn off its joints
             touching->fast.stop = false;
@@ -91,7 +133,11 @@ public:
     {
         JointedScene& scene = state_.scene;
         if (setup_.change) setup_.change(scene, settings);
-        const StepSettings how = step_settings(settings, input, scene.bodies);
+        StepSettings how = step_settings(settings, input, scene.bodies);
+        if (settings.method != "rattle") {  // which has no springs as rows
+            drag(input, how.pulled);
+            how.pulled = world;
+        }
         methods_.step(state_, how, settings);
         require_finite_state(scene.bodies);
         state_.t += settings.h;
@@ -117,6 +163,26 @@ public:
     }
 
 private:
+    //! [drag]
+    /// The pointer holds the body that it was nearest to when it was pressed.
+    void drag(const Input& input, Index nearest)
+    {
+        JointedScene& scene = state_.scene;
+        if (!input.pressed) {
+            if (held_) remove_last_joint(scene);
+            held_ = false;
+        } else if (held_) {
+            move_hand(scene, scene.placed.size() - 1, input.pointer);
+        } else if (nearest != world) {
+            const Vec2 middle = scene.bodies.position(nearest).head<2>();
+            RigidJoint hand = hand_joint(scene, nearest, middle);
+            hand.at_a = input.pointer;
+            add_joint(scene, hand);
+            held_ = true;
+        }
+    }
+    //! [drag]
+
     void paint_joint(Canvas& canvas, const PlacedJoint& placed) const
     {
         const RigidJoint& joint = placed.joint;
@@ -148,6 +214,7 @@ private:
     JointState state_;
     std::vector<Vec2> trail_;
     JointMethods methods_;
+    bool held_ = false;  ///< the last joint is the hand
 };
 
 /// A scene with the methods and the tunables that all of them have.

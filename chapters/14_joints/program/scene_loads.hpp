@@ -18,8 +18,8 @@ inline std::vector<Column> load_columns()
 
 inline std::vector<Real> load_measures(const JointState& s)
 {
-    return {largest_joint_error(s.scene), energy(s.scene) - s.energy_at_start,
-            s.residual(), static_cast<Real>(s.work.solved_rows)};
+    return {largest_gap(s.scene), energy(s.scene) - s.energy_at_start, s.residual(),
+            static_cast<Real>(s.work.solved_rows)};
 }
 
 /// A chain with a weight of 1000 links at its end.
@@ -57,10 +57,16 @@ inline Demo bridge_demo()
                 add_body(setup.scene, box(0.5, 0.5), settings["load"] / 0.25,
                          {-2.0 + 2 * i, i == 1 ? -0.8 : -0.2});
             cover(setup.scene, {0.5, 0, 0, 0});
+            if (settings["strength"] > 0)
+                for (PlacedJoint& placed : setup.scene.placed)
+                    placed.joint.breaking_force = 1000 * settings["strength"];
             setup.touches = true;
             setup.measure = load_measures;
             return setup;
         });
+    scene.tunables.push_back({"strength", "kN",
+                              "a pin that bears more breaks; 0: none breaks", 0, 0,
+                              50, false, true, false});
     scene.tunables.push_back(
         {"planks", "", "of the bridge", 20, 2, 200, true, true, false});
     scene.tunables.push_back(

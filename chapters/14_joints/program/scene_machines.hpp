@@ -81,8 +81,8 @@ inline Demo leg_demo()
             setup.traced_point =
                 local_point(setup.scene, crank + 6, JansenLeg(0.4).p[5]);
             setup.measure = [crank](const JointState& s) -> std::vector<Real> {
-                return {s.scene.bodies.u[3 * crank + 2],
-                        largest_joint_error(s.scene), s.residual()};
+                return {s.scene.bodies.u[3 * crank + 2], largest_gap(s.scene),
+                        s.residual()};
             };
             return setup;
         });
