@@ -180,7 +180,7 @@ TEST_CASE("a small step allocates no memory once it has run the scene", "[house]
         }
 }
 
-TEST_CASE("a first step from known impulses leaves a column where it stands", "[house]")
+TEST_CASE("a first step from known impulses leaves a column where it stands", "[idea]")
 {
     // 1e-6 m/s of what the sweeps leave in the first step is all that there is to sink by; without them the column
     // of 20 sinks by millimetres before its impulses have grown.
@@ -192,6 +192,31 @@ TEST_CASE("a first step from known impulses leaves a column where it stands", "[
     SmallStepSettings cold = careful_steps();
     cold.first_sweeps = 0;
     CHECK(watched(column, cold, 300).overlap > 2e-4);
+}
+
+TEST_CASE("what small steps correct at the end is an overlap beyond the slop and the whole error of a link", "[idea]")
+{
+    // No gravity and nothing moves, so that only the projection changes x. Two discs of 0.1 m and a link of 1 m, apart.
+    DiscScene scene;
+    scene.gravity = {0, 0};
+    scene.bodies = Bodies<2>(4);
+    scene.radius = VecX::Constant(4, 0.1);
+    const Real length = typical_length(scene), slop = quick_steps().correction.slop * length;
+    const auto lay = [&](Real overlap, Real stretch) {
+        scene.bodies.x << 0, 0, 0.2 - overlap, 0, 0, 2, 1 + stretch, 2;
+        scene.links = {{2, 3, 1}};
+        link_neighbours(scene);
+        SmallStep now;
+        small_steps(scene, quick_steps(), now);
+    };
+    // Rounding of places of 2 m: a few 1e-16 m.
+    lay(0.5 * slop, 0.01);
+    CHECK(scene.bodies.x[2] - scene.bodies.x[0] == Approx(0.2 - 0.5 * slop).margin(1e-14));
+    CHECK(scene.bodies.x[6] - scene.bodies.x[4] == Approx(1).margin(1e-14));
+    lay(3 * slop, -0.01);
+    CHECK(scene.bodies.x[2] - scene.bodies.x[0] == Approx(0.2 - slop).margin(1e-14));
+    CHECK(scene.bodies.x[6] - scene.bodies.x[4] == Approx(1).margin(1e-14));
+    CHECK(scene.bodies.u.isZero(0));
 }
 
 TEST_CASE("a triangle on a base of 20 stands with careful steps", "[house]")

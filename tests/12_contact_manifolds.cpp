@@ -472,7 +472,7 @@ TEST_CASE("a block goes over its corner from the speed by hand and not below", "
 
 // ---- which pairs
 
-TEST_CASE("sweep and tree find the pairs that all tests find while boxes tumble", "[house]")
+TEST_CASE("sweep and tree and grid find the pairs that all tests find while boxes tumble", "[house]")
 {
     Random random(7);
     const int K = 10000;
@@ -484,20 +484,30 @@ TEST_CASE("sweep and tree find the pairs that all tests find while boxes tumble"
         add_body(scene, box(wide, tall), k % 10 == 0 ? Mass{} : Mass{1, {0, 0}, 0.1}, {x, y}, angle);
         for (Index i = 0; i < 3; ++i) scene.bodies.u[3 * k + i] = random.uniform(-3, 3);
     }
-    PairFinder tree, sweep;
+    PairFinder tree, sweep, grid;
     sweep.search = PairSearch::sweep;
+    grid.search = PairSearch::grid;
+    const auto circle = [&](int k) {
+        return scene.shapes[static_cast<std::size_t>(k)].vertices[0].norm() + 0.01;
+    };
     PlacedShapes placed;
     for (int round = 0; round < 3; ++round) {
         placed.move(scene);
         tree.find(scene, placed, 0.02);
         sweep.find(scene, placed, 0.02);
-        std::vector<std::uint64_t> all;
+        grid.find(scene, placed, 0.02);
+        std::vector<std::uint64_t> all, of_circles;
         for (int a = 0; a < K; ++a)
             for (int b = a + 1; b < K; ++b)
                 if ((a % 10 != 0 || b % 10 != 0) &&
                     overlap(grown(placed.boxes[static_cast<std::size_t>(a)], 0.01),
-                            grown(placed.boxes[static_cast<std::size_t>(b)], 0.01)))
+                            grown(placed.boxes[static_cast<std::size_t>(b)], 0.01))) {
                     all.push_back(pair_key(a, b));
+                    const Vec2 apart = (scene.bodies.position(a) - scene.bodies.position(b)).head<2>();
+                    if (apart.norm() < circle(a) + circle(b)) of_circles.push_back(pair_key(a, b));
+                }
+        // What lies outside of the circle around a shape cannot touch it, though its box may.
+        CHECK(grid.pairs == of_circles);
         CHECK(tree.pairs == all);
         CHECK(sweep.pairs == all);
         CHECK(all.size() > 1000);

@@ -1,5 +1,5 @@
 # The program as a reader runs it.
-foreach(scene slope disc rod conveyor)
+foreach(scene slope disc rod conveyor stick_slip)
   add_program_test(ch13 13_friction "runs scene ${scene}" --headless --scene ${scene} --steps 300
                    --method exact,sweeps,lemke --csv -)
 endforeach()

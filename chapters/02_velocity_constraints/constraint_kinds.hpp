@@ -46,6 +46,7 @@ struct Constraint {
     /// of friction: the number of the constraint whose λ bounds it
     int bounded_by = -1;
     Real friction = 0;   ///< of friction: μ, |λ| ≤ μ λ of that constraint
+    Real weakening = 0;  ///< of friction: how much less μ is while it slides
     Real stiffness = 0;  ///< of a spring [N/m]
     Real damping = 0;    ///< of a spring [N s/m]
 };

@@ -51,6 +51,22 @@ struct Colouring {
     std::vector<int> start;
 };
 
+/// The first colour that neither of two bodies has; then both have it.
+/// \param a, b  their used colours; null = the body cannot move
+inline int take_colour(std::uint64_t* a, std::uint64_t* b)
+{
+    constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
+    //! [greedy]
+    // the last colour is never full
+    const std::uint64_t taken = ((a ? *a : 0) | (b ? *b : 0)) & ~last;
+    const int colour = std::countr_one(taken);
+    const std::uint64_t bit = std::uint64_t{1} << colour;
+    if (a) *a |= bit;
+    if (b) *b |= bit;
+    //! [greedy]
+    return colour;
+}
+
 //! [colour]
 /// Greedy colouring: each row takes the first colour that neither of its bodies has
 /// yet. One pass over the rows, and one to sort them by colour. Bodies that cannot
@@ -62,7 +78,6 @@ template <int Dof>
 void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory,
                    std::vector<int>& order)
 {
-    constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
     memory.colour.resize(rows.size());
     memory.start.assign(Colouring::most + 1, 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -72,15 +87,8 @@ void colour_unused(const std::vector<Row<Dof>>& rows, Colouring& memory,
                                      : nullptr;
         std::uint64_t* const b =
             !row.Wb.isZero(0) ? &memory.used[std::size_t(row.b)] : nullptr;
-        //! [greedy]
-        // the last colour is never full
-        const std::uint64_t taken = ((a ? *a : 0) | (b ? *b : 0)) & ~last;
-        const int colour = std::countr_one(taken);
-        const std::uint64_t bit = std::uint64_t{1} << colour;
-        if (a) *a |= bit;
-        if (b) *b |= bit;
+        const int colour = take_colour(a, b);
         memory.colour[i] = colour;
-        //! [greedy]
         ++memory.start[static_cast<std::size_t>(colour) + 1];
     }
     std::partial_sum(memory.start.begin(), memory.start.end(),

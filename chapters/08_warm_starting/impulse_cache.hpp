@@ -130,29 +130,29 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
                               const ImpulseCache::Entry& b) {
         return a.key < b.key;
     };
-    std::vector<ImpulseCache::Entry>& today = cache.spare;
-    today.clear();
+    std::vector<ImpulseCache::Entry>& present = cache.spare;
+    present.clear();
     for (std::size_t i = 0; i < keys.size(); ++i)
-        today.push_back({keys[i], 0, lambda[static_cast<Index>(i)]});
-    if (!std::is_sorted(today.begin(), today.end(), ascending))
-        std::sort(today.begin(), today.end(), ascending);
-    for (std::size_t i = 1; i < today.size(); ++i)
-        if (today[i - 1].key == today[i].key)
+        present.push_back({keys[i], 0, lambda[static_cast<Index>(i)]});
+    if (!std::is_sorted(present.begin(), present.end(), ascending))
+        std::sort(present.begin(), present.end(), ascending);
+    for (std::size_t i = 1; i < present.size(); ++i)
+        if (present[i - 1].key == present[i].key)
             throw std::invalid_argument("two rows have the key " +
-                                        to_string(today[i].key));
+                                        to_string(present[i].key));
 
     // What is missing in this step but still remembered goes behind its rows.
-    const std::size_t rows = today.size();
+    const std::size_t rows = present.size();
     std::size_t i = 0;
     for (const ImpulseCache::Entry& old : cache.entries) {
         if (old.unseen >= cache.keep) continue;
-        while (i < rows && today[i].key < old.key) ++i;
-        if (i == rows || today[i].key != old.key)
-            today.push_back({old.key, old.unseen + 1, h / cache.h * old.lambda});
+        while (i < rows && present[i].key < old.key) ++i;
+        if (i == rows || present[i].key != old.key)
+            present.push_back({old.key, old.unseen + 1, h / cache.h * old.lambda});
     }
-    if (today.size() > rows) std::sort(today.begin(), today.end(), ascending);
+    if (present.size() > rows) std::sort(present.begin(), present.end(), ascending);
 
-    std::erase_if(today, [](const ImpulseCache::Entry& entry) {
+    std::erase_if(present, [](const ImpulseCache::Entry& entry) {
         return !std::isfinite(entry.lambda);
     });
     std::swap(cache.entries, cache.spare);

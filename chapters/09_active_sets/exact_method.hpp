@@ -43,7 +43,8 @@ struct ExactSolver : MatrixSolver<FindActiveSets> {
         if (!(enough >= 0 && enough < infinity))
             throw std::invalid_argument(
                 "the residual that is nothing is " + shortest(enough) +
-                " m/s; it must be zero or positive, and finite");
+                " lengths of the scene a second; it must be zero or positive, and "
+                "finite");
         find.require_valid();
     }
 

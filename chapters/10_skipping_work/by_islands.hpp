@@ -9,8 +9,20 @@
 
 namespace rigid {
 
+/// No exact answer for islands whose rows follow impulses: they are swept. Chapter 13
+/// has one for friction.
+struct SweepTheCoupled {
+    template <int Dof>
+    IslandAnswer operator()(std::span<SolverRow<Dof>>, std::span<const Feedback>,
+                            Real, VecX&) const
+    {
+        return {};
+    }
+};
+
 //! [by_islands]
-template <int Dof>
+/// \tparam Coupled  an exact solver of small islands whose rows follow impulses
+template <int Dof, class Coupled = SweepTheCoupled>
 struct IslandSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps;
@@ -19,6 +31,7 @@ struct IslandSolver {
     /// islands of up to so many rows are solved exactly
     int exact_rows = 8;
     bool apart = true;  ///< false: all rows are one problem
+    Coupled coupled;
 
     // What is kept from step to step.
     Islands islands;
@@ -158,17 +171,19 @@ private:
     {
         if (count == 0) return;
         const std::span<SolverRow<Dof>> island = some_rows(first, count);
-        if (feedback.empty() && static_cast<int>(count) <= exact_rows) {
+        const std::span<const Feedback> follows = some_feedback(first, count);
+        if (!feedback.empty() || static_cast<int>(count) <= exact_rows) {
             const IslandAnswer answer =
-                solve_exactly(island, in_metres.tolerance, exact, u);
+                feedback.empty()
+                    ? solve_exactly(island, in_metres.tolerance, exact, u)
+                    : coupled(island, follows, in_metres.tolerance, u);
             now.visits += answer.visits;
             if (answer.status == Status::solved) {
                 ++exact_count;
                 return;
             }
         }
-        const IslandAnswer answer =
-            sweep_island(island, some_feedback(first, count), in_metres, u);
+        const IslandAnswer answer = sweep_island(island, follows, in_metres, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

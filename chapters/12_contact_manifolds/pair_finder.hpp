@@ -1,15 +1,16 @@
 /// \file pair_finder.hpp
-/// Which pairs of bodies are to be looked at: their boxes overlap, one of them can move, no joint keeps them apart, and the filter
+/// Which pairs of bodies are to be looked at: their boxes overlap (in the grid also the circles around them), one of them can move, no joint keeps them apart, and the filter
 /// lets them meet.
 #pragma once
 
 #include "chapters/10_skipping_work/collision_filter.hpp"
+#include "chapters/10_skipping_work/disc_grid.hpp"
 #include "chapters/12_contact_manifolds/box_sweep.hpp"
 #include "chapters/12_contact_manifolds/box_tree.hpp"
 
 namespace rigid {
 
-enum class PairSearch { sweep, tree };
+enum class PairSearch { sweep, tree, grid };
 
 inline std::uint64_t pair_key(Index a, Index b)
 {
@@ -32,6 +33,9 @@ struct PairFinder {
     std::vector<std::uint64_t> pairs;  ///< the answer, ascending
     BoxSweep sweep;
     BoxTree tree;
+    DiscGrid grid;
+    /// of each body: its circle about the centroid, with half the margin [m]
+    std::vector<Real> circles;
     std::vector<int> asked;   ///< those that look
     std::int64_t tested = 0;  ///< boxes compared in this step
 
@@ -73,7 +77,8 @@ struct PairFinder {
                 if (is(asks, a) || is(asks, b)) keep(a, b);
             });
             tested = sweep.tested;
-        } else find_in_tree(keep);
+        } else if (search == PairSearch::tree) find_in_tree(keep);
+        else find_in_grid(keep);
         std::sort(pairs.begin(), pairs.end());
     }
 
@@ -94,9 +99,28 @@ struct PairFinder {
     }
     //! [find]
 
+    //! [find_in_grid]
+    /// The same by chapter 10's grid of the circles around the bodies.
+    template <class Keep>
+    void find_in_grid(const Keep& keep)
+    {
+        grid.tested = grid.cells = 0;
+        for (const int k : asked) {
+            const auto at = static_cast<std::size_t>(k);
+            grid.near(grid.position(k), circles[at], ~std::uint64_t{0}, [&](int b) {
+                if ((b > k || !is(asks, b)) &&
+                    overlap(boxes[at], boxes[static_cast<std::size_t>(b)]))
+                    keep(std::min(k, b), std::max(k, b));
+            });
+        }
+        tested = grid.tested;
+    }
+    //! [find_in_grid]
+
 private:
     std::vector<int> movers_;
     Real margin_ = 0;  ///< of the boxes [m]
+    PairSearch searched_ = PairSearch::tree;
 
     static bool is(const std::vector<char>& list, int k)
     {
@@ -108,15 +132,24 @@ private:
                  std::span<const int> looking)
     {
         const auto K = static_cast<std::size_t>(scene.bodies.count());
-        const bool all = boxes.size() != K || margin != margin_;
+        const bool all =
+            boxes.size() != K || margin != margin_ || search != searched_;
+        searched_ = search;
         if (tree.count() > static_cast<int>(K))
             tree.clear();  // some were taken away
+        if (search == PairSearch::grid && circles.size() != K) {
+            circles.assign(K, 0);
+            grid.reset(scene.bodies.count(), 0);
+        }
         tree.skin = skin * margin;
         margin_ = margin;
         const auto take = [&](std::size_t k) {
             boxes[k] = grown(placed.boxes[k], margin / 2);
             moves[k] = scene.bodies.can_move(static_cast<Index>(k));
-            tree.place(static_cast<int>(k), boxes[k]);
+            if (search == PairSearch::grid)
+                put_in_grid(scene, static_cast<Index>(k), margin);
+            else if (search == PairSearch::tree)
+                tree.place(static_cast<int>(k), boxes[k]);
         };
         boxes.resize(K);
         moves.resize(K);
@@ -130,6 +163,25 @@ private:
         for (const int k : asked)
             if (!all) take(static_cast<std::size_t>(k));
         list_joints(scene);
+    }
+
+    /// A body whose shape has changed is entered anew.
+    void put_in_grid(const RigidScene& scene, Index k, Real margin)
+    {
+        const auto at = static_cast<std::size_t>(k);
+        const Polygon& shape = scene.shapes[at];
+        Real circle = 0;
+        for (const Vec2& vertex : shape.vertices)
+            circle = std::max(circle, vertex.norm());
+        circle += shape.radius + margin / 2;
+        const int body = static_cast<int>(k);
+        const Vec2 x = scene.bodies.position(k).head<2>();
+        if (circles[at] == circle) grid.move(body, x);
+        else {
+            if (circles[at] > 0) grid.remove(body);
+            circles[at] = circle;
+            grid.insert(body, x, circle, 0);
+        }
     }
 
     /// Sorted again only when they are not those of the step before.

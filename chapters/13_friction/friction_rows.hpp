@@ -66,6 +66,7 @@ inline Constraint<3> friction_constraint(const Constraint<3>& normal, int number
     c.kind = ConstraintKind::friction;
     c.bounded_by = number;
     c.friction = surface.friction;
+    c.weakening = surface.friction - surface.while_sliding();
     c.speed = surface.belt;
     return c;
 }

@@ -10,6 +10,7 @@
 #include "chapters/11_rotation/rigid_method.hpp"
 #include "chapters/12_contact_manifolds/awake_manifolds.hpp"
 #include "chapters/13_friction/friction_active_sets.hpp"
+#include "chapters/13_friction/friction_islands.hpp"
 #include "chapters/13_friction/friction_stage.hpp"
 
 namespace rigid {
@@ -56,6 +57,25 @@ Real noise_of_corners(const Bodies<Dof>& bodies, const StepData<Dof>& now)
     return std::max(noise, std::min(4 * noise, 1e-7 * now.length));
 }
 
+/// What rounding makes of the velocity of a light body under the impulses that hold
+/// a heavy one: ε max A_ii max m |u*|, as far as that is below 10⁻⁷ ℓ/s. No λ in
+/// doubles has a smaller residual; a λ that is too large is no excuse, for it is not
+/// part of this.
+template <int Dof>
+Real noise_of_impulses(const Bodies<Dof>& bodies, const Mlcp& mlcp,
+                       const StepData<Dof>& now)
+{
+    Real heaviest = 0, mobility = 0;
+    for (const int k : now.active)
+        if (const Real inverse = bodies.inverse_mass[Dof * k]; inverse > 0)
+            heaviest = std::max(
+                heaviest, now.u_star.template segment<2>(Dof * k).norm() / inverse);
+    for (Index i = 0; i < mlcp.size(); ++i)
+        mobility = std::max(mobility, mlcp.A.coeff(i, i));
+    return std::min(2 * std::numeric_limits<Real>::epsilon() * mobility * heaviest,
+                    1e-7 * now.length);
+}
+
 //! [coulomb_solver]
 /// The solver stage: λ of the Coulomb problem, u = u* + M⁻¹ Jᵀ λ (3.9).
 template <class Find>
@@ -85,7 +105,8 @@ struct CoulombSolver {
         if (now.substep == 0 && !now.second_half) unsolved = 0;
         assemble(now.rows, now.u_star, scratch, mlcp);
         boxes_of(now.rows, boxes);
-        nothing_ = std::max(enough * now.length, noise_of_corners(bodies, now));
+        nothing_ = std::max({enough * now.length, noise_of_corners(bodies, now),
+                             noise_of_impulses(bodies, mlcp, now)});
         find(mlcp, boxes, nothing_, now.solution);
         finish(bodies, now);
     }
@@ -161,7 +182,7 @@ struct FrictionSweeps {
     WithFriction<Contacts> contacts;
     Correction correction = steady_contacts();
     WarmStart start;
-    ImpulseSolver<3> solver;
+    HoldOrSlide<ImpulseSolver<3>> solver;
 };
 
 /// Chapter 10's skips: islands by themselves, each until it is good enough, and
@@ -170,7 +191,7 @@ struct SkippingFriction {
     WithFriction<AwakeManifolds> contacts;
     Correction correction = steady_contacts();
     WarmStart start;
-    IslandSolver<3> solver;
+    HoldOrSlide<IslandSolver<3, ExactFrictionIslands>> solver;
 };
 
 template <class Contacts>
@@ -178,7 +199,7 @@ struct ExactFriction {
     WithFriction<Contacts> contacts;
     Correction correction;
     WarmStart start = last_impulses();
-    CoulombSolver<FindFriction> solver;
+    HoldOrSlide<CoulombSolver<FindFriction>> solver;
 };
 
 template <class Contacts>
@@ -186,7 +207,7 @@ struct LemkeFriction {
     WithFriction<Contacts> contacts;
     Correction correction;
     ColdStart start;
-    CoulombSolver<FindByStewartTrinkle> solver;
+    HoldOrSlide<CoulombSolver<FindByStewartTrinkle>> solver;
 };
 //! [method]
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/13_friction/hold_or_slide.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -32,6 +33,8 @@ struct WithFriction {
                Method& method, StepData<3>& now)
     {
         require_valid_surfaces(scene);
+        if constexpr (!requires { method.solver.creep; })
+            refuse_kinetic_friction(scene);
         if constexpr (requires { contacts.wake_everybody(); })
             if (!(scene.surfaces == surfaces && scene.wall_surfaces == walls &&
                   scene.cloth == cloth)) {

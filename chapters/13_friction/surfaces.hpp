@@ -10,6 +10,9 @@
 
 #include "chapters/11_rotation/rigid_scene.hpp"
 
+#include <algorithm>
+#include <optional>
+
 namespace rigid {
 
 //! [surface]
@@ -21,16 +24,22 @@ struct Surface {
     Real belt = 0;
     /// the arm of rolling resistance: its moment is at most this times λ_n [m]
     Real rolling = 0;
+    /// μ of what slides, at most `friction`; none = the same (section 13.D)
+    std::optional<Real> kinetic = std::nullopt;
 
+    Real while_sliding() const { return kinetic.value_or(friction); }
     bool operator==(const Surface&) const = default;
 };
 
 /// The surface of two that touch.
 inline Surface combined(const Surface& a, const Surface& b)
 {
-    return {std::sqrt(a.friction * b.friction),
-            std::max(a.restitution, b.restitution), a.belt + b.belt,
-            std::max(a.rolling, b.rolling)};
+    Surface both{std::sqrt(a.friction * b.friction),
+                 std::max(a.restitution, b.restitution), a.belt + b.belt,
+                 std::max(a.rolling, b.rolling)};
+    if (a.kinetic || b.kinetic)
+        both.kinetic = std::sqrt(a.while_sliding() * b.while_sliding());
+    return both;
 }
 //! [surface]
 
@@ -71,6 +80,12 @@ inline void require_valid(const Surface& surface, const std::string& name)
     if (!(surface.rolling >= 0) || !std::isfinite(surface.rolling))
         refuse("rolling arm", surface.rolling,
                " m; it must be zero or positive and finite");
+    if (!(surface.while_sliding() >= 0 &&
+          surface.while_sliding() <= surface.friction))
+        refuse("kinetic friction coefficient", surface.while_sliding(),
+               ("; it must be from zero to the static one, " +
+                shortest(surface.friction))
+                   .c_str());
 }
 
 /// Throws std::invalid_argument, with a sentence that names the thing, unless the surfaces of a scene make sense.
@@ -97,6 +112,17 @@ inline void require_valid_surfaces(const RoughScene& scene)
             ", the arm " + shortest(cloth.arm) + " m and the gravity " +
             shortest(cloth.gravity) +
             " m/s²; they must be zero or positive and finite");
+}
+
+/// Whether μ of anything in the scene depends on whether it slides.
+inline bool has_kinetic_friction(const RoughScene& scene)
+{
+    const auto weaker = [](const Surface& surface) {
+        return surface.while_sliding() < surface.friction;
+    };
+    return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), weaker) ||
+           std::any_of(scene.wall_surfaces.begin(), scene.wall_surfaces.end(),
+                       weaker);
 }
 
 /// The same surface for all bodies and all walls.

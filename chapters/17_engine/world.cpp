@@ -129,7 +129,7 @@ BodyId World::add_chain(std::span<const Vec2> points, bool closed,
 {
     State& s = *state_;
     const std::vector<Vec2> corners(points.begin(), points.end());
-    require_valid(surface, "the chain");
+    require_surface(surface, "the chain");
     RigidScene trial;  // throws for points that make no chain
     rigid::add_chain(trial, corners, closed);
     const std::uint8_t group = s.classes.enter(filter, s.filter());
@@ -271,7 +271,7 @@ void World::set_surface(BodyId body, const Surface& surface)
 {
     State& s = *state_;
     const Index k = s.number(body);
-    require_valid(surface, "the body");
+    require_surface(surface, "the body");
     write_surface(s, k, surface);
     s.disturb(k);
     s.note(Call::set_surface, body, surface);
@@ -347,7 +347,7 @@ WallId World::add_wall(const HalfSpace& wall, const Surface& surface)
     RigidScene trial;
     trial.walls.push_back(wall);
     require_bodies(trial);  // throws for a wall that makes no sense
-    require_valid(surface, "the wall");
+    require_surface(surface, "the wall");
     WallId id;
     if (s.walls.free.empty()) {
         id = s.walls.append();

@@ -10,11 +10,24 @@
 
 namespace rigid {
 
+/// Throws std::invalid_argument for a surface that makes no sense, or whose coefficient of friction is another one while it
+/// slides: the solver of a world does not ask whether a contact slides.
+inline void require_surface(const Surface& surface, const std::string& name)
+{
+    require_valid(surface, name);
+    if (surface.while_sliding() < surface.friction)
+        throw std::invalid_argument(
+            name + " has the kinetic friction coefficient " +
+            shortest(surface.while_sliding()) + " beside the static one, " +
+            shortest(surface.friction) +
+            "; in a world there is one, the methods of chapter 13 take both");
+}
+
 /// Throws std::invalid_argument, with a sentence, unless a definition makes sense. Returns how its mass is spread.
 inline Mass require_valid(const BodyDefinition& body)
 {
     require_valid(body.shape);
-    require_valid(body.surface, "the body");
+    require_surface(body.surface, "the body");
     if (!body.position.allFinite() || !std::isfinite(body.angle) ||
         !body.velocity.allFinite() || !std::isfinite(body.spin))
         throw std::invalid_argument(

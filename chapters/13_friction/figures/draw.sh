@@ -14,3 +14,8 @@ for gap in 0.2 0.35 0.6; do
     run --scene dominoes --set gap=$gap --steps 2400 --csv "$data/dominoes$gap"
 done
 plot ch13_dominoes
+
+# The stretch of a spring whose block sticks and slips.
+run --scene stick_slip --steps 3000 --csv "$data/two"
+run --scene stick_slip --set mu_k=0.6 --steps 3000 --csv "$data/one"
+plot ch13_stick_slip

@@ -1,0 +1,140 @@
+/// \file bundles.hpp
+/// Which rows may be visited at the same time.
+///
+///     bundle    all rows between the same two bodies: their velocities are read once and written once
+///     colour    bundles of one colour share no body that can move, so none of them waits for another
+///
+/// Chapter 6 colours rows one by one (6.26). With friction a contact of two points is four rows of the same two bodies,
+/// which would need four colours; a bundle of them needs one.
+#pragma once
+
+#include "chapters/06_sequential_impulse/row_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rigid {
+
+/// Which of the two bodies of a bundle its rows can move.
+struct Movers {
+    bool low = false, high = false;
+};
+
+/// Rows in bundles, and the bundles in colours. Memory is kept from step to step.
+struct Bundles {
+    /// rows of a bundle; what is more becomes another bundle
+    static constexpr int most_rows = 15;
+    /// the last colour: bundles that found no free one, to be visited one by one
+    static constexpr int rest = Colouring::most - 1;
+
+    /// row numbers, bundle after bundle, those of a bundle as they came
+    std::vector<int> rows;
+    std::vector<int> first;  ///< where each bundle begins; one more for the end
+    /// of each bundle; −1: neither body can move
+    std::vector<int> colour;
+    std::vector<int> of_row;  ///< the bundle of each row
+    std::vector<Movers> movers;
+    int colours = 0;  ///< the rest not counted
+
+    // What the two functions below need.
+    std::vector<int> sorted, bins;
+    std::vector<std::uint64_t> used;  ///< as in Colouring
+
+    std::size_t count() const { return first.size() - 1; }
+};
+
+/// The two bodies of a row: the one with the smaller number first, so the world always is.
+template <int Dof>
+std::pair<Index, Index> bodies_of(const Row<Dof>& row)
+{
+    return std::minmax(row.a, row.b);
+}
+
+//! [bundle]
+/// Sorts the rows by their two bodies, by counting: first by the second body, then,
+/// keeping that order, by the first. One pass each, whatever the number of rows.
+/// \param bodies  K
+template <int Dof>
+void bundle_rows(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
+{
+    const auto by = [&](const std::vector<int>& in, std::vector<int>& to,
+                        const auto& key) {
+        out.bins.assign(static_cast<std::size_t>(bodies) + 2, 0);
+        for (const Row<Dof>& row : rows) ++out.bins[key(row) + 1];
+        std::partial_sum(out.bins.begin(), out.bins.end(), out.bins.begin());
+        to.resize(rows.size());
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const std::size_t i = in.empty() ? k : static_cast<std::size_t>(in[k]);
+            to[static_cast<std::size_t>(out.bins[key(rows[i])]++)] =
+                static_cast<int>(i);
+        }
+    };
+    // the world, −1, comes first
+    by({}, out.sorted, [](const Row<Dof>& row) {
+        return static_cast<std::size_t>(bodies_of(row).second + 1);
+    });
+    by(out.sorted, out.rows, [](const Row<Dof>& row) {
+        return static_cast<std::size_t>(bodies_of(row).first + 1);
+    });
+
+    out.first.clear();
+    out.of_row.resize(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto row = [&](std::size_t n) -> const Row<Dof>& {
+            return rows[static_cast<std::size_t>(out.rows[n])];
+        };
+        if (k == 0 || bodies_of(row(k)) != bodies_of(row(k - 1)) ||
+            static_cast<int>(k) - out.first.back() == Bundles::most_rows)
+            out.first.push_back(static_cast<int>(k));
+        out.of_row[static_cast<std::size_t>(out.rows[k])] =
+            static_cast<int>(out.first.size()) - 1;
+    }
+    out.first.push_back(static_cast<int>(rows.size()));
+}
+//! [bundle]
+
+//! [colours]
+/// Chapter 6's greedy colours, for bundles: each takes the first colour that
+/// neither of its bodies has. A body that cannot move does not count.
+template <int Dof>
+void colour_bundles(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
+{
+    out.used.assign(static_cast<std::size_t>(bodies), 0);
+    out.colour.resize(out.count());
+    out.colours = 0;
+    out.movers.assign(out.count(), Movers{});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row<Dof>& row = rows[i];
+        Movers& moves = out.movers[static_cast<std::size_t>(out.of_row[i])];
+        const bool a = row.a != world && !row.Wa.isZero(0), b = !row.Wb.isZero(0);
+        moves.low |= row.a < row.b ? a : b;
+        moves.high |= row.a < row.b ? b : a;
+    }
+    for (std::size_t g = 0; g < out.count(); ++g) {
+        const auto [low, high] = bodies_of(rows[static_cast<std::size_t>(
+            out.rows[static_cast<std::size_t>(out.first[g])])]);
+        const Movers moves = out.movers[g];
+        const auto used = [&](bool counts, Index body) {
+            return counts ? &out.used[static_cast<std::size_t>(body)] : nullptr;
+        };
+        // what nothing moves is never visited
+        const int colour =
+            moves.low || moves.high
+                ? take_colour(used(moves.low, low), used(moves.high, high))
+                : -1;
+        out.colour[g] = colour;
+        if (colour < Bundles::rest) out.colours = std::max(out.colours, colour + 1);
+    }
+}
+//! [colours]
+
+/// To break it: everything has one colour, and lanes overwrite what others have written.
+inline void forget_colours(Bundles& bundles)
+{
+    for (int& colour : bundles.colour) colour = std::min(colour, 0);
+    bundles.colours = 1;
+}
+
+}  // namespace rigid

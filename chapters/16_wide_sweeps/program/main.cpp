@@ -1,0 +1,15 @@
+// Chapter 16. Wide sweeps: the program.
+#include "chapters/16_wide_sweeps/program/scenes.hpp"
+
+int main(int argc, char** argv)
+{
+    using namespace rigid;
+    const auto make = [] {
+        Program program;
+        program.name = "16_wide_sweeps";
+        program.title = "Chapter 16. Wide sweeps";
+        program.scenes = {wide_pyramid_scene(), column_scene(), wide_pile_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
+}
