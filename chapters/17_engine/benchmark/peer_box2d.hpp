@@ -16,34 +16,34 @@ namespace rigid {
 
 class Box2dWorld {
 public:
-    explicit Box2dWorld(const World& world, bool sleeps = true, int substeps = 1)
-        : world_(vector(world.settings().gravity)), substeps_(substeps)
+    explicit Box2dWorld(const World& here, bool sleeps = true, int substeps = 1)
+        : world_(vector(here.settings().gravity)), substeps_(substeps)
     {
         world_.SetAllowSleeping(sleeps);
         b2BodyDef fixed;
         b2Body* const ground = world_.CreateBody(&fixed);
         std::vector<std::pair<BodyId, b2Body*>> known;
-        for (const BodyId id : world.bodies()) {
+        for (const BodyId id : here.bodies()) {
             b2BodyDef def;
-            const bool moves = world.mass(id) < infinity;
+            const bool moves = here.mass(id) < infinity;
             def.type = moves ? b2_dynamicBody : b2_staticBody;
-            def.position = vector(world.position(id));
-            def.angle = static_cast<float>(world.angle(id));
-            def.linearVelocity = vector(world.velocity(id));
-            def.angularVelocity = static_cast<float>(world.spin(id));
+            def.position = vector(here.position(id));
+            def.angle = static_cast<float>(here.angle(id));
+            def.linearVelocity = vector(here.velocity(id));
+            def.angularVelocity = static_cast<float>(here.spin(id));
             b2Body* const body = world_.CreateBody(&def);
-            add_shape(*body, world, id);
+            add_shape(*body, here, id);
             if (moves) {
-                const b2MassData mass{static_cast<float>(world.mass(id)),
+                const b2MassData mass{static_cast<float>(here.mass(id)),
                                       {0, 0},
-                                      static_cast<float>(world.inertia(id))};
+                                      static_cast<float>(here.inertia(id))};
                 body->SetMassData(&mass);
             }
             bodies_.push_back(body);
             known.emplace_back(id, body);
         }
-        for (const WallId id : world.walls()) {
-            const HalfSpace& wall = world.wall(id);
+        for (const WallId id : here.walls()) {
+            const HalfSpace& wall = here.wall(id);
             b2EdgeShape edge;
             const Vec2 middle = wall.normal * wall.offset,
                        along = wall_reach * perpendicular(wall.normal);
@@ -58,11 +58,11 @@ public:
                 if (of == id) return body;
             return ground;
         };
-        for (const JointId id : world.joints()) {
-            const RigidJoint& joint = world.joint(id);
+        for (const JointId id : here.joints()) {
+            const RigidJoint& joint = here.joint(id);
             b2RevoluteJointDef def;
-            def.bodyA = find(world.body_a(id));
-            def.bodyB = find(world.body_b(id));
+            def.bodyA = find(here.body_a(id));
+            def.bodyB = find(here.body_b(id));
             def.localAnchorA = vector(joint.at_a);
             def.localAnchorB = vector(joint.at_b);
             def.referenceAngle = static_cast<float>(joint.angle);
@@ -97,16 +97,16 @@ private:
     {
         return {static_cast<float>(v.x()), static_cast<float>(v.y())};
     }
-    static void add_shape(b2Body& body, const World& world, BodyId id)
+    static void add_shape(b2Body& body, const World& here, BodyId id)
     {
-        const Polygon& shape = world.shape(id);
+        const Polygon& shape = here.shape(id);
         b2PolygonShape polygon;
         b2CircleShape circle;
         b2FixtureDef def;
         def.density = 1;
-        def.friction = static_cast<float>(world.surface(id).friction);
-        def.restitution = static_cast<float>(world.surface(id).restitution);
-        def.filter.groupIndex = static_cast<std::int16_t>(world.filter(id).group);
+        def.friction = static_cast<float>(here.surface(id).friction);
+        def.restitution = static_cast<float>(here.surface(id).restitution);
+        def.filter.groupIndex = static_cast<std::int16_t>(here.filter(id).group);
         if (shape.vertices.size() == 1) {
             circle.m_radius = static_cast<float>(shape.radius);
             def.shape = &circle;

@@ -15,31 +15,31 @@ namespace rigid {
 
 class ChipmunkWorld {
 public:
-    explicit ChipmunkWorld(const World& world, bool sleeps = true, int substeps = 1)
+    explicit ChipmunkWorld(const World& here, bool sleeps = true, int substeps = 1)
         : space_(cpSpaceNew()), substeps_(substeps)
     {
-        cpSpaceSetGravity(space_, vector(world.settings().gravity));
+        cpSpaceSetGravity(space_, vector(here.settings().gravity));
         cpSpaceSetIterations(space_, 10);
         cpSpaceSetCollisionSlop(space_, 5e-3);
         cpSpaceSetSleepTimeThreshold(space_,
                                      sleeps ? 0.5 : static_cast<cpFloat>(infinity));
-        for (const BodyId id : world.bodies()) {
-            const bool moves = world.mass(id) < infinity;
+        for (const BodyId id : here.bodies()) {
+            const bool moves = here.mass(id) < infinity;
             cpBody* const body = cpSpaceAddBody(
-                space_, moves ? cpBodyNew(world.mass(id), world.inertia(id))
+                space_, moves ? cpBodyNew(here.mass(id), here.inertia(id))
                               : cpBodyNewStatic());
-            cpBodySetPosition(body, vector(world.position(id)));
-            cpBodySetAngle(body, world.angle(id));
+            cpBodySetPosition(body, vector(here.position(id)));
+            cpBodySetAngle(body, here.angle(id));
             if (moves) {
-                cpBodySetVelocity(body, vector(world.velocity(id)));
-                cpBodySetAngularVelocity(body, world.spin(id));
+                cpBodySetVelocity(body, vector(here.velocity(id)));
+                cpBodySetAngularVelocity(body, here.spin(id));
             }
             bodies_.push_back(body);
             ids_.push_back(id);
-            add_shape(body, world, id);
+            add_shape(body, here, id);
         }
-        for (const WallId id : world.walls()) {
-            const HalfSpace& wall = world.wall(id);
+        for (const WallId id : here.walls()) {
+            const HalfSpace& wall = here.wall(id);
             const Vec2 middle = (wall.offset - 10) * wall.normal,
                        along = wall_reach * perpendicular(wall.normal);
             add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_),
@@ -47,10 +47,10 @@ public:
                                   10),
                 0.6, 0, 0);
         }
-        for (const JointId id : world.joints()) {
-            const RigidJoint& joint = world.joint(id);
-            cpBody *const a = find(world.body_a(id)), *const b =
-                                                          find(world.body_b(id));
+        for (const JointId id : here.joints()) {
+            const RigidJoint& joint = here.joint(id);
+            cpBody *const a = find(here.body_a(id)), *const b =
+                                                         find(here.body_b(id));
             add(cpPivotJointNew2(a, b, vector(joint.at_a), vector(joint.at_b)));
             if (joint.lower > -infinity)
                 add(cpRotaryLimitJointNew(a, b, joint.lower + joint.angle,
@@ -97,10 +97,10 @@ private:
             if (ids_[k] == id) return bodies_[k];
         return cpSpaceGetStaticBody(space_);
     }
-    void add_shape(cpBody* body, const World& world, BodyId id)
+    void add_shape(cpBody* body, const World& here, BodyId id)
     {
-        const Polygon& shape = world.shape(id);
-        const Surface& surface = world.surface(id);
+        const Polygon& shape = here.shape(id);
+        const Surface& surface = here.surface(id);
         std::vector<cpVect> points;
         for (const Vec2& v : shape.vertices) points.push_back(vector(v));
         cpShape* const made =
@@ -109,7 +109,7 @@ private:
                 ? cpSegmentShapeNew(body, points[0], points[1], shape.radius)
                 : cpPolyShapeNew(body, static_cast<int>(points.size()),
                                  points.data(), cpTransformIdentity, shape.radius);
-        add(made, surface.friction, surface.restitution, world.filter(id).group);
+        add(made, surface.friction, surface.restitution, here.filter(id).group);
     }
     /// Of two it takes the product: each has the root.
     void add(cpShape* shape, Real mu, Real restitution, int group)
