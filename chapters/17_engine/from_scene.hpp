@@ -14,7 +14,7 @@ namespace rigid {
 /// \param filter  of all its bodies
 /// \return        the ids of its bodies, in their order
 /// Throws std::invalid_argument for a scene with rows in scene.joints that are no joint's of chapter 14.
-inline std::vector<BodyId> put_in(World& world, const JointedScene& scene,
+inline std::vector<BodyId> put_in(World& into, const JointedScene& scene,
                                   const Filter& filter = {})
 {
     std::size_t rows = 0;
@@ -39,29 +39,29 @@ inline std::vector<BodyId> put_in(World& world, const JointedScene& scene,
         body.surface =
             scene.surfaces.empty() ? Surface{0, 0, 0, 0} : scene.surfaces[i];
         body.filter = filter;
-        ids.push_back(world.add_body(body));
+        ids.push_back(into.add_body(body));
     }
     for (std::size_t i = 0; i < scene.walls.size(); ++i)
-        world.add_wall(scene.walls[i], i < scene.wall_surfaces.size()
-                                           ? scene.wall_surfaces[i]
-                                           : Surface{0, 0, 0, 0});
+        into.add_wall(scene.walls[i], i < scene.wall_surfaces.size()
+                                          ? scene.wall_surfaces[i]
+                                          : Surface{0, 0, 0, 0});
     for (const PlacedJoint& placed : scene.placed) {
         const Index a = placed.joint.a;
-        world.add_joint(
-            a == rigid::world ? BodyId{} : ids[static_cast<std::size_t>(a)],
-            ids[static_cast<std::size_t>(placed.joint.b)], placed.joint);
+        into.add_joint(a == rigid::world ? BodyId{}
+                                         : ids[static_cast<std::size_t>(a)],
+                       ids[static_cast<std::size_t>(placed.joint.b)], placed.joint);
     }
     return ids;
 }
 //! [put_in]
 
 /// The same of a scene without joints.
-inline std::vector<BodyId> put_in(World& world, const RoughScene& scene,
+inline std::vector<BodyId> put_in(World& into, const RoughScene& scene,
                                   const Filter& filter = {})
 {
     JointedScene jointed;
     static_cast<RoughScene&>(jointed) = scene;
-    return put_in(world, jointed, filter);
+    return put_in(into, jointed, filter);
 }
 
 }  // namespace rigid

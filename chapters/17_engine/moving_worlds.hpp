@@ -11,42 +11,42 @@ namespace rigid {
 /// Dolls that fall down a staircase.
 inline World dolls_world(int dolls)
 {
-    World world;
+    World made;
     JointedScene stairs;
     add_stairs(stairs, 8);
     cover(stairs, {0.6, 0, 0, 0});
-    put_in(world, stairs);
+    put_in(made, stairs);
     for (int i = 0; i < dolls; ++i) {
         JointedScene doll;
         add_ragdoll(doll, {-0.1 + 0.15 * (i % 3), 3.5 + 1.8 * i});
         cover(doll, {0.6, 0, 0, 0});
         for (Index k = 0; k < 10; ++k) doll.bodies.velocity(k)[0] = 0.8;
-        put_in(world, doll, {1, 0xffff'ffff, -1 - i % 50});
+        put_in(made, doll, {1, 0xffff'ffff, -1 - i % 50});
     }
-    return world;
+    return made;
 }
 
 /// Boxes that are poured into a trough.
 inline World poured_world(int bodies)
 {
-    World world;
+    World made;
     const int wide = std::max(4, static_cast<int>(std::sqrt(bodies)));
-    world.add_wall({{0, 1}, 0});
-    world.add_wall({{1, 0}, -0.4 * wide});
-    world.add_wall({{-1, 0}, -0.4 * wide});
+    made.add_wall({{0, 1}, 0});
+    made.add_wall({{1, 0}, -0.4 * wide});
+    made.add_wall({{-1, 0}, -0.4 * wide});
     for (int i = 0; i < bodies; ++i) {
         const Real x = (i % wide - 0.5 * (wide - 1)) * 0.75 + 0.02 * (i / wide % 3),
                    y = 0.5 + 0.75 * (i / wide);
-        world.add_body(
+        made.add_body(
             body_of(i % 3 == 2 ? disc(0.25) : box(0.5, 0.4), {x, y}, 0.2 * i));
     }
-    return world;
+    return made;
 }
 
 /// A drum of four walls that turns, with boxes in it.
 inline World tumbler_world(int bodies, Real spin)
 {
-    World world;
+    World made;
     const Vec2 sides[] = {{0, -2.1}, {0, 2.1}, {-2.1, 0}, {2.1, 0}};
     for (const Vec2& side : sides) {
         // about one centre: each wall has the velocity that goes with its place
@@ -55,124 +55,124 @@ inline World tumbler_world(int bodies, Real spin)
         wall.filter = meets_no_twin;
         wall.velocity = spin * perpendicular(side);
         wall.spin = spin;
-        world.add_body(wall);
+        made.add_body(wall);
     }
     for (int i = 0; i < bodies; ++i)
-        world.add_body(body_of(box(0.25, 0.25),
-                               {-1.2 + 0.35 * (i % 8), -1.2 + 0.35 * (i / 8)}));
-    return world;
+        made.add_body(body_of(box(0.25, 0.25),
+                              {-1.2 + 0.35 * (i % 8), -1.2 + 0.35 * (i / 8)}));
+    return made;
 }
 
 /// The walls of a drum go on along a circle: in a step each moves along the chord to where it is to be.
-inline void turn_tumbler(World& world, Real spin, Real h)
+inline void turn_tumbler(World& made, Real spin, Real h)
 {
     const Real c = std::cos(spin * h), s = std::sin(spin * h);
-    const std::vector<BodyId> all = world.bodies();
+    const std::vector<BodyId> all = made.bodies();
     for (std::size_t i = 0; i < 4 && i < all.size(); ++i) {
-        const Vec2 p = world.position(all[i]);
+        const Vec2 p = made.position(all[i]);
         const Vec2 next(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-        world.set_velocity(all[i], (next - p) / h, spin);
+        made.set_velocity(all[i], (next - p) / h, spin);
     }
 }
 
 /// Many small piles, far from each other.
 inline World piles_world(int piles)
 {
-    World world;
-    world.add_wall({{0, 1}, 0});
+    World made;
+    made.add_wall({{0, 1}, 0});
     for (int p = 0; p < piles; ++p)
         for (int i = 0; i < 5; ++i)
-            world.add_body(body_of(box(0.5, 0.5), {2.0 * p, 0.25 + 0.5 * i}));
-    return world;
+            made.add_body(body_of(box(0.5, 0.5), {2.0 * p, 0.25 + 0.5 * i}));
+    return made;
 }
 
 /// Dominoes, the first of them pushed.
 inline World domino_world(int count)
 {
-    World world;
-    put_in(world, domino_run(count, 0.5, 0.6, 0.2));
-    return world;
+    World made;
+    put_in(made, domino_run(count, 0.5, 0.6, 0.2));
+    return made;
 }
 
 /// A wall of bricks and a ball of iron.
 inline World bricks_world(int rows, int columns)
 {
-    World world;
-    put_in(world, brick_wall(rows, columns, 0.6, 8));
-    return world;
+    World made;
+    put_in(made, brick_wall(rows, columns, 0.6, 8));
+    return made;
 }
 
 /// Rubble in a trough.
 inline World rubble_world(int bodies, std::uint64_t seed)
 {
-    World world;
+    World made;
     Random random(seed);
-    put_in(world, random_heap(random, bodies, 0.5));
-    return world;
+    put_in(made, random_heap(random, bodies, 0.5));
+    return made;
 }
 
 /// A cart on two sprung rollers with tracks, on a ground of many edges.
 inline World cart_world()
 {
-    World world;
+    World made;
     std::vector<Vec2> ground;
     for (int i = 60; i >= -10; --i)
         ground.push_back(
             {0.5 * i, 0.35 * std::sin(0.45 * i) + 0.1 * std::sin(1.3 * i)});
-    world.add_chain(ground, false, {0.9, 0, 0, 0});
+    made.add_chain(ground, false, {0.9, 0, 0, 0});
     const BodyId cart =
-        world.add_body(body_of(box(1.6, 0.3, 0.05), {0, 1.6}, 0, 30));
+        made.add_body(body_of(box(1.6, 0.3, 0.05), {0, 1.6}, 0, 30));
     for (const Real side : {-0.6, 0.6}) {
         BodyDefinition wheel = body_of(disc(0.3), {side, 1.2}, 0, 20);
         wheel.surface = {0.9, 0, 3, 0};  // tracks run round it
-        const BodyId id = world.add_body(wheel);
-        RigidJoint axle = world.joint_at(JointKind::wheel, cart, id, {side, 1.2});
+        const BodyId id = made.add_body(wheel);
+        RigidJoint axle = made.joint_at(JointKind::wheel, cart, id, {side, 1.2});
         axle.axis = {0, 1};
         axle.spring.stiffness = 4000;
         axle.spring.damping = 300;
-        world.add_joint(cart, id, axle);
+        made.add_joint(cart, id, axle);
     }
-    return world;
+    return made;
 }
 
 /// Balls of two kinds, a ledge for each, and a gate that sees who comes through.
 inline World gates_world()
 {
-    World world;
-    world.add_wall({{0, 1}, -3});
+    World made;
+    made.add_wall({{0, 1}, -3});
     for (int kind = 0; kind < 2; ++kind) {
         BodyDefinition ledge =
             body_of(box(4, 0.2), {-2.0 + 4 * kind, 1}, kind ? -0.3 : 0.3, 0);
         ledge.filter = {4u << kind, 1u << kind, 0};
-        world.add_body(ledge);
+        made.add_body(ledge);
     }
     for (int i = 0; i < 16; ++i) {
         BodyDefinition ball =
             body_of(disc(0.2), {-3.0 + 0.4 * i, 3 + 0.3 * (i % 3)});
         ball.filter.category = i % 2 ? 2 : 1;
-        world.add_body(ball);
+        made.add_body(ball);
     }
     BodyDefinition gate = body_of(box(6, 0.5), {0, -1}, 0, 0);
     gate.sensor = true;
-    world.add_body(gate);
-    return world;
+    made.add_body(gate);
+    return made;
 }
 
 /// Bullets against thin walls.
 inline World bullets_world()
 {
-    World world;
-    world.add_wall({{0, 1}, 0});
-    world.add_body(body_of(box(0.05, 4), {4, 2}, 0, 0));
+    World made;
+    made.add_wall({{0, 1}, 0});
+    made.add_body(body_of(box(0.05, 4), {4, 2}, 0, 0));
     for (int i = 0; i < 8; ++i)
-        world.add_body(body_of(box(0.05, 0.5), {2, 0.25 + 0.5 * i}, 0, 10));
+        made.add_body(body_of(box(0.05, 0.5), {2, 0.25 + 0.5 * i}, 0, 10));
     for (int i = 0; i < 5; ++i) {
         BodyDefinition bullet = body_of(disc(0.05), {-3.0 - 3 * i, 0.5 + 0.6 * i});
         bullet.velocity = {150, 0};
         bullet.bullet = true;
-        world.add_body(bullet);
+        made.add_body(bullet);
     }
-    return world;
+    return made;
 }
 
 }  // namespace rigid

@@ -86,59 +86,57 @@ void again(Reader& io, const Make& make)
     std::apply(make, arguments);
 }
 
-void call_again(World& world, Call call, Reader& io)
+void call_again(World& here, Call call, Reader& io)
 {
     switch (call) {
     case Call::step:
         break;
     case Call::change:
-        return again<WorldSettings>(io, [&](auto& s) { world.change(s); });
+        return again<WorldSettings>(io, [&](auto& s) { here.change(s); });
     case Call::add_body:
-        return again<BodyDefinition>(io, [&](auto& b) { world.add_body(b); });
+        return again<BodyDefinition>(io, [&](auto& b) { here.add_body(b); });
     case Call::add_chain:
         return again<std::vector<Vec2>, bool, Surface, Filter>(
             io, [&](auto& p, bool closed, auto& s, auto& f) {
-                world.add_chain(p, closed, s, f);
+                here.add_chain(p, closed, s, f);
             });
     case Call::remove_body:
-        return again<BodyId>(io, [&](auto b) { world.remove(b); });
+        return again<BodyId>(io, [&](auto b) { here.remove(b); });
     case Call::move:
         return again<BodyId, Vec2, Real>(
-            io, [&](auto b, auto& p, Real angle) { world.move(b, p, angle); });
+            io, [&](auto b, auto& p, Real angle) { here.move(b, p, angle); });
     case Call::set_velocity:
-        return again<BodyId, Vec2, Real>(io, [&](auto b, auto& v, Real spin) {
-            world.set_velocity(b, v, spin);
-        });
+        return again<BodyId, Vec2, Real>(
+            io, [&](auto b, auto& v, Real spin) { here.set_velocity(b, v, spin); });
     case Call::set_surface:
         return again<BodyId, Surface>(
-            io, [&](auto b, auto& s) { world.set_surface(b, s); });
+            io, [&](auto b, auto& s) { here.set_surface(b, s); });
     case Call::set_filter:
         return again<BodyId, Filter>(
-            io, [&](auto b, auto& f) { world.set_filter(b, f); });
+            io, [&](auto b, auto& f) { here.set_filter(b, f); });
     case Call::set_user:
         return again<BodyId, std::uint64_t>(
-            io, [&](auto b, auto u) { world.set_user(b, u); });
+            io, [&](auto b, auto u) { here.set_user(b, u); });
     case Call::wake:
-        return again<BodyId>(io, [&](auto b) { world.wake(b); });
+        return again<BodyId>(io, [&](auto b) { here.wake(b); });
     case Call::push:
         return again<BodyId, Vec2, Vec2>(
-            io, [&](auto b, auto& p, auto& at) { world.push(b, p, at); });
+            io, [&](auto b, auto& p, auto& at) { here.push(b, p, at); });
     case Call::pull:
-        return again<BodyId, Vec2>(io,
-                                   [&](auto b, auto& to) { world.pull(b, to); });
+        return again<BodyId, Vec2>(io, [&](auto b, auto& to) { here.pull(b, to); });
     case Call::add_wall:
         return again<HalfSpace, Surface>(
-            io, [&](auto& w, auto& s) { world.add_wall(w, s); });
+            io, [&](auto& w, auto& s) { here.add_wall(w, s); });
     case Call::remove_wall:
-        return again<WallId>(io, [&](auto w) { world.remove(w); });
+        return again<WallId>(io, [&](auto w) { here.remove(w); });
     case Call::add_joint:
         return again<BodyId, BodyId, RigidJoint>(
-            io, [&](auto a, auto b, auto& how) { world.add_joint(a, b, how); });
+            io, [&](auto a, auto b, auto& how) { here.add_joint(a, b, how); });
     case Call::remove_joint:
-        return again<JointId>(io, [&](auto j) { world.remove(j); });
+        return again<JointId>(io, [&](auto j) { here.remove(j); });
     case Call::change_joint:
         return again<JointId, RigidJoint>(
-            io, [&](auto j, auto& how) { world.change(j, how); });
+            io, [&](auto j, auto& how) { here.change(j, how); });
     }
     Reader::refuse();
 }

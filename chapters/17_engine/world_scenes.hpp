@@ -27,21 +27,21 @@ inline constexpr Filter meets_no_twin{1, 0xffff'ffff, -1};
 inline World world_of(const RigidScene& smooth, Real mu = 0.6,
                       const WorldSettings& settings = {})
 {
-    World world(settings);
+    World made(settings);
     RoughScene scene;
     static_cast<RigidScene&>(scene) = smooth;
     cover(scene, {mu, 0, 0, 0});
-    put_in(world, scene);
-    return world;
+    put_in(made, scene);
+    return made;
 }
 
 inline World pyramid_world(int base) { return world_of(box_pyramid(base)); }
 
 inline World house_world(int storeys)
 {
-    World world;
-    put_in(world, card_house(storeys, 0.6));
-    return world;
+    World made;
+    put_in(made, card_house(storeys, 0.6));
+    return made;
 }
 
 /// Boxes of 1 m on a floor, and one of so many times their mass on top.
@@ -55,27 +55,27 @@ inline World column_world(int boxes, Real ratio = 1)
 /// A chain of thin rods that swings, with a weight of so many rods at its end.
 inline World chain_world(int links, Real ratio)
 {
-    World world;
-    put_in(world, chain_scene({links, 0.1, 0.1, ratio, 0.3}), meets_no_twin);
-    return world;
+    World made;
+    put_in(made, chain_scene({links, 0.1, 0.1, ratio, 0.3}), meets_no_twin);
+    return made;
 }
 
 /// A bridge of planks with balls that fall on it.
 inline World bridge_world(int planks)
 {
-    World world;
+    World made;
     JointedScene scene = bridge_scene(planks);
     cover(scene, {0.6, 0, 0, 0});
-    put_in(world, scene, {1, 0xffff'ffff, -1});
+    put_in(made, scene, {1, 0xffff'ffff, -1});
     for (int i = 0; i < 5; ++i)
-        world.add_body(body_of(disc(0.3), {-2.0 + i, 1.5 + 0.7 * i}, 0, 20));
-    return world;
+        made.add_body(body_of(disc(0.3), {-2.0 + i, 1.5 + 0.7 * i}, 0, 20));
+    return made;
 }
 
 /// Bodies on a net of pins, held by its upper corners.
 inline World grid_world(int side)
 {
-    World world;
+    World made;
     std::vector<BodyId> ids;
     for (int row = 0; row < side; ++row)
         for (int i = 0; i < side; ++i) {
@@ -83,21 +83,21 @@ inline World grid_world(int side)
                 body_of(disc(0.2), {0.5 * i, -0.5 * row}, 0,
                         row == 0 && (i == 0 || i + 1 == side) ? 0 : 1);
             body.filter = meets_no_twin;
-            ids.push_back(world.add_body(body));
+            ids.push_back(made.add_body(body));
             const auto join = [&](std::size_t other, const Vec2& place) {
-                if (world.mass(ids[other]) == infinity &&
-                    world.mass(ids.back()) == infinity)
+                if (made.mass(ids[other]) == infinity &&
+                    made.mass(ids.back()) == infinity)
                     return;
-                world.add_joint(ids[other], ids.back(),
-                                world.joint_at(JointKind::revolute, ids[other],
-                                               ids.back(), place));
+                made.add_joint(ids[other], ids.back(),
+                               made.joint_at(JointKind::revolute, ids[other],
+                                             ids.back(), place));
             };
             if (i > 0) join(ids.size() - 2, {0.5 * i - 0.25, -0.5 * row});
             if (row > 0)
                 join(ids.size() - 1 - static_cast<std::size_t>(side),
                      {0.5 * i, -0.5 * row + 0.25});
         }
-    return world;
+    return made;
 }
 
 }  // namespace rigid

@@ -10,8 +10,15 @@
 /// overlap, gap, crept and sunk are measured by one function for all engines, on poses in doubles. Each by its own
 /// defaults, sleep included; WHO/4 has four sub-steps. A world that is at rest asleep moves no more: that is what sleep is.
 
-#include "chapters/17_engine/benchmark/peer_worlds.hpp"
+#include "chapters/17_engine/benchmark/peer_poses.hpp"
 #include "chapters/17_engine/moving_worlds.hpp"
+
+#ifdef RIGID_HAS_BOX2D
+#include "chapters/17_engine/benchmark/peer_box2d.hpp"
+#endif
+#ifdef RIGID_HAS_CHIPMUNK
+#include "chapters/17_engine/benchmark/peer_chipmunk.hpp"
+#endif
 
 #include <benchmark/benchmark.h>
 

@@ -67,8 +67,8 @@ inline std::vector<Demo> samples()
                    [=](const Settings& settings) {
                        return WorldSetup{tumbler_world(whole(settings["boxes"]),
                                                        settings["spin"]),
-                                         [](World& world, const Settings& s) {
-                                             turn_tumbler(world, s["spin"], s.h);
+                                         [](World& here, const Settings& s) {
+                                             turn_tumbler(here, s["spin"], s.h);
                                          }};
                    });
     tumbler.tunables.insert(

@@ -31,39 +31,39 @@ public:
 
     void step(const Settings& settings, const Input& input) override
     {
-        World& world = setup_.world;
-        WorldSettings how = world.settings();
+        World& here = setup_.world;
+        WorldSettings how = here.settings();
         how.substeps = static_cast<int>(settings["substeps"]);
         how.sleep = settings["sleep"] > 0;
         how.solving = settings.method == "exact"    ? Solving::exact
                       : settings.method == "sweeps" ? Solving::sweeps
                                                     : Solving::by_island;
-        if (how.substeps != world.settings().substeps ||
-            how.sleep != world.settings().sleep ||
-            how.solving != world.settings().solving)
-            world.change(how);
+        if (how.substeps != here.settings().substeps ||
+            how.sleep != here.settings().sleep ||
+            how.solving != here.settings().solving)
+            here.change(how);
         for (; thrown_ < static_cast<int>(settings["thrown"]); ++thrown_)
             throw_one();
         hold(input);
-        if (setup_.before) setup_.before(world, settings);
-        world.step(settings.h);
-        for (const BodyId body : world.bodies())
-            if (!world.position(body).allFinite() ||
-                !world.velocity(body).allFinite())
+        if (setup_.before) setup_.before(here, settings);
+        here.step(settings.h);
+        for (const BodyId body : here.bodies())
+            if (!here.position(body).allFinite() ||
+                !here.velocity(body).allFinite())
                 throw StepFailure("the state of body " +
                                   std::to_string(body.place) + " is not finite");
     }
 
     std::vector<Real> measure() const override
     {
-        const World& world = setup_.world;
-        const StepWork& work = world.work();
-        world.contacts(contacts_);
+        const World& here = setup_.world;
+        const StepWork& work = here.work();
+        here.contacts(contacts_);
         Real overlap = 0, gap = 0;
         for (const ContactView& contact : contacts_)
             overlap = std::max(overlap, -contact.gap);
-        for (const JointId joint : world.joints())
-            if (!world.is_broken(joint)) gap = std::max(gap, world.error(joint));
+        for (const JointId joint : here.joints())
+            if (!here.is_broken(joint)) gap = std::max(gap, here.error(joint));
         return {Real(work.bodies),
                 Real(work.awake),
                 Real(work.contacts),
@@ -80,19 +80,19 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        const World& world = setup_.world;
-        for (const WallId id : world.walls()) {
-            const HalfSpace& wall = world.wall(id);
+        const World& here = setup_.world;
+        for (const WallId id : here.walls()) {
+            const HalfSpace& wall = here.wall(id);
             const Vec2 middle = wall.normal * wall.offset,
                        along = 200 * perpendicular(wall.normal);
             canvas.segment(middle - along, middle + along, paint::wall);
         }
-        for (const BodyId body : world.bodies()) paint_body(canvas, body);
-        for (const JointId joint : world.joints()) {
-            if (world.is_broken(joint)) continue;
-            const RigidJoint& it = world.joint(joint);
-            const Vec2 a = world.point_of(world.body_a(joint), it.at_a),
-                       b = world.point_of(world.body_b(joint), it.at_b);
+        for (const BodyId body : here.bodies()) paint_body(canvas, body);
+        for (const JointId joint : here.joints()) {
+            if (here.is_broken(joint)) continue;
+            const RigidJoint& it = here.joint(joint);
+            const Vec2 a = here.point_of(here.body_a(joint), it.at_a),
+                       b = here.point_of(here.body_b(joint), it.at_b);
             if ((a - b).norm() > 0.02)
                 canvas.segment(a, b, {Colour::purple, 2, 1, false, false});
             canvas.disc(b, 0.02, {Colour::orange, 1, 1, true, false});
@@ -102,18 +102,17 @@ public:
 private:
     void paint_body(Canvas& canvas, BodyId body) const
     {
-        const World& world = setup_.world;
-        const Polygon& shape = world.shape(body);
-        Style style = world.mass(body) < infinity ? paint::body : paint::fixed_body;
-        if (world.mass(body) < infinity && !world.is_awake(body))
+        const World& here = setup_.world;
+        const Polygon& shape = here.shape(body);
+        Style style = here.mass(body) < infinity ? paint::body : paint::fixed_body;
+        if (here.mass(body) < infinity && !here.is_awake(body))
             style.colour = Colour::purple;
         std::vector<Vec2> corners;
         for (const Vec2& vertex : shape.vertices)
-            corners.push_back(world.point_of(body, vertex));
+            corners.push_back(here.point_of(body, vertex));
         if (corners.size() == 1) {
             canvas.disc(corners[0], shape.radius, style);
-            canvas.segment(corners[0],
-                           world.point_of(body, {0.9 * shape.radius, 0}),
+            canvas.segment(corners[0], here.point_of(body, {0.9 * shape.radius, 0}),
                            {Colour::blue, 1.5, 1, false, false});
         } else if (shape.radius > 0)
             canvas.polygon(rounded_outline(corners, shape.radius), style);
@@ -126,21 +125,21 @@ private:
     /// The hand pulls the body that is nearest to it.
     void hold(const Input& input)
     {
-        World& world = setup_.world;
+        World& here = setup_.world;
         if (!input.pressed) {
-            if (held_) world.pull({});
+            if (held_) here.pull({});
             held_ = {};
             return;
         }
-        if (!held_ || !world.has(held_)) {
+        if (!held_ || !here.has(held_)) {
             Real nearest = infinity;
-            for (const BodyId body : world.bodies()) {
-                const Real d = (world.position(body) - input.pointer).norm();
-                if (world.mass(body) < infinity && d < nearest)
+            for (const BodyId body : here.bodies()) {
+                const Real d = (here.position(body) - input.pointer).norm();
+                if (here.mass(body) < infinity && d < nearest)
                     nearest = d, held_ = body;
             }
         }
-        if (held_) world.pull(held_, input.pointer);
+        if (held_) here.pull(held_, input.pointer);
     }
 
     void throw_one()
