@@ -17,7 +17,7 @@ using Catch::Contains;
 
 namespace {
 
-constexpr Real h = 1.0 / 60;
+constexpr Real frame = 1.0 / 60;
 
 /// Boxes on a floor, of these masses, as the rows of a step.
 IslandShape shape_of_tower(const std::vector<Real>& masses)
@@ -29,7 +29,7 @@ IslandShape shape_of_tower(const std::vector<Real>& masses)
     cover(scene, {0.6, 0, 0, 0});
     FrictionSweeps<Manifolds> method;
     StepData<3> now;
-    step(scene, {.h = h}, method, now);
+    step(scene, {.h = frame}, method, now);
     Islands islands;
     find_islands(scene.bodies, now, {}, islands);
     REQUIRE(islands.count() == 1);
@@ -67,7 +67,7 @@ TEST_CASE("loops of joints are counted and a net of pins is not given to a dense
 {
     for (const int side : {3, 20}) {
         World world = grid_world(side);
-        world.step(h);
+        world.step(frame);
         // (side − 1)² meshes of two rows each, and the loop through the two bodies that cannot move
         const int loops = 2 * (side - 1) * (side - 1);
         CHECK(world.work().exact == (loops <= 100));
@@ -79,8 +79,8 @@ TEST_CASE("a thousand times as heavy stands on ten boxes and a thousand rods han
 {
     World tower = column_world(10, 1000), chain = chain_world(50, 1000);
     for (int i = 0; i < 240; ++i) {
-        tower.step(h);
-        chain.step(h);
+        tower.step(frame);
+        chain.step(frame);
         CHECK(tower.work().unsolved == 0);
         for (const JointId joint : chain.joints())
             REQUIRE(chain.error(joint) < 1e-6);  // metres, of links of 0.1 m
@@ -97,7 +97,7 @@ TEST_CASE("whatever solves an island it comes to rest at the same place", "[idea
         settings.solving = solving;
         World world(settings);
         put_in(world, card_house(2, 0.6));
-        for (int i = 0; i < 300; ++i) world.step(h);
+        for (int i = 0; i < 300; ++i) world.step(frame);
         height[static_cast<int>(solving)] = world.position(world.bodies().back()).y();
         CHECK(world.work().unsolved == 0);
     }
@@ -117,11 +117,11 @@ TEST_CASE("a steady step asks for no memory", "[house]")
         for (Index k = 0; k < chain.bodies.count(); ++k) chain.bodies.position(k).head<2>() += Vec2(9, 9);
         chain.placed[0].joint.at_a += Vec2(9, 9);
         put_in(world, chain, {1, ~0u, -1});
-        for (int i = 0; i < 300; ++i) world.step(h);
+        for (int i = 0; i < 300; ++i) world.step(frame);
         int count = 0;
         {
             const NoAllocation watch;
-            for (int i = 0; i < 20; ++i) world.step(h);
+            for (int i = 0; i < 20; ++i) world.step(frame);
             count = NoAllocation::violations();
         }
         CHECK(count == 0);
@@ -134,22 +134,22 @@ TEST_CASE("a joint that is taken out holds no more and its place is used again",
     const BodyId bob = world.add_body(body_of(disc(0.2), {1, 5}));
     RigidJoint pin = world.joint_at(JointKind::revolute, {}, bob, {0, 5});
     const JointId first = world.add_joint({}, bob, pin);
-    for (int i = 0; i < 60; ++i) world.step(h);
+    for (int i = 0; i < 60; ++i) world.step(frame);
     CHECK((world.position(bob) - Vec2(0, 5)).norm() == Approx(1).margin(1e-6));
     world.remove(first);
     CHECK(!world.has(first));
     CHECK_THROWS_WITH(world.error(first), Contains("was removed"));
     const Vec2 v = world.velocity(bob);
-    world.step(h);
+    world.step(frame);
     CHECK(world.velocity(bob).x() == Approx(v.x()).epsilon(1e-13));
     const JointId second =
         world.add_joint({}, bob, world.joint_at(JointKind::revolute, {}, bob, world.position(bob)));
     CHECK(second.place == first.place);
-    for (int i = 0; i < 60; ++i) world.step(h);
+    for (int i = 0; i < 60; ++i) world.step(frame);
     CHECK(world.error(second) < 1e-8);
     world.remove(bob);
     CHECK(!world.has(second));
-    world.step(h);
+    world.step(frame);
 }
 
 TEST_CASE("two bodies whose joint is taken out touch again", "[idea]")
@@ -159,9 +159,9 @@ TEST_CASE("two bodies whose joint is taken out touch again", "[idea]")
     const BodyId low = world.add_body(body_of(box(1, 1), {0, 0.5})),
                  high = world.add_body(body_of(box(1, 1), {0, 1.5}));
     const JointId weld = world.add_joint(low, high, world.joint_at(JointKind::weld, low, high, {0, 1}));
-    for (int i = 0; i < 100; ++i) world.step(h);
+    for (int i = 0; i < 100; ++i) world.step(frame);
     world.remove(weld);
-    for (int i = 0; i < 100; ++i) world.step(h);
+    for (int i = 0; i < 100; ++i) world.step(frame);
     CHECK(world.position(high).y() == Approx(1.5).margin(0.012));
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("a joint that breaks is reported once", "[idea]")
     const JointId rope = world.add_joint({}, weight, pin);
     int broken = 0;
     for (int i = 0; i < 120; ++i) {
-        world.step(h);
+        world.step(frame);
         broken += static_cast<int>(world.events().broken.size());
     }
     CHECK(broken == 1);
@@ -192,23 +192,23 @@ TEST_CASE("a body slides over a chain of edges and the chain goes as a whole", "
     BodyDefinition slides = body_of(box(0.6, 0.6), {-8, 0.3});
     slides.velocity = {3, 0};
     const BodyId body = world.add_body(slides);
-    for (int i = 0; i < 120; ++i) world.step(h);
+    for (int i = 0; i < 120; ++i) world.step(frame);
     CHECK(world.velocity(body).x() == Approx(3).margin(1e-9));
     CHECK(world.bodies().size() == 41);
     world.remove(chain);
     CHECK(world.bodies() == std::vector<BodyId>{body});
-    for (int i = 0; i < 30; ++i) world.step(h);
+    for (int i = 0; i < 30; ++i) world.step(frame);
     CHECK(world.position(body).y() < -0.5);
 }
 
 TEST_CASE("a fixed body that is put into a sleeping pile wakes what it touches and nothing else", "[idea]")
 {
     World world = piles_world(3);
-    for (int i = 0; i < 200; ++i) world.step(h);
+    for (int i = 0; i < 200; ++i) world.step(frame);
     REQUIRE(world.work().skipped);
     BodyDefinition wedge = body_of(box(0.5, 0.1), {0.2, 2.52}, 0, 0);
     world.add_body(wedge);
-    world.step(h);
+    world.step(frame);
     int awake = 0;
     const std::vector<BodyId> all = world.bodies();
     for (std::size_t i = 0; i < 15; ++i) {
@@ -221,14 +221,14 @@ TEST_CASE("a fixed body that is put into a sleeping pile wakes what it touches a
 TEST_CASE("another surface or filter of one body wakes that body and no other pile", "[idea]")
 {
     World world = piles_world(2);
-    for (int i = 0; i < 200; ++i) world.step(h);
+    for (int i = 0; i < 200; ++i) world.step(frame);
     const std::vector<BodyId> all = world.bodies();
     world.set_surface(all[0], {0.1, 0, 0, 0});
-    world.step(h);
+    world.step(frame);
     CHECK(world.is_awake(all[0]));
     CHECK(!world.is_awake(all[9]));
     world.set_filter(all[4], {1, 0, 0});  // the top one meets walls alone
-    for (int i = 0; i < 120; ++i) world.step(h);
+    for (int i = 0; i < 120; ++i) world.step(frame);
     CHECK(world.position(all[4]).y() == Approx(0.25).margin(0.006));
     CHECK(!world.is_awake(all[9]));
 }
@@ -252,8 +252,8 @@ TEST_CASE("a world of other units moves as the first one does", "[idea]")
     };
     World one = made(1), other = made(1000);
     for (int i = 0; i < 90; ++i) {
-        one.step(h);
-        other.step(h);
+        one.step(frame);
+        other.step(frame);
     }
     const std::vector<BodyId> a = one.bodies(), b = other.bodies();
     for (std::size_t k = 0; k < a.size(); ++k)
@@ -268,7 +268,7 @@ TEST_CASE("settings at their ends make worlds that step or sentences", "[house]"
         World world(settings);
         world.add_wall({{0, 1}, 0});
         for (int i = 0; i < 4; ++i) world.add_body(body_of(box(1, 1), {0.1 * i, 0.5 + i}));
-        for (int i = 0; i < 120; ++i) world.step(h);
+        for (int i = 0; i < 120; ++i) world.step(frame);
         for (const BodyId body : world.bodies()) CHECK(world.position(body).allFinite());
         return world.position(world.bodies()[3]).y();
     };
@@ -292,11 +292,15 @@ TEST_CASE("settings at their ends make worlds that step or sentences", "[house]"
 TEST_CASE("bad input gets a sentence and changes nothing", "[house]")
 {
     World world = piles_world(1);
-    for (int i = 0; i < 50; ++i) world.step(h);
+    for (int i = 0; i < 50; ++i) world.step(frame);
     const std::string before = world.save();
     const BodyId body = world.bodies()[0];
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     CHECK_THROWS_WITH(world.step(0), Contains("time step h is 0"));
+    BodyDefinition two_coefficients;
+    two_coefficients.surface.kinetic = 0.4;
+    CHECK_THROWS_WITH(world.add_body(two_coefficients),
+                      Contains("kinetic friction coefficient 0.4 beside the static one, 0.6"));
     CHECK_THROWS_WITH(world.step(nan), Contains("time step h is nan"));
     CHECK_THROWS_WITH(world.add_body(body_of(box(1, 1), {nan, 0})), Contains("nan"));
     CHECK_THROWS_WITH(world.add_body(body_of({{}, 1}, {0, 0})), Contains("no vertex"));
@@ -402,12 +406,12 @@ TEST_CASE("hostile worlds stay finite or are refused", "[house]")
             } else if (what == 5) world.move(some(), {x, y}, angle);
             else if (what == 6) world.push(some(), {100 * x, 100 * y}, {x, y});
             else if (!joints.empty() && world.has(joints.back())) world.remove(joints.back());
-            for (int k = 0; k < 4; ++k) world.step(h);
+            for (int k = 0; k < 4; ++k) world.step(frame);
         }
         World again = World::load(world.save());
         for (int k = 0; k < 30; ++k) {
-            world.step(h);
-            again.step(h);
+            world.step(frame);
+            again.step(frame);
         }
         CHECK(again.hash() == world.hash());
         for (const BodyId body : world.bodies()) {
