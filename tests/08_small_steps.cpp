@@ -194,7 +194,8 @@ TEST_CASE("a first step from known impulses leaves a column where it stands", "[
     CHECK(watched(column, cold, 300).overlap > 2e-4);
 }
 
-TEST_CASE("what small steps correct at the end is an overlap beyond the slop and the whole error of a link", "[idea]")
+TEST_CASE("what small steps correct at the end is an overlap beyond the slop and the whole error of a link",
+          "[idea]")
 {
     // No gravity and nothing moves, so that only the projection changes x. Two discs of 0.1 m and a link of 1 m, apart.
     DiscScene scene;
