@@ -30,44 +30,44 @@ BodyDefinition falling(const Polygon& shape, const Vec2& at, Real angle = 0)
 /// A little of everything: a stack, a heavy box on light ones, a chain, a doll's arm, balls, a ledge, a sensor.
 World mixed_world(const WorldSettings& settings = {})
 {
-    World world(settings);
-    world.add_wall({{0, 1}, 0});
-    for (int i = 0; i < 5; ++i) world.add_body(falling(box(1, 1), {0, 0.5 + i}));
+    World engine(settings);
+    engine.add_wall({{0, 1}, 0});
+    for (int i = 0; i < 5; ++i) engine.add_body(falling(box(1, 1), {0, 0.5 + i}));
     for (int i = 0; i < 3; ++i) {
         BodyDefinition b = falling(box(1, 1), {3, 0.5 + i});
         if (i == 2) b.density = 100;
-        world.add_body(b);
+        engine.add_body(b);
     }
     BodyId above{};
     for (int i = 0; i < 6; ++i) {
-        const BodyId link = world.add_body(falling(capsule(0.4, 0.05), {6.25 + 0.5 * i, 6}));
-        RigidJoint pin = world.joint_at(JointKind::revolute, above, link, {6 + 0.5 * i, 6});
+        const BodyId link = engine.add_body(falling(capsule(0.4, 0.05), {6.25 + 0.5 * i, 6}));
+        RigidJoint pin = engine.joint_at(JointKind::revolute, above, link, {6 + 0.5 * i, 6});
         pin.motor.force = i == 3 ? 0.1 : 0;
-        world.add_joint(above, link, pin);
+        engine.add_joint(above, link, pin);
         above = link;
     }
     BodyDefinition ledge = falling(box(2, 0.2), {-4, 2}, 0.3);
     ledge.density = 0;
-    world.add_body(ledge);
+    engine.add_body(ledge);
     for (int i = 0; i < 4; ++i) {
         BodyDefinition ball = falling(disc(0.2 + 0.05 * i), {-4.2 + 0.2 * i, 3 + 0.8 * i});
         ball.surface = {0.4, 0.3, 0, 0};
-        world.add_body(ball);
+        engine.add_body(ball);
     }
     BodyDefinition gate = falling(box(1, 4), {-2.5, 2});
     gate.density = 0;
     gate.sensor = true;
-    world.add_body(gate);
-    return world;
+    engine.add_body(gate);
+    return engine;
 }
 
-void run(World& world, int steps)
+void run(World& engine, int steps)
 {
     for (int i = 0; i < steps; ++i) {
-        world.step(h);
-        for (const BodyId body : world.bodies()) {
-            REQUIRE(world.position(body).allFinite());
-            REQUIRE(std::isfinite(world.angle(body)));
+        engine.step(h);
+        for (const BodyId body : engine.bodies()) {
+            REQUIRE(engine.position(body).allFinite());
+            REQUIRE(std::isfinite(engine.angle(body)));
         }
     }
 }
@@ -76,74 +76,74 @@ void run(World& world, int steps)
 
 TEST_CASE("a ball in a world falls as symplectic Euler says", "[idea]")
 {
-    World world;
-    const BodyId ball = world.add_body(falling(disc(0.5), {0, 100}));
+    World engine;
+    const BodyId ball = engine.add_body(falling(disc(0.5), {0, 100}));
     const int n = 60;
-    for (int i = 0; i < n; ++i) world.step(h);
+    for (int i = 0; i < n; ++i) engine.step(h);
     // y0 - g t²/2 (1 + h/t): chapter 1, to rounding of n sums
-    CHECK(world.position(ball).y() == Approx(100 - 9.81 / 2 * (1 + h)).epsilon(1e-13));
-    CHECK(world.time() == Approx(1).epsilon(1e-14));
+    CHECK(engine.position(ball).y() == Approx(100 - 9.81 / 2 * (1 + h)).epsilon(1e-13));
+    CHECK(engine.time() == Approx(1).epsilon(1e-14));
 }
 
 TEST_CASE("a stack and a heavy box on light ones and a chain come to rest and sleep", "[idea]")
 {
-    World world = mixed_world();
-    run(world, 900);
-    const std::vector<BodyId> all = world.bodies();
+    World engine = mixed_world();
+    run(engine, 900);
+    const std::vector<BodyId> all = engine.bodies();
     for (int i = 0; i < 5; ++i) {
         // within the slop of half a per cent of ℓ for each contact below
-        CHECK(std::abs(world.position(all[static_cast<std::size_t>(i)]).y() - 0.5 - i) < 0.006 * (i + 1));
-        CHECK(!world.is_awake(all[static_cast<std::size_t>(i)]));
+        CHECK(std::abs(engine.position(all[static_cast<std::size_t>(i)]).y() - 0.5 - i) < 0.006 * (i + 1));
+        CHECK(!engine.is_awake(all[static_cast<std::size_t>(i)]));
     }
     // 100 times as heavy as the two below it
-    CHECK(world.position(all[7]).y() > 2.5 - 3 * 0.006);
+    CHECK(engine.position(all[7]).y() > 2.5 - 3 * 0.006);
 }
 
 TEST_CASE("a world that sleeps takes no step at all and one that is touched wakes", "[idea]")
 {
-    World world;
-    world.add_wall({{0, 1}, 0});
+    World engine;
+    engine.add_wall({{0, 1}, 0});
     std::vector<BodyId> boxes;
     for (int i = 0; i < 8; ++i)
-        boxes.push_back(world.add_body(falling(box(1, 1), {i < 5 ? 0.0 : 3.0, 0.5 + i % 5})));
+        boxes.push_back(engine.add_body(falling(box(1, 1), {i < 5 ? 0.0 : 3.0, 0.5 + i % 5})));
     const BodyId low = boxes[0];
     int steps = 0;
-    while (!world.work().skipped && ++steps < 600) world.step(h);
-    REQUIRE(world.work().skipped);
-    const std::uint64_t before = world.hash();
-    run(world, 10);
-    CHECK(world.hash() == before);
-    world.push(low, {0, 20}, world.position(low));
-    world.step(h);
-    CHECK(world.is_awake(low));
-    CHECK(!world.is_awake(boxes[6]));  // the other stack
+    while (!engine.work().skipped && ++steps < 600) engine.step(h);
+    REQUIRE(engine.work().skipped);
+    const std::uint64_t before = engine.hash();
+    run(engine, 10);
+    CHECK(engine.hash() == before);
+    engine.push(low, {0, 20}, engine.position(low));
+    engine.step(h);
+    CHECK(engine.is_awake(low));
+    CHECK(!engine.is_awake(boxes[6]));  // the other stack
 }
 
 TEST_CASE("what lay on a body that is taken out falls and ids of what is gone are refused", "[idea]")
 {
-    World world;
-    world.add_wall({{0, 1}, 0});
-    const BodyId low = world.add_body(falling(box(1, 1), {0, 0.5})),
-                 high = world.add_body(falling(box(1, 1), {0, 1.5})),
-                 far = world.add_body(falling(box(1, 1), {5, 0.5}));
-    run(world, 200);
-    REQUIRE(!world.is_awake(high));
-    world.remove(low);
-    CHECK(!world.has(low));
-    world.step(h);
-    CHECK(world.is_awake(high));
-    CHECK(!world.is_awake(far));
-    run(world, 120);
-    CHECK(world.position(high).y() == Approx(0.5).margin(0.006));
+    World engine;
+    engine.add_wall({{0, 1}, 0});
+    const BodyId low = engine.add_body(falling(box(1, 1), {0, 0.5})),
+                 high = engine.add_body(falling(box(1, 1), {0, 1.5})),
+                 far = engine.add_body(falling(box(1, 1), {5, 0.5}));
+    run(engine, 200);
+    REQUIRE(!engine.is_awake(high));
+    engine.remove(low);
+    CHECK(!engine.has(low));
+    engine.step(h);
+    CHECK(engine.is_awake(high));
+    CHECK(!engine.is_awake(far));
+    run(engine, 120);
+    CHECK(engine.position(high).y() == Approx(0.5).margin(0.006));
 
-    CHECK_THROWS_AS(world.position(low), std::invalid_argument);
-    const BodyId next = world.add_body(falling(disc(0.3), {2, 4}));
+    CHECK_THROWS_AS(engine.position(low), std::invalid_argument);
+    const BodyId next = engine.add_body(falling(disc(0.3), {2, 4}));
     CHECK(next.place == low.place);  // the place is used again
     CHECK(next != low);
-    CHECK_THROWS_AS(world.position(low), std::invalid_argument);
-    CHECK(!world.is_awake(far));
-    run(world, 300);
-    CHECK(world.position(next).y() == Approx(0.3).margin(0.006));
+    CHECK_THROWS_AS(engine.position(low), std::invalid_argument);
+    CHECK(!engine.is_awake(far));
+    run(engine, 300);
+    CHECK(engine.position(next).y() == Approx(0.3).margin(0.006));
 }
 
 TEST_CASE("a world that was saved and loaded goes on to the same bits", "[idea]")
@@ -156,7 +156,8 @@ TEST_CASE("a world that was saved and loaded goes on to the same bits", "[idea]"
         CHECK(other.save() == one.save());
         for (int i = 0; i < 150; ++i) {
             if (i == 40)
-                for (World* const world : {&one, &other}) world->push(world->bodies()[2], {3, 1}, {0.2, 2.6});
+                for (World* const engine : {&one, &other})
+                    engine->push(engine->bodies()[2], {3, 1}, {0.2, 2.6});
             one.step(h);
             other.step(h);
             REQUIRE(other.hash() == one.hash());
@@ -169,30 +170,30 @@ TEST_CASE("a world that was saved and loaded goes on to the same bits", "[idea]"
 
 TEST_CASE("a recording replays to the same bits and says where it does not", "[idea]")
 {
-    World world = mixed_world();
-    run(world, 20);
+    World engine = mixed_world();
+    run(engine, 20);
     Recording film;
-    world.record(&film);
-    run(world, 30);
-    const BodyId ball = world.add_body(falling(disc(0.3), {0.3, 8}));
-    run(world, 60);
-    world.remove(world.bodies()[1]);
-    world.push(ball, {1, 2}, world.position(ball));
-    world.add_joint({}, ball, world.joint_at(JointKind::revolute, {}, ball, {0.3, 6}));
-    run(world, 60);
-    world.record(nullptr);
+    engine.record(&film);
+    run(engine, 30);
+    const BodyId ball = engine.add_body(falling(disc(0.3), {0.3, 8}));
+    run(engine, 60);
+    engine.remove(engine.bodies()[1]);
+    engine.push(ball, {1, 2}, engine.position(ball));
+    engine.add_joint({}, ball, engine.joint_at(JointKind::revolute, {}, ball, {0.3, 6}));
+    run(engine, 60);
+    engine.record(nullptr);
     const Replay again = Recording::load(film.save()).replay();
     CHECK(again.steps == 150);
     CHECK(again.differs_at == -1);
-    CHECK(again.world.hash() == world.hash());
+    CHECK(again.world.hash() == engine.hash());
 }
 
 TEST_CASE("two worlds in two threads do not influence each other", "[idea]")
 {
     World alone = mixed_world(), first = mixed_world(), second = mixed_world();
     for (int i = 0; i < 200; ++i) alone.step(h);
-    const auto go = [](World& world) {
-        for (int i = 0; i < 200; ++i) world.step(h);
+    const auto go = [](World& engine) {
+        for (int i = 0; i < 200; ++i) engine.step(h);
     };
     std::thread one([&] { go(first); }), two([&] { go(second); });
     one.join();
@@ -203,96 +204,96 @@ TEST_CASE("two worlds in two threads do not influence each other", "[idea]")
 
 TEST_CASE("a touch begins once and ends once and a fall is a hit with its speed", "[idea]")
 {
-    World world;
-    const WallId floor = world.add_wall({{0, 1}, 0});
-    const BodyId ball = world.add_body(falling(disc(0.5), {0, 2.5}));
+    World engine;
+    const WallId floor = engine.add_wall({{0, 1}, 0});
+    const BodyId ball = engine.add_body(falling(disc(0.5), {0, 2.5}));
     int began = 0, ended = 0, hits = 0;
     Real speed = 0;
     for (int i = 0; i < 300; ++i) {
-        world.step(h);
-        for (const Touch& touch : world.events().began)
+        engine.step(h);
+        for (const Touch& touch : engine.events().began)
             if (touch.wall == floor && touch.b == ball) ++began;
-        ended += static_cast<int>(world.events().ended.size());
-        for (const Hit& hit : world.events().hits) ++hits, speed = hit.speed;
+        ended += static_cast<int>(engine.events().ended.size());
+        for (const Hit& hit : engine.events().hits) ++hits, speed = hit.speed;
     }
     CHECK(began == 1);
     CHECK(ended == 0);
     CHECK(hits == 1);
     // √(2 g 2 m), to what gravity does in two steps
     CHECK(speed == Approx(std::sqrt(2 * 9.81 * 2)).margin(2 * 9.81 * h));
-    world.remove(ball);
-    world.step(h);
-    REQUIRE(world.events().ended.size() == 1);
-    CHECK(world.events().ended[0].b == ball);
+    engine.remove(ball);
+    engine.step(h);
+    REQUIRE(engine.events().ended.size() == 1);
+    CHECK(engine.events().ended[0].b == ball);
 }
 
 TEST_CASE("a sensor sees what comes in and what leaves and pushes nothing", "[idea]")
 {
-    World world;
-    const BodyId ball = world.add_body(falling(disc(0.25), {0, 3}));
+    World engine;
+    const BodyId ball = engine.add_body(falling(disc(0.25), {0, 3}));
     BodyDefinition gate = falling(box(2, 1), {0, 0});
     gate.density = 0;
     gate.sensor = true;
-    const BodyId sensor = world.add_body(gate);
+    const BodyId sensor = engine.add_body(gate);
     int entered = 0, left = 0;
     for (int i = 0; i < 120; ++i) {
-        world.step(h);
-        for (const Seen& seen : world.events().entered) {
+        engine.step(h);
+        for (const Seen& seen : engine.events().entered) {
             ++entered;
             CHECK(seen == Seen{sensor, ball});
-            CHECK(world.position(ball).y() == Approx(0.75).margin(0.2));
+            CHECK(engine.position(ball).y() == Approx(0.75).margin(0.2));
         }
-        left += static_cast<int>(world.events().left.size());
+        left += static_cast<int>(engine.events().left.size());
     }
     CHECK(entered == 1);
     CHECK(left == 1);
-    CHECK(world.velocity(ball).y() == Approx(-9.81 * 2));
+    CHECK(engine.velocity(ball).y() == Approx(-9.81 * 2));
 }
 
 TEST_CASE("filters let through whom they should", "[idea]")
 {
     for (const bool same_group : {false, true}) {
-        World world;
+        World engine;
         BodyDefinition ledge = falling(box(4, 1), {0, 0});
         ledge.density = 0;
         ledge.filter.category = 2;
         ledge.filter.group = 7;
-        world.add_body(ledge);
+        engine.add_body(ledge);
         BodyDefinition ball = falling(disc(0.25), {0, 3});
         ball.filter.meets = ~2u;
         if (same_group) ball.filter.group = 7;  // stronger than masks
-        const BodyId id = world.add_body(ball);
-        run(world, 120);
-        if (same_group) CHECK(world.position(id).y() == Approx(0.75).margin(0.006));
-        else CHECK(world.position(id).y() < -5);
+        const BodyId id = engine.add_body(ball);
+        run(engine, 120);
+        if (same_group) CHECK(engine.position(id).y() == Approx(0.75).margin(0.006));
+        else CHECK(engine.position(id).y() < -5);
     }
 }
 
 TEST_CASE("rays and casts and overlaps find what is there", "[idea]")
 {
-    World world;
-    const WallId floor = world.add_wall({{0, 1}, 0});
-    const BodyId left = world.add_body(falling(box(1, 1), {-3, 0.5})),
-                 right = world.add_body(falling(disc(0.5), {3, 0.5}));
+    World engine;
+    const WallId floor = engine.add_wall({{0, 1}, 0});
+    const BodyId left = engine.add_body(falling(box(1, 1), {-3, 0.5})),
+                 right = engine.add_body(falling(disc(0.5), {3, 0.5}));
     for (const bool stepped : {false, true}) {
-        if (stepped) run(world, 100);
-        const auto met = world.ray({0, 0.5}, {10, 0});
+        if (stepped) run(engine, 100);
+        const auto met = engine.ray({0, 0.5}, {10, 0});
         REQUIRE(met);
         CHECK(met->body == right);
         CHECK(met->point.x() == Approx(2.5).margin(1e-3));
         CHECK(met->normal.x() == Approx(-1).margin(1e-3));
-        const auto down = world.ray({0, 2}, {0, -4});
+        const auto down = engine.ray({0, 2}, {0, -4});
         REQUIRE(down);
         CHECK(down->wall == floor);
         CHECK(down->part == Approx(0.5));
-        CHECK(!world.ray({0, 2}, {0, -1.9}));
-        const auto cast = world.cast(box(1, 1), {0, 0.6}, 0, {-10, 0});
+        CHECK(!engine.ray({0, 2}, {0, -1.9}));
+        const auto cast = engine.cast(box(1, 1), {0, 0.6}, 0, {-10, 0});
         REQUIRE(cast);
         CHECK(cast->body == left);
         CHECK(10 * cast->part == Approx(2).margin(1e-4));
-        CHECK(world.overlapping(box(8, 0.5), {0, 0.5}) == std::vector<BodyId>{left, right});
-        CHECK(world.at({-3.4, 0.9}) == std::vector<BodyId>{left});
-        CHECK(world.at({0, 0.9}).empty());
+        CHECK(engine.overlapping(box(8, 0.5), {0, 0.5}) == std::vector<BodyId>{left, right});
+        CHECK(engine.at({-3.4, 0.9}) == std::vector<BodyId>{left});
+        CHECK(engine.at({0, 0.9}).empty());
     }
 }
 
@@ -303,16 +304,16 @@ TEST_CASE("a bullet is stopped and others pass a thin wall only where they are a
             WorldSettings settings;
             settings.gravity = {0, 0};
             settings.stop_fast = stop;
-            World world(settings);
+            World engine(settings);
             BodyDefinition wall = falling(box(0.05, 10), {0, 0});
             wall.density = 0;
-            world.add_body(wall);
+            engine.add_body(wall);
             BodyDefinition ball = falling(disc(0.1), {-3, 0});
             ball.velocity = {300, 0};
             ball.bullet = bullet;
-            const BodyId id = world.add_body(ball);
-            run(world, 10);
-            CHECK((world.position(id).x() < 0) == (stop || bullet));
+            const BodyId id = engine.add_body(ball);
+            run(engine, 10);
+            CHECK((engine.position(id).x() < 0) == (stop || bullet));
         }
 }
 
@@ -320,7 +321,7 @@ TEST_CASE("the momentum of bodies that only meet each other stays", "[idea]")
 {
     WorldSettings settings;
     settings.gravity = {0, 0};
-    World world(settings);
+    World engine(settings);
     Random random(3);
     for (int i = 0; i < 40; ++i) {
         const Real x = random.uniform(-3, 3), y = random.uniform(-3, 3), angle = random.uniform(0, 6);
@@ -328,19 +329,19 @@ TEST_CASE("the momentum of bodies that only meet each other stays", "[idea]")
         body.density = random.uniform(0.5, 5);
         const Real vx = random.uniform(-2, 2), vy = random.uniform(-2, 2);
         body.velocity = {vx, vy};
-        world.add_body(body);
+        engine.add_body(body);
     }
     const auto momenta = [&] {
         Vec<3> sum = Vec<3>::Zero();
-        for (const BodyId body : world.bodies()) {
-            const Vec2 p = world.mass(body) * world.velocity(body);
+        for (const BodyId body : engine.bodies()) {
+            const Vec2 p = engine.mass(body) * engine.velocity(body);
             sum += Vec<3>(p.x(), p.y(),
-                          cross2(world.position(body), p) + world.inertia(body) * world.spin(body));
+                          cross2(engine.position(body), p) + engine.inertia(body) * engine.spin(body));
         }
         return sum;
     };
     const Vec<3> before = momenta();
-    run(world, 200);
+    run(engine, 200);
     const Vec<3> change = momenta() - before;
     // rounding of some thousand impulses of up to 10 N s
     CHECK(change.head<2>().norm() < 1e-10);
