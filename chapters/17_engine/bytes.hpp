@@ -11,7 +11,6 @@
 #include "common/math.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -52,7 +51,7 @@ public:
     {
         std::uint64_t bits = 0;
         if constexpr (std::is_same_v<T, Real>)
-            bits = std::bit_cast<std::uint64_t>(number);
+            bits = Eigen::numext::bit_cast<std::uint64_t>(number);
         else bits = static_cast<std::uint64_t>(number);
         for (int i = 0; i < 8; ++i)
             bytes.push_back(static_cast<char>(bits >> 8 * i & 0xff));
@@ -116,7 +115,8 @@ public:
         for (std::size_t i = 0; i < 8; ++i)
             bits |= std::uint64_t{static_cast<unsigned char>(bytes_[i])} << 8 * i;
         bytes_.remove_prefix(8);
-        if constexpr (std::is_same_v<T, Real>) number = std::bit_cast<Real>(bits);
+        if constexpr (std::is_same_v<T, Real>)
+            number = Eigen::numext::bit_cast<Real>(bits);
         else {
             number = static_cast<T>(bits);
             if (static_cast<std::uint64_t>(number) != bits) refuse();
