@@ -35,11 +35,11 @@ foreach(main ${mains})
   target_compile_options(${chapter} PRIVATE ${fast})
   target_link_options(${chapter} PRIVATE -msimd128)
   if(chapter MATCHES "^1[3-7]_")   # they have the most methods, and would weigh more than 200 kB
-    target_link_options(${chapter} PRIVATE -Os)
+    target_link_options(${chapter} PRIVATE -Oz)
   else()
     target_compile_options(${chapter} PRIVATE -O3)
   endif()
-  if(chapter STREQUAL 14_joints)
+  if(chapter MATCHES "^(13|14|17)_")
     target_compile_options(${chapter} PRIVATE ${small})
   endif()
   target_include_directories(${chapter} BEFORE PRIVATE cmake/web)   # headers in place of those that need files
