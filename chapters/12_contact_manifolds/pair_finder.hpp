@@ -1,6 +1,6 @@
 /// \file pair_finder.hpp
-/// Which pairs of bodies are to be looked at: their boxes overlap (in the grid also the circles around them), one of them can move, no joint keeps them apart, and the filter
-/// lets them meet.
+/// Which pairs of bodies are to be looked at: their boxes overlap (in the grid also the circles around them), one of them
+/// can move, no joint keeps them apart, and the filter lets them meet.
 #pragma once
 
 #include "chapters/10_skipping_work/collision_filter.hpp"
@@ -165,7 +165,7 @@ private:
         list_joints(scene);
     }
 
-    /// A body whose shape has changed is entered anew.
+    /// A body whose shape has changed is entered again.
     void put_in_grid(const RigidScene& scene, Index k, Real margin)
     {
         const auto at = static_cast<std::size_t>(k);

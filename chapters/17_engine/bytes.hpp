@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -85,6 +86,12 @@ public:
         for (const T& thing : list) one(thing);
     }
     template <class T>
+    void one(const std::optional<T>& thing)
+    {
+        one(thing.has_value());
+        if (thing) one(*thing);
+    }
+    template <class T>
     requires(!Number<T>) void one(const T& thing)
     {
         members(*this, const_cast<T&>(thing));  // a writer changes nothing
@@ -154,6 +161,14 @@ public:
     void one(std::array<T, N>& list)
     {
         for (T& thing : list) one(thing);
+    }
+    template <class T>
+    void one(std::optional<T>& thing)
+    {
+        bool given = false;
+        one(given);
+        if (given) one(thing.emplace());
+        else thing.reset();
     }
     template <class T>
     requires(!Number<T>) void one(T& thing) { members(*this, thing); }

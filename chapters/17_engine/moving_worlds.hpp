@@ -135,7 +135,7 @@ inline World cart_world()
     return made;
 }
 
-/// Balls of two kinds, a ledge for each, and a gate that sees who comes through.
+/// Balls of two kinds, a ledge for each, and a gate that sees what comes through.
 inline World gates_world()
 {
     World made;

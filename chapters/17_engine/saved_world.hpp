@@ -19,7 +19,7 @@ void members(Archive& io, Polygon& it)
 template <class Archive>
 void members(Archive& io, Surface& it)
 {
-    io(it.friction, it.restitution, it.belt, it.rolling);
+    io(it.friction, it.restitution, it.belt, it.rolling, it.kinetic);
 }
 template <class Archive>
 void members(Archive& io, HalfSpace& it)
@@ -103,11 +103,7 @@ void members(Archive& io, Mass& it)
 template <class Archive>
 void members(Archive& io, BodyDefinition& it)
 {
-    bool given = it.mass.has_value();
-    io(given);
-    if (given && !it.mass) it.mass.emplace();
-    if (given) io(*it.mass);
-    io(it.shape, it.position, it.angle, it.velocity, it.spin, it.density,
+    io(it.mass, it.shape, it.position, it.angle, it.velocity, it.spin, it.density,
        it.surface, it.filter, it.sensor, it.bullet, it.user);
 }
 template <class Archive>
@@ -210,7 +206,7 @@ void members(Archive& io, EngineState& it)
        it.pulled_to, it.changed);
     // what begins the next step's answer
     io(it.method.start.cache.entries, it.method.start.cache.h);
-    // who is awake, and with what the sleepers will wake
+    // which bodies are awake, and with what the sleepers will wake
     AwakeManifolds& sleepers = it.awake();
     io(sleepers.set, sleepers.rests, sleepers.forces, sleepers.u_before,
        sleepers.changed, sleepers.length, sleepers.margin, sleepers.conditions,

@@ -63,7 +63,7 @@ struct World::State : EngineState {
         Manifolds& stage = sleepers.touching;
         const bool looked = stage.finder.tested >= 0;
         for (const int k : now.active) displace(k);
-        if (now.active.empty()) {  // nobody is awake: nothing touches anew
+        if (now.active.empty()) {  // nothing is awake, so no touch begins
             now.sources.clear();
             now.contacts.clear();
         }

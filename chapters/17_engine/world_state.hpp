@@ -141,7 +141,7 @@ struct EngineState {
         solver.solving = settings.solving;
         solver.tolerance = settings.tolerance;
         solver.rule.at_most = settings.most_exact;
-        solver.rule.always = std::min(solver.rule.always, settings.most_exact);
+        solver.rule.always = std::min(ChoiceRule{}.always, settings.most_exact);
         solver.exact.most_exact = solver.rescuer.most_exact = settings.most_exact;
         solver.sweeps.sweeps.max_sweeps = settings.sweeps;
         solver.sweeps.sweeps.tolerance = settings.tolerance;
