@@ -117,6 +117,9 @@ TEST_CASE("a steady step asks for no memory", "[house]")
         for (Index k = 0; k < chain.bodies.count(); ++k) chain.bodies.position(k).head<2>() += Vec2(9, 9);
         chain.placed[0].joint.at_a += Vec2(9, 9);
         put_in(engine, chain, {1, ~0u, -1});
+        BodyDefinition gate = body_of(box(2, 2), {0, 0.5}, 0, 0);
+        gate.sensor = true;
+        engine.add_body(gate);
         for (int i = 0; i < 300; ++i) engine.step(frame);
         int count = 0;
         {
@@ -339,7 +342,11 @@ TEST_CASE("the sixty-fourth filter is refused and a filter that nobody has is fr
     BodyDefinition body = body_of(disc(0.1), {0, 5});
     body.filter.category = 1000;
     CHECK_THROWS_WITH(engine.add_body(body), Contains("63 filters"));
+    // a body that is the only one with its filter gives it up for another
+    CHECK_NOTHROW(engine.set_filter(all[8], body.filter));
+    CHECK(engine.filter(all[8]) == body.filter);
     engine.remove(all[7]);
+    body.filter.category = 1001;
     CHECK_NOTHROW(engine.add_body(body));
 }
 

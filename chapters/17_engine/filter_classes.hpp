@@ -46,6 +46,19 @@ struct FilterClasses {
                     lets_meet(filter, filters[static_cast<std::size_t>(g)]));
         return static_cast<std::uint8_t>(place);
     }
+    /// The group of the new filter of a body of `group`. Throws as enter() does, and
+    /// then nothing has changed.
+    std::uint8_t change(std::uint8_t group, const Filter& filter,
+                        CollisionFilter& table)
+    {
+        leave(group);  // first: it may be the only one with its filter
+        try {
+            return enter(filter, table);
+        } catch (...) {
+            if (group != nothing) ++users[group];
+            throw;
+        }
+    }
     void leave(std::uint8_t group)
     {
         if (group != nothing) --users[group];

@@ -2,7 +2,7 @@
 /// What an island looks like to a solver: how many rows, how long, how uneven its masses, how many loops; and from
 /// these, whether sweeps or an exact solve is the better one for it.
 ///
-///     sweeps needed  ≈  N² r            N rows from the ground to the farthest body, r largest mass over smallest     (17.1)
+///     sweeps needed  ≈  N² r            N bodies from the ground to the farthest one, r largest mass over smallest   (17.1)
 ///
 /// N links in a row need a number of sweeps that grows with N² (4.11), a heavy body on a light one as many times more as it
 /// is heavier (chapter 4). The tree of joints costs n rows, what closes k loops k³, m rows with bounds about m² and more.

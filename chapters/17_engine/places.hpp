@@ -33,6 +33,14 @@ struct Places {
     {
         return {static_cast<std::uint32_t>(place), generation[place]};
     }
+    /// Of all that are taken, in the order of their places.
+    std::vector<Id<Thing>> all() const
+    {
+        std::vector<Id<Thing>> found;
+        for (std::size_t place = 0; place < taken.size(); ++place)
+            if (has(place)) found.push_back(id(place));
+        return found;
+    }
     /// A new place at the end.
     Id<Thing> append()
     {

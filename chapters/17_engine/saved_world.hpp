@@ -215,7 +215,7 @@ void members(Archive& io, EngineState& it)
     Manifolds& stage = sleepers.touching;
     io(stage.touching, stage.resting, stage.finder.filter.group,
        stage.finder.filter.meets);
-    // what a change of would wake somebody
+    // a change of these would wake bodies
     io(it.method.contacts.was_broken, it.method.contacts.contacts.surfaces,
        it.method.contacts.contacts.walls);
 }

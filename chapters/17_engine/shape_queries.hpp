@@ -2,7 +2,7 @@
 /// Questions to a world: what does a ray meet, a shape on its way, a shape where it is?
 ///
 /// Boxes in the tree of the contacts stage answer "nearly", chapter 12's functions for two shapes answer exactly. Shapes
-/// are placed where the bodies are now the first time that somebody asks after a step.
+/// are placed where the bodies are now with the first question after a step.
 #pragma once
 
 #include "chapters/12_contact_manifolds/casts.hpp"
@@ -145,7 +145,9 @@ inline std::optional<Met> first_on_way(const EngineState& state,
 /// What is in the sensors now, against what was in them.
 inline void update_sensors(EngineState& state)
 {
-    std::vector<Seen> now;
+    state.seen_then.swap(state.seen);
+    std::vector<Seen>&now = state.seen, &then = state.seen_then;
+    now.clear();
     const Manifolds& stage = state.awake().touching;
     for (std::size_t s = 0; s < state.notes.size(); ++s) {
         if (!state.bodies.has(s) || !state.notes[s].sensor) continue;
@@ -156,11 +158,10 @@ inline void update_sensors(EngineState& state)
                          });
     }
     std::sort(now.begin(), now.end());
-    std::set_difference(now.begin(), now.end(), state.seen.begin(),
-                        state.seen.end(), std::back_inserter(state.events.entered));
-    std::set_difference(state.seen.begin(), state.seen.end(), now.begin(),
-                        now.end(), std::back_inserter(state.events.left));
-    state.seen.swap(now);
+    std::set_difference(now.begin(), now.end(), then.begin(), then.end(),
+                        std::back_inserter(state.events.entered));
+    std::set_difference(then.begin(), then.end(), now.begin(), now.end(),
+                        std::back_inserter(state.events.left));
 }
 //! [sensors]
 

@@ -22,6 +22,14 @@ struct TouchKey {
     auto operator<=>(const TouchKey&) const = default;
 };
 
+/// Which wall of the scene a body's contact with one is with.
+inline std::size_t wall_of(const RigidScene& scene, const Contact& contact)
+{
+    const auto corners = static_cast<Index>(
+        scene.shapes[static_cast<std::size_t>(contact.b)].vertices.size());
+    return static_cast<std::size_t>(contact.feature / corners);
+}
+
 /// A pair that touches, under the names that it had when it began.
 struct HeldTouch {
     TouchKey key;
@@ -100,12 +108,8 @@ private:
                 now.contacts[static_cast<std::size_t>(source.index)];
             TouchKey key{static_cast<int>(contact.a), static_cast<int>(contact.b),
                          -1};
-            if (contact.a == world) {
-                const auto corners = static_cast<Index>(
-                    scene.shapes[static_cast<std::size_t>(contact.b)]
-                        .vertices.size());
-                key.wall = static_cast<int>(contact.feature / corners);
-            }
+            if (contact.a == world)
+                key.wall = static_cast<int>(wall_of(scene, contact));
             if (pairs_.empty() || pairs_.back().key != key)
                 pairs_.push_back({key, source.index, false, false});
             Pair& pair = pairs_.back();

@@ -73,7 +73,7 @@ void World::step(Real h)
     s.work = {};
     s.work.bodies = s.bodies.count;
     AwakeManifolds& sleepers = s.awake();
-    // all sleep, and nobody has touched anything: no step would change a bit
+    // all sleep, and no call has changed anything: no step would change a bit
     s.work.skipped = s.steps > 0 && !s.changed && sleepers.set.awake.empty() &&
                      s.pulled == world;
     if (!s.work.skipped) {
@@ -82,10 +82,10 @@ void World::step(Real h)
                                .margin = s.settings.margin,
                                .pulled = s.pulled,
                                .hand = s.pulled_to};
-        sleepers.touching.finder.tested = -1;  // nobody has looked yet
+        sleepers.touching.finder.tested = -1;  // not looked for yet
         rigid::step(s.scene, how, s.method, s.now);
         s.changed = false;
-        s.report(h);
+        s.report();
     }
     s.time += h;
     ++s.steps;
@@ -176,13 +176,7 @@ void World::remove(BodyId body)
 
 bool World::has(BodyId body) const { return state_->bodies.has(body); }
 
-std::vector<BodyId> World::bodies() const
-{
-    std::vector<BodyId> all;
-    for (std::size_t k = 0; k < state_->bodies.size(); ++k)
-        if (state_->bodies.has(k)) all.push_back(state_->bodies.id(k));
-    return all;
-}
+std::vector<BodyId> World::bodies() const { return state_->bodies.all(); }
 
 Vec2 World::position(BodyId body) const
 {
@@ -282,9 +276,7 @@ void World::set_filter(BodyId body, const Filter& filter)
     const Index k = s.number(body);
     if (!s.note(k).sensor) {
         std::uint8_t& group = s.filter().group[static_cast<std::size_t>(k)];
-        const std::uint8_t entered = s.classes.enter(filter, s.filter());
-        s.classes.leave(group);
-        group = entered;
+        group = s.classes.change(group, filter, s.filter());
     }
     s.note(k).filter = filter;
     s.disturb(k);
@@ -373,13 +365,7 @@ void World::remove(WallId wall)
     s.note(Call::remove_wall, wall);
 }
 bool World::has(WallId wall) const { return state_->walls.has(wall); }
-std::vector<WallId> World::walls() const
-{
-    std::vector<WallId> all;
-    for (std::size_t i = 0; i < state_->walls.size(); ++i)
-        if (state_->walls.has(i)) all.push_back(state_->walls.id(i));
-    return all;
-}
+std::vector<WallId> World::walls() const { return state_->walls.all(); }
 const HalfSpace& World::wall(WallId wall) const
 {
     return state_->scene.walls[state_->walls.require(wall, "wall")];
@@ -423,13 +409,7 @@ const RigidJoint& World::joint(JointId joint) const
 {
     return state_->placed(joint).joint;
 }
-std::vector<JointId> World::joints() const
-{
-    std::vector<JointId> all;
-    for (std::size_t i = 0; i < state_->joints.size(); ++i)
-        if (state_->joints.has(i)) all.push_back(state_->joints.id(i));
-    return all;
-}
+std::vector<JointId> World::joints() const { return state_->joints.all(); }
 BodyId World::body_a(JointId joint) const
 {
     return state_->id(state_->placed(joint).joint.a);
@@ -516,7 +496,7 @@ void World::contacts(std::vector<ContactView>& list) const
             continue;
         const Contact& c = s.now.contacts[static_cast<std::size_t>(source.index)];
         Touch touch{s.id(c.a), s.id(c.b), {}};
-        if (c.a == world) touch.wall = s.wall_of(c);
+        if (c.a == world) touch.wall = s.walls.id(wall_of(s.scene, c));
         list.push_back({touch, c.point, c.normal, c.gap,
                         s.now.solution.lambda[static_cast<Index>(i)]});
     }

@@ -37,11 +37,6 @@ struct World::State : EngineState {
         const std::size_t i = joints.require(joint, "joint");
         return is_answered() ? rigid::reaction(scene, now, i) : Reaction{};
     }
-    WallId wall_of(const Contact& contact) const
-    {
-        const auto corners = static_cast<Index>(shape(contact.b).vertices.size());
-        return walls.id(static_cast<std::size_t>(contact.feature / corners));
-    }
 
     /// What ended by calls between the steps is of the next one's events.
     void begin_events()
@@ -57,7 +52,7 @@ struct World::State : EngineState {
 
     //! [report]
     /// Events and counters of a step that was taken.
-    void report(Real)
+    void report()
     {
         AwakeManifolds& sleepers = awake();
         Manifolds& stage = sleepers.touching;

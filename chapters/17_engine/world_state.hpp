@@ -49,9 +49,10 @@ struct EngineState {
     FilterClasses classes;
 
     Touching touching;
-    std::vector<Seen> seen;  ///< by sensors, ascending
-    Events events;           ///< of the last step
-    Events meanwhile;        ///< what ended by calls since then
+    std::vector<Seen> seen;       ///< by sensors, ascending
+    std::vector<Seen> seen_then;  ///< before this step
+    Events events;                ///< of the last step
+    Events meanwhile;             ///< what ended by calls since then
     StepWork work;
     Real time = 0;
     std::int64_t steps = 0;
@@ -118,14 +119,13 @@ struct EngineState {
         listed = 1;
     }
 
-    /// Which bodies go on however fast they are.
-    void list_unstopped()
+    /// Whether body k goes on however fast it is.
+    void list_unstopped(Index k)
     {
         std::vector<char>& goes_on = awake().touching.fast.goes_on;
-        goes_on.assign(notes.size(), 0);
-        for (std::size_t k = 0; k < notes.size(); ++k)
-            goes_on[k] =
-                !notes[k].bullet && (!settings.stop_fast || notes[k].joints > 0);
+        goes_on.resize(notes.size(), 0);
+        goes_on[static_cast<std::size_t>(k)] =
+            !note(k).bullet && (!settings.stop_fast || note(k).joints > 0);
     }
 
     /// The settings, written into the stages.
@@ -146,7 +146,8 @@ struct EngineState {
         solver.sweeps.sweeps.max_sweeps = settings.sweeps;
         solver.sweeps.sweeps.tolerance = settings.tolerance;
         solver.was_configured = false;
-        list_unstopped();
+        for (std::size_t k = 0; k < notes.size(); ++k)
+            list_unstopped(static_cast<Index>(k));
     }
 };
 

@@ -6,70 +6,10 @@
 /// out. Its place stays, as a point that meets nothing, or as a joint that is broken, until something new takes it.
 #pragma once
 
+#include "chapters/17_engine/body_checks.hpp"
 #include "chapters/17_engine/shape_queries.hpp"
 
 namespace rigid {
-
-/// Throws std::invalid_argument for a surface that makes no sense, or whose coefficient of friction is another one while it
-/// slides: the solver of a world does not ask whether a contact slides.
-inline void require_surface(const Surface& surface, const std::string& name)
-{
-    require_valid(surface, name);
-    if (surface.while_sliding() < surface.friction)
-        throw std::invalid_argument(
-            name + " has the kinetic friction coefficient " +
-            shortest(surface.while_sliding()) + " beside the static one, " +
-            shortest(surface.friction) +
-            "; in a world there is one, the methods of chapter 13 take both");
-}
-
-/// Throws std::invalid_argument, with a sentence, unless a definition makes sense. Returns how its mass is spread.
-inline Mass require_valid(const BodyDefinition& body)
-{
-    require_valid(body.shape);
-    require_surface(body.surface, "the body");
-    if (!body.position.allFinite() || !std::isfinite(body.angle) ||
-        !body.velocity.allFinite() || !std::isfinite(body.spin))
-        throw std::invalid_argument(
-            "the body is at (" + shortest(body.position.x()) + ", " +
-            shortest(body.position.y()) + ") m at the angle " +
-            shortest(body.angle) + " rad with the velocity (" +
-            shortest(body.velocity.x()) + ", " + shortest(body.velocity.y()) +
-            ") m/s and the spin " + shortest(body.spin) +
-            " rad/s; all must be finite");
-    if (!(body.density >= 0) || !std::isfinite(body.density))
-        throw std::invalid_argument(
-            "the density of the body is " + shortest(body.density) +
-            " kg/m²; it must be zero or positive, and finite");
-    if (body.sensor && (body.density > 0 || body.mass))
-        throw std::invalid_argument("the sensor has the density " +
-                                    shortest(body.density) +
-                                    " kg/m²; it must be 0, without a mass: nothing "
-                                    "pushes a sensor");
-    const bool pushed = body.mass ? body.mass->mass > 0 || body.mass->inertia > 0
-                                  : body.density > 0;
-    if (pushed) {
-        const Mass mass =
-            body.mass ? *body.mass : mass_of(body.shape, body.density);
-        if (!(mass.mass > 0 && mass.inertia > 0) || !mass.centroid.allFinite() ||
-            !std::isfinite(1 / mass.mass) || !std::isfinite(1 / mass.inertia) ||
-            !std::isfinite(mass.inertia))
-            throw std::invalid_argument(
-                "the body has the mass " + shortest(mass.mass) +
-                " kg and the inertia " + shortest(mass.inertia) +
-                " kg m²; both and their inverses must be positive and finite");
-        return mass;
-    }
-    Mass fixed;  // what has no area is about the mean of its vertices
-    if (body.mass) fixed.centroid = body.mass->centroid;
-    else if (body.shape.radius > 0 || body.shape.vertices.size() > 2)
-        fixed.centroid = mass_of(body.shape, 1).centroid;
-    else {
-        for (const Vec2& vertex : body.shape.vertices) fixed.centroid += vertex;
-        fixed.centroid /= static_cast<Real>(body.shape.vertices.size());
-    }
-    return fixed;
-}
 
 //! [neighbours]
 /// What touches body k, sleeping or not, wakes, and is no neighbour any more.
@@ -103,14 +43,17 @@ inline void wake_under(EngineState& state, Index k)
 //! [neighbours]
 
 //! [surface]
-/// The surface of a body; those of others are what they were, and nobody else wakes.
+/// The surface of a body. The stage has seen those of all others: they do not wake.
 inline void write_surface(EngineState& state, Index k, const Surface& surface)
 {
     std::vector<Surface>& known = state.method.contacts.contacts.surfaces;
-    const bool same = known == state.scene.surfaces;
-    state.scene.surfaces.resize(state.scene.shapes.size());
-    state.scene.surfaces[static_cast<std::size_t>(k)] = surface;
-    if (same) known = state.scene.surfaces;
+    // shorter before the first step, when all are awake
+    const bool seen = known.size() == state.scene.surfaces.size();
+    for (auto* const list : {&state.scene.surfaces, &known}) {
+        if (list == &known && !seen) break;
+        list->resize(state.scene.shapes.size());
+        (*list)[static_cast<std::size_t>(k)] = surface;
+    }
 }
 //! [surface]
 
@@ -142,7 +85,7 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
     state.note(k) = {body.filter, body.user, body.sensor, body.bullet, -1, 0};
     write_surface(state, k, body.surface);
     state.disturb(k);
-    state.list_unstopped();
+    state.list_unstopped(k);
     if (!(mass.mass > 0) && !body.sensor) wake_under(state, k);
     return id;
 }
@@ -181,6 +124,7 @@ inline void take_out_joint(EngineState& state, std::size_t number)
     for (const Index k : {placed.joint.a, placed.joint.b})
         if (k != world) {
             --state.note(k).joints;
+            state.list_unstopped(k);
             state.disturb(k);
         }
     for (int i = 0; i < placed.count; ++i) {
@@ -192,7 +136,6 @@ inline void take_out_joint(EngineState& state, std::size_t number)
     }
     placed.broken = true;
     state.joints.give_back(number);
-    state.list_unstopped();
 }
 //! [take_out]
 
@@ -222,9 +165,9 @@ inline JointId enter_joint(EngineState& state, const RigidJoint& joint)
     for (const Index k : {joint.a, joint.b})
         if (k != world) {
             ++state.note(k).joints;
+            state.list_unstopped(k);
             state.disturb(k);
         }
-    state.list_unstopped();
     return id;
 }
 

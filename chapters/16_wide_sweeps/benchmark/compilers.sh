@@ -39,23 +39,19 @@ done
 value() { tr -d '"' <"$1" | awk -F, -v name="$2" -v what="$3" '
     /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
     index($1, name "/") == 1 || $1 == name { printf "%.2f", $column[what] }'; }
+# line NAME ROW WHAT: one number of each build
+line() {
+    printf '| %s |' "$1"
+    for file in g++_portable g++_native clang++_portable clang++_native; do
+        [ ! -f "$out/$file.csv" ] || printf ' %s |' "$(value "$out/$file.csv" "$2" "$3")"
+    done
+    echo
+}
 {
     echo "| ns a row visit | g++, portable | g++, native | clang++, portable | clang++, native |"
     echo "|---|---|---|---|---|"
-    for way in given rows bundles doubles floats; do
-        printf '| %s |' $way
-        for file in g++_portable g++_native clang++_portable clang++_native; do
-            [ ! -f "$out/$file.csv" ] || printf ' %s |' "$(value "$out/$file.csv" visits/$way/40 ns)"
-        done
-        echo
-    done
-    for way in doubles floats; do
-        printf '| %s, two threads: times as fast |' $way
-        for file in g++_portable g++_native clang++_portable clang++_native; do
-            [ ! -f "$out/$file.csv" ] || printf ' %s |' "$(value "$out/$file.csv" threads/$way/2 times)"
-        done
-        echo
-    done
+    for way in given rows bundles doubles floats; do line $way visits/$way/40 ns; done
+    for way in doubles floats; do line "$way, two threads: times as fast" threads/$way/2 times; done
 } | tee "$out/compilers.md"
 cp "$out/g++_native.csv" "$out/benchmark.csv"
 "$here/../figures/draw.sh" build/release/bin "$out" measured
