@@ -35,7 +35,8 @@ struct FrictionMemory {
     VecX candidate, proximal_base;
     ActiveSetMemory rounds;
 
-    /// What was found is nothing to the next solve: only room is kept.
+    /// What was found is nothing to the next solve: only room is kept, and not that
+    /// of the rounds, which are rare.
     void forget()
     {
         guess.cases.clear();

@@ -20,6 +20,8 @@ namespace rigid {
 /// Which of the two bodies of a bundle its rows can move.
 struct Movers {
     bool low = false, high = false;
+
+    bool operator==(const Movers&) const = default;
 };
 
 /// Rows in bundles, and the bundles in colours. Memory is kept from step to step.
@@ -41,6 +43,7 @@ struct Bundles {
     // What the two functions below need.
     std::vector<int> sorted, bins;
     std::vector<std::uint64_t> used;  ///< as in Colouring
+    std::vector<Movers> movers_now;
 
     std::size_t count() const { return first.size() - 1; }
 };
@@ -95,6 +98,29 @@ void bundle_rows(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
 }
 //! [bundle]
 
+/// Which bodies of each bundle can move.
+template <int Dof>
+void find_movers(const std::vector<Row<Dof>>& rows, const Bundles& bundles,
+                 std::vector<Movers>& movers)
+{
+    movers.assign(bundles.count(), Movers{});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row<Dof>& row = rows[i];
+        Movers& moves = movers[static_cast<std::size_t>(bundles.of_row[i])];
+        const bool a = row.a != world && !row.Wa.isZero(0), b = !row.Wb.isZero(0);
+        moves.low |= row.a < row.b ? a : b;
+        moves.high |= row.a < row.b ? b : a;
+    }
+}
+
+/// Whether the same bodies can move as when the colours were given.
+template <int Dof>
+bool same_movers(const std::vector<Row<Dof>>& rows, Bundles& bundles)
+{
+    find_movers(rows, bundles, bundles.movers_now);
+    return bundles.movers_now == bundles.movers;
+}
+
 //! [colours]
 /// Chapter 6's greedy colours, for bundles: each takes the first colour that
 /// neither of its bodies has. A body that cannot move does not count.
@@ -104,14 +130,7 @@ void colour_bundles(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& ou
     out.used.assign(static_cast<std::size_t>(bodies), 0);
     out.colour.resize(out.count());
     out.colours = 0;
-    out.movers.assign(out.count(), Movers{});
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row<Dof>& row = rows[i];
-        Movers& moves = out.movers[static_cast<std::size_t>(out.of_row[i])];
-        const bool a = row.a != world && !row.Wa.isZero(0), b = !row.Wb.isZero(0);
-        moves.low |= row.a < row.b ? a : b;
-        moves.high |= row.a < row.b ? b : a;
-    }
+    find_movers(rows, out, out.movers);
     for (std::size_t g = 0; g < out.count(); ++g) {
         const auto [low, high] = bodies_of(rows[static_cast<std::size_t>(
             out.rows[static_cast<std::size_t>(out.first[g])])]);

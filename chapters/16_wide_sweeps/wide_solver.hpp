@@ -75,8 +75,9 @@ struct WideSolver {
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
         VecX& lambda = now.solution.lambda;
-        const bool arranged = (now.same_rows || now.substep > 0) &&
-                              wide.place.size() == now.rows.size();
+        const bool arranged =
+            wide.place.size() == now.rows.size() &&
+            (now.substep > 0 || (now.same_rows && same_movers(now.rows, bundles)));
         if (!arranged) {
             require_bodies<Dof>(now.rows, bodies.count());
             bundle_rows(now.rows, bodies.count(), bundles);
