@@ -50,7 +50,7 @@ struct Swept {
 Swept by_joints(const std::vector<Row<3>>& rows, const VecX& u_star, const ImpulseSettings& settings)
 {
     ImpulseMemory<3> memory;
-    std::vector<JointRun> runs;
+    std::vector<RowRun> runs;
     Swept swept{u_star, {}};
     joint_sweeps(rows, settings, memory, runs, swept.u, swept.solution);
     return swept;
@@ -132,7 +132,7 @@ TEST_CASE("sweeps over joints ask for no memory once they have seen a scene", "[
     const JointedScene scene = boxes(JointKind::weld, 6);
     const std::vector<Row<3>> rows = rows_of(scene);
     ImpulseMemory<3> memory;
-    std::vector<JointRun> runs;
+    std::vector<RowRun> runs;
     Solution solution;
     VecX u = stirred(scene, 1);
     const ImpulseSettings settings{.max_sweeps = 10, .tolerance = 0};

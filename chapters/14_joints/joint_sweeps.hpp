@@ -11,7 +11,7 @@
 namespace rigid {
 
 /// Rows of one joint that follow each other, and the inverse of their K.
-struct JointRun {
+struct RowRun {
     int first = 0, count = 1;
     Eigen::Matrix<Real, 3, 3> inverse = Eigen::Matrix<Real, 3, 3>::Zero();
 };
@@ -22,8 +22,7 @@ struct JointRun {
 /// say (a pivot below 10⁻⁸ of its K_ii) begins a run of its own.
 /// \param feedback  of the rows; empty = none has any
 inline void find_runs(const std::vector<SolverRow<3>>& rows,
-                      std::span<const Feedback> feedback,
-                      std::vector<JointRun>& runs)
+                      std::span<const Feedback> feedback, std::vector<RowRun>& runs)
 {
     runs.clear();
     const auto alone = [&](std::size_t k) {
@@ -34,7 +33,7 @@ inline void find_runs(const std::vector<SolverRow<3>>& rows,
     };
     Eigen::Matrix<Real, 3, 3> K, L;
     for (std::size_t k = 0; k < rows.size();) {
-        JointRun run{static_cast<int>(k)};
+        RowRun run{static_cast<int>(k)};
         const auto row = [&](int i) -> const SolverRow<3>& {
             return rows[k + static_cast<std::size_t>(i)];
         };
@@ -68,7 +67,7 @@ inline void find_runs(const std::vector<SolverRow<3>>& rows,
 /// One visit of d rows, (14.24).
 /// \return  how many of them were off by more than the tolerance [m/s]
 template <int d>
-int visit_run(SolverRow<3>* row, const JointRun& run, Real tolerance, VecX& u)
+int visit_run(SolverRow<3>* row, const RowRun& run, Real tolerance, VecX& u)
 {
     const Index a = row->a, b = row->b;
     Vec<3> ua = u.segment<3>(a), ub = u.segment<3>(b);
@@ -93,7 +92,7 @@ int visit_run(SolverRow<3>* row, const JointRun& run, Real tolerance, VecX& u)
 /// \param runs  memory
 inline void joint_sweeps(const std::vector<Row<3>>& rows,
                          const ImpulseSettings& settings, ImpulseMemory<3>& memory,
-                         std::vector<JointRun>& runs, VecX& u, Solution& solution)
+                         std::vector<RowRun>& runs, VecX& u, Solution& solution)
 {
     const bool hopeless =
         begin_sweeps<3>(rows, {}, settings.tolerance, memory, u, solution);
@@ -102,7 +101,7 @@ inline void joint_sweeps(const std::vector<Row<3>>& rows,
     const std::span<const Feedback> feedback(memory.feedback);
     const auto one_sweep = [&](int) {
         int off = 0;
-        for (const JointRun& run : runs) {
+        for (const RowRun& run : runs) {
             const auto first = static_cast<std::size_t>(run.first);
             SolverRow<3>* const row = &all[first];
             if (run.count == 2)
