@@ -5,7 +5,9 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/16_wide_sweeps/packets.hpp"
 
+#include <cstring>
 #include <span>
+#include <type_traits>
 
 namespace rigid {
 
@@ -101,6 +103,17 @@ Terms difference(const std::vector<Row<Dof>>& rows, std::size_t i, Real bias,
 }
 //! [differences]
 
+/// One lane of many that lie in memory. (An index into a vector makes clang++ read and write all of them.)
+template <class V>
+void write_lane(V& many, int i, Real value)
+{
+    using T = std::remove_cvref_t<decltype(lane(many, 0))>;
+    const T number = static_cast<T>(value);
+    std::memcpy(reinterpret_cast<char*>(&many) +
+                    static_cast<std::size_t>(i) * sizeof(T),
+                &number, sizeof(T));
+}
+
 //! [fill]
 /// Copies rows, λ and u into their lanes.
 /// \param lambda  the λ of the rows, within their bounds [N s]
@@ -123,20 +136,20 @@ void fill(const WideProblem<Dof>& problem, const Bundles& bundles,
             terms = difference(problem.rows, i, problem.bias(i), lambda, u);
         auto& wide = out.rows[static_cast<std::size_t>(at)];
         for (int d = 0; d < Dof; ++d) {
-            set_lane(wide.Ja[d], l, blocks.Ja[d]);
-            set_lane(wide.Jb[d], l, blocks.Jb[d]);
-            set_lane(wide.Wa[d], l, blocks.Wa[d]);
-            set_lane(wide.Wb[d], l, blocks.Wb[d]);
+            write_lane(wide.Ja[d], l, blocks.Ja[d]);
+            write_lane(wide.Jb[d], l, blocks.Jb[d]);
+            write_lane(wide.Wa[d], l, blocks.Wa[d]);
+            write_lane(wide.Wb[d], l, blocks.Wb[d]);
         }
         const Real A = row.diagonal();
-        set_lane(wide.mass, l, A > 0 && !problem.left_out(i) ? 1 / A : 0);
-        set_lane(wide.bias, l, terms.bias);
-        set_lane(wide.lo, l, terms.lo);
-        set_lane(wide.hi, l, terms.hi);
-        set_lane(wide.lambda, l,
-                 in_differences<T> ? 0 : lambda[static_cast<Index>(i)]);
-        set_lane(wide.friction, l, row.friction);
-        set_lane(wide.softness, l, row.softness);
+        write_lane(wide.mass, l, A > 0 && !problem.left_out(i) ? 1 / A : 0);
+        write_lane(wide.bias, l, terms.bias);
+        write_lane(wide.lo, l, terms.lo);
+        write_lane(wide.hi, l, terms.hi);
+        write_lane(wide.lambda, l,
+                   in_differences<T> ? 0 : lambda[static_cast<Index>(i)]);
+        write_lane(wide.friction, l, row.friction);
+        write_lane(wide.softness, l, row.softness);
         out.shapes[static_cast<std::size_t>(at)].soft |= row.softness > 0;
     }
     if constexpr (in_differences<T>)

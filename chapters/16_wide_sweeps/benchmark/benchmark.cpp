@@ -147,6 +147,12 @@ void prepare(benchmark::State& state, const std::string& what)
     for (auto _ : state)
         best = best_of([&] {
             const auto& all = problem.all;
+            if (what == "chapter_6")
+                order_rows(all.rows, all.bodies, Order::coloured, random, colouring,
+                           order);
+            if (what == "chapter_6" || what == "as_they_come")
+                begin_sweeps(all.rows, std::span<const int>(order), Real{0}, memory,
+                             all.u, solution);
             if (what == "bundle")
                 bundle_rows(all.rows, all.bodies, problem.bundles);
             if (what == "colour")
@@ -227,7 +233,8 @@ const bool registered = [] {
         named("threads/doubles", by_threads<Real, D>)->Arg(threads)->Apply(once);
         named("threads/floats", by_threads<float, F>)->Arg(threads)->Apply(once);
     }
-    for (const char* what : {"chapter_6", "bundle", "colour", "arrange", "fill"})
+    for (const char* what :
+         {"as_they_come", "chapter_6", "bundle", "colour", "arrange", "fill"})
         named(std::string("prepare/") + what, [what](auto& s) {
             prepare(s, what);
         })->Apply(once);

@@ -16,7 +16,7 @@ ways = "given rows bundles doubles floats"
 colours = "#4477AA #66CCEE #228833 #EE7733 #AA3377"
 one = peak('one'); doubles = peak('doubles'); floats = peak('floats')
 names = "'first cache' 'second cache' 'third cache' memory"
-do for [k = 1:4] { set label k word(names, k) at 1.2 / band(k), 1.35 rotate by 42 tc rgb '#808080' font ',11' }
+do for [k = 1:4] { set label k word(names, k) at (k < 4 ? 1.2 : 1.9) / band(k), 1.35 rotate by 42 tc rgb '#808080' font ',11' }
 set label 5 'one number at a time' at 1.2, one * 1.2 tc rgb '#808080' font ',11'
 set label 6 'doubles' at 1.2, doubles * 1.2 tc rgb '#808080' font ',11'
 set label 7 'floats' at 1.2, floats * 1.2 tc rgb '#808080' font ',11'
