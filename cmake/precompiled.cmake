@@ -1,15 +1,14 @@
 # precompile(TARGET): compiles a target of the book's own with the shared precompiled header: the standard library and
-# Eigen are parsed once, Eigen's factorisations compiled once (rigid_precompiled). It saves about a third of a build. A
+# Eigen are parsed once (Eigen's factorisations are compiled once, in rigid_physics). It saves about a third of a build. A
 # build without it (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, as CI does with clang++) gives the same bits and shows a
 # header that relies on it.
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
-  add_library(rigid_precompiled STATIC cmake/precompiled/precompiled.cpp cmake/precompiled/eigen_instances.cpp)
+  add_library(rigid_precompiled STATIC cmake/precompiled/precompiled.cpp)
   target_link_libraries(rigid_precompiled PRIVATE rigid_common)
-  target_precompile_headers(rigid_precompiled PRIVATE cmake/precompiled/eigen_instances.hpp
+  target_precompile_headers(rigid_precompiled PRIVATE common/eigen_instances.hpp
                                                       cmake/precompiled/standard.hpp)
-  # The instances themselves are made by the source that must not have seen them declared `extern`.
-  set_source_files_properties(cmake/precompiled/eigen_instances.cpp cmake/precompiled/tests_eigen_instances.cpp
-                              PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  # The instances themselves are made by a source that must not have seen them declared `extern`.
+  set_source_files_properties(cmake/precompiled/tests_eigen_instances.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
 # compile_together(TARGET): its sources are compiled some at a time, one after the other in one go, so what they share is

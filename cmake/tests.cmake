@@ -22,7 +22,7 @@ set_source_files_properties(tests/test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADE
 if(TARGET rigid_precompiled)
   # The tests' own header: Eigen counts what it allocates, so its instances are others, too.
   target_sources(rigid_test_main PRIVATE cmake/precompiled/precompiled.cpp cmake/precompiled/tests_eigen_instances.cpp)
-  target_precompile_headers(rigid_test_main PRIVATE tests/counted_eigen.hpp cmake/precompiled/eigen_instances.hpp
+  target_precompile_headers(rigid_test_main PRIVATE tests/counted_eigen.hpp common/eigen_instances.hpp
                                                     cmake/precompiled/standard.hpp tests/catch.hpp)
 endif()
 
@@ -71,10 +71,11 @@ function(add_same_bits_test label chapter name)
   set_tests_properties("${label}: ${name}" PROPERTIES LABELS ${label} TIMEOUT 300)
 endfunction()
 
-# What the traces of all chapters share at one level: three objects and a precompiled header. rigid_common gives the
+# What the traces of all chapters share at one level: four objects and a precompiled header. rigid_common gives the
 # flags; of its archive nothing is needed where the objects stand before it.
 function(add_traced_library level option)
-  add_library(rigid_traced_${level} OBJECT EXCLUDE_FROM_ALL common/contact.cpp common/measure.cpp common/scenes.cpp)
+  add_library(rigid_traced_${level} OBJECT EXCLUDE_FROM_ALL common/contact.cpp common/elementary.cpp
+              common/measure.cpp common/scenes.cpp)
   target_link_libraries(rigid_traced_${level} PUBLIC rigid_common)
   target_compile_options(rigid_traced_${level} PUBLIC ${option})
   target_precompile_headers(rigid_traced_${level} PRIVATE cmake/precompiled/standard.hpp <Eigen/Dense> <Eigen/Sparse>)

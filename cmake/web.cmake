@@ -21,9 +21,10 @@ add_library(rigid_web_program OBJECT common/program/web_program.cpp)
 target_link_libraries(rigid_web_program PRIVATE rigid_web)
 target_compile_options(rigid_web_program PRIVATE ${small})
 
-# Two numbers at once where the compiler sees how, as the native programs have it: the sums stay in their order, so the
-# bits are the same. Loops that are not unrolled whole are not unrolled in part: that only makes a page heavier.
-set(fast -msimd128 "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")
+# The preset compiles everything with -msimd128 -msse2: Eigen then adds by the two numbers at once that it has on a PC, in
+# the same order (cmake/physics.cmake), and the compiler uses them where it sees how.
+# Loops that are not unrolled whole are not unrolled in part: that only makes a page heavier.
+set(fast "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")
 
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/program/main.cpp)
 foreach(main ${mains})
@@ -33,7 +34,6 @@ foreach(main ${mains})
   add_executable(${chapter} ${main} $<TARGET_OBJECTS:rigid_web_program>)
   set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=chapter_main)
   target_compile_options(${chapter} PRIVATE ${fast})
-  target_link_options(${chapter} PRIVATE -msimd128)
   if(chapter MATCHES "^1[3-7]_")   # they have the most methods, and would weigh more than 200 kB
     target_link_options(${chapter} PRIVATE -Oz)
   else()
@@ -56,7 +56,6 @@ endforeach()
 # The race (docs/race.md): no program of a chapter, and on a page of its own.
 add_executable(race docs/race/race.cpp)
 target_compile_options(race PRIVATE ${fast})
-target_link_options(race PRIVATE -msimd128)
 target_link_libraries(race PRIVATE rigid_web)
 target_link_options(race PRIVATE --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)
 set_target_properties(race PROPERTIES SUFFIX .wasm)

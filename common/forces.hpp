@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/bodies.hpp"
+#include "common/elementary.hpp"
 #include "common/shapes.hpp"
 #include "common/text.hpp"
 
@@ -54,7 +55,7 @@ inline Real bend_angle(const VecX& x, const Bend& bend)
 {
     const Vec2 first = x.segment<2>(2 * bend.middle) - x.segment<2>(2 * bend.left);
     const Vec2 second = x.segment<2>(2 * bend.right) - x.segment<2>(2 * bend.middle);
-    return std::atan2(cross2(first, second), first.dot(second));
+    return atan2(cross2(first, second), first.dot(second));
 }
 
 /// Adds the torsional springs and dampers of a chain.
@@ -78,8 +79,8 @@ inline void add_bend_springs(Bodies<2>& bodies, std::span<const Bend> bends, Rea
         if (first2 == 0 || second2 == 0 || inverse_mass == 0) continue;  // no angle, no torque
 
         const Real mass = 1 / inverse_mass;
-        const Real angle = std::atan2(cross2(first, second), first.dot(second));
-        const Real sine = std::sin(std::clamp(angle, -pi / 2, pi / 2));
+        const Real angle = atan2(cross2(first, second), first.dot(second));
+        const Real sine = sin(std::clamp(angle, -pi / 2, pi / 2));
         const Vec2 first_u = bodies.velocity(bend.middle) - bodies.velocity(bend.left);
         const Vec2 second_u = bodies.velocity(bend.right) - bodies.velocity(bend.middle);
         const Real rate = cross2(second, second_u) / second2 - cross2(first, first_u) / first2;

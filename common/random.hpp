@@ -3,6 +3,7 @@
 /// standard, but its distributions are not, so the two that we need are written here.
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/math.hpp"
 
 #include <cmath>
@@ -27,8 +28,8 @@ public:
     /// Standard normal, by the method of Box and Muller.
     Real normal()
     {
-        const Real radius = std::sqrt(-2 * std::log(1 - uniform()));
-        return radius * std::cos(2 * pi * uniform());
+        const Real radius = std::sqrt(-2 * log(1 - uniform()));
+        return radius * cos(2 * pi * uniform());
     }
 
 private:

@@ -1,5 +1,6 @@
 #include "common/scenes.hpp"
 
+#include "common/elementary.hpp"
 #include "common/random.hpp"
 #include "common/text.hpp"
 
@@ -78,7 +79,7 @@ Real typical_length(const DiscScene& scene)
     }
     const Real mean = count > 0 ? movable / count : K > 0 ? sum / static_cast<Real>(K) : Real{0.1};
     if (!(mean > 0) || !std::isfinite(mean)) return 1;  // require_valid() says what is wrong with such radii
-    return std::pow(10.0, std::round(std::log10(10 * mean)));
+    return pow(10.0, std::round(log10(10 * mean)));
 }
 
 void link_neighbours(DiscScene& scene)
@@ -297,7 +298,7 @@ DiscScene perturbed(DiscScene scene, std::uint64_t seed, Real amount)
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (!(scene.bodies.inverse_mass[2 * k] > 0)) continue;
         const Real angle = random.uniform(0, 2 * pi);
-        scene.bodies.position(k) += amount * Vec2(std::cos(angle), std::sin(angle));
+        scene.bodies.position(k) += amount * Vec2(cos(angle), sin(angle));
     }
     return scene;
 }

@@ -91,6 +91,13 @@ std::vector<std::string> broken_rules(const Source& source)
                 broken.push_back(source.path + " is physics and includes " + included);
         }
     }
+    // A benchmark may time the C library or hand it to a peer.
+    static const std::regex library(
+        R"(std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|log2?|log10|log1p|pow|hypot|cbrt)\()");
+    std::smatch call;
+    if (source.path.find("/benchmark/") == std::string::npos && std::regex_search(source.text, call, library))
+        broken.push_back(source.path + " calls " + call[0].str() +
+                         ") whose last bits no standard fixes; common/elementary.hpp has its own");
     const auto lines = std::count(source.text.begin(), source.text.end(), '\n');
     const bool narrow = source.path.starts_with("chapters/");  // 84 columns, so a tenth more lines
     if (source.path.ends_with(".hpp") && lines > (narrow ? 245 : 220))
@@ -107,6 +114,17 @@ bool prints_a_real_by_to_string(const std::string& object)
     for (const std::string& name : {gnu + "xstring", clang + "Ef", clang + "Ed", clang + "Ee"})
         if (object.find(name) != std::string::npos) return true;
     return false;
+}
+
+/// The first function of the C library that an object file calls and whose last bits no standard fixes; nothing if none. By
+/// these names they are in its table of names. A source that forgets common/elementary.hpp calls them by the bare name.
+std::string elementary_call(const std::string& object)
+{
+    for (const char* name : {"sin",  "cos",   "sincos", "tan",  "asin",  "acos", "atan", "atan2", "sinh",
+                             "cosh", "tanh",  "exp",    "exp2", "expm1", "log",  "log2", "log10", "log1p",
+                             "pow",  "hypot", "cbrt",   "sinf", "cosf",  "powf", "expf", "logf"})
+        if (object.find('\0' + std::string(name) + '\0') != std::string::npos) return name;
+    return {};
 }
 
 /// The names of test cases and sections in a test's source; pieces of one string are joined.
@@ -169,6 +187,25 @@ TEST_CASE("an object file that prints a Real by std::to_string is noticed")
     CHECK(prints_a_real_by_to_string(compiled("real", "double")));
     CHECK_FALSE(prints_a_real_by_to_string(compiled("whole", "long")));
     fs::remove_all(folder);
+}
+
+TEST_CASE("no program and no physics calls an elementary function of the C library")
+{
+    std::istringstream list(read(RIGID_OBJECTS));
+    int looked_through = 0;
+    for (std::string path; std::getline(list, path);) {
+        const bool book = path.find("rigid_physics.dir") != std::string::npos ||
+                          path.find("/program/main.cpp") != std::string::npos;
+        if (!book || path.ends_with(".gch") || path.ends_with(".pch") || !fs::exists(path)) continue;
+        // Eigen's factorisations whole: with the logarithm of a determinant, which nobody asks for
+        if (path.find("eigen_instances") != std::string::npos) continue;
+        ++looked_through;
+        const std::string name = elementary_call(read(path));
+        if (!name.empty()) FAIL_CHECK(path + " calls " + name + "(); is common/elementary.hpp included?");
+    }
+    CHECK(looked_through >= 3);  // the library's own
+    CHECK(elementary_call(std::string("\0_ZN5rigid3sinEd\0ldexp\0", 23)).empty());
+    CHECK(elementary_call(std::string("\0ldexp\0sincos\0", 14)) == "sincos");
 }
 
 TEST_CASE("no source has two random draws in one argument list")
@@ -247,6 +284,9 @@ TEST_CASE("the rules of the house notice what they are for")
                 "#include \"common/program/program.hpp\"\n#include <iostream>\n") == 0);
     CHECK(count("common/measure.cpp", "#include <iostream>\n") == 1);
     CHECK(count("chapters/04_d/d.hpp", std::string(300, '\n')) == 1);
+    CHECK(count("chapters/04_d/d.hpp", "x = std::sin(a);\n") == 1);
+    CHECK(count("chapters/04_d/benchmark/d.hpp", "x = std::sin(a);\n") == 0);
+    CHECK(count("common/d.hpp", "x = sin(a) + std::sqrt(a);\n") == 0);
 }
 
 TEST_CASE("no name of a test holds what makes Catch print without end or choose other tests")
@@ -275,7 +315,7 @@ TEST_CASE("one runner takes the steps of all scenes of discs and no program has 
     // Three balls at once, each with its own e, a body without discs, and bodies that turn or touch: these are no DiscScene.
     const std::vector<std::string> others = {"scene_bounce.hpp", "scene_one_row.hpp", "rigid_run.hpp",
                                              "manifold_run.hpp", "friction_run.hpp",  "joint_run.hpp",
-                                             "soft_run.hpp",     "wide_run.hpp"};
+                                             "soft_run.hpp",     "wide_run.hpp",      "space_run.hpp"};
     int runners = 0;
     for (const Source& source : all_sources()) {
         if (source.path.find("chapters/") != 0 || source.path.find("/program/") == std::string::npos)

@@ -1,4 +1,4 @@
 // The same instances for the tests, where Eigen counts what it allocates.
 #include "tests/counted_eigen.hpp"
 #define RIGID_INSTANCE template
-#include "cmake/precompiled/eigen_instances.hpp"
+#include "common/eigen_instances.hpp"

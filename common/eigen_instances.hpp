@@ -1,7 +1,8 @@
 /// \file eigen_instances.hpp
 /// The parts of Eigen that are slow to compile and that nearly every source of the book needs: factorisations, sparse
-/// matrices, the kernels of products. Declared here, compiled once in eigen_instances.cpp. No header of the book
-/// includes this file: without it every source compiles its own copy, with the same bits.
+/// matrices, the kernels of products. Declared here, compiled once in eigen_instances.cpp. Sources of the library
+/// include this file first, the precompiled headers have it; no other header does: without it a source compiles its
+/// own copies, with the same bits.
 #pragma once
 
 #include <Eigen/Cholesky>

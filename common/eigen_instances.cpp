@@ -1,3 +1,3 @@
 // The instances that eigen_instances.hpp declares.
 #define RIGID_INSTANCE template
-#include "cmake/precompiled/eigen_instances.hpp"
+#include "common/eigen_instances.hpp"
