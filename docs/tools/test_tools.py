@@ -17,6 +17,7 @@ import check_html  # noqa: E402
 import check_text  # noqa: E402
 import demos  # noqa: E402
 import finish_html  # noqa: E402
+import search_texts  # noqa: E402
 from finish_html import finish  # noqa: E402
 import sync_snippets  # noqa: E402
 from booktext import TextError, blocks, comments, slug, test_names, tokens  # noqa: E402
@@ -531,6 +532,33 @@ class Site(unittest.TestCase):
     def test_raw_marks(self):
         for raw in ("\\f[ x \\f]", "let $x$ be", "see \\cite key", "[x](y.md)", "packq2020q"):
             self.assertIn("raw" if "$" not in raw else "not turned into", self.check(f"<p>{raw}</p>"), raw)
+
+
+class Search(unittest.TestCase):
+    PAGE = ('<div class="title">Chapter 1. Euler</div><div class="contents"><p>Before.</p>'
+            '<h1><a class="anchor" id="s11"></a> 1.1 Two&#160;lines</h1><p>Swap \\(\\lambda_n \\ge 0\\) and <b>wait</b>.<br>'
+            '<div class="fragment">no code</div></p><table><tr><td>42</td></tr></table>'
+            '<h2>Sum</h2>\\[ a + b + c + d + e + f + g \\] long</div><p>footer</p>')
+
+    def test_sections_with_their_words(self):
+        found = search_texts.entries_of_page("ch01.html", self.PAGE)
+        self.assertEqual([(one["address"], one["title"], one["page"]) for one in found],
+                         [("ch01.html", "Chapter 1. Euler", ""), ("ch01.html#s11", "1.1 Two lines", "Chapter 1. Euler"),
+                          ("ch01.html", "Sum", "Chapter 1. Euler")])
+        self.assertEqual([one["text"] for one in found], ["Before.", "Swap λn≥0 and wait.42", "… long"])
+
+    def test_numbers_of_the_results_are_no_text(self):
+        self.assertEqual(search_texts.entries_of_page("results.html", self.PAGE)[1]["text"], "Swap λn≥0 and wait.")
+
+    def test_names_once_without_constructors(self):
+        with tempfile.TemporaryDirectory() as name:
+            tags = pathlib.Path(name) / "tag"
+            member = "<member kind='function'><name>{}</name><anchorfile>b.html</anchorfile><anchor>x</anchor></member>"
+            tags.write_text("<tagfile><compound kind='struct'><name>rigid::Row</name><filename>b.html</filename>"
+                            + "".join(member.format(one) for one in ("Row", "~Row", "operator+", "flip", "flip"))
+                            + "</compound><compound kind='class'><name>Eigen::X</name></compound></tagfile>")
+            self.assertEqual([(one["title"], one["page"]) for one in search_texts.entries_of_names(tags)],
+                             [("Row", "type"), ("flip", "rigid::Row")])
 
 
 class Sidebar(unittest.TestCase):

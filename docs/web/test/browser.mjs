@@ -166,6 +166,24 @@ try {
         faults.length ? failed += 1 : passed += 1;
         await page.close();
     }
+    // The search box: what the book is about is found in its text, by the keyboard alone.
+    const reader = await browser.page();
+    for (const [words, wanted] of [['baumgarte', /^ch07_baumgarte\.html/], ['warm start', /^ch08_warm_starting/], ['rattl', /^ch11/]]) {
+        await reader.open(pathToFileURL(join(folder, 'index.html')).href, {width: 390, still: true});
+        await reader.value(`(field => { field.focus(); field.value = ${JSON.stringify(words)}; field.dispatchEvent(new Event('input')); })(document.getElementById('search_field'))`);
+        let fault = '';
+        try {
+            await reader.until(`!document.getElementById('search_hits').hidden`, 10, 'the search shows something');
+            const first = await reader.value(`(row => row ? row.getAttribute('href') : '')(document.querySelector('#search_hits [aria-selected]'))`);
+            if (!wanted.test(first)) fault = `the first hit is ${first || 'none'}`;
+            if (!fault && reader.complaints.length) fault = reader.complaints[0];
+        } catch (error) {
+            fault = error.message;
+        }
+        console.log(`${fault ? 'FAULT ' : 'ok    '} index.html: search for "${words}"${fault ? ': ' + fault : ''}`);
+        fault ? ++failed : ++passed;
+    }
+    await reader.close();
     // With reduced motion nothing moves without a click.
     const page = await browser.page();
     await page.open(pathToFileURL(join(folder, 'index.html')).href, {width: 1280, still: true});
