@@ -57,7 +57,7 @@ struct AwakeManifolds : Sleepers<3> {
             now.active = set.awake;
             now.active.insert(now.active.end(), moved_.begin(), moved_.end());
             std::sort(now.active.begin(), now.active.end());
-            touching.begin_with(scene, margin, now.active, now);
+            touching.begin_with(scene, margin, settings.h, now.active, now);
             for (const Contact& contact : now.contacts)
                 for (const Index k : {contact.a, contact.b})
                     if (k != world) set.wake(k);

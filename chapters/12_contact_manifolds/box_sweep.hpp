@@ -33,7 +33,8 @@ void overlapping_pairs(const std::vector<Box>& boxes, BoxSweep& memory,
         order.resize(boxes.size());
         for (std::size_t k = 0; k < order.size(); ++k)
             order[k] = static_cast<int>(k);
-        std::sort(order.begin(), order.end(), by_left);
+        // stable: what std::sort does with equal ends is the library's own affair
+        std::stable_sort(order.begin(), order.end(), by_left);
     }
     for (std::size_t i = 1; i < order.size(); ++i)  // nearly sorted: insert
         for (std::size_t j = i; j > 0 && by_left(order[j], order[j - 1]); --j) {

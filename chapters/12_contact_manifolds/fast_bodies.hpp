@@ -2,18 +2,17 @@
 /// Bodies that move so far in a step that they could be on the other side of something before anybody has looked.
 ///
 /// A body that moves by no more than half its inner radius, from its centroid to its nearest side, is still on the side it
-/// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way,
-/// from where it was to where it is, to its first impact (time_of_impact.hpp). It loses the rest of the step's time, and
-/// with it what its weight did in that time (12.6a); the next step finds the contact. Of two that are close already, the contact has its row; they are
-/// only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than it was.
-///
-/// Where a body stops early it stands in the way of others, which were looked at as if it went on: fast bodies are looked
-/// at in pairs again until none of them stops any earlier.
+/// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way to
+/// its first impact (time_of_impact.hpp). It loses the rest of the step's time, and what its weight did in it (12.6a); the
+/// next step finds the contact. Of two that are close already, the contact has its row; they are only stopped when one gets
+/// half its inner radius deep into the other, or by an eighth deeper than it was. What stops early stands in the way of
+/// others: fast bodies are looked at in pairs again until none of them stops any earlier.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/12_contact_manifolds/chains.hpp"
 #include "chapters/12_contact_manifolds/time_of_impact.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -21,17 +20,16 @@ struct FastBodies {
     bool stop = true;  ///< false: nothing is looked for
     /// of each body, 1: it is never stopped; empty = all may be
     std::vector<char> goes_on;
-
     // What the last step found.
     std::vector<int> bodies;  ///< that were fast
     int impacts = 0;          ///< of those, stopped on their way
     int rounds = 0;           ///< distances computed
-
-    std::vector<Real> part;  ///< of the way that each of them goes
+    std::vector<Real> part;   ///< of the way that each of them goes
     std::vector<Box> swept;
     std::vector<char> is_fast;
     std::vector<char> is_held;  ///< 1: a row of the step acts on the body
     std::vector<Real> inner;    ///< inner radii [m]
+    std::vector<std::pair<int, int>> pairs;  ///< of fast bodies that may meet
     ImpactMemory memory;
 };
 
@@ -73,7 +71,12 @@ template <class Motion, class MayMeet, class FirstImpact>
 void stop_each_other(const Motion& motion, const MayMeet& may_meet,
                      const FirstImpact& first_impact, FastBodies& fast)
 {
-    bool earlier = fast.bodies.size() > 1;
+    fast.pairs.clear();
+    for (std::size_t i = 0; i < fast.bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (may_meet(fast.bodies[j], fast.bodies[i]))
+                fast.pairs.emplace_back(fast.bodies[j], fast.bodies[i]);
+    bool earlier = !fast.pairs.empty();
     for (int round = 0; earlier; ++round) {
         if (round == 20) {
             for (const int k : fast.bodies)
@@ -81,26 +84,24 @@ void stop_each_other(const Motion& motion, const MayMeet& may_meet,
             return;
         }
         earlier = false;
-        for (std::size_t i = 0; i < fast.bodies.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                const int a = fast.bodies[j], b = fast.bodies[i];
-                if (!may_meet(a, b)) continue;
-                const auto ka = static_cast<std::size_t>(a),
-                           kb = static_cast<std::size_t>(b);
-                Real &part_a = fast.part[ka], &part_b = fast.part[kb];
-                const Real inner = std::max(fast.inner[ka], fast.inner[kb]);
-                const Impact impact = impact_of_two(
-                    motion(a), part_a, motion(b), part_b,
-                    [&](const MovingShape& of_a, const MovingShape& of_b) {
-                        return first_impact(of_a, of_b, inner);
-                    });
-                if (!impact.hit) continue;
-                for (Real* const part : {&part_a, &part_b}) {
-                    // rounding is no reason for another round
-                    earlier = earlier || impact.part < *part - 1e-12;
-                    *part = std::min(*part, impact.part);
-                }
+        for (const auto& pair : fast.pairs) {
+            const int a = pair.first, b = pair.second;
+            const auto ka = static_cast<std::size_t>(a),
+                       kb = static_cast<std::size_t>(b);
+            Real &part_a = fast.part[ka], &part_b = fast.part[kb];
+            const Real inner = std::max(fast.inner[ka], fast.inner[kb]);
+            const Impact impact = impact_of_two(
+                motion(a), part_a, motion(b), part_b,
+                [&](const MovingShape& of_a, const MovingShape& of_b) {
+                    return first_impact(of_a, of_b, inner);
+                });
+            if (!impact.hit) continue;
+            for (Real* const part : {&part_a, &part_b}) {
+                // rounding is no reason for another round
+                earlier = earlier || impact.part < *part - 1e-12;
+                *part = std::min(*part, impact.part);
             }
+        }
     }
 }
 //! [each_other]
@@ -172,8 +173,8 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     for (const int k : now.active) {
         const MovingShape m = motion(k);
         const Vec<3> way = m.way();
-        const Real far = std::hypot(way[0], way[1]) +
-                         std::abs(way[2]) * turning_radius(*m.shape);
+        const Real far =
+            hypot(way[0], way[1]) + std::abs(way[2]) * turning_radius(*m.shape);
         const auto at = static_cast<std::size_t>(k);
         const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
         if (far > 0.5 * inner_of(k) && !goes_on) fast.bodies.push_back(k);
@@ -218,8 +219,9 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         return edge.normal(0).dot(moving.from.head<2>() - edge.vertex(0)) >= 0;
     };
     const auto may_meet = [&](int a, int b) {
-        return may_touch(a, b) && overlap(fast.swept[static_cast<std::size_t>(a)],
-                                          fast.swept[static_cast<std::size_t>(b)]);
+        return overlap(fast.swept[static_cast<std::size_t>(a)],
+                       fast.swept[static_cast<std::size_t>(b)]) &&
+               may_touch(a, b);
     };
     for (const int a : fast.bodies) {
         const MovingShape moving = motion(a);

@@ -9,7 +9,7 @@
 
 #include "chapters/11_rotation/rigid_constraints.hpp"
 #include "chapters/12_contact_manifolds/chains.hpp"
-#include "chapters/12_contact_manifolds/fast_bodies.hpp"
+#include "chapters/12_contact_manifolds/look_ahead.hpp"
 #include "chapters/12_contact_manifolds/manifold.hpp"
 #include "chapters/12_contact_manifolds/pair_finder.hpp"
 #include "chapters/12_contact_manifolds/wall_manifold.hpp"
@@ -29,6 +29,9 @@ struct Manifolds {
     /// than this [margins]
     Real stay = 0.1;
     FastBodies fast;
+    /// a gap that two bodies could close in this step has its row: how far each of
+    /// them looks ahead at most; 0 = no farther than the margin [inner radii]
+    Real ahead = 0;
 
     // What is kept from step to step.
     PlacedShapes placed;
@@ -47,16 +50,23 @@ struct Manifolds {
         std::iota(now.active.begin(), now.active.end(), 0);
         const Real margin = settings.margin * now.length;
         placed.move(scene);
+        if (ahead > 0)
+            look_ahead(scene, placed, {margin, ahead, settings.h}, finder.asked,
+                       now.active, finder.reach);
         finder.find(scene, placed, margin);
         list_rows(scene, margin, now);
     }
 
     /// The same for a step that looks at some bodies only.
     /// \param bodies  ascending; the others are where they were in the last step
-    void begin_with(const RigidScene& scene, Real margin,
+    /// \param h       of the step [s]
+    void begin_with(const RigidScene& scene, Real margin, Real h,
                     std::span<const int> bodies, StepData<3>& now)
     {
         placed.move(scene, bodies);
+        if (ahead > 0)
+            look_ahead(scene, placed, {margin, ahead, h}, finder.asked, bodies,
+                       finder.reach);
         finder.find(scene, placed, margin, bodies);
         list_rows(scene, margin, now);
     }
@@ -92,6 +102,10 @@ struct Manifolds {
         if (!(stay >= 0 && stay < infinity))
             throw std::invalid_argument("stay is " + shortest(stay) +
                                         " margins; it must be zero or positive");
+        if (!(ahead >= 0 && ahead < infinity))
+            throw std::invalid_argument("shapes look " + shortest(ahead) +
+                                        " inner radii ahead; it must be zero or "
+                                        "positive, and finite");
         if (!(finder.skin >= 0 && finder.skin < infinity))
             throw std::invalid_argument("the skin of the tree is " +
                                         shortest(finder.skin) +
@@ -132,10 +146,12 @@ struct Manifolds {
             const Placed shape = placed.of(b);
             for (std::size_t w = 0; w < scene.walls.size(); ++w) {
                 const HalfSpace& wall = scene.walls[w];
+                const Real near =
+                    margin + finder.reach_of(static_cast<std::size_t>(b));
                 if (wall.normal.dot(middle) - wall.normal.cwiseAbs().dot(half) >
-                    wall.offset + margin)
+                    wall.offset + near)
                     continue;
-                add(scene, world, b, collide(wall, shape, margin),
+                add(scene, world, b, collide(wall, shape, near),
                     static_cast<int>(w) * shape.size(), now);
             }
         }
@@ -156,7 +172,10 @@ struct Manifolds {
             while (old != before.end() && key_of(*old) < pair) ++old;
             const bool known = old != before.end() && key_of(*old) == pair;
             const Manifold* const last = known ? &old->manifold : at_rest(pair);
-            const ManifoldSettings how{margin, stay * margin, last};
+            const ManifoldSettings how{
+                margin + finder.reach_of(static_cast<std::size_t>(a)) +
+                    finder.reach_of(static_cast<std::size_t>(b)),
+                stay * margin, last};
             const Manifold m =
                 edges.has(a) || edges.has(b)
                     ? collide_in_chain(placed, edges, scene.bodies.x, a, b, how)

@@ -24,7 +24,10 @@ struct PairFinder {
     Real skin = 5;  ///< of the boxes in the tree [margins]
 
     // What is kept from step to step.
-    std::vector<Box> boxes;  ///< of the shapes, with half the margin around them
+    /// of the shapes, with half the margin and their reach around them
+    std::vector<Box> boxes;
+    /// of each body: how far ahead it looks, 0 = not at all; empty = none does [m]
+    std::vector<Real> reach;
     std::vector<char> moves;
     /// 1: the body looks for others; 0: it is only found
     std::vector<char> asks;
@@ -49,6 +52,8 @@ struct PairFinder {
                !filter.forbids(std::min(a, b), std::max(a, b)) &&
                !std::binary_search(joined.begin(), joined.end(), pair_key(a, b));
     }
+
+    Real reach_of(std::size_t k) const { return k < reach.size() ? reach[k] : 0; }
 
     //! [find]
     /// All pairs of a scene. Of two that may touch, one can move: the others only
@@ -144,7 +149,7 @@ private:
         tree.skin = skin * margin;
         margin_ = margin;
         const auto take = [&](std::size_t k) {
-            boxes[k] = grown(placed.boxes[k], margin / 2);
+            boxes[k] = grown(placed.boxes[k], margin / 2 + reach_of(k));
             moves[k] = scene.bodies.can_move(static_cast<Index>(k));
             if (search == PairSearch::grid)
                 put_in_grid(scene, static_cast<Index>(k), margin);
@@ -173,7 +178,7 @@ private:
         Real circle = 0;
         for (const Vec2& vertex : shape.vertices)
             circle = std::max(circle, vertex.norm());
-        circle += shape.radius + margin / 2;
+        circle += shape.radius + margin / 2 + reach_of(at);
         const int body = static_cast<int>(k);
         const Vec2 x = scene.bodies.position(k).head<2>();
         if (circles[at] == circle) grid.move(body, x);

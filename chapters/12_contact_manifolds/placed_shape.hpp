@@ -6,6 +6,7 @@
 
 #include "chapters/11_rotation/rigid_scene.hpp"
 #include "chapters/12_contact_manifolds/boxes.hpp"
+#include "common/elementary.hpp"
 
 #include <algorithm>
 #include <span>
@@ -46,7 +47,7 @@ inline Box box_of(const Placed& shape)
 inline void place(const Polygon& shape, const Vec<3>& pose,
                   std::vector<Vec2>& vertices, std::vector<Vec2>& normals)
 {
-    const Real c = std::cos(pose[2]), s = std::sin(pose[2]);
+    const Real c = cos(pose[2]), s = sin(pose[2]);
     const std::size_t n = shape.vertices.size();
     for (const Vec2& r : shape.vertices)
         vertices.push_back(

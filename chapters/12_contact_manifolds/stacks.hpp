@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/12_contact_manifolds/manifold_method.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -59,7 +60,7 @@ inline RigidScene block_on_floor(Real half_width, Real half_height, Real tilt,
 {
     RigidScene scene;
     scene.walls.push_back({{0, 1}, 0});
-    const Real c = std::cos(tilt), s = std::sin(tilt);
+    const Real c = cos(tilt), s = sin(tilt);
     add_body(scene, box(2 * half_width, 2 * half_height), 1,
              {-s * half_height, s * half_width + c * half_height}, tilt);
     if (held) {
@@ -95,9 +96,9 @@ inline RigidScene roller(int corners, Real speed)
     Polygon shape;
     for (int i = 0; i < corners; ++i) {
         const Real angle = 2 * pi * (i + 0.5) / corners - pi / 2;
-        shape.vertices.push_back({std::cos(angle), std::sin(angle)});
+        shape.vertices.push_back({cos(angle), sin(angle)});
     }
-    add_body(scene, shape, 1, {0, std::cos(pi / corners)});
+    add_body(scene, shape, 1, {0, cos(pi / corners)});
     add_turning_motor(scene, world, 0, speed, 1000);
     return scene;
 }
@@ -111,7 +112,7 @@ inline RigidScene bullet(const Polygon& shape, Real angle, Real spin)
     scene.gravity = {0, 0};
     add_body(scene, box(0.01, 20), Mass{}, {0, 0});
     add_body(scene, shape, Mass{0.01, {0, 0}, 1e-6}, {-3, 0}, angle);
-    scene.bodies.velocity(1) << 300 * std::cos(angle), 300 * std::sin(angle), spin;
+    scene.bodies.velocity(1) << 300 * cos(angle), 300 * sin(angle), spin;
     return scene;
 }
 
@@ -131,7 +132,7 @@ inline RigidScene pile(int bodies)
             shape = {{}, 0.05};
             for (int k = 0; k < 5; ++k)
                 shape.vertices.push_back(
-                    0.3 * Vec2(std::cos(0.4 * pi * k), std::sin(0.4 * pi * k)));
+                    0.3 * Vec2(cos(0.4 * pi * k), sin(0.4 * pi * k)));
         }
         add_body(scene, shape, 1, at, 0.3 * i);
     }

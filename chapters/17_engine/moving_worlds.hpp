@@ -5,6 +5,7 @@
 #include "chapters/13_friction/moving_scenes.hpp"
 #include "chapters/14_joints/ragdoll.hpp"
 #include "chapters/17_engine/world_scenes.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -66,7 +67,7 @@ inline World tumbler_world(int bodies, Real spin)
 /// The walls of a drum go on along a circle: in a step each moves along the chord to where it is to be.
 inline void turn_tumbler(World& made, Real spin, Real h)
 {
-    const Real c = std::cos(spin * h), s = std::sin(spin * h);
+    const Real c = cos(spin * h), s = sin(spin * h);
     const std::vector<BodyId> all = made.bodies();
     for (std::size_t i = 0; i < 4 && i < all.size(); ++i) {
         const Vec2 p = made.position(all[i]);
@@ -117,8 +118,7 @@ inline World cart_world()
     World made;
     std::vector<Vec2> ground;
     for (int i = 60; i >= -10; --i)
-        ground.push_back(
-            {0.5 * i, 0.35 * std::sin(0.45 * i) + 0.1 * std::sin(1.3 * i)});
+        ground.push_back({0.5 * i, 0.35 * sin(0.45 * i) + 0.1 * sin(1.3 * i)});
     made.add_chain(ground, false, {0.9, 0, 0, 0});
     const BodyId cart =
         made.add_body(body_of(box(1.6, 0.3, 0.05), {0, 1.6}, 0, 30));

@@ -111,7 +111,7 @@ private:
             if (contact.a == world)
                 key.wall = static_cast<int>(wall_of(scene, contact));
             if (pairs_.empty() || pairs_.back().key != key)
-                pairs_.push_back({key, source.index, false, false});
+                pairs_.push_back({.key = key, .contact = source.index});
             Pair& pair = pairs_.back();
             if (contact.gap <
                 now.contacts[static_cast<std::size_t>(pair.contact)].gap)

@@ -1,6 +1,8 @@
 /// \file world.cpp
 /// The step of a world, and what its functions say about bodies, joints and walls. How these get in and out is in
 /// world_things.hpp, what outlives the world in world_kept.cpp.
+#include "common/eigen_instances.hpp"
+
 #include "chapters/17_engine/world.hpp"
 
 #include "chapters/17_engine/recording.hpp"

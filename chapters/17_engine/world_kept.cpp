@@ -1,5 +1,7 @@
 /// \file world_kept.cpp
 /// What outlives a world: its bytes, a number of all of it, and the calls that it was given.
+#include "common/eigen_instances.hpp"
+
 #include "chapters/17_engine/world_cpp.hpp"
 
 namespace rigid {

@@ -136,6 +136,7 @@ struct EngineState {
         AwakeManifolds& sleepers = awake();
         sleepers.sleep = settings.sleep;
         sleepers.rest = settings.rest;
+        sleepers.touching.ahead = 1;
         method.correction.slop = settings.slop;
         IslandChoice& solver = method.solver;
         solver.solving = settings.solving;

@@ -90,7 +90,7 @@ public:
     {
         const RigidScene& scene = state_.scene;
         for (const HalfSpace& wall : scene.walls) paint_half_space(canvas, wall);
-        canvas.polyline(state_.trail, {Colour::purple, 1.2, 0.9, false, false});
+        canvas.polyline(state_.trail, {Colour::purple, 1.2, 0.9});
         for (Index k = 0; k < scene.bodies.count(); ++k)
             paint_rigid_body(canvas, scene, k);
         paint_rigid_joints(canvas, scene);
@@ -126,7 +126,7 @@ private:
             const Vec2 head = c.point + setup_.impulse_scale * lambda * c.normal;
             if (setup_.impulse_scale > 0 && lambda > 0)
                 canvas.arrow(c.point, head, paint::impulse);
-            canvas.disc(c.point, 0.02, {Colour::red, 1, 1, true, false});
+            canvas.disc(c.point, 0.02, {Colour::red, 1, 1, Paint::filled});
             if (setup_.names)
                 canvas.text(c.point + Vec2(0.05, 0.05), name_of(state_.scene, c),
                             14, paint::label);

@@ -46,19 +46,19 @@ inline Demo chain_scene()
             setup.picture = [](Canvas& canvas, const ManifoldState&) {
                 for (int i = -9; i <= 9; ++i)
                     canvas.segment({0.5 * i, -0.16}, {0.5 * i, -0.02},
-                                   {Colour::faint, 1.5, 1, false, false});
+                                   {Colour::faint, 1.5, 1});
             };
             return setup;
         });
     scene.methods = {"exact", "sweeps"};
     scene.tunables.push_back({"chain", "", "1: a chain, 0: boxes side by side", 1,
-                              0, 1, true, true, false});
-    scene.tunables.push_back(
-        {"speed", "m/s", "at the start", 2, 0.1, 20, false, true, false});
-    scene.columns = {{"box", "m/s", "velocity of the box", true, false},
-                     {"disc", "m/s", "of the disc", true, false},
-                     {"up", "m/s", "of the disc, upwards", true, false},
-                     {"contacts", "", "points", true, false}};
+                              0, 1, Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"speed", "m/s", "at the start", 2, 0.1, 20,
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {{"box", "m/s", "velocity of the box", Plot::linear},
+                     {"disc", "m/s", "of the disc", Plot::linear},
+                     {"up", "m/s", "of the disc, upwards", Plot::linear},
+                     {"contacts", "", "points", Plot::linear}};
     return scene;
 }
 

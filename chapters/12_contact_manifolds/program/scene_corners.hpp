@@ -26,14 +26,14 @@ inline Demo rocking_scene()
         });
     scene.h = 1.0 / 480;
     scene.methods = {"exact", "sweeps", "one_point", "no_names"};
-    scene.tunables.push_back(
-        {"width", "m", "of a block of 2 m", 1, 0.2, 2, false, true, false});
-    scene.tunables.push_back(
-        {"tilt", "°", "at the start", 12, 1, 45, false, true, false});
-    scene.columns = {{"angle", "°", "of the block", true, false},
-                     {"omega", "rad/s", "counterclockwise", true, false},
-                     {"ratio", "", "of ω by hand at each impact", false, false},
-                     {"energy", "J", "kinetic and potential", true, false}};
+    scene.tunables.push_back({"width", "m", "of a block of 2 m", 1, 0.2, 2,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"tilt", "°", "at the start", 12, 1, 45, Numbers::real,
+                              OnChange::restarts});
+    scene.columns = {{"angle", "°", "of the block", Plot::linear},
+                     {"omega", "rad/s", "counterclockwise", Plot::linear},
+                     {"ratio", "", "of ω by hand at each impact"},
+                     {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 
@@ -55,14 +55,14 @@ inline Demo rolling_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"corners", "", "of the polygon", 8, 3, 40, true, true, false});
-    scene.tunables.push_back(
-        {"speed", "rad/s", "of the motor", 1, -5, 5, false, false, true});
+    scene.tunables.push_back({"corners", "", "of the polygon", 8, 3, 40,
+                              Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"speed", "rad/s", "of the motor", 1, -5, 5,
+                              Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.columns = {
-        {"angle", "rad", "of the polygon", true, false},
-        {"contacts", "", "points", true, false},
-        {"kept", "", "share of the impulses that found their rows", true, false}};
+        {"angle", "rad", "of the polygon", Plot::linear},
+        {"contacts", "", "points", Plot::linear},
+        {"kept", "", "share of the impulses that found their rows", Plot::linear}};
     return scene;
 }
 
@@ -84,16 +84,16 @@ inline Demo bullet_scene()
             return setup;
         });
     scene.tunables.push_back({"angle", "°", "to the normal of the wall", 0, -60, 60,
-                              false, true, false});
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"length", "m", "of the bullet, 0 for a ball", 0, 0,
-                              0.2, false, true, false});
-    scene.tunables.push_back(
-        {"spin", "rad/s", "of the bullet", 0, -1000, 1000, false, true, false});
+                              0.2, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"spin", "rad/s", "of the bullet", 0, -1000, 1000,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"stop", "", "1: fast bodies are stopped at impacts",
-                              1, 0, 1, true, false, false});
-    scene.columns = {{"x", "m", "of the bullet; the wall is at 0", true, false},
-                     {"y", "m", "of the bullet", true, false},
-                     {"speed", "m/s", "along x", true, false}};
+                              1, 0, 1, Numbers::whole});
+    scene.columns = {{"x", "m", "of the bullet; the wall is at 0", Plot::linear},
+                     {"y", "m", "of the bullet", Plot::linear},
+                     {"speed", "m/s", "along x", Plot::linear}};
     return scene;
 }
 

@@ -24,9 +24,9 @@ inline Demo across_scene()
             };
             return setup;
         });
-    scene.columns = {{"left", "N", "force at its own corner", true, false},
-                     {"right", "N", "at the corner of the lower box", true, false},
-                     {"angle", "rad", "of the upper box", true, false}};
+    scene.columns = {{"left", "N", "force at its own corner", Plot::linear},
+                     {"right", "N", "at the corner of the lower box", Plot::linear},
+                     {"angle", "rad", "of the upper box", Plot::linear}};
     return scene;
 }
 
@@ -52,14 +52,14 @@ inline Demo stack_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"boxes", "", "on one another", 6, 1, 30, true, true, false});
+    scene.tunables.push_back({"boxes", "", "on one another", 6, 1, 30,
+                              Numbers::whole, OnChange::restarts});
     scene.columns = {
-        {"lean", "m", "farthest from the axis", true, false},
-        {"turn", "rad", "largest angle", true, false},
-        {"overlap", "m", "deepest", true, true},
-        {"kept", "", "share of the impulses that found their rows", true, false},
-        {"energy", "J", "kinetic and potential", true, false}};
+        {"lean", "m", "farthest from the axis", Plot::linear},
+        {"turn", "rad", "largest angle", Plot::linear},
+        {"overlap", "m", "deepest", Plot::logarithmic},
+        {"kept", "", "share of the impulses that found their rows", Plot::linear},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 
@@ -81,13 +81,14 @@ inline Demo overhang_scene()
             return setup;
         });
     scene.methods = {"exact", "sweeps", "one_point", "no_names"};
-    scene.tunables.push_back({"blocks", "", "number", 6, 1, 12, true, true, false});
     scene.tunables.push_back(
-        {"part", "", "of the limit", 0.98, 0.5, 1.5, false, true, false});
+        {"blocks", "", "number", 6, 1, 12, Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"part", "", "of the limit", 0.98, 0.5, 1.5,
+                              Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"out", "m", "from the table's end to that of the top block", true, false},
-        {"turn", "rad", "largest angle", true, false},
-        {"kept", "", "share of the impulses that found their rows", true, false}};
+        {"out", "m", "from the table's end to that of the top block", Plot::linear},
+        {"turn", "rad", "largest angle", Plot::linear},
+        {"kept", "", "share of the impulses that found their rows", Plot::linear}};
     return scene;
 }
 
@@ -105,12 +106,12 @@ inline Demo pile_scene()
             return setup;
         });
     scene.tunables.push_back(
-        {"bodies", "", "number", 42, 1, 200, true, true, false});
+        {"bodies", "", "number", 42, 1, 200, Numbers::whole, OnChange::restarts});
     scene.columns = {
-        {"contacts", "", "points", true, false},
-        {"overlap", "m", "deepest", true, true},
-        {"kept", "", "share of the impulses that found their rows", true, false},
-        {"energy", "J", "kinetic and potential", true, false}};
+        {"contacts", "", "points", Plot::linear},
+        {"overlap", "m", "deepest", Plot::logarithmic},
+        {"kept", "", "share of the impulses that found their rows", Plot::linear},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 

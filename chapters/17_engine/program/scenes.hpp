@@ -22,7 +22,7 @@ Demo sample(const std::string& name, const std::string& summary, const View& vie
 inline Tunable count_of(const char* name, const char* help, Real value, Real low,
                         Real high)
 {
-    return {name, "", help, value, low, high, true, true, false};
+    return {name, "", help, value, low, high, Numbers::whole, OnChange::restarts};
 }
 
 inline std::vector<Demo> samples()
@@ -38,7 +38,7 @@ inline std::vector<Demo> samples()
     all.push_back(sample("heavy", "A heavy box on ten light ones",
                          {{0, 5.5}, {7, 6.5}},
                          {"ratio", "", "its mass over that of one of them", 1000, 1,
-                          1e4, false, true, false},
+                          1e4, Numbers::real, OnChange::restarts},
                          [](Real ratio) { return column_world(10, ratio); }));
     all.push_back(sample("column", "A column of boxes", {{0, 10}, {12, 12}},
                          count_of("boxes", "in the column", 20, 1, 80),
@@ -46,7 +46,7 @@ inline std::vector<Demo> samples()
     all.push_back(sample("chain", "A heavy weight on a light chain",
                          {{0.8, -2.6}, {3.4, 3.2}},
                          {"ratio", "", "mass of the weight over that of a link",
-                          1000, 1, 1e5, false, true, false},
+                          1000, 1, 1e5, Numbers::real, OnChange::restarts},
                          [](Real ratio) { return chain_world(50, ratio); }));
     all.push_back(sample("bridge", "Balls on a bridge of planks", {{0, 0}, {5, 4}},
                          count_of("planks", "of the bridge", 20, 2, 80),
@@ -71,10 +71,9 @@ inline std::vector<Demo> samples()
                                              turn_tumbler(here, s["spin"], s.h);
                                          }};
                    });
-    tumbler.tunables.insert(
-        tumbler.tunables.begin(),
-        {count_of("boxes", "in the drum", 40, 1, 64),
-         {"spin", "rad/s", "of the drum", 0.5, -3, 3, false, false, false}});
+    tumbler.tunables.insert(tumbler.tunables.begin(),
+                            {count_of("boxes", "in the drum", 40, 1, 64),
+                             {"spin", "rad/s", "of the drum", 0.5, -3, 3}});
     all.push_back(tumbler);
     all.push_back(sample("piles", "Piles that fall asleep", {{9, 4}, {11, 6}},
                          count_of("piles", "of five boxes", 10, 1, 1000),

@@ -93,9 +93,8 @@ public:
             const RigidJoint& it = here.joint(joint);
             const Vec2 a = here.point_of(here.body_a(joint), it.at_a),
                        b = here.point_of(here.body_b(joint), it.at_b);
-            if ((a - b).norm() > 0.02)
-                canvas.segment(a, b, {Colour::purple, 2, 1, false, false});
-            canvas.disc(b, 0.02, {Colour::orange, 1, 1, true, false});
+            if ((a - b).norm() > 0.02) canvas.segment(a, b, {Colour::purple, 2, 1});
+            canvas.disc(b, 0.02, {Colour::orange, 1, 1, Paint::filled});
         }
     }
 
@@ -113,12 +112,11 @@ private:
         if (corners.size() == 1) {
             canvas.disc(corners[0], shape.radius, style);
             canvas.segment(corners[0], here.point_of(body, {0.9 * shape.radius, 0}),
-                           {Colour::blue, 1.5, 1, false, false});
+                           {Colour::blue, 1.5, 1});
         } else if (shape.radius > 0)
             canvas.polygon(rounded_outline(corners, shape.radius), style);
         else if (corners.size() == 2)
-            canvas.segment(corners[0], corners[1],
-                           {style.colour, 3, 0.8, false, false});
+            canvas.segment(corners[0], corners[1], {style.colour, 3, 0.8});
         else canvas.polygon(corners, style);
     }
 
@@ -169,22 +167,23 @@ inline Demo world_demo(const std::string& name, const std::string& summary,
     scene.view = view;
     scene.methods = {"by_island", "exact", "sweeps"};
     scene.tunables = {
-        {"substeps", "", "parts of a step", 1, 1, 32, true, false, false},
-        {"sleep", "", "1: what rests, sleeps", 1, 0, 1, true, false, false},
-        {"thrown", "", "boxes thrown in so far", 0, 0, 60, true, false, true}};
+        {"substeps", "", "parts of a step", 1, 1, 32, Numbers::whole},
+        {"sleep", "", "1: what rests, sleeps", 1, 0, 1, Numbers::whole},
+        {"thrown", "", "boxes thrown in so far", 0, 0, 60, Numbers::whole,
+         OnChange::goes_on, Keys::up_and_down}};
     scene.columns = {
-        {"bodies", "", "in the world", false, false},
-        {"awake", "", "bodies that a step looks at", true, false},
-        {"contacts", "", "points", false, false},
-        {"rows", "", "of the step", true, false},
-        {"exact", "", "islands solved exactly", false, false},
-        {"swept", "", "islands swept", false, false},
-        {"rescued", "", "of those, solved exactly after all", false, false},
-        {"unsolved", "", "islands above the tolerance", false, false},
-        {"visits", "", "rows visited, whatever for", true, false},
-        {"tested", "", "boxes compared in search of pairs", false, false},
-        {"overlap", "m", "the deepest", true, true},
-        {"gap", "m", "the largest error of a joint", true, true}};
+        {"bodies", "", "in the world"},
+        {"awake", "", "bodies that a step looks at", Plot::linear},
+        {"contacts", "", "points"},
+        {"rows", "", "of the step", Plot::linear},
+        {"exact", "", "islands solved exactly"},
+        {"swept", "", "islands swept"},
+        {"rescued", "", "of those, solved exactly after all"},
+        {"unsolved", "", "islands above the tolerance"},
+        {"visits", "", "rows visited, whatever for", Plot::linear},
+        {"tested", "", "boxes compared in search of pairs"},
+        {"overlap", "m", "the deepest", Plot::logarithmic},
+        {"gap", "m", "the largest error of a joint", Plot::logarithmic}};
     scene.start = [setup = std::move(setup)](const Settings& settings) {
         return std::make_unique<WorldRun>(setup(settings), settings);
     };

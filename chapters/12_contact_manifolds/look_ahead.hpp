@@ -1,0 +1,48 @@
+/// \file look_ahead.hpp
+/// How far a body may come in a step: two that close their gap in it get their rows before it, however small the margin is.
+///
+///     reach = min(h (|v| + |g| h + |ω| R), s inner radii),     0 where the way is within half the margin              (12.6c)
+///
+/// A row with a gap lets the two come as near as the gap, and no nearer. Without it they overlap by what they move in a step,
+/// before anybody has looked. It is about a line, not a shape, and is false beside a corner: hence the second bound. What
+/// goes farther is stopped on its way (fast_bodies.hpp).
+#pragma once
+
+#include "chapters/12_contact_manifolds/fast_bodies.hpp"
+
+namespace rigid {
+
+struct LookAhead {
+    Real margin = 0;  ///< [m]
+    Real most = 0;    ///< s [inner radii]
+    Real h = 0;       ///< of the step [s]
+};
+
+//! [ahead]
+/// (12.6c) of some bodies; others do not look.
+/// \param before  those that looked in the step before
+/// \param reach   of all bodies [m]
+inline void look_ahead(const RigidScene& scene, const PlacedShapes& placed,
+                       const LookAhead& how, std::span<const int> before,
+                       std::span<const int> bodies, std::vector<Real>& reach)
+{
+    reach.resize(static_cast<std::size_t>(scene.bodies.count()), 0);
+    for (const int k : before)
+        if (k < scene.bodies.count()) reach[static_cast<std::size_t>(k)] = 0;
+    const Real fall = scene.gravity.norm() * how.h;
+    for (const int k : bodies) {
+        const auto at = static_cast<std::size_t>(k);
+        const Vec<3> u = scene.bodies.velocity(k);
+        const Real turns = std::abs(u[2]) * turning_radius(scene.shapes[at]),
+                   falls = scene.bodies.can_move(k) ? fall : 0,
+                   way = how.h * (u.head<2>().norm() + falls + turns),
+                   inner = inner_radius(placed.of(k),
+                                        scene.bodies.position(k).head<2>());
+        reach[at] = way > how.margin / 2
+                        ? std::min(way, how.most * std::max(Real{0}, inner))
+                        : 0;
+    }
+}
+//! [ahead]
+
+}  // namespace rigid
