@@ -99,9 +99,10 @@ TEST_CASE("turning and mirroring and other units and another order of bodies do 
     const VecX plain = moved({});
     const Index count = plain.size() / 3;
     for (const Placing& in :
-         {Placing{1, 1, 1, false, false}, Placing{0, 1, 1, true, false}, Placing{0, 1, 1, false, true},
-          Placing{2.5, 1, 1, true, true}, Placing{0, 8, 1, false, false},
-          Placing{0, 1, 1.0 / 1024, false, false}, Placing{-1, 0.01, 1000, true, true}}) {
+         {Placing{.angle = 1}, Placing{.mirror = true}, Placing{.swap = true},
+          Placing{.angle = 2.5, .mirror = true, .swap = true}, Placing{.length = 8},
+          Placing{.mass = 1.0 / 1024},
+          Placing{.angle = -1, .length = 0.01, .mass = 1000, .mirror = true, .swap = true}}) {
         const VecX other = moved(in);
         CAPTURE(in.angle, in.length, in.mass, in.mirror, in.swap);
         for (Index k = 0; k < count; ++k) {

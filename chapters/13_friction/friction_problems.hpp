@@ -4,6 +4,7 @@
 
 #include "chapters/05_lemke/stewart_trinkle.hpp"
 #include "chapters/13_friction/slopes.hpp"
+#include "common/elementary.hpp"
 #include "common/random.hpp"
 
 namespace rigid {
@@ -16,7 +17,7 @@ struct RodEnd {
 };
 inline RodEnd rod_end(Real angle)
 {
-    const Real c = std::cos(angle), s = std::sin(angle);
+    const Real c = cos(angle), s = sin(angle);
     return {1 + 3 * c * c, -3 * s * c, 1 + 3 * s * s};
 }
 
@@ -75,7 +76,7 @@ inline FrictionRows random_rubble(Random& random, int contacts, Real most_mu,
             const Real tilt =
                 a == world ? 0
                            : (side == 0 ? -0.5 : 0.5) + random.uniform(-0.4, 0.4);
-            const Vec2 n(-std::sin(tilt), std::cos(tilt));
+            const Vec2 n(-sin(tilt), cos(tilt));
             const int points = random.uniform() < 0.5 ? 1 : 2;
             const Real mu = random.uniform(0, most_mu),
                        near = random.uniform(0.3, 0.5);

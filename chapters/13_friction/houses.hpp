@@ -7,6 +7,7 @@
 
 #include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/13_friction/friction_solver.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -36,7 +37,7 @@ inline RoughScene card_house(int storeys, Real mu)
             for (const Real side : {-1.0, 1.0})
                 add_body(scene, capsule(1, r), thin_rod(1, 1),
                          {middle(i) + side * (r + s / 2), y + r + c / 2},
-                         std::atan2(c, -side * s));
+                         atan2(c, -side * s));
         for (int i = 0; i + 1 < count; ++i)
             add_body(scene, box(1, 2 * r), thin_rod(1, 1),
                      {(middle(i) + middle(i + 1)) / 2, y + c + 3 * r});
@@ -87,7 +88,7 @@ inline RoughScene stone_arch(int stones, Real thickness, Real mu)
         const auto joint = [stones](int i) -> Vec2 {
             if (i == 0) return {1, 0};
             if (i == stones) return {-1, 0};
-            return {std::cos(pi * i / stones), std::sin(pi * i / stones)};
+            return {cos(pi * i / stones), sin(pi * i / stones)};
         };
         const Polygon stone{
             {in * joint(k), out * joint(k), out * joint(k + 1), in * joint(k + 1)},
@@ -103,7 +104,7 @@ inline Real arch_by_hand(int stones)
 {
     Real most = 0;
     for (int j = 1; 2 * j < stones; ++j) {
-        const Real x = 2.0 * j / stones, t = std::tan(pi * j / stones),
+        const Real x = 2.0 * j / stones, t = tan(pi * j / stones),
                    b = (1 + x) * t / 2;
         most = std::max(most, std::sqrt(b * b + x) - b);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/13_friction/friction_solver.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -14,8 +15,8 @@ inline RoughScene on_a_slope(const Polygon& shape, Real below, Real degrees,
 {
     const Real a = degrees * pi / 180;
     RoughScene scene;
-    scene.walls.push_back({{std::sin(a), std::cos(a)}, 0});
-    add_body(scene, shape, 1.0, Vec2(std::sin(a), std::cos(a)) * below, -a);
+    scene.walls.push_back({{sin(a), cos(a)}, 0});
+    add_body(scene, shape, 1.0, Vec2(sin(a), cos(a)) * below, -a);
     cover(scene, {mu, 0, 0, 0});
     return scene;
 }
@@ -32,7 +33,7 @@ inline Real down_the_slope(const RoughScene& scene)
 inline Real block_by_hand(Real degrees, Real mu, Real g = 9.81)
 {
     const Real a = degrees * pi / 180;
-    return std::max(Real{0}, g * (std::sin(a) - mu * std::cos(a)));
+    return std::max(Real{0}, g * (sin(a) - mu * cos(a)));
 }
 
 /// The same for something round, with κ = I/(m r²): ½ of a disc. It rolls where μ
@@ -40,9 +41,8 @@ inline Real block_by_hand(Real degrees, Real mu, Real g = 9.81)
 inline Real round_by_hand(Real degrees, Real mu, Real kappa, Real g = 9.81)
 {
     const Real a = degrees * pi / 180;
-    const bool rolls = mu >= std::tan(a) * kappa / (1 + kappa);
-    return rolls ? g * std::sin(a) / (1 + kappa)
-                 : g * (std::sin(a) - mu * std::cos(a));
+    const bool rolls = mu >= tan(a) * kappa / (1 + kappa);
+    return rolls ? g * sin(a) / (1 + kappa) : g * (sin(a) - mu * cos(a));
 }
 
 /// When and where a disc that starts to slide at v₀ without spin rolls, and how fast.
@@ -74,7 +74,7 @@ inline RoughScene rod_on_end(Real angle, const Vec2& velocity, Real spin, Real m
     RoughScene scene;
     scene.gravity = {0, 0};
     scene.walls.push_back({{0, 1}, 0});
-    add_body(scene, capsule(1, 0), thin_rod(1, 1), {0, std::sin(angle) / 2}, angle);
+    add_body(scene, capsule(1, 0), thin_rod(1, 1), {0, sin(angle) / 2}, angle);
     scene.bodies.u << velocity, spin;
     cover(scene, {mu, 0, 0, 0});
     return scene;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "chapters/13_friction/friction_solver.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -31,9 +32,9 @@ struct StickSlipByHand {
           balance(s.mu_k * s.mass * s.g / s.stiffness),
           beyond((s.mu_s - s.mu_k) * s.mass * s.g / s.stiffness),
           sticks(2 * beyond / s.belt),
-          slips(2 / omega * (pi - std::atan(beyond * omega / s.belt))),
-          largest(balance + std::hypot(beyond, s.belt / omega)),
-          least(balance - std::hypot(beyond, s.belt / omega))
+          slips(2 / omega * (pi - atan(beyond * omega / s.belt))),
+          largest(balance + hypot(beyond, s.belt / omega)),
+          least(balance - hypot(beyond, s.belt / omega))
     {
     }
 
@@ -45,8 +46,8 @@ struct StickSlipByHand {
         const Real first = (balance + beyond) / s.belt;
         if (t <= first) return s.belt * t;
         const Real since = std::fmod(t - first, period());
-        return since < slips ? balance + beyond * std::cos(omega * since) +
-                                   s.belt / omega * std::sin(omega * since)
+        return since < slips ? balance + beyond * cos(omega * since) +
+                                   s.belt / omega * sin(omega * since)
                              : balance - beyond + s.belt * (since - slips);
     }
 };

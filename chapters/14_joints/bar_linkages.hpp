@@ -4,6 +4,7 @@
 
 #include "chapters/11_rotation/mechanisms.hpp"
 #include "chapters/14_joints/placed_joints.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -15,7 +16,7 @@ inline Index add_bar(JointedScene& scene, const Vec2& from, const Vec2& to,
 {
     const Vec2 d = to - from;
     return add_body(scene, capsule(d.norm(), 0), thin_rod(d.norm(), mass),
-                    (from + to) / 2, std::atan2(d.y(), d.x()));
+                    (from + to) / 2, atan2(d.y(), d.x()));
 }
 
 /// Pins two bodies together at a place of the world.
@@ -35,7 +36,7 @@ inline JointedScene cranks_scene(int cranks, Real angle, Real spin)
         throw std::invalid_argument("there are " + std::to_string(cranks) +
                                     " cranks; a bar needs two or more");
     JointedScene scene;
-    const Vec2 arm(std::cos(angle), std::sin(angle)), v = spin * perpendicular(arm);
+    const Vec2 arm(cos(angle), sin(angle)), v = spin * perpendicular(arm);
     const Real width = 2.0 * (cranks - 1);
     const Index bar = add_bar(scene, arm, arm + Vec2(width, 0), 1);
     scene.bodies.velocity(bar).head<2>() = v;
@@ -83,7 +84,7 @@ struct JansenLeg {
 
     explicit JansenLeg(Real angle)
     {
-        p[0] = 15 * scale * Vec2(std::cos(angle), std::sin(angle));
+        p[0] = 15 * scale * Vec2(cos(angle), sin(angle));
         p[1] = meet(p[0], 50, pivot, 41.5);    // above
         p[2] = meet(p[1], 55.8, pivot, 40.1);  // to the left
         p[3] = meet(pivot, 39.3, p[0], 61.9);  // below
@@ -140,8 +141,7 @@ Index hang_jansen_leg(JointedScene& scene, Index on, Index crank,
         }
         const Vec2 middle = mass.centroid;
         mass.centroid = {0, 0};
-        return add_body(scene, shape, mass, middle,
-                        std::atan2(along.y(), along.x()));
+        return add_body(scene, shape, mass, middle, atan2(along.y(), along.x()));
     };
     const Index j = bar(p[0], p[1]), k = bar(p[0], p[3]),
                 upper = triangle({pivot, p[1], p[2]}), c = bar(pivot, p[3]),

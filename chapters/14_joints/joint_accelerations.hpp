@@ -9,6 +9,7 @@
 
 #include "chapters/14_joints/joint_factor.hpp"
 #include "chapters/14_joints/joint_rows.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -40,7 +41,7 @@ inline Real velocity_product(const PointJoint& joint, const VecX& x, const VecX&
     Real k = 0;
     if (joint.measure == Measure::distance) {
         n = d.normalized();
-        k = ((vb - va).squaredNorm() - std::pow(n.dot(vb - va), 2)) / d.norm();
+        k = ((vb - va).squaredNorm() - pow(n.dot(vb - va), 2)) / d.norm();
     } else if (joint.measure == Measure::turning && joint.a != world) {
         n = point_of(x, joint.a, n) - x.segment<2>(3 * joint.a);
         const Real omega = u[3 * joint.a + 2];

@@ -1,25 +1,47 @@
 /// \file joint_block.hpp
 /// One body of a tree and the joint that it hangs on: its block of the factor, and its part of a solve.
 ///
-///     K = J G Jᵀ + Γ = L diag(pivot) Lᵀ,   S_parent += J_pᵀ K⁻¹ J_p,   G = D (1 + D S D)⁻¹ D,  D = M^(−½)
+///     K = J G Jᵀ + Γ = L diag(pivot) Lᵀ,   S_parent += J_pᵀ K⁻¹ J_p,   G = (M + S)⁻¹
 ///
-/// (14.8), (14.9). At most four rows, so that all loops are unrolled.
+/// (14.8), (14.9). At most four rows, so that all loops are unrolled. J G and K⁻¹ J_p are kept: with them a body waits
+/// for the one before it by two short products on the way up, and by two on the way down.
 #pragma once
 
 #include "chapters/14_joints/joint_tree.hpp"
 
+#include <utility>
+
 namespace rigid {
+
+/// what<i>() for i = 0 … d − 1: no loop is left of it at any level of optimisation.
+template <int d, class What>
+void unrolled([[maybe_unused]] const What& what)
+{
+    [&]<int... i>(std::integer_sequence<int, i...>)
+    {
+        (what.template operator()<i>(), ...);
+    }
+    (std::make_integer_sequence<int, d>());
+}
 
 /// A body and the joint that it hangs on.
 struct JointBlock {
+    /// a row lies in one piece
+    template <int d>
+    using Lines = Eigen::Matrix<Real, d, 3, Eigen::RowMajor>;
     using Mat3 = Eigen::Matrix<Real, 3, 3>;
-    int count = 0;        ///< rows of the joint
-    Index other = world;  ///< the other body of the joint, if it cannot move
-    Eigen::Matrix<Real, 4, 3> J, Jp;  ///< their J for the body, the parent
-    Eigen::Matrix<Real, 4, 4> L;      ///< K = L diag(pivot) Lᵀ
-    Vec<4> softness, inverse_pivot, y;
-    Mat3 S, G;
-    Vec<3> D, star, pull, free, u;
+
+    int count = 0;         ///< rows of the joint
+    Index other = world;   ///< the other body of the joint, if it cannot move
+    Vec<3> star, pull, u;  ///< of a solve: u*, G⁻¹ (u* − û), and the answer
+    Vec<4> y;              ///< of a solve: K⁻¹ r
+    Lines<4> J, Jp;        ///< J of the rows for the body, the parent
+    Lines<4> JG;           ///< line i: what one unit of λ_i does to the body
+    Lines<4> KJp;  ///< K⁻¹ J_p: what −λ becomes per velocity of the parent
+    Vec<4> inverse_pivot;
+    Eigen::Matrix<Real, 4, 4> L;  ///< K = L diag(pivot) Lᵀ
+    Mat3 G, S;                    ///< of S only the lower half is written
+    Vec<4> softness;
 
     void load(const std::vector<Row<3>>& rows, const RowGroup& group,
               const TreeNode& node)
@@ -38,58 +60,62 @@ struct JointBlock {
     }
 
     //! [mobility]
-    /// (14.9): G = (M + S)⁻¹, in a form that takes 1/m = 0 and keeps symmetry:
-    /// 1 + D S D = l diag(p) lᵀ, and G = D (l⁻ᵀ diag(1/p) l⁻¹) D.
-    void find_mobility()
+    /// (14.9): M + S = l diag(p) lᵀ, and G = l⁻ᵀ diag(1/p) l⁻¹. What cannot move in
+    /// some direction has m = 1/0 there, and so 1/p = 0: no motion.
+    void find_mobility(const Vec<3>& inverse_mass)
     {
-        const Real b10 = D[1] * S(1, 0) * D[0], b20 = D[2] * S(2, 0) * D[0];
-        const Real q0 = 1 / (1 + D[0] * S(0, 0) * D[0]);
-        const Real l10 = b10 * q0, l20 = b20 * q0;
-        const Real q1 = 1 / (1 + D[1] * S(1, 1) * D[1] - l10 * b10);
-        const Real b21 = D[2] * S(2, 1) * D[1] - l20 * b10, l21 = b21 * q1;
-        const Real q2 = 1 / (1 + D[2] * S(2, 2) * D[2] - l20 * b20 - l21 * b21);
+        const Vec<3> m = inverse_mass.cwiseInverse();
+        const Real q0 = 1 / (m[0] + S(0, 0));
+        const Real l10 = S(1, 0) * q0, l20 = S(2, 0) * q0;
+        const Real q1 = 1 / (m[1] + S(1, 1) - l10 * S(1, 0));
+        const Real b21 = S(2, 1) - l20 * S(1, 0), l21 = b21 * q1;
+        const Real q2 = 1 / (m[2] + S(2, 2) - l20 * S(2, 0) - l21 * b21);
         const Real m20 = l21 * l10 - l20;  // of l⁻¹
-        G(0, 0) = D[0] * D[0] * (q0 + l10 * l10 * q1 + m20 * m20 * q2);
-        G(1, 1) = D[1] * D[1] * (q1 + l21 * l21 * q2);
-        G(2, 2) = D[2] * D[2] * q2;
-        G(1, 0) = G(0, 1) = -D[1] * D[0] * (l10 * q1 + l21 * m20 * q2);
-        G(2, 0) = G(0, 2) = D[2] * D[0] * m20 * q2;
-        G(2, 1) = G(1, 2) = -D[2] * D[1] * l21 * q2;
+        G(0, 0) = q0 + l10 * l10 * q1 + m20 * m20 * q2;
+        G(1, 1) = q1 + l21 * l21 * q2;
+        G(2, 2) = q2;
+        G(1, 0) = G(0, 1) = -(l10 * q1 + l21 * m20 * q2);
+        G(2, 0) = G(0, 2) = m20 * q2;
+        G(2, 1) = G(1, 2) = -l21 * q2;
     }
     //! [mobility]
 
     //! [joint_block]
     /// (14.8) and (14.10) for a joint of d rows. A row whose pivot is nothing
     /// beside its diagonal says what others say already: it gets no impulse.
-    /// \param parent  S of the parent; null = the world
+    /// \param parent  null = the world
     /// \return        such rows
     template <int d>
-    int factor(Mat3* parent)
+    int factor(const Vec<3>& inverse_mass, JointBlock* parent)
     {
-        const Eigen::Matrix<Real, d, d> K =
-            J.topRows<d>() * G * J.topRows<d>().transpose();
+        JG.topRows<d>().noalias() = J.topRows<d>() * G;
         int nothing = 0;
-        for (int i = 0; i < d; ++i) {
-            Real pivot = K(i, i) + softness[i];
-            for (int j = 0; j < i; ++j) {
-                Real l = K(i, j);
-                for (int k = 0; k < j; ++k) l -= y[k] * L(i, k) * L(j, k);
+        Vec<d> pivot;
+        unrolled<d>([&]<int i>() {
+            pivot[i] = JG.row(i).dot(J.row(i)) + softness[i];
+            unrolled<i>([&]<int j>() {
+                Real l = JG.row(i).dot(J.row(j));
+                unrolled<j>([&]<int k>() { l -= pivot[k] * L(i, k) * L(j, k); });
                 L(i, j) = l * inverse_pivot[j];
-                pivot -= L(i, j) * l;
-            }
-            const Real whole =
-                J.row(i) * D.cwiseAbs2().asDiagonal() * J.row(i).transpose();
-            const bool counts = pivot > rank_tolerance * (whole + softness[i]);
-            y[i] = counts ? pivot : 0;
-            inverse_pivot[i] = counts ? 1 / pivot : 0;
+                pivot[i] -= L(i, j) * l;
+            });
+            const Real whole = J.row(i).cwiseAbs2().dot(inverse_mass);
+            const bool counts = pivot[i] > rank_tolerance * (whole + softness[i]);
+            inverse_pivot[i] = counts ? 1 / pivot[i] : 0;
             nothing += !counts;
-        }
+        });
         if (parent == nullptr) return nothing;
-        auto Y = Jp;  // L⁻¹ J_p
-        for (int i = 0; i < d; ++i) {
-            for (int j = 0; j < i; ++j) Y.row(i) -= L(i, j) * Y.row(j);
-            *parent += inverse_pivot[i] * (Y.row(i).transpose() * Y.row(i));
-        }
+        Lines<d> Y = Jp.topRows<d>();  // L⁻¹ J_p
+        unrolled<d>([&]<int i>() {
+            unrolled<i>([&]<int j>() { Y.row(i) -= L(i, j) * Y.row(j); });
+            KJp.row(i) = inverse_pivot[i] * Y.row(i);
+            unrolled<3>([&]<int k>() {
+                unrolled<k + 1>(
+                    [&]<int j>() { parent->S(k, j) += KJp(i, k) * Y(i, j); });
+            });
+        });
+        for (int i = d - 2; i >= 0; --i)  // K⁻¹ J_p = L⁻ᵀ diag(1/pivot) L⁻¹ J_p
+            for (int j = i + 1; j < d; ++j) KJp.row(i) -= L(j, i) * KJp.row(j);
         return nothing;
     }
     //! [joint_block]
@@ -100,41 +126,42 @@ struct JointBlock {
     void up(const Bias& b, const RowGroup& group, const VecX& u_all,
             JointBlock* parent)
     {
-        Vec<d> r = J.topRows<d>() * free;
+        Vec<d> r = J.topRows<d>() * star;
         if (parent) r += Jp.topRows<d>() * parent->star;
         // what no impulse moves may still move
         else if (other != world) r += Jp.topRows<d>() * u_all.segment<3>(3 * other);
-        for (int i = 0; i < d; ++i) r[i] += b[number(group, i)];
-        y.head<d>() = r;
-        if (!parent) return;
+        unrolled<d>([&]<int i>() { r[i] += b[number(group, i)]; });
+        r -= JG.topRows<d>() * pull;
+        if (parent) parent->pull += KJp.topRows<d>().transpose() * r;
         divide<d>(r);
-        parent->pull += Jp.topRows<d>().transpose() * r;
+        y.head<d>() = r;
     }
 
     /// (14.8) and (14.7): λ and u, once the parent's u is known.
+    /// \param u  of the body: û before
     template <int d>
     void down(const RowGroup& group, const JointBlock* parent, VecX& lambda)
     {
-        Vec<d> r = y.head<d>();
-        if (parent) r += Jp.topRows<d>() * (parent->u - parent->star);
-        divide<d>(r);
-        for (int i = 0; i < d; ++i) lambda[number(group, i)] = -r[i];
-        u = free - G * (J.topRows<d>().transpose() * r);
+        Vec<d> l = -y.head<d>();
+        if (parent) l -= KJp.topRows<d>() * (parent->u - parent->star);
+        unrolled<d>([&]<int i>() { lambda[number(group, i)] = l[i]; });
+        u += JG.topRows<d>().transpose() * l;
     }
     //! [up_and_down]
 
-    /// r ← K⁻¹ r
+    /// r ← K⁻¹ r. Of a row that says nothing new 1/pivot and its column of L are zero, and so its λ.
     template <int d>
     void divide(Vec<d>& r) const
     {
-        for (int i = 1; i < d; ++i)
-            for (int j = 0; j < i; ++j) r[i] -= L(i, j) * r[j];
-        for (int i = d - 1; i >= 0; --i) {
+        unrolled<d>([&]<int i>() {
+            unrolled<i>([&]<int j>() { r[i] -= L(i, j) * r[j]; });
+        });
+        unrolled<d>([&]<int back>() {
+            constexpr int i = d - 1 - back;
             r[i] *= inverse_pivot[i];
-            for (int j = i + 1; j < d; ++j)
-                // a row that says nothing new keeps its zero
-                if (inverse_pivot[i] > 0) r[i] -= L(j, i) * r[j];
-        }
+            unrolled<d - 1 - i>(
+                [&]<int j>() { r[i] -= L(i + 1 + j, i) * r[i + 1 + j]; });
+        });
     }
 
     /// share of J M⁻¹ Jᵀ that the pivot of a row must keep

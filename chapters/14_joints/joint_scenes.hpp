@@ -4,6 +4,7 @@
 
 #include "chapters/11_rotation/mechanisms.hpp"
 #include "chapters/14_joints/placed_joints.hpp"
+#include "common/elementary.hpp"
 
 #include <cmath>
 
@@ -26,7 +27,7 @@ inline JointedScene chain_scene(const ChainShape& shape)
                                     " links; it needs one or more");
     JointedScene scene;
     const Real L = shape.length;
-    const Vec2 along(std::sin(shape.angle), -std::cos(shape.angle));
+    const Vec2 along(sin(shape.angle), -cos(shape.angle));
     RigidJoint pin;
     for (int k = 0; k < shape.links; ++k) {
         pin.a = k - 1;
@@ -60,7 +61,7 @@ inline JointedScene catenary_scene(int rods)
         const Vec2 along = 2 * k < rods ? down : up;
         pin.a = k - 1;
         pin.b = add_body(scene, capsule(L, 0), thin_rod(L, 1.0 / rods),
-                         end + L / 2 * along, std::atan2(along.y(), along.x()));
+                         end + L / 2 * along, atan2(along.y(), along.x()));
         pin.at_a = k == 0 ? Vec2(0, 0) : Vec2(L / 2, 0);
         pin.at_b = {-L / 2, 0};
         add_joint(scene, pin);
@@ -131,9 +132,9 @@ inline JointedScene bridge_scene(int planks, Real mass = 5, Real whole = 8.4)
             add_joint(scene, last);
             break;
         }
-        const Index b = add_body(
-            scene, box(L, 0.1), Mass{mass, {0, 0}, mass * (L * L + 0.01) / 12},
-            end + L / 2 * along, std::atan2(along.y(), along.x()));
+        const Index b = add_body(scene, box(L, 0.1),
+                                 Mass{mass, {0, 0}, mass * (L * L + 0.01) / 12},
+                                 end + L / 2 * along, atan2(along.y(), along.x()));
         RigidJoint pin;
         pin.a = a, pin.b = b;
         pin.at_a = k == 0 ? end : Vec2(L / 2, 0);

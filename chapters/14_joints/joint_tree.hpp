@@ -115,25 +115,48 @@ private:
         }
     }
 
-    /// Sorts the rows into groups. Returns false if they are those of last time.
+    /// Lists the rows that the tree takes. Returns false if its pairs of bodies are those of last time.
     template <int Dof>
     bool collect(const std::vector<Row<Dof>>& rows, const VecX& inverse_mass,
                  const std::vector<char>& left_out)
     {
         const Index count = inverse_mass.size() / Dof;
-        const auto moves = [&](Index k) {
-            return k != world &&
-                   inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0;
+        moves_.resize(static_cast<std::size_t>(count));
+        for (Index k = 0; k < count; ++k)
+            moves_[static_cast<std::size_t>(k)] =
+                inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0;
+        const auto body = [this](Index k) {
+            return k != world && moves_[static_cast<std::size_t>(k)]
+                       ? static_cast<int>(k)
+                       : -1;
         };
+        const bool resized = bodies_ != count;
+        bodies_ = count;
+        bool known = !resized;
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!takes(rows[i]) || (!left_out.empty() && left_out[i])) continue;
+            const TakenRow taken{body(rows[i].a), body(rows[i].b),
+                                 static_cast<int>(i)};
+            // nothing that could move
+            if (taken.a < 0 && taken.b < 0) continue;
+            if (n == taken_.size()) taken_.emplace_back();
+            known = known && taken_[n] == taken;
+            taken_[n++] = taken;
+        }
+        known = known && n == taken_.size();
+        taken_.resize(n);
+        return (!known && group_rows(count)) || resized;
+    }
+
+    /// Sorts them into groups. Returns false if these are between the same bodies as last time.
+    bool group_rows(Index count)
+    {
         groups.swap(before_);
         groups.clear();
         open_.assign(static_cast<std::size_t>(count), -1);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (!takes(rows[i]) || (!left_out.empty() && left_out[i])) continue;
-            int a = moves(rows[i].a) ? static_cast<int>(rows[i].a) : -1,
-                b = moves(rows[i].b) ? static_cast<int>(rows[i].b) : -1;
+        for (auto [a, b, row] : taken_) {
             if (b < 0) std::swap(a, b);
-            if (b < 0) continue;  // nothing that could move
             // rows that follow each other, or the last group of body b
             int g = at(open_, b);
             if (g < 0 || at(groups, g).a != a || at(groups, g).b != b ||
@@ -143,19 +166,21 @@ private:
                 at(open_, b) = g;
             }
             RowGroup& group = at(groups, g);
-            group.rows[static_cast<std::size_t>(group.count++)] =
-                static_cast<int>(i);
+            group.rows[static_cast<std::size_t>(group.count++)] = row;
         }
         const auto same = [](const RowGroup& x, const RowGroup& y) {
             return x.a == y.a && x.b == y.b;
         };
-        const bool known =
-            bodies_ == count && std::equal(groups.begin(), groups.end(),
-                                           before_.begin(), before_.end(), same);
-        bodies_ = count;
-        return !known;
+        return !std::equal(groups.begin(), groups.end(), before_.begin(),
+                           before_.end(), same);
     }
 
+    struct TakenRow {
+        int a, b, row;
+        bool operator==(const TakenRow& other) const = default;
+    };
+    std::vector<TakenRow> taken_;
+    std::vector<char> moves_;
     std::vector<RowGroup> before_;
     std::vector<int> begin_, next_, met_, open_;
     std::vector<char> used_;

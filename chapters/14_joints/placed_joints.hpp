@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/14_joints/joint_rows.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -43,8 +44,8 @@ inline Vec2 local_point(const RigidScene& scene, Index k, const Vec2& place)
 {
     if (k == world) return place;
     const Vec2 d = place - scene.bodies.position(k).head<2>();
-    const Real c = std::cos(scene.bodies.x[3 * k + 2]),
-               s = std::sin(scene.bodies.x[3 * k + 2]);
+    const Real c = cos(scene.bodies.x[3 * k + 2]),
+               s = sin(scene.bodies.x[3 * k + 2]);
     return {c * d.x() + s * d.y(), c * d.y() - s * d.x()};
 }
 

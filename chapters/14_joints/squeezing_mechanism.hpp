@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/14_joints/placed_joints.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -32,12 +33,8 @@ struct SqueezingMechanism {
     {
         scene.gravity = {0, 0};
         const auto [beta, theta, gamma, phi, delta, omega, epsilon] = start;
-        const auto along = [](Real angle) {
-            return Vec2(std::cos(angle), std::sin(angle));
-        };
-        const auto left = [](Real angle) {
-            return Vec2(-std::sin(angle), std::cos(angle));
-        };
+        const auto along = [](Real angle) { return Vec2(cos(angle), sin(angle)); };
+        const auto left = [](Real angle) { return Vec2(-sin(angle), cos(angle)); };
         const Vec2 crank_end = 0.007 * along(beta);
         const Vec2 meeting = crank_end - 0.028 * along(beta + theta);
         const Vec2 knee4 = A + 0.04 * along(delta),

@@ -1,12 +1,11 @@
 /// \file tree_factor.hpp
 /// The rows of a tree of joints solved together, from the leaves to the root and back: block LDLᵀ in O(n).
 ///
-///     up      K = J G Jᵀ + Γ,   S_parent += J_pᵀ K⁻¹ J_p,   G = D (1 + D S D)⁻¹ D,  D = M^(−½)
+///     up      K = J G Jᵀ + Γ,   S_parent += J_pᵀ K⁻¹ J_p,   G = (M + S)⁻¹
 ///     down    λ = −K⁻¹ (J_p u_p + J û + b),                 u = û + G Jᵀ λ
 ///
 /// (14.7) to (14.10). G is the inverse mass of a body with all that hangs below it, K what one unit of λ does to the
-/// joint. Every matrix that is inverted is symmetric and positive: nothing cancels, whatever the masses. A body without
-/// inverse mass in some direction has a zero in D. \cite baraff1996 \cite featherstone2008
+/// joint. Every matrix that is inverted is symmetric and positive: nothing cancels, whatever the masses. \cite baraff1996 \cite featherstone2008
 #pragma once
 
 #include "chapters/14_joints/joint_block.hpp"
@@ -39,21 +38,17 @@ public:
         work.orders += tree.found_anew;
         blocks_.resize(tree.nodes.size());
         dependent = 0;
-        for (std::size_t n = 0; n < blocks_.size(); ++n) {
-            const TreeNode& node = tree.nodes[n];
-            const Index at = 3 * static_cast<Index>(node.body);
-            blocks_[n].D = inverse_mass.segment<3>(at).cwiseSqrt();
-            blocks_[n].S.setZero();
-            blocks_[n].count = 0;
-            if (node.group >= 0) blocks_[n].load(rows, group_of(n), node);
-        }
+        for (JointBlock& block : blocks_) block.S.setZero();
         for (std::size_t n = blocks_.size(); n-- > 0;) {  // leaves first
+            const TreeNode& node = tree.nodes[n];
+            const Vec<3> w = inverse_mass.segment<3>(place(n));
             JointBlock& block = blocks_[n];
-            block.find_mobility();
-            JointBlock* const parent = parent_of(n);
-            JointBlock::Mat3* const S = parent ? &parent->S : nullptr;
-            with_count(block.count,
-                       [&](auto d) { dependent += block.template factor<d>(S); });
+            block.find_mobility(w);
+            block.count = 0;
+            if (node.group >= 0) block.load(rows, group_of(n), node);
+            with_count(block.count, [&](auto d) {
+                dependent += block.template factor<d>(w, parent_of(n));
+            });
             work.factored_rows += block.count;
         }
     }
@@ -86,7 +81,7 @@ public:
         for (std::size_t i = count; i-- > 0;) {  // up
             const auto n = static_cast<std::size_t>(nodes[i]);
             JointBlock& block = blocks_[n];
-            block.free = block.star - block.G * block.pull;
+            block.u = block.star - block.G * block.pull;  // û
             with_count(block.count, [&](auto d) {
                 block.template up<d>(b, group_of(n), u, parent_of(n));
             });
@@ -94,7 +89,6 @@ public:
         for (std::size_t i = 0; i < count; ++i) {  // and down
             const auto n = static_cast<std::size_t>(nodes[i]);
             JointBlock& block = blocks_[n];
-            if (block.count == 0) block.u = block.free;
             with_count(block.count, [&](auto d) {
                 block.template down<d>(group_of(n), parent_of(n), lambda);
             });

@@ -16,7 +16,7 @@ inline void paint_spring(Canvas& canvas, const Vec2& from, const Vec2& to)
         line.push_back(from + (i + 0.5) * along +
                        (i % 2 == 1 ? 0.05 : -0.05) * Vec2(0, 1));
     line.push_back(to);
-    canvas.polyline(line, {Colour::faint, 1.5, 1, false, false});
+    canvas.polyline(line, {Colour::faint, 1.5, 1});
 }
 
 inline Demo stick_slip_scene()
@@ -50,27 +50,27 @@ inline Demo stick_slip_scene()
                     const bool right = x > hand.balance;
                     const Real high = right ? 0.42 : 0.32;
                     canvas.segment({x, 0}, {x, high},
-                                   {Colour::green, 1.5, 1, false, true});
+                                   {Colour::green, 1.5, 1, Paint::dashed});
                     canvas.text({x + (right ? 0.01 : -0.01), high - 0.02}, name, 14,
                                 paint::label, right ? Align::left : Align::right);
                 }
-                canvas.disc(centre, 0.012, {Colour::red, 1, 1, true, false});
+                canvas.disc(centre, 0.012, {Colour::red, 1, 1, Paint::filled});
             };
             return setup;
         });
     scene.h = 1.0 / 960;
-    scene.tunables.push_back(
-        {"mu_s", "", "of what holds", 0.6, 0, 2, false, true, false});
+    scene.tunables.push_back({"mu_s", "", "of what holds", 0.6, 0, 2, Numbers::real,
+                              OnChange::restarts});
     scene.tunables.push_back({"mu_k", "", "of what slides, at most mu_s", 0.4, 0, 2,
-                              false, true, false});
-    scene.tunables.push_back(
-        {"stiffness", "N/m", "of the spring", 40, 5, 500, false, true, false});
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"stiffness", "N/m", "of the spring", 40, 5, 500,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"belt", "m/s", "speed of the belt to the right", 0.3,
-                              0.01, 2, false, true, false});
-    scene.columns = {{"stretch", "m", "of the spring", true, false},
-                     {"by_hand", "m", "closed form", true, false},
-                     {"v", "m/s", "of the block", true, false},
-                     {"friction", "N", "on the block, to the left", true, false}};
+                              0.01, 2, Numbers::real, OnChange::restarts});
+    scene.columns = {{"stretch", "m", "of the spring", Plot::linear},
+                     {"by_hand", "m", "closed form", Plot::linear},
+                     {"v", "m/s", "of the block", Plot::linear},
+                     {"friction", "N", "on the block, to the left", Plot::linear}};
     return scene;
 }
 

@@ -9,7 +9,8 @@ namespace rigid {
 
 inline Tunable mu_tunable(Real value)
 {
-    return {"mu", "", "friction coefficient", value, 0, 5, false, true, false};
+    return {"mu", "", "friction coefficient", value,
+            0,    5,  Numbers::real,          OnChange::restarts};
 }
 
 /// The block of section 13.1: forces as arrows, and the cone that the push of the slope stays in.
@@ -39,30 +40,30 @@ inline Demo slope_scene()
                 const Real scale = 0.11;  // of newtons
                 for (const Real side : {-mu, mu})
                     canvas.segment(foot, foot + 1.35 * (n + side * t).normalized(),
-                                   {Colour::green, 1.5, 1, false, true});
+                                   {Colour::green, 1.5, 1, Paint::dashed});
                 const Vec2 push =
                     (s.impulse(normal_part) * n + s.impulse(tangent_part) * t) /
                     s.h;
                 const Vec2 centre = s.scene.bodies.position(0).head<2>();
                 canvas.arrow(foot, foot + scale * push, paint::impulse);
                 canvas.arrow(centre, centre + scale * Vec2(s.scene.gravity),
-                             {Colour::orange, 2.5, 1, false, false});
+                             {Colour::orange, 2.5, 1});
                 canvas.text(foot + scale * push + Vec2(0.06, 0.02),
                             "push of the slope", 14, paint::impulse);
                 canvas.text(centre + scale * Vec2(s.scene.gravity) +
                                 Vec2(0.06, -0.02),
-                            "weight", 14, {Colour::orange, 1, 1, false, false});
+                            "weight", 14, {Colour::orange, 1, 1});
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"degrees", "°", "of the slope", 20, 0, 80, false, true, false});
+    scene.tunables.push_back({"degrees", "°", "of the slope", 20, 0, 80,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(mu_tunable(0.5));
-    scene.columns = {{"moved", "m", "down the slope", true, false},
-                     {"by_hand", "m", "closed form", false, false},
-                     {"normal", "N", "force of the slope across", true, false},
-                     {"friction", "N", "along, upwards", true, false},
-                     {"guesses", "", "of the exact solver", false, false}};
+    scene.columns = {{"moved", "m", "down the slope", Plot::linear},
+                     {"by_hand", "m", "closed form"},
+                     {"normal", "N", "force of the slope across", Plot::linear},
+                     {"friction", "N", "along, upwards", Plot::linear},
+                     {"guesses", "", "of the exact solver"}};
     return scene;
 }
 
@@ -83,13 +84,13 @@ inline Demo disc_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"speed", "m/s", "at the start", 10, 0, 30, false, true, false});
+    scene.tunables.push_back({"speed", "m/s", "at the start", 10, 0, 30,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(mu_tunable(0.2));
-    scene.columns = {{"x", "m", "of the centre", true, false},
-                     {"by_hand", "m", "closed form", false, false},
-                     {"v", "m/s", "of the centre", true, false},
-                     {"slip", "m/s", "of the lowest point", true, false}};
+    scene.columns = {{"x", "m", "of the centre", Plot::linear},
+                     {"by_hand", "m", "closed form"},
+                     {"v", "m/s", "of the centre", Plot::linear},
+                     {"slip", "m/s", "of the lowest point", Plot::linear}};
     return scene;
 }
 
@@ -122,19 +123,20 @@ inline Demo rod_scene()
             return setup;
         });
     scene.tunables.push_back({"angle", "°", "of the rod to the floor", 63.4349, 1,
-                              89, false, true, false});
+                              89, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"slide", "m/s",
                               "of the rod at the start, to the right", 3, -10, 10,
-                              false, true, false});
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(mu_tunable(1.6));
-    scene.tunables.push_back({"restitution", "", "e", 0, 0, 1, false, true, false});
+    scene.tunables.push_back(
+        {"restitution", "", "e", 0, 0, 1, Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"normal", "N s", "impulse of the floor, upwards", true, false},
-        {"friction", "N s", "to the left", true, false},
-        {"end_x", "m/s", "velocity of the end", true, false},
-        {"end_y", "m/s", "upwards", true, false},
-        {"mobility_left", "1/kg", "of the end sliding to the left", false, false},
-        {"mobility_right", "1/kg", "sliding to the right", false, false}};
+        {"normal", "N s", "impulse of the floor, upwards", Plot::linear},
+        {"friction", "N s", "to the left", Plot::linear},
+        {"end_x", "m/s", "velocity of the end", Plot::linear},
+        {"end_y", "m/s", "upwards", Plot::linear},
+        {"mobility_left", "1/kg", "of the end sliding to the left"},
+        {"mobility_right", "1/kg", "sliding to the right"}};
     return scene;
 }
 
@@ -161,12 +163,13 @@ inline Demo conveyor_scene()
             return setup;
         });
     scene.tunables.push_back({"belt", "m/s", "speed of the belt to the right", 1,
-                              -5, 5, false, false, true});
+                              -5, 5, Numbers::real, OnChange::goes_on,
+                              Keys::up_and_down});
     scene.tunables.push_back(mu_tunable(0.5));
-    scene.columns = {{"box", "m/s", "velocity of the box", true, false},
-                     {"tower", "m/s", "of the tall box", true, false},
-                     {"disc", "m/s", "of the disc", true, false},
-                     {"spin", "rad/s", "of the disc", true, false}};
+    scene.columns = {{"box", "m/s", "velocity of the box", Plot::linear},
+                     {"tower", "m/s", "of the tall box", Plot::linear},
+                     {"disc", "m/s", "of the disc", Plot::linear},
+                     {"spin", "rad/s", "of the disc", Plot::linear}};
     return scene;
 }
 

@@ -13,11 +13,12 @@ namespace rigid {
 inline Tunable count_tunable(const char* name, const char* help, Real value,
                              Real low, Real high)
 {
-    return {name, "", help, value, low, high, true, true, false};
+    return {name, "", help, value, low, high, Numbers::whole, OnChange::restarts};
 }
 inline Tunable rough_tunable(Real value)
 {
-    return {"mu", "", "friction coefficient", value, 0.01, 5, false, true, false};
+    return {"mu", "", "friction coefficient", value,
+            0.01, 5,  Numbers::real,          OnChange::restarts};
 }
 
 /// How far the body that has moved farthest is from where it was built [m].
@@ -50,10 +51,11 @@ inline Demo house_scene()
         });
     scene.tunables.push_back(count_tunable("storeys", "of the house", 5, 1, 8));
     scene.tunables.push_back(rough_tunable(0.4));
-    scene.columns = {{"moved", "m", "the card that has moved farthest", true, true},
-                     {"by_hand", "", "mu that is enough", false, false},
-                     {"energy", "J", "kinetic and potential", true, false},
-                     {"guesses", "", "of the exact solver", false, false}};
+    scene.columns = {
+        {"moved", "m", "the card that has moved farthest", Plot::logarithmic},
+        {"by_hand", "", "mu that is enough"},
+        {"energy", "J", "kinetic and potential", Plot::linear},
+        {"guesses", "", "of the exact solver"}};
     return scene;
 }
 
@@ -93,22 +95,22 @@ inline Demo arch_scene()
             };
             setup.picture = [](Canvas& canvas, const FrictionState& s) {
                 const std::vector<Vec2> line = thrust_line(s);
-                canvas.polyline(line, {Colour::red, 2, 1, false, false});
+                canvas.polyline(line, {Colour::red, 2, 1});
                 for (const Vec2& point : line)
-                    canvas.disc(point, 0.012, {Colour::red, 1, 1, true, false});
+                    canvas.disc(point, 0.012, {Colour::red, 1, 1, Paint::filled});
             };
             return setup;
         });
     scene.tunables.push_back(
         count_tunable("stones", "of the arch, even", 10, 4, 30));
     scene.tunables.push_back({"thickness", "m", "of the ring, whose radius is 1 m",
-                              0.3, 0.05, 0.8, false, true, false});
+                              0.3, 0.05, 0.8, Numbers::real, OnChange::restarts});
     scene.tunables.push_back(rough_tunable(0.4));
     scene.columns = {
-        {"moved", "m", "the stone that has moved farthest", true, true},
-        {"by_hand", "", "mu that a thick arch needs", false, false},
-        {"energy", "J", "kinetic and potential", true, false},
-        {"guesses", "", "of the exact solver", false, false}};
+        {"moved", "m", "the stone that has moved farthest", Plot::logarithmic},
+        {"by_hand", "", "mu that a thick arch needs"},
+        {"energy", "J", "kinetic and potential", Plot::linear},
+        {"guesses", "", "of the exact solver"}};
     return scene;
 }
 
@@ -129,11 +131,12 @@ inline Demo domino_scene()
             return setup;
         });
     scene.tunables.push_back(count_tunable("count", "of dominoes", 30, 2, 100));
-    scene.tunables.push_back(
-        {"gap", "m", "between two of them", 0.35, 0.1, 0.8, false, true, false});
+    scene.tunables.push_back({"gap", "m", "between two of them", 0.35, 0.1, 0.8,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(rough_tunable(0.2));
-    scene.columns = {{"moving", "", "dominoes that have begun to tip", true, false},
-                     {"energy", "J", "kinetic and potential", true, false}};
+    scene.columns = {
+        {"moving", "", "dominoes that have begun to tip", Plot::linear},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 
@@ -151,17 +154,17 @@ inline Demo pool_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"speed", "m/s", "of the first ball", 8, 0.1, 12, false, true, false});
-    scene.tunables.push_back(
-        {"spin", "rad/s", "of the first ball", 60, -300, 300, false, true, false});
+    scene.tunables.push_back({"speed", "m/s", "of the first ball", 8, 0.1, 12,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"spin", "rad/s", "of the first ball", 60, -300, 300,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(rough_tunable(0.06));
     scene.tunables.push_back({"cloth", "", "resistance of the cloth to a ball",
-                              0.015, 0, 0.5, false, true, false});
-    scene.columns = {{"energy", "J", "kinetic", true, false},
-                     {"momentum_x", "N s", "of all balls", true, false},
-                     {"momentum_y", "N s", "of all balls", true, false},
-                     {"angular", "N m s", "about the middle", true, false}};
+                              0.015, 0, 0.5, Numbers::real, OnChange::restarts});
+    scene.columns = {{"energy", "J", "kinetic", Plot::linear},
+                     {"momentum_x", "N s", "of all balls", Plot::linear},
+                     {"momentum_y", "N s", "of all balls", Plot::linear},
+                     {"angular", "N m s", "about the middle", Plot::linear}};
     return scene;
 }
 
@@ -180,12 +183,12 @@ inline Demo wall_scene()
             return setup;
         });
     scene.tunables.push_back(count_tunable("rows", "of bricks", 8, 1, 20));
-    scene.tunables.push_back(
-        {"speed", "m/s", "of the ball", 12, 0, 40, false, true, false});
+    scene.tunables.push_back({"speed", "m/s", "of the ball", 12, 0, 40,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(rough_tunable(0.6));
-    scene.columns = {{"energy", "J", "kinetic and potential", true, false},
-                     {"contacts", "", "points", true, false},
-                     {"guesses", "", "of the exact solver", false, false}};
+    scene.columns = {{"energy", "J", "kinetic and potential", Plot::linear},
+                     {"contacts", "", "points", Plot::linear},
+                     {"guesses", "", "of the exact solver"}};
     return scene;
 }
 
@@ -206,9 +209,9 @@ inline Demo rubble_scene()
         });
     scene.tunables.push_back(count_tunable("bodies", "number", 24, 1, 100));
     scene.tunables.push_back(rough_tunable(0.5));
-    scene.columns = {{"energy", "J", "kinetic and potential", true, false},
-                     {"contacts", "", "points", true, false},
-                     {"guesses", "", "of the exact solver", false, false}};
+    scene.columns = {{"energy", "J", "kinetic and potential", Plot::linear},
+                     {"contacts", "", "points", Plot::linear},
+                     {"guesses", "", "of the exact solver"}};
     return scene;
 }
 

@@ -155,7 +155,7 @@ public:
                        along = 60 * perpendicular(wall.normal);
             canvas.segment(middle - along, middle + along, paint::wall);
         }
-        canvas.polyline(trail_, {Colour::purple, 1.2, 0.9, false, false});
+        canvas.polyline(trail_, {Colour::purple, 1.2, 0.9});
         for (Index k = 0; k < scene.bodies.count(); ++k)
             paint_rigid_body(canvas, scene, k);
         for (const PlacedJoint& placed : scene.placed) paint_joint(canvas, placed);
@@ -190,7 +190,7 @@ private:
         if (placed.broken || joint.kind == JointKind::gear) return;
         const Vec2 a = point_of(x, joint.a, joint.at_a),
                    b = point_of(x, joint.b, joint.at_b);
-        const Style line{Colour::purple, 2, 1, false, false};
+        const Style line{Colour::purple, 2, 1};
         if (joint.kind == JointKind::pulley) {
             canvas.segment(a, joint.over_a, line);
             canvas.segment(joint.over_a, joint.over_b, line);
@@ -198,7 +198,7 @@ private:
         } else if (joint.kind == JointKind::distance ||
                    joint.kind == JointKind::rope || joint.kind == JointKind::mouse)
             canvas.segment(a, b, line);
-        canvas.disc(b, 0.02, {Colour::orange, 1, 1, true, false});
+        canvas.disc(b, 0.02, {Colour::orange, 1, 1, Paint::filled});
     }
 
     void trace()
@@ -226,7 +226,7 @@ inline Demo joint_demo(const std::string& name, const std::string& summary,
                                         {"trees", "sweeps", "rattle"}, setup);
     scene.tunables.push_back({"stiff", "",
                               "1: loaded joints are stiff at the end of the step",
-                              1, 0, 1, true, false, false});
+                              1, 0, 1, Numbers::whole});
     return scene;
 }
 

@@ -43,20 +43,19 @@ inline Demo dolls_demo()
     for (Tunable& tunable : scene.tunables)
         if (tunable.name == "sweeps") tunable.value = 40;  // of large heaps
     scene.tunables.push_back(
-        {"dolls", "", "how many", 2, 1, 100, true, true, false});
-    scene.tunables.push_back(
-        {"friction", "N m", "torque of the joints", 2, 0, 50, false, true, false});
+        {"dolls", "", "how many", 2, 1, 100, Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"friction", "N m", "torque of the joints", 2, 0, 50,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"push", "m/s", "to the right, at the start", 0.8, -3,
-                              3, false, true, false});
-    scene.tunables.push_back(
-        {"mu", "", "friction of all surfaces", 0.6, 0, 2, false, true, false});
-    scene.columns = {
-        {"gap", "m", "largest error of a joint", true, true},
-        {"energy", "J", "kinetic and potential", true, false},
-        {"residual", "m/s", "what the solver left", true, true},
-        {"contacts", "", "points", false, false},
-        {"asleep", "", "bodies, under sleeping", true, false},
-        {"rounds", "", "of (14.15), where guesses had no answer", false, false}};
+                              3, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"mu", "", "friction of all surfaces", 0.6, 0, 2,
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {{"gap", "m", "largest error of a joint", Plot::logarithmic},
+                     {"energy", "J", "kinetic and potential", Plot::linear},
+                     {"residual", "m/s", "what the solver left", Plot::logarithmic},
+                     {"contacts", "", "points"},
+                     {"asleep", "", "bodies, under sleeping", Plot::linear},
+                     {"rounds", "", "of (14.15), where guesses had no answer"}};
     return scene;
 }
 

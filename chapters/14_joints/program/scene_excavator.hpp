@@ -4,6 +4,7 @@
 
 #include "chapters/14_joints/bar_linkages.hpp"
 #include "chapters/14_joints/program/scene_machines.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -21,7 +22,7 @@ inline JointSetup excavator_setup(const Settings& settings)
         const Real L = d.norm();
         return add_body(all, box(L + width, width),
                         Mass{kilograms, {0, 0}, kilograms * L * L / 12},
-                        (from + to) / 2, std::atan2(d.y(), d.x()));
+                        (from + to) / 2, atan2(d.y(), d.x()));
     };
     const Index tracks = add_body(all, box(3.4, 1.1), Mass{8000, {0, 0}, 9000},
                                   {0, 0.55}),
@@ -70,20 +71,20 @@ inline Demo excavator_demo()
                             {{2, 2}, {6.5, 3.2}}, 1.0 / 120, excavator_setup);
     scene.methods = {"trees", "sweeps"};
     const auto speed = [&scene](const std::string& name, const std::string& unit,
-                                const std::string& help, Real most, bool keys) {
-        scene.tunables.push_back(
-            {name, unit, help, 0, -most, most, false, false, keys});
+                                const std::string& help, Real most, Keys keys) {
+        scene.tunables.push_back({name, unit, help, 0, -most, most, Numbers::real,
+                                  OnChange::goes_on, keys});
     };
-    speed("boom", "rad/s", "speed of its motor", 0.6, true);
-    speed("arm", "rad/s", "speed of its motor", 1, false);
-    speed("bucket", "rad/s", "speed of its motor", 1.5, false);
-    speed("drive", "m/s", "of the tracks", 1, false);
+    speed("boom", "rad/s", "speed of its motor", 0.6, Keys::up_and_down);
+    speed("arm", "rad/s", "speed of its motor", 1, Keys::none);
+    speed("bucket", "rad/s", "speed of its motor", 1.5, Keys::none);
+    speed("drive", "m/s", "of the tracks", 1, Keys::none);
     scene.tunables.push_back(
-        {"stones", "", "to move", 18, 0, 60, true, true, false});
-    scene.columns = {{"lip_x", "m", "of the bucket's edge", true, false},
-                     {"lip_y", "m", "its height", true, false},
-                     {"gap", "m", "largest error of a joint", true, true},
-                     {"residual", "m/s", "what the solver left", false, true}};
+        {"stones", "", "to move", 18, 0, 60, Numbers::whole, OnChange::restarts});
+    scene.columns = {{"lip_x", "m", "of the bucket's edge", Plot::linear},
+                     {"lip_y", "m", "its height", Plot::linear},
+                     {"gap", "m", "largest error of a joint", Plot::logarithmic},
+                     {"residual", "m/s", "what the solver left"}};
     return scene;
 }
 

@@ -10,10 +10,10 @@ namespace rigid {
 inline std::vector<Column> load_columns()
 {
     return {
-        {"gap", "m", "largest error of a joint", true, true},
-        {"energy", "J", "kinetic and potential, from the start on", true, false},
-        {"residual", "m/s", "what the solver left", true, true},
-        {"tree_rows", "", "rows of trees solved, so far", false, false}};
+        {"gap", "m", "largest error of a joint", Plot::logarithmic},
+        {"energy", "J", "kinetic and potential, from the start on", Plot::linear},
+        {"residual", "m/s", "what the solver left", Plot::logarithmic},
+        {"tree_rows", "", "rows of trees solved, so far"}};
 }
 
 inline std::vector<Real> load_measures(const JointState& s)
@@ -35,12 +35,12 @@ inline Demo chain_demo()
                        setup.measure = load_measures;
                        return setup;
                    });
-    scene.tunables.push_back(
-        {"links", "", "of the chain", 50, 1, 400, true, true, false});
+    scene.tunables.push_back({"links", "", "of the chain", 50, 1, 400,
+                              Numbers::whole, OnChange::restarts});
     scene.tunables.push_back({"ratio", "", "mass of the weight over that of a link",
-                              1000, 0.01, 1e6, false, true, false});
+                              1000, 0.01, 1e6, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"angle", "°", "of the chain at the start", 20, -90,
-                              90, false, true, false});
+                              90, Numbers::real, OnChange::restarts});
     scene.columns = load_columns();
     return scene;
 }
@@ -66,11 +66,11 @@ inline Demo bridge_demo()
         });
     scene.tunables.push_back({"strength", "kN",
                               "a pin that bears more breaks; 0: none breaks", 0, 0,
-                              50, false, true, false});
-    scene.tunables.push_back(
-        {"planks", "", "of the bridge", 20, 2, 200, true, true, false});
-    scene.tunables.push_back(
-        {"load", "kg", "of each of three boxes", 100, 1, 5000, false, true, false});
+                              50, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"planks", "", "of the bridge", 20, 2, 200,
+                              Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"load", "kg", "of each of three boxes", 100, 1, 5000,
+                              Numbers::real, OnChange::restarts});
     scene.columns = load_columns();
     return scene;
 }

@@ -4,6 +4,7 @@
 
 #include "chapters/14_joints/bar_linkages.hpp"
 #include "chapters/14_joints/program/scene_loads.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -30,12 +31,12 @@ inline Demo crane_demo()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"links", "", "of the rope", 30, 1, 200, true, true, false});
+    scene.tunables.push_back({"links", "", "of the rope", 30, 1, 200,
+                              Numbers::whole, OnChange::restarts});
     scene.tunables.push_back({"ratio", "", "mass of the load over that of a link",
-                              1000, 1, 1e5, false, true, false});
-    scene.tunables.push_back(
-        {"speed", "m/s", "of the trolley", 0.5, -2, 2, false, false, true});
+                              1000, 1, 1e5, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"speed", "m/s", "of the trolley", 0.5, -2, 2,
+                              Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.columns = load_columns();
     return scene;
 }
@@ -57,15 +58,14 @@ inline Demo engine_demo()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"speed", "rad/s", "of the crank", 10, -30, 30, false, false, true});
+    scene.tunables.push_back({"speed", "rad/s", "of the crank", 10, -30, 30,
+                              Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.tunables.push_back({"torque", "N m", "of its motor, at most", 1e4, 1, 1e5,
-                              false, true, false});
-    scene.columns = {
-        {"piston", "m", "its place", true, false},
-        {"exact", "m", "closed form at the crank's angle", false, false},
-        {"error", "m", "their difference", true, true},
-        {"omega", "rad/s", "of the crank", true, false}};
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {{"piston", "m", "its place", Plot::linear},
+                     {"exact", "m", "closed form at the crank's angle"},
+                     {"error", "m", "their difference", Plot::logarithmic},
+                     {"omega", "rad/s", "of the crank", Plot::linear}};
     return scene;
 }
 
@@ -86,11 +86,11 @@ inline Demo leg_demo()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"speed", "rad/s", "of the crank", 6, -20, 20, false, true, false});
-    scene.columns = {{"omega", "rad/s", "of the crank", true, false},
-                     {"gap", "m", "largest error of a joint", true, true},
-                     {"residual", "m/s", "what the solver left", false, true}};
+    scene.tunables.push_back({"speed", "rad/s", "of the crank", 6, -20, 20,
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {{"omega", "rad/s", "of the crank", Plot::linear},
+                     {"gap", "m", "largest error of a joint", Plot::logarithmic},
+                     {"residual", "m/s", "what the solver left"}};
     return scene;
 }
 
@@ -109,9 +109,9 @@ inline Demo cradle_demo()
                 RigidJoint string;
                 string.at_a = {x, 0};
                 string.at_b = {0, 1.5};
-                string.b = add_body(
-                    setup.scene, disc(0.2), Mass{1, {0, 0}, 0.02},
-                    {x + 1.5 * std::sin(swing), -1.5 * std::cos(swing)}, swing);
+                string.b =
+                    add_body(setup.scene, disc(0.2), Mass{1, {0, 0}, 0.02},
+                             {x + 1.5 * sin(swing), -1.5 * cos(swing)}, swing);
                 add_joint(setup.scene, string);
             }
             setup.picture = [](Canvas& canvas, const JointState& s) {
@@ -119,7 +119,7 @@ inline Demo cradle_demo()
                     canvas.segment(
                         placed.joint.at_a,
                         s.scene.bodies.position(placed.joint.b).head<2>(),
-                        {Colour::faint, 1.5, 1, false, false});
+                        {Colour::faint, 1.5, 1});
             };
             setup.measure = [balls](const JointState& s) -> std::vector<Real> {
                 return {s.scene.bodies.u[2], s.scene.bodies.u[3 * balls - 1],
@@ -127,11 +127,13 @@ inline Demo cradle_demo()
             };
             return setup;
         });
-    scene.tunables.push_back({"balls", "", "how many", 5, 2, 9, true, true, false});
-    scene.tunables.push_back({"restitution", "", "e", 1, 0, 1, false, true, false});
-    scene.columns = {{"first", "rad/s", "swing of the first ball", true, false},
-                     {"last", "rad/s", "of the last", true, false},
-                     {"energy", "J", "gained since the start", true, false}};
+    scene.tunables.push_back(
+        {"balls", "", "how many", 5, 2, 9, Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back(
+        {"restitution", "", "e", 1, 0, 1, Numbers::real, OnChange::restarts});
+    scene.columns = {{"first", "rad/s", "swing of the first ball", Plot::linear},
+                     {"last", "rad/s", "of the last", Plot::linear},
+                     {"energy", "J", "gained since the start", Plot::linear}};
     return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include "chapters/14_joints/bar_linkages.hpp"
 #include "chapters/14_joints/program/joint_run.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -54,16 +55,16 @@ inline Demo car_demo()
             return setup;
         });
     scene.methods = {"trees", "sweeps"};  // springs are rows here
-    scene.tunables.push_back(
-        {"speed", "m/s", "that the motor wants", 3, -6, 6, false, false, true});
+    scene.tunables.push_back({"speed", "m/s", "that the motor wants", 3, -6, 6,
+                              Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.tunables.push_back({"torque", "N m", "of each axle, at most", 400, 0,
-                              2000, false, true, false});
-    scene.tunables.push_back(
-        {"stiffness", "N/m", "of a spring", 3e4, 1e3, 1e6, false, true, false});
-    scene.columns = {{"x", "m", "of the chassis", true, false},
-                     {"v", "m/s", "its velocity", true, false},
-                     {"rear", "m", "of the spring, out of its rest", true, false},
-                     {"front", "m", "of the other", true, false}};
+                              2000, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"stiffness", "N/m", "of a spring", 3e4, 1e3, 1e6,
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {{"x", "m", "of the chassis", Plot::linear},
+                     {"v", "m/s", "its velocity", Plot::linear},
+                     {"rear", "m", "of the spring, out of its rest", Plot::linear},
+                     {"front", "m", "of the other", Plot::linear}};
     return scene;
 }
 
@@ -76,7 +77,7 @@ inline Demo trebuchet_demo()
             JointedScene& all = setup.scene;
             all.walls.push_back({{0, 1}, 0});
             const Real angle = -0.55;
-            const Vec2 axle(0, 2.6), along(std::cos(angle), std::sin(angle));
+            const Vec2 axle(0, 2.6), along(cos(angle), sin(angle));
             const Vec2 tip = axle - 4 * Vec2(along.x(), -along.y()),
                        end = axle + 1 * Vec2(along.x(), -along.y());
             const Index beam = add_bar(all, tip, end, 60),
@@ -99,7 +100,7 @@ inline Demo trebuchet_demo()
                                                   const Settings&) {
                 const Vec2 v = moved.bodies.velocity(stone).head<2>();
                 // it lets go when the stone flies forward at this angle
-                if (v.norm() > 5 && v.x() > 0 && std::atan2(v.y(), v.x()) < release)
+                if (v.norm() > 5 && v.x() > 0 && atan2(v.y(), v.x()) < release)
                     moved.placed[rope].broken = true;
             };
             setup.measure = [stone,
@@ -111,14 +112,14 @@ inline Demo trebuchet_demo()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"weight", "kg", "of the box", 1000, 100, 5000, false, true, false});
+    scene.tunables.push_back({"weight", "kg", "of the box", 1000, 100, 5000,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"release", "°", "at which the sling lets go", 40, 0,
-                              90, false, true, false});
-    scene.columns = {{"x", "m", "of the stone", true, false},
-                     {"y", "m", "its height", true, false},
-                     {"speed", "m/s", "of the stone", true, false},
-                     {"free", "", "1: the sling has let go", false, false}};
+                              90, Numbers::real, OnChange::restarts});
+    scene.columns = {{"x", "m", "of the stone", Plot::linear},
+                     {"y", "m", "its height", Plot::linear},
+                     {"speed", "m/s", "of the stone", Plot::linear},
+                     {"free", "", "1: the sling has let go"}};
     return scene;
 }
 

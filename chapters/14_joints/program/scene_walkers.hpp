@@ -58,19 +58,19 @@ inline Demo walkers_demo()
                             {{-1.5, 0.2}, {7.5, 2.4}}, 1.0 / 240, walkers_setup);
     scene.methods = {"trees", "sweeps"};
     scene.tunables.push_back(
-        {"walkers", "", "how many", 2, 1, 3, true, true, false});
+        {"walkers", "", "how many", 2, 1, 3, Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"planks", "", "of the bridge", 20, 8, 40,
+                              Numbers::whole, OnChange::restarts});
     scene.tunables.push_back(
-        {"planks", "", "of the bridge", 20, 8, 40, true, true, false});
-    scene.tunables.push_back(
-        {"plank", "kg", "of each", 20, 1, 200, false, true, false});
-    scene.tunables.push_back(
-        {"speed", "rad/s", "of the cranks", 4, -8, 8, false, false, true});
+        {"plank", "kg", "of each", 20, 1, 200, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"speed", "rad/s", "of the cranks", 4, -8, 8,
+                              Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.tunables.push_back({"torque", "N m", "of each motor, at most", 300, 1,
-                              3000, false, true, false});
-    scene.columns = {{"x", "m", "of the first walker", true, false},
-                     {"sag", "m", "of the bridge", true, false},
-                     {"gap", "m", "largest error of a joint", true, true},
-                     {"residual", "m/s", "what the solver left", false, true}};
+                              3000, Numbers::real, OnChange::restarts});
+    scene.columns = {{"x", "m", "of the first walker", Plot::linear},
+                     {"sag", "m", "of the bridge", Plot::linear},
+                     {"gap", "m", "largest error of a joint", Plot::logarithmic},
+                     {"residual", "m/s", "what the solver left"}};
     return scene;
 }
 
