@@ -1,0 +1,16 @@
+// Chapter 18. Space: the program.
+#include "chapters/18_space/program/scenes.hpp"
+
+int main(int argc, char** argv)
+{
+    using namespace rigid;
+    const auto make = [] {
+        Program program;
+        program.name = "18_space";
+        program.title = "Chapter 18. Space";
+        program.scenes = {book_scene(), spin_scene(),  handle_scene(),
+                          top_scene(),  chain_scene(), door_scene()};
+        return program;
+    };
+    return run_program(make, argc, argv);
+}

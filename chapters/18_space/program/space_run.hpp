@@ -1,0 +1,156 @@
+/// \file space_run.hpp
+/// One scene in space, under one of this chapter's methods.
+#pragma once
+
+#include "chapters/18_space/program/solid_picture.hpp"
+#include "chapters/18_space/space_method.hpp"
+#include "common/program/program.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigid {
+
+/// What a scene's measures and pictures are made of.
+struct SpaceState {
+    SpaceScene scene;
+    StepData<6> now;
+    Real t = 0;
+    Real energy = 0;  ///< at the start [J]
+    Vec3 spin_momentum = {0, 0, 0};
+    std::vector<Vec3> trail;
+};
+
+struct SpaceSetup {
+    SpaceScene scene;
+    Camera camera;
+    std::function<std::vector<Real>(const SpaceState&)> measure;
+    std::function<void(SpaceScene&, const Settings&, Real t)> change;
+    std::function<void(SolidPicture&, const SpaceState&)> picture;
+    Vec3 traced = {0, 0, 0};  ///< a point of the last body that leaves a trail
+    bool traces = false;
+};
+
+class SpaceRun : public Run {
+public:
+    SpaceRun(SpaceSetup setup, const Settings& settings) : setup_(std::move(setup))
+    {
+        state_.scene = setup_.scene;
+        state_.energy = energy(state_.scene);
+        state_.spin_momentum = momenta(state_.scene.bodies).tail<3>();
+        turn_camera(settings, {});
+        trace();
+    }
+
+    void step(const Settings& settings, const Input& input) override
+    {
+        SpaceScene& scene = state_.scene;
+        if (setup_.change) setup_.change(scene, settings, state_.t);
+        turn_camera(settings, input);
+        const StepSettings how{.h = settings.h,
+                               .substeps =
+                                   settings.tunables.contains("substeps")
+                                       ? static_cast<int>(settings["substeps"])
+                                       : 1};
+        if (settings.method == "explicit")
+            tumble_all(Tumbling::explicit_term, how.h);
+        else if (settings.method == "implicit")
+            tumble_all(Tumbling::implicit_term, how.h);
+        else if (settings.method == "momentum")
+            tumble_all(Tumbling::momentum_kept, how.h);
+        else if (settings.method == "exact")
+            rigid::step(scene, how, exact_, state_.now);
+        else {
+            islands_.solver.sweeps = {200, 1e-9, false};
+            rigid::step(scene, how, islands_, state_.now);
+        }
+        for (Index k = 0; k < scene.bodies.count(); ++k)
+            if (!scene.bodies.position(k).allFinite() ||
+                !scene.bodies.velocity(k).allFinite())
+                throw StepFailure("the state of body " + std::to_string(k) +
+                                  " is not finite");
+        state_.t += settings.h;
+        trace();
+    }
+
+    std::vector<Real> measure() const override { return setup_.measure(state_); }
+
+    void draw(Canvas& canvas) const override
+    {
+        const SpaceScene& scene = state_.scene;
+        SolidPicture picture(camera_);
+        for (Index k = 0; k < scene.bodies.count(); ++k) {
+            const Mat3 R = rotation_of(scene.bodies.x, k);
+            const Vec3 centre = centre_of(scene.bodies.x, k);
+            for (const Hull& hull : scene.shapes[static_cast<std::size_t>(k)])
+                picture.hull(hull, centre, R,
+                             k % 2 == 0 ? Colour::blue : Colour::orange);
+        }
+        picture.line(state_.trail, {Colour::purple, 1.2, 0.9});
+        if (setup_.picture) setup_.picture(picture, state_);
+        picture.paint(canvas);
+    }
+
+private:
+    void tumble_all(Tumbling way, Real h)
+    {
+        Bodies<6>& bodies = state_.scene.bodies;
+        for (Index k = 0; k < bodies.count(); ++k) {
+            const Vec3 inertia =
+                bodies.inverse_mass.segment<3>(6 * k + 3).cwiseInverse();
+            Vec3 theta = bodies.x.segment<3>(6 * k + 3),
+                 omega = bodies.u.segment<3>(6 * k + 3);
+            tumble(way, inertia, h, theta, omega);
+            bodies.x.segment<3>(6 * k + 3) = theta;
+            bodies.u.segment<3>(6 * k + 3) = omega;
+        }
+    }
+    /// The eye goes round with the pointer while its button is held.
+    void turn_camera(const Settings& settings, const Input& input)
+    {
+        camera_ = setup_.camera;
+        camera_.azimuth += settings["camera"] * pi / 180;
+        if (!input.pressed) return;
+        camera_.azimuth -= input.pointer.x() / camera_.distance * 4;
+        camera_.height += input.pointer.y() / camera_.distance * 4;
+    }
+    void trace()
+    {
+        if (!setup_.traces) return;
+        const Index last = state_.scene.bodies.count() - 1;
+        state_.trail.push_back(
+            point_of_solid(state_.scene.bodies.x, last, setup_.traced));
+        if (state_.trail.size() > 3000)
+            state_.trail.erase(state_.trail.begin(), state_.trail.begin() + 1000);
+    }
+
+    SpaceSetup setup_;
+    SpaceState state_;
+    Camera camera_;
+    SpaceExact exact_;
+    SpaceIslands islands_;
+};
+
+/// A scene with its methods, and the tunable that all of them have.
+inline Demo space_demo(const std::string& name, const std::string& summary,
+                       const View& view, Real h, std::vector<std::string> methods,
+                       std::function<SpaceSetup(const Settings&)> setup)
+{
+    Demo scene;
+    scene.name = name;
+    scene.summary = summary;
+    scene.view = view;
+    scene.h = h;
+    scene.methods = std::move(methods);
+    scene.tunables = {
+        {"camera", "°", "where the eye is, around the scene", 0, -180, 180}};
+    scene.start = [setup = std::move(setup)](const Settings& settings) {
+        return std::make_unique<SpaceRun>(setup(settings), settings);
+    };
+    return scene;
+}
+
+}  // namespace rigid

@@ -1,0 +1,145 @@
+/// \file space_constraints.hpp
+/// What the step of chapter 3 needs of a scene in space. The step itself, its solvers, starts and corrections are those
+/// of Part I, with 6 in place of 2.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/step.hpp"
+#include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/18_space/joint_coordinates.hpp"
+
+namespace rigid {
+
+/// Throws std::invalid_argument, naming the setting, unless the settings of a step make sense in space.
+inline void require_valid(const StepSettings& settings, const Vec3& gravity,
+                          Index bodies)
+{
+    if (!gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
+    require_valid(settings, Vec2(0, 0), bodies);
+    if (settings.pulled != world)
+        throw std::invalid_argument(
+            "a hand in the plane of the picture pulls no body in space");
+}
+
+//! [forces]
+/// Weight acts at the centroid: it turns nothing. What a spin does to itself is in
+/// integrate().
+inline void free_velocities(SpaceScene& scene, const StepSettings& settings,
+                            StepData<6>& now)
+{
+    Bodies<6>& bodies = scene.bodies;
+    now.u_star = bodies.u;
+    for (const int k : now.active) {
+        bodies.force(k).setZero();
+        const Real inverse_mass = bodies.inverse_mass[6 * k];
+        if (!(inverse_mass > 0)) continue;
+        bodies.force(k).head<3>() = scene.gravity / inverse_mass;
+        now.u_star.segment<6>(6 * k) +=
+            settings.part() * bodies.apply_inverse_mass(k, bodies.force(k));
+    }
+}
+//! [forces]
+
+/// Constraint i of the step at any positions x.
+inline Constraint<6> constraint_at(const SpaceScene& scene, const StepData<6>& now,
+                                   std::size_t i, const VecX& x)
+{
+    const Source& source = now.sources[i];
+    const SpaceJoint& joint =
+        scene.joints[static_cast<std::size_t>(source.index / joint_slots)];
+    return joint_constraint(frames_of(x, joint), joint, source.index % joint_slots);
+}
+
+/// All of them where the bodies are; the frames of a joint are found once for its rows.
+inline void evaluate_constraints(const SpaceScene& scene, StepData<6>& now)
+{
+    now.constraints.resize(now.sources.size());
+    JointFrames frames;
+    int of = -1;
+    for (std::size_t i = 0; i < now.sources.size(); ++i) {
+        const Source& source = now.sources[i];
+        const int number = source.index / joint_slots;
+        const SpaceJoint& joint = scene.joints[static_cast<std::size_t>(number)];
+        if (number != of) frames = frames_of(scene.bodies.x, joint), of = number;
+        now.constraints[i] =
+            joint_constraint(frames, joint, source.index % joint_slots);
+    }
+}
+
+/// What a step looks at each time. Throws std::invalid_argument, with a sentence that names the thing, unless it makes
+/// sense.
+inline void require_bodies(const SpaceScene& scene)
+{
+    require_valid(scene.bodies);
+    const Index count = scene.bodies.count();
+    if (static_cast<Index>(scene.shapes.size()) != count)
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.shapes.size()) +
+            " shapes and " + std::to_string(count) + " bodies; each needs its own");
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        const SpaceJoint& joint = scene.joints[i];
+        const auto refuse = [i](const std::string& what) {
+            throw std::invalid_argument("joint " + std::to_string(i) + " " + what);
+        };
+        if (joint.a < world || joint.a >= count || joint.b < 0 ||
+            joint.b >= count || joint.a == joint.b)
+            refuse("joins bodies " + std::to_string(joint.a) + " and " +
+                   std::to_string(joint.b) + " among " + std::to_string(count));
+        for (std::size_t c = 0; c < coordinates; ++c)
+            if (!(joint.lo[c] <= joint.hi[c]))
+                refuse("has the limits " + shortest(joint.lo[c]) + " and " +
+                       shortest(joint.hi[c]) + " of coordinate " +
+                       std::to_string(c) + "; the first must not be the larger");
+        if (joint.motor >= coordinates ||
+            !(joint.force >= 0 && std::isfinite(joint.speed)))
+            refuse("has a motor on coordinate " + std::to_string(joint.motor) +
+                   " of the force " + shortest(joint.force) + " and the speed " +
+                   shortest(joint.speed));
+    }
+}
+
+//! [all_solids]
+/// The contacts stage without contacts: every body is looked at, and every joint.
+struct AllSolids {
+    template <class Method>
+    void begin(const SpaceScene& scene, const StepSettings&, Method& method,
+               StepData<6>& now) const
+    {
+        require_bodies(scene);
+        refuse_unfit(method.correction);
+        now.length = typical_length(scene);
+        const Bodies<6>& bodies = scene.bodies;
+        now.active.resize(static_cast<std::size_t>(bodies.count()));
+        std::iota(now.active.begin(), now.active.end(), 0);
+        now.contacts.clear();
+        now.sources.clear();
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            const SpaceJoint& joint = scene.joints[i];
+            if (!bodies.can_move(joint.a) && !bodies.can_move(joint.b)) continue;
+            for_each_slot(frames_of(bodies.x, joint), joint, [&](int slot) {
+                now.sources.push_back(
+                    {Source::Of::joint, static_cast<int>(i) * joint_slots + slot});
+            });
+        }
+        now.x_found = bodies.x;
+    }
+    template <class Method>
+    void end(const SpaceScene&, const StepSettings&, Method&,
+             const StepData<6>&) const
+    {
+    }
+    /// Projection adds to x as if angles were numbers, and relaxation writes ω in
+    /// axes that have turned since: neither is made for space.
+    template <class Correction>
+    static void refuse_unfit(const Correction& correction)
+    {
+        if constexpr (requires { correction.method; })
+            if (correction.method == Stabilizer::projection ||
+                correction.method == Stabilizer::relaxation)
+                throw std::invalid_argument(
+                    "bodies in space have no projection and no relaxation; choose "
+                    "none, baumgarte or split_impulse");
+    }
+};
+//! [all_solids]
+
+}  // namespace rigid

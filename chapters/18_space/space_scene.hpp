@@ -1,0 +1,150 @@
+/// \file space_scene.hpp
+/// A scene in space: bodies, the solids that each is made of, and what joins them. y is up.
+/// Nothing touches anything here: where solids touch is not yet in this chapter.
+#pragma once
+
+#include "chapters/18_space/inertia.hpp"
+#include "chapters/18_space/space_bodies.hpp"
+#include "common/elementary.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rigid {
+
+/// What a joint measures, in the axes of its frame in body a: the way from its point in a to its point in b, and the
+/// rotation q from a's frame to b's.
+enum Coordinate : int {
+    along_x,  ///< [m]
+    along_y,
+    along_z,
+    twist,    ///< about x, 2 atan2(q_x, q_w) [rad]
+    swing_y,  ///< 2 q_y, for small angles the angle about y
+    swing_z,  ///< 2 q_z
+    cone,     ///< the angle between both x axes [rad]
+    coordinates
+};
+
+//! [joint]
+/// A joint in its own coordinates: a frame in either body, and of each coordinate
+/// the least and the greatest value. Both the same: it is locked. Infinite: free.
+struct SpaceJoint {
+    Index a = world, b = 0;
+    /// the joint's point in either body's axes; of the world: in its
+    Vec3 at_a = {0, 0, 0}, at_b = {0, 0, 0};
+    /// rotation vectors: from the joint's axes to those of the body
+    Vec3 frame_a = {0, 0, 0}, frame_b = {0, 0, 0};
+    std::array<Real, coordinates> lo, hi;
+    int motor = -1;             ///< the coordinate that a motor drives; −1: none
+    Real speed = 0, force = 0;  ///< of the motor [m/s, N], or [rad/s, N m]
+
+    SpaceJoint() { lo.fill(-infinity), hi.fill(infinity); }
+    void lock(std::initializer_list<Coordinate> which)
+    {
+        for (const Coordinate c : which) {
+            const auto i = static_cast<std::size_t>(c);
+            lo[i] = hi[i] = 0;
+        }
+    }
+    bool locked(int c) const
+    {
+        return lo[static_cast<std::size_t>(c)] == hi[static_cast<std::size_t>(c)];
+    }
+};
+//! [joint]
+
+struct SpaceScene {
+    static constexpr int dof = 6;
+    Bodies<6> bodies{0};
+    /// the hulls that each body is made of, in its principal axes
+    std::vector<std::vector<Hull>> shapes;
+    std::vector<SpaceJoint> joints;
+    Vec3 gravity = {0, -9.81, 0};  ///< [m/s²]
+    /// the length that settings are measured in [m]; 0 = typical_length()
+    Real length = 0;
+};
+
+/// ℓ, as in the plane (chapter 11).
+inline Real typical_length(const SpaceScene& scene)
+{
+    if (!(scene.length >= 0) || !std::isfinite(scene.length))
+        throw std::invalid_argument(
+            "the length of the scene is " + shortest(scene.length) +
+            " m; it must be positive and finite, or zero to be derived");
+    if (scene.length > 0) return scene.length;
+    Real sum = 0, count = 0;
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        if (!scene.bodies.can_move(k)) continue;
+        Real farthest = 0;
+        for (const Hull& hull : scene.shapes[static_cast<std::size_t>(k)])
+            for (const Vec3& vertex : hull.vertices)
+                farthest = std::max(farthest, vertex.norm() + hull.radius);
+        sum += 2 * farthest;
+        ++count;
+    }
+    return sum > 0 ? pow(10.0, std::round(log10(sum / count))) : 1;
+}
+
+//! [add_body]
+/// Adds a body. Its shape is moved and turned into its centroid and its principal
+/// axes, its rotation so that it lies as it was given.
+/// \param solid  mass, centroid and inertia in the axes of the shape; the mass zero
+///               makes a body that cannot move
+/// \param at     where the origin of the shape's axes comes to lie [m]
+/// \param theta  rotation vector of the shape's axes
+/// \return       its number
+/// Throws std::invalid_argument for a mass or an inertia that no body has.
+inline Index add_body(SpaceScene& scene, std::vector<Hull> shape,
+                      const SolidMass& solid, const Vec3& at,
+                      const Vec3& theta = {0, 0, 0})
+{
+    if (!(solid.mass >= 0) || !std::isfinite(solid.mass))
+        throw std::invalid_argument(
+            "a body has the mass " + shortest(solid.mass) +
+            " kg; it must be positive, or zero (it cannot move)");
+    if (!at.allFinite() || !theta.allFinite() || !solid.centroid.allFinite())
+        throw std::invalid_argument("a body has a position, a rotation or a "
+                                    "centroid that is not finite");
+    const bool moves = solid.mass > 0;
+    PrincipalAxes principal;
+    if (moves) {
+        principal = principal_axes(solid.inertia);
+        require_moments(principal.moments);
+    }
+    for (Hull& hull : shape)
+        for (Vec3& vertex : hull.vertices)
+            vertex = principal.axes.transpose() * (vertex - solid.centroid);
+    const Index k = scene.bodies.count();
+    scene.bodies.resize(k + 1);
+    scene.bodies.position(k) << at + rotation_matrix(theta) * solid.centroid,
+        add_rotation(theta, rotation_vector(principal.axes));
+    auto inverse = scene.bodies.inverse_mass.segment<6>(6 * k);
+    inverse.setZero();
+    if (moves) {
+        inverse.head<3>().setConstant(1 / solid.mass);
+        inverse.tail<3>() = principal.moments.cwiseInverse();
+    }
+    scene.shapes.push_back(std::move(shape));
+    return k;
+}
+//! [add_body]
+
+/// Adds a uniform body of the given density [kg/m³].
+inline Index add_body(SpaceScene& scene, const std::vector<Hull>& shape,
+                      Real density, const Vec3& at, const Vec3& theta = {0, 0, 0})
+{
+    return add_body(scene, shape, mass_of(shape, density), at, theta);
+}
+
+/// Kinetic and potential energy of the bodies that can move [J].
+inline Real energy(const SpaceScene& scene)
+{
+    Real sum = kinetic_energy(scene.bodies);
+    for (Index k = 0; k < scene.bodies.count(); ++k)
+        if (scene.bodies.can_move(k))
+            sum -= scene.gravity.dot(centre_of(scene.bodies.x, k)) /
+                   scene.bodies.inverse_mass[6 * k];
+    return sum;
+}
+
+}  // namespace rigid

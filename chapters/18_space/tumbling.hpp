@@ -1,0 +1,101 @@
+/// \file tumbling.hpp
+/// What a body does that nothing pushes: Euler's equations in its own principal axes, and three ways to step them.
+///
+///     I ω′ + ω × I ω = 0                                     (18.15)
+///     explicit     I ω₁ = I ω₀ − h ω₀ × I ω₀                 (18.17)   energy grows in every step
+///     implicit     I ω₁ = I ω₀ − h ω₁ × I ω₁                 (18.18)   energy shrinks
+///     the middle   exp(hξ/2) I ξ = I ω₀,  I ω₁ = exp(−hξ) I ω₀   (18.20)   angular momentum is kept, order two
+///
+/// ω in the body's axes, I the three principal moments: a vector, because in these axes the matrix is a diagonal.
+#pragma once
+
+#include "chapters/18_space/rotation.hpp"
+
+namespace rigid {
+
+//! [explicit]
+/// (18.17): ω × Iω of the beginning of the step.
+inline Vec3 explicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
+{
+    const Vec3 L = inertia.cwiseProduct(omega);
+    return omega - h * cross(omega, L).cwiseQuotient(inertia);
+}
+//! [explicit]
+
+//! [implicit]
+/// (18.18) by one Newton step from ω₀, (18.19). \cite catto2015
+inline Vec3 implicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
+{
+    const Vec3 L = inertia.cwiseProduct(omega);
+    const Mat3 I = inertia.asDiagonal();
+    const Mat3 J = I + h * (cross_matrix(omega) * I - cross_matrix(L));
+    return omega - solve3(J, h * cross(omega, L));
+}
+//! [implicit]
+
+//! [middle]
+/// (18.20): the turn hξ of one step, from the angular momentum at its beginning, by
+/// Newton's method (18.21). Where the body turns by radians in a step and Newton's
+/// method finds no root in eight rounds, the turn is only near it; L is kept all
+/// the same.
+inline Vec3 turn_through_the_middle(const Vec3& inertia, const Vec3& omega, Real h)
+{
+    const Vec3 L = inertia.cwiseProduct(omega);
+    const Mat3 I = inertia.asDiagonal();
+    Vec3 xi = omega;
+    if ((cross(omega, L).array() == 0).all()) return h * xi;  // about an axis
+    for (int round = 0; round < 8; ++round) {
+        const Vec3 half = h / 2 * xi;  // by this the axes have turned in the middle
+        const Vec3 middle = rotation_matrix(half).transpose() * L;
+        const Mat3 H = cross_matrix(half);
+        const Mat3 J = I - h / 2 * cross_matrix(middle) *
+                               (Mat3::Identity() - H / 2 + H * H / 6);
+        const Vec3 change = solve3(J, inertia.cwiseProduct(xi) - middle);
+        xi -= change;
+        if (!(change.squaredNorm() > 1e-30 * xi.squaredNorm())) break;
+    }
+    return h * xi;
+}
+
+/// What ω becomes when the axes turn by δ and the angular momentum stays where it
+/// is.
+inline Vec3 spin_in_turned_axes(const Vec3& inertia, const Vec3& omega,
+                                const Vec3& delta)
+{
+    const Vec3 L = inertia.cwiseProduct(omega);
+    return (rotation_matrix(delta).transpose() * L).cwiseQuotient(inertia);
+}
+//! [middle]
+
+/// The three ways, and the first of them with the angular momentum put right afterwards.
+enum class Tumbling { explicit_term, implicit_term, momentum_kept, middle };
+
+//! [tumble]
+/// One step of a free body: its rotation θ, and ω in its axes.
+inline void tumble(Tumbling way, const Vec3& inertia, Real h, Vec3& theta,
+                   Vec3& omega)
+{
+    Vec3 turn;
+    switch (way) {
+    case Tumbling::explicit_term:
+        omega = explicit_spin(inertia, omega, h);
+        turn = h * omega;
+        break;
+    case Tumbling::implicit_term:
+        omega = implicit_spin(inertia, omega, h);
+        turn = h * omega;
+        break;
+    case Tumbling::momentum_kept:
+        turn = h * omega;
+        omega = spin_in_turned_axes(inertia, omega, turn);
+        break;
+    case Tumbling::middle:
+        turn = turn_through_the_middle(inertia, omega, h);
+        omega = spin_in_turned_axes(inertia, omega, turn);
+        break;
+    }
+    theta = add_rotation(theta, turn);
+}
+//! [tumble]
+
+}  // namespace rigid

@@ -1,0 +1,11 @@
+# The program as a reader runs it.
+foreach(scene book spin handle)
+  add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
+                   --method middle,explicit,implicit,momentum --csv -)
+endforeach()
+foreach(scene top chain door)
+  add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
+                   --method exact,islands --csv -)
+endforeach()
+add_program_test(ch18 18_space "refuses a top that is too slow" --headless --scene top --set spin=40 --set tilt=1 --steps 1)
+set_tests_properties("ch18: 18_space refuses a top that is too slow" PROPERTIES WILL_FAIL ON)
