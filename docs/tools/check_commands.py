@@ -120,7 +120,7 @@ def main():
         for number, name, arguments in shown:
             if ELLIPSIS.search(' '.join(arguments)) or 'benchmark' in name:
                 continue
-            # A file of the book is named as from the book's folder; a word without a folder (a scene "book") is no file.
+            # A file of the book is named as from the book's folder; a scene "book" is no file.
             arguments = [str(root / word) if '/' in word and (root / word).is_file() else word for word in arguments]
             for way, words, display in ways(arguments, xvfb is not None):
                 words = [str(programs / name), *words]

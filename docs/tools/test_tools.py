@@ -611,6 +611,13 @@ class Commands(Folder):
         self.assertEqual((code, err), (0, ""))
         self.assertIn("--scene fall --steps 1", self.read("bin/calls"))
 
+    def test_a_scene_that_is_called_like_a_file_of_the_book_is_no_file(self):
+        self.write("book", "")
+        self.write("problems/two.txt", "")
+        self.assertEqual(self.checked("./book run 1 --scene book --problem problems/two.txt")[0], 0)
+        self.assertEqual({line.split(" ", 2)[2] for line in self.read("bin/calls").splitlines()},
+                         {f"--scene book --problem {self.root}/problems/two.txt"})
+
     def test_a_command_that_only_a_window_refuses(self):
         code, out, _ = self.checked("./book run 1 --scene five")
         self.assertEqual(code, 1)
