@@ -5,6 +5,7 @@
 /// file (svg_canvas.hpp), an OpenGL window (gl_canvas.hpp) or, later, a web page.
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/math.hpp"
 
 #include <cmath>
@@ -18,14 +19,18 @@ namespace rigid {
 /// The six hues stay apart for colour-blind readers.
 enum class Colour { ink, faint, blue, orange, green, red, purple, yellow };
 
+/// Discs, boxes and polygons that are filled: the inside is painted with the opacity of their style. Their outline is drawn
+/// too, with √opacity, so that a faint inside keeps an edge that can be seen; width = 0 leaves it out.
+enum class Paint { outline, filled, dashed };
+
 struct Style {
     Colour colour = Colour::ink;
     Real width = 1.5;  ///< of a line, in pixels of a picture 720 wide
     Real opacity = 1;  ///< 0 … 1
-    /// Discs, boxes and polygons: the inside is painted with `opacity`. Their outline is drawn too, with
-    /// √opacity, so that a faint inside keeps an edge that can be seen; width = 0 leaves it out.
-    bool filled = false;
-    bool dashed = false;
+    Paint paint = Paint::outline;
+
+    bool filled() const { return paint == Paint::filled; }
+    bool dashed() const { return paint == Paint::dashed; }
 };
 
 /// Which end of a text stands at its point.
@@ -56,8 +61,8 @@ public:
     /// A box with the given half sizes, turned by the angle [rad].
     void box(const Vec2& centre, const Vec2& half_size, Real angle, Style style = {})
     {
-        const Vec2 side = half_size.x() * Vec2(std::cos(angle), std::sin(angle));
-        const Vec2 up = half_size.y() * Vec2(-std::sin(angle), std::cos(angle));
+        const Vec2 side = half_size.x() * Vec2(cos(angle), sin(angle));
+        const Vec2 up = half_size.y() * Vec2(-sin(angle), cos(angle));
         polygon({centre - side - up, centre + side - up, centre + side + up, centre - side + up}, style);
     }
     void polygon(std::vector<Vec2> corners, Style style = {})

@@ -47,11 +47,11 @@ void DrawList::paint(const DrawItem& item, const Projection& projection, Real li
     const std::vector<Vec2> points = pixels_of(item, projection);
     const Real opacity = seen_opacity(style);
     Pen pen{static_cast<int>(style.colour), 0, opacity, line_scale * style.width,
-            style.dashed ? line_scale : 0};
+            style.dashed() ? line_scale : 0};
     switch (item.kind) {
     case DrawItem::Kind::disc:
     case DrawItem::Kind::polygon:
-        if (style.filled) {
+        if (style.filled()) {
             pen.opacity = opacity;
             pen.edge = std::sqrt(opacity);
         }

@@ -1,4 +1,5 @@
 #include "common/gl_canvas.hpp"
+#include "common/elementary.hpp"
 
 #include <GL/glew.h>
 
@@ -85,14 +86,14 @@ public:
         switch (item.kind) {
         case DrawItem::Kind::disc: {
             const Real radius = projection_.scale * item.radius;
-            if (style.filled) list_.AddCircleFilled(im(points[0]), static_cast<float>(radius), colour);
+            if (style.filled()) list_.AddCircleFilled(im(points[0]), static_cast<float>(radius), colour);
             if (!(style.width > 0)) return;
-            if (style.dashed) outline(circle(points[0], radius), style);
+            if (style.dashed()) outline(circle(points[0], radius), style);
             else list_.AddCircle(im(points[0]), static_cast<float>(radius), edge(style), 0, width(style));
             return;
         }
         case DrawItem::Kind::polygon:
-            if (style.filled) fill(points, colour);
+            if (style.filled()) fill(points, colour);
             if (style.width > 0) outline(points, style);
             return;
         case DrawItem::Kind::line:
@@ -117,8 +118,8 @@ private:
 
     ImU32 edge(const Style& style) const
     {
-        return theme_.colour(style.colour,
-                             style.filled ? std::sqrt(std::clamp<Real>(style.opacity, 0, 1)) : style.opacity);
+        return theme_.colour(style.colour, style.filled() ? std::sqrt(std::clamp<Real>(style.opacity, 0, 1))
+                                                          : style.opacity);
     }
 
     void outline(const std::vector<Vec2>& points, const Style& style)
@@ -128,7 +129,7 @@ private:
 
     void stroke(const std::vector<Vec2>& points, bool closed, const Style& style, ImU32 colour)
     {
-        if (style.dashed) {
+        if (style.dashed()) {
             for (const auto& dash : dashes(points, closed, scale_ * dash_length, scale_ * dash_gap)) {
                 const std::vector<ImVec2> line = im(dash);
                 list_.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width(style));
@@ -146,7 +147,7 @@ private:
         std::vector<Vec2> points;
         for (int i = 0; i < count; ++i) {
             const Real angle = 2 * pi * i / count;
-            points.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+            points.push_back(centre + radius * Vec2(cos(angle), sin(angle)));
         }
         return points;
     }

@@ -39,14 +39,14 @@ std::string stroke(const Style& style, Real opacity)
     if (!(style.width > 0)) return {};
     std::string text = " stroke=\"" + svg_colour(style.colour) + '"' +
                        attribute("stroke-width", style.width) + opacity_attribute("stroke-opacity", opacity);
-    if (style.dashed) text += " stroke-dasharray=\"" + number(dash_length) + ' ' + number(dash_gap) + '"';
+    if (style.dashed()) text += " stroke-dasharray=\"" + number(dash_length) + ' ' + number(dash_gap) + '"';
     return text;
 }
 
 std::string fill_and_stroke(const Style& style)
 {
     const Real opacity = seen_opacity(style);
-    if (!style.filled) return " fill=\"none\"" + stroke(style, opacity);
+    if (!style.filled()) return " fill=\"none\"" + stroke(style, opacity);
     return " fill=\"" + svg_colour(style.colour) + '"' + opacity_attribute("fill-opacity", opacity) +
            stroke(style, std::sqrt(opacity));
 }

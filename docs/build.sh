@@ -73,6 +73,7 @@ BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >build/docs/doxygen.log 2>&1 || 
     fail "Doxygen found faults"
 }
 python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
+python3 docs/tools/search_texts.py build/docs/html build/docs/book.tag
 if [ -d build/docs/demos ]; then
     mkdir -p build/docs/html/demos
     cp docs/web/unpack.js docs/web/machine.js docs/web/painter.js docs/web/demo.js docs/web/demo.css build/docs/html/

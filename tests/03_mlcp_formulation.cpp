@@ -1471,11 +1471,11 @@ TEST_CASE("a run lets go of a disc that is taken away and names a body that is l
 TEST_CASE("a demo has the columns that its runs measure", "[house]")
 {
     Demo demo;
-    run_scene<CasesMethod>(demo, {pulled_disc, columns::energy().plotted(true), columns::rows()},
+    run_scene<CasesMethod>(demo, {pulled_disc, columns::energy().plotted(), columns::rows()},
                            [](const Settings&) { return two_free_discs(); });
     REQUIRE(demo.columns.size() == 3);
     CHECK(demo.columns[1].name == "energy");
-    CHECK(demo.columns[1].plotted);
+    CHECK(demo.columns[1].plotted());
     CHECK(demo.start(Settings{})->measure() == std::vector<Real>{world, 0, 0});
 }
 

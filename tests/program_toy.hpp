@@ -44,10 +44,11 @@ public:
     void draw(Canvas& canvas) const override
     {
         canvas.box({0, 0}, {0.9, 0.9}, 0, {Colour::ink, 2});
-        canvas.segment({-0.9, -0.5}, {0.9, -0.5}, {Colour::faint, 1, 1, false, true});
-        canvas.disc(place_, 0.1, {Colour::blue, 1.5, 0.4, true});
+        canvas.segment({-0.9, -0.5}, {0.9, -0.5}, {Colour::faint, 1, 1, Paint::dashed});
+        canvas.disc(place_, 0.1, {Colour::blue, 1.5, 0.4, Paint::filled});
         canvas.arrow(place_, place_ + Vec2(0.3, speed_), {Colour::orange, 2});
-        canvas.polygon({{0.2, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.45, 0.35}}, {Colour::purple, 1, 0.3, true});
+        canvas.polygon({{0.2, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.45, 0.35}},
+                       {Colour::purple, 1, 0.3, Paint::filled});
         canvas.text({-0.8, 0.7}, "0 ≤ λ & w \"⟂\" <b>", 14);
     }
 
@@ -71,10 +72,10 @@ inline Program program()
     fall.h_high = 1;
     fall.methods = {"symplectic",   "explicit",    "failing", "exploding",
                     "interrupting", "terminating", "hungry"};
-    fall.tunables = {{"g", "m/s²", "Gravity", 8, 0, 16, false, false, true},
-                     {"beads", "", "How many beads", 1, 1, 20, true, true, false}};
-    fall.columns = {{"height", "m", "Where it is", true, false},
-                    {"speed", "m/s", "How fast it is", true, false}};
+    fall.tunables = {{"g", "m/s²", "Gravity", 8, 0, 16, Numbers::real, OnChange::goes_on, Keys::up_and_down},
+                     {"beads", "", "How many beads", 1, 1, 20, Numbers::whole, OnChange::restarts}};
+    fall.columns = {{"height", "m", "Where it is", Plot::linear},
+                    {"speed", "m/s", "How fast it is", Plot::linear}};
     fall.start = [](const Settings& settings) { return std::make_unique<Bead>(settings); };
     Demo steered = fall;
     steered.name = "steered";

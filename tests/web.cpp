@@ -72,8 +72,8 @@ Options options_for(const Demo& scene, std::vector<std::string> methods = {})
 TEST_CASE("a draw list has each item of a canvas in pixels and cuts them off at the pane", "[house]")
 {
     Canvas canvas;
-    canvas.disc({0.5, 0}, 0.25, {Colour::blue, 2, 0.25, true});
-    canvas.box({0, 0}, {1, 1}, 0, {Colour::faint, 1, 1, false, true});
+    canvas.disc({0.5, 0}, 0.25, {Colour::blue, 2, 0.25, Paint::filled});
+    canvas.box({0, 0}, {1, 1}, 0, {Colour::faint, 1, 1, Paint::dashed});
     canvas.arrow({0, 0}, {1, 0}, {Colour::red, 2});
     canvas.text({-1, 1}, "λ\n0", 14, {}, Align::right);
     DrawList list;
@@ -280,14 +280,14 @@ TEST_CASE("a page that was hidden does not catch up", "[house]")
 TEST_CASE("a plot leaves out what its logarithm does not have and shows where a run stands", "[house]")
 {
     Program program = toy::program();
-    program.scenes[0].columns[1].logarithmic = true;  // of speeds that are never positive
+    program.scenes[0].columns[1].plot = Plot::logarithmic;  // of speeds that are never positive
     WebShow show(program, options_for(program.scenes[0]));
     for (int i = 0; i < 3; ++i) show.single_step();
     const TimeSpan span = plot_span(show.show(), false);
     CHECK(span.begin == 0);
     CHECK(span.end == 1.5);
     CHECK_FALSE(plot_of(show.show(), 1, span, false));
-    const std::optional<Plot> plot = plot_of(show.show(), 0, span, false);
+    const std::optional<LivePlot> plot = plot_of(show.show(), 0, span, false);
     REQUIRE(plot);
     CHECK(plot->high == 0);
     CHECK(plot->low == -12);  // -2 - 4 - 6, by symplectic Euler with h = 0.5 s and g = 8 m/s²

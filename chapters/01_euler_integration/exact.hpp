@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chapters/01_euler_integration/systems.hpp"
+#include "common/elementary.hpp"
 #include "common/text.hpp"
 
 #include <array>
@@ -15,8 +16,8 @@ namespace rigid {
 /// The state of a spring at time t, started from s at time 0.
 inline State<1> exact_spring(const Spring& spring, const State<1>& s, Real t)
 {
-    const Real c = std::cos(spring.omega * t);
-    const Real n = std::sin(spring.omega * t);
+    const Real c = cos(spring.omega * t);
+    const Real n = sin(spring.omega * t);
     return {c * s.x + n / spring.omega * s.u, c * s.u - spring.omega * n * s.x};
 }
 
@@ -30,8 +31,8 @@ struct GeometricMean {
     explicit GeometricMean(Real alpha)
     {
         a[0] = 1;
-        c[0] = std::sin(alpha);
-        Real b = std::cos(alpha);
+        c[0] = sin(alpha);
+        Real b = cos(alpha);
         while (c[static_cast<std::size_t>(last)] > 1e-16 && last < 11) {
             const Real mean = a[static_cast<std::size_t>(last)];
             ++last;
@@ -55,20 +56,19 @@ inline Real pendulum_period(const Pendulum& pendulum, Real theta0)
 ///     sin(θ/2) = k cn(ω₀t) / dn(ω₀t),   k = sin(θ₀/2),   ω₀ = √(g/L)
 inline State<1> exact_pendulum(const Pendulum& pendulum, Real theta0, Real t)
 {
-    const Real k = std::sin(theta0 / 2);
+    const Real k = sin(theta0 / 2);
     const Real omega0 = std::sqrt(pendulum.g / pendulum.length);
     const GeometricMean steps(theta0 / 2);
     Real phase = std::ldexp(steps.mean() * omega0 * t, steps.last);
     for (int n = steps.last; n > 0; --n) {
         const auto i = static_cast<std::size_t>(n);
-        phase = (phase + std::asin(steps.c[i] / steps.a[i] * std::sin(phase))) / 2;
+        phase = (phase + asin(steps.c[i] / steps.a[i] * sin(phase))) / 2;
     }
-    const Real sn = std::sin(phase);
+    const Real sn = sin(phase);
     const Real dn = std::sqrt(1 - k * k * sn * sn);
-    const Real theta = 2 * std::asin(k * std::cos(phase) / dn);
+    const Real theta = 2 * asin(k * cos(phase) / dn);
     // From the derivative of cn/dn, −k'² sn/dn², and cos(θ/2) = k'/dn, with k' = cos(θ₀/2).
-    return {Vec<1>(theta),
-            Vec<1>(-2 * omega0 * k * std::cos(theta0 / 2) * sn / dn)};
+    return {Vec<1>(theta), Vec<1>(-2 * omega0 * k * cos(theta0 / 2) * sn / dn)};
 }
 
 /// A Kepler orbit at its point nearest to the sun, with half major axis 1 m.
@@ -91,14 +91,14 @@ inline State<2> exact_kepler(const Kepler& kepler, Real e, Real t)
     // for this start Newton's method converges from one side
     Real E = M + (M < 0 ? -e : e);
     for (int i = 0; i < 100; ++i) {
-        const Real change = (E - e * std::sin(E) - M) / (1 - e * std::cos(E));
+        const Real change = (E - e * sin(E) - M) / (1 - e * cos(E));
         E -= change;
         if (std::abs(change) < 1e-15) break;
     }
     const Real minor = std::sqrt(1 - e * e);
-    const Real E_dot = n / (1 - e * std::cos(E));
-    return {Vec2(std::cos(E) - e, minor * std::sin(E)),
-            Vec2(-std::sin(E) * E_dot, minor * std::cos(E) * E_dot)};
+    const Real E_dot = n / (1 - e * cos(E));
+    return {Vec2(cos(E) - e, minor * sin(E)),
+            Vec2(-sin(E) * E_dot, minor * cos(E) * E_dot)};
 }
 
 /// Time until a body thrown straight up at speed u0 ≥ 0 from height y0 ≥ 0 hits the ground
@@ -113,11 +113,11 @@ inline Real exact_impact(const Projectile& projectile, Real y0, Real u0)
     const Real k = projectile.drag;
     if (k == 0) return (u0 + std::sqrt(u0 * u0 + 2 * g * y0)) / g;
     const Real rate = std::sqrt(g * k);
-    const Real top = y0 + std::log1p(k * u0 * u0 / g) / (2 * k);
+    const Real top = y0 + log1p(k * u0 * u0 / g) / (2 * k);
     // acosh(exp z) = log(exp z + √(exp 2z − 1)), written so that small z keep their digits.
-    const Real grown = std::expm1(k * top);
-    return (std::atan(u0 * std::sqrt(k / g)) +
-            std::log1p(grown + std::sqrt(grown * (grown + 2)))) /
+    const Real grown = expm1(k * top);
+    return (atan(u0 * std::sqrt(k / g)) +
+            log1p(grown + std::sqrt(grown * (grown + 2)))) /
            rate;
 }
 

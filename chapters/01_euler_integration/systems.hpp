@@ -6,6 +6,7 @@
 #pragma once
 
 #include "chapters/01_euler_integration/integrators.hpp"
+#include "common/elementary.hpp"
 
 #include <cmath>
 
@@ -34,14 +35,13 @@ struct Pendulum {
 
     Vec<1> operator()(const Vec<1>& x) const
     {
-        return Vec<1>(-g / length * std::sin(x[0]));
+        return Vec<1>(-g / length * sin(x[0]));
     }
 
     /// ½L²u² − gL cos θ [J/kg], zero for a pendulum at rest on the level of its pivot
     Real energy(const State<1>& s) const
     {
-        return length * length * s.u.squaredNorm() / 2 -
-               g * length * std::cos(s.x[0]);
+        return length * length * s.u.squaredNorm() / 2 - g * length * cos(s.x[0]);
     }
 };
 

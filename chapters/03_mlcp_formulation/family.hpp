@@ -11,6 +11,7 @@
 
 #include "chapters/03_mlcp_formulation/cases.hpp"
 #include "chapters/03_mlcp_formulation/verification.hpp"
+#include "common/elementary.hpp"
 
 #include <Eigen/QR>
 #include <cmath>
@@ -33,8 +34,8 @@ struct DenseMlcp {
     {
         scale.resize(mlcp.size());
         for (Index i = 0; i < mlcp.size(); ++i)
-            scale[i] =
-                std::exp2(-std::round(std::log2(row_unit(mlcp, i, A(i, i)))));
+            scale[i] = std::ldexp(
+                1, -static_cast<int>(std::round(log2(row_unit(mlcp, i, A(i, i))))));
         A = scale.asDiagonal() * A * scale.asDiagonal();
         q.array() *= scale.array();
         lo.array() /= scale.array();

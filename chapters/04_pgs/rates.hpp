@@ -7,6 +7,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "common/elementary.hpp"
 
 #include <cmath>
 
@@ -59,8 +60,7 @@ inline Real line_angle(Index count, Real ratio)
     Real low = 0, high = pi / (2 * static_cast<Real>(count - 1));
     for (int halving = 0; halving < 100; ++halving) {
         const Real theta = (low + high) / 2;
-        const Real side =
-            std::tan(theta) * std::tan(static_cast<Real>(count - 1) * theta);
+        const Real side = tan(theta) * tan(static_cast<Real>(count - 1) * theta);
         (side < 1 / ratio ? low : high) = theta;
     }
     return (low + high) / 2;
@@ -71,7 +71,7 @@ inline Real line_angle(Index count, Real ratio)
 inline Real line_rate(Index count, Real ratio)
 {
     if (count < 2) return 0;
-    const Real c = std::cos(line_angle(count, ratio));
+    const Real c = cos(line_angle(count, ratio));
     return c * c;
 }
 
@@ -80,7 +80,7 @@ inline Real line_rate(Index count, Real ratio)
 inline Real slowest_weight(Index count)
 {
     const auto N = static_cast<Real>(count);
-    const Real s = std::sin(pi / (2 * N));
+    const Real s = sin(pi / (2 * N));
     return 2 / (N * N * s * s);
 }
 

@@ -7,6 +7,7 @@
 /// bound it is the other way round.
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/math.hpp"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ inline VecX row_units(const MatX& A)
 {
     const Index n = A.rows();
     const Real most = n > 0 ? std::max(A.diagonal().maxCoeff(), Real{0}) : 0;
-    const Real d = most > 0 ? std::exp2(std::floor(std::log2(most) / 2)) : 1;
+    const Real d =
+        most > 0 ? std::ldexp(1, static_cast<int>(std::floor(log2(most) / 2))) : 1;
     VecX unit = VecX::Constant(n, d);
     for (Index i = 0; i < n; ++i) {
         if (A(i, i) > 0) continue;

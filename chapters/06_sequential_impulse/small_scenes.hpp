@@ -4,6 +4,7 @@
 
 #include "chapters/06_sequential_impulse/impacts.hpp"
 #include "chapters/06_sequential_impulse/impulse_method.hpp"
+#include "common/elementary.hpp"
 
 #include <cmath>
 
@@ -17,9 +18,8 @@ inline DiscScene groove(Real angle)
     DiscScene scene;
     scene.bodies = Bodies<2>(1);
     scene.radius = VecX::Constant(1, 0.1);
-    scene.bodies.position(0) = Vec2(0, 0.1 / std::cos(angle));
-    scene.walls = {{{std::sin(angle), std::cos(angle)}, 0},
-                   {{-std::sin(angle), std::cos(angle)}, 0}};
+    scene.bodies.position(0) = Vec2(0, 0.1 / cos(angle));
+    scene.walls = {{{sin(angle), cos(angle)}, 0}, {{-sin(angle), cos(angle)}, 0}};
     scene.half_size = {0.4, 0.3};
     return scene;
 }
@@ -40,8 +40,7 @@ inline DiscScene cradle(Index count, Index lifted, Real angle)
         const Vec2 pivot(radius * static_cast<Real>(2 * k + 1 - count), length);
         const Real aside = k < lifted ? angle : 0;
         scene.bodies.position(count + k) = pivot;
-        scene.bodies.position(k) =
-            pivot - length * Vec2(std::sin(aside), std::cos(aside));
+        scene.bodies.position(k) = pivot - length * Vec2(sin(aside), cos(aside));
         scene.bodies.inverse_mass.segment<2>(2 * (count + k)).setZero();
         scene.links.push_back({count + k, k, length});
     }

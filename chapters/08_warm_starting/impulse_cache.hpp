@@ -77,6 +77,43 @@ struct ImpulseCache {
     int searched = 0;
 };
 
+/// The first entry that is not below a key. Rows seldom change places by much: a few
+/// entries about the place where the key was expected are looked at first.
+inline std::vector<ImpulseCache::Entry>::iterator
+entry_near(ImpulseCache& cache, std::vector<ImpulseCache::Entry>::iterator expected,
+           const ImpulseKey& key)
+{
+    const auto below = [](const ImpulseCache::Entry& entry, const ImpulseKey& it) {
+        return entry.key < it;
+    };
+    auto first = cache.entries.begin(), last = cache.entries.end();
+    if (expected - first > 4 && below(*(expected - 4), key)) first = expected - 4;
+    if (last - expected > 4 && !below(*(expected + 4), key)) last = expected + 4;
+    return std::lower_bound(first, last, key, below);
+}
+
+/// Into ascending order. Rows come in runs of contacts, so most are a few places from
+/// where they belong, and insertion is linear; if not, an ordinary sort ends it.
+inline void sort_by_key(std::vector<ImpulseCache::Entry>& entries)
+{
+    const auto ascending = [](const ImpulseCache::Entry& a,
+                              const ImpulseCache::Entry& b) {
+        return a.key < b.key;
+    };
+    std::size_t moves = 0;
+    for (std::size_t i = 1; i < entries.size() && moves <= 8 * entries.size();
+         ++i) {
+        if (!ascending(entries[i], entries[i - 1])) continue;
+        const ImpulseCache::Entry here = entries[i];
+        std::size_t place = i;
+        for (; place > 0 && ascending(here, entries[place - 1]); --place, ++moves)
+            entries[place] = entries[place - 1];
+        entries[place] = here;
+    }
+    if (moves > 8 * entries.size())
+        std::sort(entries.begin(), entries.end(), ascending);
+}
+
 //! [load]
 /// Where the sweeps start, (8.4). Does not allocate once `lambda` has been as long.
 /// \param cache   what store() remembered
@@ -96,11 +133,7 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h,
         // entry is the right one.
         if (next == cache.entries.end() || next->key != keys[i]) {
             ++cache.searched;
-            next = std::lower_bound(
-                cache.entries.begin(), cache.entries.end(), keys[i],
-                [](const ImpulseCache::Entry& entry, const ImpulseKey& key) {
-                    return entry.key < key;
-                });
+            next = entry_near(cache, next, keys[i]);
             if (next == cache.entries.end() || next->key != keys[i]) continue;
         }
         lambda[static_cast<Index>(i)] = scale * next->lambda;
@@ -134,8 +167,7 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
     present.clear();
     for (std::size_t i = 0; i < keys.size(); ++i)
         present.push_back({keys[i], 0, lambda[static_cast<Index>(i)]});
-    if (!std::is_sorted(present.begin(), present.end(), ascending))
-        std::sort(present.begin(), present.end(), ascending);
+    sort_by_key(present);
     for (std::size_t i = 1; i < present.size(); ++i)
         if (present[i - 1].key == present[i].key)
             throw std::invalid_argument("two rows have the key " +

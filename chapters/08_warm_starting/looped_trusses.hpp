@@ -5,6 +5,7 @@
 /// eigenvalues, and (8.7) does not hold.
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/random.hpp"
 #include "common/scenes.hpp"
 
@@ -87,7 +88,7 @@ inline DiscScene looped_truss(Random& random)
     const Real spread = random.uniform(0, 2);
     for (Index k = 0; k < count; ++k) {
         scene.bodies.inverse_mass.segment<2>(2 * k) *=
-            std::pow(10, random.uniform(-0.5, 0.5) * spread);
+            pow(10, random.uniform(-0.5, 0.5) * spread);
         const Real x = random.uniform(-1, 1), y = random.uniform(-1, 1);
         scene.bodies.velocity(k) << x, y;
     }

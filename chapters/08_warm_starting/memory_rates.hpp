@@ -12,6 +12,7 @@
 /// for real γ of 0 … 1. Where rows form loops, γ may be complex: (8.7a).
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/math.hpp"
 
 #include <cmath>
@@ -28,11 +29,11 @@ Real spectral_radius(Matrix power)
     for (int k = 0; k < 60; ++k) {
         const Real size = power.norm();
         if (!(size > 0)) return 0;
-        logarithm += std::log(size) * exponent;
+        logarithm += log(size) * exponent;
         power = ((power / size) * (power / size)).eval();
         exponent /= 2;
     }
-    return std::exp(logarithm);
+    return exp(logarithm);
 }
 
 //! [step_rate]
@@ -83,7 +84,7 @@ inline Real memory_rate(const MatX& G)
 /// other up, for rows on which one sweep multiplies the error by `rate`.
 inline int least_stable_sweeps(Real rate, Real share, Real beta)
 {
-    const Real sweeps = std::log(share * (1 + beta)) / -std::log(rate);
+    const Real sweeps = log(share * (1 + beta)) / -log(rate);
     return sweeps < 0 ? 0 : static_cast<int>(std::floor(sweeps)) + 1;
 }
 

@@ -53,7 +53,8 @@ void sort_and_sweep(const VecX& x, const VecX& radius, Real margin, int axis,
              x[2 * s.k + 1 - axis], radius[s.k], s.k};
     }
     memory.tested = memory.exchanged = 0;
-    if (!known) std::sort(shadows.begin(), shadows.end(), by_left);
+    // stable: what std::sort does with equal ends is the library's own affair
+    if (!known) std::stable_sort(shadows.begin(), shadows.end(), by_left);
     for (std::size_t i = 1; i < K; ++i)  // nearly sorted: insert
         for (std::size_t j = i; j > 0 && by_left(shadows[j], shadows[j - 1]); --j) {
             std::swap(shadows[j], shadows[j - 1]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/11_rotation/rigid_method.hpp"
+#include "common/elementary.hpp"
 
 #include <span>
 
@@ -15,7 +16,7 @@ inline RigidScene struck_rod(Real angle)
     RigidScene scene;
     scene.gravity = {0, 0};
     scene.walls.push_back({{0, 1}, 0});
-    add_body(scene, capsule(1, 0), thin_rod(1, 1), {0, std::sin(angle) / 2}, angle);
+    add_body(scene, capsule(1, 0), thin_rod(1, 1), {0, sin(angle) / 2}, angle);
     scene.bodies.u[1] = -1;
     return scene;
 }
@@ -23,7 +24,7 @@ inline RigidScene struck_rod(Real angle)
 /// λ, v′ and ω′ of that impact by hand, (11.8).
 inline Vec<3> struck_rod_by_hand(Real angle, Real e)
 {
-    const Real arm = -std::cos(angle) / 2, lambda = (1 + e) / (1 + 12 * arm * arm);
+    const Real arm = -cos(angle) / 2, lambda = (1 + e) / (1 + 12 * arm * arm);
     return {lambda, lambda - 1, 12 * arm * lambda};
 }
 
@@ -34,7 +35,7 @@ inline RigidScene rod_pendulum(std::span<const Real> angles)
     RigidScene scene;
     Vec2 end(0, 0);
     for (const Real angle : angles) {
-        const Vec2 along(std::sin(angle), -std::cos(angle));
+        const Vec2 along(sin(angle), -cos(angle));
         const Index k = add_body(scene, capsule(1, 0), thin_rod(1, 1),
                                  end + along / 2, angle - pi / 2);
         add_pin(scene, k - 1, k == 0 ? Vec2(0, 0) : Vec2(0.5, 0), k, {-0.5, 0});
@@ -55,8 +56,8 @@ inline RigidScene ladder(Real angle)
 {
     RigidScene scene;
     scene.walls = {{{0, 1}, 0}, {{1, 0}, 0}};
-    add_body(scene, capsule(2, 0), thin_rod(2, 10),
-             Vec2(std::sin(angle), std::cos(angle)), angle + pi / 2);
+    add_body(scene, capsule(2, 0), thin_rod(2, 10), Vec2(sin(angle), cos(angle)),
+             angle + pi / 2);
     return scene;
 }
 
@@ -134,8 +135,8 @@ inline RigidScene slider_crank()
 /// x = r cos θ + √(l² − r² sin² θ)
 inline Real slider_by_hand(Real theta)
 {
-    const Real s = 0.2 * std::sin(theta);
-    return 0.2 * std::cos(theta) + std::sqrt(0.25 - s * s);
+    const Real s = 0.2 * sin(theta);
+    return 0.2 * cos(theta) + std::sqrt(0.25 - s * s);
 }
 
 }  // namespace rigid

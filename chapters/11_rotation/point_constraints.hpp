@@ -17,6 +17,7 @@
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/11_rotation/rigid_scene.hpp"
 #include "common/contact.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -150,7 +151,7 @@ inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_fo
         const Real turn = x[angle] - x_found[angle];
         if (turn != 0) {
             const Vec2 before = r;
-            const Real cosine = std::cos(turn), sine = std::sin(turn);
+            const Real cosine = cos(turn), sine = sin(turn);
             r = cosine * before + sine * perpendicular(before);
             moved += r - before;
         }

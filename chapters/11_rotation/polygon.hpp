@@ -11,6 +11,7 @@
 /// and each piece is moved to the common centroid by the theorem of parallel axes (11.11).
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/math.hpp"
 #include "common/text.hpp"
 
@@ -79,7 +80,7 @@ inline void require_valid(const Polygon& shape)
                 std::to_string((i + 1) % n) +
                 " of the polygon are the same point; each must be its own");
         if (n == 2) break;
-        const Real angle = std::atan2(cross2(before, after), before.dot(after));
+        const Real angle = atan2(cross2(before, after), before.dot(after));
         if (!(angle > 0 && angle < pi))
             throw std::invalid_argument("the polygon turns by " + shortest(angle) +
                                         " rad at vertex " +
@@ -115,15 +116,13 @@ void for_each_piece(const Polygon& shape, const Visit& visit)
         const Vec2 edge = v[(i + 1) % n] - v[i],
                    next = v[(i + 2) % n] - v[(i + 1) % n];
         const Real l = edge.norm(),
-                   alpha =
-                       std::abs(std::atan2(cross2(edge, next), edge.dot(next))) / 2;
+                   alpha = std::abs(atan2(cross2(edge, next), edge.dot(next))) / 2;
         const Vec2 out = -perpendicular(edge) / l;
         visit(l * rho, Vec2(v[i] + edge / 2 + out * (rho / 2)),
               l * rho * (l * l + rho * rho) / 12);
-        const Vec2 middle =
-            std::cos(alpha) * out + std::sin(alpha) * Vec2(edge / l);
+        const Vec2 middle = cos(alpha) * out + sin(alpha) * Vec2(edge / l);
         const Real area = alpha * rho * rho,
-                   far = 2 * rho * std::sin(alpha) / (3 * alpha);
+                   far = 2 * rho * sin(alpha) / (3 * alpha);
         visit(area, Vec2(v[(i + 1) % n] + far * middle),
               area * (rho * rho / 2 - far * far));
     }

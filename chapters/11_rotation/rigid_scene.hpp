@@ -7,6 +7,7 @@
 
 #include "chapters/02_velocity_constraints/constraint_kinds.hpp"
 #include "chapters/11_rotation/polygon.hpp"
+#include "common/elementary.hpp"
 #include "common/shapes.hpp"
 
 #include <vector>
@@ -93,14 +94,14 @@ inline Real typical_length(const RigidScene& scene)
         sum += 2 * (farthest + shape.radius);
         ++count;
     }
-    return sum > 0 ? std::pow(10.0, std::round(std::log10(sum / count))) : 1;
+    return sum > 0 ? pow(10.0, std::round(log10(sum / count))) : 1;
 }
 
 /// Where a point of body k is now; a point of the world is where it is. p = x + R(θ) r
 inline Vec2 point_of(const VecX& x, Index k, const Vec2& at)
 {
     if (k == world) return at;
-    const Real c = std::cos(x[3 * k + 2]), s = std::sin(x[3 * k + 2]);
+    const Real c = cos(x[3 * k + 2]), s = sin(x[3 * k + 2]);
     return {x[3 * k] + c * at.x() - s * at.y(),
             x[3 * k + 1] + s * at.x() + c * at.y()};
 }

@@ -9,6 +9,7 @@
 /// (16.6) to (16.9). \cite young1954
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/math.hpp"
 
 #include <cmath>
@@ -21,8 +22,7 @@ struct LineModes {
     int N;
     Real theta, c;
 
-    LineModes(int rows, int k)
-        : N(rows), theta(k * pi / (rows + 1)), c(std::cos(theta))
+    LineModes(int rows, int k) : N(rows), theta(k * pi / (rows + 1)), c(cos(theta))
     {
     }
     Real rate() const { return c * c; }  ///< (16.6)
@@ -31,13 +31,13 @@ struct LineModes {
     {
         return VecX::NullaryExpr(N, [&](Index i) {
             const auto n = static_cast<Real>(i + 1);
-            return std::pow(c, n) * std::sin(n * theta);
+            return pow(c, n) * sin(n * theta);
         });
     }
     VecX coloured() const  ///< (16.7)
     {
         return VecX::NullaryExpr(N, [&](Index i) {
-            const Real s = std::sin(static_cast<Real>(i + 1) * theta);
+            const Real s = sin(static_cast<Real>(i + 1) * theta);
             return i % 2 == 0 ? s : c * s;
         });
     }
@@ -46,8 +46,7 @@ struct LineModes {
     {
         Real most = 0;
         for (int i = 1; i < N; ++i)
-            most = std::max(most, std::pow(c, i - 1) *
-                                      std::abs(std::sin((i + 1) * theta)));
+            most = std::max(most, pow(c, i - 1) * std::abs(sin((i + 1) * theta)));
         return (1 - c * c) * most;
     }
     /// (16.9): of coloured(): 2 (1 − c²) max sin iθ over the first colour.
@@ -55,7 +54,7 @@ struct LineModes {
     {
         Real most = 0;
         for (int i = 1; i <= N; i += 2)
-            most = std::max(most, std::abs(std::sin(i * theta)));
+            most = std::max(most, std::abs(sin(i * theta)));
         return 2 * (1 - c * c) * most;
     }
 };

@@ -83,11 +83,11 @@ void set_tunable(const Demo& scene, Settings& settings, const std::string& assig
     if (tunable == scene.tunables.end())
         refuse("scene " + scene.name + " has no tunable " + in_quotes(name) +
                (scene.tunables.empty() ? "; it has none" : "; it has: " + joined(names_of(scene.tunables))));
-    const std::string right = std::string("it must be a ") + (tunable->whole ? "whole " : "") + "number " +
+    const std::string right = std::string("it must be a ") + (tunable->whole() ? "whole " : "") + "number " +
                               range(tunable->low, tunable->high, tunable->unit);
     const auto value = parse_within(text, tunable->low, tunable->high);
     if (!value) refuse("the tunable " + name + " is " + in_quotes(text) + "; " + right);
-    if (*value < tunable->low || *value > tunable->high || (tunable->whole && *value != std::round(*value)))
+    if (*value < tunable->low || *value > tunable->high || (tunable->whole() && *value != std::round(*value)))
         refuse("the tunable " + name + " is " + with_unit(text, tunable->unit) + "; " + right);
     settings.tunables[name] = *value;
 }
@@ -150,8 +150,9 @@ std::string help_of_scenes(const Program& program)
             text += "    --method " + joined(scene.methods) + " (default " + scene.methods.front() + ")\n";
         for (const Tunable& one : scene.tunables)
             text += "    --set " + padded(one.name + '=' + with_unit(readable(one.value), one.unit), 24) +
-                    "  " + one.help + "; " + (one.whole ? "whole number " : "") +
-                    range(one.low, one.high, one.unit) + (one.restarts ? "; restarts the scene" : "") + '\n';
+                    "  " + one.help + "; " + (one.whole() ? "whole number " : "") +
+                    range(one.low, one.high, one.unit) + (one.restarts() ? "; restarts the scene" : "") +
+                    '\n';
         for (const Column& column : scene.columns)
             text += "    column " +
                     padded(column.name + (column.unit.empty() ? "" : " [" + column.unit + ']'), 23) + "  " +
@@ -224,7 +225,7 @@ void require_consistent(const Program& program)
                 !std::isfinite(one.high))
                 refuse(where + "the tunable " + one.name + " is " + readable(one.value) + "; it must lie " +
                        range(one.low, one.high, one.unit));
-            if (one.whole && one.value != std::round(one.value))
+            if (one.whole() && one.value != std::round(one.value))
                 refuse(where + "the tunable " + one.name + " is " + readable(one.value) +
                        "; it must be whole");
         }

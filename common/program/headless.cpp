@@ -54,7 +54,7 @@ int run_headless(const Program& program, const Options& options)
         record();
         while (playback.steps() < steps && playback.can_go_on() && !InterruptGuard::interrupted()) {
             Input input;
-            if (scene.steered) input = {pointer.at(playback.time()), true, false};
+            if (scene.steered) input = {.pointer = pointer.at(playback.time()), .present = true};
             playback.step(input);
             if (table) table->add(playback.tracks());
             record();

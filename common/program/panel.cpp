@@ -227,14 +227,14 @@ private:
     {
         const Demo& scene = show_.scene();
         if (!show_.playback() || std::none_of(scene.columns.begin(), scene.columns.end(),
-                                              [](const Column& c) { return c.plotted; }))
+                                              [](const Column& c) { return c.plotted(); }))
             return;
         gap();
         ImGui::Separator();
         gap();
         span_ = plot_span(show_, state_.whole_run);
         for (std::size_t c = 0; c < scene.columns.size(); ++c)
-            if (scene.columns[c].plotted) plot(c);
+            if (scene.columns[c].plotted()) plot(c);
         plot_times();
     }
 
@@ -297,7 +297,7 @@ private:
         const ImVec2 opposite = {corner.x + size.x, corner.y + size.y};
         list.AddRectFilled(corner, opposite, theme_.card(), units(3));
 
-        if (const std::optional<Plot> plot = plot_of(show_, c, span_, state_.whole_run)) {
+        if (const std::optional<LivePlot> plot = plot_of(show_, c, span_, state_.whole_run)) {
             curves(*plot, list, corner, size);
             limits(*plot, list, corner, size);
             if (hovered) read_off(c, list, corner, size);
@@ -309,7 +309,7 @@ private:
     float margin() const { return units(5); }
     float gutter() const { return units(47); }  ///< at the left of a plot: the numbers of its range
 
-    void curves(const Plot& plot, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
+    void curves(const LivePlot& plot, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
     {
         const Real width = static_cast<Real>(size.x - 2 * margin()),
                    height = static_cast<Real>(size.y - 2 * margin());
@@ -333,7 +333,7 @@ private:
     }
 
     /// The numbers at the upper and the lower end.
-    void limits(const Plot& plot, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
+    void limits(const LivePlot& plot, ImDrawList& list, const ImVec2& corner, const ImVec2& size)
     {
         const Real right = static_cast<Real>(corner.x + gutter()) - 5 * scale_,
                    top = static_cast<Real>(corner.y);

@@ -1,5 +1,6 @@
 #include "common/program/panel_rows.hpp"
 
+#include "common/elementary.hpp"
 #include "common/text.hpp"
 
 #include <algorithm>
@@ -31,15 +32,15 @@ SliderRow slider_row(const Tunable& one)
     row.help = one.help + (one.help.empty() ? "" : ". ") + "From " + readable(one.low) + " to " +
                with_unit(readable(one.high), one.unit) + ", at first " +
                with_unit(readable(one.value), one.unit);
-    if (one.restarts) row.help += ". Starts the scene again";
-    if (one.arrow_keys) row.help += ". Up and down keys";
+    if (one.restarts()) row.help += ". Starts the scene again";
+    if (one.arrow_keys()) row.help += ". Up and down keys";
     row.unit = one.unit;
     row.low = one.low;
     row.high = one.high;
     row.first = one.value;
-    row.whole = one.whole;
+    row.whole = one.whole();
     row.logarithmic = one.low > 0 && one.high / one.low >= 1000;
-    row.format = one.whole ? "%.0f" : row.logarithmic ? "%.4g" : digits(one);
+    row.format = one.whole() ? "%.0f" : row.logarithmic ? "%.4g" : digits(one);
     return row;
 }
 
@@ -69,7 +70,7 @@ std::vector<KeyRow> key_rows(const Demo& scene)
     std::vector<KeyRow> rows = {
         {"Space", "pause and run"}, {"S, Right", "one time step"}, {"R", "start again"}};
     const auto arrow = std::find_if(scene.tunables.begin(), scene.tunables.end(),
-                                    [](const Tunable& one) { return one.arrow_keys; });
+                                    [](const Tunable& one) { return one.arrow_keys(); });
     if (arrow != scene.tunables.end()) rows.push_back({"Up, Down", in_words(arrow->name)});
     rows.push_back({"Mouse", scene.steered ? "steers; held: pulls" : "held: pulls what is under it"});
     return rows;
@@ -88,12 +89,12 @@ TimeSpan plot_span(const Show& show, bool whole_run)
     return begin <= end ? TimeSpan{begin, end} : TimeSpan{};
 }
 
-std::optional<Plot> plot_of(const Show& show, std::size_t c, const TimeSpan& span, bool whole_run)
+std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan& span, bool whole_run)
 {
     if (!show.playback()) return std::nullopt;
-    const bool logarithmic = show.scene().columns[c].logarithmic;
+    const bool logarithmic = show.scene().columns[c].logarithmic();
     const std::size_t tracks = show.playback()->tracks().size();
-    const auto height_of = [&](Real value) { return logarithmic ? std::log10(value) : value; };
+    const auto height_of = [&](Real value) { return logarithmic ? log10(value) : value; };
     const auto shows = [&](Real value) { return !logarithmic || value > 0; };
 
     // The range of all curves.
@@ -114,7 +115,7 @@ std::optional<Plot> plot_of(const Show& show, std::size_t c, const TimeSpan& spa
         high += around;
     }
 
-    Plot plot;
+    LivePlot plot;
     plot.low = low;
     plot.high = high;
     plot.low_text = logarithmic ? "1e" + readable(low) : narrow(low);

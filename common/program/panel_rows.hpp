@@ -50,7 +50,7 @@ struct TimeSpan {
 TimeSpan plot_span(const Show& show, bool whole_run);
 
 /// The curves of one column.
-struct Plot {
+struct LivePlot {
     Real low = 0, high = 0;           ///< its range; powers of ten if the column is logarithmic
     std::string low_text, high_text;  ///< what stands at both ends
     std::vector<std::vector<std::vector<Vec2>>>
@@ -58,7 +58,7 @@ struct Plot {
 };
 
 /// Nothing if there is nothing to show.
-std::optional<Plot> plot_of(const Show& show, std::size_t column, const TimeSpan& span, bool whole_run);
+std::optional<LivePlot> plot_of(const Show& show, std::size_t column, const TimeSpan& span, bool whole_run);
 
 /// What a plot shows of a track's column, in the order of time.
 template <class Visit>

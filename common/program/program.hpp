@@ -18,15 +18,23 @@
 
 namespace rigid {
 
+enum class Numbers { real, whole };
+enum class OnChange { goes_on, restarts };
+enum class Keys { none, up_and_down };
+
 /// A number that the reader may change while the scene runs: --set name=value, a slider in the panel.
 struct Tunable {
     std::string name;  ///< as in --set name=value
     std::string unit;  ///< "" for a pure number
     std::string help;  ///< one line
     Real value = 0, low = 0, high = 1;
-    bool whole = false;       ///< a count: only whole numbers
-    bool restarts = false;    ///< changing it starts the scene again (a number of discs, say)
-    bool arrow_keys = false;  ///< the up and down keys change it too
+    Numbers numbers = Numbers::real;         ///< whole: a count
+    OnChange on_change = OnChange::goes_on;  ///< restarts: the scene starts again (a number of discs, say)
+    Keys keys = Keys::none;                  ///< which keys change it too
+
+    bool whole() const { return numbers == Numbers::whole; }
+    bool restarts() const { return on_change == OnChange::restarts; }
+    bool arrow_keys() const { return keys == Keys::up_and_down; }
 };
 
 /// All that a run depends on.
@@ -49,13 +57,18 @@ struct Input {
     bool pressed = false;   ///< the button is held: pull the body under it
 };
 
+/// Whether a column has a live plot in the panel, of its numbers or of their log10.
+enum class Plot { none, linear, logarithmic };
+
 /// A number that is measured after each step: a column of the table, a live plot.
 struct Column {
     std::string name;  ///< letters, digits and _ : the head of a CSV column
     std::string unit;
     std::string help;
-    bool plotted = false;      ///< has a live plot in the panel
-    bool logarithmic = false;  ///< the plot shows log10 of it
+    Plot plot = Plot::none;
+
+    bool plotted() const { return plot != Plot::none; }
+    bool logarithmic() const { return plot == Plot::logarithmic; }
 };
 
 /// Thrown by Run::step() when the run can't go on; its text says what and which body. The shell

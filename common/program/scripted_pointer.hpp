@@ -9,6 +9,7 @@
 #pragma once
 
 #include "common/canvas.hpp"
+#include "common/elementary.hpp"
 #include "common/random.hpp"
 
 #include <array>
@@ -35,7 +36,7 @@ public:
         for (Index axis = 0; axis < 2; ++axis)
             for (const Wave& wave : waves_[static_cast<std::size_t>(axis)])
                 p[axis] += 0.9 * view_.half_size[axis] * wave.amplitude *
-                           std::sin(2 * pi * wave.frequency * t + wave.phase);
+                           sin(2 * pi * wave.frequency * t + wave.phase);
         return p;
     }
 

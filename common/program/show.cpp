@@ -97,18 +97,18 @@ void Show::choose_method(std::size_t index, bool on)
 
 void Show::set_tunable(const Tunable& tunable, Real value)
 {
-    value = std::clamp(tunable.whole ? std::round(value) : value, tunable.low, tunable.high);
+    value = std::clamp(tunable.whole() ? std::round(value) : value, tunable.low, tunable.high);
     if (settings_.tunables[tunable.name] == value) return;
     settings_.tunables[tunable.name] = value;
-    if (tunable.restarts || !playback_) start();
+    if (tunable.restarts() || !playback_) start();
     else playback_->set_tunable(tunable.name, value);
 }
 
 void Show::change_by_arrow(int direction)
 {
     for (const Tunable& tunable : scene_->tunables) {
-        if (!tunable.arrow_keys) continue;
-        const Real step = tunable.whole ? 1 : (tunable.high - tunable.low) / 50;
+        if (!tunable.arrow_keys()) continue;
+        const Real step = tunable.whole() ? 1 : (tunable.high - tunable.low) / 50;
         set_tunable(tunable, settings_[tunable.name] + direction * step);
         return;
     }
@@ -163,7 +163,8 @@ void Show::single_step(const Input& hand)
 void Show::step(const Input& hand)
 {
     Input input = hand;
-    if (scene_->steered && scripted_ && !hand.pressed) input = {pointer_.at(playback_->time()), true, false};
+    if (scene_->steered && scripted_ && !hand.pressed)
+        input = {.pointer = pointer_.at(playback_->time()), .present = true};
     playback_->step(input);
     remember(false);
 }
@@ -174,7 +175,7 @@ void Show::remember(bool fresh)
         const Track& track = playback_->tracks()[k];
         if (!track.can_go_on()) continue;
         for (std::size_t c = 0; c < track.measured.size(); ++c)
-            if (scene_->columns[c].plotted) histories_[k][c].add({track.time, track.measured[c]});
+            if (scene_->columns[c].plotted()) histories_[k][c].add({track.time, track.measured[c]});
     }
     if (listener_) listener_(*playback_, fresh);
 }

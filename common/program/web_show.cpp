@@ -72,7 +72,7 @@ const DrawList& WebShow::plot(std::size_t column, Real width, Real height, bool 
     list_.card({0, 0, width, height}, 3);
     list_.line({{gutter - 2, 0}, {gutter - 2, height}}, DrawList::rim, 1, 1);
     const TimeSpan span = plot_span(show_, whole_run);
-    const std::optional<Plot> plot = plot_of(show_, column, span, whole_run);
+    const std::optional<LivePlot> plot = plot_of(show_, column, span, whole_run);
     if (!plot) return list_;
     const Real tall = height - 2 * margin;
     if (plot->low < 0 && plot->high > 0) {  // where zero is
@@ -123,7 +123,7 @@ std::vector<Real> rows_of_run(const Demo& scene, const Settings& settings,
     if (!last_alone) add();
     while (playback.steps() < steps && playback.can_go_on()) {
         Input input;
-        if (scene.steered) input = {pointer.at(playback.time()), true, false};
+        if (scene.steered) input = {.pointer = pointer.at(playback.time()), .present = true};
         playback.step(input);
         if (!last_alone || playback.steps() == steps) add();
     }

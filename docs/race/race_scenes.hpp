@@ -5,6 +5,7 @@
 #include "chapters/13_friction/houses.hpp"
 #include "chapters/13_friction/moving_scenes.hpp"
 #include "chapters/14_joints/joint_scenes.hpp"
+#include "common/elementary.hpp"
 
 #include <algorithm>
 #include <string>
@@ -56,7 +57,7 @@ inline void set_off(JointedScene& scene, Random& random)
 {
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         const Real angle = random.uniform(0, 2 * pi);
-        scene.bodies.position(k).head<2>() += 1e-9 * Vec2(std::cos(angle), std::sin(angle));
+        scene.bodies.position(k).head<2>() += 1e-9 * Vec2(cos(angle), sin(angle));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/systems.hpp"
 #include "chapters/06_sequential_impulse/impulse_method.hpp"
+#include "common/elementary.hpp"
 
 #include <memory>
 
@@ -36,7 +37,7 @@ Result judged(Real height, std::int64_t work, const char* status)
 void add_events(Registry& registry)
 {
     for (int digits = 2; digits <= 12; digits += 2) {
-        const Real tolerance = std::pow(10, -digits);
+        const Real tolerance = pow(10, -digits);
         const std::string parameters = scene_parameters + " tolerance=1e-" + std::to_string(digits) +
                                        " unit=force_evaluation reference=closed_form";
         registry.add({"1", "adaptive_with_events", "bouncing_ball", parameters, 0, digits == 6, [=] {

@@ -6,6 +6,7 @@
 
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/04_pgs/rates.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid::results {
 
@@ -32,7 +33,7 @@ OneStep resting_step(const DiscScene& scene, Real h)
 namespace {
 
 /// Sweeps of Gauss-Seidel after which the error is below 1e-12, by its rate.
-long sweeps_needed(Real rate) { return static_cast<long>(std::log(1e-12) / std::log(rate)); }
+long sweeps_needed(Real rate) { return static_cast<long>(log(1e-12) / log(rate)); }
 
 void add_line(Registry& registry, const std::string& name, const DiscScene& scene, Index rows, Real end_mass,
               const std::string& parameters)

@@ -68,11 +68,17 @@ void add_runs(Registry& registry)
         for (const int mass : {1, 100, 10000}) {
             const std::string parameters =
                 "discs=" + number(discs) + " top_mass=" + number(mass) + " steps=300";
-            add({pile("column_run", column_between_walls(discs, mass)), parameters, 300, true, true});
+            add({.engine = pile("column_run", column_between_walls(discs, mass)),
+                 .parameters = parameters,
+                 .steps = 300,
+                 .dense = true});
         }
-    add({pile("triangle_run", triangle(10)), "base=10 discs=55 steps=300", 300, true});
-    add({pile("triangle_run", triangle(44)), "base=44 discs=990 steps=60", 60, true, false, true});
-    add({pile("bins_run", bins()), "bins=100 discs=1000 steps=300", 300, true, false, true});
+    add({.engine = pile("triangle_run", triangle(10)), .parameters = "base=10 discs=55 steps=300"});
+    add({.engine = pile("triangle_run", triangle(44)),
+         .parameters = "base=44 discs=990 steps=60",
+         .steps = 60,
+         .resting = true});
+    add({.engine = pile("bins_run", bins()), .parameters = "bins=100 discs=1000 steps=300", .resting = true});
     add_turning(registry);
 }
 

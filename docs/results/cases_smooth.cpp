@@ -11,6 +11,7 @@
 #endif
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/03_mlcp_formulation/step.hpp"
+#include "common/elementary.hpp"
 
 #include <memory>
 
@@ -68,7 +69,7 @@ void add_adaptive(Registry& registry, const std::string& scene, const std::strin
     constexpr int N = Problem::N;
     const auto error = [exact = problem.exact()](const auto& place) { return (place - exact).norm(); };
     for (int digits = 2; digits <= 12; ++digits) {
-        const Real tolerance = std::pow(10, -digits);
+        const Real tolerance = pow(10, -digits);
         const std::string given = parameters + " tolerance=1e-" + std::to_string(digits);
         registry.add({"1", "dormand_prince", scene, given + " unit=force_evaluation reference=closed_form", 0,
                       digits == 6, [=] {
@@ -104,7 +105,7 @@ constexpr Real swing_time = 2;  // [s], from 90 degrees
 Vec2 exact_place()
 {
     const Real angle = exact_pendulum(Pendulum{}, pi / 2, swing_time).x[0];
-    return {std::sin(angle), -std::cos(angle)};
+    return {sin(angle), -cos(angle)};
 }
 
 /// A task that steps a disc on a rod; step(scene, h) does one step.

@@ -2,6 +2,7 @@
 // methods.
 #include "chapters/01_euler_integration/event.hpp"
 #include "chapters/01_euler_integration/exact.hpp"
+#include "common/elementary.hpp"
 #include "common/program/program.hpp"
 #include "common/text.hpp"
 
@@ -112,11 +113,11 @@ struct Mover {
 
 Tolerance tolerance_of(const Settings& settings)
 {
-    const Real allowed = std::pow(10, -settings["digits"]);
+    const Real allowed = pow(10, -settings["digits"]);
     return {allowed, allowed, allowed};
 }
 
-const Style dashed{Colour::ink, 1.2, 0.8, false, true};
+const Style dashed{Colour::ink, 1.2, 0.8, Paint::dashed};
 
 void remember(std::vector<Vec2>& trail, const Vec2& p, std::size_t most = 20000)
 {
@@ -190,7 +191,8 @@ public:
             }
             zigzag.push_back(mass);
             canvas.polyline(zigzag, {Colour::ink, 1.3});
-            canvas.box(mass, {0.1, 0.075}, 0, {colours[i], 1.5, 0.7, true});
+            canvas.box(mass, {0.1, 0.075}, 0,
+                       {colours[i], 1.5, 0.7, Paint::filled});
             canvas.box({across, rest + exact.x[0]}, {0.1, 0.075}, 0, dashed);
             // The phase plane: position upwards, velocity / ω to the right.
             const Vec2 centre(across, -0.72);
@@ -209,7 +211,8 @@ public:
                 if (p.norm() <= edge) trail.push_back(centre + p);
             canvas.polyline(trail, {colours[i], 1.3});
             if (phase(s).norm() <= edge)
-                canvas.disc(centre + phase(s), 0.025, {colours[i], 1, 1, true});
+                canvas.disc(centre + phase(s), 0.025,
+                            {colours[i], 1, 1, Paint::filled});
             const Real ratio = spring_.energy(s) / spring_.energy(start_);
             canvas.text({across, 1.36}, names[i], 15, {colours[i]}, Align::centre);
             canvas.text({across, -1.38}, "energy × " + significant(ratio, 3), 14,
@@ -241,8 +244,7 @@ public:
         : mover_{{{settings["drag"]}}, method_of(settings.method), {}}
     {
         const Real angle = settings["angle"] * pi / 180;
-        start_ = {Vec2(0, 1.8),
-                  settings["speed"] * Vec2(std::cos(angle), std::sin(angle))};
+        start_ = {Vec2(0, 1.8), settings["speed"] * Vec2(cos(angle), sin(angle))};
         mover_.s = start_;
         mover_.tolerance = tolerance_of(settings);
         mover_.gap = [](const State<2>& s) { return s.x.y(); };
@@ -303,7 +305,7 @@ public:
         canvas.polyline(trail_, {Colour::blue, 2});
         const std::vector<State<2>>& stops = mover_.stops;
         for (std::size_t i = 0; i < stops.size(); ++i)
-            canvas.disc(stops[i].x, 0.6, {Colour::orange, 1.2, 0.6, true});
+            canvas.disc(stops[i].x, 0.6, {Colour::orange, 1.2, 0.6, Paint::filled});
         canvas.disc({exact_.s.x.x(), 0}, 0.8, {Colour::green, 2});
         // The shaft, its velocity, and the drag on it (drawn 20 times too long).
         if (!landed()) {
@@ -395,14 +397,14 @@ public:
         std::vector<Vec2> ellipse;
         for (int i = 0; i <= 120; ++i) {
             const Real E = 2 * pi * i / 120;
-            ellipse.emplace_back(std::cos(E) - e_, minor * std::sin(E));
+            ellipse.emplace_back(cos(E) - e_, minor * sin(E));
         }
         canvas.polyline(ellipse, dashed);
         canvas.polyline(trail_, {Colour::blue, 1.2, 0.8});
-        canvas.disc({0, 0}, 0.07, {Colour::yellow, 1.5, 0.9, true});
+        canvas.disc({0, 0}, 0.07, {Colour::yellow, 1.5, 0.9, Paint::filled});
         canvas.disc(exact_kepler(mover_.a.a, e_, mover_.t).x, 0.045,
                     {Colour::ink, 1.5});
-        canvas.disc(s.x, 0.04, {Colour::blue, 1, 1, true});
+        canvas.disc(s.x, 0.04, {Colour::blue, 1, 1, Paint::filled});
         canvas.arrow(s.x, s.x + 0.35 * s.u, {Colour::blue, 1.8});
         canvas.arrow(s.x, s.x + 0.2 * mover_.a.a(s.x), {Colour::red, 1.8});
         const std::vector<Real> m = measure();
@@ -469,7 +471,7 @@ public:
         const Real length = mover_.a.a.length;
         const Vec2 pivot(-0.9, 0.25);
         const auto bob = [&](Real angle) {
-            return Vec2(pivot + length * Vec2(std::sin(angle), -std::cos(angle)));
+            return Vec2(pivot + length * Vec2(sin(angle), -cos(angle)));
         };
         std::vector<Vec2> arc;
         for (int i = -60; i <= 60; ++i) arc.push_back(bob(theta0_ * i / 60));
@@ -479,8 +481,8 @@ public:
         canvas.disc(exact, 0.09, dashed);
         const Vec2 place = bob(mover_.s.x[0]);
         canvas.segment(pivot, place, {Colour::ink, 3});
-        canvas.disc(place, 0.08, {Colour::blue, 1.5, 0.9, true});
-        canvas.disc(pivot, 0.03, {Colour::ink, 1, 1, true});
+        canvas.disc(place, 0.08, {Colour::blue, 1.5, 0.9, Paint::filled});
+        canvas.disc(pivot, 0.03, {Colour::ink, 1, 1, Paint::filled});
         // The phase plane: angle to the right, angular velocity upwards, both in units of
         // their largest value.
         const Vec2 centre(1.15, 0.25);
@@ -500,7 +502,8 @@ public:
         for (const Vec2& p : trail_) trail.push_back(centre + p);
         canvas.polyline(trail, {Colour::blue, 1.2, 0.8});
         canvas.polyline(orbit, dashed);
-        canvas.disc(centre + phase(mover_.s), 0.03, {Colour::blue, 1, 1, true});
+        canvas.disc(centre + phase(mover_.s), 0.03,
+                    {Colour::blue, 1, 1, Paint::filled});
         const std::vector<Real> m = measure();
         canvas.text({-2, -1.0},
                     "t = " + fixed(mover_.t, 2) + " s, period " + fixed(period, 6) +
@@ -516,7 +519,7 @@ private:
     Vec2 phase(const State<1>& s) const
     {
         const Real fastest =
-            2 * std::sqrt(mover_.a.a.g / mover_.a.a.length) * std::sin(theta0_ / 2);
+            2 * std::sqrt(mover_.a.a.g / mover_.a.a.length) * sin(theta0_ / 2);
         return {0.7 * s.x[0] / theta0_, 0.7 * s.u[0] / fastest};
     }
 
@@ -540,8 +543,8 @@ Tunable digits_of_steps(Real value)
             value,
             2,
             12,
-            true,
-            true};
+            Numbers::whole,
+            OnChange::restarts};
 }
 
 Program program()
@@ -552,21 +555,21 @@ Program program()
         "Three equal springs under explicit, symplectic and implicit Euler";
     springs.view = {{0, -0.1}, {1.85, 1.6}};
     springs.methods = {"three_eulers"};
-    springs.tunables = {
-        {"frequency", "Hz", "oscillations per second", 1, 0.1, 5, false, true},
-        {"amplitude", "m", "how far up the masses start", 0.15, 0.01, 0.5, false,
-         true}};
-    springs.columns = {{"x_explicit", "m", "place under explicit Euler"},
-                       {"x_symplectic", "m", "place under symplectic Euler"},
-                       {"x_implicit", "m", "place under implicit Euler"},
-                       {"x_exact", "m", "where it should be"},
-                       {"energy_explicit", "",
-                        "energy / energy at the start, explicit Euler", true, true},
-                       {"energy_symplectic", "",
-                        "energy / energy at the start, symplectic Euler", true},
-                       {"energy_implicit", "",
-                        "energy / energy at the start, implicit Euler", true,
-                        true}};
+    springs.tunables = {{"frequency", "Hz", "oscillations per second", 1, 0.1, 5,
+                         Numbers::real, OnChange::restarts},
+                        {"amplitude", "m", "how far up the masses start", 0.15,
+                         0.01, 0.5, Numbers::real, OnChange::restarts}};
+    springs.columns = {
+        {"x_explicit", "m", "place under explicit Euler"},
+        {"x_symplectic", "m", "place under symplectic Euler"},
+        {"x_implicit", "m", "place under implicit Euler"},
+        {"x_exact", "m", "where it should be"},
+        {"energy_explicit", "", "energy / energy at the start, explicit Euler",
+         Plot::logarithmic},
+        {"energy_symplectic", "", "energy / energy at the start, symplectic Euler",
+         Plot::linear},
+        {"energy_implicit", "", "energy / energy at the start, implicit Euler",
+         Plot::logarithmic}};
     springs.start = start<Springs>;
 
     Demo javelin;
@@ -576,17 +579,18 @@ Program program()
     javelin.view = {{53, 13.5}, {59, 19.5}};
     javelin.methods = {"dormand_prince", "rk4", "symplectic_euler",
                        "explicit_euler"};
-    javelin.tunables = {
-        {"speed", "m/s", "of the throw", 30, 1, 32, false, true},
-        {"angle", "degrees", "of the throw, above the horizontal", 40, 0, 90, false,
-         true},
-        {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1, false, true},
-        digits_of_steps(9)};
+    javelin.tunables = {{"speed", "m/s", "of the throw", 30, 1, 32, Numbers::real,
+                         OnChange::restarts},
+                        {"angle", "degrees", "of the throw, above the horizontal",
+                         40, 0, 90, Numbers::real, OnChange::restarts},
+                        {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1,
+                         Numbers::real, OnChange::restarts},
+                        digits_of_steps(9)};
     javelin.columns = {
         {"x", "m", "distance"},
-        {"y", "m", "height", true},
-        {"speed", "m/s", "length of the velocity", true},
-        {"energy", "J/kg", "kinetic and potential, for one kilogram", true},
+        {"y", "m", "height", Plot::linear},
+        {"speed", "m/s", "length of the velocity", Plot::linear},
+        {"energy", "J/kg", "kinetic and potential, for one kilogram", Plot::linear},
         {"step_size", "s", "of the last step that the method took"},
         {"landed", "", "1 once it is on the ground"},
         {"impact_error", "s", "time of impact against the exact one, once landed"},
@@ -604,17 +608,17 @@ Program program()
         "symplectic_euler", "explicit_euler", "verlet", "yoshida4", "rk4",
         "dormand_prince"};
     kepler.side_by_side = {"explicit_euler", "symplectic_euler", "rk4"};
-    kepler.tunables = {
-        {"eccentricity", "", "0 = a circle", 0.6, 0, 0.95, false, true},
-        digits_of_steps(6)};
+    kepler.tunables = {{"eccentricity", "", "0 = a circle", 0.6, 0, 0.95,
+                        Numbers::real, OnChange::restarts},
+                       digits_of_steps(6)};
     kepler.columns = {
         {"x", "m", "place"},
         {"y", "m", "place"},
-        {"energy_error", "", "relative error of the energy", true, true},
-        {"momentum_error", "", "relative error of the angular momentum", false,
-         true},
-        {"position_error", "m", "distance from where it should be", true, true},
-        {"step_size", "s", "of the last step that the method took", true},
+        {"energy_error", "", "relative error of the energy", Plot::logarithmic},
+        {"momentum_error", "", "relative error of the angular momentum"},
+        {"position_error", "m", "distance from where it should be",
+         Plot::logarithmic},
+        {"step_size", "s", "of the last step that the method took", Plot::linear},
         {"evaluations", "", "how often the force was evaluated"}};
     kepler.start = start<Planet>;
 
@@ -627,14 +631,15 @@ Program program()
     pendulum.side_by_side = {"explicit_euler", "symplectic_euler"};
     pendulum.tunables = {{"angle", "degrees",
                           "where it is let go, from straight down", 120, 1, 179,
-                          false, true},
-                         {"length", "m", "of the pendulum", 1, 0.1, 1, false, true},
+                          Numbers::real, OnChange::restarts},
+                         {"length", "m", "of the pendulum", 1, 0.1, 1,
+                          Numbers::real, OnChange::restarts},
                          digits_of_steps(6)};
     pendulum.columns = {
-        {"angle", "rad", "from straight down", true},
+        {"angle", "rad", "from straight down", Plot::linear},
         {"rate", "rad/s", "angular velocity"},
-        {"energy_error", "J/kg", "energy less energy at the start", true},
-        {"angle_error", "rad", "against the exact angle", true, true},
+        {"energy_error", "J/kg", "energy less energy at the start", Plot::linear},
+        {"angle_error", "rad", "against the exact angle", Plot::logarithmic},
         {"step_size", "s", "of the last step that the method took"},
         {"evaluations", "", "how often the force was evaluated"}};
     pendulum.start = start<Swing>;

@@ -13,10 +13,10 @@ namespace rigid {
 
 /// The colours of this chapter: each kind of velocity and impulse has its own.
 namespace paint {
-inline constexpr Style body = {Colour::blue, 1.5, 0.35, true};
-inline constexpr Style fixed = {Colour::ink, 1.5, 0.5, true};
+inline constexpr Style body = {Colour::blue, 1.5, 0.35, Paint::filled};
+inline constexpr Style fixed = {Colour::ink, 1.5, 0.5, Paint::filled};
 inline constexpr Style wire = {Colour::ink, 1.5, 1};
-inline constexpr Style guide = {Colour::faint, 1, 1, false, true};
+inline constexpr Style guide = {Colour::faint, 1, 1, Paint::dashed};
 /// the velocity before the rows: u*
 inline constexpr Style wanted = {Colour::orange, 2, 1};
 /// the velocity after them: u

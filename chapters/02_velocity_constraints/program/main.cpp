@@ -18,10 +18,10 @@ Demo ellipse_scene()
         "ellipse", "A bead on an ellipse", 9.81, [](const Settings& settings) {
             return ellipse_wire(settings["width"], settings["height"]);
         });
-    scene.tunables.push_back(
-        {"width", "m", "semi-axis along x", 1.6, 0.2, 1.9, false, true});
-    scene.tunables.push_back(
-        {"height", "m", "semi-axis along y", 0.8, 0.2, 1.6, false, true});
+    scene.tunables.push_back({"width", "m", "semi-axis along x", 1.6, 0.2, 1.9,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"height", "m", "semi-axis along y", 0.8, 0.2, 1.6,
+                              Numbers::real, OnChange::restarts});
     return scene;
 }
 

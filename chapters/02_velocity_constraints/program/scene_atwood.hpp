@@ -5,6 +5,7 @@
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
+#include "common/elementary.hpp"
 #include "common/forces.hpp"
 #include "common/program/program.hpp"
 
@@ -73,24 +74,23 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        canvas.disc({0, 0}, r, {Colour::ink, 2, 0.15, true});
+        canvas.disc({0, 0}, r, {Colour::ink, 2, 0.15, Paint::filled});
         canvas.disc({0, 0}, 0.02, paint::fixed);
         const Real angle = bodies_.x[4] / r;
         for (int i = 0; i < 3; ++i) {
             const Real turned = angle + 2 * pi * i / 3;
-            canvas.segment({0, 0},
-                           0.9 * r * Vec2(std::cos(turned), std::sin(turned)),
+            canvas.segment({0, 0}, 0.9 * r * Vec2(cos(turned), sin(turned)),
                            {Colour::ink, 1.5, 1});
         }
         std::vector<Vec2> rope = {bodies_.position(0)};
         for (int i = 0; i <= 40; ++i)
-            rope.push_back({-r * std::cos(pi * i / 40), r * std::sin(pi * i / 40)});
+            rope.push_back({-r * cos(pi * i / 40), r * sin(pi * i / 40)});
         rope.push_back(bodies_.position(1));
         canvas.polyline(rope, {Colour::purple, 2, 1});
         const std::vector<Real> values = measure();
         for (Index k = 0; k < 2; ++k) {
             const Vec2 x = bodies_.position(k);
-            const Real m = k == 0 ? m1_ : m2_, half = 0.09 * std::cbrt(m);
+            const Real m = k == 0 ? m1_ : m2_, half = 0.09 * pow(m, 1. / 3);
             canvas.box(x, {half, half}, 0, paint::body);
             canvas.text(x - Vec2(0, 0.025), fixed(m, 1) + " kg", 13, paint::label,
                         Align::centre);
@@ -138,11 +138,11 @@ inline Demo atwood_scene()
         {"m2", "kg", "mass on the right", 1, 0.1, 10},
         {"pulley", "kg", "mass of the pulley, a uniform disc", 1, 0.01, 10}};
     scene.columns = {
-        {"acceleration", "m/s^2", "of the left mass, downwards", true},
+        {"acceleration", "m/s^2", "of the left mass, downwards", Plot::linear},
         {"acceleration_exact", "m/s^2", "closed form"},
-        {"tension_left", "N", "λ/h of the left part of the rope", true},
+        {"tension_left", "N", "λ/h of the left part of the rope", Plot::linear},
         {"tension_left_exact", "N", "closed form"},
-        {"tension_right", "N", "λ/h of the right part of the rope", true},
+        {"tension_right", "N", "λ/h of the right part of the rope", Plot::linear},
         {"tension_right_exact", "N", "closed form"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<AtwoodRun>(settings);

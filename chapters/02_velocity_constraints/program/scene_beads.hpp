@@ -6,6 +6,7 @@
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/02_velocity_constraints/program/drawing.hpp"
+#include "common/elementary.hpp"
 #include "common/forces.hpp"
 #include "common/measure.hpp"
 #include "common/program/program.hpp"
@@ -143,8 +144,7 @@ inline Wire circle_wire()
               [](const Vec2& p) { return p.norm() - 1; },
               {1.6, 1.5}};
     for (int i = 0; i <= 200; ++i)
-        wire.shape.push_back(
-            {std::cos(2 * pi * i / 200), std::sin(2 * pi * i / 200)});
+        wire.shape.push_back({cos(2 * pi * i / 200), sin(2 * pi * i / 200)});
     return wire;
 }
 
@@ -167,7 +167,7 @@ std::vector<Vec2> outline(const G& g, Real farthest)
 {
     std::vector<Vec2> points;
     for (int i = 0; i <= 400; ++i) {
-        const Vec2 e(std::cos(2 * pi * i / 400), std::sin(2 * pi * i / 400));
+        const Vec2 e(cos(2 * pi * i / 400), sin(2 * pi * i / 400));
         Real inside = 0, outside = farthest;
         while (outside - inside > 1e-9) {
             const Real middle = (inside + outside) / 2;
@@ -207,22 +207,25 @@ inline Demo bead_scene(const std::string& name, const std::string& summary,
     scene.h_low = 1e-4;
     scene.h_high = 0.5;
     scene.methods = {"row", "spring"};
-    scene.tunables = {
-        {"speed", "m/s", "speed of the bead at the start", 1, 0, 3, false, true},
-        {"gravity", "m/s^2", "downwards", gravity, 0, 20, false, false, true},
-        {"mass", "kg", "mass of the bead", 1, 0.1, 10, false, true},
-        {"repay", "", "part of the error C/h that the row's bias requires back", 0,
-         0, 1},
-        {"stiffness", "N/m", "of the spring that stands in for the row", 1000, 10,
-         1e5}};
+    scene.tunables = {{"speed", "m/s", "speed of the bead at the start", 1, 0, 3,
+                       Numbers::real, OnChange::restarts},
+                      {"gravity", "m/s^2", "downwards", gravity, 0, 20,
+                       Numbers::real, OnChange::goes_on, Keys::up_and_down},
+                      {"mass", "kg", "mass of the bead", 1, 0.1, 10, Numbers::real,
+                       OnChange::restarts},
+                      {"repay", "",
+                       "part of the error C/h that the row's bias requires back", 0,
+                       0, 1},
+                      {"stiffness", "N/m",
+                       "of the spring that stands in for the row", 1000, 10, 1e5}};
     scene.columns = {
-        {"drift", "m", "distance from the wire, outwards", true},
+        {"drift", "m", "distance from the wire, outwards", Plot::linear},
         {"circle_theory", "m",
          "growth of the radius that (2.32) foretells on a circle without forces",
-         true},
-        {"lambda", "N s", "impulse of the row", true},
+         Plot::linear},
+        {"lambda", "N s", "impulse of the row", Plot::linear},
         {"w", "m/s", "what the row left of the velocity across the wire"},
-        {"energy", "J", "kinetic and potential", true}};
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     scene.start = [make_wire](const Settings& settings) {
         return std::make_unique<BeadRun>(make_wire(settings), settings);
     };

@@ -164,16 +164,17 @@ inline Demo discs_scene()
     scene.view = {{0, 0}, {1.6, 1.1}};
     scene.h = 1.0 / 60;
     scene.methods = {"row-by-row"};
-    scene.tunables = {
-        {"count", "", "number of discs", 2, 1, 14, true, true},
-        {"rounds", "", "how often each row has its turn in a step", 1, 1, 100,
-         true},
-        {"gravity", "m/s^2", "downwards", 0, 0, 20, false, false, true}};
+    scene.tunables = {{"count", "", "number of discs", 2, 1, 14, Numbers::whole,
+                       OnChange::restarts},
+                      {"rounds", "", "how often each row has its turn in a step", 1,
+                       1, 100, Numbers::whole},
+                      {"gravity", "m/s^2", "downwards", 0, 0, 20, Numbers::real,
+                       OnChange::goes_on, Keys::up_and_down}};
     scene.columns = {
-        {"rows", "", "contacts of the step", true},
-        {"left", "m/s", "the largest approach that the rows left", true},
-        {"penetration", "mm", "the deepest overlap", true},
-        {"kinetic", "J", "kinetic energy", true},
+        {"rows", "", "contacts of the step", Plot::linear},
+        {"left", "m/s", "the largest approach that the rows left", Plot::linear},
+        {"penetration", "mm", "the deepest overlap", Plot::linear},
+        {"kinetic", "J", "kinetic energy", Plot::linear},
         {"px", "kg m/s", "momentum along x"},
         {"py", "kg m/s", "momentum along y"}};
     scene.start = [](const Settings& settings) {

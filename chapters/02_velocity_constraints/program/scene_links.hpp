@@ -116,17 +116,18 @@ inline Demo chain_scene()
     scene.methods = {"one-shot", "row-by-row"};
     scene.side_by_side = scene.methods;
     scene.tunables = {
-        {"links", "", "number of links", 16, 1, 60, true, true},
+        {"links", "", "number of links", 16, 1, 60, Numbers::whole,
+         OnChange::restarts},
         {"end_mass", "kg", "mass of the last disc; the others have 1 kg", 1, 0.01,
-         1000, false, true},
+         1000, Numbers::real, OnChange::restarts},
         {"repay", "", "part of the error C/h that the rows' bias requires back", 0,
          0, 1},
         {"rounds", "", "row by row: how often each row has its turn in a step", 10,
-         1, 1000, true, false, true}};
+         1, 1000, Numbers::whole, OnChange::goes_on, Keys::up_and_down}};
     scene.columns = {
-        {"residual", "m/s", "the largest |w| that is left", true, true},
-        {"link_error", "mm", "the largest error of a link", true},
-        {"energy", "J", "kinetic and potential", true}};
+        {"residual", "m/s", "the largest |w| that is left", Plot::logarithmic},
+        {"link_error", "mm", "the largest error of a link", Plot::linear},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<ChainRun>(settings);
     };
@@ -194,7 +195,7 @@ public:
                         : away.x() < -0.3 ? Align::right
                                           : Align::centre);
         }
-        canvas.disc(x, 0.12, {Colour::blue, 1.5, 0.6, true});
+        canvas.disc(x, 0.12, {Colour::blue, 1.5, 0.6, Paint::filled});
         const char* words = answer_.verdict == Verdict::independent ? "independent"
                             : answer_.verdict == Verdict::redundant
                                 ? "redundant: one velocity, many λ"
@@ -221,15 +222,16 @@ inline Demo conflict_scene()
     scene.view = {{0, -0.3}, {2, 1.4}};
     scene.methods = {"compromise", "refuse"};
     scene.tunables = {{"growth", "m/s", "how fast the third rod has to grow", 0.1,
-                       -1, 1, false, false, true}};
-    scene.columns = {{"w1", "m/s", "what is left of the first row", true},
-                     {"w2", "m/s", "of the second", true},
-                     {"w3", "m/s", "of the third", true},
-                     {"lambda1", "N s", "impulse of the first row", true},
-                     {"lambda2", "N s", "of the second"},
-                     {"lambda3", "N s", "of the third"},
-                     {"rank", "", "how many rows say something new"},
-                     {"conflict", "", "1: no velocity meets all rows", true}};
+                       -1, 1, Numbers::real, OnChange::goes_on, Keys::up_and_down}};
+    scene.columns = {
+        {"w1", "m/s", "what is left of the first row", Plot::linear},
+        {"w2", "m/s", "of the second", Plot::linear},
+        {"w3", "m/s", "of the third", Plot::linear},
+        {"lambda1", "N s", "impulse of the first row", Plot::linear},
+        {"lambda2", "N s", "of the second"},
+        {"lambda3", "N s", "of the third"},
+        {"rank", "", "how many rows say something new"},
+        {"conflict", "", "1: no velocity meets all rows", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<ConflictRun>(settings);
     };

@@ -5,6 +5,7 @@
 #include "chapters/01_euler_integration/exact.hpp"
 #include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/program/scene_beads.hpp"
+#include "common/elementary.hpp"
 #include "common/measure.hpp"
 #include "common/program/program.hpp"
 
@@ -58,7 +59,7 @@ public:
     {
         const State<1> truth = exact_pendulum(Pendulum{}, angle_, time_);
         // m g cos θ + m u²/L
-        const Real exact_tension = g * std::cos(truth.x[0]) + truth.u.squaredNorm();
+        const Real exact_tension = g * cos(truth.x[0]) + truth.u.squaredNorm();
         const Real energy =
             kinetic_energy(bodies_[2]) + potential_energy(bodies_[2], {0, -g});
         const Real stretch = 1000 * (bodies_[2].x.norm() - 1);
@@ -73,23 +74,23 @@ public:
         const std::array<const char*, 3> names = {"h", "h/2", "h/4"};
         const Vec2 truth = place(exact_angle());
         canvas.segment({0, 0}, truth, {Colour::faint, 6, 1});
-        canvas.disc(truth, 0.09, {Colour::ink, 1.5, 0.25, true});
+        canvas.disc(truth, 0.09, {Colour::ink, 1.5, 0.25, Paint::filled});
         canvas.disc({0, 0}, 0.02, paint::fixed);
         canvas.text({-1.4, 0.6}, "exact", 15, paint::label);
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec2 x = bodies_[i].x;
-            canvas.segment({0, 0}, x, {colours[i], 2, 1, false, false});
-            canvas.disc(x, 0.05, {colours[i], 1.5, 0.5, true, false});
+            canvas.segment({0, 0}, x, {colours[i], 2, 1});
+            canvas.disc(x, 0.05, {colours[i], 1.5, 0.5, Paint::filled});
             canvas.text({-1.4, 0.47 - 0.13 * static_cast<Real>(i)},
                         std::string(names[i]) + ": error of the angle " +
                             fixed(180 / pi * error(i), 2) + "°",
-                        15, {colours[i], 1.5, 1, false, false});
+                        15, {colours[i], 1.5, 1});
         }
     }
 
 private:
     static constexpr Real g = 9.81;
-    static Vec2 place(Real angle) { return {std::sin(angle), -std::cos(angle)}; }
+    static Vec2 place(Real angle) { return {sin(angle), -cos(angle)}; }
     Real exact_angle() const
     {
         return exact_pendulum(Pendulum{}, angle_, time_).x[0];
@@ -98,7 +99,7 @@ private:
     {
         const Vec2 truth = place(exact_angle());
         const Vec2 x = bodies_[i].x;
-        return std::atan2(cross2(truth, x), truth.dot(x));
+        return atan2(cross2(truth, x), truth.dot(x));
     }
 
     Real angle_, time_ = 0;
@@ -115,18 +116,20 @@ inline Demo pendulum_scene()
     scene.view = {{0, -0.25}, {1.5, 1.05}};
     scene.h = 1.0 / 60;
     scene.methods = {"row", "spring"};
-    scene.tunables = {
-        {"angle", "deg", "where it is let go at rest", 90, 1, 179, false, true},
-        {"stiffness", "N/m", "of the spring that stands in for the rod", 1000, 10,
-         1e5}};
+    scene.tunables = {{"angle", "deg", "where it is let go at rest", 90, 1, 179,
+                       Numbers::real, OnChange::restarts},
+                      {"stiffness", "N/m",
+                       "of the spring that stands in for the rod", 1000, 10, 1e5}};
     scene.columns = {
-        {"error_h", "rad", "angle with the step h, less the exact one", true},
-        {"error_h2", "rad", "the same with h/2", true},
-        {"error_h4", "rad", "the same with h/4", true},
-        {"stretch", "mm", "length of the rod less 1 m, with h/4", true},
-        {"tension", "N", "mean pull of the rod in the step, with h/4", true},
-        {"tension_exact", "N", "pull of the rod in the exact motion", true},
-        {"energy", "J", "kinetic and potential, with h/4", true}};
+        {"error_h", "rad", "angle with the step h, less the exact one",
+         Plot::linear},
+        {"error_h2", "rad", "the same with h/2", Plot::linear},
+        {"error_h4", "rad", "the same with h/4", Plot::linear},
+        {"stretch", "mm", "length of the rod less 1 m, with h/4", Plot::linear},
+        {"tension", "N", "mean pull of the rod in the step, with h/4",
+         Plot::linear},
+        {"tension_exact", "N", "pull of the rod in the exact motion", Plot::linear},
+        {"energy", "J", "kinetic and potential, with h/4", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PendulumRun>(settings);
     };

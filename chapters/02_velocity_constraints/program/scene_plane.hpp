@@ -4,6 +4,7 @@
 
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/02_velocity_constraints/program/drawing.hpp"
+#include "common/elementary.hpp"
 #include "common/program/program.hpp"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ public:
         const std::vector<Vec2> square = {{-E, -E}, {E, -E}, {E, E}, {-E, E}};
         if (half)
             canvas.polygon(cut(square, J, row_.bias),
-                           {Colour::green, 0, 0.12, true});
+                           {Colour::green, 0, 0.12, Paint::filled});
         // The line: the square cut from both sides, to a strip without width.
         canvas.polygon(cut(cut(square, J, row_.bias), -J, -row_.bias + 1e-9),
                        {Colour::green, 1.2, 1});
@@ -118,18 +119,20 @@ public:
                 ring.push_back(
                     u_star_ +
                     part * size *
-                        Vec2(std::cos(2 * pi * i / 120) / std::sqrt(mass.x()),
-                             std::sin(2 * pi * i / 120) / std::sqrt(mass.y())));
+                        Vec2(cos(2 * pi * i / 120) / std::sqrt(mass.x()),
+                             sin(2 * pi * i / 120) / std::sqrt(mass.y())));
             std::vector<Vec2> piece;  // what of it is in the square
             for (const Vec2& p : ring) {
                 if (p.cwiseAbs().maxCoeff() <= E && size > 1e-6) piece.push_back(p);
                 else if (piece.size() > 1)
                     canvas.polyline(std::exchange(piece, {}),
-                                    {Colour::faint, 1, 1, false, part < 1});
+                                    {Colour::faint, 1, 1,
+                                     part < 1 ? Paint::dashed : Paint::outline});
                 else piece.clear();
             }
             if (piece.size() > 1)
-                canvas.polyline(piece, {Colour::faint, 1, 1, false, part < 1});
+                canvas.polyline(piece, {Colour::faint, 1, 1,
+                                        part < 1 ? Paint::dashed : Paint::outline});
         }
         // What the eye would take for the nearest point: the foot of the Euclidean perpendicular.
         const Vec2 foot =
@@ -141,9 +144,9 @@ public:
                         paint::label);
         }
         if (answer_.lambda != 0) canvas.arrow(u_star_, u, paint::impulse);
-        canvas.disc(u_star_, 0.08, {Colour::orange, 2, 1, true});
+        canvas.disc(u_star_, 0.08, {Colour::orange, 2, 1, Paint::filled});
         canvas.text(u_star_ + Vec2(0.14, -0.22), "u*", 16, paint::wanted);
-        canvas.disc(u, 0.08, {Colour::blue, 2, 1, true});
+        canvas.disc(u, 0.08, {Colour::blue, 2, 1, Paint::filled});
         if (answer_.lambda != 0)
             canvas.text(u + Vec2(-0.14, -0.24), "u", 16, paint::allowed,
                         Align::right);
@@ -173,9 +176,9 @@ private:
                     rail + Vec2((k == 0 ? -1 : 1) * (after ? radius : 1.6), 0);
                 // equal velocities are not drawn as one arrow
                 const Real up = after && k == 1 ? 0.58 : 0.36;
-                canvas.disc(
-                    p, radius,
-                    {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8), true});
+                canvas.disc(p, radius,
+                            {Colour::blue, 1.5, std::min(0.2 + 0.1 * mass[k], 0.8),
+                             Paint::filled});
                 canvas.text(p - Vec2(0, 0.08), k == 0 ? "1" : "2", 14, paint::label,
                             Align::centre);
                 if (u[k] != 0)
@@ -209,13 +212,13 @@ inline Demo plane_scene()
     scene.columns = {
         {"u1_before", "m/s", "velocity of bead 1 before the row"},
         {"u2_before", "m/s", "velocity of bead 2 before the row"},
-        {"u1", "m/s", "velocity of bead 1 after it", true},
-        {"u2", "m/s", "velocity of bead 2 after it", true},
-        {"w_before", "m/s", "J u + b before", true},
-        {"w", "m/s", "J u + b after", true},
-        {"lambda", "N s", "impulse", true},
+        {"u1", "m/s", "velocity of bead 1 after it", Plot::linear},
+        {"u2", "m/s", "velocity of bead 2 after it", Plot::linear},
+        {"w_before", "m/s", "J u + b before", Plot::linear},
+        {"w", "m/s", "J u + b after", Plot::linear},
+        {"lambda", "N s", "impulse", Plot::linear},
         {"distance", "J", "half the squared distance from u*, in the metric of M",
-         true},
+         Plot::linear},
         {"momentum_change", "N s", "zero: what bead 1 loses, bead 2 gains"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PlaneRun>(settings);

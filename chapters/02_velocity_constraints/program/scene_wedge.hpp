@@ -5,6 +5,7 @@
 #include "chapters/02_velocity_constraints/geometry.hpp"
 #include "chapters/02_velocity_constraints/program/drawing.hpp"
 #include "chapters/02_velocity_constraints/solve_rows.hpp"
+#include "common/elementary.hpp"
 #include "common/forces.hpp"
 #include "common/program/program.hpp"
 
@@ -19,7 +20,7 @@ class WedgeRun : public Run {
 public:
     explicit WedgeRun(const Settings& settings)
         : bodies_(2), angle_(settings["angle"] * pi / 180),
-          normal_(std::sin(angle_), std::cos(angle_))
+          normal_(sin(angle_), cos(angle_))
     {
         rewind();
     }
@@ -56,7 +57,7 @@ public:
 
     std::vector<Real> measure() const override
     {
-        const Real s = std::sin(angle_), c = std::cos(angle_);
+        const Real s = sin(angle_), c = cos(angle_);
         const Real N = m_ * g * c / (1 + m_ / M_ * s * s);
         return {acceleration_, -N * s / M_, force_, N, floor_};
     }
@@ -64,10 +65,10 @@ public:
     void draw(Canvas& canvas) const override
     {
         const Vec2 wedge = bodies_.position(0), block = bodies_.position(1);
-        const Real height = width * std::tan(angle_);
+        const Real height = width * tan(angle_);
         canvas.segment({-1.6, 0}, {1.6, 0}, paint::wire);
         canvas.polygon({wedge, wedge + Vec2(width, 0), wedge + Vec2(0, height)},
-                       {Colour::ink, 2, 0.2, true});
+                       {Colour::ink, 2, 0.2, Paint::filled});
         canvas.box(block, {half, half}, -angle_, paint::body);
         const Vec2 touch = block - half * normal_;
         labelled_arrow(canvas, touch, 0.05 * force_ * normal_, "+N",
@@ -93,7 +94,7 @@ private:
     void rewind()
     {
         bodies_.x << -0.2, 0, 0, 0;
-        const Vec2 top(0.12, (width - 0.12) * std::tan(angle_));
+        const Vec2 top(0.12, (width - 0.12) * tan(angle_));
         bodies_.position(1) = bodies_.position(0) + top + half * normal_;
         bodies_.u.setZero();
         offset_ = normal_.dot(top) + half;
@@ -114,14 +115,15 @@ inline Demo wedge_scene()
     scene.view = {{0, 0.55}, {1.6, 0.85}};
     scene.h = 1.0 / 240;
     scene.methods = {"one-shot"};
-    scene.tunables = {{"wedge", "kg", "mass of the wedge", 4, 0.1, 100},
-                      {"block", "kg", "mass of the block", 1, 0.1, 100},
-                      {"angle", "deg", "slope", 30, 5, 45, false, true}};
-    scene.columns = {{"acceleration", "m/s^2", "of the wedge", true},
+    scene.tunables = {
+        {"wedge", "kg", "mass of the wedge", 4, 0.1, 100},
+        {"block", "kg", "mass of the block", 1, 0.1, 100},
+        {"angle", "deg", "slope", 30, 5, 45, Numbers::real, OnChange::restarts}};
+    scene.columns = {{"acceleration", "m/s^2", "of the wedge", Plot::linear},
                      {"acceleration_exact", "m/s^2", "closed form"},
-                     {"force", "N", "λ/h between block and wedge", true},
+                     {"force", "N", "λ/h between block and wedge", Plot::linear},
                      {"force_exact", "N", "closed form"},
-                     {"floor", "N", "λ/h between floor and wedge", true}};
+                     {"floor", "N", "λ/h between floor and wedge", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<WedgeRun>(settings);
     };

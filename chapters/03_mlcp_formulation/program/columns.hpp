@@ -96,11 +96,10 @@ struct Measured {
     }
 
     /// The same column with a plot, or without one.
-    Measured plotted(bool plot, bool logarithmic = false) const
+    Measured plotted(Plot plot = Plot::linear) const
     {
         Measured copy = *this;
-        copy.column.plotted = plot;
-        copy.column.logarithmic = logarithmic;
+        copy.column.plot = plot;
         return copy;
     }
 };
@@ -112,18 +111,19 @@ using Any = Measured<SceneState>;  ///< of a scene, whatever its method
 /// What the solver counts.
 inline Any iterations(const std::string& name, const std::string& help)
 {
-    return {{name, "", help, true},
+    return {{name, "", help, Plot::linear},
             [](const SceneState& s) { return Real(s.now.solution.iterations); }};
 }
 inline Any residual()
 {
-    return {
-        {"residual", "m/s",
-         "natural residual of the step's answer; 0 = not looked at", true, true},
-        [](const SceneState& s) {
-            return std::isfinite(s.now.solution.residual) ? s.now.solution.residual
-                                                          : 0;
-        }};
+    return {{"residual", "m/s",
+             "natural residual of the step's answer; 0 = not looked at",
+             Plot::logarithmic},
+            [](const SceneState& s) {
+                return std::isfinite(s.now.solution.residual)
+                           ? s.now.solution.residual
+                           : 0;
+            }};
 }
 inline Any row_visits()
 {
@@ -149,17 +149,17 @@ inline Any unsolved()
 inline Any link_error()
 {
     return {{"link_error", "m", "largest difference of a link from its length",
-             true, true},
+             Plot::logarithmic},
             [](const SceneState& s) { return largest_link_error(s.scene); }};
 }
 inline Any penetration()
 {
-    return {{"penetration", "m", "deepest overlap", true, true},
+    return {{"penetration", "m", "deepest overlap", Plot::logarithmic},
             [](const SceneState& s) { return deepest_penetration(s.scene); }};
 }
 inline Any kinetic()
 {
-    return {{"kinetic", "J", "kinetic energy", true},
+    return {{"kinetic", "J", "kinetic energy", Plot::linear},
             [](const SceneState& s) { return kinetic_energy(s.scene.bodies); }};
 }
 inline Any energy()
@@ -170,7 +170,8 @@ inline Any energy()
 inline Any energy_gained()
 {
     return {{"energy", "J",
-             "kinetic energy and that of the weight, less than at the start", true},
+             "kinetic energy and that of the weight, less than at the start",
+             Plot::linear},
             [](const SceneState& s) {
                 return mechanical_energy(s.scene) - s.start.energy;
             }};
@@ -186,7 +187,7 @@ inline Any energy_gained_in_gravity_of_start()
 }
 inline Any speed()
 {
-    return {{"speed", "m/s", "greatest speed of a body", true},
+    return {{"speed", "m/s", "greatest speed of a body", Plot::linear},
             [](const SceneState& s) {
                 Real speed = 0;
                 for (Index k = 0; k < s.scene.bodies.count(); ++k)
@@ -202,12 +203,12 @@ inline Any highest()
 /// How far the last body is above where it began.
 inline Any last_rise()
 {
-    return {
-        {"last_rise", "m", "how far the last body is above where it began", true},
-        [](const SceneState& s) {
-            const Index last = s.scene.bodies.count() - 1;
-            return s.scene.bodies.position(last).y() - s.start.x[2 * last + 1];
-        }};
+    return {{"last_rise", "m", "how far the last body is above where it began",
+             Plot::linear},
+            [](const SceneState& s) {
+                const Index last = s.scene.bodies.count() - 1;
+                return s.scene.bodies.position(last).y() - s.start.x[2 * last + 1];
+            }};
 }
 /// What the text foretells for the scene.
 template <class Method>
@@ -219,22 +220,22 @@ Measured<RunState<Method>> theory(const std::string& unit, const std::string& he
 }
 /// A coordinate of one body: its position, or its velocity.
 inline Any position(const std::string& name, const std::string& help,
-                    Index coordinate, bool plotted)
+                    Index coordinate, Plot plot)
 {
-    return {{name, "m", help, plotted}, [coordinate](const SceneState& s) {
+    return {{name, "m", help, plot}, [coordinate](const SceneState& s) {
                 return s.scene.bodies.x[coordinate];
             }};
 }
 inline Any velocity(const std::string& name, const std::string& help,
                     Index coordinate)
 {
-    return {{name, "m/s", help, true}, [coordinate](const SceneState& s) {
+    return {{name, "m/s", help, Plot::linear}, [coordinate](const SceneState& s) {
                 return s.scene.bodies.u[coordinate];
             }};
 }
 inline Any joint_force(const std::string& name, const std::string& help, int joint)
 {
-    return {{name, "N", help, true},
+    return {{name, "N", help, Plot::linear},
             [joint](const SceneState& s) { return s.force_of_joint(joint); }};
 }
 

@@ -5,6 +5,7 @@
 
 #include "chapters/03_mlcp_formulation/assembly.hpp"
 #include "common/canvas.hpp"
+#include "common/elementary.hpp"
 #include "common/text.hpp"
 
 #include <string>
@@ -58,11 +59,11 @@ inline std::vector<Vec2> clipped(std::vector<Vec2> corners, const Vec2& low,
 inline void circle(Canvas& canvas, const Vec2& centre, Real radius, bool strong)
 {
     const Style style = {strong ? Colour::red : Colour::faint, 1,
-                         strong ? 0.8 : 0.9, false, true};
+                         strong ? 0.8 : 0.9, Paint::dashed};
     std::vector<Vec2> piece;
     for (int i = 0; i <= 120; ++i) {
         const Real angle = 2 * pi * i / 120;
-        const Vec2 p = centre + radius * Vec2(std::cos(angle), std::sin(angle));
+        const Vec2 p = centre + radius * Vec2(cos(angle), sin(angle));
         if ((p - plane_middle).cwiseAbs().maxCoeff() <= plane_half)
             piece.push_back(p);
         else if (piece.size() > 1) canvas.polyline(std::exchange(piece, {}), style);
@@ -92,7 +93,7 @@ inline void draw_velocities(Canvas& canvas, const ImpactMoment& shown)
                              normal.dot(plane_middle) - scale * row.bias);
     }
     if (allowed.size() > 2)
-        canvas.polygon(allowed, {Colour::blue, 1.5, 0.13, true});
+        canvas.polygon(allowed, {Colour::blue, 1.5, 0.13, Paint::filled});
     canvas.box(plane_middle, Vec2::Constant(plane_half), 0, {Colour::faint, 1, 1});
     canvas.segment(plane_middle - Vec2(plane_half, 0),
                    plane_middle + Vec2(plane_half, 0), {Colour::faint, 1});

@@ -47,7 +47,7 @@ inline void draw_matrix(Canvas& canvas, const State& state)
             const Style style = {either(Colour::ink)   ? Colour::ink
                                  : either(Colour::red) ? Colour::red
                                                        : Colour::purple,
-                                 0, entry.col() == i ? 1 : 0.55, true};
+                                 0, entry.col() == i ? 1 : 0.55, Paint::filled};
             const Vec2 middle =
                 corner + cell * Vec2(static_cast<Real>(entry.col()) + 0.5,
                                      -static_cast<Real>(i) - 0.5);
@@ -67,7 +67,8 @@ inline void draw(Canvas& canvas, const State& state)
     canvas.box({0, 0}, {0.75, 0.5}, 0, paint::wall);
     paint::draw_discs(canvas, state, [&](Index k) {
         const Real inverse_mass = state.scene.bodies.inverse_mass[2 * k];
-        return Style{Colour::blue, 1.5, 0.35 + 0.1 / std::sqrt(inverse_mass), true};
+        return Style{Colour::blue, 1.5, 0.35 + 0.1 / std::sqrt(inverse_mass),
+                     Paint::filled};
     });
     paint::draw_links(canvas, state, [](const Link&) { return link_style; });
     for (std::size_t i = 0; i < state.now.sources.size(); ++i) {
@@ -98,7 +99,7 @@ inline Demo ten_discs_scene()
     demo.methods = {"schur", "enumerate"};
     demo.tunables = ten_discs_tunables();
     const Measured<State> active = {
-        {"active", "", "contacts that push", true}, [](const State& s) {
+        {"active", "", "contacts that push", Plot::linear}, [](const State& s) {
             Real sum = 0;
             for (std::size_t i = 0; i < s.now.sources.size(); ++i)
                 sum += s.is(i, Source::Of::contact) && s.lambda(i) > 0;
@@ -111,11 +112,11 @@ inline Demo ten_discs_scene()
         }};
     run_scene<CasesFromLastMethod>(
         demo,
-        {columns::contacts().plotted(true), active,
+        {columns::contacts().plotted(), active,
          columns::iterations("sets", "sets of cases that were tried")
-             .plotted(true, true),
+             .plotted(Plot::logarithmic),
          pairs, columns::residual(), columns::link_error(),
-         columns::penetration().plotted(false), columns::kinetic(),
+         columns::penetration().plotted(Plot::none), columns::kinetic(),
          columns::energy()},
         [](const Settings&) {
             SceneSetup<CasesFromLastMethod> setup;

@@ -14,13 +14,13 @@ namespace rigid::paint {
 inline constexpr Style label = {Colour::ink, 1.5, 1};
 inline constexpr Style axis = {Colour::ink, 1, 1};
 inline constexpr Style grid = {Colour::faint, 0.7, 0.6};
-inline constexpr Style body = {Colour::blue, 1.5, 0.3, true};
-inline constexpr Style fixed_body = {Colour::ink, 1.5, 0.5, true};
+inline constexpr Style body = {Colour::blue, 1.5, 0.3, Paint::filled};
+inline constexpr Style fixed_body = {Colour::ink, 1.5, 0.5, Paint::filled};
 inline constexpr Style wall = {Colour::ink, 2, 1};
 inline constexpr Style impulse = {Colour::red, 2.5, 1};
 inline constexpr Style link = {Colour::ink, 3, 1};
 inline constexpr Style pull = {Colour::green, 2, 1};
-inline constexpr Style theory = {Colour::ink, 1.5, 1, false, true};
+inline constexpr Style theory = {Colour::ink, 1.5, 1, Paint::dashed};
 
 /// Where body k is in the picture.
 inline Vec2 shown(const SceneState& state, Index k)

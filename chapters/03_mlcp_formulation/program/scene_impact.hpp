@@ -7,6 +7,7 @@
 #include "chapters/03_mlcp_formulation/exact.hpp"
 #include "chapters/03_mlcp_formulation/program/impact_drawing.hpp"
 #include "chapters/03_mlcp_formulation/step.hpp"
+#include "common/elementary.hpp"
 #include "common/measure.hpp"
 #include "common/program/program.hpp"
 
@@ -120,10 +121,11 @@ public:
                 {middle - along, middle + along, middle + along - 3 * wall.normal,
                  middle - along - 3 * wall.normal},
                 impact_picture::scene_corner, impact_picture::scene_size);
-            if (line.size() > 2) canvas.polygon(line, {Colour::ink, 1, 0.25, true});
+            if (line.size() > 2)
+                canvas.polygon(line, {Colour::ink, 1, 0.25, Paint::filled});
         }
         const Vec2 x = scene_.bodies.position(0);
-        canvas.disc(x, scene_.radius[0], {Colour::blue, 1.5, 0.35, true});
+        canvas.disc(x, scene_.radius[0], {Colour::blue, 1.5, 0.35, Paint::filled});
         for (const Contact& contact : contacts_)
             if (contact.gap < 0.02) {
                 const Vec2 touch =
@@ -150,8 +152,7 @@ private:
         const Real turn = static_cast<Real>(throws) * 50 * pi / 180;
         const Vec2 first(-1, -2);
         scene_.bodies.x = start_;
-        scene_.bodies.u = std::cos(turn) * first +
-                          std::sin(turn) * perpendicular(first) -
+        scene_.bodies.u = cos(turn) * first + sin(turn) * perpendicular(first) -
                           h * scene_.gravity;
     }
 
@@ -177,16 +178,17 @@ inline Demo impact_scene(const std::string& name, const std::string& summary)
     scene.methods = {"either_or", "equations"};
     scene.tunables = {{"e", "",
                        "restitution: leave with e times the speed of approach", 0.6,
-                       0, 1, false, false, true},
-                      {"mass", "kg", "mass of the disc", 1, 0.1, 100, false, true}};
+                       0, 1, Numbers::real, OnChange::goes_on, Keys::up_and_down},
+                      {"mass", "kg", "mass of the disc", 1, 0.1, 100, Numbers::real,
+                       OnChange::restarts}};
     scene.columns = {
         {"contacts", "", "rows of the step"},
-        {"lambda", "N s", "largest impulse", true},
-        {"w", "m/s", "smallest J u + b", true},
+        {"lambda", "N s", "largest impulse", Plot::linear},
+        {"w", "m/s", "smallest J u + b", Plot::linear},
         {"both", "", "largest |min(λ, w)| of a row: zero if it is either/or"},
-        {"residual", "m/s", "natural residual", true, true},
+        {"residual", "m/s", "natural residual", Plot::logarithmic},
         {"penetration", "m", "deepest overlap"},
-        {"energy", "J", "kinetic energy and that of the weight", true}};
+        {"energy", "J", "kinetic energy and that of the weight", Plot::linear}};
     return scene;
 }
 
@@ -197,15 +199,14 @@ inline Demo bounce_scene()
         "bounce",
         "A disc bounces; beside it all velocities that its contact allows");
     scene.view = {{0.95, 0.53}, {2.1, 1.15}};
-    scene.tunables.push_back(
-        {"tilt", "degrees", "of the floor", 0, -40, 40, false, true});
+    scene.tunables.push_back({"tilt", "degrees", "of the floor", 0, -40, 40,
+                              Numbers::real, OnChange::restarts});
     scene.start = [](const Settings& settings) {
         const Real tilt = settings["tilt"] * pi / 180;
         return std::make_unique<ImpactRun>(
             settings,
-            std::vector<HalfSpace>{{{-std::sin(tilt), std::cos(tilt)}, 0},
-                                   {{1, 0}, -1},
-                                   {{-1, 0}, -1}},
+            std::vector<HalfSpace>{
+                {{-sin(tilt), cos(tilt)}, 0}, {{1, 0}, -1}, {{-1, 0}, -1}},
             Vec2(-0.6, 1.1), Vec2(0.4, 0));
     };
     return scene;
@@ -219,10 +220,11 @@ inline Demo corner_scene()
         "A disc is thrown into a corner: two contacts, four sets of either/or");
     scene.tunables[0].value = 0;
     scene.tunables.push_back({"ramp", "degrees", "slope of the ramp",
-                              std::atan(0.75) * 180 / pi, 10, 85, false, true});
+                              atan(0.75) * 180 / pi, 10, 85, Numbers::real,
+                              OnChange::restarts});
     scene.start = [](const Settings& settings) {
         const Real ramp = settings["ramp"] * pi / 180;
-        const Vec2 normal(std::sin(ramp), std::cos(ramp)), x(0, 0.1);
+        const Vec2 normal(sin(ramp), cos(ramp)), x(0, 0.1);
         auto run = std::make_unique<ImpactRun>(
             settings,
             std::vector<HalfSpace>{{{0, 1}, 0}, {normal, normal.dot(x) - 0.1}}, x,

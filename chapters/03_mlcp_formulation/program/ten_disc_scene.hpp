@@ -22,8 +22,8 @@ inline constexpr Real ten_discs_h = 1.0 / 480, ten_discs_h_low = 1e-4,
 
 inline std::vector<Tunable> ten_discs_tunables()
 {
-    return {{"k", "", "stiffness of the torsional springs", 1, 0, 3, false, false,
-             true},
+    return {{"k", "", "stiffness of the torsional springs", 1, 0, 3, Numbers::real,
+             OnChange::goes_on, Keys::up_and_down},
             {"damping", "1/s", "of the bends of the chain", 1, 0, 2},
             {"gravity", "m/s²", "size of gravity when the pointer is at the edge",
              9.81, 0, 20}};

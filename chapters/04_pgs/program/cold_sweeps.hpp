@@ -7,6 +7,7 @@
 #include "chapters/04_pgs/conjugate_gradients.hpp"
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/rates.hpp"
+#include "common/elementary.hpp"
 #include "common/random.hpp"
 
 #include <numeric>
@@ -64,7 +65,7 @@ private:
 /// What the reader has set for the sweeps.
 inline void tune_sweeps(const Settings& settings, ColdSweeps& sweeps)
 {
-    sweeps.settings.tolerance = std::pow(10, -settings["digits"]);
+    sweeps.settings.tolerance = pow(10, -settings["digits"]);
     sweeps.settings.max_sweeps = static_cast<int>(settings["max_sweeps"]);
     sweeps.settings.omega = settings.method == "sor" ? settings["omega"] : 1;
     sweeps.settings.sweeps = settings.method == "jacobi" ? Sweeps::jacobi

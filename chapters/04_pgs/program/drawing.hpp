@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/program/scene_drawing.hpp"
+#include "common/elementary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ public:
           last_(std::max(last, Real{1}))
     {
         for (int decade = low; decade <= high; ++decade) {
-            const Real y = at(0, std::pow(10.0, decade)).y();
+            const Real y = at(0, pow(10.0, decade)).y();
             canvas_.segment({corner.x(), y}, {corner.x() + size.x(), y},
                             decade == low ? axis : grid);
             if ((decade - low) % 3 == 0)
@@ -32,9 +33,8 @@ public:
                              13, label, Align::right);
         }
         canvas_.segment(corner, corner + Vec2(0, size.y()), axis);
-        const Real step =
-            std::max(Real{1}, std::pow(10.0, std::floor(std::log10(last_))) /
-                                  (last_ < 20 ? 2 : 1));
+        const Real step = std::max(Real{1}, pow(10.0, std::floor(log10(last_))) /
+                                                (last_ < 20 ? 2 : 1));
         for (Real k = 0; k <= last_;
              k += std::floor(step) * (last_ / step > 5 ? 2 : 1)) {
             const Vec2 tick(at(k, 1).x(), corner.y());
@@ -46,7 +46,7 @@ public:
 
     Vec2 at(Real sweep, Real value) const
     {
-        const Real decade = std::clamp(std::log10(std::max(value, Real{1e-300})),
+        const Real decade = std::clamp(log10(std::max(value, Real{1e-300})),
                                        Real(low_), Real(high_));
         return corner_ + Vec2(size_.x() * sweep / last_,
                               size_.y() * (decade - low_) / (high_ - low_));
@@ -55,7 +55,7 @@ public:
     /// values[k] after k sweeps, as dots.
     void dots(const std::vector<Real>& values, Style style)
     {
-        style.filled = true;
+        style.paint = Paint::filled;
         const std::size_t every = std::max<std::size_t>(1, values.size() / 40);
         for (std::size_t k = 0; k < values.size(); k += every)
             if (inside(values[k]))
@@ -64,10 +64,10 @@ public:
     /// A straight line from the first value, at 0 sweeps, to the second, at `last`.
     void line(const std::array<Real, 2>& ends, Real last, const Style& style)
     {
-        const Real bottom = std::pow(10.0, low_);
+        const Real bottom = pow(10.0, low_);
         Real end = last;  // where it leaves the chart
         if (ends[1] < bottom)
-            end = last * std::log(ends[0] / bottom) / std::log(ends[0] / ends[1]);
+            end = last * log(ends[0] / bottom) / log(ends[0] / ends[1]);
         canvas_.polyline({at(0, ends[0]), at(end, std::max(ends[1], bottom))},
                          style);
     }
@@ -75,7 +75,7 @@ public:
 private:
     bool inside(Real value) const
     {
-        return std::isfinite(value) && std::log10(value) >= low_;
+        return std::isfinite(value) && log10(value) >= low_;
     }
     static std::string raised(int exponent)
     {

@@ -7,6 +7,7 @@
 #include "chapters/04_pgs/program/cold_sweeps.hpp"
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/04_pgs/rates.hpp"
+#include "common/elementary.hpp"
 #include "common/program/program.hpp"
 
 #include <memory>
@@ -86,13 +87,13 @@ public:
         const int low =
             smallest > 1e-3
                 ? -3
-                : std::max(-15, static_cast<int>(std::floor(std::log10(smallest))));
+                : std::max(-15, static_cast<int>(std::floor(log10(smallest))));
         const Real last = std::max(Real{20}, static_cast<Real>(sweeps_) * 1.15);
         paint::LogChart chart(canvas, {-0.45, -0.5}, {1.4, 1.0}, low, 1, last);
         chart.dots(residuals_, paint::residual);
         chart.dots(errors_, paint::error);
         if (known_)
-            chart.line({theory_.front(), weight_ * std::pow(rate_, last)}, last,
+            chart.line({theory_.front(), weight_ * pow(rate_, last)}, last,
                        paint::theory);
         canvas.text({0.25, -0.64}, "sweeps", 14, paint::label, Align::centre);
         canvas.text({-0.45, 0.545}, "● error / largest λ", 14, paint::error);
@@ -110,7 +111,7 @@ private:
         ratio_ = sweeps_ > 0 && errors_.back() > 0 ? error / errors_.back() : 0;
         errors_.push_back(error);
         residuals_.push_back(natural_residual(mlcp_, lambda_));
-        theory_.push_back(known_ ? weight_ * std::pow(rate_, sweeps_) : 0);
+        theory_.push_back(known_ ? weight_ * pow(rate_, sweeps_) : 0);
         // What is left of the merit above its minimum, in J·kg/kg: ½ eᵀAe.
         const VecX e = lambda_ - exact_;
         merit_ = 0.5 * e.dot(mlcp_.A * e);
@@ -133,7 +134,7 @@ private:
                        {unit * exact_[k] / 2, bar}, 0, {Colour::ink, 1, 1});
             canvas.box({-1.08 + unit * lambda_[k] / 2, y},
                        {std::abs(unit * lambda_[k]) / 2, bar}, 0,
-                       {Colour::red, 0, 0.8, true});
+                       {Colour::red, 0, 0.8, Paint::filled});
         }
         canvas.text({-1.34, 0.545}, "λ: red found, outline wanted", 13,
                     paint::label);
@@ -164,23 +165,26 @@ inline Demo sweeps_scene()
     scene.h = scene.h_low = scene.h_high = 1.0 / 60;
     scene.methods = {"gauss_seidel", "jacobi", "sor", "symmetric", "cg"};
     scene.tunables = {
-        {"rows", "", "N, contacts in the column", 10, 2, 100, true, true},
+        {"rows", "", "N, contacts in the column", 10, 2, 100, Numbers::whole,
+         OnChange::restarts},
         {"end_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1,
-         0.01, 10000, false, true},
-        {"heavy_low", "", "1 puts that mass at the floor instead", 0, 0, 1, true,
-         true},
-        {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95, false, true},
+         0.01, 10000, Numbers::real, OnChange::restarts},
+        {"heavy_low", "", "1 puts that mass at the floor instead", 0, 0, 1,
+         Numbers::whole, OnChange::restarts},
+        {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95, Numbers::real,
+         OnChange::restarts},
         {"order", "", "order of the visits: 0 bottom-up, 1 top-down, 2 shuffled", 0,
-         0, 2, true, true}};
+         0, 2, Numbers::whole, OnChange::restarts}};
     scene.columns = {
         {"sweeps", "", "sweeps so far"},
-        {"error", "", "largest error of a λ, relative to the largest λ", true,
-         true},
-        {"theory", "", "what (4.15) says; 0 where it does not", true, true},
-        {"residual", "m/s", "natural residual", true, true},
-        {"change", "m/s", "largest change in the sweep, as a velocity", true, true},
-        {"merit", "J", "merit above its lowest value", true, true},
-        {"ratio", "", "error after this sweep / error before it", true},
+        {"error", "", "largest error of a λ, relative to the largest λ",
+         Plot::logarithmic},
+        {"theory", "", "what (4.15) says; 0 where it does not", Plot::logarithmic},
+        {"residual", "m/s", "natural residual", Plot::logarithmic},
+        {"change", "m/s", "largest change in the sweep, as a velocity",
+         Plot::logarithmic},
+        {"merit", "J", "merit above its lowest value", Plot::logarithmic},
+        {"ratio", "", "error after this sweep / error before it", Plot::linear},
         {"rate", "", "what theory says to that; 0 where it does not"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<SweepsRun>(settings);

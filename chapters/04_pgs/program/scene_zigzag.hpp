@@ -4,6 +4,7 @@
 
 #include "chapters/04_pgs/pgs.hpp"
 #include "chapters/04_pgs/program/drawing.hpp"
+#include "common/elementary.hpp"
 #include "common/program/program.hpp"
 #include "common/text.hpp"
 
@@ -56,7 +57,7 @@ public:
     {
         // λ ≥ 0 is allowed.
         canvas.polygon({{0, 0}, {R, 0}, {R, R}, {0, R}},
-                       {Colour::green, 0, 0.08, true});
+                       {Colour::green, 0, 0.08, Paint::filled});
         if (symmetric_) draw_contours(canvas);
         draw_row(canvas, 0, Colour::purple, "w₁ = 0");
         draw_row(canvas, 1, Colour::green, "w₂ = 0");
@@ -78,7 +79,7 @@ public:
             shown.push_back((zoom_ * p)
                                 .cwiseMin(Vec2(R + 0.2, R + 0.2))
                                 .cwiseMax(Vec2(-0.5, -0.5)));
-            canvas.disc(shown.back(), 0.05, {Colour::blue, 1, 1, true});
+            canvas.disc(shown.back(), 0.05, {Colour::blue, 1, 1, Paint::filled});
         }
         canvas.polyline(shown, {Colour::blue, 2, 1});
         canvas.disc(zoom_ * answer_, 0.09, {Colour::red, 2.5, 1});
@@ -151,11 +152,10 @@ private:
             std::vector<Vec2> part;
             for (int i = 0; i <= 240; ++i) {
                 const Real angle = 2 * pi * i / 240,
-                           second = size * std::sin(angle) / l22;
+                           second = size * sin(angle) / l22;
                 const Vec2 p =
                     zoom_ *
-                    (lowest +
-                     Vec2(size * std::cos(angle) - A_(0, 1) * second, second));
+                    (lowest + Vec2(size * cos(angle) - A_(0, 1) * second, second));
                 const bool inside = p.minCoeff() > -0.5 && p.maxCoeff() < R + 0.2;
                 if (inside) part.push_back(p);
                 if ((!inside || i == 240) && part.size() > 1)
@@ -177,13 +177,13 @@ private:
             if (p.minCoeff() > -0.5 && p.maxCoeff() < R + 0.2) part.push_back(p);
         }
         if (part.size() < 2) return;
-        canvas.polyline({part.front(), part.back()}, {colour, 1.5, 1, false, true});
+        canvas.polyline({part.front(), part.back()},
+                        {colour, 1.5, 1, Paint::dashed});
         const Vec2 end =
             part.front().y() > part.back().y() ? part.front() : part.back();
         const bool right = end.x() > R / 2;
         canvas.text(end + Vec2(right ? -0.15 : 0.15, right ? 0 : 0.1), name, 14,
-                    {colour, 1, 1, false, false},
-                    right ? Align::right : Align::left);
+                    {colour, 1, 1}, right ? Align::right : Align::left);
     }
 
     std::map<std::string, Real> tunables_;
@@ -215,13 +215,16 @@ inline Demo zigzag_scene()
         {"q1", "m/s", "velocity of row 1 before any impulse", -1, -5, 5},
         {"q2", "m/s", "velocity of row 2 before any impulse", 0, -5, 5},
         {"omega", "", "relaxation", 1, 0.05, 1.95},
-        {"start_1", "N s", "where row 1 starts", 0, 0, 5, false, true},
-        {"start_2", "N s", "where row 2 starts", 0, 0, 5, false, true}};
-    scene.columns = {{"lambda_1", "N s", "impulse of row 1", true},
-                     {"lambda_2", "N s", "impulse of row 2", true},
-                     {"merit", "J", "½ λᵀAλ + qᵀλ", true},
-                     {"residual", "m/s", "natural residual", true, true},
-                     {"error", "N s", "distance from the answer", true, true}};
+        {"start_1", "N s", "where row 1 starts", 0, 0, 5, Numbers::real,
+         OnChange::restarts},
+        {"start_2", "N s", "where row 2 starts", 0, 0, 5, Numbers::real,
+         OnChange::restarts}};
+    scene.columns = {
+        {"lambda_1", "N s", "impulse of row 1", Plot::linear},
+        {"lambda_2", "N s", "impulse of row 2", Plot::linear},
+        {"merit", "J", "½ λᵀAλ + qᵀλ", Plot::linear},
+        {"residual", "m/s", "natural residual", Plot::logarithmic},
+        {"error", "N s", "distance from the answer", Plot::logarithmic}};
     scene.start = [](const Settings& settings) {
         try {
             return std::make_unique<ZigzagRun>(settings);

@@ -3,6 +3,7 @@
 /// the scene's. And the scenes themselves that several programs run.
 #pragma once
 
+#include "common/elementary.hpp"
 #include "common/program/program.hpp"
 #include "common/scenes.hpp"
 
@@ -16,30 +17,32 @@ namespace tunables {
 
 /// A number of things: it restarts the scene.
 inline Tunable count(const std::string& name, const std::string& help, Real value,
-                     Real low, Real high, bool arrow_keys = false)
+                     Real low, Real high, Keys keys = Keys::none)
 {
-    return {name, "", help, value, low, high, true, true, arrow_keys};
+    return {name, "", help, value, low, high, Numbers::whole, OnChange::restarts,
+            keys};
 }
-inline Tunable links(Real value, Real low, Real high, bool arrow_keys = false)
+inline Tunable links(Real value, Real low, Real high, Keys keys = Keys::none)
 {
-    return count("links", "N, links of 0.1 m", value, low, high, arrow_keys);
+    return count("links", "N, links of 0.1 m", value, low, high, keys);
 }
 inline Tunable in_column(const std::string& name, Real value, Real high = 100,
-                         bool arrow_keys = false)
+                         Keys keys = Keys::none)
 {
-    return count(name, "N, discs in the column", value, 1, high, arrow_keys);
+    return count(name, "N, discs in the column", value, 1, high, keys);
 }
-inline Tunable base(Real low, Real high, bool arrow_keys = false)
+inline Tunable base(Real low, Real high, Keys keys = Keys::none)
 {
-    return count("base", "discs in the lowest row", 10, low, high, arrow_keys);
+    return count("base", "discs in the lowest row", 10, low, high, keys);
 }
 
 /// What the scene begins with: it restarts the scene.
 inline Tunable at_start(const std::string& name, const std::string& unit,
                         const std::string& help, Real value, Real low, Real high,
-                        bool arrow_keys = false)
+                        Keys keys = Keys::none)
 {
-    return {name, unit, help, value, low, high, false, true, arrow_keys};
+    return {name, unit, help, value, low, high, Numbers::real, OnChange::restarts,
+            keys};
 }
 inline Tunable top_mass(Real value, Real low = 0.01)
 {
@@ -56,22 +59,24 @@ inline Tunable end_mass(Real value)
 /// What may change while the scene runs.
 inline Tunable number(const std::string& name, const std::string& unit,
                       const std::string& help, Real value, Real low, Real high,
-                      bool arrow_keys = false)
+                      Keys keys = Keys::none)
 {
-    return {name, unit, help, value, low, high, false, false, arrow_keys};
+    return {name, unit, help, value, low, high, Numbers::real, OnChange::goes_on,
+            keys};
 }
 inline Tunable whole(const std::string& name, const std::string& help, Real value,
-                     Real low, Real high, bool arrow_keys = false)
+                     Real low, Real high, Keys keys = Keys::none)
 {
-    return {name, "", help, value, low, high, true, false, arrow_keys};
+    return {name, "", help, value, low, high, Numbers::whole, OnChange::goes_on,
+            keys};
 }
 /// \param of  "of gauss_seidel: ", for instance
 inline Tunable max_sweeps(Real value, Real low = 1, const std::string& of = "",
-                          bool arrow_keys = false)
+                          Keys keys = Keys::none)
 {
     return whole("max_sweeps",
                  of + "after so many sweeps a step makes do with what it has",
-                 value, low, 2000, arrow_keys);
+                 value, low, 2000, keys);
 }
 inline Tunable digits(const std::string& of = "")
 {
@@ -112,10 +117,10 @@ inline Tunable margin(Real low)
                   "a contact gets its row when its gap is below this", 0.02, low,
                   0.1);
 }
-inline Tunable beta(Real value, Real high, bool arrow_keys = false)
+inline Tunable beta(Real value, Real high, Keys keys = Keys::none)
 {
     return number("beta", "", "part of an error that is corrected in a step", value,
-                  0, high, arrow_keys);
+                  0, high, keys);
 }
 inline Tunable slop()
 {
@@ -156,7 +161,7 @@ inline DiscScene leaning_chain(Index count, Real end_mass)
     DiscScene chain = never_meeting(hanging_chain(count, end_mass));
     for (Index k = 1; k <= count; ++k)
         chain.bodies.position(k) =
-            0.1 * static_cast<Real>(k) * Vec2(std::sin(0.2), -std::cos(0.2));
+            0.1 * static_cast<Real>(k) * Vec2(sin(0.2), -cos(0.2));
     return chain;
 }
 

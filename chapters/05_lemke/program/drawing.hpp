@@ -4,6 +4,7 @@
 
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/05_lemke/lemke.hpp"
+#include "common/elementary.hpp"
 
 #include <string>
 #include <vector>
@@ -54,13 +55,13 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width,
         for (Index c = 0; c < n + 2; ++c) {
             const Real entry = T(row, c), scale = c > n ? largest_value : largest;
             const Real size =
-                scale > 0
-                    ? std::log10(std::max(std::abs(entry) / scale, 1e-4)) / 4 + 1
-                    : 0;
+                scale > 0 ? log10(std::max(std::abs(entry) / scale, 1e-4)) / 4 + 1
+                          : 0;
             if (size > 0)
                 canvas.box(centre(row, c), half, 0,
                            {entry > 0 ? Colour::orange : Colour::blue, 0,
-                            (c > n ? 0.35 : 1) * (0.15 + 0.85 * size), true});
+                            (c > n ? 0.35 : 1) * (0.15 + 0.85 * size),
+                            Paint::filled});
             else canvas.box(centre(row, c), half, 0, {Colour::faint, 0.5, 0.3});
         }
 
@@ -70,8 +71,7 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width,
         const Index variable = tableau.basic[static_cast<std::size_t>(row)];
         canvas.text(centre(row, 0) - Vec2(0.62 * cell, 0.15 * cell),
                     name_of(tableau, variable), letters,
-                    {colour_of(tableau, variable), 1, 1, false, false},
-                    Align::right);
+                    {colour_of(tableau, variable), 1, 1}, Align::right);
         if (n <= 8)
             canvas.text(centre(row, n + 1) - Vec2(0, 0.12 * cell),
                         significant(T(row, n + 1), 3), letters - 1, label,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/05_lemke/program/walk_run.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -62,21 +63,19 @@ private:
         for (std::size_t choice = 0; choice < 4; ++choice) {
             const Vec2 first = choice & 1 ? Vec2(-A_.col(0)) : Vec2(1, 0);
             const Vec2 second = choice & 2 ? Vec2(-A_.col(1)) : Vec2(0, 1);
-            const Real from = std::atan2(first.y(), first.x());
-            const Real turn = std::atan2(cross2(first, second), first.dot(second));
+            const Real from = atan2(first.y(), first.x());
+            const Real turn = atan2(cross2(first, second), first.dot(second));
             std::vector<Vec2> sector = {middle};
             for (int k = 0; k <= 40; ++k)
-                sector.push_back(middle + R * Vec2(std::cos(from + turn * k / 40),
-                                                   std::sin(from + turn * k / 40)));
-            canvas.polygon(sector, {colours[choice], 1, 0.18, true, false});
+                sector.push_back(middle + R * Vec2(cos(from + turn * k / 40),
+                                                   sin(from + turn * k / 40)));
+            canvas.polygon(sector, {colours[choice], 1, 0.18, Paint::filled});
             const Real bisector = from + turn / 2;
             if (std::abs(turn) > 0.2)
-                canvas.text(middle +
-                                0.78 * R *
-                                    Vec2(std::cos(bisector), std::sin(bisector)) -
+                canvas.text(middle + 0.78 * R * Vec2(cos(bisector), sin(bisector)) -
                                 Vec2(0, 0.03),
-                            names[choice], 13,
-                            {colours[choice], 1, 1, false, false}, Align::centre);
+                            names[choice], 13, {colours[choice], 1, 1},
+                            Align::centre);
         }
         canvas.text(middle + Vec2(0, R + 0.06),
                     "the plane of q: which of z and w are positive", 13,
@@ -89,11 +88,12 @@ private:
         };
         std::vector<Vec2> walked = {shown(1.3 * path_.front().z0 + 0.2 * size_)};
         for (const Vertex& vertex : path_) walked.push_back(shown(vertex.z0));
-        canvas.segment(walked.front(), shown(0), {Colour::ink, 1, 1, false, true});
+        canvas.segment(walked.front(), shown(0),
+                       {Colour::ink, 1, 1, Paint::dashed});
         for (std::size_t k = 1; k < walked.size(); ++k)
             canvas.segment(walked[k - 1], walked[k], {Colour::red, 2.5, 1});
         for (const Vertex& vertex : path_)
-            canvas.disc(shown(vertex.z0), 0.02, {Colour::red, 1, 1, true});
+            canvas.disc(shown(vertex.z0), 0.02, {Colour::red, 1, 1, Paint::filled});
         canvas.disc(shown(0), 0.035, {Colour::ink, 2, 1});
         canvas.text(shown(0) - Vec2(0.06, 0.03), "q", 15, paint::label,
                     Align::right);
@@ -130,10 +130,10 @@ private:
         }
         for (Index i = 0; i < 2; ++i) {
             const Colour colour = i == 0 ? Colour::purple : Colour::green;
-            draw_line(canvas, shown, i, 0, reach, {colour, 1.5, 1, false, false});
+            draw_line(canvas, shown, i, 0, reach, {colour, 1.5, 1});
             if (walk_.lift() > 0)
                 draw_line(canvas, shown, i, walk_.lift(), reach,
-                          {colour, 1, 0.8, false, true});
+                          {colour, 1, 0.8, Paint::dashed});
         }
         std::vector<Vec2> walked;
         for (const Vertex& vertex : path_) walked.push_back(shown(vertex.z));
@@ -141,7 +141,7 @@ private:
             canvas.segment(walked[k - 1], walked[k], {Colour::red, 2.5, 1});
         for (std::size_t k = 0; k < walked.size(); ++k)
             canvas.disc(walked[k], k + 1 == walked.size() ? 0.035 : 0.02,
-                        {Colour::red, 1, 1, true});
+                        {Colour::red, 1, 1, Paint::filled});
     }
 
     /// w_i + z0 = 0 within 0 … reach, where it can be seen.
@@ -167,7 +167,7 @@ private:
             part.front().y() > part.back().y() ? part.front() : part.back();
         canvas.text(shown(end) + Vec2(0.05, 0.02),
                     "w" + paint::subscript(i + 1) + " = 0", 13,
-                    {style.colour, 1, 1, false, false});
+                    {style.colour, 1, 1});
     }
 
     ProblemWalk walk_;
@@ -184,13 +184,13 @@ inline Demo plane_scene()
         "Two rows: the complementary cones, and the path from vertex to vertex");
     scene.view = {{-0.05, -0.08}, {2.5, 1.3}};
     scene.tunables = {{"a12", "1/kg", "what an impulse of row 2 does to row 1", 1,
-                       -3, 3, false, true},
+                       -3, 3, Numbers::real, OnChange::restarts},
                       {"a21", "1/kg", "what an impulse of row 1 does to row 2", 1,
-                       -3, 3, false, true},
+                       -3, 3, Numbers::real, OnChange::restarts},
                       {"q1", "m/s", "velocity of row 1 before any impulse", -5, -8,
-                       8, false, true},
+                       8, Numbers::real, OnChange::restarts},
                       {"q2", "m/s", "velocity of row 2 before any impulse", -6, -8,
-                       8, false, true}};
+                       8, Numbers::real, OnChange::restarts}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PlaneRun>(settings);
     };

@@ -82,15 +82,16 @@ inline Demo stack_scene()
         "A stack of boxes with friction: the impulses of each vertex of the walk");
     scene.view = {{-0.15, -0.08}, {1.85, 1.12}};
     scene.tunables = {
-        {"boxes", "", "boxes in the stack: n is eight times that", 3, 1, 40, true,
-         true},
-        {"friction", "", "coefficient of friction", 0.5, 0, 1, false, true},
+        {"boxes", "", "boxes in the stack: n is eight times that", 3, 1, 40,
+         Numbers::whole, OnChange::restarts},
+        {"friction", "", "coefficient of friction", 0.5, 0, 1, Numbers::real,
+         OnChange::restarts},
         {"jostle", "m/s", "size of the random speeds before the impulses", 0.3, 0,
-         2, false, true},
+         2, Numbers::real, OnChange::restarts},
         {"top_mass", "kg", "mass of the topmost box; the others have 1 kg", 1, 0.01,
-         1000, false, true},
-        {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8, 1, 17, false,
-         true}};
+         1000, Numbers::real, OnChange::restarts},
+        {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8, 1, 17,
+         Numbers::real, OnChange::restarts}};
     scene.start = [](const Settings& settings) {
         BoxStack stack;
         stack.boxes = static_cast<Index>(settings["boxes"]);

@@ -4,6 +4,7 @@
 
 #include "chapters/05_lemke/families.hpp"
 #include "chapters/05_lemke/program/drawing.hpp"
+#include "common/elementary.hpp"
 #include "common/program/program.hpp"
 
 #include <memory>
@@ -25,7 +26,7 @@ struct ProblemWalk {
     /// \param tie_digits  the tie tolerance is 10^-tie_digits
     ProblemWalk(const Mlcp& mlcp, const std::string& method, Real tie_digits = 8)
         : problem(mlcp), walk(MatX(mlcp.A), mlcp.q, VecX::Ones(mlcp.size()),
-                              tie_rule(method), {1e-10, std::pow(10, -tie_digits)})
+                              tie_rule(method), {1e-10, pow(10, -tie_digits)})
     {
     }
 
@@ -47,15 +48,16 @@ struct ProblemWalk {
 
     static std::vector<Column> columns()
     {
-        return {
-            {"pivots", "", "pivots so far"},
-            {"z0", "m/s", "the artificial variable: how far all rows are lifted",
-             true},
-            {"positive", "", "how many z are positive", true},
-            {"residual", "m/s", "natural residual of the present z", true, true},
-            {"largest", "", "largest entry of the tableau but for the column r",
-             true, true},
-            {"place", "", "0 on the way, 1 at the solution, 2 at a ray"}};
+        return {{"pivots", "", "pivots so far"},
+                {"z0", "m/s",
+                 "the artificial variable: how far all rows are lifted",
+                 Plot::linear},
+                {"positive", "", "how many z are positive", Plot::linear},
+                {"residual", "m/s", "natural residual of the present z",
+                 Plot::logarithmic},
+                {"largest", "", "largest entry of the tableau but for the column r",
+                 Plot::logarithmic},
+                {"place", "", "0 on the way, 1 at the solution, 2 at a ray"}};
     }
     std::vector<Real> measure() const
     {
@@ -112,13 +114,14 @@ inline Demo tableau_scene()
     Demo scene = walk_scene(
         "tableau",
         "The tableau as a heat map, one pivot per step, on problems with a name");
-    scene.tunables = {{"family", "",
-                       "0 Murty, 1 its transpose, 2 Murty with equal q, 3 Fathi, 4 "
-                       "circulant, 5 column, 6 random spd",
-                       1, 0, 6, true, true},
-                      {"rows", "", "n", 4, 1, 40, true, true},
-                      {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8,
-                       1, 17, false, true}};
+    scene.tunables = {
+        {"family", "",
+         "0 Murty, 1 its transpose, 2 Murty with equal q, 3 Fathi, 4 "
+         "circulant, 5 column, 6 random spd",
+         1, 0, 6, Numbers::whole, OnChange::restarts},
+        {"rows", "", "n", 4, 1, 40, Numbers::whole, OnChange::restarts},
+        {"tie_digits", "", "the tie tolerance is 10^-tie_digits", 8, 1, 17,
+         Numbers::real, OnChange::restarts}};
     scene.side_by_side = scene.methods;
     scene.start = [](const Settings& settings) {
         const auto n = static_cast<Index>(settings["rows"]);

@@ -7,6 +7,7 @@
 #include "chapters/04_pgs/program/scene_picture.hpp"
 #include "chapters/04_pgs/program/tunables.hpp"
 #include "chapters/06_sequential_impulse/wrong_clamping.hpp"
+#include "common/elementary.hpp"
 
 #include <string>
 #include <vector>
@@ -32,8 +33,7 @@ inline ImpulseSettings sweeps_of(const Settings& settings)
 {
     ImpulseSettings sweeps;
     sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
-    sweeps.tolerance =
-        settings["digits"] > 0 ? std::pow(10, -settings["digits"]) : 0;
+    sweeps.tolerance = settings["digits"] > 0 ? pow(10, -settings["digits"]) : 0;
     return sweeps;
 }
 
@@ -79,7 +79,8 @@ inline ImpulseSetup by_impulses(DiscScene scene, Real zoom = 1,
 /// A coordinate of the centre of mass.
 inline Measured<SceneState> centre_of_mass(const std::string& name, Index axis)
 {
-    return {{name, "m", "centre of mass", axis == 0}, [axis](const SceneState& s) {
+    return {{name, "m", "centre of mass", axis == 0 ? Plot::linear : Plot::none},
+            [axis](const SceneState& s) {
                 Real centre = 0, mass = 0;
                 for (Index k = 0; k < s.scene.bodies.count(); ++k) {
                     centre +=

@@ -16,7 +16,7 @@ Demo triangle_scene()
     return impulse_demo(
         "triangle",
         "A triangle of discs between walls: it sinks, and to which side?",
-        {{0, 0.7}, {1.1, 0.9}}, {tunables::base(2, 30, true)}, 10, 0,
+        {{0, 0.7}, {1.1, 0.9}}, {tunables::base(2, 30, Keys::up_and_down)}, 10, 0,
         [](const Settings& settings) {
             const auto base = static_cast<Index>(settings["base"]);
             return by_impulses(triangle(base), 10 / static_cast<Real>(base));
@@ -25,15 +25,16 @@ Demo triangle_scene()
 
 Demo column_scene()
 {
-    return impulse_demo(
-        "column", "A column of discs, with a heavy one on top if you like",
-        {{0, 1.05}, {0.9, 1.2}},
-        {tunables::in_column("rows", 15, 100, true), tunables::top_mass(1)}, 10, 0,
-        [](const Settings& settings) {
-            const auto N = static_cast<Index>(settings["rows"]);
-            return by_impulses(column(N, settings["top_mass"]),
-                               10 / static_cast<Real>(N));
-        });
+    return impulse_demo("column",
+                        "A column of discs, with a heavy one on top if you like",
+                        {{0, 1.05}, {0.9, 1.2}},
+                        {tunables::in_column("rows", 15, 100, Keys::up_and_down),
+                         tunables::top_mass(1)},
+                        10, 0, [](const Settings& settings) {
+                            const auto N = static_cast<Index>(settings["rows"]);
+                            return by_impulses(column(N, settings["top_mass"]),
+                                               10 / static_cast<Real>(N));
+                        });
 }
 
 Demo chain_scene()
@@ -41,8 +42,8 @@ Demo chain_scene()
     return impulse_demo(
         "hanging_chain", "A chain with a heavy end: pull it, and see it stretch",
         {{0, -1.05}, {1, 1.45}},
-        {tunables::links(20, 1, 60, true), tunables::end_mass(10)}, 100, 0,
-        [](const Settings& settings) {
+        {tunables::links(20, 1, 60, Keys::up_and_down), tunables::end_mass(10)},
+        100, 0, [](const Settings& settings) {
             const auto N = static_cast<Index>(settings["links"]);
             return by_impulses(leaning_chain(N, settings["end_mass"]),
                                20 / static_cast<Real>(N));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/06_sequential_impulse/program/scene_machines.hpp"
+#include "common/elementary.hpp"
 
 #include <memory>
 #include <vector>
@@ -48,7 +49,8 @@ inline Demo belt_scene()
         "belt",
         "A belt drags three discs with a limited force until a wall stops them",
         {{-0.15, 0.3}, {1.5, 0.6}},
-        {tunables::number("speed", "m/s", "of the belt", 1, -2, 2, true),
+        {tunables::number("speed", "m/s", "of the belt", 1, -2, 2,
+                          Keys::up_and_down),
          tunables::number("force", "N", "on each disc, at most", 1, 0, 10)});
     run_scene<WrongClampingMethod>(
         demo,
@@ -91,15 +93,14 @@ inline void draw_rope(Canvas& canvas, const SceneState& state,
 {
     std::vector<Vec2> circle;
     for (int i = 0; i <= 90; ++i)
-        circle.push_back(rope_length *
-                         Vec2(std::cos(pi * i / 45), std::sin(pi * i / 45)));
+        circle.push_back(rope_length * Vec2(cos(pi * i / 45), sin(pi * i / 45)));
     canvas.polyline(circle, paint::grid);
     const Vec2 p = state.scene.bodies.position(1);
     const Real tension = state.force_of_joint(0);
     const bool taut = tension > 0;
-    canvas.segment(
-        {0, 0}, p,
-        {taut ? Colour::red : Colour::faint, taut ? 2.5 : 1.5, 1, false, !taut});
+    canvas.segment({0, 0}, p,
+                   {taut ? Colour::red : Colour::faint, taut ? 2.5 : 1.5, 1,
+                    !taut ? Paint::dashed : Paint::outline});
     canvas.polyline(trail, {Colour::blue, 1, 0.6});
     canvas.disc({0, 0}, 0.03, paint::fixed_body);
     canvas.disc(p, 0.1, paint::body);
@@ -115,10 +116,10 @@ inline Demo rope_scene()
         "A disc on a rope: free while it is slack, on the circle while it is taut",
         {{0, 0}, {1.35, 1.3}},
         {tunables::at_start("throw", "m/s", "to the right, at the beginning", 2, -4,
-                            4, true)});
+                            4, Keys::up_and_down)});
     demo.h = 1.0 / 240;
     const Measured<SceneState> slack = {
-        {"slack", "m", "length of the rope less the distance", true},
+        {"slack", "m", "length of the rope less the distance", Plot::linear},
         [](const SceneState& s) {
             return rope_length -
                    (s.scene.bodies.position(1) - s.scene.bodies.position(0)).norm();
@@ -126,9 +127,9 @@ inline Demo rope_scene()
     run_scene<WrongClampingMethod>(
         demo,
         {slack, columns::joint_force("tension", "of the rope", 0),
-         columns::position("x", "of the disc", 2, false),
-         columns::position("y", "of the disc", 3, true),
-         columns::energy().plotted(true)},
+         columns::position("x", "of the disc", 2, Plot::none),
+         columns::position("y", "of the disc", 3, Plot::linear),
+         columns::energy().plotted()},
         [](const Settings& at_start) {
             const auto trail = std::make_shared<std::vector<Vec2>>();
             ImpulseSetup setup =

@@ -67,19 +67,19 @@ public:
         canvas.segment({-1.0, 0}, {-0.3, 0}, paint::wall);
         canvas.segment({-0.2, 0}, {1.6, 0}, paint::axis);
         for (std::size_t k = 0; k < 3; ++k) {
-            const Style style = {colours[k], 1.5, 0.4, true, false};
+            const Style style = {colours[k], 1.5, 0.4, Paint::filled};
             const Vec2 at(-0.9 + 0.25 * static_cast<Real>(k), 0.1 + height(k));
             canvas.disc(at, 0.1, style);
             canvas.text({at.x(), -0.1}, "e = " + significant(e_[k], 3), 13,
                         paint::label, Align::centre);
-            canvas.polyline(heights_[k], {colours[k], 1.5, 1, false, false});
+            canvas.polyline(heights_[k], {colours[k], 1.5, 1});
             std::vector<Vec2> theory;
             for (int i = 0; i <= 600; ++i) {
                 const Real s = window_ * i / 600;
                 theory.push_back(
                     in_chart(s, bouncing_height(drop_, e_[k], 9.81, s)));
             }
-            canvas.polyline(theory, {Colour::ink, 1, 0.6, false, true});
+            canvas.polyline(theory, {Colour::ink, 1, 0.6, Paint::dashed});
         }
         canvas.text({1.6, -0.1}, significant(window_, 3) + " s", 13, paint::label,
                     Align::right);
@@ -121,21 +121,24 @@ inline Demo bounce_scene()
     scene.methods = {"scaled", "none", "fixed"};
     scene.side_by_side = {"scaled", "fixed"};
     scene.tunables = {
-        {"e_1", "", "restitution of the first ball", 0.5, 0, 1, false, true},
-        {"e_2", "", "of the second", 0.8, 0, 1, false, true},
-        {"e_3", "", "of the third", 1, 0, 1, false, true},
-        {"drop", "m", "height to fall from", 1, 0.1, 5, false, true},
+        {"e_1", "", "restitution of the first ball", 0.5, 0, 1, Numbers::real,
+         OnChange::restarts},
+        {"e_2", "", "of the second", 0.8, 0, 1, Numbers::real, OnChange::restarts},
+        {"e_3", "", "of the third", 1, 0, 1, Numbers::real, OnChange::restarts},
+        {"drop", "m", "height to fall from", 1, 0.1, 5, Numbers::real,
+         OnChange::restarts},
         {"slowest", "m/s", "approach that still bounces, of method fixed", 1, 0, 3,
-         false, true}};
-    scene.columns = {{"height_1", "m", "of the first ball over the floor", true},
-                     {"height_2", "m", "of the second", true},
-                     {"height_3", "m", "of the third", true},
-                     {"exact_1", "m", "what the closed form says"},
-                     {"exact_2", "m", "what the closed form says"},
-                     {"exact_3", "m", "what the closed form says"},
-                     {"speed_1", "m/s", "upwards"},
-                     {"speed_2", "m/s", "upwards"},
-                     {"speed_3", "m/s", "upwards"}};
+         Numbers::real, OnChange::restarts}};
+    scene.columns = {
+        {"height_1", "m", "of the first ball over the floor", Plot::linear},
+        {"height_2", "m", "of the second", Plot::linear},
+        {"height_3", "m", "of the third", Plot::linear},
+        {"exact_1", "m", "what the closed form says"},
+        {"exact_2", "m", "what the closed form says"},
+        {"exact_3", "m", "what the closed form says"},
+        {"speed_1", "m/s", "upwards"},
+        {"speed_2", "m/s", "upwards"},
+        {"speed_3", "m/s", "upwards"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<BounceRun>(settings);
     };

@@ -4,6 +4,7 @@
 
 #include "chapters/06_sequential_impulse/program/impulse_scenes.hpp"
 #include "chapters/06_sequential_impulse/small_scenes.hpp"
+#include "common/elementary.hpp"
 
 #include <memory>
 
@@ -63,7 +64,7 @@ private:
     {
         const Vec2 d =
             scene_.bodies.position(k) - scene_.bodies.position(count_ + k);
-        return std::atan2(d.x(), -d.y()) * 180 / pi;
+        return atan2(d.x(), -d.y()) * 180 / pi;
     }
     Real energy() const { return mechanical_energy(scene_); }
     Real energy_left() const { return start_ > 0 ? energy() / start_ : 1; }
@@ -86,19 +87,22 @@ inline Demo cradle_scene()
     scene.methods = {"sequential", "simultaneous"};
     scene.side_by_side = scene.methods;
     scene.tunables = sweep_tunables(200, 9);
-    scene.tunables.push_back({"balls", "", "N", 5, 2, 9, true, true});
     scene.tunables.push_back(
-        {"lifted", "", "balls that are drawn aside", 1, 1, 8, true, true, true});
-    scene.tunables.push_back({"angle", "°", "by so much", 30, 0, 60, false, true});
+        {"balls", "", "N", 5, 2, 9, Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"lifted", "", "balls that are drawn aside", 1, 1, 8,
+                              Numbers::whole, OnChange::restarts,
+                              Keys::up_and_down});
+    scene.tunables.push_back(
+        {"angle", "°", "by so much", 30, 0, 60, Numbers::real, OnChange::restarts});
     scene.tunables.push_back(tunables::restitution(1));
     scene.columns = {
-        {"first", "°", "angle of the first ball", true},
-        {"middle", "°", "angle of the middle one", true},
-        {"last", "°", "angle of the last one", true},
-        {"energy_gain", "J", "energy now less that at the start", true},
-        {"momentum_x", "N s", "of all balls", true},
-        {"link_error", "m", "largest difference of a rod from its length", true,
-         true}};
+        {"first", "°", "angle of the first ball", Plot::linear},
+        {"middle", "°", "angle of the middle one", Plot::linear},
+        {"last", "°", "angle of the last one", Plot::linear},
+        {"energy_gain", "J", "energy now less that at the start", Plot::linear},
+        {"momentum_x", "N s", "of all balls", Plot::linear},
+        {"link_error", "m", "largest difference of a rod from its length",
+         Plot::logarithmic}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<CradleRun>(settings);
     };

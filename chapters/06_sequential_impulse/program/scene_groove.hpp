@@ -4,6 +4,7 @@
 
 #include "chapters/06_sequential_impulse/program/impulse_scenes.hpp"
 #include "chapters/06_sequential_impulse/small_scenes.hpp"
+#include "common/elementary.hpp"
 
 #include <memory>
 #include <vector>
@@ -27,9 +28,9 @@ inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle,
 {
     const Vec2 rest = place_of_rest(state), disc = state.scene.bodies.position(0);
     for (const Real side : {-1.0, 1.0})
-        canvas.segment({0, 0}, 0.55 * Vec2(side * std::cos(angle), std::sin(angle)),
+        canvas.segment({0, 0}, 0.55 * Vec2(side * cos(angle), sin(angle)),
                        paint::wall);
-    canvas.disc(rest, 0.1, {Colour::faint, 1, 1, false, true});
+    canvas.disc(rest, 0.1, {Colour::faint, 1, 1, Paint::dashed});
     canvas.disc(disc, 0.1, paint::body);
     canvas.polyline(trail, {Colour::blue, 1.5, 0.7});
     for (std::size_t i = 0; i < state.now.rows.size(); ++i) {
@@ -52,7 +53,7 @@ inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle,
 /// A column: how far the disc is off its place of rest.
 inline Measured<SceneState> off_rest(const std::string& name, Index axis)
 {
-    return {{name, "m", "off its place of rest", true},
+    return {{name, "m", "off its place of rest", Plot::linear},
             [axis](const SceneState& s) {
                 return s.scene.bodies.position(0)[axis] - place_of_rest(s)[axis];
             }};
@@ -61,7 +62,7 @@ inline Measured<SceneState> off_rest(const std::string& name, Index axis)
 inline Measured<SceneState> side_force(const std::string& name,
                                        const std::string& help, std::size_t row)
 {
-    return {{name, "N", help, true}, [row](const SceneState& s) {
+    return {{name, "N", help, Plot::linear}, [row](const SceneState& s) {
                 return s.now.rows.size() == 2 ? s.lambda(row) / s.step.h : 0;
             }};
 }
@@ -79,16 +80,16 @@ inline Demo groove_scene()
     demo.tunables =
         with(sweep_tunables(10, 0),
              {tunables::at_start("angle", "°", "of the sides of the groove", 30, 1,
-                                 85, true),
+                                 85, Keys::up_and_down),
               tunables::at_start("drop", "m", "height to fall from", 0.2, 0, 0.3),
               tunables::margin(1e-9)});
     const Measured<SceneState> speed = {
-        {"speed_gh", "", "speed, in units of g h", true}, speed_in_gh};
+        {"speed_gh", "", "speed, in units of g h", Plot::linear}, speed_in_gh};
     run_scene<WrongClampingMethod>(
         demo,
         {off_rest("x", 0), off_rest("y", 1),
-         columns::velocity("u_x", "velocity", 0).plotted(false),
-         columns::velocity("u_y", "velocity", 1).plotted(false), speed,
+         columns::velocity("u_x", "velocity", 0).plotted(Plot::none),
+         columns::velocity("u_y", "velocity", 1).plotted(Plot::none), speed,
          side_force("force_1", "of the side that rises to the left; visited first",
                     0),
          side_force("force_2", "of the other side", 1)},

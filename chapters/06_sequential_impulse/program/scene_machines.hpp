@@ -88,16 +88,16 @@ inline Demo lift_scene()
         "Three lifts with motors of 0.9, 1.1 and 2 times the weight, between stops",
         {{0, 0.9}, {1.1, 1.2}},
         {tunables::number("speed", "m/s", "that the motors aim at; negative = down",
-                          0.5, -2, 2, true)});
+                          0.5, -2, 2, Keys::up_and_down)});
     run_scene<WrongClampingMethod>(
         demo,
         {columns::velocity("speed_weak", "of the lift with 0.9 times the weight",
                            1),
          columns::velocity("speed_fair", "of the lift with 1.1 times", 3),
          columns::velocity("speed_strong", "of the lift with 2 times", 5),
-         columns::position("height_weak", "of that lift", 1, false),
-         columns::position("height_fair", "of that lift", 3, false),
-         columns::position("height_strong", "of that lift", 5, false),
+         columns::position("height_weak", "of that lift", 1, Plot::none),
+         columns::position("height_fair", "of that lift", 3, Plot::none),
+         columns::position("height_strong", "of that lift", 5, Plot::none),
          columns::joint_force("force_weak", "of that lift's motor",
                               lifts::motor(0)),
          columns::joint_force("force_fair", "of that lift's motor",

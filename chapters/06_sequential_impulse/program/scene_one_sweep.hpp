@@ -88,7 +88,7 @@ public:
         for (Index k = 0; k < scene_.bodies.count(); ++k)
             canvas.disc(shown(scene_.bodies.position(k)),
                         1.7 * zoom * scene_.radius[k],
-                        {Colour::ink, 1, 0.12, true});
+                        {Colour::ink, 1, 0.12, Paint::filled});
         constexpr std::array hues = {Colour::blue,  Colour::orange,
                                      Colour::green, Colour::purple,
                                      Colour::red,   Colour::yellow};
@@ -107,10 +107,9 @@ public:
                     ? hues[static_cast<std::size_t>(colouring_.colour[i]) %
                            hues.size()]
                     : Colour::blue;
-            canvas.segment(shown(a), shown(b),
-                           {colour,
-                            1 + 7 * std::abs(memory_.rows[k].lambda) / largest, 1,
-                            false, false});
+            canvas.segment(
+                shown(a), shown(b),
+                {colour, 1 + 7 * std::abs(memory_.rows[k].lambda) / largest, 1});
         }
         const std::vector<Real> told = measure();
         canvas.text({0, -1.12},
@@ -145,20 +144,21 @@ inline Demo one_sweep_scene()
     scene.methods = {"given", "alternating", "shuffled", "coloured", "blocks"};
     scene.side_by_side = {"given", "coloured"};
     scene.tunables = {
-        {"kind", "", "0 triangle, 1 column, 2 hanging chain", 0, 0, 2, true, true},
+        {"kind", "", "0 triangle, 1 column, 2 hanging chain", 0, 0, 2,
+         Numbers::whole, OnChange::restarts},
         {"size", "", "discs along its base, in the column, on the chain", 8, 2, 60,
-         true, true, true},
+         Numbers::whole, OnChange::restarts, Keys::up_and_down},
         {"end_mass", "kg", "last disc of column and chain; the others have 1 kg", 1,
-         0.01, 1000, false, true}};
+         0.01, 1000, Numbers::real, OnChange::restarts}};
     scene.columns = {
         {"sweeps", "", "sweeps so far"},
-        {"residual", "m/s", "natural residual", true, true},
-        {"fastest", "", "largest velocity left, in units of g h; exact: 0", true,
-         true},
+        {"residual", "m/s", "natural residual", Plot::logarithmic},
+        {"fastest", "", "largest velocity left, in units of g h; exact: 0",
+         Plot::logarithmic},
         {"sideways", "", "sideways momentum, in units of weight times h; exact: 0",
-         true},
+         Plot::linear},
         {"difference", "N s", "largest difference of an impulse from chapter 4's",
-         true, true}};
+         Plot::logarithmic}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<OneSweepRun>(settings);
     };

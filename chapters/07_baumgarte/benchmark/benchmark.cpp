@@ -24,18 +24,27 @@ struct Way {
     const char* name;
     Stabilizer method;
     Real beta;
-    bool small_steps;  ///< the budget buys substeps of one sweep
+    bool small_steps = false;  ///< the budget buys substeps of one sweep
 };
 
 /// What leaves a velocity behind corrects a fifth in a step, what leaves none all of it.
-constexpr Way ways[] = {{"none", Stabilizer::none, 0, false},
-                        {"baumgarte", Stabilizer::baumgarte, 0.2, false},
-                        {"relaxation", Stabilizer::relaxation, 0.2, false},
-                        {"split_impulse", Stabilizer::split_impulse, 1, false},
-                        {"projection", Stabilizer::projection, 1, false},
-                        {"small_baumgarte", Stabilizer::baumgarte, 0.2, true},
-                        {"small_relaxation", Stabilizer::relaxation, 0.2, true},
-                        {"small_projection", Stabilizer::projection, 1, true}};
+constexpr Way ways[] = {{"none", Stabilizer::none, 0},
+                        {"baumgarte", Stabilizer::baumgarte, 0.2},
+                        {"relaxation", Stabilizer::relaxation, 0.2},
+                        {"split_impulse", Stabilizer::split_impulse, 1},
+                        {"projection", Stabilizer::projection, 1},
+                        {.name = "small_baumgarte",
+                         .method = Stabilizer::baumgarte,
+                         .beta = 0.2,
+                         .small_steps = true},
+                        {.name = "small_relaxation",
+                         .method = Stabilizer::relaxation,
+                         .beta = 0.2,
+                         .small_steps = true},
+                        {.name = "small_projection",
+                         .method = Stabilizer::projection,
+                         .beta = 1,
+                         .small_steps = true}};
 
 DiscScene free_chain(DiscScene chain)
 {
@@ -66,9 +75,16 @@ const std::vector<Problem>& problems()
     static const std::vector<Problem> all = {
         {"chain", [] { return free_chain(hanging_chain(20, 10)); }, 1200, 1.0 / 60},
         {"column", [] { return column_between_walls(20); }, 1200, 1.0 / 60},
-        {"ten_discs", [] { return ten_discs(); }, 1200, 1.0 / 120, true},
-        {"swing", [] { return free_chain(swinging_chain(10)); }, 60, 1.0 / 60,
-         false, true}};
+        {.name = "ten_discs",
+         .make = [] { return ten_discs(); },
+         .steps = 1200,
+         .h = 1.0 / 120,
+         .steered = true},
+        {.name = "swing",
+         .make = [] { return free_chain(swinging_chain(10)); },
+         .steps = 60,
+         .h = 1.0 / 60,
+         .swings = true}};
     return all;
 }
 

@@ -181,7 +181,8 @@ Demo ten_discs_scene()
     set_up_ten_discs(demo);
     demo.h = 1.0 / 240;
     demo.tunables = with(demo.tunables, ten_discs_tunables());
-    for (Tunable& tunable : demo.tunables) tunable.arrow_keys = tunable.name == "k";
+    for (Tunable& tunable : demo.tunables)
+        tunable.keys = tunable.name == "k" ? Keys::up_and_down : Keys::none;
     return demo;
 }
 

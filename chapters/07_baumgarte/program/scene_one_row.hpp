@@ -8,6 +8,7 @@
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/07_baumgarte/one_row_step.hpp"
 #include "chapters/07_baumgarte/program/stabilized_scenes.hpp"
+#include "common/elementary.hpp"
 #include "common/measure.hpp"
 
 #include <functional>
@@ -64,10 +65,9 @@ public:
     {
         std::vector<Vec2> wire;
         for (int i = 0; i <= 200; ++i)
-            wire.push_back(
-                circle_
-                    ? Vec2(std::cos(2 * pi * i / 200), std::sin(2 * pi * i / 200))
-                    : Vec2(view_.half_size.x() * (i / 100.0 - 1), 0));
+            wire.push_back(circle_
+                               ? Vec2(cos(2 * pi * i / 200), sin(2 * pi * i / 200))
+                               : Vec2(view_.half_size.x() * (i / 100.0 - 1), 0));
         canvas.polyline(wire, paint::wall);
         canvas.polyline(trail_, {Colour::purple, 1.2, 0.9});
         canvas.disc(scene_.bodies.x, 0.05, paint::body);
@@ -123,19 +123,19 @@ inline Demo one_row_scene(bool circle)
     scene.h_high = 0.5;
     scene.methods = stabilizer_names();
     scene.side_by_side = {"baumgarte", "none", "projection"};
-    scene.tunables = {tunables::beta(0.2, 2.5, true),
+    scene.tunables = {tunables::beta(0.2, 2.5, Keys::up_and_down),
                       tunables::at_start("speed", "m/s", "at the start",
                                          circle ? 1.0 : 0.5, 0, 10)};
     if (circle)
         scene.tunables.push_back(
             tunables::number("gravity", "m/s²", "downwards", 0, 0, 20));
     scene.columns = {
-        {"error", "m", "distance from the wire, outwards", true},
+        {"error", "m", "distance from the wire, outwards", Plot::linear},
         {"theory", "m",
          circle ? "(7.3) or (7.8), without gravity; 0 for the other ways" : "(7.5)",
-         true},
+         Plot::linear},
         {"lambda", "N s", "impulse of the row"},
-        {"kinetic", "J", "kinetic energy", true}};
+        {"kinetic", "J", "kinetic energy", Plot::linear}};
     scene.start = [circle, view = scene.view](const Settings& settings) {
         return std::make_unique<OneRowRun>(circle, settings, view);
     };

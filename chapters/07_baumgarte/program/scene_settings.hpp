@@ -30,7 +30,7 @@ inline Stabilizer stabilizer_named(const std::string& name)
 /// What the reader may change in every scene of discs.
 inline std::vector<Tunable> stabilizer_tunables(Real sweeps)
 {
-    return {tunables::beta(0.2, 2.5, true),
+    return {tunables::beta(0.2, 2.5, Keys::up_and_down),
             tunables::whole(
                 "sweeps",
                 "sweeps of a step in total; substeps and the correction share them",

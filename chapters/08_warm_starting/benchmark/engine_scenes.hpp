@@ -48,13 +48,14 @@ inline EngineScene engine_chain(const std::string& name, DiscScene scene,
     scene.gravity = {0, -10};
     scene.linked = PairSet::all();
     if (rests) scene = perturbed(std::move(scene), 1, nudge);
-    return {name, std::move(scene), false, rests};
+    return {
+        .name = name, .scene = std::move(scene), .collides = false, .rests = rests};
 }
 
 inline EngineScene engine_pile(const std::string& name, DiscScene scene)
 {
     scene.gravity = {0, -10};
-    return {name, perturbed(std::move(scene), 1, nudge), true, true};
+    return {name, perturbed(std::move(scene), 1, nudge)};
 }
 
 /// All of them, by the names that the table has.

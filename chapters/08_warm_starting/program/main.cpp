@@ -4,6 +4,7 @@
 #include "chapters/07_baumgarte/closed_forms.hpp"
 #include "chapters/08_warm_starting/looped_trusses.hpp"
 #include "chapters/08_warm_starting/program/warm_scenes.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -17,7 +18,7 @@ Demo ten_discs_scene()
     // b = C/h, as chapter 4 has it
     std::vector<Tunable> shared = warm_tunables(2000, Stabilizer::baumgarte, 1);
     // k has the arrow keys here
-    for (Tunable& tunable : shared) tunable.arrow_keys = false;
+    for (Tunable& tunable : shared) tunable.keys = Keys::none;
     Demo demo = warm_demo(
         "ten_discs",
         "Chapter 4's ten discs to the same residual in each step: count the sweeps",
@@ -121,7 +122,7 @@ Real chain_rate(Index N, const WarmMethod& method)
         const Real theta =
             pi * static_cast<Real>(2 * mode + 1) / static_cast<Real>(2 * N);
         const Real gamma =
-            std::pow(std::cos(theta), 2 * method.solver.sweeps.max_sweeps);
+            rigid::pow(rigid::cos(theta), 2 * method.solver.sweeps.max_sweeps);
         largest = std::max(largest, step_rate(gamma, factor, beta));
     }
     return largest;
@@ -188,7 +189,7 @@ Real loop_rate(const WarmState& state)
                                                                          : there) *
              G)
                 .eval();
-    return std::pow(memory_rate(G), state.step.substeps);
+    return rigid::pow(memory_rate(G), state.step.substeps);
 }
 
 /// The same, computed again where the settings are others.

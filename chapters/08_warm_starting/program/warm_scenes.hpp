@@ -8,6 +8,7 @@
 #include "chapters/04_pgs/program/tunables.hpp"
 #include "chapters/08_warm_starting/memory_rates.hpp"
 #include "chapters/08_warm_starting/warm_method.hpp"
+#include "common/elementary.hpp"
 
 #include <functional>
 #include <string>
@@ -38,7 +39,7 @@ inline std::vector<Tunable> warm_tunables(Real sweeps, Stabilizer stabilizer,
                                           Real beta = 0.2)
 {
     return {
-        tunables::max_sweeps(sweeps, 1, "", true),
+        tunables::max_sweeps(sweeps, 1, "", Keys::up_and_down),
         tunables::digits("early out: "),
         tunables::number("factor", "",
                          "σ, of the previous impulses that this step starts from",
@@ -67,7 +68,7 @@ inline void tune(const Settings& settings, WarmState& state)
     method.solver.ordering =
         static_cast<Order>(static_cast<int>(settings["order"]));
     method.solver.sweeps.max_sweeps = static_cast<int>(settings["max_sweeps"]);
-    method.solver.sweeps.tolerance = std::pow(10, -settings["digits"]);
+    method.solver.sweeps.tolerance = pow(10, -settings["digits"]);
     method.correction.method =
         static_cast<Stabilizer>(static_cast<int>(settings["repaid_by"]));
     method.correction.beta = settings["beta"];
@@ -105,8 +106,8 @@ inline std::vector<Measured<WarmState>> warm_columns()
             columns::link_error(),
             columns::penetration(),
             columns::last_rise(),
-            columns::speed().plotted(false),
-            columns::energy_gained_in_gravity_of_start().plotted(false),
+            columns::speed().plotted(Plot::none),
+            columns::energy_gained_in_gravity_of_start().plotted(Plot::none),
             columns::theory<WarmMethod>(
                 "", "a number of the text for this scene; 0 = none")};
 }

@@ -6,7 +6,7 @@
 
 namespace rigid::paint {
 
-inline constexpr Style active = {Colour::red, 1.5, 1, true};
+inline constexpr Style active = {Colour::red, 1.5, 1, Paint::filled};
 inline constexpr Style open = {Colour::ink, 1.5, 1};
 inline constexpr Style wrong_guess = {Colour::orange, 3, 1};
 

@@ -85,20 +85,21 @@ inline Demo exact_demo(const std::string& name, const std::string& summary,
     auto columns = matrix_columns<ExactOrSweeps>(
         "iterations", "guesses, pivots or sweeps of the step");
     for (Measured<ExactState>& one : columns)
-        if (one.column.name == "penetration") one = one.plotted(false, true);
-    columns.push_back({{"factorisations", "",
-                        "of active_sets: of the active rows in this step", true},
-                       [](const ExactState& s) {
-                           return static_cast<Real>(
-                               s.method.solver.find.set.work.factorisations);
-                       }});
+        if (one.column.name == "penetration") one = one.plotted(Plot::none);
+    columns.push_back(
+        {{"factorisations", "", "of active_sets: of the active rows in this step",
+          Plot::linear},
+         [](const ExactState& s) {
+             return static_cast<Real>(s.method.solver.find.set.work.factorisations);
+         }});
     columns.push_back(
         {{"flips", "", "of active_sets: rows that changed their case in this step"},
          [](const ExactState& s) {
              return static_cast<Real>(s.method.solver.find.set.work.flips);
          }});
     columns.push_back(
-        {{"stretch", "", "of a chain: its length over that of its links", true},
+        {{"stretch", "", "of a chain: its length over that of its links",
+          Plot::linear},
          stretch});
     run_scene<ActiveSetMethod>(demo, columns, set_up);
     return demo;

@@ -75,10 +75,10 @@ struct GuessWalk {
     {
         return {
             {"corrections", "", "guesses, or pivots, so far"},
-            {"wrong", "", "rows that contradict the guess", true},
-            {"active", "", "rows that the guess holds at w = 0", true},
-            {"residual", "m/s", "natural residual of the present impulses", true,
-             true},
+            {"wrong", "", "rows that contradict the guess", Plot::linear},
+            {"active", "", "rows that the guess holds at w = 0", Plot::linear},
+            {"residual", "m/s", "natural residual of the present impulses",
+             Plot::logarithmic},
             {"factorisations", "", "of the active rows, whole"},
             {"flips", "", "rows that changed their case, all corrections together"},
             {"rows", "", "n"},

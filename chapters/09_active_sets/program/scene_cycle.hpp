@@ -71,12 +71,11 @@ public:
             const Colour colour = next_[k] == k  ? Colour::green
                                   : in_cycle_[k] ? Colour::red
                                                  : Colour::ink;
-            canvas.disc(corner(k), 0.045, {colour, 1.5, 1, true, false});
+            canvas.disc(corner(k), 0.045, {colour, 1.5, 1, Paint::filled});
             // Outwards; but outside of the corner 1, 2, which lies before the others, an arrow goes past.
             const bool right = k % 2 == 1 && k != 3, above = (k >> 1) % 2 == 1;
             const Vec2 beside(right ? 0.08 : -0.08, above ? 0.05 : -0.1);
-            canvas.text(corner(k) + beside, name(k), 14,
-                        {colour, 1, 1, false, false},
+            canvas.text(corner(k) + beside, name(k), 14, {colour, 1, 1},
                         right ? Align::left : Align::right);
         }
     }
@@ -116,10 +115,10 @@ inline Demo cycle_scene()
     scene.methods = {"active_sets"};
     scene.tunables = {{"start", "",
                        "the first guess: bit i of the number is row i + 1", 7, 0, 7,
-                       true, true}};
+                       Numbers::whole, OnChange::restarts}};
     scene.columns = {
-        {"guess", "", "bit i of the number: row i + 1 is active", true},
-        {"wrong", "", "rows that contradict the guess", true}};
+        {"guess", "", "bit i of the number: row i + 1 is active", Plot::linear},
+        {"wrong", "", "rows that contradict the guess", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<CycleRun>(settings);
     };

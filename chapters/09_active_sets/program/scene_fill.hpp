@@ -60,7 +60,7 @@ public:
         centre[5] = foot + Vec2(2 * r, r + 2 * r * std::sqrt(3.0));
         canvas.segment(foot - Vec2(1.3 * r, 0), foot + Vec2(5.3 * r, 0), ink);
         for (const Vec2& c : centre)
-            canvas.disc(c, r, {Colour::blue, 1.5, 0.15, true});
+            canvas.disc(c, r, {Colour::blue, 1.5, 0.15, Paint::filled});
         for (int i = 0; i < count; ++i) {
             const auto [a, b] = pairs[index(i)];
             const Vec2 at = a < 0 ? Vec2(centre[index(b)] - Vec2(0, r))
@@ -80,14 +80,14 @@ public:
             canvas.text(middle(k, k) + Vec2(0, 0.5 * cell), std::to_string(k + 1),
                         13, ink, Align::centre);
             canvas.box(middle(k, k), {0.4 * cell, 0.4 * cell}, 0,
-                       {Colour::ink, 1, 0.35, true});
+                       {Colour::ink, 1, 0.35, Paint::filled});
             for (int j = 0; j < k; ++j) {
                 const bool fill = in_L_[index(k)][index(j)] && A_(k, j) == 0;
                 if (fill)
                     canvas.disc(middle(k, j), 0.3 * cell, {Colour::orange, 2.5, 1});
                 else if (in_L_[index(k)][index(j)])
                     canvas.box(middle(k, j), {0.4 * cell, 0.4 * cell}, 0,
-                               {Colour::blue, 1, 0.8, true});
+                               {Colour::blue, 1, 0.8, Paint::filled});
                 else canvas.disc(middle(k, j), 0.05 * cell, faint);
             }
         }
@@ -105,7 +105,8 @@ public:
             canvas.segment(node[index(k)], node[index(p)], ink);
         }
         for (int k = 0; k < count; ++k) {
-            canvas.disc(node[index(k)], 0.03, {Colour::green, 1.5, 1, true});
+            canvas.disc(node[index(k)], 0.03,
+                        {Colour::green, 1.5, 1, Paint::filled});
             canvas.text(node[index(k)] + Vec2(0.06, -0.03), std::to_string(k + 1),
                         13, ink);
         }

@@ -84,13 +84,13 @@ inline Demo guess_scene()
     scene.tunables = {
         {"pile", "",
          "0 a column, 1 a column of 1 kg and 1000 kg in turns, 2 a pyramid", 2, 0,
-         2, true, true},
+         2, Numbers::whole, OnChange::restarts},
         {"levels", "", "boxes in the column, levels of the pyramid", 5, 1, 500,
-         true, true},
+         Numbers::whole, OnChange::restarts},
         {"jostle", "m/s", "size of the random speeds before the impulses", 1, 0, 5,
-         false, true},
-        {"at_once", "", "1: all corrections in the first step", 0, 0, 1, true,
-         true}};
+         Numbers::real, OnChange::restarts},
+        {"at_once", "", "1: all corrections in the first step", 0, 0, 1,
+         Numbers::whole, OnChange::restarts}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) {
         const auto levels = static_cast<Index>(settings["levels"]);

@@ -52,9 +52,9 @@ std::vector<Measured<RunState<Method>>>
 columns_of(std::function<Real(const RunState<Method>&)> passes)
 {
     using State = RunState<Method>;
-    return {Measured<State>(
-                {"energy_error", "J", "energy minus that of the start", true},
-                columns::energy_gained().value),
+    return {Measured<State>({"energy_error", "J", "energy minus that of the start",
+                             Plot::linear},
+                            columns::energy_gained().value),
             columns::kinetic(), columns::link_error(),
             Measured<State>(
                 {"passes", "", "of Newton's method in the last step, of rattle"},
@@ -119,9 +119,10 @@ inline Demo linkage_scene()
     demo.tunables = {
         {"kind", "",
          "0 the four-bar linkage, 1 a pendulum of rods, 2 a chain of ten", 0, 0, 2,
-         true, true},
-        {"rods", "", "of the pendulum", 2, 1, 20, true, true},
-        {"substeps", "", "parts of each step", 1, 1, 64, true}};
+         Numbers::whole, OnChange::restarts},
+        {"rods", "", "of the pendulum", 2, 1, 20, Numbers::whole,
+         OnChange::restarts},
+        {"substeps", "", "parts of each step", 1, 1, 64, Numbers::whole}};
     for (const auto& one : linkage::columns_of<ExactMethod>({}))
         demo.columns.push_back(one.column);
     demo.start = [view = demo.view](const Settings& settings) {

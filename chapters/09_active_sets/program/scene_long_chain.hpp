@@ -59,13 +59,13 @@ inline void draw(Canvas& canvas, const ExactState& state)
 {
     const DiscScene& chain = state.scene;
     canvas.disc(paint::shown(state, 0), state.zoom * reach(chain),
-                {Colour::faint, 1.5, 1, false, true});
+                {Colour::faint, 1.5, 1, Paint::dashed});
     std::vector<Vec2> line;
     for (Index k = 0; k < chain.bodies.count(); ++k)
         line.push_back(paint::shown(state, k));
     canvas.polyline(line, {Colour::blue, 3, 1});
     canvas.disc(line.front(), 0.02, paint::fixed_body);
-    canvas.disc(line.back(), 0.03, {Colour::red, 1.5, 1, true});
+    canvas.disc(line.back(), 0.03, {Colour::red, 1.5, 1, Paint::filled});
     paint::draw_hand(canvas, state);
     paint::draw_caption(
         canvas, state,

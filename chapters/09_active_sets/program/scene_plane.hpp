@@ -46,7 +46,7 @@ public:
         const Vec2 zero = shown({0, 0});
         canvas.polygon(
             {zero, {corner.x(), zero.y()}, corner, {zero.x(), corner.y()}},
-            {Colour::green, 0, 0.12, true});
+            {Colour::green, 0, 0.12, Paint::filled});
         canvas.arrow({-corner.x(), zero.y()}, {corner.x() + 0.03, zero.y()},
                      paint::axis);
         canvas.arrow({zero.x(), -corner.y()}, {zero.x(), corner.y() + 0.03},
@@ -67,7 +67,8 @@ public:
             const Vec2 p = shown(answers_[k]);
             const bool here = k == visited_.back();
             canvas.disc(p, here ? 0.035 : 0.02,
-                        {here ? Colour::red : Colour::ink, 1.5, 1, here, false});
+                        {here ? Colour::red : Colour::ink, 1.5, 1,
+                         here ? Paint::filled : Paint::outline});
             const bool left = k == 0 || p.x() < zero.x() - 0.01;
             const Vec2 beside(left ? -0.05 : 0.05, k == 0 ? -0.09 : 0.045);
             canvas.text(p + beside, names[k] + complaint(k), 13,
@@ -165,12 +166,15 @@ inline Demo plane_scene()
     scene.methods = {"active_sets"};
     scene.tunables = {
         {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 3, 0, 3,
-         true, true},
-        {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, false, true},
-        {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, false, true},
-        {"a12", "1/kg", "of A, off its diagonal", 1, -3, 3, false, true},
-        {"q1", "m/s", "of q, row 1", -5, -6, 6, false, true},
-        {"q2", "m/s", "of q, row 2", -1, -6, 6, false, true}};
+         Numbers::whole, OnChange::restarts},
+        {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, Numbers::real,
+         OnChange::restarts},
+        {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, Numbers::real,
+         OnChange::restarts},
+        {"a12", "1/kg", "of A, off its diagonal", 1, -3, 3, Numbers::real,
+         OnChange::restarts},
+        {"q1", "m/s", "of q, row 1", -5, -6, 6, Numbers::real, OnChange::restarts},
+        {"q2", "m/s", "of q, row 2", -1, -6, 6, Numbers::real, OnChange::restarts}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) {
         return std::make_unique<PlaneRun>(settings);

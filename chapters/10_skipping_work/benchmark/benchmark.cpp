@@ -322,8 +322,8 @@ struct Engine : Stepper {
     Real h;
     int substeps;
     Engine(const DiscScene& from, const SkippingSettings& by, int count)
-        : scene{"", from, true, true}, world(scene, {by.sleep, by.stabilizer.slop}),
-          h(by.h), substeps(count)
+        : scene{"", from}, world(scene, {by.sleep, by.stabilizer.slop}), h(by.h),
+          substeps(count)
     {
     }
     void step() override { world.step(h, substeps); }

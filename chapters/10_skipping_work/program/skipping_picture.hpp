@@ -45,7 +45,7 @@ inline void draw_skipping(Canvas& canvas, const SkippingState& state,
     for (const HalfSpace& wall : scene.walls)
         paint::draw_wall(canvas, wall, {}, 1, 2 * view.half_size.maxCoeff());
     paint::draw_links(canvas, state, [](const Link&) {
-        return Style{Colour::ink, 1, 0.5, false, false};
+        return Style{Colour::ink, 1, 0.5};
     });
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         const Activity activity =
@@ -56,8 +56,9 @@ inline void draw_skipping(Canvas& canvas, const SkippingState& state,
             std::abs(at.y()) > view.half_size.y() + scene.radius[k])
             continue;
         Style style = {colour_of_island(island_of[static_cast<std::size_t>(k)]), 1,
-                       0.65, true, false};
-        if (activity == Activity::fixed) style = {Colour::ink, 1, 0.3, true, false};
+                       0.65, Paint::filled};
+        if (activity == Activity::fixed)
+            style = {Colour::ink, 1, 0.3, Paint::filled};
         if (activity == Activity::asleep) style.opacity = 0.12;
         canvas.disc(scene.bodies.position(k), scene.radius[k], style);
     }

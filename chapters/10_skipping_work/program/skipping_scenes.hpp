@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/collision_filter.hpp"
+#include "common/elementary.hpp"
 #include "common/random.hpp"
 #include "common/scenes.hpp"
 
@@ -49,7 +50,7 @@ inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t se
     DiscScene scene = empty_scene(count);
     Real area = 0;
     for (Index k = 0; k < count; ++k) {
-        const Real radius = 0.1 * std::pow(ratio, random.uniform() - 1);
+        const Real radius = 0.1 * pow(ratio, random.uniform() - 1);
         set_disc(scene, k, {0, 0}, radius);
         area += pi * radius * radius;
     }
@@ -63,10 +64,7 @@ inline DiscScene scattered(Index count, Real share, Real ratio, std::uint64_t se
 }
 
 /// The ground of the rain at x [m]: valleys 4 m apart, of different depths.
-inline Real ground(Real x)
-{
-    return 1.6 * std::cos(0.5 * pi * x) + 0.3 * std::sin(0.37 * x);
-}
+inline Real ground(Real x) { return 1.6 * cos(0.5 * pi * x) + 0.3 * sin(0.37 * x); }
 
 /// N discs of 5 to 10 cm, hung up in lines above a ground of fixed discs between two walls: let go, it rains.
 /// The fixed discs come first.

@@ -7,6 +7,7 @@
 #include "chapters/04_pgs/program/tunables.hpp"
 #include "chapters/10_skipping_work/program/skipping_picture.hpp"
 #include "chapters/10_skipping_work/scene_edits.hpp"
+#include "common/elementary.hpp"
 
 #include <cmath>
 #include <memory>
@@ -24,7 +25,7 @@ inline void tune(const Settings& settings, Real margin, SkippingState& state)
     state.scene.gravity = {0, -settings["gravity"]};
     SkippingSettings skipping;
     skipping.sweeps.max_sweeps = static_cast<int>(settings["max_sweeps"]);
-    skipping.sweeps.tolerance = std::pow(10, -settings["digits"]);
+    skipping.sweeps.tolerance = pow(10, -settings["digits"]);
     skipping.exact_rows = static_cast<int>(settings["exact_rows"]);
     skipping.rest.speed = settings["rest_speed"];
     skipping.rest.time = settings["rest_time"];
@@ -93,9 +94,9 @@ inline SkippingSetup skipping(DiscScene scene, CollisionFilter filter, Real marg
 /// One of the counters of a step.
 template <class Number>
 Measured<SkippingState> counted(const std::string& name, const std::string& help,
-                                bool plotted, Number SkippingCounters::*counter)
+                                Plot plot, Number SkippingCounters::*counter)
 {
-    return {{name, "", help, plotted}, [counter](const SkippingState& s) {
+    return {{name, "", help, plot}, [counter](const SkippingState& s) {
                 return s.steps > 0 ? static_cast<Real>(
                                          counters_of(s.method, s.now).*counter)
                                    : 0;
@@ -105,37 +106,39 @@ Measured<SkippingState> counted(const std::string& name, const std::string& help
 /// Of the bodies that are awake.
 inline Measured<SkippingState> awake_energy()
 {
-    return {{"kinetic", "J", "kinetic energy of those that are awake", true},
-            [](const SkippingState& s) {
-                Real energy = 0;
-                for (const int k : s.method.contacts.set.awake)
-                    if (const Real inverse = s.scene.bodies.inverse_mass[2 * k];
-                        inverse > 0)
-                        energy += s.scene.bodies.velocity(k).squaredNorm() /
-                                  (2 * inverse);
-                return energy;
-            }};
+    return {
+        {"kinetic", "J", "kinetic energy of those that are awake", Plot::linear},
+        [](const SkippingState& s) {
+            Real energy = 0;
+            for (const int k : s.method.contacts.set.awake)
+                if (const Real inverse = s.scene.bodies.inverse_mass[2 * k];
+                    inverse > 0)
+                    energy +=
+                        s.scene.bodies.velocity(k).squaredNorm() / (2 * inverse);
+            return energy;
+        }};
 }
 
 inline std::vector<Measured<SkippingState>> skipping_columns()
 {
     using C = SkippingCounters;
     return {
-        counted("awake", "bodies that the step looked at", true, &C::awake),
-        counted("islands", "islands of those, single bodies included", true,
+        counted("awake", "bodies that the step looked at", Plot::linear, &C::awake),
+        counted("islands", "islands of those, single bodies included", Plot::linear,
                 &C::islands),
-        counted("contacts", "contacts of those", false, &C::contacts),
-        counted("rows", "rows built and solved", true, &C::rows),
-        counted("sweeps", "sweeps of the island that needed the most", true,
+        counted("contacts", "contacts of those", Plot::none, &C::contacts),
+        counted("rows", "rows built and solved", Plot::linear, &C::rows),
+        counted("sweeps", "sweeps of the island that needed the most", Plot::linear,
                 &C::sweeps),
-        counted("visits", "rows visited", true, &C::visits),
-        counted("tested", "pairs of discs whose distance was computed", true,
-                &C::tested),
-        counted("asked", "discs that queried the grid", false, &C::queries),
-        counted("woken", "bodies that were woken", false, &C::woken),
-        counted("fell_asleep", "bodies that fell asleep", false, &C::fell_asleep),
+        counted("visits", "rows visited", Plot::linear, &C::visits),
+        counted("tested", "pairs of discs whose distance was computed",
+                Plot::linear, &C::tested),
+        counted("asked", "discs that queried the grid", Plot::none, &C::queries),
+        counted("woken", "bodies that were woken", Plot::none, &C::woken),
+        counted("fell_asleep", "bodies that fell asleep", Plot::none,
+                &C::fell_asleep),
         counted("unsolved", "islands whose residual did not meet the tolerance",
-                false, &C::unsolved),
+                Plot::none, &C::unsolved),
         awake_energy()};
 }
 

@@ -4,6 +4,7 @@
 
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/11_rotation/rigid_scene.hpp"
+#include "common/elementary.hpp"
 
 #include <algorithm>
 
@@ -28,13 +29,13 @@ inline std::vector<Vec2> rounded_outline(const std::vector<Vec2>& corners,
         const Vec2 in = corners[i] - corners[(i + n - 1) % n],
                    out = corners[(i + 1) % n] - corners[i];
         const Vec2 from = -perpendicular(in).normalized();
-        Real turn = std::atan2(cross2(in, out), in.dot(out));
+        Real turn = atan2(cross2(in, out), in.dot(out));
         if (turn <= 0) turn += 2 * pi;  // at the end of a capsule
         for (int k = 0; k <= 8; ++k) {
             const Real angle = turn * k / 8;
-            outline.push_back(corners[i] +
-                              radius * (std::cos(angle) * from +
-                                        std::sin(angle) * perpendicular(from)));
+            outline.push_back(
+                corners[i] +
+                radius * (cos(angle) * from + sin(angle) * perpendicular(from)));
         }
     }
     return outline;
@@ -51,12 +52,11 @@ inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k)
     if (corners.size() == 1) {
         canvas.disc(corners[0], shape.radius, style);
         canvas.segment(corners[0], point_of(x, k, {0.9 * shape.radius, 0}),
-                       {Colour::blue, 1.5, 1, false, false});
+                       {Colour::blue, 1.5, 1});
     } else if (shape.radius > 0)
         canvas.polygon(rounded_outline(corners, shape.radius), style);
     else if (corners.size() == 2)
-        canvas.segment(corners[0], corners[1],
-                       {style.colour, 5, 0.8, false, false});
+        canvas.segment(corners[0], corners[1], {style.colour, 5, 0.8});
     else canvas.polygon(corners, style);
 }
 
@@ -67,8 +67,8 @@ inline void paint_rigid_joints(Canvas& canvas, const RigidScene& scene)
         const Vec2 a = point_of(scene.bodies.x, joint.a, joint.at_a),
                    b = point_of(scene.bodies.x, joint.b, joint.at_b);
         if (joint.measure == PointJoint::Measure::distance)
-            canvas.segment(a, b, {Colour::purple, 2, 1, false, false});
-        canvas.disc(b, 0.025, {Colour::orange, 1, 1, true, false});
+            canvas.segment(a, b, {Colour::purple, 2, 1});
+        canvas.disc(b, 0.025, {Colour::orange, 1, 1, Paint::filled});
     }
 }
 

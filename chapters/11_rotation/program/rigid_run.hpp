@@ -81,7 +81,7 @@ public:
     {
         const RigidScene& scene = state_.scene;
         for (const HalfSpace& wall : scene.walls) paint_half_space(canvas, wall);
-        canvas.polyline(state_.trail, {Colour::purple, 1.2, 0.9, false, false});
+        canvas.polyline(state_.trail, {Colour::purple, 1.2, 0.9});
         for (Index k = 0; k < scene.bodies.count(); ++k)
             paint_rigid_body(canvas, scene, k);
         paint_rigid_joints(canvas, scene);

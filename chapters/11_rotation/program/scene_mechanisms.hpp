@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/11_rotation/program/rigid_run.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -18,7 +19,7 @@ inline Demo ladder_scene()
             RigidSetup setup;
             setup.scene = ladder(settings["angle"] * pi / 180);
             setup.traced = 0;
-            const Real start = std::cos(settings["angle"] * pi / 180);
+            const Real start = cos(settings["angle"] * pi / 180);
             setup.measure = [start](const RigidState& s) -> std::vector<Real> {
                 Real floor = 0, wall = 0;
                 for (std::size_t i = 0; i < s.now.contacts.size(); ++i)
@@ -34,13 +35,13 @@ inline Demo ladder_scene()
             return setup;
         });
     scene.tunables.push_back({"angle", "°", "from the wall at the start", 10, 1, 80,
-                              false, true, false});
+                              Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"height", "", "of the centre, as a part of that at the start", true,
-         false},
-        {"floor", "N", "force of the floor in the last sub-step", true, false},
-        {"wall", "N", "force of the wall", true, false},
-        {"energy", "J", "kinetic and potential", true, false}};
+        {"height", "", "of the centre, as a part of that at the start",
+         Plot::linear},
+        {"floor", "N", "force of the floor in the last sub-step", Plot::linear},
+        {"wall", "N", "force of the wall", Plot::linear},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 
@@ -60,15 +61,15 @@ inline Demo seesaw_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"left", "kg", "weight on the left", 10, 1, 50, false, true, false});
-    scene.tunables.push_back(
-        {"right", "kg", "weight on the right", 12, 1, 50, false, true, false});
+    scene.tunables.push_back({"left", "kg", "weight on the left", 10, 1, 50,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"right", "kg", "weight on the right", 12, 1, 50,
+                              Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"angle", "rad", "of the plank", true, false},
-        {"acceleration", "rad/s²", "of the plank in the last step", true, false},
-        {"level", "rad/s²", "by hand, where it lies level", false, false},
-        {"energy", "J", "kinetic and potential", true, false}};
+        {"angle", "rad", "of the plank", Plot::linear},
+        {"acceleration", "rad/s²", "of the plank in the last step", Plot::linear},
+        {"level", "rad/s²", "by hand, where it lies level"},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 
@@ -96,19 +97,17 @@ inline Demo gears_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(
-        {"speed", "rad/s", "of the motor", 10, -30, 30, false, false, true});
-    scene.tunables.push_back(
-        {"torque", "N m", "of the motor, at most", 1, 0, 50, false, false, false});
-    scene.columns = {{"omega_1", "rad/s", "of the first wheel", true, false},
-                     {"omega_2", "rad/s", "of the second", true, false},
-                     {"omega_3", "rad/s", "of the third", true, false},
-                     {"omega_4", "rad/s", "of the fourth", true, false},
+    scene.tunables.push_back({"speed", "rad/s", "of the motor", 10, -30, 30,
+                              Numbers::real, OnChange::goes_on, Keys::up_and_down});
+    scene.tunables.push_back({"torque", "N m", "of the motor, at most", 1, 0, 50});
+    scene.columns = {{"omega_1", "rad/s", "of the first wheel", Plot::linear},
+                     {"omega_2", "rad/s", "of the second", Plot::linear},
+                     {"omega_3", "rad/s", "of the third", Plot::linear},
+                     {"omega_4", "rad/s", "of the fourth", Plot::linear},
                      {"acceleration", "rad/s²",
-                      "of the first wheel in the last step", true, false},
+                      "of the first wheel in the last step", Plot::linear},
                      {"by_hand", "rad/s²",
-                      "while the motor pulls with the torque of the start", false,
-                      false}};
+                      "while the motor pulls with the torque of the start"}};
     return scene;
 }
 
@@ -134,11 +133,10 @@ inline Demo crank_scene()
             };
             return setup;
         });
-    scene.columns = {
-        {"slider", "m", "place of the slider", true, false},
-        {"exact", "m", "closed form at the crank's angle", false, false},
-        {"error", "m", "their difference", true, true},
-        {"off", "m", "of the slider beside its rail", true, false}};
+    scene.columns = {{"slider", "m", "place of the slider", Plot::linear},
+                     {"exact", "m", "closed form at the crank's angle"},
+                     {"error", "m", "their difference", Plot::logarithmic},
+                     {"off", "m", "of the slider beside its rail", Plot::linear}};
     return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include "chapters/01_euler_integration/exact.hpp"
 #include "chapters/11_rotation/program/rigid_run.hpp"
+#include "common/elementary.hpp"
 
 #include <array>
 
@@ -29,19 +30,19 @@ inline Demo pendulum_scene()
             };
             setup.picture = [exact](Canvas& canvas, const RigidState& s) {
                 const Real angle = exact(s.t);
-                canvas.segment({0, 0}, {std::sin(angle), -std::cos(angle)},
-                               {Colour::ink, 2, 0.7, false, true});
+                canvas.segment({0, 0}, {sin(angle), -cos(angle)},
+                               {Colour::ink, 2, 0.7, Paint::dashed});
                 canvas.text({-1.1, 0.7}, "dashed: closed form", 14, paint::label);
             };
             return setup;
         });
     scene.tunables.push_back({"angle", "°", "at the start, from straight down", 90,
-                              1, 179, false, true, false});
-    scene.columns = {{"angle", "rad", "from straight down", true, false},
-                     {"exact", "rad", "closed form", true, false},
-                     {"error", "rad", "their difference", true, true},
-                     {"energy", "J", "kinetic and potential", true, false},
-                     {"joint", "m", "largest error of the pin", true, true}};
+                              1, 179, Numbers::real, OnChange::restarts});
+    scene.columns = {{"angle", "rad", "from straight down", Plot::linear},
+                     {"exact", "rad", "closed form", Plot::linear},
+                     {"error", "rad", "their difference", Plot::logarithmic},
+                     {"energy", "J", "kinetic and potential", Plot::linear},
+                     {"joint", "m", "largest error of the pin", Plot::logarithmic}};
     return scene;
 }
 
@@ -76,15 +77,15 @@ inline Demo double_scene()
             return setup;
         });
     scene.tunables.push_back({"angle", "°", "of both rods at the start", 120, 1,
-                              179, false, true, false});
+                              179, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"hair", "rad", "by which the second start differs",
-                              1e-3, 0, 0.1, false, true, false});
+                              1e-3, 0, 0.1, Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"angle_1", "rad", "of the upper rod", true, false},
-        {"angle_2", "rad", "of the lower rod", true, false},
-        {"apart", "m", "between the ends of the two starts", true, true},
-        {"energy", "J", "mean of the two", true, false},
-        {"joint", "m", "largest error of a pin", true, true}};
+        {"angle_1", "rad", "of the upper rod", Plot::linear},
+        {"angle_2", "rad", "of the lower rod", Plot::linear},
+        {"apart", "m", "between the ends of the two starts", Plot::logarithmic},
+        {"energy", "J", "mean of the two", Plot::linear},
+        {"joint", "m", "largest error of a pin", Plot::logarithmic}};
     return scene;
 }
 

@@ -15,9 +15,9 @@ inline void draw_point_velocities(Canvas& canvas, const Bodies<3>& bodies,
     for (int i = 0; i <= 6; ++i) {
         const Vec2 p = point_of(bodies.x, 0, {i / 6.0 - 0.5, 0});
         canvas.arrow(p, p + scale * velocity_at(old, 0, p),
-                     {Colour::faint, 1.5, 1, false, false});
+                     {Colour::faint, 1.5, 1});
         canvas.arrow(p, p + scale * velocity_at(bodies, 0, p),
-                     {Colour::blue, 2, 1, false, false});
+                     {Colour::blue, 2, 1});
     }
 }
 
@@ -65,17 +65,17 @@ inline Demo rod_scene()
             };
             return setup;
         });
+    scene.tunables.push_back({"angle", "°", "of the rod to the floor", 30, 1, 90,
+                              Numbers::real, OnChange::restarts});
     scene.tunables.push_back(
-        {"angle", "°", "of the rod to the floor", 30, 1, 90, false, true, false});
-    scene.tunables.push_back(
-        {"restitution", "", "e", 0.5, 0, 1, false, true, false});
+        {"restitution", "", "e", 0.5, 0, 1, Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"lambda", "N s", "impulse of the floor in the last step", true, false},
-        {"v", "m/s", "of the centre, upwards", true, false},
-        {"omega", "rad/s", "counterclockwise", true, false},
-        {"lambda_exact", "N s", "by hand", false, false},
-        {"v_exact", "m/s", "by hand", false, false},
-        {"omega_exact", "rad/s", "by hand", false, false}};
+        {"lambda", "N s", "impulse of the floor in the last step", Plot::linear},
+        {"v", "m/s", "of the centre, upwards", Plot::linear},
+        {"omega", "rad/s", "counterclockwise", Plot::linear},
+        {"lambda_exact", "N s", "by hand"},
+        {"v_exact", "m/s", "by hand"},
+        {"omega_exact", "rad/s", "by hand"}};
     return scene;
 }
 
@@ -103,23 +103,23 @@ inline Demo percussion_scene()
                 const Vec2 hit(d, 0);
                 canvas.arrow(hit - Vec2(0, 0.3), hit, paint::impulse);
                 canvas.segment({-0.5, 0}, {0.5, 0},
-                               {Colour::faint, 1, 1, false, true});
+                               {Colour::faint, 1, 1, Paint::dashed});
                 if (d > 1.0 / 6) {
                     canvas.disc({-1 / (12 * d), 0}, 0.015,
-                                {Colour::green, 1, 1, true, false});
+                                {Colour::green, 1, 1, Paint::filled});
                     canvas.text({-1 / (12 * d), -0.07}, "stays at first", 14,
-                                {Colour::green, 1, 1, false, false}, Align::centre);
+                                {Colour::green, 1, 1}, Align::centre);
                 }
             };
             return setup;
         });
     scene.tunables.push_back({"distance", "m",
                               "from the centre to where it is struck", 0.5, -0.5,
-                              0.5, false, true, false});
+                              0.5, Numbers::real, OnChange::restarts});
     scene.columns = {
-        {"left", "m/s", "velocity of the left end, upwards", true, false},
-        {"right", "m/s", "of the right end", true, false},
-        {"omega", "rad/s", "counterclockwise", true, false}};
+        {"left", "m/s", "velocity of the left end, upwards", Plot::linear},
+        {"right", "m/s", "of the right end", Plot::linear},
+        {"omega", "rad/s", "counterclockwise", Plot::linear}};
     return scene;
 }
 

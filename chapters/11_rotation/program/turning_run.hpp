@@ -48,10 +48,10 @@ Demo turning_demo(const std::string& name, const std::string& summary,
     scene.view = view;
     scene.h = h;
     scene.methods = std::move(methods);
-    scene.tunables = {
-        {"substeps", "", "parts of a step", 1, 1, 64, true, false, true},
-        {"sweeps", "", "sweeps a sub-step, of the methods that sweep", 10, 1, 200,
-         true, false, false}};
+    scene.tunables = {{"substeps", "", "parts of a step", 1, 1, 64, Numbers::whole,
+                       OnChange::goes_on, Keys::up_and_down},
+                      {"sweeps", "", "sweeps a sub-step, of the methods that sweep",
+                       10, 1, 200, Numbers::whole}};
     scene.start = [setup = std::move(setup)](const Settings& settings) {
         return std::make_unique<Turning>(setup(settings), settings);
     };

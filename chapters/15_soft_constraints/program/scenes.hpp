@@ -4,13 +4,15 @@
 
 #include "chapters/14_joints/joint_scenes.hpp"
 #include "chapters/15_soft_constraints/program/soft_run.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
 inline Tunable number(const char* name, const char* unit, const char* help,
-                      Real value, Real low, Real high, bool whole = false)
+                      Real value, Real low, Real high,
+                      Numbers numbers = Numbers::real)
 {
-    return {name, unit, help, value, low, high, whole, true, false};
+    return {name, unit, help, value, low, high, numbers, OnChange::restarts};
 }
 
 /// A mass on a spring beside the motion of the differential equation.
@@ -30,8 +32,8 @@ inline Demo spring_scene()
                            w = omega * std::sqrt(std::abs(1 - z * z));
                 Real truth = 0;
                 if (z < 1)
-                    truth = 0.5 * std::exp(-z * omega * s.t) *
-                            (std::cos(w * s.t) + z * omega / w * std::sin(w * s.t));
+                    truth = 0.5 * exp(-z * omega * s.t) *
+                            (cos(w * s.t) + z * omega / w * sin(w * s.t));
                 return {x, truth, energy(s.scene) + s.spring_energy()};
             };
             return setup;
@@ -40,9 +42,9 @@ inline Demo spring_scene()
         number("spring", "Hz", "frequency of the spring", 2, 0.01, 1e6));
     scene.tunables.push_back(
         number("damping", "", "its damping ratio", 0, 0, 0.99));
-    scene.columns = {{"x", "m", "out of its rest", true, false},
-                     {"exact", "m", "of the differential equation", true, false},
-                     {"energy", "J", "kinetic and of the spring", true, false}};
+    scene.columns = {{"x", "m", "out of its rest", Plot::linear},
+                     {"exact", "m", "of the differential equation", Plot::linear},
+                     {"energy", "J", "kinetic and of the spring", Plot::linear}};
     return scene;
 }
 
@@ -63,13 +65,14 @@ inline Demo stack_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(number("boxes", "", "below it", 5, 1, 40, true));
+    scene.tunables.push_back(
+        number("boxes", "", "below it", 5, 1, 40, Numbers::whole));
     scene.tunables.push_back(
         number("ratio", "", "mass of the top over that of a box", 10, 0.01, 1e5));
     scene.columns = {
-        {"overlap", "m", "the deepest", true, true},
-        {"sunk", "m", "how far the top is below its start", true, false},
-        {"energy", "J", "kinetic and potential", true, false}};
+        {"overlap", "m", "the deepest", Plot::logarithmic},
+        {"sunk", "m", "how far the top is below its start", Plot::linear},
+        {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 
@@ -92,17 +95,17 @@ inline Demo suspension_scene()
     scene.tunables.push_back(
         number("spring", "Hz", "frequency of the spring", 5, 0.5, 50));
     scene.tunables.push_back(number("damping", "", "its damping ratio", 0.1, 0, 5));
-    scene.columns = {{"body", "m", "height of the body", true, false},
-                     {"spring", "m", "length of the spring", true, false},
-                     {"overlap", "m", "of wheel and floor", false, true}};
+    scene.columns = {{"body", "m", "height of the body", Plot::linear},
+                     {"spring", "m", "length of the spring", Plot::linear},
+                     {"overlap", "m", "of wheel and floor"}};
     return scene;
 }
 
 inline std::vector<Column> net_columns()
 {
-    return {{"energy", "J", "kinetic, potential, of springs", true, false},
-            {"stored", "J", "of springs", true, false},
-            {"overlap", "m", "the deepest", false, true}};
+    return {{"energy", "J", "kinetic, potential, of springs", Plot::linear},
+            {"stored", "J", "of springs", Plot::linear},
+            {"overlap", "m", "the deepest"}};
 }
 
 inline std::vector<Real> net_measures(const SoftState& s)
@@ -171,12 +174,13 @@ inline Demo soft_bridge_scene()
             };
             return setup;
         });
-    scene.tunables.push_back(number("planks", "", "of it", 12, 2, 100, true));
+    scene.tunables.push_back(
+        number("planks", "", "of it", 12, 2, 100, Numbers::whole));
     scene.tunables.push_back(
         number("load", "kg", "of each of three boxes", 20, 1, 5000));
-    scene.columns = {{"gap", "m", "largest error of a joint", true, true},
-                     {"overlap", "m", "the deepest", true, true},
-                     {"energy", "J", "kinetic and potential", true, false}};
+    scene.columns = {{"gap", "m", "largest error of a joint", Plot::logarithmic},
+                     {"overlap", "m", "the deepest", Plot::logarithmic},
+                     {"energy", "J", "kinetic and potential", Plot::linear}};
     return scene;
 }
 

@@ -135,7 +135,7 @@ public:
             if (joint.kind != ConstraintKind::spring) continue;
             canvas.segment(point_of(scene.bodies.x, joint.a, joint.at_a),
                            point_of(scene.bodies.x, joint.b, joint.at_b),
-                           {Colour::purple, 1.4, 0.9, false, false});
+                           {Colour::purple, 1.4, 0.9});
         }
         for (Index k = 0; k < scene.bodies.count(); ++k)
             paint_rigid_body(canvas, scene, k);
@@ -143,7 +143,7 @@ public:
             if (joint.kind != ConstraintKind::spring &&
                 joint.measure != PointJoint::Measure::angle)
                 canvas.disc(point_of(scene.bodies.x, joint.b, joint.at_b), 0.02,
-                            {Colour::orange, 1, 1, true, false});
+                            {Colour::orange, 1, 1, Paint::filled});
     }
 
 private:
@@ -160,12 +160,11 @@ inline Demo soft_demo(const std::string& name, const std::string& summary,
     Demo scene = turning_demo<SoftRun>(
         name, summary, view, h,
         {"soft", "preloaded", "hard", "xpbd", "bodies", "exact"}, setup);
-    scene.tunables.push_back({"frequency", "Hz", "of contacts and joints", 30, 0.1,
-                              1000, false, false, false});
     scene.tunables.push_back(
-        {"zeta", "", "their damping ratio", 10, 0, 100, false, false, false});
+        {"frequency", "Hz", "of contacts and joints", 30, 0.1, 1000});
+    scene.tunables.push_back({"zeta", "", "their damping ratio", 10, 0, 100});
     scene.tunables.push_back({"relax", "", "1: the velocity that corrects is taken",
-                              1, 0, 1, true, false, false});
+                              1, 0, 1, Numbers::whole});
     return scene;
 }
 

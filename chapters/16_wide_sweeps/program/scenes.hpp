@@ -23,7 +23,7 @@ inline Demo column_scene()
                       return rough(box_stack(static_cast<int>(settings["boxes"])));
                   });
     scene.tunables.push_back(
-        wide_tunable("boxes", "of the column", 5, 1, 40, true));
+        wide_tunable("boxes", "of the column", 5, 1, 40, OnChange::restarts));
     return scene;
 }
 
@@ -34,8 +34,8 @@ inline Demo wide_pyramid_scene()
                   {{0, 4.2}, {5.2, 4.6}}, [](const Settings& settings) {
                       return rough(box_pyramid(static_cast<int>(settings["base"])));
                   });
-    scene.tunables.push_back(
-        wide_tunable("base", "boxes of the lowest row", 8, 1, 30, true));
+    scene.tunables.push_back(wide_tunable("base", "boxes of the lowest row", 8, 1,
+                                          30, OnChange::restarts));
     return scene;
 }
 
@@ -46,7 +46,8 @@ inline Demo wide_pile_scene()
                   {{0, 3}, {5, 3.6}}, [](const Settings& settings) {
                       return rough(pile(static_cast<int>(settings["bodies"])));
                   });
-    scene.tunables.push_back(wide_tunable("bodies", "that fall", 60, 1, 300, true));
+    scene.tunables.push_back(
+        wide_tunable("bodies", "that fall", 60, 1, 300, OnChange::restarts));
     return scene;
 }
 

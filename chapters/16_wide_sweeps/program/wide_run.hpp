@@ -81,7 +81,7 @@ public:
                 method_ == "given" || colour < 0
                     ? Colour::faint
                     : hues[static_cast<std::size_t>(colour) % hues.size()],
-                2.5, 1, false, false};
+                2.5, 1};
             canvas.segment(scene_.bodies.position(contact.b).head<2>(),
                            contact.point, style);
             if (contact.a != world)
@@ -121,9 +121,10 @@ private:
 };
 
 inline Tunable wide_tunable(const char* name, const char* help, Real value,
-                            Real low, Real high, bool restarts = false)
+                            Real low, Real high,
+                            OnChange on_change = OnChange::goes_on)
 {
-    return {name, "", help, value, low, high, true, restarts, false};
+    return {name, "", help, value, low, high, Numbers::whole, on_change};
 }
 
 inline Demo wide_demo(const std::string& name, const std::string& summary,
@@ -138,11 +139,10 @@ inline Demo wide_demo(const std::string& name, const std::string& summary,
     scene.tunables.push_back(
         wide_tunable("threads", "that share a colour, of wide", 1, 1, 8));
     scene.columns = {
-        {"moved", "m", "the body that has moved farthest", true, true},
-        {"residual", "m/s", "natural residual after the sweeps", true, true},
-        {"chain", "", "longest chain of visits that wait for each other", false,
-         false},
-        {"colours", "", "of the bundles", false, false}};
+        {"moved", "m", "the body that has moved farthest", Plot::logarithmic},
+        {"residual", "m/s", "natural residual after the sweeps", Plot::logarithmic},
+        {"chain", "", "longest chain of visits that wait for each other"},
+        {"colours", "", "of the bundles"}};
     return scene;
 }
 
