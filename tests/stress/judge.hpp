@@ -16,7 +16,8 @@
 
 namespace rigid {
 struct RoughScene;
-}
+struct JointedScene;
+}  // namespace rigid
 
 namespace rigid::stress {
 
@@ -100,6 +101,7 @@ inline void watch(const DiscScene&, const VecX&, const Task&, Verdict&) {}
 Real total_energy(const RoughScene& scene);
 Real lifting(const RoughScene& scene);
 Real largest_gap(const RoughScene& scene);
+Real largest_gap(const JointedScene& scene);  ///< its joints' as well [m, rad]
 bool stands_in_order(const RoughScene& scene);
 Real largest_speed(const RoughScene& scene, Real size);  ///< of a centroid, or of a rim that turns [m/s]
 Real speed_of_rest(const RoughScene& scene, const Task& task);

@@ -47,6 +47,7 @@ struct MethodOf {
     bool links_only = false;        ///< it knows no contacts
     bool walls_only = false;        ///< bodies touch walls and never each other
     bool friction = false;          ///< it knows friction
+    bool springs = true;            ///< of joints
     Index most_rows = 1'000'000;    ///< beyond that a step would take seconds: the cell stays empty
     std::vector<Setting> settings;  ///< their values point nowhere: only names
     std::function<StepOf<Scene>(std::shared_ptr<const Wish>)> start;

@@ -37,10 +37,10 @@ template <class Scene, class Solving>
 std::vector<Setting> settings_of(Scene& scene, StepSettings& settings, Solving& by)
 {
     std::vector<Setting> all = step_settings(scene, settings);
-    add_settings(all, by.correction);
+    if constexpr (requires { add_settings(all, by.correction); }) add_settings(all, by.correction);
     if constexpr (requires { by.start.factor; })
         all.push_back({"warm start factor", &by.start.factor, false});
-    if constexpr (requires { by.solver.sweeps; })
+    if constexpr (requires { by.solver.sweeps.tolerance; })
         all.push_back({"tolerance", &by.solver.sweeps.tolerance, true});
     if constexpr (requires { by.solver.find.settings.tolerance; })
         all.push_back({"exactness", &by.solver.find.settings.tolerance, true});
@@ -67,8 +67,11 @@ MethodOf<Scene> stepping(int chapter, const std::string& name, const std::string
     method.chapter = chapter;
     method.name = name;
     method.budget = budget;
-    method.has_restitution = true;
-    if constexpr (requires { by.correction.beta; })
+    method.has_restitution = requires { by.correction.restitution; };
+    if constexpr (requires {
+                      by.correction.beta;
+                      by.correction.method;
+                  })
         method.has_beta = by.correction.method != Stabilizer::none;
     {
         Scene scene;
@@ -87,8 +90,12 @@ MethodOf<Scene> stepping(int chapter, const std::string& name, const std::string
             const GravityGuard guard(scene);
             StepSettings settings{.h = h, .substeps = substeps};
             Solving& solving = memory->by;
-            solving.correction.restitution = std::max(Real{0}, wish->restitution);
-            if constexpr (requires { solving.correction.beta; })
+            if constexpr (requires { solving.correction.restitution; })
+                solving.correction.restitution = std::max(Real{0}, wish->restitution);
+            if constexpr (requires {
+                              solving.correction.beta;
+                              solving.correction.method;
+                          })
                 solving.correction.beta = wish->beta >= 0 ? wish->beta : by.correction.beta;
             const std::vector<Setting> all = settings_of(scene, settings, solving);
             std::vector<Real> before;

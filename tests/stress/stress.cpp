@@ -2,6 +2,7 @@
 ///
 ///     stress [--quick] [--csv FILE] [--only STRESS] [--method NAME] [--threads N] [--check FILE]
 ///     stress --turning [the same]                          bodies that turn
+///     stress --joints [the same]                           bodies on joints
 ///     stress --mark [--csv FILE]
 ///     stress --energy [--csv FILE]
 ///
@@ -11,9 +12,9 @@
 #include "common/program/interrupt.hpp"
 #include "common/program/progress.hpp"
 #include "common/text.hpp"
+#include "tests/stress/jointed.hpp"
 #include "tests/stress/stresses.hpp"
 #include "tests/stress/table.hpp"
-#include "tests/stress/turning.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -30,7 +31,7 @@ namespace {
 
 struct Options {
     std::string file, only, method, check;
-    bool quick = false, mark = false, energy = false, turning = false;
+    bool quick = false, mark = false, energy = false, turning = false, joints = false;
     int threads = 0;
 };
 
@@ -262,8 +263,10 @@ int main(int argc, char** argv)
     app.add_flag("--mark", options.mark, "two hard scenes with four sweeps a step: gaps in metres");
     app.add_flag("--energy", options.energy, "what is gained and lost where energy never changes: per cent");
     app.add_flag("--turning", options.turning, "bodies that turn, under the methods of chapters 11 to 13");
+    app.add_flag("--joints", options.joints, "bodies on joints, under the methods of chapters 14, 15 and 17");
     CLI11_PARSE(app, argc, argv);
     try {
+        if (options.joints) return run(options, jointed_stresses(), jointed_methods());
         if (options.turning) return run(options, turning_stresses(), turning_methods());
         return options.mark     ? mark(options)
                : options.energy ? energy(options)

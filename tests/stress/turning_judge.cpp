@@ -1,7 +1,8 @@
 #include "chapters/11_rotation/rigid_method.hpp"
 #include "chapters/12_contact_manifolds/manifold.hpp"
 #include "chapters/12_contact_manifolds/wall_manifold.hpp"
-#include "tests/stress/turning.hpp"
+#include "chapters/14_joints/joint.hpp"
+#include "tests/stress/jointed.hpp"
 
 namespace rigid::stress {
 
@@ -34,7 +35,7 @@ Real depth(const Manifold& m)
 bool joined(const RigidScene& scene, Index a, Index b)
 {
     for (const PointJoint& joint : scene.joints)
-        if (joint.a == std::min(a, b) && joint.b == std::max(a, b)) return true;
+        if ((joint.a == a && joint.b == b) || (joint.a == b && joint.b == a)) return true;
     return false;
 }
 
@@ -61,6 +62,15 @@ Real largest_gap(const RoughScene& scene)
             largest = std::max(largest, depth(collide(placed.of(a), placed.of(b))));
         }
     }
+    return largest;
+}
+
+Real largest_gap(const JointedScene& scene)
+{
+    Real largest = largest_gap(static_cast<const RoughScene&>(scene));
+    for (const PointJoint& row : scene.joints)
+        if (row.kind == ConstraintKind::unilateral)
+            largest = std::max(largest, -joint_constraint(scene.bodies.x, row).C);
     return largest;
 }
 

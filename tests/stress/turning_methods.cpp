@@ -1,30 +1,12 @@
 #include "chapters/12_contact_manifolds/manifold_method.hpp"
-#include "chapters/13_friction/friction_solver.hpp"
+#include "tests/stress/engine_column.hpp"
 #include "tests/stress/stepping.hpp"
 #include "tests/stress/turning.hpp"
+#include "tests/stress/turning_honest.hpp"
 
 namespace rigid::stress {
 
 namespace {
-
-/// The rows of the last sub-step with their answer, the bounds of friction set by it: one step of sixteen.
-struct HonestTurning {
-    bool lambda_is_of_these_rows = true;
-    long steps = 0;
-    AssemblyScratch scratch;
-    Mlcp mlcp;
-    std::vector<FrictionBox> boxes;
-
-    template <class Solving>
-    void operator()(const Solving&, const StepData<3>& now)
-    {
-        if (!lambda_is_of_these_rows || now.solution.status != Status::solved || steps++ % 16 != 0) return;
-        assemble(now.rows, now.u_star, scratch, mlcp);
-        boxes_of(now.rows, boxes);
-        bound_by(boxes, now.solution.lambda, mlcp);
-        require_honest(mlcp, now.solution);
-    }
-};
 
 /// The second half of RATTLE is a problem of its own, as in the first matrix.
 struct HonestRattle {
@@ -118,6 +100,7 @@ std::vector<TurningMethod> turning_methods()
     for (TurningMethod& method : all)
         if (method.name.find("exact") != std::string::npos) method.most_rows = 330;
     all.back().most_rows = 60;  // pivots of a dense tableau
+    all.push_back(engine_method<RoughScene>("engine", {}));
     return all;
 }
 

@@ -48,7 +48,7 @@ struct Engine {
 };
 
 /// What the peers leave alone [m]: in piles a twentieth of a millimetre, so that it is not the slop that decides.
-Real peer_slop(const EngineScene& scene)
+[[maybe_unused]] Real peer_slop(const EngineScene& scene)
 {
     return scene.collides ? 5e-5 : PeerSettings{}.slop;
 }

@@ -1,0 +1,18 @@
+/// \file jointed.hpp
+/// The third stability matrix: bodies on joints, under the methods of chapters 14 and 15 and the engine of chapter 17.
+///
+/// Machinery, judge and levels are those of the first; the gap of a joint is that of its frame, its rope or its limit.
+#pragma once
+
+#include "tests/stress/turning.hpp"
+
+namespace rigid::stress {
+
+using JointedMethod = MethodOf<JointedScene>;
+using JointedStress = StressOf<JointedScene>;
+
+/// What the methods may spend: ten sweeps a step, eight small steps, or an exact answer.
+std::vector<JointedMethod> jointed_methods();
+std::vector<JointedStress> jointed_stresses();
+
+}  // namespace rigid::stress
