@@ -10,6 +10,20 @@
 
 namespace rigid {
 
+inline void biases_of(const std::vector<Row<3>>& rows, VecX& b)
+{
+    b.resize(static_cast<Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        b[static_cast<Index>(i)] = rows[i].bias;
+}
+
+/// u ← u + M⁻¹ Jᵀ λ
+inline void apply_all(const std::vector<Row<3>>& rows, const VecX& lambda, VecX& u)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].apply(lambda[static_cast<Index>(i)], u);
+}
+
 /// The natural residual of all rows [m/s], (3.15), with the bounds that λ sets.
 /// \param b  of each row, in place of its own bias
 inline Real natural_residual(const std::vector<Row<3>>& rows, const VecX& b,

@@ -62,7 +62,6 @@ struct NewtonPositions : NewtonSettings, Restitution {
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<3>& now)
     {
-        constexpr int Dof = 3;
         auto& bodies = scene.bodies;
         const Real h = settings.part();
         advance_positions(bodies, h, now);
@@ -75,6 +74,8 @@ struct NewtonPositions : NewtonSettings, Restitution {
         renewals = 0;
         gave_up_pushing = false;
         Real pushed = 0;  // the largest part of an overlap that is to come out
+        Real best = 0, part = 1;
+        bool fresh = false;  // J is that of the best positions so far
         for (iterations = 0;; ++iterations) {
             const Real before = left;
             left = 0;
@@ -99,10 +100,24 @@ struct NewtonPositions : NewtonSettings, Restitution {
                     }
                 }
             }
+            const Real allowed = std::max({best, pushed, tolerance * now.length});
+            if (iterations > 0 && !(left <= allowed)) {  // worse than before
+                put_back(bodies, now);
+                left = best;
+                if (iterations >= most) break;
+                if (!fresh) continue;  // with the J of here; then half as far
+                part /= 2;
+                go(bodies, part * h, now);
+                continue;
+            }
             if (iterations >= most || (left <= tolerance * now.length && !wanted))
                 break;
+            keep(bodies, now);
+            best = left;
+            part = 1;
             // the old J is good enough while it takes nine tenths of the error
-            if (iterations > 0 && left > before / 10) renew(solver, bodies, now);
+            fresh = iterations > 0 && left > before / 10;
+            if (fresh) renew(solver, bodies, now);
             solver.solve_apart(second, v, now);
             if (wanted && goes_far(now, h, std::max(pushed, left))) {
                 // overlaps that work against each other: they stay
@@ -112,14 +127,27 @@ struct NewtonPositions : NewtonSettings, Restitution {
                         second.bias[i] = std::max(Real{0}, second.bias[i]);
                 solver.solve_apart(second, v, now);
             }
-            for (const int k : now.active)
-                bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
+            go(bodies, h, now);
         }
         if (renewals > 0) now.rows.swap(rows_);  // those that λ belongs to
     }
     //! [newton]
 
 private:
+    void go(Bodies<3>& bodies, Real h, const StepData<3>& now) const
+    {
+        for (const int k : now.active) bodies.integrate(k, v.segment<3>(3 * k), h);
+    }
+    void keep(const Bodies<3>& bodies, const StepData<3>& now)
+    {
+        kept_.resize(bodies.x.size());
+        for (const int k : now.active) kept_.segment<3>(3 * k) = bodies.position(k);
+    }
+    void put_back(Bodies<3>& bodies, const StepData<3>& now) const
+    {
+        for (const int k : now.active) bodies.position(k) = kept_.segment<3>(3 * k);
+    }
+
     /// Whether v moves a body much farther than what is to be corrected, and by more than a twentieth of ℓ.
     bool goes_far(const StepData<3>& now, Real h, Real wanted) const
     {
@@ -145,6 +173,7 @@ private:
         }
     }
     std::vector<Row<3>> rows_;
+    VecX kept_;  ///< positions of the active bodies with the least error so far
 };
 
 }  // namespace rigid

@@ -46,9 +46,7 @@ struct TreeSolver {
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
         factor_again(bodies, now);
-        bias_.resize(now.solution.lambda.size());
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
-            bias_[static_cast<Index>(i)] = now.rows[i].bias;
+        biases_of(now.rows, bias_);
         enough_ = std::max(std::max(tolerance, 1e-9) * now.length,
                            noise_of_corners(bodies, now));
         answer(bodies, now);
@@ -127,6 +125,7 @@ private:
              const Begin& begin, VecX& u, VecX& lambda, StepData<3>& now)
     {
         const bool any = clamp_start(now.rows, left_out, lambda);
+        unlike_ = 0;
         begin();
         bool found = !any;
         if (any && most_exact > 0) {
@@ -159,19 +158,23 @@ private:
     static constexpr Real much_carried = 1e4;
 
     /// (14.26): u from λ itself, and what is missing then once more, while that helps.
+    /// Where it does not, u stays what the tree said, and is not called solved.
     template <class Begin>
     void refine(JointFactor& factor, const Begin& begin, VecX& u, VecX& lambda,
                 StepData<3>& now)
     {
+        said_ = u;
         for (Real before = infinity;;) {
             begin();
-            for (std::size_t i = 0; i < now.rows.size(); ++i)
-                now.rows[i].apply(lambda[static_cast<Index>(i)], u);
+            apply_all(now.rows, lambda, u);
             const Real left = joint_residual(now.rows, bias_, lambda, u);
-            if (!(left > enough_ / 2 && left < before / 2)) return;
+            if (left <= enough_ / 2) return;
+            if (!(left < before / 2)) break;
             before = left;
             solve_joints(factor, u, lambda, now);
         }
+        unlike_ = (u - said_).norm();
+        u.swap(said_);
     }
     //! [refine]
 
@@ -223,8 +226,8 @@ private:
     void judge(const VecX& u, const VecX& lambda, const StepData<3>& now,
                Solution& solution) const
     {
-        const Real residual = natural_residual(now.rows, bias_, lambda, u);
-        solution.residual = residual;
+        const Real residual = solution.residual =
+            std::max(unlike_, natural_residual(now.rows, bias_, lambda, u));
         solution.iterations = sweeps_made;
         solution.status = residual <= enough_ ? Status::solved
                           : joints.tree.dependent > 0 || !std::isfinite(residual)
@@ -233,6 +236,8 @@ private:
     }
 
     VecX bias_, missing_, change_, inverse_mass_;
+    VecX said_;        ///< velocities of the tree before they were refined
+    Real unlike_ = 0;  ///< what λ makes of u, where it is something else
     Real enough_ = 0;  ///< a residual below this is none [m/s]
     // are factor and A of velocities, of positions, those of the present rows?
     bool listed_ = false, listed_apart_ = false;

@@ -187,10 +187,13 @@ JointedStress zero_length()
 
 JointedStress long_chain()
 {
-    return stress_of("long chain", "a chain of N rods of 1 m on pins, let go at 30°, two seconds",
-                     {10, 30, 100, 300, 1000}, "rods", [](Real N) {
-                         return Case{chain(static_cast<int>(N)), moving()};
-                     });
+    JointedStress stress =
+        stress_of("long chain", "a chain of N rods of 1 m on pins, let go at 30°, two seconds",
+                  {10, 30, 100, 300, 1000}, "rods", [](Real N) {
+                      return Case{chain(static_cast<int>(N)), moving()};
+                  });
+    stress.quick = false;
+    return stress;
 }
 
 JointedStress loaded_chain()
@@ -261,7 +264,8 @@ JointedStress stiff_spring()
     return stress_of(
         "stiff spring",
         "a slider of 10 kg on a spring of this stiffness, damped to a tenth, let go at 0.1 m: two seconds",
-        {1e2, 1e4, 1e6, 1e9, 1e12}, "N/m", [](Real stiffness) {
+        {1e2, 1e4, 1e6, 1e9, 1e12}, "N/m",
+        [](Real stiffness) {
             Case now{{}, moving()};
             now.scene.gravity.setZero();
             const Index slider = add_body(now.scene, box(0.5, 0.5), 40, {0.1, 0});
@@ -272,7 +276,8 @@ JointedStress stiff_spring()
             add_joint(now.scene, joint);
             now.task.lift = now.task.energy = 0.5 * stiffness * 0.01;  // what the spring holds
             return now;
-        });
+        },
+        Springs::some);
 }
 
 /// A rod on a pin with limits and a motor, a weld, a rope, over a floor.
