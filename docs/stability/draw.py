@@ -1,4 +1,4 @@
-"""Draws the heat maps of docs/stability.md from the table, and from turning.csv beside it.
+"""Draws the heat maps of docs/stability.md from the table, and from turning.csv and joints.csv beside it.
 
     docs/stability/draw.py TABLE FOLDER
 """
@@ -130,8 +130,9 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "stability_overview.svg").write_text(overview(table), encoding="utf-8")
     (folder / "stability_matrix.svg").write_text(matrix(table), encoding="utf-8")
-    turning = Table(pathlib.Path(sys.argv[1]).with_name("turning.csv"))
-    (folder / "stability_turning.svg").write_text(matrix(turning), encoding="utf-8")
+    for kind in ("turning", "joints"):
+        other = Table(pathlib.Path(sys.argv[1]).with_name(f"{kind}.csv"))
+        (folder / f"stability_{kind}.svg").write_text(matrix(other), encoding="utf-8")
 
 
 main()

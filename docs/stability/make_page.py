@@ -18,6 +18,7 @@ In page.txt stands, between « and »:
     stresses                         how many stresses, in a word
     energy                           the section on gained and lost energy, from energy.csv beside the mark; nothing without it
     turning QUESTION                 the same questions of turning.csv beside the matrix: bodies that turn
+    joints QUESTION                  the same of joints.csv: bodies on joints
 """
 
 import csv
@@ -29,7 +30,8 @@ from matrix_table import Table
 
 CHAPTERS = {3: "03_mlcp_formulation", 4: "04_pgs", 5: "05_lemke", 6: "06_sequential_impulse", 7: "07_baumgarte",
             8: "08_warm_starting", 9: "09_active_sets", 10: "10_skipping_work",
-            11: "11_rotation", 12: "12_contact_manifolds", 13: "13_friction"}
+            11: "11_rotation", 12: "12_contact_manifolds", 13: "13_friction",
+            14: "14_joints", 15: "15_soft_constraints", 17: "17_engine"}
 
 
 def chapter(number):
@@ -46,7 +48,7 @@ ENERGY = """Nothing brakes these three linkages, so their exact energy never cha
 class Page:
     def __init__(self, matrix, mark):
         self.table = Table(matrix)
-        self.table_of_turning = Table(pathlib.Path(matrix).with_name("turning.csv"))
+        self.others = {kind: Table(pathlib.Path(matrix).with_name(f"{kind}.csv")) for kind in ("turning", "joints")}
         with open(mark, encoding="utf-8") as file:
             self.marks = list(csv.DictReader(file))
         beside = pathlib.Path(mark).with_name("energy.csv")
@@ -58,11 +60,17 @@ class Page:
                 return level
         raise SystemExit(f"'{stress}' has no level '{value}'; it has {', '.join(self.table.values[stress].values())}")
 
-    def turning(self, *question):
-        """A question to the other table."""
+    def other(self, kind, question):
+        """A question to another table."""
         other = Page.__new__(Page)
-        other.table, other.marks, other.energies = self.table_of_turning, [], []
+        other.table, other.marks, other.energies = self.others[kind], [], []
         return other.fill(" / ".join(question))
+
+    def turning(self, *question):
+        return self.other("turning", question)
+
+    def joints(self, *question):
+        return self.other("joints", question)
 
     def fill(self, question):
         word, _, rest = question.partition(" ")
@@ -117,7 +125,7 @@ class Page:
 
     def stresses(self):
         count = len(self.table.stresses)
-        return {15: "fifteen", 16: "sixteen", 17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty"}.get(count, str(count))
+        return {12: "twelve", 13: "thirteen", 14: "fourteen", 15: "fifteen", 16: "sixteen", 17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty"}.get(count, str(count))
 
     def energy(self):
         """What each method gains and loses where nothing should be gained or lost."""

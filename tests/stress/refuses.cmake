@@ -1,8 +1,8 @@
-# Every cell of the stress "bad input" must have the full score, of discs and of bodies that turn.
-foreach(turning IN ITEMS "" "--turning")
-  execute_process(COMMAND ${STRESS} --quick ${turning} --only "bad input" OUTPUT_VARIABLE table RESULT_VARIABLE code)
+# Every cell of the stress "bad input" must have the full score, of discs, of bodies that turn and of those on joints.
+foreach(kind IN ITEMS "" "--turning" "--joints")
+  execute_process(COMMAND ${STRESS} --quick ${kind} --only "bad input" OUTPUT_VARIABLE table RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
-    message(FATAL_ERROR "stress ${turning} ended with ${code}")
+    message(FATAL_ERROR "stress ${kind} ended with ${code}")
   endif()
   string(REGEX MATCHALL "bad input,[^\n]*" cells "${table}")
   list(LENGTH cells count)
