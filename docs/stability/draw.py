@@ -61,7 +61,7 @@ def columns(table, left, top):
     for number, (chapter, begin, end) in enumerate(spans):
         y = top - 168
         lines.append(f'<path d="M{begin:g} {y}H{end - 1:g}" stroke="{INK}"/>')
-        wide = end - begin > 90
+        wide = end - begin > max(90, 6.2 * len(COLUMNS[chapter]))
         lines.append(text(begin, y - 5, COLUMNS[chapter] if wide else f"{chapter}.", 11))
     return lines, x
 
@@ -77,16 +77,23 @@ def places(table, left):
     return found
 
 
-def legend(left, y):
+def legend(left, y, right):
+    """What the colours mean, in as many lines as fit, and how far down it goes."""
     lines, x = [], left
     for share, words in ((0, "0: NaN, explosion, silent error"), (1 / 3, "33: finite, but failed"), (2 / 3, "67: holds"),
                          (1, "100: accurate")):
+        if x > left and x + 20 + 6.4 * len(words) > right:
+            x, y = left, y + 18
         rgb = colour(share)
         lines.append(f'<rect x="{x:g}" y="{y - 11:g}" width="14" height="14" fill="rgb({rgb[0]},{rgb[1]},{rgb[2]})"/>')
         lines.append(text(x + 20, y, words, 11))
         x += 20 + 6.4 * len(words) + 24
-    lines.append(text(left, y + 18, "in a cell: mean of the perturbations in per cent, and the lowest score, 0 to 3; a dot: does not apply", 11))
-    return lines
+    for words in ("in a cell: mean of the perturbations in per cent, and the lowest score, 0 to 3;", "a dot: does not apply"):
+        if x > left and x + 6.2 * len(words) > right or words.startswith("in"):
+            x, y = left, y + 18
+        lines.append(text(x, y, words, 11))
+        x += 6.2 * len(words)
+    return lines, y
 
 
 def page(width, height, lines):
@@ -103,8 +110,8 @@ def overview(table):
         lines.append(text(left - 8, y + high / 2 + 4, stress, 12, "end"))
         for method in table.methods:
             lines += cell(at[method], y, high, table.row(stress, method))
-    y = top + high * len(table.stresses) + 26
-    return page(right + 10, y + 30, lines + legend(left, y))
+    more, y = legend(left, top + high * len(table.stresses) + 26, right)
+    return page(right + 10, y + 12, lines + more)
 
 
 def matrix(table):
@@ -120,7 +127,8 @@ def matrix(table):
                 lines += cell(at[method], y, high, table.cell(stress, level, method))
             y += high
         y += 6
-    return page(right + 10, y + 50, lines + legend(left, y + 20))
+    more, y = legend(left, y + 20, right)
+    return page(right + 10, y + 12, lines + more)
 
 
 def main():

@@ -128,7 +128,7 @@ JointedStress contradictory()
 JointedStress fighting_motors()
 {
     return stress_of(
-        "motors that disagree",
+        "motors at odds",
         "a rod on a pin, two motors of this torque that want +10 and −10 rad/s: it stays, two seconds",
         {1, 1e2, 1e4, 1e6, 1e8}, "N m", [](Real torque) {
             Case now{{}, moving()};
