@@ -78,7 +78,10 @@ public:
                 bound(rows, i, number, enough, problem);
                 solution.lambda[i] = lambda[number];
             }
-            if (m > most) sweep(problem, settings, sweeps, enough);
+            if (!is_finite(mlcp)) {  // an overflow has no answer
+                solution.lambda.setZero();
+                solution.status = Status::singular;
+            } else if (m > most) sweep(problem, settings, sweeps, enough);
             else {
                 problem.find.settings = settings;
                 problem.find(mlcp, problem.boxes, enough, solution);
@@ -121,6 +124,12 @@ private:
                        memory.candidate, solution);
     }
     //! [sweep]
+
+    static bool is_finite(const Mlcp& mlcp)
+    {
+        const Eigen::Map<const VecX> values(mlcp.A.valuePtr(), mlcp.A.nonZeros());
+        return mlcp.q.allFinite() && values.allFinite();
+    }
 
     template <class Number>
     static std::size_t at(Number i)

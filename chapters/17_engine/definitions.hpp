@@ -125,6 +125,8 @@ struct StepWork {
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
     int unsolved = 0;  ///< islands whose residual is above the tolerance
+    /// bodies whose numbers overflowed and that were put back, at rest
+    int held = 0;
     int contacts = 0;  ///< points
     int rows = 0;
     std::int64_t visits = 0;         ///< rows visited, whatever for
@@ -132,7 +134,7 @@ struct StepWork {
     int sweeps = 0;                  ///< of the island that needed the most
     int stopped = 0;                 ///< fast bodies that were stopped on their way
     int woken = 0, fell_asleep = 0;  ///< bodies
-    /// the largest natural residual of a row [m/s]
+    /// the largest natural residual of a row [m/s]; infinite where numbers overflowed
     Real residual = 0;
     bool skipped =
         false;  ///< all slept and nothing was changed: no step was needed

@@ -115,7 +115,8 @@ private:
         exact.bounded_apart.forget();
         rescuer.bounded.forget();
         exactly.second.solution.lambda.setZero();
-        const bool same = now.same_rows && now.same_bodies && was_configured;
+        const bool same = same_motion(now.rows) && now.same_rows &&
+                          now.same_bodies && was_configured;
         swept.now.same_rows = swept.now.same_bodies = same;
         if (same) return;
         was_configured = true;
@@ -145,6 +146,21 @@ private:
         exactly.number(now, bodies.count());
     }
     //! [split]
+
+    /// Whether rows move the bodies that they moved in the step before. A heavy body
+    /// and a short arm may make that nothing in one step and something in the next.
+    bool same_motion(const std::vector<Row<3>>& rows)
+    {
+        bool same = motion_.size() == rows.size();
+        motion_.resize(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto here =
+                static_cast<char>(2 * moves_a(rows[i]) + moves_b(rows[i]));
+            same = same && motion_[i] == here;
+            motion_[i] = here;
+        }
+        return same;
+    }
 
     //! [rescue]
     /// What sweeps have left above the tolerance is solved exactly after all, where
@@ -190,6 +206,7 @@ private:
 
     IslandSurveyor survey_;
     std::vector<char> may_be_exact_;  ///< of each island that is swept
+    std::vector<char> motion_;        ///< of each row: which of its bodies it moves
 };
 
 }  // namespace rigid
