@@ -2,6 +2,7 @@
 
 #include "tests/no_allocation.hpp"
 
+#include "chapters/13_friction/friction_problems.hpp"
 #include "chapters/17_engine/island_choice.hpp"
 #include "chapters/17_engine/moving_worlds.hpp"
 #include "chapters/17_engine/recording.hpp"
@@ -487,6 +488,57 @@ TEST_CASE("worlds of extreme numbers never show one that is not finite", "[house
         CHECK(again.hash() == engine.hash());
     }
     CHECK(held > 0);
+}
+
+TEST_CASE("a solve that has looked at what it may ends with the best that it has", "[house]")
+{
+    Random random(13);
+    int hard = 0;
+    for (int round = 0; round < 12; ++round) {
+        const FrictionRows problem = random_rubble(random, 60, 1, 1);
+        std::vector<FrictionBox> boxes;
+        boxes_of(problem.rows, boxes);
+        const auto solve = [&](const FrictionSettings& settings, FrictionWork& work) {
+            Mlcp mlcp = assemble(problem.rows, problem.u_star);
+            FrictionMemory memory;
+            Solution solution;
+            friction_active_sets(mlcp, boxes, settings, memory, solution);
+            work = memory.work;
+            return solution;
+        };
+        FrictionWork whole, part, late;
+        FrictionSettings settings;
+        REQUIRE(solve(settings, whole).status == Status::solved);
+        if (whole.proximal_steps < 10) continue;
+        ++hard;
+        settings.most_entries = whole.entries / 4;
+        const Solution cut = solve(settings, part);
+        CHECK(cut.status == Status::iteration_limit);
+        CHECK(cut.lambda.allFinite());
+        CHECK(std::isfinite(cut.residual));
+        CHECK(part.entries < whole.entries / 2);  // it ends after a guess or some sweeps
+        settings.most_entries = 0;
+        settings.late = 5e-5;
+        const Solution good = solve(settings, late);
+        CHECK(good.status == Status::solved);
+        CHECK(good.residual <= 5e-5);
+        CHECK(late.entries <= whole.entries);
+    }
+    CHECK(hard >= 2);
+}
+
+TEST_CASE("rubble is solved in every step and no step looks at more than it may", "[idea]")
+{
+    World engine = rubble_world(40, 3);
+    std::int64_t most = 0;
+    for (int i = 0; i < 240; ++i) {
+        engine.step(frame);
+        CHECK(engine.work().unsolved == 0);
+        CHECK(engine.work().residual <= 1e-4);
+        most = std::max(most, engine.work().entries);
+    }
+    // 1e6; more than 1e7 where what guesses cannot settle must be as good as their answers: one walk of Lemke's algorithm
+    CHECK(most < 4'000'000);
 }
 
 TEST_CASE("hostile worlds stay finite or are refused", "[house]")

@@ -16,10 +16,11 @@ namespace rigid {
 class BoundedRows {
 public:
     BoundedIslands islands;
-    int columns = 0;   ///< of A, computed in the last eliminate()
-    int unsolved = 0;  ///< islands without an answer, of the last solve()
-    int guesses = 0;   ///< of all islands, in the last solve()
-    int swept = 0;     ///< islands that were too large for guesses
+    int columns = 0;           ///< of A, computed in the last eliminate()
+    int unsolved = 0;          ///< islands without an answer, of the last solve()
+    int guesses = 0;           ///< of all islands, in the last solve()
+    int swept = 0;             ///< islands that were too large for guesses
+    std::int64_t entries = 0;  ///< that guesses looked at
 
     /// A of an island.
     const SparseMatrix& matrix(int island) const
@@ -62,7 +63,7 @@ public:
                const FrictionSettings& settings, int most, int sweeps, Real enough,
                VecX& lambda)
     {
-        unsolved = guesses = swept = 0;
+        entries = unsolved = guesses = swept = 0;
         for (int k = 0; k < islands.count; ++k) {
             Problem& problem = problems_[at(k)];
             const std::vector<int>& here = islands.rows[at(k)];
@@ -86,6 +87,7 @@ public:
                 problem.find.settings = settings;
                 problem.find(mlcp, problem.boxes, enough, solution);
                 guesses += solution.iterations;
+                entries += problem.find.memory.work.entries;
             }
             swept += m > most;
             unsolved += solution.status != Status::solved;

@@ -31,7 +31,8 @@ struct IslandChoice {
 
     bool was_configured = false;  ///< false: islands are to be listed again
 
-    // Of the last solve.
+    // Of the last step.
+    std::int64_t entries = 0;  ///< of matrices, that exact solves looked at
     int exact_count = 0, swept_count = 0, rescued_count = 0, unsolved = 0;
 
     void require_valid() const
@@ -55,6 +56,7 @@ struct IslandChoice {
         }
         if (!exactly.empty()) {
             exact.solve(exactly.local, exactly.now);
+            entries += exact.bounded.entries;
             exactly.scatter(bodies, now);
         }
         rescue(bodies, now);
@@ -92,6 +94,7 @@ struct IslandChoice {
         };
         apart(swept, sweeps);
         apart(exactly, exact);
+        if (!exactly.empty()) entries += exact.bounded_apart.entries;
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
 
@@ -115,6 +118,8 @@ private:
         exact.bounded_apart.forget();
         rescuer.bounded.forget();
         exactly.second.solution.lambda.setZero();
+        set_price(now.length);
+        entries = 0;
         const bool same = same_motion(now.rows) && now.same_rows &&
                           now.same_bodies && was_configured;
         swept.now.same_rows = swept.now.same_bodies = same;
@@ -146,6 +151,18 @@ private:
         exactly.number(now, bodies.count());
     }
     //! [split]
+
+    //! [price]
+    /// What a solve may cost, and how good it must be where guesses do not settle it:
+    /// as good as sweeps would leave it. (Half of that: joints add their rounding.)
+    void set_price(Real length)
+    {
+        for (FrictionSettings* const how : {&exact.exact, &rescuer.exact}) {
+            how->late = tolerance * length / 2;
+            how->most_entries = rule.entries;
+        }
+    }
+    //! [price]
 
     /// Whether rows move the bodies that they moved in the step before. A heavy body
     /// and a short arm may make that nothing in one step and something in the next.
@@ -185,6 +202,7 @@ private:
         rescued.number(now, bodies.count());
         rescued.gather(bodies, now);
         rescuer.solve(rescued.local, rescued.now);
+        entries += rescuer.bounded.entries;
         rescued.scatter(bodies, now);
     }
     //! [rescue]
