@@ -64,8 +64,7 @@ inline bool last_resorts(FrictionMemory& memory, const FrictionSettings& setting
         return guess_friction(memory, settings, solution);
     };
     const auto affords = [&](Index up_to, std::int64_t price) {
-        if (mlcp.size() > up_to || is_spent(memory, settings, price))
-            return false;
+        if (mlcp.size() > up_to || is_spent(memory, settings, price)) return false;
         memory.work.entries += price;
         return true;
     };
