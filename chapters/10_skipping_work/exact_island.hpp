@@ -102,6 +102,10 @@ IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough,
         mlcp.lo[i] = row.lo - row.lambda;
         mlcp.hi[i] = row.hi - row.lambda;
     }
+    // an overflow has no answer
+    if (!mlcp.q.allFinite() ||
+        !Eigen::Map<const VecX>(mlcp.A.valuePtr(), n * n).allFinite())
+        return answer;
     guess_from_impulses<Dof>(rows, mlcp, memory);
     active_sets(mlcp, {}, memory, solution);
     //! [correction]

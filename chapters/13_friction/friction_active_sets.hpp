@@ -22,7 +22,9 @@ inline bool proximal_friction(FrictionMemory& memory,
     Real share = 0.1, last = infinity;
     memory.proximal_base = solution.lambda;
     bool settled = false;
-    for (int step = 0; step < settings.proximal_steps && !settled; ++step) {
+    for (int step = 0;
+         step < settings.proximal_steps && !settled && !is_spent(memory, settings);
+         ++step) {
         ++memory.work.proximal_steps;
         set_share(problem, share);
         memory.factor.forget();
@@ -61,7 +63,13 @@ inline bool last_resorts(FrictionMemory& memory, const FrictionSettings& setting
         memory.guess.lambda = memory.candidate;  // nearly right: guess from there
         return guess_friction(memory, settings, solution);
     };
-    if (mlcp.size() <= settings.most_rows_of_rounds) {
+    const auto affords = [&](Index up_to, std::int64_t price) {
+        if (mlcp.size() > up_to || is_spent(memory, settings, price)) return false;
+        memory.work.entries += price;
+        return true;
+    };
+    const std::int64_t cube = mlcp.size() * mlcp.size() * mlcp.size();
+    if (affords(settings.most_rows_of_rounds, cube / 8)) {
         ++memory.work.rounds;
         ActiveSetSettings of_rounds;
         of_rounds.tolerance = settings.tolerance;
@@ -71,12 +79,43 @@ inline bool last_resorts(FrictionMemory& memory, const FrictionSettings& setting
         active_sets(mlcp, boxes, of_rounds, memory.rounds, found);
         if (take(found)) return true;
     }
-    if (mlcp.size() <= settings.most_rows_of_walks) {
+    if (affords(settings.most_rows_of_walks, cube)) {
         ++memory.work.walks;
         if (take(stewart_trinkle_by_lemke(mlcp, boxes))) return true;
     }
     return false;
 }
+
+//! [retreat]
+/// What guesses alone cannot settle: sweeps and guesses, proximal steps, last resorts.
+/// \param settings  with what is enough from now on
+inline void retreat(FrictionMemory& memory, const FrictionSettings& settings,
+                    Solution& solution)
+{
+    FrictionProblem& problem = memory.problem;
+    FrictionGuess& guess = memory.guess;
+    const auto accept = [&] {
+        return accept_coulomb(*problem.mlcp, problem.boxes,
+                              {settings.tolerance, settings.enough},
+                              memory.candidate, solution);
+    };
+    problem.scale.enough = 0.5 * settings.enough;
+    memory.candidate = solution.lambda;  // the best may be enough now
+    if (settings.late > 0 && accept()) return;
+    for (int time = 0, sweeps = 10; time < settings.retreats; ++time, sweeps *= 3) {
+        if (is_spent(memory, settings)) return;
+        guess.lambda = solution.lambda;  // the best so far
+        sweep_friction(problem, sweeps, guess.box_of, guess.lambda);
+        memory.work.sweeps += sweeps;
+        guess.looked += sweeps;
+        memory.candidate = guess.lambda;
+        if (accept() || guess_friction(memory, settings, solution) ||
+            proximal_friction(memory, settings, solution))
+            return;
+    }
+    last_resorts(memory, settings, solution);
+}
+//! [retreat]
 
 //! [solve]
 /// Solves the Coulomb problem of these rows, Algorithm 13.1.
@@ -117,21 +156,15 @@ inline void friction_active_sets(Mlcp& mlcp, std::span<const FrictionBox> boxes,
     set_up(mlcp, acceptance, problem.scale);
     set_share(problem, 0);
     memory.factor.factorisations = 0;
+    memory.factor.changed = guess.looked = 0;
     memory.factor.analyse(mlcp.A, boxes);
     begin_guesses(problem, guess, memory.factor.is_of_these_rows());
-    bool settled = guess_friction(memory, settings, solution);
-    for (int retreat = 0, sweeps = 10; !settled && retreat < settings.retreats;
-         ++retreat, sweeps *= 3) {
-        guess.lambda = solution.lambda;  // the best so far
-        sweep_friction(problem, sweeps, guess.box_of, guess.lambda);
-        memory.work.sweeps += sweeps;
-        memory.candidate = guess.lambda;
-        settled =
-            accept_coulomb(mlcp, boxes, acceptance, memory.candidate, solution) ||
-            guess_friction(memory, settings, solution) ||
-            proximal_friction(memory, settings, solution);
+    if (!guess_friction(memory, settings, solution)) {
+        FrictionSettings later = settings;
+        later.enough = std::max(settings.enough, settings.late);
+        retreat(memory, later, solution);
     }
-    if (!settled) settled = last_resorts(memory, settings, solution);
+    memory.work.entries = entries_of(memory);
     memory.work.factorisations = memory.factor.factorisations;
     solution.iterations = memory.work.guesses;
 }

@@ -10,6 +10,10 @@ namespace rigid {
 struct FrictionSettings {
     Real tolerance = 1e-11;  ///< τ of (3.16c)
     Real enough = 0;         ///< f of (3.16c) [m/s]
+    /// the same once guesses have failed, where that is more [m/s]
+    Real late = 0;
+    /// entries of A and its factors that a solve may look at; 0 = any number
+    std::int64_t most_entries = 0;
     /// guesses without fewer wrong rows, before another beginning is asked for
     int patience = 5;
     int retreats = 2;          ///< such beginnings: sweeps and proximal steps
@@ -22,8 +26,9 @@ struct FrictionWork {
     int guesses = 0, factorisations = 0, flips = 0;
     int sweeps = 0;  ///< over all rows, of all retreats
     int proximal_steps = 0;
-    int rounds = 0;  ///< times that the rounds of chapter 9 were asked
-    int walks = 0;   ///< times that Lemke's algorithm was asked
+    int rounds = 0;            ///< times that the rounds of chapter 9 were asked
+    int walks = 0;             ///< times that Lemke's algorithm was asked
+    std::int64_t entries = 0;  ///< looked at; of walks and rounds, as estimated
 };
 
 /// Memory that is kept from solve to solve.
@@ -48,11 +53,14 @@ struct FrictionMemory {
 inline void require_valid(const FrictionSettings& settings)
 {
     if (!(settings.tolerance > 0) || !(settings.enough >= 0) ||
-        !std::isfinite(settings.enough) || settings.patience < 0 ||
-        settings.retreats < 0 || settings.proximal_steps < 0)
+        !std::isfinite(settings.enough) || !(settings.late >= 0) ||
+        !std::isfinite(settings.late) || settings.most_entries < 0 ||
+        settings.patience < 0 || settings.retreats < 0 ||
+        settings.proximal_steps < 0)
         throw std::invalid_argument(
             "tolerance " + shortest(settings.tolerance) + ", enough " +
-            shortest(settings.enough) + ", patience " +
+            shortest(settings.enough) + ", late " + shortest(settings.late) +
+            ", entries " + std::to_string(settings.most_entries) + ", patience " +
             std::to_string(settings.patience) + ", retreats " +
             std::to_string(settings.retreats) + ", proximal steps " +
             std::to_string(settings.proximal_steps) +
@@ -99,6 +107,23 @@ inline void sweep_friction(const FrictionProblem& problem, int sweeps,
 }
 //! [sweep]
 
+//! [spent]
+/// Entries of A and its factors that a solve has looked at.
+inline std::int64_t entries_of(const FrictionMemory& memory)
+{
+    const Mlcp& mlcp = *memory.problem.mlcp;
+    return memory.work.entries + memory.factor.changed +
+           memory.guess.looked * mlcp.A.nonZeros();
+}
+/// Whether, with so many more, it costs more than it may.
+inline bool is_spent(const FrictionMemory& memory, const FrictionSettings& settings,
+                     std::int64_t more = 0)
+{
+    return settings.most_entries > 0 &&
+           entries_of(memory) + more > settings.most_entries;
+}
+//! [spent]
+
 //! [guesses]
 /// Guesses from guess.lambda on, until no row is wrong, or patience ends.
 inline bool correct_friction(FrictionMemory& memory,
@@ -111,6 +136,7 @@ inline bool correct_friction(FrictionMemory& memory,
     first_cases(problem, guess);
     std::size_t fewest = guess.cases.size() + 1;
     for (int chances = settings.patience; chances >= 0;) {
+        if (is_spent(memory, settings)) return false;
         ++memory.work.guesses;
         // a guess that was wrong leaves nothing behind but its cases
         guess.lambda = guess.base;

@@ -14,6 +14,7 @@
 namespace rigid {
 
 struct FrictionGuess {
+    std::int64_t looked = 0;  ///< times at all of A, in this solve
     std::vector<BoundState> cases;
     std::vector<char> active;  ///< 1: λ is an unknown of the linear system
     VecX tie;                  ///< s μ of each box whose row slides, else 0
@@ -63,6 +64,7 @@ inline void begin_guesses(FrictionProblem& problem, FrictionGuess& guess,
 inline void velocities(const FrictionProblem& problem, FrictionGuess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
+    ++guess.looked;
     for (Index i = 0; i < mlcp.size(); ++i) {
         Real w = mlcp.q[i];
         for (SparseMatrix::InnerIterator a(mlcp.A, i); a; ++a)

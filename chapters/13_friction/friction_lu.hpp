@@ -21,7 +21,8 @@ class FrictionLu {
 
 public:
     Elimination elimination;
-    int factorisations = 0;  ///< since the beginning
+    int factorisations = 0;    ///< since the beginning
+    std::int64_t changed = 0;  ///< entries, by them
 
     /// Finds the pattern, unless it is the one of last time: then the last factor is an old one, and may still do. A must
     /// stay where it is.
@@ -75,6 +76,7 @@ public:
                 if (pivot_[j] == 0 || (y == 0 && u == 0)) continue;
                 const Real l = y / pivot_[j];
                 const int last = at(end_, j);
+                changed += last - at(e.column_begin, j);
                 for (int r = at(e.column_begin, j); r < last; ++r) {
                     row_y_[at(row_, r)] -= l * at(upper_, r);
                     column_y_[at(row_, r)] -= at(lower_, r) * u;

@@ -16,10 +16,11 @@ namespace rigid {
 class BoundedRows {
 public:
     BoundedIslands islands;
-    int columns = 0;   ///< of A, computed in the last eliminate()
-    int unsolved = 0;  ///< islands without an answer, of the last solve()
-    int guesses = 0;   ///< of all islands, in the last solve()
-    int swept = 0;     ///< islands that were too large for guesses
+    int columns = 0;           ///< of A, computed in the last eliminate()
+    int unsolved = 0;          ///< islands without an answer, of the last solve()
+    int guesses = 0;           ///< of all islands, in the last solve()
+    int swept = 0;             ///< islands that were too large for guesses
+    std::int64_t entries = 0;  ///< that guesses looked at
 
     /// A of an island.
     const SparseMatrix& matrix(int island) const
@@ -62,7 +63,7 @@ public:
                const FrictionSettings& settings, int most, int sweeps, Real enough,
                VecX& lambda)
     {
-        unsolved = guesses = swept = 0;
+        entries = unsolved = guesses = swept = 0;
         for (int k = 0; k < islands.count; ++k) {
             Problem& problem = problems_[at(k)];
             const std::vector<int>& here = islands.rows[at(k)];
@@ -78,11 +79,15 @@ public:
                 bound(rows, i, number, enough, problem);
                 solution.lambda[i] = lambda[number];
             }
-            if (m > most) sweep(problem, settings, sweeps, enough);
+            if (!is_finite(mlcp)) {  // an overflow has no answer
+                solution.lambda.setZero();
+                solution.status = Status::singular;
+            } else if (m > most) sweep(problem, settings, sweeps, enough);
             else {
                 problem.find.settings = settings;
                 problem.find(mlcp, problem.boxes, enough, solution);
                 guesses += solution.iterations;
+                entries += problem.find.memory.work.entries;
             }
             swept += m > most;
             unsolved += solution.status != Status::solved;
@@ -121,6 +126,12 @@ private:
                        memory.candidate, solution);
     }
     //! [sweep]
+
+    static bool is_finite(const Mlcp& mlcp)
+    {
+        const Eigen::Map<const VecX> values(mlcp.A.valuePtr(), mlcp.A.nonZeros());
+        return mlcp.q.allFinite() && values.allFinite();
+    }
 
     template <class Number>
     static std::size_t at(Number i)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "chapters/13_friction/friction_stage.hpp"
-#include "chapters/14_joints/joint_rows.hpp"
+#include "chapters/14_joints/limit_reach.hpp"
 
 namespace rigid {
 
@@ -48,6 +48,7 @@ struct WithJoints {
     int limits_skipped = 0;        ///< rows, of the last step
     int broken = 0;                ///< joints, in the last step
     std::vector<char> was_broken;  ///< of each joint, when the last step began
+    LimitReach reach;
 
     void require_valid() const
     {
@@ -62,6 +63,7 @@ struct WithJoints {
         do {
             contacts.begin(scene, settings, method, now);
             limits_skipped = 0;
+            if (skip_far_limits) reach.look(scene, settings, now);
             std::erase_if(now.sources, [&](const Source& source) {
                 if (source.of != Source::Of::joint) return false;
                 const auto j = static_cast<std::size_t>(source.index);
@@ -69,7 +71,7 @@ struct WithJoints {
                 if (owner >= 0 &&
                     scene.placed[static_cast<std::size_t>(owner)].broken)
                     return true;
-                const bool far = skip_far_limits && is_far(scene, j, settings, now);
+                const bool far = skip_far_limits && reach.is_far(scene, j);
                 limits_skipped += far;
                 return far;
             });
@@ -130,24 +132,6 @@ struct WithJoints {
                         set.wake(k);
             }
         }
-    }
-
-    /// A one-sided row that this step cannot reach: not within the margin, nor
-    /// within twice the way that it would go at its present speed and with the
-    /// weight of a step.
-    static bool is_far(const RigidScene& scene, std::size_t j,
-                       const StepSettings& settings, const StepData<3>& now)
-    {
-        const PointJoint& joint = scene.joints[j];
-        if (joint.kind != ConstraintKind::unilateral) return false;
-        const Constraint<3> c = joint_constraint(scene.bodies.x, joint);
-        const Row<3> row = unilateral(c, scene.bodies.inverse_mass);
-        const bool turns = joint.measure == PointJoint::Measure::angle;
-        const Real margin = settings.margin * (turns ? 1 : now.length),
-                   fall =
-                       settings.h * scene.gravity.norm() / (turns ? now.length : 1);
-        return c.C > margin + 2 * settings.h *
-                                  (std::abs(row.velocity(scene.bodies.u)) + fall);
     }
 };
 //! [with_joints]

@@ -86,16 +86,19 @@ struct NewtonPositions : NewtonSettings, Restitution {
                     constraint_at(scene, now, i, bodies.x);
                 second.left_out[i] = !has_error(c.kind);
                 if (second.left_out[i]) continue;
+                // metres of a C: an angle counts as so much at the length ℓ
+                const Real unit = is_angle(c) ? now.length : 1;
                 if (c.kind == ConstraintKind::bilateral) {
                     second.bias[i] = c.C / h;
-                    left = std::max(left, std::abs(c.C));
+                    left = std::max(left, std::abs(c.C) * unit);
                 } else {
                     // what lies too deep comes out once, by the part β
-                    const Real over = std::min(Real{0}, c.C + slop * now.length);
+                    const Real over =
+                        std::min(Real{0}, c.C + slop * now.length / unit);
                     second.bias[i] = std::max(Real{0}, c.C) / h;
                     if (over < 0 && iterations == 0) {
                         second.bias[i] = beta * over / h;
-                        pushed = std::max(pushed, -beta * over);
+                        pushed = std::max(pushed, -beta * over * unit);
                         wanted = true;
                     }
                 }
@@ -146,6 +149,13 @@ private:
     void put_back(Bodies<3>& bodies, const StepData<3>& now) const
     {
         for (const int k : now.active) bodies.position(k) = kept_.segment<3>(3 * k);
+    }
+
+    /// Whether C is in radians: its row moves no centroid.
+    static bool is_angle(const Constraint<3>& c)
+    {
+        return c.Jb.head<2>().isZero(0) &&
+               (c.a == world || c.Ja.head<2>().isZero(0));
     }
 
     /// Whether v moves a body much farther than what is to be corrected, and by more than a twentieth of ℓ.

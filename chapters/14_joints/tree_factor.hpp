@@ -6,7 +6,7 @@
 ///
 /// (14.7) to (14.10). G is the inverse mass of a body with all that hangs below it, K what one unit of λ does to the
 /// joint. Every matrix that is inverted is symmetric and positive. A body that carries c times its mass loses ε c² all the
-/// same, (14.26). \cite baraff1996 \cite featherstone2008
+/// same, (14.27). \cite baraff1996 \cite featherstone2008
 #pragma once
 
 #include "chapters/14_joints/joint_block.hpp"

@@ -157,7 +157,7 @@ private:
     /// and 2 · 10⁻⁸ of g h is below all that is asked of a step
     static constexpr Real much_carried = 1e4;
 
-    /// (14.26): u from λ itself, and what is missing then once more, while that helps.
+    /// (14.27): u from λ itself, and what is missing then once more, while that helps.
     /// Where it does not, u stays what the tree said, and is not called solved.
     template <class Begin>
     void refine(JointFactor& factor, const Begin& begin, VecX& u, VecX& lambda,

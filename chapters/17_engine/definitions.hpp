@@ -103,7 +103,7 @@ struct WorldSettings {
     int sweeps = 60;        ///< over an island, at most
     Real tolerance = 1e-4;  ///< sweeps end at this residual [ℓ/s]
     /// rows with bounds of an island that is solved exactly, at most
-    int most_exact = 400;
+    int most_exact = 600;
     /// bodies that move farther than half their inner radius in a step stop where
     /// they first touch; those on joints only if they are bullets
     bool stop_fast = true;
@@ -125,14 +125,17 @@ struct StepWork {
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
     int unsolved = 0;  ///< islands whose residual is above the tolerance
+    /// bodies whose numbers overflowed and that were put back, at rest
+    int held = 0;
     int contacts = 0;  ///< points
     int rows = 0;
     std::int64_t visits = 0;         ///< rows visited, whatever for
+    std::int64_t entries = 0;        ///< of matrices, looked at by exact solves
     std::int64_t tested = 0;         ///< boxes compared in search of pairs
     int sweeps = 0;                  ///< of the island that needed the most
     int stopped = 0;                 ///< fast bodies that were stopped on their way
     int woken = 0, fell_asleep = 0;  ///< bodies
-    /// the largest natural residual of a row [m/s]
+    /// the largest natural residual of a row [m/s]; infinite where numbers overflowed
     Real residual = 0;
     bool skipped =
         false;  ///< all slept and nothing was changed: no step was needed

@@ -39,6 +39,8 @@ struct Events {
     std::vector<Hit> hits;
     std::vector<Seen> entered, left;
     std::vector<JointId> broken;
+    /// their numbers had overflowed: they are where they were, at rest
+    std::vector<BodyId> held;
 };
 //! [events]
 

@@ -31,7 +31,8 @@ struct IslandChoice {
 
     bool was_configured = false;  ///< false: islands are to be listed again
 
-    // Of the last solve.
+    // Of the last step.
+    std::int64_t entries = 0;  ///< of matrices, that exact solves looked at
     int exact_count = 0, swept_count = 0, rescued_count = 0, unsolved = 0;
 
     void require_valid() const
@@ -55,6 +56,7 @@ struct IslandChoice {
         }
         if (!exactly.empty()) {
             exact.solve(exactly.local, exactly.now);
+            entries += exact.bounded.entries;
             exactly.scatter(bodies, now);
         }
         rescue(bodies, now);
@@ -92,6 +94,7 @@ struct IslandChoice {
         };
         apart(swept, sweeps);
         apart(exactly, exact);
+        if (!exactly.empty()) entries += exact.bounded_apart.entries;
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
 
@@ -115,7 +118,10 @@ private:
         exact.bounded_apart.forget();
         rescuer.bounded.forget();
         exactly.second.solution.lambda.setZero();
-        const bool same = now.same_rows && now.same_bodies && was_configured;
+        set_price(now.length);
+        entries = 0;
+        const bool same = same_motion(now.rows) && now.same_rows &&
+                          now.same_bodies && was_configured;
         swept.now.same_rows = swept.now.same_bodies = same;
         if (same) return;
         was_configured = true;
@@ -146,6 +152,33 @@ private:
     }
     //! [split]
 
+    //! [price]
+    /// What a solve may cost, and how good it must be where guesses do not settle it:
+    /// as good as sweeps would leave it. (Half of that: joints add their rounding.)
+    void set_price(Real length)
+    {
+        for (FrictionSettings* const how : {&exact.exact, &rescuer.exact}) {
+            how->late = tolerance * length / 2;
+            how->most_entries = rule.entries;
+        }
+    }
+    //! [price]
+
+    /// Whether rows move the bodies that they moved in the step before. A heavy body
+    /// and a short arm may make that nothing in one step and something in the next.
+    bool same_motion(const std::vector<Row<3>>& rows)
+    {
+        bool same = motion_.size() == rows.size();
+        motion_.resize(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto here =
+                static_cast<char>(2 * moves_a(rows[i]) + moves_b(rows[i]));
+            same = same && motion_[i] == here;
+            motion_[i] = here;
+        }
+        return same;
+    }
+
     //! [rescue]
     /// What sweeps have left above the tolerance is solved exactly after all, where
     /// that is possible.
@@ -169,6 +202,7 @@ private:
         rescued.number(now, bodies.count());
         rescued.gather(bodies, now);
         rescuer.solve(rescued.local, rescued.now);
+        entries += rescuer.bounded.entries;
         rescued.scatter(bodies, now);
     }
     //! [rescue]
@@ -190,6 +224,7 @@ private:
 
     IslandSurveyor survey_;
     std::vector<char> may_be_exact_;  ///< of each island that is swept
+    std::vector<char> motion_;        ///< of each row: which of its bodies it moves
 };
 
 }  // namespace rigid

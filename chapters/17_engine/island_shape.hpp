@@ -28,9 +28,11 @@ struct IslandShape {
 /// What is exact.
 struct ChoiceRule {
     int always = 24;  ///< islands of up to so many bounded rows, whatever they are
-    int at_most = 400;  ///< bounded rows of one that sweeps would be slow on
+    int at_most = 600;  ///< bounded rows of one that sweeps would be slow on
     int loops = 120;    ///< rows that close loops, at most
     Real sweeps = 240;  ///< more than this needed: slow
+    /// entries of matrices that one solve may look at: some 40 ms
+    std::int64_t entries = 40'000'000;
 };
 
 /// Whether an island may be solved exactly, and whether it should be.

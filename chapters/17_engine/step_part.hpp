@@ -55,6 +55,7 @@ struct StepPart {
         for (std::size_t i = 0; i < rows.size(); ++i)
             row_number_[at(rows[i])] = static_cast<int>(i);
         local.resize(static_cast<Index>(bodies.size()));
+        v.setZero(3 * static_cast<Index>(bodies.size()));  // of others, before
         now.rows.resize(rows.size());
         local_a_.clear();
         local_b_.clear();
@@ -131,7 +132,6 @@ struct StepPart {
             second.left_out[i] =
                 all.left_out.empty() ? 0 : all.left_out[at(rows[i])];
         }
-        if (v.size() != local.u.size()) v.setZero(local.u.size());
     }
 
 private:

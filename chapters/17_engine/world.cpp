@@ -85,6 +85,7 @@ void World::step(Real h)
                                .pulled = s.pulled,
                                .hand = s.pulled_to};
         sleepers.touching.finder.tested = -1;  // not looked for yet
+        s.method.correction.held.clear();
         rigid::step(s.scene, how, s.method, s.now);
         s.changed = false;
         s.report();

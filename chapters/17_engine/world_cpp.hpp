@@ -46,6 +46,7 @@ struct World::State : EngineState {
         events.entered.clear();
         events.left.clear();
         events.broken.clear();
+        events.held.clear();
         events.ended.swap(meanwhile.ended);
         events.left.swap(meanwhile.left);
     }
@@ -93,6 +94,7 @@ struct World::State : EngineState {
             place_moved(*this);
             update_sensors(*this);
         }
+        for (const int k : method.correction.held) events.held.push_back(id(k));
         count();
     }
     //! [report]
@@ -114,9 +116,15 @@ struct World::State : EngineState {
         work.contacts = static_cast<int>(now.contacts.size());
         work.rows = static_cast<int>(now.rows.size());
         work.visits = now.visits;
+        work.entries = solver.entries;
         work.sweeps = solver.sweeps.most_sweeps;
         work.stopped = sleepers.touching.fast.impacts;
         work.residual = now.solution.residual;
+        // no residual of numbers that overflowed means anything
+        work.held = static_cast<int>(method.correction.held.size());
+        if (work.held > 0) work.unsolved = std::max(1, work.unsolved);
+        if (work.held > 0 || !std::isfinite(work.residual))
+            work.residual = infinity;
     }
 };
 

@@ -5,6 +5,7 @@
 #include "chapters/14_joints/joint_method.hpp"
 #include "chapters/14_joints/placed_joints.hpp"
 #include "chapters/17_engine/filter_classes.hpp"
+#include "chapters/17_engine/held_bodies.hpp"
 #include "chapters/17_engine/island_choice.hpp"
 #include "chapters/17_engine/places.hpp"
 #include "chapters/17_engine/touching.hpp"
@@ -18,7 +19,7 @@ namespace rigid {
 /// each island.
 struct EngineMethod {
     WithJoints<WithFriction<AwakeManifolds>> contacts;
-    LoadedJoints correction;
+    HeldBodies correction;
     WarmStart start = last_impulses();
     IslandChoice solver;
 };
