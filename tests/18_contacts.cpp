@@ -2,6 +2,7 @@
 
 #include "tests/no_allocation.hpp"
 
+#include "chapters/18_space/joint_makers.hpp"
 #include "chapters/18_space/solid_scenes.hpp"
 #include "chapters/18_space/space_method.hpp"
 
@@ -114,6 +115,19 @@ TEST_CASE("what rests keeps its rows and starts from their impulses", "[idea]")
         go_on(scene, method, now, 1.0 / 60, 1);
         CHECK(method.start.cache.found == static_cast<int>(now.rows.size()));
         CHECK(now.solution.status == Status::solved);
+    }
+}
+
+TEST_CASE("what a joint joins does not collide", "[idea]")
+{
+    for (const bool joined : {false, true}) {
+        SpaceScene scene;
+        for (int k = 0; k < 2; ++k) add_body(scene, {solid_box({1, 0.2, 0.2})}, 100.0, {0.9 * k, 0, 0});
+        if (joined) scene.joints.push_back(hinge(scene, 0, 1, {0.45, 0, 0}, {0, 0, 1}));
+        TouchingCones method;
+        StepData<6> now;
+        go_on(scene, method, now, 1.0 / 60, 1);
+        CHECK(now.contacts.empty() == joined);
     }
 }
 
@@ -232,6 +246,54 @@ TEST_CASE("a box of two bounds stops a diagonal slide too strongly by the root o
     CHECK(off == Approx(pi / 4 - pi / 12).epsilon(1e-8));  // 30 degrees
 }
 
+TEST_CASE("on a box a block stops beside where it should as (18.40) says", "[idea]")
+{
+    const Real h = 1.0 / 2400, mu = 0.4, v = 3, d = v * v / (2 * mu * 9.81);
+    for (const Real degrees : {15.0, 30.0, 45.0}) {
+        const Real a = degrees * pi / 180, c = std::cos(a), s = std::sin(a);
+        SpaceScene scene = sliding_block(v, a, mu);
+        TouchingBoxes method;
+        method.solver.sweeps = {20000, 1e-12};
+        StepData<6> now;
+        go_on(scene, method, now, h, 2000);
+        const Real x = scene.bodies.x[0], z = scene.bodies.x[2];
+        // each way is too short by h v / 2 at most, (18.41)
+        CHECK(x * c - z * s == Approx(d * (c * c * c + s * s * s)).margin(h * v));
+        CHECK(x * s + z * c == Approx(d * s * c * (c - s)).margin(h * v));
+    }
+}
+
+TEST_CASE("rows that are clamped to a disc one after the other stay where they met its rim", "[idea]")
+{
+    // exercise 18.3, with A = 1 and a q that pushes both rows outward
+    const Vec2 q(-10, -10);
+    Vec2 one_by_one(1, 0), together(1, 0);
+    for (int i = 0; i < 200; ++i) {
+        for (const int k : {0, 1}) {
+            const Real other = one_by_one[1 - k], most = std::sqrt(std::max(Real{0}, 1 - other * other));
+            one_by_one[k] = std::clamp(-q[k], -most, most);
+        }
+        together = onto_disc(together - (together + q), 1);
+    }
+    CHECK(one_by_one == Vec2(1, 0));
+    CHECK((together - Vec2(1, 1) / std::sqrt(2.0)).norm() < 1e-15);
+}
+
+TEST_CASE("a ball rolls down a slope at five sevenths where friction is enough", "[idea]")
+{
+    const Real a = 30 * pi / 180, least = 2.0 / 7 * std::tan(a);
+    for (const Real mu : {1.01 * least, 0.5 * least}) {
+        SpaceScene scene = thrown_ball(0, mu);
+        scene.gravity = 9.81 * Vec3(std::sin(a), -std::cos(a), 0);
+        TouchingCones method = tight_cones();
+        StepData<6> now;
+        go_on(scene, method, now, 1.0 / 240, 240);
+        const Real rolls = 5.0 / 7 * 9.81 * std::sin(a), slides = 9.81 * (std::sin(a) - mu * std::cos(a));
+        CHECK(scene.bodies.u[0] ==
+              Approx(mu > least ? rolls : slides).epsilon(1e-9));  // of 240 steps at 1e-13
+    }
+}
+
 TEST_CASE("a block on a slope holds or slides as in the plane in every direction", "[idea]")
 {
     const Real h = 1.0 / 240;
@@ -296,6 +358,52 @@ TEST_CASE("friction that is said to be solved is Coulomb's", "[idea]")
     CHECK(solved > 120);  // the others end at 1e-6 or below, and say so
     CHECK(sliding > 50);
     CHECK(holding > 50);
+}
+
+TEST_CASE("one visit brings two rows to rest or onto their disc and never raises what they minimise",
+          "[idea]")
+{
+    Random random(14);
+    int held = 0, slid = 0;
+    for (int n = 0; n < 300; ++n) {
+        SpaceScene scene = colliding_hulls(random, 0.5);
+        SpaceContact contact;
+        contact.a = 0, contact.b = 1;
+        contact.normal = random_triple(random, 1).normalized();
+        contact.at_a = random_triple(random, 0.5), contact.at_b = random_triple(random, 0.5);
+        const ContactPlace here = place_of(contact, scene.bodies.x);
+        std::vector<Row<6>> rows;
+        for (const SpacePart part : {first_tangent, second_tangent})
+            rows.push_back(bilateral(drag_constraint(contact, here, part, 2), scene.bodies.inverse_mass));
+        std::vector<SolverRow<6>> visited;
+        const VecX zero = VecX::Zero(2);
+        prepare<6>(rows, {}, zero, visited);
+        const DiscOfRows disc = disc_of_rows(visited, 0);
+        VecX u = scene.bodies.u;
+        const Vec2 q = slide_of(visited.data(), u);
+        const Real radius = random.uniform(0, 10) * q.norm() / disc.largest;
+        const auto cost = [&](const Vec2& lambda) { return lambda.dot(disc.A * lambda) / 2 + lambda.dot(q); };
+        Vec2 lambda(0, 0);
+        Real change = infinity;
+        for (int visit = 0; visit < 500 && change > 1e-12; ++visit) {
+            change = visit_disc(disc, visited.data(), radius, u);
+            const Vec2 next(visited[0].lambda, visited[1].lambda);
+            CHECK(cost(next) <= cost(lambda) + 1e-12 * std::abs(cost(lambda)));
+            CHECK(next.norm() <= radius * (1 + 1e-14));
+            lambda = next;
+        }
+        const Vec2 w = slide_of(visited.data(), u);
+        if (lambda.norm() < radius * (1 - 1e-9)) {
+            ++held;
+            CHECK(w.norm() < 1e-10);
+        } else {
+            ++slid;
+            CHECK((lambda / radius + w.normalized()).norm() < 1e-6);  // 1e-12 m/s of some 1e-6 or more
+        }
+        CHECK(disc_residual(disc, visited.data(), radius, u) < 1e-11);
+    }
+    CHECK(held > 30);
+    CHECK(slid > 30);
 }
 
 // ---- what stands, what falls ---------------------------------------------------------------------

@@ -128,8 +128,13 @@ public:
             facets_.begin(), facets_.end(),
             [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
         for (Facet& f : facets_) {
-            if (skin_ == Skin::opaque && f.depth < behind)
-                canvas.polygon(f.corners, {Colour::faint, 1, 1, Paint::filled});
+            if (skin_ == Skin::opaque && f.depth < behind) {
+                // the colour as it is, and a shadow over it
+                canvas.polygon(f.corners, {f.style.colour, 0, 1, Paint::filled});
+                f.style.colour = Colour::ink;
+                f.style.opacity = 0.6 * (1 - f.style.opacity);
+                f.style.width = 0;
+            }
             canvas.polygon(std::move(f.corners), f.style);
         }
         for (const Line& line : lines_) {
@@ -176,7 +181,9 @@ private:
             for (int slice = 0; slice < slices; ++slice)
                 facet({point(ring, slice), point(ring, slice + 1),
                        point(ring + 1, slice + 1), point(ring + 1, slice)},
-                      slice % 6 < 3 ? colour : Colour::faint);
+                      slice % 6 < 3           ? colour
+                      : skin_ == Skin::opaque ? Colour::yellow
+                                              : Colour::faint);
     }
 
     static constexpr Real behind = 1e6;  ///< how far the ground is put away [m]
