@@ -347,6 +347,58 @@ TEST_CASE("a touch does not depend on who comes first, on the axes or on the uni
     CHECK(touching > 200);
 }
 
+TEST_CASE("however two solids lie their touch is a number and its deepest gap the true one", "[idea]")
+{
+    // boxes, balls, rods and hulls, of which half lie face to face, edge to edge or corner to corner, to within 1e-14 … 1
+    Random random(6);
+    const Real slack = 2e-4;
+    std::vector<SolidForm> forms = {form_of(solid_box({1, 1, 1})), form_of(solid_box({0.3, 1, 0.6})),
+                                    form_of(solid_ball(0.3)), form_of(solid_capsule(1.2, 0.2)),
+                                    form_of(solid_capsule(0.5, 0))};
+    for (int i = 0; i < 12; ++i) forms.push_back(form_of(any_hull(random, 4 + i)));
+    const auto index = [&random](int count) { return static_cast<int>(random.index(count)); };
+    const auto any_turn = [&]() -> Vec3 {
+        Vec3 axis(0, 0, 0);
+        axis[index(3)] = pi / 4 * index(4);
+        const Real small = std::pow(10.0, -index(12));
+        const Vec3 other = any_vector(random, 2);
+        return index(2) == 0 ? axis : Vec3(small * other);
+    };
+    for (int n = 0; n < 6000; ++n) {
+        const SolidForm &fa = forms[static_cast<std::size_t>(index(17))],
+                        &fb = forms[static_cast<std::size_t>(index(17))];
+        const Vec3 ta = any_turn(), tb = any_turn();
+        const PlacedSolid a = placed(fa, {0, 0, 0}, ta), b0 = placed(fb, {0, 0, 0}, tb);
+        Vec3 at = any_vector(random, 1.2);
+        if (n % 2 == 0) {
+            Vec3 e(0, 0, 0);
+            e[index(3)] = 1;
+            if (index(2) == 0 && a.has_faces())
+                e = a.normals[static_cast<std::size_t>(index(static_cast<int>(a.normals.size())))];
+            const int exponent = index(15), some = index(2);
+            const Real near = some * std::pow(10.0, -exponent);
+            const Vec3 aside = 0.3 * index(2) * (at - e * e.dot(at));
+            at = e * (e.dot(a.corner(a.support(e))) - e.dot(b0.corner(b0.support(-e))) + near) + aside;
+        }
+        const PlacedSolid b = placed(fb, at, tb);
+        const Touch t = touch_of(a, b, infinity, slack);
+        REQUIRE(t.count > 0);
+        CHECK(std::abs(t.normal.norm() - 1) < 1e-12);
+        for (int k = 0; k < t.count; ++k) {
+            const TouchPoint& p = t.points[static_cast<std::size_t>(k)];
+            CHECK((p.on_a.allFinite() && p.on_b.allFinite()));
+            for (int l = 0; l < k; ++l) CHECK(p.feature != t.points[static_cast<std::size_t>(l)].feature);
+        }
+        const bool faces = a.has_faces() || b.has_faces();
+        const Real apart = nearest_points(a, b).distance,
+                   along = std::max(best_face(a, b, 0).separation, best_across_edges(a, b).separation),
+                   truth = apart > 0 || !faces ? apart : along;
+        // 1e-7 of their size is where a direction ends
+        CHECK(std::abs(least_gap(t) + a.radius() + b.radius() - truth) < slack + 1e-6);
+        CHECK(std::abs(least_gap(touch_of(b, a, infinity, slack)) - least_gap(t)) < slack + 1e-6);
+    }
+}
+
 TEST_CASE("between the points of a touch there is the normal and nothing else", "[idea]")
 {
     // what pushes at both pushes along one line: no angular momentum is lost

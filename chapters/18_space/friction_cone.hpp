@@ -63,7 +63,7 @@ Real visit_disc(const DiscOfRows& disc, SolverRow<Dof>* rows, Real radius, VecX&
 {
     const Vec2 w = slide_of(rows, u), lambda(rows[0].lambda, rows[1].lambda);
     Vec2 next = lambda;
-    const Real det = disc.A.determinant();
+    const Real det = disc.A(0, 0) * disc.A(1, 1) - disc.A(0, 1) * disc.A(1, 0);
     const Mat2 other{{disc.A(1, 1), -disc.A(0, 1)}, {-disc.A(1, 0), disc.A(0, 0)}};
     if (det > 1e-12 * disc.largest * disc.largest) next -= other * w / det;
     else if (disc.largest > 0) next -= w / disc.largest;

@@ -54,7 +54,7 @@ inline Vec3 nearest_of(Simplex& s)
             if (j < n - 1) size *= G(j, j);
             else G(j, j) = 1;  // a column that is not there: t_j = 0
         // corners on one line or in one plane: a smaller part has that point
-        if (!(G.determinant() > 1e-14 * size)) continue;
+        if (!(determinant(G) > 1e-14 * size)) continue;
         const Vec3 t = solve3(G, -(D.transpose() * y0));
         std::array<Real, 4> weight = {1 - t.sum(), t[0], t[1], t[2]};
         bool inside = true;

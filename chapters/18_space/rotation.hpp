@@ -100,6 +100,11 @@ inline Vec3 add_rotation(const Vec3& theta, const Vec3& delta)
 }
 //! [add]
 
+inline Real determinant(const Mat3& A)
+{
+    return A.col(0).dot(cross(A.col(1), A.col(2)));
+}
+
 /// x of A x = r for 3×3, by Cramer's rule. The caller knows that A is regular.
 inline Vec3 solve3(const Mat3& A, const Vec3& r)
 {
