@@ -302,7 +302,7 @@ TEST_CASE("two edges that cross touch in one point and parallel ones in two", "[
     CHECK(std::abs(t.points[0].on_b.z() - t.points[1].on_b.z()) == Approx(0.75));
 }
 
-TEST_CASE("a touch does not depend on who comes first, on the axes or on the unit of length", "[idea]")
+TEST_CASE("a touch depends neither on who comes first nor on the axes nor on the unit of length", "[idea]")
 {
     Random random(4);
     int touching = 0;
