@@ -21,6 +21,12 @@ struct Contact {
          core_b = 0;  ///< from there, against and along the normal, to what turns with a and with b [m]
 };
 
+/// What a contact is between bodies of Dof numbers: in space it is another (chapter 18).
+template <int Dof>
+struct ContactOf {
+    using Type = Contact;
+};
+
 /// The contact of two discs, a < b, at the positions x. Two centres in one point have no direction; any will part them.
 inline Contact disc_contact(const DiscScene& scene, const VecX& x, Index a, Index b)
 {

@@ -7,5 +7,13 @@ foreach(scene top chain door)
   add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
                    --method exact,islands --csv -)
 endforeach()
+foreach(scene slide heap)
+  add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
+                   --method cone,box --csv -)
+endforeach()
+add_program_test(ch18 18_space "runs scene stack" --headless --scene stack --steps 300
+                 --method cone,box,one_point --csv -)
+add_program_test(ch18 18_space "refuses a heap of none" --headless --scene heap --set bodies=0 --steps 1)
+set_tests_properties("ch18: 18_space refuses a heap of none" PROPERTIES WILL_FAIL ON)
 add_program_test(ch18 18_space "refuses a top that is too slow" --headless --scene top --set spin=40 --set tilt=1 --steps 1)
 set_tests_properties("ch18: 18_space refuses a top that is too slow" PROPERTIES WILL_FAIL ON)

@@ -65,7 +65,7 @@ template <int Dof>
 struct StepData {
     std::vector<int> active;      ///< bodies that the step looks at, ascending
     std::span<const Bend> bends;  ///< springs that it looks at
-    std::vector<Contact> contacts;
+    std::vector<typename ContactOf<Dof>::Type> contacts;
     /// where the active bodies were when the contacts were found [m]
     VecX x_found;
     std::vector<Source> sources;

@@ -35,7 +35,8 @@ constexpr std::string_view to_string(Start start)
 }
 
 /// Which row comes from this source.
-inline ImpulseKey key_of(const Source& source, const std::vector<Contact>& contacts)
+template <class AnyContact>
+ImpulseKey key_of(const Source& source, const std::vector<AnyContact>& contacts)
 {
     const auto index = static_cast<std::size_t>(source.index);
     if (source.of == Source::Of::body)

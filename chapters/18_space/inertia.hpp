@@ -22,6 +22,8 @@ struct Hull {
     std::vector<Vec3> vertices;
     std::vector<std::vector<int>> faces;
     Real radius = 0;  ///< [m]
+
+    bool operator==(const Hull&) const = default;
 };
 
 struct SolidMass {

@@ -35,6 +35,17 @@ inline Mat3 cross_matrix(const Vec3& a)
 }
 //! [cross]
 
+/// A unit vector across n: from the axis that n leans to least.
+inline Vec3 across(const Vec3& n)
+{
+    Index least = 0;
+    for (Index i = 1; i < 3; ++i)
+        if (std::abs(n[i]) < std::abs(n[least])) least = i;
+    Vec3 e(0, 0, 0);
+    e[least] = 1;
+    return (e - n * n[least]).normalized();
+}
+
 /// A quaternion w + x i + y j + z k, with v = (x, y, z).
 struct Quaternion {
     Real w = 1;
@@ -88,6 +99,11 @@ inline Vec3 add_rotation(const Vec3& theta, const Vec3& delta)
     return rotation_vector(quaternion_of(theta) * quaternion_of(delta));
 }
 //! [add]
+
+inline Real determinant(const Mat3& A)
+{
+    return A.col(0).dot(cross(A.col(1), A.col(2)));
+}
 
 /// x of A x = r for 3×3, by Cramer's rule. The caller knows that A is regular.
 inline Vec3 solve3(const Mat3& A, const Vec3& r)

@@ -6,6 +6,7 @@
 #include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/18_space/joint_coordinates.hpp"
+#include "chapters/18_space/space_contact.hpp"
 
 namespace rigid {
 
@@ -39,27 +40,62 @@ inline void free_velocities(SpaceScene& scene, const StepSettings& settings,
 }
 //! [forces]
 
+/// The place of a contact's normal among the rows: the normals are the last ones.
+inline std::size_t normal_of(const StepData<6>& now, int contact)
+{
+    return now.sources.size() - now.contacts.size() +
+           static_cast<std::size_t>(contact);
+}
+
+/// A row of a contact whose points are found.
+inline Constraint<6> contact_constraint(const StepData<6>& now,
+                                        const Source& source,
+                                        const ContactPlace& place)
+{
+    const SpaceContact& contact =
+        now.contacts[static_cast<std::size_t>(source.index)];
+    if (source.part == push_part) return push_constraint(contact, place);
+    return drag_constraint(contact, place, static_cast<SpacePart>(source.part),
+                           static_cast<int>(normal_of(now, source.index)));
+}
+
 /// Constraint i of the step at any positions x.
 inline Constraint<6> constraint_at(const SpaceScene& scene, const StepData<6>& now,
                                    std::size_t i, const VecX& x)
 {
     const Source& source = now.sources[i];
+    if (source.of == Source::Of::contact)
+        return contact_constraint(
+            now, source,
+            place_of(now.contacts[static_cast<std::size_t>(source.index)], x));
     const SpaceJoint& joint =
         scene.joints[static_cast<std::size_t>(source.index / joint_slots)];
     return joint_constraint(frames_of(x, joint), joint, source.index % joint_slots);
 }
 
-/// All of them where the bodies are; the frames of a joint are found once for its rows.
+/// All of them where the bodies are; the frames of a joint and the points of a contact are found once for rows that are
+/// neighbours.
 inline void evaluate_constraints(const SpaceScene& scene, StepData<6>& now)
 {
     now.constraints.resize(now.sources.size());
     JointFrames frames;
-    int of = -1;
+    ContactPlace place;
+    int joint_at = -1, contact_at = -1;
     for (std::size_t i = 0; i < now.sources.size(); ++i) {
         const Source& source = now.sources[i];
+        if (source.of == Source::Of::contact) {
+            const auto& contact =
+                now.contacts[static_cast<std::size_t>(source.index)];
+            if (source.index != contact_at)
+                place = place_of(contact, scene.bodies.x),
+                contact_at = source.index;
+            now.constraints[i] = contact_constraint(now, source, place);
+            continue;
+        }
         const int number = source.index / joint_slots;
         const SpaceJoint& joint = scene.joints[static_cast<std::size_t>(number)];
-        if (number != of) frames = frames_of(scene.bodies.x, joint), of = number;
+        if (number != joint_at)
+            frames = frames_of(scene.bodies.x, joint), joint_at = number;
         now.constraints[i] =
             joint_constraint(frames, joint, source.index % joint_slots);
     }
@@ -95,6 +131,35 @@ inline void require_bodies(const SpaceScene& scene)
                    " of the force " + shortest(joint.force) + " and the speed " +
                    shortest(joint.speed));
     }
+}
+
+/// The same for what touches: walls and coefficients of friction.
+inline void require_touching(const SpaceScene& scene)
+{
+    for (std::size_t w = 0; w < scene.walls.size(); ++w)
+        if (!(std::abs(scene.walls[w].normal.norm() - 1) <= 1e-9) ||
+            !std::isfinite(scene.walls[w].offset))
+            throw std::invalid_argument(
+                "wall " + std::to_string(w) + " has a normal of the length " +
+                shortest(scene.walls[w].normal.norm()) + " and the offset " +
+                shortest(scene.walls[w].offset) +
+                " m; the length must be 1, the offset finite");
+    const auto check = [](const std::vector<Real>& list, std::size_t count,
+                          const std::string& thing) {
+        if (!list.empty() && list.size() != count)
+            throw std::invalid_argument(
+                "the scene has " + std::to_string(list.size()) +
+                " coefficients of friction for " + std::to_string(count) + " " +
+                thing + "; each needs its own, or none has one");
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (!(list[i] >= 0) || !std::isfinite(list[i]))
+                throw std::invalid_argument(
+                    "number " + std::to_string(i) + " of the " + thing +
+                    " has the coefficient of friction " + shortest(list[i]) +
+                    "; it must be zero or positive and finite");
+    };
+    check(scene.friction, scene.shapes.size(), "bodies");
+    check(scene.wall_friction, scene.walls.size(), "walls");
 }
 
 //! [all_solids]

@@ -7,7 +7,8 @@
 #include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/09_active_sets/exact_method.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
-#include "chapters/18_space/space_constraints.hpp"
+#include "chapters/18_space/cone_solver.hpp"
+#include "chapters/18_space/space_touching.hpp"
 
 namespace rigid {
 
@@ -33,5 +34,29 @@ struct SpaceIslands {
     IslandSolver<6> solver;
 };
 //! [method]
+
+//! [touching]
+/// What keeps a stack at rest: contacts stay closed by a thousandth of ℓ, and what
+/// corrects them leaves no velocity.
+inline Correction closed_contacts()
+{
+    Correction correction;
+    correction.method = Stabilizer::split_impulse;
+    correction.slop = 0.001;
+    return correction;
+}
+
+/// Solids that touch. With chapter 6's sweeps the rows of friction are a box, with
+/// ConeSolver a disc.
+template <class Solver>
+struct Touching {
+    TouchingSolids contacts;
+    Correction correction = closed_contacts();
+    WarmStart start;
+    Solver solver;
+};
+using TouchingBoxes = Touching<ImpulseSolver<6>>;
+using TouchingCones = Touching<ConeSolver>;
+//! [touching]
 
 }  // namespace rigid

@@ -1,10 +1,10 @@
 /// \file space_scene.hpp
-/// A scene in space: bodies, the solids that each is made of, and what joins them. y is up.
-/// Nothing touches anything here: where solids touch is not yet in this chapter.
+/// A scene in space: bodies, the solids that each is made of, what joins them, and what they stand on. y is up.
 #pragma once
 
 #include "chapters/18_space/inertia.hpp"
 #include "chapters/18_space/space_bodies.hpp"
+#include "common/contact.hpp"
 #include "common/elementary.hpp"
 
 #include <array>
@@ -53,12 +53,38 @@ struct SpaceJoint {
 };
 //! [joint]
 
+/// The points p with normal·p ≥ offset are free, the others are wall.
+struct SolidWall {
+    Vec3 normal = {0, 1, 0};  ///< unit vector, out of the wall
+    Real offset = 0;          ///< [m]
+};
+
+//! [contact]
+/// A point of either body where they touch, or nearly: of their cores, so that the
+/// surfaces are a radius away from it.
+struct SpaceContact {
+    Index a = world, b = 0;   ///< the bodies; a wall of the world is always a
+    Index feature = 0;        ///< which of several contacts of this pair
+    Vec3 normal = {0, 1, 0};  ///< unit vector from a to b
+    Vec3 at_a = {0, 0, 0}, at_b = {0, 0, 0};  ///< in either body's axes
+    Real radius_a = 0, radius_b = 0;          ///< [m]
+    Real friction = 0;                        ///< μ of the two surfaces
+};
+template <>
+struct ContactOf<6> {
+    using Type = SpaceContact;
+};
+//! [contact]
+
 struct SpaceScene {
     static constexpr int dof = 6;
     Bodies<6> bodies{0};
     /// the hulls that each body is made of, in its principal axes
     std::vector<std::vector<Hull>> shapes;
     std::vector<SpaceJoint> joints;
+    std::vector<SolidWall> walls;
+    /// μ of each body and of each wall; empty: nothing there has friction
+    std::vector<Real> friction, wall_friction;
     Vec3 gravity = {0, -9.81, 0};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;

@@ -9,6 +9,18 @@ run --scene handle --steps 220 --svg "$out/ch18_handle.svg"
 run --scene top --steps 2000 --svg "$out/ch18_top.svg"
 run --scene chain --steps 300 --svg "$out/ch18_chain.svg"
 
+run --scene stack --method cone,one_point --steps 45 --svg "$out/ch18_stack.svg"
+run --scene heap --method cone --steps 600 --svg "$out/ch18_heap.svg"
+
+# The force on a block that slides, in 24 directions.
+for method in cone box; do
+    for direction in 0 15 30 45 60 75 90 105 120 135 150 165 180 195 210 225 240 255 270 285 300 315 330 345; do
+        run --scene slide --method $method --set direction=$direction --steps 1 --csv "$data/run"
+        awk -F, 'END { print -$7, $8 }' "$data/run" >>"$data/drag_$method"
+    done
+done
+plot ch18_friction
+
 # The energy of the tossed book by four ways; each time is half a hundredth of a second.
 for method in explicit implicit momentum middle; do
     run --scene book --method $method --h 0.005 --steps 1600 --csv "$data/run" 2>"$data/said" || true

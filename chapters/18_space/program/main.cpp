@@ -1,5 +1,6 @@
 // Chapter 18. Space: the program.
 #include "chapters/18_space/program/scenes.hpp"
+#include "chapters/18_space/program/touch_scenes.hpp"
 
 int main(int argc, char** argv)
 {
@@ -9,7 +10,8 @@ int main(int argc, char** argv)
         program.name = "18_space";
         program.title = "Chapter 18. Space";
         program.scenes = {book_scene(), spin_scene(),  handle_scene(),
-                          top_scene(),  chain_scene(), door_scene()};
+                          top_scene(),  chain_scene(), door_scene(),
+                          slide_scene(), stack_scene(), heap_scene()};
         return program;
     };
     return run_program(make, argc, argv);

@@ -37,9 +37,15 @@ struct Camera {
     }
 };
 
+/// Whether what is behind a facet shines through.
+enum class Skin : unsigned char { glass, opaque };
+
 class SolidPicture {
 public:
-    explicit SolidPicture(const Camera& camera) : camera_(camera) {}
+    explicit SolidPicture(const Camera& camera, Skin skin = Skin::glass)
+        : camera_(camera), skin_(skin)
+    {
+    }
 
     void facet(const std::vector<Vec3>& corners, Colour colour)
     {
@@ -77,6 +83,32 @@ public:
         round(hull, centre, R, colour);
     }
 
+    /// A floor at height zero, in squares; around it sides that rise at 45°. Behind all else.
+    void ground(Real half, Real height)
+    {
+        const int squares = 6;
+        const auto at = [&](int i, int j) {
+            return Vec3(half * (2.0 * i / squares - 1), 0,
+                        half * (2.0 * j / squares - 1));
+        };
+        const std::size_t first = facets_.size();
+        for (int i = 0; i < squares; ++i)
+            for (int j = 0; j < squares; ++j)
+                facet({at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)},
+                      (i + j) % 2 == 0 ? Colour::faint : Colour::ink);
+        const Real far = half + height;
+        for (int side = 0; side < 4 && height > 0; ++side) {
+            const Mat3 R = rotation_matrix(Vec3(0, side * pi / 2, 0));
+            facet({R * Vec3(half, 0, half), R * Vec3(half, 0, -half),
+                   R * Vec3(far, height, -far), R * Vec3(far, height, far)},
+                  Colour::faint);
+        }
+        for (std::size_t i = first; i < facets_.size(); ++i) {
+            facets_[i].depth += behind;
+            facets_[i].style.opacity *= 0.2;
+        }
+    }
+
     void line(const std::vector<Vec3>& points, Style style)
     {
         std::vector<Vec2> seen;
@@ -95,7 +127,16 @@ public:
         std::stable_sort(
             facets_.begin(), facets_.end(),
             [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
-        for (Facet& f : facets_) canvas.polygon(std::move(f.corners), f.style);
+        for (Facet& f : facets_) {
+            if (skin_ == Skin::opaque && f.depth < behind) {
+                // the colour as it is, and a shadow over it
+                canvas.polygon(f.corners, {f.style.colour, 0, 1, Paint::filled});
+                f.style.colour = Colour::ink;
+                f.style.opacity = 0.6 * (1 - f.style.opacity);
+                f.style.width = 0;
+            }
+            canvas.polygon(std::move(f.corners), f.style);
+        }
         for (const Line& line : lines_) {
             if (line.arrow)
                 canvas.arrow(line.points[0], line.points[1], line.style);
@@ -140,10 +181,15 @@ private:
             for (int slice = 0; slice < slices; ++slice)
                 facet({point(ring, slice), point(ring, slice + 1),
                        point(ring + 1, slice + 1), point(ring + 1, slice)},
-                      slice % 6 < 3 ? colour : Colour::faint);
+                      slice % 6 < 3           ? colour
+                      : skin_ == Skin::opaque ? Colour::yellow
+                                              : Colour::faint);
     }
 
+    static constexpr Real behind = 1e6;  ///< how far the ground is put away [m]
+
     Camera camera_;
+    Skin skin_;
     std::vector<Facet> facets_;
     std::vector<Line> lines_;
 };

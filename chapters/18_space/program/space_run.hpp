@@ -32,7 +32,18 @@ struct SpaceSetup {
     std::function<void(SolidPicture&, const SpaceState&)> picture;
     Vec3 traced = {0, 0, 0};  ///< a point of the last body that leaves a trail
     bool traces = false;
+    Real ground = 0;  ///< half the side of the floor that is drawn [m]; 0: none
+    Real pit = 0;     ///< how high sides of 45° rise around it [m]
 };
+
+/// The deepest overlap of contacts where the step found them [m].
+inline Real deepest_overlap(const StepData<6>& now)
+{
+    Real deepest = 0;
+    for (const Constraint<6>& c : now.constraints)
+        if (c.kind == ConstraintKind::unilateral) deepest = std::max(deepest, -c.C);
+    return deepest;
+}
 
 class SpaceRun : public Run {
 public:
@@ -41,6 +52,7 @@ public:
         state_.scene = setup_.scene;
         state_.energy = energy(state_.scene);
         state_.spin_momentum = momenta(state_.scene.bodies).tail<3>();
+        one_point_.contacts.points = 1;
         turn_camera(settings, {});
         trace();
     }
@@ -63,6 +75,9 @@ public:
             tumble_all(Tumbling::momentum_kept, how.h);
         else if (settings.method == "exact")
             rigid::step(scene, how, exact_, state_.now);
+        else if (settings.method == "cone") take(cones_, settings, how);
+        else if (settings.method == "box") take(boxes_, settings, how);
+        else if (settings.method == "one_point") take(one_point_, settings, how);
         else {
             islands_.solver.sweeps = {200, 1e-9, false};
             rigid::step(scene, how, islands_, state_.now);
@@ -81,7 +96,9 @@ public:
     void draw(Canvas& canvas) const override
     {
         const SpaceScene& scene = state_.scene;
-        SolidPicture picture(camera_);
+        SolidPicture picture(camera_,
+                             setup_.ground > 0 ? Skin::opaque : Skin::glass);
+        if (setup_.ground > 0) picture.ground(setup_.ground, setup_.pit);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Mat3 R = rotation_of(scene.bodies.x, k);
             const Vec3 centre = centre_of(scene.bodies.x, k);
@@ -95,6 +112,12 @@ public:
     }
 
 private:
+    template <class Method>
+    void take(Method& method, const Settings& settings, const StepSettings& how)
+    {
+        method.solver.sweeps = {static_cast<int>(settings["sweeps"]), 1e-6};
+        rigid::step(state_.scene, how, method, state_.now);
+    }
     void tumble_all(Tumbling way, Real h)
     {
         Bodies<6>& bodies = state_.scene.bodies;
@@ -132,6 +155,8 @@ private:
     Camera camera_;
     SpaceExact exact_;
     SpaceIslands islands_;
+    TouchingCones cones_, one_point_;
+    TouchingBoxes boxes_;
 };
 
 /// A scene with its methods, and the tunable that all of them have.

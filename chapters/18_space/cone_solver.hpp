@@ -1,0 +1,161 @@
+/// \file cone_solver.hpp
+/// Chapter 10's sweeps, island by island, with a disc for the two rows of friction of each contact.
+///
+///     stop when r ≤ tolerance, r the largest natural residual of a row (3.15) or of a disc (18.38)
+#pragma once
+
+#include "chapters/10_skipping_work/islands.hpp"
+#include "chapters/18_space/friction_cone.hpp"
+#include "chapters/18_space/space_contact.hpp"
+
+namespace rigid {
+
+//! [cone_solver]
+struct ConeSolver {
+    /// of each island; a tolerance of 0 makes all sweeps
+    ImpulseSettings sweeps{50, 1e-6};
+
+    // What is kept from step to step.
+    Islands islands;
+    std::vector<SolverRow<6>> rows;  ///< island by island
+    std::vector<Feedback> feedback;
+    std::vector<int> place_of;
+    std::vector<DiscOfRows> discs;
+    std::vector<int> disc_at;  ///< of each row: the disc that begins there, or −1
+    int most_sweeps = 0, unsolved = 0;  ///< of the last step
+
+    void require_valid() const { rigid::require_valid(sweeps); }
+
+    /// Each island by itself, from the λ that now.solution holds.
+    void solve(Bodies<6>& bodies, StepData<6>& now)
+    {
+        if (now.substep == 0) most_sweeps = unsolved = 0;
+        find_islands(bodies, now, {}, islands);
+        VecX& lambda = now.solution.lambda;
+        clamp_start(now.rows, lambda);
+        for (const int k : now.active)
+            bodies.velocity(k) = now.u_star.segment<6>(6 * k);
+        prepare<6>(now.rows, islands.rows, lambda, rows);
+        prepare_feedback<6>(now.rows, islands.rows, rows, place_of, feedback);
+        find_discs();
+        for (const SolverRow<6>& row : rows) {
+            bodies.u.segment<6>(row.a) += row.Wa * row.lambda;
+            bodies.u.segment<6>(row.b) += row.Wb * row.lambda;
+        }
+        now.solution.residual = 0;
+        for (int i = 0; i < islands.count(); ++i) solve_island(i, bodies.u, now);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            lambda[islands.rows[k]] = rows[k].lambda;
+        now.solution.iterations = most_sweeps;
+        now.solution.status =
+            unsolved > 0 ? Status::iteration_limit : Status::solved;
+    }
+    //! [cone_solver]
+
+    /// The biases alone, from rest and without friction: v = M⁻¹ Jᵀ Λ.
+    void solve_apart(SecondProblem& second, VecX& v, StepData<6>& now)
+    {
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const auto number = static_cast<std::size_t>(islands.rows[k]);
+            rows[k].lambda = 0;
+            if (second.left_out[number]) rows[k].mass = 0;
+            else rows[k].bias = second.bias[number];
+        }
+        for (const int k : now.active) v.segment<6>(6 * k).setZero();
+        for (int i = 0; i < islands.count(); ++i) {
+            const auto [first, count] = rows_of(i);
+            now.visits += sweep_on<6>(std::span(rows).subspan(first, count), {},
+                                      second.max_sweeps, second.tolerance, v);
+        }
+    }
+
+    /// Relaxation is refused in space by the contacts stage.
+    void solve_again(SecondProblem&, Bodies<6>&, StepData<6>&) const {}
+
+private:
+    std::pair<std::size_t, std::size_t> rows_of(int island) const
+    {
+        const auto at = [this](int i) {
+            return static_cast<std::size_t>(
+                islands.first_row[static_cast<std::size_t>(i)]);
+        };
+        return {at(island), at(island + 1) - at(island)};
+    }
+
+    /// Two neighbours that follow one normal with one μ share a disc.
+    void find_discs()
+    {
+        discs.clear();
+        disc_at.assign(rows.size(), -1);
+        for (std::size_t k = 0; k + 1 < feedback.size(); ++k) {
+            const Feedback &p = feedback[k], &q = feedback[k + 1];
+            if (p.bounding == 0 || q.bounding + 1 != p.bounding ||
+                p.friction != q.friction)
+                continue;
+            disc_at[k] = static_cast<int>(discs.size());
+            discs.push_back(disc_of_rows(rows, k));
+            ++k;
+        }
+    }
+
+    Real radius_at(std::size_t k) const
+    {
+        const auto normal = static_cast<std::ptrdiff_t>(k) + feedback[k].bounding;
+        return feedback[k].friction *
+               std::max(Real{0}, rows[static_cast<std::size_t>(normal)].lambda);
+    }
+
+    //! [solve_island]
+    void solve_island(int island, VecX& u, StepData<6>& now)
+    {
+        const auto [first, count] = rows_of(island);
+        const Real tolerance = sweeps.tolerance * now.length;
+        Real residual = infinity;
+        int n = 0;
+        for (bool off = true; n < sweeps.max_sweeps && off; ++n) {
+            off = false;
+            for (std::size_t k = first; k < first + count; ++k) {
+                if (disc_at[k] < 0) {
+                    if (!(std::abs(visit(rows[k], u)) <= tolerance * rows[k].mass))
+                        off = true;
+                    continue;
+                }
+                const auto& disc = discs[static_cast<std::size_t>(disc_at[k])];
+                if (!(visit_disc(disc, &rows[k], radius_at(k), u) <= tolerance))
+                    off = true;
+                ++k;
+            }
+            now.visits += static_cast<std::int64_t>(count);
+            // a small change is no small residual (chapter 4): look
+            if (!(tolerance > 0) || (off && n + 1 < sweeps.max_sweeps)) continue;
+            residual = residual_of(first, count, u);
+            off = !(residual <= tolerance);
+        }
+        most_sweeps = std::max(most_sweeps, n);
+        unsolved += !(residual <= tolerance);
+        now.solution.residual = std::max(now.solution.residual, residual);
+    }
+    //! [solve_island]
+
+    Real residual_of(std::size_t first, std::size_t count, const VecX& u) const
+    {
+        Real largest = 0;
+        for (std::size_t k = first; k < first + count; ++k) {
+            Real r = 0;
+            if (disc_at[k] >= 0) {
+                r = disc_residual(discs[static_cast<std::size_t>(disc_at[k])],
+                                  &rows[k], radius_at(k), u);
+                ++k;
+            } else if (rows[k].mass > 0) {
+                const Real w = velocity<6>(rows[k], u.segment<6>(rows[k].a),
+                                           u.segment<6>(rows[k].b));
+                r = natural_residual_row(1 / rows[k].mass, rows[k].lambda, w,
+                                         rows[k].lo, rows[k].hi);
+            }
+            if (!(r <= largest)) largest = r;
+        }
+        return largest;
+    }
+};
+
+}  // namespace rigid

@@ -1,0 +1,136 @@
+/// \file touch_scenes.hpp
+/// What slides, stacks and is poured.
+#pragma once
+
+#include "chapters/18_space/program/space_run.hpp"
+#include "chapters/18_space/solid_scenes.hpp"
+
+namespace rigid {
+
+inline const std::vector<std::string> ways_to_drag = {"cone", "box"};
+
+inline void add_touch_tunables(Demo& scene, Real mu, Real sweeps)
+{
+    scene.tunables.push_back(
+        {"mu", "", "friction", mu, 0, 2, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back(
+        {"sweeps", "", "of a step, at most", sweeps, 1, 5000, Numbers::whole});
+}
+
+inline Demo slide_scene()
+{
+    Demo scene = space_demo(
+        "slide", "A block slides: friction on a disc, and on a box",
+        {{0, 0}, {2.2, 1.5}}, 1.0 / 240, ways_to_drag,
+        [](const Settings& settings) {
+            SpaceSetup setup;
+            const Real speed = settings["speed"], mu = settings["mu"],
+                       angle = settings["direction"] * pi / 180, h = settings.h;
+            setup.scene = sliding_block(speed, angle, mu);
+            setup.camera.target = {0.5, 0, -0.3};
+            setup.camera.distance = 8;
+            setup.camera.height = 0.6;
+            setup.ground = 3;
+            setup.traces = true;
+            setup.measure = [=](const SpaceState& s) -> std::vector<Real> {
+                const Vec3 ahead(cos(angle), 0, -sin(angle)),
+                    aside(sin(angle), 0, cos(angle));
+                const Vec3 way = s.scene.bodies.x.head<3>(),
+                           lost = speed * ahead - s.scene.bodies.u.head<3>();
+                const Real all = s.t > 0 ? mu * 9.81 * s.t : 1;
+                return {s.scene.bodies.u.head<3>().norm(),
+                        way.dot(ahead),
+                        stopping_distance(speed, mu, h),
+                        way.dot(aside),
+                        lost.x() / all,
+                        lost.z() / all};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"speed", "m/s", "at the start", 3, 0.1, 10,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"direction", "°", "from the first tangent", 45, 0,
+                              360, Numbers::real, OnChange::restarts});
+    add_touch_tunables(scene, 0.4, 200);
+    scene.columns = {{"speed", "m/s", "of the block", Plot::linear},
+                     {"distance", "m", "along its first direction", Plot::linear},
+                     {"distance_exact", "m", "(18.41)"},
+                     {"aside", "m", "across its first direction", Plot::linear},
+                     {"drag_x", "", "mean force over mu m g, against x"},
+                     {"drag_z", "", "mean force over mu m g, against z"}};
+    return scene;
+}
+
+inline Demo stack_scene()
+{
+    Demo scene = space_demo(
+        "stack", "Boxes on boxes: four points to a face, or one", {{0, 0}, {8, 6}},
+        1.0 / 60, {"cone", "box", "one_point"}, [](const Settings& settings) {
+            SpaceSetup setup;
+            setup.scene = box_stack(static_cast<int>(settings["boxes"]),
+                                    settings["turn"] * pi / 180, settings["mu"]);
+            setup.camera.target = {0, 5, 0};
+            setup.camera.distance = 20;
+            setup.ground = 4;
+            const VecX start = setup.scene.bodies.x;
+            setup.measure = [start](const SpaceState& s) -> std::vector<Real> {
+                const VecX& x = s.scene.bodies.x;
+                Real sideways = 0, sunk = 0;
+                for (Index k = 0; k < s.scene.bodies.count(); ++k) {
+                    const Vec3 way = x.segment<3>(6 * k) - start.segment<3>(6 * k);
+                    sideways = std::max(sideways, Vec2(way.x(), way.z()).norm());
+                    sunk = std::max(sunk, -way.y());
+                }
+                return {energy(s.scene) - s.energy, sideways, sunk,
+                        deepest_overlap(s.now),
+                        static_cast<Real>(s.now.solution.iterations)};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"boxes", "", "of the stack", 10, 1, 30,
+                              Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"turn", "°", "of each box against the one below", 3,
+                              0, 45, Numbers::real, OnChange::restarts});
+    add_touch_tunables(scene, 0.5, 500);
+    scene.columns = {
+        {"energy", "J", "less that of the start", Plot::linear},
+        {"sideways", "m", "the farthest that a box has moved so",
+         Plot::logarithmic},
+        {"sunk", "m", "the farthest that a box has moved down", Plot::linear},
+        {"overlap", "m", "the deepest", Plot::linear},
+        {"sweeps", "", "of the step", Plot::linear}};
+    return scene;
+}
+
+inline Demo heap_scene()
+{
+    Demo scene = space_demo(
+        "heap", "Balls, capsules, boxes and hulls fall into a pit",
+        {{0, 0}, {2.7, 1.8}}, 1.0 / 120, ways_to_drag,
+        [](const Settings& settings) {
+            SpaceSetup setup;
+            setup.scene = mixed_heap(static_cast<int>(settings["bodies"]),
+                                     settings["mu"], settings.seed);
+            setup.camera.target = {0, 0.5, 0};
+            setup.camera.distance = 8;
+            setup.camera.height = 0.5;
+            setup.ground = 1, setup.pit = 1.2;
+            setup.measure = [](const SpaceState& s) -> std::vector<Real> {
+                return {energy(s.scene) - s.energy,
+                        static_cast<Real>(s.now.contacts.size()),
+                        deepest_overlap(s.now),
+                        static_cast<Real>(s.now.solution.iterations)};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"bodies", "", "that fall", 30, 1, 200, Numbers::whole,
+                              OnChange::restarts});
+    add_touch_tunables(scene, 0.5, 50);
+    scene.columns = {{"energy", "J", "less that of the start", Plot::linear},
+                     {"contacts", "", "points where solids touch", Plot::linear},
+                     {"overlap", "m", "the deepest", Plot::linear},
+                     {"sweeps", "", "of the step", Plot::linear}};
+    return scene;
+}
+
+}  // namespace rigid

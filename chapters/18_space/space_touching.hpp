@@ -1,0 +1,222 @@
+/// \file space_touching.hpp
+/// The contacts stage in space: which solids are near each other, where they touch, and the rows of that.
+///
+///     joints · friction, two rows to a contact · normals, one to a contact
+///
+/// Pairs are found by chapter 10's sort and sweep, on the shadows of balls around the bodies. What a joint joins does not
+/// collide, and what cannot move makes no row with what cannot move.
+#pragma once
+
+#include "chapters/10_skipping_work/sort_and_sweep.hpp"
+#include "chapters/18_space/solid_touch.hpp"
+#include "chapters/18_space/space_constraints.hpp"
+
+namespace rigid {
+
+//! [wall]
+/// The corners of a solid that are near a wall, (18.36); four of them carry it.
+inline void collide(const SolidWall& wall, const PlacedSolid& b,
+                    const TouchSettings& how, ClipRoom& room, Touch& touch)
+{
+    room.points.clear();
+    touch.normal = wall.normal;
+    for (std::size_t i = 0; i < b.vertices.size(); ++i) {
+        const Real height = wall.normal.dot(b.vertices[i]) - wall.offset;
+        if (height - b.radius() < how.margin)
+            room.points.push_back({b.vertices[i] - height * wall.normal,
+                                   b.vertices[i], height - b.radius(),
+                                   static_cast<int>(i)});
+    }
+    keep_four(room.points, how.slack, touch);
+}
+//! [wall]
+
+struct TouchingSolids {
+    /// what differs by less than this is the same [margins]
+    Real slack = 0.01;
+    int points = 4;  ///< of each pair of hulls, at most; 1: the deepest alone
+
+    // What is kept from step to step.
+    AllSolids others;
+    std::vector<std::vector<Hull>> known;       ///< of these the forms are
+    std::vector<std::vector<SolidForm>> forms;  ///< of each body's hulls
+    std::vector<std::vector<PlacedSolid>> solids;
+    std::vector<Real> reach;  ///< of each body, from its centroid [m]
+    SortAndSweep shadows;
+    VecX seen, radii;
+    std::vector<std::pair<int, int>> pairs, joined;
+    ClipRoom room;
+    Touch touch;
+
+    void require_valid() const
+    {
+        if (!(slack >= 0 && slack < 1))
+            throw std::invalid_argument("the slack of contacts is " +
+                                        shortest(slack) +
+                                        " margins; it must be from 0 to 1");
+        if (points < 1 || points > 4)
+            throw std::invalid_argument("a pair of hulls has " +
+                                        std::to_string(points) +
+                                        " points at most; it must be 1 to 4");
+    }
+
+    //! [stage]
+    template <class Method>
+    void begin(const SpaceScene& scene, const StepSettings& settings,
+               Method& method, StepData<6>& now)
+    {
+        others.begin(scene, settings, method, now);
+        require_touching(scene);
+        place(scene);
+        const Real margin = settings.margin * now.length;
+        find_pairs(scene, margin);
+        const TouchSettings how{margin, slack * margin};
+        for (std::size_t w = 0; w < scene.walls.size(); ++w)
+            touch_wall(scene, w, how, now);
+        for (const auto& [a, b] : pairs) touch_pair(scene, a, b, how, now);
+        // friction first: what is visited last is right (section 13.5)
+        for (const SpacePart part : {first_tangent, push_part})
+            for (std::size_t i = 0; i < now.contacts.size(); ++i) {
+                const int number = static_cast<int>(i);
+                if (part == push_part)
+                    now.sources.push_back({Source::Of::contact, number, push_part});
+                else if (now.contacts[i].friction > 0)
+                    for (const SpacePart t : {first_tangent, second_tangent})
+                        now.sources.push_back({Source::Of::contact, number, t});
+            }
+    }
+    //! [stage]
+    template <class Method>
+    void end(const SpaceScene&, const StepSettings&, Method&,
+             const StepData<6>&) const
+    {
+    }
+
+private:
+    /// Forms of what is new, and all of them where the bodies are.
+    void place(const SpaceScene& scene)
+    {
+        if (known != scene.shapes) {
+            known = scene.shapes;
+            forms.assign(known.size(), {});
+            reach.assign(known.size(), 0);
+            for (std::size_t k = 0; k < known.size(); ++k)
+                for (const Hull& hull : known[k]) {
+                    forms[k].push_back(form_of(hull));
+                    reach[k] = std::max(reach[k], forms[k].back().reach);
+                }
+            solids.assign(known.size(), {});
+        }
+        for (std::size_t k = 0; k < forms.size(); ++k) {
+            const auto body = static_cast<Index>(k);
+            const Mat3 R = rotation_of(scene.bodies.x, body);
+            solids[k].resize(forms[k].size());
+            for (std::size_t i = 0; i < forms[k].size(); ++i)
+                solids[k][i].place(forms[k][i], centre_of(scene.bodies.x, body), R);
+        }
+    }
+
+    void find_pairs(const SpaceScene& scene, Real margin)
+    {
+        const Bodies<6>& bodies = scene.bodies;
+        seen.resize(2 * bodies.count());
+        radii.resize(bodies.count());
+        joined.clear();
+        for (const SpaceJoint& joint : scene.joints)
+            joined.emplace_back(static_cast<int>(std::min(joint.a, joint.b)),
+                                static_cast<int>(std::max(joint.a, joint.b)));
+        std::sort(joined.begin(), joined.end());
+        for (Index k = 0; k < bodies.count(); ++k) {
+            seen.segment<2>(2 * k) = centre_of(bodies.x, k).head<2>();
+            radii[k] = reach[static_cast<std::size_t>(k)];
+        }
+        pairs.clear();
+        sort_and_sweep(seen, radii, margin, 0, shadows, [&](int a, int b) {
+            if (!bodies.can_move(a) && !bodies.can_move(b)) return;
+            const Vec3 way = centre_of(bodies.x, b) - centre_of(bodies.x, a);
+            if (!(way.norm() < radii[a] + radii[b] + margin)) return;
+            if (!std::binary_search(joined.begin(), joined.end(), std::pair(a, b)))
+                pairs.emplace_back(a, b);
+        });
+        std::sort(pairs.begin(), pairs.end());
+    }
+
+    void touch_wall(const SpaceScene& scene, std::size_t w,
+                    const TouchSettings& how, StepData<6>& now)
+    {
+        const SolidWall& wall = scene.walls[w];
+        for (Index b = 0; b < scene.bodies.count(); ++b) {
+            const auto k = static_cast<std::size_t>(b);
+            const Real height =
+                wall.normal.dot(centre_of(scene.bodies.x, b)) - wall.offset;
+            if (!scene.bodies.can_move(b) || height - reach[k] >= how.margin)
+                continue;
+            Index first = 0;
+            for (std::size_t v = 0; v < w; ++v) first += corners(k);
+            for (const PlacedSolid& solid : solids[k]) {
+                collide(wall, solid, how, room, touch);
+                const Real mu = combined(scene.wall_friction, w, scene.friction, k);
+                add(scene, world, b, 0, solid.radius(), first, mu, now);
+                first += static_cast<Index>(solid.vertices.size());
+            }
+        }
+    }
+
+    void touch_pair(const SpaceScene& scene, int a, int b, const TouchSettings& how,
+                    StepData<6>& now)
+    {
+        const auto ka = static_cast<std::size_t>(a),
+                   kb = static_cast<std::size_t>(b);
+        Index first = 0;
+        for (const PlacedSolid& p : solids[ka])
+            for (const PlacedSolid& q : solids[kb]) {
+                collide(p, q, how, room, touch);
+                const Real mu = combined(scene.friction, ka, scene.friction, kb);
+                add(scene, a, b, p.radius(), q.radius(), first, mu, now);
+                first += TouchNames(*p.form, *q.form).count();
+            }
+    }
+
+    void add(const SpaceScene& scene, Index a, Index b, Real radius_a,
+             Real radius_b, Index first_feature, Real mu, StepData<6>& now)
+    {
+        const auto in_axes = [&](Index k, const Vec3& p) -> Vec3 {
+            return rotation_of(scene.bodies.x, k).transpose() *
+                   (p - centre_of(scene.bodies.x, k));
+        };
+        if (touch.count > points) keep_deepest();
+        for (int i = 0; i < touch.count; ++i) {
+            const TouchPoint& p = touch.points[static_cast<std::size_t>(i)];
+            now.contacts.push_back({a, b, first_feature + p.feature, touch.normal,
+                                    in_axes(a, p.on_a), in_axes(b, p.on_b),
+                                    radius_a, radius_b, mu});
+        }
+    }
+
+    /// What the text breaks: fewer points than a face needs.
+    void keep_deepest()
+    {
+        const auto end = touch.points.begin() + touch.count;
+        std::sort(
+            touch.points.begin(), end,
+            [](const TouchPoint& p, const TouchPoint& q) { return p.gap < q.gap; });
+        touch.count = points;
+    }
+
+    Index corners(std::size_t k) const
+    {
+        Index count = 0;
+        for (const PlacedSolid& solid : solids[k])
+            count += static_cast<Index>(solid.vertices.size());
+        return count;
+    }
+
+    /// (13.2): μ of two surfaces.
+    static Real combined(const std::vector<Real>& of_a, std::size_t a,
+                         const std::vector<Real>& of_b, std::size_t b)
+    {
+        return of_a.empty() || of_b.empty() ? 0 : std::sqrt(of_a[a] * of_b[b]);
+    }
+};
+
+}  // namespace rigid
