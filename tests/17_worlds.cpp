@@ -387,15 +387,17 @@ TEST_CASE("what is poured lies beside what is poured and not in it", "[idea]")
 
 TEST_CASE("dolls that fall down stairs overstep no limit of their joints", "[idea]")
 {
-    World engine = dolls_world(2);
-    Real worst = 0;
-    for (int i = 0; i < 180; ++i) {
-        engine.step(frame);
-        REQUIRE(engine.work().unsolved == 0);
-        for (const JointId joint : engine.joints()) worst = std::max(worst, engine.error(joint));
+    for (const int dolls : {1, 2}) {
+        World engine = dolls_world(dolls);
+        Real worst = 0;
+        for (int i = 0; i < 180; ++i) {
+            engine.step(frame);
+            REQUIRE(engine.work().unsolved == 0);
+            for (const JointId joint : engine.joints()) worst = std::max(worst, engine.error(joint));
+        }
+        // 1e-4 rad; one doll 0.13 if a row waits until the joint itself is fast, for a blow makes it fast within the step
+        CHECK(worst < 0.005);
     }
-    // 2e-4 rad; 0.18 if a row waits until the joint itself is fast, for a blow makes it fast within the step
-    CHECK(worst < 0.005);
 }
 
 TEST_CASE("a body whose numbers overflow is held where it was and the step says so", "[idea]")
