@@ -27,7 +27,8 @@ struct IslandShape {
 
 /// What is exact.
 struct ChoiceRule {
-    int always = 24;  ///< islands of up to so many bounded rows, whatever they are
+    /// islands of up to so many bounded rows: a doll, its limits and contacts
+    int always = 64;
     int at_most = 600;  ///< bounded rows of one that sweeps would be slow on
     int loops = 120;    ///< rows that close loops, at most
     Real sweeps = 240;  ///< more than this needed: slow
