@@ -8,6 +8,7 @@ if(RIGID_BENCHMARKS)
   endif()
 endif()
 add_custom_target(benchmarks)
+add_custom_target(steps_alone)   # every program's steps, for a comparison of times with those of the pages
 include(cmake/peers.cmake)   # measure_beside(): programs to compare with, where they are installed
 
 function(add_chapter chapter)
@@ -20,6 +21,10 @@ function(add_chapter chapter)
   add_executable(${chapter} ${folder}/program/main.cpp)
   target_link_libraries(${chapter} PRIVATE rigid_program)
   precompile(${chapter})
+  # The same objects for the time of a step alone (docs/web/test/step_times.mjs).
+  add_executable(${chapter}_steps EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/docs/web/test/steps_alone.cpp $<TARGET_OBJECTS:${chapter}>)
+  target_link_libraries(${chapter}_steps PRIVATE $<TARGET_PROPERTY:${chapter},LINK_LIBRARIES>)
+  add_dependencies(steps_alone ${chapter}_steps)
 
   if(benchmark_FOUND AND EXISTS ${folder}/benchmark/benchmark.cpp)
     add_executable(${chapter}_benchmark EXCLUDE_FROM_ALL ${folder}/benchmark/benchmark.cpp)

@@ -1,6 +1,7 @@
 // What a page gets of a program, without a browser: draw lists, the panel's rows, panes and the hand over them. The pages
 // themselves are tested in a browser: docs/web/test.
 #include "common/draw_list.hpp"
+#include "common/program/steps_alone.hpp"
 #include "common/program/web_description.hpp"
 #include "common/program/web_show.hpp"
 #include "common/text.hpp"
@@ -200,6 +201,16 @@ TEST_CASE("a run in a page measures what a run without a window measures", "[hou
     const std::vector<Real> path = rows_of_run(steered, default_settings(steered), {""}, 1);
     REQUIRE(path.size() == 8);
     CHECK(path[6] == ScriptedPointer(1, steered.view).at(0).x());
+}
+
+TEST_CASE("steps alone are as many as were asked for or as many as there are", "[house]")
+{
+    const Program program = toy::program();
+    const Demo& fall = program.scenes[0];
+    Settings settings = default_settings(fall);
+    CHECK(steps_alone(fall, settings, 7, 3) == 7);
+    settings.method = "failing";
+    CHECK(steps_alone(fall, settings, 100, 2) == 4);
 }
 
 TEST_CASE("the panes of a page fit their width and the height that they may have", "[house]")

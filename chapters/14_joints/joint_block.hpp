@@ -137,8 +137,7 @@ struct JointBlock {
         y.head<d>() = r;
     }
 
-    /// (14.8) and (14.7): λ and u, once the parent's u is known.
-    /// \param u  of the body: û before
+    /// (14.8) and (14.7): λ and u, once the parent's u is known. The body's u was û before.
     template <int d>
     void down(const RowGroup& group, const JointBlock* parent, VecX& lambda)
     {

@@ -3,6 +3,7 @@
 /// Texts go in and out as UTF-8 that ends with a zero, lists of numbers as a place in memory and a count. A function
 /// that can fail returns 0, or 1 and a sentence in web_sentence().
 #include "common/program/program.hpp"
+#include "common/program/steps_alone.hpp"
 #include "common/program/web_description.hpp"
 #include "common/program/web_show.hpp"
 
@@ -205,13 +206,20 @@ RIGID_PAGE(web_words) const char* web_words() { return page().list->words().c_st
 /// 1 while the hand pulls.
 RIGID_PAGE(web_pressed) int web_pressed() { return page().show->pressed() ? 1 : 0; }
 /// The rows of a run without a window, of what was chosen by web_choose() and its companions: how many numbers.
-RIGID_PAGE(web_run) int web_run(int steps, int last_alone)
+RIGID_PAGE(web_run) int web_run(int steps)
 {
     page().rows.clear();
     attempt([&] {
         const Options& options = page().options;
-        page().rows = rows_of_run(*options.scene, options.settings, options.methods, steps, last_alone != 0);
+        page().rows = rows_of_run(*options.scene, options.settings, options.methods, steps);
     });
     return static_cast<int>(page().rows.size());
 }
 RIGID_PAGE(web_rows) const double* web_rows() { return page().rows.data(); }
+/// So many starts of what was chosen, with so many steps after each, and nothing else: how many steps the last one made.
+RIGID_PAGE(web_steps) int web_steps(int steps, int starts)
+{
+    long made = 0;
+    attempt([&] { made = steps_alone(*page().options.scene, page().options.settings, steps, starts); });
+    return static_cast<int>(made);
+}

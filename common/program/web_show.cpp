@@ -107,7 +107,7 @@ void WebShow::advance(Real seconds)
 }
 
 std::vector<Real> rows_of_run(const Demo& scene, const Settings& settings,
-                              const std::vector<std::string>& methods, long steps, bool last_alone)
+                              const std::vector<std::string>& methods, long steps)
 {
     Playback playback(scene, settings, methods);
     const ScriptedPointer pointer(settings.seed, scene.view);
@@ -120,12 +120,12 @@ std::vector<Real> rows_of_run(const Demo& scene, const Settings& settings,
             rows.insert(rows.end(), track.measured.begin(), track.measured.end());
         }
     };
-    if (!last_alone) add();
+    add();
     while (playback.steps() < steps && playback.can_go_on()) {
         Input input;
         if (scene.steered) input = {.pointer = pointer.at(playback.time()), .present = true};
         playback.step(input);
-        if (!last_alone || playback.steps() == steps) add();
+        add();
     }
     return rows;
 }

@@ -43,8 +43,7 @@ private:
 };
 
 /// What a run without a window measures (--headless --csv): for each step and method the step, the time and the columns.
-/// \param last_alone  only of the last step: all that a run costs is its steps
 std::vector<Real> rows_of_run(const Demo& scene, const Settings& settings,
-                              const std::vector<std::string>& methods, long steps, bool last_alone = false);
+                              const std::vector<std::string>& methods, long steps);
 
 }  // namespace rigid

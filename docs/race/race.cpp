@@ -1,9 +1,9 @@
 /// \file race.cpp
-/// Our side of the race (docs/race.md), for a page: scenes, the steps of this book on them, and the referee of both sides.
+/// Our side of the race (docs/race.md), for a page: scenes, the engine of chapter 17 on them, and the referee of both sides.
 /// As web_program.cpp: a function that can fail returns 0, or 1 and a sentence in web_sentence().
 #include "docs/race/race_scenes.hpp"
 
-#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/17_engine/from_scene.hpp"
 #include "common/program/web_description.hpp"
 #include "common/text.hpp"
 
@@ -12,61 +12,36 @@
 namespace rigid::race {
 namespace {
 
-const std::vector<std::string> touching_methods = {"exact", "small steps", "sweeps"},
-                               joint_methods = {"trees", "small steps", "sweeps"};
+/// The engine's own choice, and its two kinds of solver alone.
+const std::vector<std::pair<std::string, Solving>> methods = {
+    {"engine", Solving::by_island}, {"exact", Solving::exact}, {"sweeps", Solving::sweeps}};
 
-/// One sweep in each part of a step, positions put right at its end: chapter 8, with friction and joints.
-Correction small_correction()
-{
-    Correction correction;
-    correction.method = Stabilizer::projection;
-    correction.beta = 1;
-    correction.correction_sweeps = 1;
-    correction.at_the_end = true;
-    return correction;
-}
+/// Things of one group that is negative do not meet.
+constexpr Filter nothing{1, 0xffff'ffff, -1};
 
-/// One run: a scene that is stepped by one of the methods.
+/// One run: a world with all settings as they come, but for the two that are chosen, and without sleep.
 class Ours {
 public:
-    Ours(const RaceScene& race, const std::string& method, int substeps)
-        : scene_(race.scene), method_(method), how_{.h = 1.0 / 60, .substeps = substeps}
+    Ours(const RaceScene& race, Solving solving, int substeps)
+        : world_({.substeps = substeps, .sleep = false, .solving = solving})
     {
-        exact_.correction = exact_correction();
-        if (method == "small steps") {
-            sweeps_.correction = small_correction();
-            sweeps_.solver.sweeps.max_sweeps = 1;
-        } else {
-            sweeps_.correction.method = Stabilizer::projection;
-            sweeps_.start.from = Start::previous;
-            sweeps_.solver.sweeps.max_sweeps = 10;
-        }
-        if (race.touches) return;
-        CollisionFilter nothing;
-        nothing.set_meets(0, 0, false);
-        for (Manifolds* touching :
-             {&trees_.contacts.contacts.contacts, &sweeps_.contacts.contacts.contacts}) {
-            touching->finder.filter = nothing;
-            touching->fast.stop = false;
-        }
+        bodies_ = put_in(world_, race.scene, race.touches ? Filter{} : nothing);
+        x_.resize(3 * static_cast<Index>(bodies_.size()));
     }
 
-    void step()
+    void step() { world_.step(1.0 / 60); }
+    /// (x, y, θ) of each body.
+    const VecX& x()
     {
-        if (method_ == "exact") rigid::step(static_cast<RoughScene&>(scene_), how_, exact_, now_);
-        else if (method_ == "trees") rigid::step(scene_, how_, trees_, now_);
-        else rigid::step(scene_, how_, sweeps_, now_);
+        for (std::size_t k = 0; k < bodies_.size(); ++k)
+            x_.segment<3>(3 * static_cast<Index>(k)) << world_.position(bodies_[k]), world_.angle(bodies_[k]);
+        return x_;
     }
-    const VecX& x() const { return scene_.bodies.x; }
 
 private:
-    JointedScene scene_;
-    std::string method_;
-    StepSettings how_;
-    StepData<3> now_;
-    ExactFriction<Manifolds> exact_;
-    JointSweeps<Manifolds> sweeps_;
-    JointTrees<Manifolds> trees_;
+    World world_;
+    std::vector<BodyId> bodies_;
+    VecX x_;
 };
 
 struct Page {
@@ -140,16 +115,14 @@ std::string scene_text(const RaceScene& race)
 std::string description()
 {
     const char* const errors[] = {"moved", "overlap", "gap"};
-    std::string scenes;
+    std::string names, scenes;
+    for (const auto& [name, solving] : methods) names += (names.empty() ? "" : ",") + json(name);
     for (const RaceScene& race : page().scenes) {
-        std::string methods;
-        for (const std::string& one : race.touches ? touching_methods : joint_methods)
-            methods += (methods.empty() ? "" : ",") + json(one);
         scenes += (scenes.empty() ? "" : ",") + ("{\"name\":" + json(race.name)) +
                   ",\"title\":" + json(race.title) + ",\"summary\":" + json(race.summary) + ",\"view\":" +
                   list({race.centre.x(), race.centre.y(), race.half_size.x(), race.half_size.y()}) +
                   ",\"error\":" + json(errors[static_cast<int>(race.error)]) +
-                  ",\"steps\":" + std::to_string(race.steps) + ",\"methods\":[" + methods + "]}";
+                  ",\"steps\":" + std::to_string(race.steps) + ",\"methods\":[" + names + "]}";
     }
     return "{\"name\":\"race\",\"scenes\":[" + scenes + "]}";
 }
@@ -188,9 +161,7 @@ RIGID_PAGE(race_open) int race_open(int scene, int method, int substeps)
         Page& all = page();
         const RaceScene& race = all.scenes.at(static_cast<std::size_t>(scene));
         all.scene = static_cast<std::size_t>(scene);
-        all.ours.emplace(
-            race, (race.touches ? touching_methods : joint_methods).at(static_cast<std::size_t>(method)),
-            substeps);
+        all.ours.emplace(race, methods.at(static_cast<std::size_t>(method)).second, substeps);
         all.theirs = race.scene.bodies.x;
         all.referee = {};
     });

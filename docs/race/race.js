@@ -40,7 +40,7 @@
 
     // What the table has of one scene: [program, method, sub-steps] for each line.
     function lines_of(scene, with_box) {
-        const ours = [[scene.methods[0], 1], ['small steps', 8]].map(([method, substeps]) => ({who: 'book', method, substeps}));
+        const ours = [1, 4].map(substeps => ({who: 'book', method: scene.methods[0], substeps}));
         return with_box ? [...ours, ...[4, 16].map(substeps => ({who: 'Box2D', method: 'its own', substeps}))] : ours;
     }
 
@@ -166,12 +166,9 @@
 
         choose(index) {
             const scene = this.race.scenes[index];
-            this.methods = element('select', {'aria-label': 'Method of this book', onchange: () => {
-                if (this.methods.value === 'small steps' && this.substeps.value === '1') this.substeps.value = '8';
-                this.open();
-            }}, ...scene.methods.map(one => element('option', {}, one)));
+            this.methods = element('select', {'aria-label': 'Method of this book', onchange: () => this.open()},
+                                   ...scene.methods.map(one => element('option', {}, one)));
             this.method_place.replaceChildren(this.methods);
-            this.substeps.value = '1';
             this.open();
         }
 

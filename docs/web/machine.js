@@ -106,7 +106,7 @@
 
         // The rows of a run without a window, as numbers.
         run(steps) {
-            const count = this.api.web_run(steps, 0);
+            const count = this.api.web_run(steps);
             return new Float64Array(this.api.memory.buffer, this.api.web_rows(), count).slice();
         }
     }

@@ -1,58 +1,68 @@
-// How long a step takes in WebAssembly (node), against the same program without it, for the default scene of each.
+// How long a step takes in WebAssembly (node), against the same program without it, for one scene of each: the default one,
+// or where that solves one problem and then stands still, another.
 //
-//     node docs/web/test/step_times.mjs DEMOS BIN
+//     node docs/web/test/step_times.mjs DEMOS BIN [--only WORD] [--turns N]
 //
-// The time between a short and a long run, so that neither the start of a process nor of a module counts; both sides by
-// turns, the least of several. Exit code 1 if a step takes more than 1.5 times as long and is one that can be measured.
+// Both sides call the same function (common/program/steps_alone.hpp) once for many steps: no row is measured, no picture drawn,
+// and where a scene ends early it is started again. BIN has the programs of the target `steps_alone`. What is counted is the
+// difference between long runs and short ones, so that neither the start of a module nor that of a scene counts. Both sides
+// run by turns; the ratio is that of the least times, and beside it stand the lowest and the highest of one turn. Exit code 1
+// if a step takes more than 1.5 times as long.
 import {spawnSync} from 'node:child_process';
 import {join} from 'node:path';
 import {machine_of} from '../node.mjs';
 import {programs} from './programs.mjs';
 
-const [, , demos, bin] = process.argv;
-const short_run = 100, turns = 5, most = 1.5;
+const words = process.argv.slice(2);
+const option = (name, other) => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : other;
+const only = option('--only', ''), turns = Number(option('--turns', 7)), most = 1.5;
+const [demos, bin] = words;
 
-// Time of a processor, not of a clock: other programs may run beside this. In microseconds.
-function native(program, scene, steps) {
-    const done = spawnSync('bash', ['-c', 'TIMEFORMAT=%3U; time "$0" "$@" >/dev/null', join(bin, program),
-                                    '--scene', scene, '--headless', '--steps', String(steps)], {encoding: 'utf8'});
+const moving = {'05_lemke': 'ten_discs', '09_active_sets': 'ten_discs'};
+const awake = {'17_engine': {sleep: 0}}; // asleep a world makes no step
+
+// Time of a processor, not of a clock: other programs may run beside this. {made, time}, in microseconds.
+function native(program, scene, settings, steps, starts) {
+    const done = spawnSync(join(bin, program + '_steps'), [scene, String(steps), String(starts), ...Object.entries(settings).map(one => one.join('='))],
+                           {encoding: 'utf8'});
     if (done.error || done.status !== 0) throw done.error || new Error(done.stderr);
-    return 1e6 * Number(done.stderr.trim().split('\n').pop());
+    const [made, time] = done.stdout.split(' ').map(Number);
+    return {made, time};
 }
 
-// As many of these steps as the scene can make: an explicit method that explodes says at which step it ended.
-function possible(program, scene, steps) {
-    const done = spawnSync(join(bin, program), ['--scene', scene, '--headless', '--steps', String(steps)], {encoding: 'utf8'});
-    const ended = /^step (\d+):/m.exec(done.stderr);
-    return ended ? Number(ended[1]) - 1 : steps;
-}
-
-function web(machine, scene, steps) {
-    machine.choose({scene});
+function web(machine, scene, settings, steps, starts) {
+    machine.choose({scene, settings});
     const before = process.cpuUsage();
-    machine.api.web_run(steps, 1);
-    return process.cpuUsage(before).user;
+    const made = machine.api.web_steps(steps, starts);
+    const {user, system} = process.cpuUsage(before);
+    return {made, time: user + system};
 }
 
 let slow = 0;
-console.log('scene'.padEnd(40) + 'steps'.padStart(8) + 'native'.padStart(10) + 'page'.padStart(10) + 'ratio'.padStart(8) + '   µs a step');
+console.log('scene'.padEnd(40) + 'steps'.padStart(9) + 'native'.padStart(10) + 'page'.padStart(10) + 'ratio'.padStart(8) + '   of one turn   (µs a step)');
 for (const program of programs(demos)) {
+    if (!program.includes(only)) continue;
     const machine = await machine_of(join(demos, program + '.js'));
-    const scene = machine.program.scenes[0].name;
-    web(machine, scene, 3000); // the compiler of the browser has seen it
-    // As many steps as take about a third of a second.
-    const guess = Math.max(0.1, (web(machine, scene, 500) - web(machine, scene, short_run)) / 400);
-    const wanted = short_run + Math.min(1000000, Math.max(200, Math.round(3e5 / guess)));
-    const steps = possible(program, scene, wanted);
-    const best = {native: Infinity, web: Infinity};
+    const scene = moving[program] || machine.program.scenes[0].name, settings = awake[program] || {};
+    const run = (steps, starts) => web(machine, scene, settings, steps, starts);
+    // As many steps as take about a quarter of a second, at most 3000 from one start; its compiler has then seen the code.
+    const {made} = run(3000, 1);
+    const short = Math.min(100, Math.floor(made / 4));
+    for (let turn = 0; turn < 3; ++turn) run(made, 1);
+    const guess = Math.max(0.001, (run(made, 3).time - run(short, 3).time) / (3 * (made - short)));
+    const long = Math.max(2 * short, Math.min(made, Math.round(2.5e5 / guess))), starts = Math.max(1, Math.round(2.5e5 / (guess * long)));
+    const steps = starts * (long - short);
+    const least = {native: Infinity, web: Infinity}, ratios = [];
     for (let turn = 0; turn < turns; ++turn) {
-        best.native = Math.min(best.native, native(program, scene, steps) - native(program, scene, short_run));
-        best.web = Math.min(best.web, web(machine, scene, steps) - web(machine, scene, short_run));
+        const here = native(program, scene, settings, long, starts).time - native(program, scene, settings, short, starts).time;
+        const there = run(long, starts).time - run(short, starts).time;
+        least.native = Math.min(least.native, here);
+        least.web = Math.min(least.web, there);
+        ratios.push(there / here);
     }
-    const each = {native: best.native / (steps - short_run), web: best.web / (steps - short_run)};
-    const ratio = each.web / each.native;
+    const ratio = least.web / least.native;
     if (ratio > most) ++slow;
-    console.log(`${program}/${scene}`.padEnd(40) + String(steps).padStart(8) + each.native.toFixed(2).padStart(10) + each.web.toFixed(2).padStart(10) +
-                ratio.toFixed(2).padStart(8) + (ratio > most ? `   more than ${most} times` : ''));
+    console.log(`${program}/${scene}`.padEnd(40) + String(steps).padStart(9) + (least.native / steps).toFixed(3).padStart(10) + (least.web / steps).toFixed(3).padStart(10) +
+                ratio.toFixed(2).padStart(8) + `   ${Math.min(...ratios).toFixed(2)} to ${Math.max(...ratios).toFixed(2)}` + (ratio > most ? `   more than ${most} times` : ''));
 }
 process.exit(slow ? 1 : 0);
