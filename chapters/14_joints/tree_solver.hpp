@@ -116,8 +116,7 @@ private:
     /// Algorithm 14.2.
     /// \param listed    whether A is that of these rows and joints
     /// \param left_out  1: a row without impulse; empty = none
-    /// \param begin     sets u to u*
-    /// \param lambda    in: where the rows with bounds start from
+    /// \param begin     sets u to u*; lambda is where the rows with bounds start
     /// \return          whether the rows with bounds have an answer
     template <class Begin>
     bool run(JointFactor& factor, BoundedRows& above, bool& listed,
@@ -153,12 +152,11 @@ private:
     //! [run]
 
     //! [refine]
-    /// times its own mass: the rounding of (14.9) makes about ε (S/M)² of what u was,
-    /// and 2 · 10⁻⁸ of g h is below all that is asked of a step
+    /// times its own mass: the rounding of (14.9), ε (S/M)², is 2 · 10⁻⁸ then
     static constexpr Real much_carried = 1e4;
 
-    /// (14.27): u from λ itself, and what is missing then once more, while that helps.
-    /// Where it does not, u stays what the tree said, and is not called solved.
+    /// (14.27): u from λ, and what is missing then once more. Where that does not
+    /// help, u stays what the tree said, and is not called solved.
     template <class Begin>
     void refine(JointFactor& factor, const Begin& begin, VecX& u, VecX& lambda,
                 StepData<3>& now)
@@ -226,8 +224,8 @@ private:
     void judge(const VecX& u, const VecX& lambda, const StepData<3>& now,
                Solution& solution) const
     {
-        const Real residual = solution.residual =
-            std::max(unlike_, natural_residual(now.rows, bias_, lambda, u));
+        const Real left = natural_residual(now.rows, bias_, lambda, u);
+        const Real residual = solution.residual = std::max(unlike_, left);
         solution.iterations = sweeps_made;
         solution.status = residual <= enough_ ? Status::solved
                           : joints.tree.dependent > 0 || !std::isfinite(residual)
@@ -236,7 +234,7 @@ private:
     }
 
     VecX bias_, missing_, change_, inverse_mass_;
-    VecX said_;        ///< velocities of the tree before they were refined
+    VecX said_;        ///< velocities before they were refined
     Real unlike_ = 0;  ///< what λ makes of u, where it is something else
     Real enough_ = 0;  ///< a residual below this is none [m/s]
     // are factor and A of velocities, of positions, those of the present rows?

@@ -9,8 +9,8 @@ int main(int argc, char** argv)
         Program program;
         program.name = "18_space";
         program.title = "Chapter 18. Space";
-        program.scenes = {book_scene(), spin_scene(),  handle_scene(),
-                          top_scene(),  chain_scene(), door_scene(),
+        program.scenes = {book_scene(),  spin_scene(),  handle_scene(),
+                          top_scene(),   chain_scene(), door_scene(),
                           slide_scene(), stack_scene(), heap_scene()};
         return program;
     };
