@@ -4,5 +4,5 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene poured --set bodies=60 --steps 400 --svg "$out/ch17_poured.svg"
+run --scene poured --set bodies=60 --steps 600 --svg "$out/ch17_poured.svg"
 run --scene dolls --steps 100 --svg "$out/ch17_dolls.svg"
