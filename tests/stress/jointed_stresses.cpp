@@ -1,3 +1,4 @@
+#include "chapters/11_rotation/rigid_method.hpp"
 #include "chapters/14_joints/placed_joints.hpp"
 #include "chapters/14_joints/ragdoll.hpp"
 #include "common/elementary.hpp"

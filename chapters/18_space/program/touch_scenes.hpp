@@ -9,10 +9,10 @@ namespace rigid {
 
 inline const std::vector<std::string> ways_to_drag = {"cone", "box"};
 
-inline void add_touch_tunables(Demo& scene, Real mu, Real sweeps)
+inline void add_touch_tunables(Demo& scene, Real mu, Real sweeps, Real least = 0)
 {
     scene.tunables.push_back(
-        {"mu", "", "friction", mu, 0, 2, Numbers::real, OnChange::restarts});
+        {"mu", "", "friction", mu, least, 2, Numbers::real, OnChange::restarts});
     scene.tunables.push_back(
         {"sweeps", "", "of a step, at most", sweeps, 1, 5000, Numbers::whole});
 }
@@ -51,7 +51,7 @@ inline Demo slide_scene()
                               Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"direction", "°", "from the first tangent", 45, 0,
                               360, Numbers::real, OnChange::restarts});
-    add_touch_tunables(scene, 0.4, 200);
+    add_touch_tunables(scene, 0.4, 200, 0.01);  // without friction it never stops
     scene.columns = {{"speed", "m/s", "of the block", Plot::linear},
                      {"distance", "m", "along its first direction", Plot::linear},
                      {"distance_exact", "m", "(18.41)"},
