@@ -4,7 +4,7 @@
 ///     far   ⇔   C > margin + 2 h (|Ċ| + s (V + h |g|))      V the fastest point of its island, s = 1 for lengths, 1/R for angles
 ///
 /// (14.26). A limb whose end is stopped, or struck, at the speed V turns at V/R. A row with C > 0 lets the joint come as near as the
-/// limit, and no nearer; without it the limit is overstepped by h Ċ before anybody has looked.
+/// limit, and no nearer; without it the limit is overstepped by h Ċ before it has a row.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
