@@ -3,6 +3,8 @@
 #include "common/picture.hpp"
 #include "common/program/command_line.hpp"
 #include "common/program/outputs.hpp"
+#include "common/program/panel_rows.hpp"
+#include "common/program/panes.hpp"
 #include "common/program/scripted_pointer.hpp"
 #include "common/program/show.hpp"
 #include "common/program/table.hpp"
@@ -804,6 +806,47 @@ TEST_CASE("one to four methods stand side by side and one that fails stands stil
     CHECK_THROWS_WITH(
         Show(program, parsed(program, {"--method", "symplectic,explicit,failing,exploding,interrupting"})),
         Catch::Matchers::Contains("4 at most"));
+}
+
+TEST_CASE("a closer look keeps the point under the pointer, has its ends, and goes back to the view")
+{
+    const View view{{1, 2}, {4, 3}};
+    const Rectangle area{0, 0, 800, 600};
+    Zoom zoom;
+    const Vec2 mouse(700, 100), point = Projection(view, area).to_world(mouse);
+    zoom.by(2, point, view);
+    const Projection closer(zoom.of(view), area);
+    CHECK(closer.scale == Approx(2 * Projection(view, area).scale));
+    CHECK((closer.to_world(mouse) - point).norm() <= 1e-12);
+    // the hand moves by 50 pixels, and so does what lies under it
+    zoom.drag({50 / closer.scale, 0});
+    CHECK((Projection(zoom.of(view), area).to_world({750, 100}) - point).norm() <= 1e-12);
+    zoom.by(1e9, point, view);
+    CHECK(zoom.factor() == Zoom::closest);
+    zoom.by(1e-9, point, view);
+    CHECK(zoom.factor() == Zoom::farthest);
+    CHECK_FALSE(zoom.is_off());
+    zoom.reset();
+    CHECK(zoom.is_off());
+    CHECK(zoom.of(view).centre == view.centre);
+    CHECK(zoom.of(view).half_size == view.half_size);
+}
+
+TEST_CASE("keys lead through the scenes in a circle, and the panel says what the hand can do")
+{
+    const Program program = toy::program();
+    Show show(program, parsed(program, {}));
+    const std::string first = show.scene().name;
+    for (std::size_t i = 1; i < program.scenes.size(); ++i) {
+        show.change_scene(+1);
+        CHECK(show.scene().name == program.scenes[i].name);
+        CHECK(what_to_do(show.scene()).empty() == !(show.scene().steered || i == 0));
+    }
+    show.change_scene(+1);
+    CHECK(show.scene().name == first);
+    CHECK(what_to_do(show.scene()) == "Arrows up and down: g.");
+    show.change_scene(-1);
+    CHECK(show.scene().name == program.scenes.back().name);
 }
 
 TEST_CASE("the table of a window begins again with the scene")

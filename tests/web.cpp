@@ -245,21 +245,22 @@ TEST_CASE("a pull in one pane goes on outside of it and ends when the pointer is
     const View view = {{0, 0}, {1, 1}};
     const std::vector<Projection> panes = {Projection(view, {0, 0, 100, 100}),
                                            Projection(view, {100, 0, 100, 100})};
+    constexpr bool down = true, up = false, elsewhere = true, here = false;
     Hand hand;
-    hand.read(panes, {50, 50}, false, false);
+    hand.read(panes, {50, 50}, up, here);
     CHECK(hand.input().present);
     CHECK_FALSE(hand.input().pressed);
-    hand.read(panes, {75, 50}, true, false);
+    hand.read(panes, {75, 50}, down, here);
     CHECK(hand.input().pressed);
     CHECK(hand.input().pointer.x() == Approx(0.5));
-    hand.read(panes, {175, 50}, true, true);  // over the other pane: still the first one's, at its edge
+    hand.read(panes, {175, 50}, down, elsewhere);  // over the other pane: still the first one's, at its edge
     CHECK(hand.input().pressed);
     CHECK(hand.input().pointer.x() == Approx(1));
-    hand.read(panes, {175, 50}, false, true);
+    hand.read(panes, {175, 50}, up, elsewhere);
     CHECK_FALSE(hand.input().present);
     // A button that was pressed elsewhere pulls nothing.
-    hand.read(panes, {300, 50}, true, true);
-    hand.read(panes, {150, 50}, true, false);
+    hand.read(panes, {300, 50}, down, elsewhere);
+    hand.read(panes, {150, 50}, down, here);
     CHECK(hand.input().present);
     CHECK_FALSE(hand.input().pressed);
 }
@@ -273,7 +274,8 @@ TEST_CASE("the seeded path of a page steers until the pointer comes", "[house]")
     show.single_step();
     const auto place = [&] { return show.show().playback()->tracks()[0].measured[0]; };
     CHECK(place() == ScriptedPointer(1, program.scenes[1].view).at(0).x());
-    show.point({200, 160}, true, false);
+    constexpr bool present = true, down = false;
+    show.point({200, 160}, present, down);
     show.single_step();
     CHECK(place() == Approx(1).margin(1e-12));  // the middle of the view
     CHECK_FALSE(show.show().is_scripted());
@@ -291,19 +293,26 @@ TEST_CASE("a page that was hidden does not catch up", "[house]")
 TEST_CASE("a plot leaves out what its logarithm does not have and shows where a run stands", "[house]")
 {
     Program program = toy::program();
-    program.scenes[0].columns[1].plot = Plot::logarithmic;  // of speeds that are never positive
+    program.scenes[0].columns[1].plot = Plot::logarithmic;  // of speeds that are zero and then negative
     WebShow show(program, options_for(program.scenes[0]));
     for (int i = 0; i < 3; ++i) show.single_step();
-    const TimeSpan span = plot_span(show.show(), false);
+    constexpr bool whole_run = false;
+    const TimeSpan span = plot_span(show.show(), whole_run);
     CHECK(span.begin == 0);
     CHECK(span.end == 1.5);
-    CHECK_FALSE(plot_of(show.show(), 1, span, false));
-    const std::optional<LivePlot> plot = plot_of(show.show(), 0, span, false);
+    // zero, where it starts, lies on the lower edge
+    const std::optional<LivePlot> speeds = plot_of(show.show(), 1, span, whole_run);
+    REQUIRE(speeds);
+    CHECK(speeds->low_text == "0");
+    CHECK(speeds->high_text.empty());
+    CHECK(speeds->curves[0].front() == std::vector<Vec2>{{0, 0}});
+    CHECK(speeds->curves[0].back().empty());
+    const std::optional<LivePlot> plot = plot_of(show.show(), 0, span, whole_run);
     REQUIRE(plot);
     CHECK(plot->high == 0);
     CHECK(plot->low == -12);  // -2 - 4 - 6, by symplectic Euler with h = 0.5 s and g = 8 m/s²
     CHECK(plot->low_text == "-12");
     REQUIRE(plot->curves[0].front().size() == 4);
     CHECK(plot->curves[0].front().back() == Vec2(1, 0));
-    CHECK(count_of(commands_of(show.plot(0, 300, 60, false)), DrawList::Kind::line) >= 2);
+    CHECK(count_of(commands_of(show.plot(0, 300, 60, whole_run)), DrawList::Kind::line) >= 2);
 }

@@ -93,9 +93,13 @@ private:
                     show_.choose_scene(i);
                 tooltip(scenes[i].summary);
             }
+            if (state_.close_list) ImGui::CloseCurrentPopup();
             ImGui::EndCombo();
         }
+        state_.close_list = false;
         dim_text(show_.scene().summary, true);
+        const std::string to_do = what_to_do(show_.scene());
+        if (!to_do.empty()) dim_text(to_do, true);
         const std::vector<std::string>& methods = show_.scene().methods;
         if (methods.size() < 2) return;
         gap();
@@ -397,6 +401,10 @@ private:
             tooltip(state_.record_folder);
             return;
         }
+        if (show_.playback() && show_.is_over() && show_.playback()->failures().empty()) {
+            dim_text("step " + std::to_string(show_.playback()->steps()) + ", the end; R begins again");
+            return;
+        }
         std::string line = fixed(state_.frames_per_second, 0) + " frames/s";
         if (show_.playback()) line += "   step " + std::to_string(show_.playback()->steps());
         dim_text(line);
@@ -416,10 +424,14 @@ private:
             dim_text(what);
         };
         for (const KeyRow& row : key_rows(show_.scene())) line(row.key, row.what);
+        line("N, B", "next scene, the one before");
+        line("Wheel, + -", "closer and farther");
+        line("", "middle button, Shift + arrows:");
+        line("", "another place; 0: as at first");
         line("P", "picture as SVG and PNG");
         line("D", "dark or light");
         line("Tab", "hide or show this panel");
-        line("Esc", "quit");
+        line("Esc", "close a list; quit");
         line("Sliders", "Ctrl + click: type a number");
         line("", "right click: as at first");
     }

@@ -13,6 +13,8 @@ namespace rigid {
 struct PanelState {
     // asked
     bool single_step = false, save_picture = false, toggle_recording = false;
+    // asked of the panel
+    bool close_list = false;
     // the reader's taste
     bool visible = true, dark = false, whole_run = false;
     // told

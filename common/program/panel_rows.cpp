@@ -76,6 +76,16 @@ std::vector<KeyRow> key_rows(const Demo& scene)
     return rows;
 }
 
+std::string what_to_do(const Demo& scene)
+{
+    std::string line = scene.steered ? "Move the pointer over the picture: it steers." : "";
+    const auto arrow = std::find_if(scene.tunables.begin(), scene.tunables.end(),
+                                    [](const Tunable& one) { return one.arrow_keys(); });
+    if (arrow != scene.tunables.end())
+        line += std::string(line.empty() ? "" : " ") + "Arrows up and down: " + in_words(arrow->name) + ".";
+    return line;
+}
+
 TimeSpan plot_span(const Show& show, bool whole_run)
 {
     if (!show.playback()) return {};
@@ -94,17 +104,21 @@ std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan&
     if (!show.playback()) return std::nullopt;
     const bool logarithmic = show.scene().columns[c].logarithmic();
     const std::size_t tracks = show.playback()->tracks().size();
-    const auto height_of = [&](Real value) { return logarithmic ? log10(value) : value; };
-    const auto shows = [&](Real value) { return !logarithmic || value > 0; };
 
-    // The range of all curves.
+    // The range of all curves. Zero has no logarithm: it lies on the lower edge.
     Real low = infinity, high = -infinity;
+    bool zero = false;
+    const auto height_of = [&](Real value) { return !logarithmic ? value : value > 0 ? log10(value) : low; };
+    const auto shows = [&](Real value) { return !logarithmic || value >= 0; };
     for (std::size_t k = 0; k < tracks; ++k)
         each_sample(show, k, c, whole_run, [&](const Sample& sample) {
-            if (!shows(sample.value)) return;
+            zero = zero || (logarithmic && sample.value == 0);
+            if (!shows(sample.value) || (logarithmic && sample.value == 0)) return;
             low = std::min(low, height_of(sample.value));
             high = std::max(high, height_of(sample.value));
         });
+    const bool nothing_else = zero && !(low <= high);
+    if (nothing_else) low = -1, high = 0;
     if (!(low <= high)) return std::nullopt;
     if (logarithmic) {
         low = std::floor(low);
@@ -118,8 +132,8 @@ std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan&
     LivePlot plot;
     plot.low = low;
     plot.high = high;
-    plot.low_text = logarithmic ? "1e" + readable(low) : narrow(low);
-    plot.high_text = logarithmic ? "1e" + readable(high) : narrow(high);
+    plot.low_text = zero ? "0" : logarithmic ? "1e" + readable(low) : narrow(low);
+    plot.high_text = nothing_else ? "" : logarithmic ? "1e" + readable(high) : narrow(high);
     const Real length = span.end - span.begin;
     for (std::size_t k = 0; k < tracks; ++k) {
         std::vector<std::vector<Vec2>>& pieces = plot.curves.emplace_back(1);

@@ -41,6 +41,9 @@ struct KeyRow {
 /// The keys that every panel knows, for this scene.
 std::vector<KeyRow> key_rows(const Demo& scene);
 
+/// One line that says what the reader's hand can do to this scene beside pulling; "" = nothing more.
+std::string what_to_do(const Demo& scene);
+
 /// From when to when a plot reaches [s].
 struct TimeSpan {
     Real begin = 0, end = 0;

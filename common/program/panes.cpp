@@ -24,6 +24,14 @@ std::vector<Rectangle> pane_grid(const Rectangle& area, std::size_t count, const
     return best;
 }
 
+void Zoom::by(Real factor, const Vec2& held, const View& view)
+{
+    const Real after = std::clamp(factor_ * factor, farthest, closest);
+    const Vec2 from_centre = held - (view.centre + moved_);
+    moved_ += (1 - factor_ / after) * from_centre;
+    factor_ = after;
+}
+
 void Hand::read(const std::vector<Projection>& panes, const Vec2& mouse, bool down, bool elsewhere)
 {
     const bool clicked = down && !was_down_;

@@ -17,6 +17,28 @@ namespace rigid {
 std::vector<Rectangle> pane_grid(const Rectangle& area, std::size_t count, const View& view, Real label,
                                  Real gap);
 
+/// How much closer the reader looks than the scene's view, and where: the same for all panes.
+class Zoom {
+public:
+    static constexpr Real closest = 1000, farthest = 0.1;
+
+    /// What a pane shows instead of its view.
+    View of(const View& view) const { return {view.centre + moved_, view.half_size / factor_}; }
+    Real factor() const { return factor_; }
+    bool is_off() const { return factor_ == 1 && moved_ == Vec2(0, 0); }
+
+    /// Closer (factor > 1) or farther, between `farthest` and `closest`.
+    /// \param held  the point of the world that stays where it is on the screen [m]
+    void by(Real factor, const Vec2& held, const View& view);
+    /// The picture follows the hand. \param way  of the hand, in the world [m]
+    void drag(const Vec2& way) { moved_ -= way; }
+    void reset() { *this = {}; }
+
+private:
+    Real factor_ = 1;
+    Vec2 moved_ = {0, 0};  ///< from the centre of the view [m]
+};
+
 /// Where the pointer is in the world of the pane under it. A pull goes on when it leaves the pane.
 class Hand {
 public:

@@ -81,6 +81,13 @@ void Show::choose_scene(std::size_t index)
     start();
 }
 
+void Show::change_scene(int direction)
+{
+    const auto count = static_cast<std::ptrdiff_t>(program_->scenes.size());
+    const std::ptrdiff_t now = scene_ - program_->scenes.data();
+    choose_scene(static_cast<std::size_t>((now + direction + count) % count));
+}
+
 void Show::choose_method(std::size_t index, bool on)
 {
     if (method_on_[index] == on) return;

@@ -57,6 +57,7 @@ public:
 
     // What the reader changes. Those marked * start the scene again.
     void choose_scene(std::size_t index);                  ///< *
+    void change_scene(int direction);                      ///< * the next one or the one before, in a circle
     void choose_method(std::size_t index, bool on);        ///< * the last one can't be put out
     void set_tunable(const Tunable& tunable, Real value);  ///< * only if it is flagged
     void change_by_arrow(int direction);                   ///< the tunable flagged arrow_keys

@@ -84,9 +84,9 @@ public:
         }
         // Before Dear ImGui, which calls whatever was there first.
         glfwSetWindowUserPointer(window_, this);
-        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
             if (action != GLFW_RELEASE)
-                static_cast<Window*>(glfwGetWindowUserPointer(window))->keys_.push_back(key);
+                static_cast<Window*>(glfwGetWindowUserPointer(window))->keys_.push_back({key, mods});
         });
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
@@ -177,10 +177,11 @@ private:
 
     void handle_keys()
     {
-        std::vector<int> keys;
+        std::vector<Key> keys;
         keys.swap(keys_);
         if (ImGui::GetIO().WantTextInput) return;
-        for (const int key : keys) {
+        for (const auto& [key, mods] : keys) {
+            if (move_view(key, (mods & GLFW_MOD_SHIFT) != 0)) continue;
             if (key == GLFW_KEY_SPACE) show_.paused = !show_.paused;
             if (key == GLFW_KEY_S || key == GLFW_KEY_RIGHT) show_.single_step(hand_.input());
             if (key == GLFW_KEY_R) show_.restart();
@@ -189,7 +190,67 @@ private:
             if (key == GLFW_KEY_P) state_.save_picture = true;
             if (key == GLFW_KEY_D) state_.dark = !state_.dark;
             if (key == GLFW_KEY_TAB) state_.visible = !state_.visible;
-            if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+            if (key == GLFW_KEY_N) show_.change_scene(+1);
+            if (key == GLFW_KEY_B) show_.change_scene(-1);
+            if (key != GLFW_KEY_ESCAPE) continue;
+            if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) state_.close_list = true;
+            else glfwSetWindowShouldClose(window_, GLFW_TRUE);
+        }
+    }
+
+    /// True if the key belongs to the view.
+    bool move_view(int key, bool shift)
+    {
+        const View& view = show_.scene().view;
+        const View shown = zoom_.of(view);
+        const auto by = [&](Real factor) { zoom_.by(factor, shown.centre, view); };
+        const auto go = [&](Real right, Real up) {
+            if (shift) zoom_.drag(-0.2 * Vec2(right, up).cwiseProduct(shown.half_size));
+            return shift;
+        };
+        switch (key) {
+        case GLFW_KEY_EQUAL:
+        case GLFW_KEY_KP_ADD:
+            by(1.25);
+            return true;
+        case GLFW_KEY_MINUS:
+        case GLFW_KEY_KP_SUBTRACT:
+            by(1 / 1.25);
+            return true;
+        case GLFW_KEY_0:
+        case GLFW_KEY_KP_0:
+            zoom_.reset();
+            return true;
+        case GLFW_KEY_LEFT:
+            return go(-1, 0);
+        case GLFW_KEY_RIGHT:
+            return go(1, 0);
+        case GLFW_KEY_UP:
+            return go(0, 1);
+        case GLFW_KEY_DOWN:
+            return go(0, -1);
+        default:
+            return false;
+        }
+    }
+
+    /// The wheel over a pane, and the middle button.
+    void read_wheel()
+    {
+        if (&show_.scene() != zoomed_scene_) zoom_.reset();
+        zoomed_scene_ = &show_.scene();
+        const ImGuiIO& io = ImGui::GetIO();
+        if (io.WantCaptureMouse) return;
+        const Vec2 mouse(static_cast<Real>(io.MousePos.x), static_cast<Real>(io.MousePos.y));
+        for (const Projection& pane : projections_) {
+            if (!pane.area.contains(mouse)) continue;
+            if (io.MouseWheel != 0)
+                zoom_.by(std::pow(1.15, static_cast<Real>(io.MouseWheel)), pane.to_world(mouse),
+                         show_.scene().view);
+            if (io.MouseDown[2])
+                zoom_.drag({static_cast<Real>(io.MouseDelta.x) / pane.scale,
+                            -static_cast<Real>(io.MouseDelta.y) / pane.scale});
+            return;
         }
     }
 
@@ -230,6 +291,7 @@ private:
         if (state_.visible) draw_panel(show_, state_, theme, *fonts_, scale_, static_cast<Real>(size.y));
         draw_panes(list, theme);
         read_hand();
+        read_wheel();
         ImGui::Render();
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
@@ -262,9 +324,10 @@ private:
             card(list, theme, place);
             const Rectangle picture = {place.x + 1, place.y + label, place.width - 2,
                                        place.height - label - 1};
-            const Projection& projection = projections_.emplace_back(panes[i].view, picture);
+            const View view = zoom_.of(panes[i].view);
+            const Projection& projection = projections_.emplace_back(view, picture);
             // Letters keep their place among the shapes, as far as they stay readable.
-            const Real grown = projection.scale / scale_ / design_scale(panes[i].view);
+            const Real grown = projection.scale / scale_ / design_scale(view);
             paint(list, panes[i].canvas, projection, theme, *fonts_, scale_ * std::clamp(grown, 0.72, 1.5),
                   grown > 0.45);
             header(list, theme, place, label, i, panes.size() > 1, tracks[i]);
@@ -433,8 +496,13 @@ private:
     Real scale_ = 1;    ///< units of the window for one pixel of a design at 96 dpi
     Real density_ = 1;  ///< pixels of the framebuffer for one unit of the window
     Real refresh_ = 1.0 / 60, frames_per_second_ = 60;
-    std::vector<int> keys_;
+    struct Key {
+        int key, mods;
+    };
+    std::vector<Key> keys_;
     Hand hand_;
+    Zoom zoom_;
+    const Demo* zoomed_scene_ = nullptr;  ///< another one begins with its own view
     Rectangle pictures_;
     std::vector<Projection> projections_;
     long every_ = 1;
