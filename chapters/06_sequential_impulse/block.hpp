@@ -24,14 +24,13 @@ inline Vec2 solve_block(const Mat2& A, const Vec2& q, const Vec2& lo,
 {
     // Both between their bounds: w = 0 in both rows, Cramer's rule.
     const Real determinant = A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
-    const Vec2 both =
-        Vec2(A(0, 1) * q[1] - A(1, 1) * q[0], A(1, 0) * q[0] - A(0, 0) * q[1]) /
-        determinant;
-    if ((both.array() >= lo.array()).all() && (both.array() <= hi.array()).all())
-        return both;
+    const Real first = (A(0, 1) * q[1] - A(1, 1) * q[0]) / determinant;
+    const Real second = (A(1, 0) * q[0] - A(0, 0) * q[1]) / determinant;
+    if (first >= lo[0] && first <= hi[0] && second >= lo[1] && second <= hi[1])
+        return {first, second};
 
     // One at a bound: then the other is a single row.
-    Vec2 best = both.cwiseMax(lo).cwiseMin(hi);
+    Vec2 best(std::clamp(first, lo[0], hi[0]), std::clamp(second, lo[1], hi[1]));
     Real smallest = infinity;
     for (const Index i : {0, 1})
         for (const Real bound : {lo[i], hi[i]}) {
@@ -108,9 +107,12 @@ int visit_block(SolverRow<Dof>& r, SolverRow<Dof>& s, Real coupling, Real tolera
     Mat2 A;
     A << 1 / r.mass, coupling, coupling, 1 / s.mass;
     const Vec2 before(r.lambda, s.lambda);
-    const Vec2 after = solve_block(A, Vec2(w_of(r), w_of(s)) - A * before,
-                                   {r.lo, s.lo}, {r.hi, s.hi});
-    const Vec2 change = after - before;
+    // Number by number: two numbers that were stored one by one and are read back
+    // as a pair have to wait until both have arrived in memory.
+    const Vec2 q(w_of(r) - (A(0, 0) * before[0] + A(0, 1) * before[1]),
+                 w_of(s) - (A(1, 0) * before[0] + A(1, 1) * before[1]));
+    const Vec2 after = solve_block(A, q, {r.lo, s.lo}, {r.hi, s.hi});
+    const Vec2 change(after[0] - before[0], after[1] - before[1]);
     u.template segment<Dof>(r.a) += r.Wa * change[0];
     u.template segment<Dof>(r.b) += r.Wb * change[0];
     u.template segment<Dof>(s.a) += s.Wa * change[1];
