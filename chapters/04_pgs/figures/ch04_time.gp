@@ -19,7 +19,7 @@ do for [p = 1:4] {
     if (p == 2) { set title 'chain: 40 links, end of 100 kg' tc rgb '#808080' }
     if (p == 3) { set title '1000 kg on 1 kg' tc rgb '#808080' }
     if (p == 4) { set title 'the ten discs, 22 rows' tc rgb '#808080' }
-    if (p == 2) { set key bottom left } else { unset key }
+    if (p == 2) { set key at graph 1.09, graph 0.42 } else { unset key }
     plot for [m = 1:(p == 4 ? 4 : 5)] data.'/'.problem.'_'.word(methods, m) using ($4/1000):3 with linespoints lw 1.2 pt 7 ps 0.35 lc rgb word(colours, m) title word(names, m)
 }
 unset multiplot

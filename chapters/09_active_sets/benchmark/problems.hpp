@@ -57,14 +57,19 @@ struct BoxPile {
     }
 };
 
-/// Boxes of 1 kg one on the other, each moved sideways by up to a tenth of its side against the one below; the
-/// topmost has `top_mass` [kg], and so has every second one below it if `alternate`. A high column strays from
-/// the upright so far that it topples: parts of it open. If `upright`, each is moved by up to a twentieth from
-/// the axis instead, and at rest it stands.
-inline BoxPile box_column(Index boxes, Real top_mass = 1, bool alternate = false,
-                          bool upright = false, std::uint64_t seed = 1)
+struct ColumnShape {
+    Real top_mass = 1;       ///< of the topmost box [kg]
+    bool alternate = false;  ///< every second one below it has that mass too
+    /// Each is moved by up to a twentieth from the axis, and at rest the column stands.
+    bool upright = false;
+};
+
+/// Boxes of 1 kg one on the other, each moved sideways by up to a tenth of its side against the one below, unless
+/// `upright`: a high column strays from the upright so far that it topples: parts of it open.
+inline BoxPile box_column(Index boxes, const ColumnShape& shape = {})
 {
-    Random random(seed);
+    Random random(1);
+    const auto [top_mass, alternate, upright] = shape;
     BoxPile pile;
     Real x = 0;
     for (Index k = 0; k < boxes; ++k) {

@@ -100,9 +100,10 @@ inline Demo guess_scene()
             throw std::invalid_argument("the pyramid has " +
                                         std::to_string(levels) +
                                         " levels; it may have 32 (2048 rows)");
-        BoxPile pile = kind == 2
-                           ? box_pyramid(levels)
-                           : box_column(levels, kind == 1 ? 1000 : 1, kind == 1);
+        BoxPile pile =
+            kind == 2 ? box_pyramid(levels)
+                      : box_column(levels, {.top_mass = kind == 1 ? 1000.0 : 1.0,
+                                            .alternate = kind == 1});
         return std::make_unique<GuessRun>(std::move(pile), motion, settings.method,
                                           settings["at_once"] > 0);
     };
