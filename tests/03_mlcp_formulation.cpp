@@ -1396,10 +1396,11 @@ TEST_CASE("the pointer steers gravity as far as its size and no further", "[hous
 {
     const View view = {{1, 0}, {2, 0.5}};
     CHECK(steered_gravity({}, view, 9.81) == Vec2(0, -9.81));
-    CHECK(steered_gravity({{1, 0}, true, false}, view, 9.81) == Vec2(0, 0));
-    CHECK(steered_gravity({{2, 0}, true, false}, view, 10) == Vec2(5, 0));
-    CHECK((steered_gravity({{3, 0.5}, true, false}, view, 10) - Vec2(std::sqrt(50), std::sqrt(50))).norm() <
-          1e-12);
+    CHECK(steered_gravity({.pointer = {1, 0}, .present = true}, view, 9.81) == Vec2(0, 0));
+    CHECK(steered_gravity({.pointer = {2, 0}, .present = true}, view, 10) == Vec2(5, 0));
+    CHECK((steered_gravity({.pointer = {3, 0.5}, .present = true}, view, 10) -
+           Vec2(std::sqrt(50), std::sqrt(50)))
+              .norm() < 1e-12);
 }
 
 namespace {
@@ -1430,16 +1431,17 @@ TEST_CASE("a run pulls the disc that lies under the pressed pointer of its pictu
     SceneRun<CasesMethod> run({}, {pulled_disc, columns::last_rise()}, setup);
     Settings settings;
     settings.h = 1.0 / 60;
+    constexpr bool pressed = true, released = false;
     const auto after = [&](const Vec2& pointer, bool pressed) {
-        run.step(settings, {pointer, true, pressed});
+        run.step(settings, {.pointer = pointer, .present = true, .pressed = pressed});
         return run.measure();
     };
-    CHECK(after({2.1, 0}, false)[0] == world);
-    CHECK(after({1, 0}, true)[0] == world);  // nothing lies at 0.5 m
-    CHECK(after({2.1, 0}, true)[0] == 1);
-    CHECK(after({2.1, 1}, true)[0] == 1);  // it is held, wherever the hand goes
-    CHECK(after({2.1, 1}, true)[1] > 0);
-    CHECK(after({2.1, 1}, false)[0] == world);
+    CHECK(after({2.1, 0}, released)[0] == world);
+    CHECK(after({1, 0}, pressed)[0] == world);  // nothing lies at 0.5 m
+    CHECK(after({2.1, 0}, pressed)[0] == 1);
+    CHECK(after({2.1, 1}, pressed)[0] == 1);  // it is held, wherever the hand goes
+    CHECK(after({2.1, 1}, pressed)[1] > 0);
+    CHECK(after({2.1, 1}, released)[0] == world);
 }
 
 TEST_CASE("a run lets go of a disc that is taken away and names a body that is lost", "[house]")
@@ -1455,7 +1457,7 @@ TEST_CASE("a run lets go of a disc that is taken away and names a body that is l
     SceneRun<CasesMethod> run({}, {pulled_disc}, setup);
     Settings settings;
     settings.h = 1.0 / 60;
-    const Input on_the_second = {{1, 0}, true, true};
+    const Input on_the_second = {.pointer = {1, 0}, .present = true, .pressed = true};
     run.step(settings, on_the_second);
     CHECK(run.measure()[0] == 1);
     run.step(settings, on_the_second);

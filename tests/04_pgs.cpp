@@ -91,10 +91,9 @@ Real measured_rate(const Mlcp& mlcp, int sweeps, Real omega = 1, int kind = 1)
     return after / before;
 }
 
-/// A random symmetric problem: A = BBᵀ, of full rank or not, bounds of all kinds.
-Mlcp random_symmetric(Random& random, Index n, bool definite = false)
+/// A random symmetric problem: A = BBᵀ, B with `rank` columns; bounds of all kinds.
+Mlcp random_of_rank(Random& random, Index n, Index rank)
 {
-    const Index rank = definite ? n + 2 : 1 + random.index(n + 2);
     MatX B(n, rank);
     for (Index i = 0; i < B.size(); ++i) B.data()[i] = random.normal();
     VecX q(n);
@@ -114,6 +113,10 @@ Mlcp random_symmetric(Random& random, Index n, bool definite = false)
         }
     return mlcp;
 }
+
+Mlcp random_symmetric(Random& random, Index n) { return random_of_rank(random, n, 1 + random.index(n + 2)); }
+
+Mlcp random_definite(Random& random, Index n) { return random_of_rank(random, n, n + 2); }
 
 }  // namespace
 
@@ -169,7 +172,7 @@ TEST_CASE("a free visit lowers the merit by exactly half of A times the change s
 {
     Random random(3);
     for (int sample = 0; sample < 200; ++sample) {
-        Mlcp mlcp = random_symmetric(random, 6, true);
+        Mlcp mlcp = random_definite(random, 6);
         mlcp.lo.setConstant(-infinity);
         mlcp.hi.setConstant(infinity);
         SweepRows rows;
@@ -447,7 +450,7 @@ TEST_CASE("conjugate gradients need no more steps than there are rows", "[house]
     Random random(12);
     for (int sample = 0; sample < 100; ++sample) {
         const Index n = 1 + random.index(12);
-        Mlcp mlcp = random_symmetric(random, n, true);
+        Mlcp mlcp = random_definite(random, n);
         mlcp.lo.setConstant(-infinity);
         mlcp.hi.setConstant(infinity);
         // In exact arithmetic n steps end it; rounding of a badly conditioned A may want some more.
@@ -694,7 +697,7 @@ TEST_CASE("keeping w up to date gives the sweeps that compute it", "[house]")
     // Exercise 4.5.
     Random random(45);
     for (int sample = 0; sample < 100; ++sample) {
-        const Mlcp mlcp = random_symmetric(random, 8, true);
+        const Mlcp mlcp = random_definite(random, 8);
         const MatX A = mlcp.A;
         VecX lambda, kept;
         cold_start(mlcp, lambda);
@@ -1012,7 +1015,7 @@ TEST_CASE("PGS agrees with the enumeration of all active sets on random problems
 {
     Random random(21);
     for (int sample = 0; sample < 200; ++sample) {
-        const Mlcp mlcp = random_symmetric(random, 1 + random.index(7), true);
+        const Mlcp mlcp = random_definite(random, 1 + random.index(7));
         PgsSettings settings;
         settings.tolerance = 1e-12;
         settings.max_sweeps = 1000000;
@@ -1049,7 +1052,7 @@ TEST_CASE("every order of the rows leads to the same answer", "[idea]")
     Random random(16);
     for (int sample = 0; sample < 200; ++sample) {
         const Index n = 2 + random.index(8);
-        const Mlcp mlcp = random_symmetric(random, n, true);
+        const Mlcp mlcp = random_definite(random, n);
         PgsSettings settings;
         settings.tolerance = 1e-12;
         settings.max_sweeps = 1000000;
@@ -1075,7 +1078,7 @@ TEST_CASE("renumbering the rows and visiting them in the old order is the old it
     Random random(17);
     for (int sample = 0; sample < 100; ++sample) {
         const Index n = 6;
-        const Mlcp mlcp = random_symmetric(random, n, true);
+        const Mlcp mlcp = random_definite(random, n);
         std::vector<int> name(static_cast<std::size_t>(n));  // row i is now called name[i]
         std::iota(name.begin(), name.end(), 0);
         for (std::size_t k = name.size(); k-- > 1;)
@@ -1106,7 +1109,7 @@ TEST_CASE("other units of mass and length give the same sweeps and the same impu
 {
     Random random(18);
     for (int sample = 0; sample < 100; ++sample) {
-        Mlcp mlcp = random_symmetric(random, 6, true);
+        Mlcp mlcp = random_definite(random, 6);
         for (const bool exact : {true, false}) {
             // Powers of two round nothing: bit for bit. Others: the last digits, over some hundred sweeps.
             const Real mass = exact ? 0x1.0p10 : 453.6, length = exact ? 0x1.0p-7 : 0.3048;

@@ -51,11 +51,13 @@ MatX matrix_of(const std::vector<Row<2>>& rows, const std::vector<int>& order, I
     return A;
 }
 
+constexpr bool forwards = false, backwards = true;
+
 /// What a sweep leaves of the error of λ: G, and the same for a sweep backwards.
-MatX sweep_matrix(const MatX& A, bool backwards)
+MatX sweep_matrix(const MatX& A, bool way)
 {
     MatX triangle = A.triangularView<Eigen::Lower>();
-    if (backwards) triangle = A.triangularView<Eigen::Upper>();
+    if (way == backwards) triangle = A.triangularView<Eigen::Upper>();
     return MatX::Identity(A.rows(), A.cols()) - triangle.partialPivLu().solve(A);
 }
 
@@ -144,7 +146,7 @@ TEST_CASE(
         warm.method.solver.ordering = best.method.solver.ordering = order;
         warm(scene);
         const MatX A = matrix_of(warm.now.rows, warm.method.solver.order, scene.bodies.u.size());
-        const MatX G = sweep_matrix(A, false);
+        const MatX G = sweep_matrix(A, forwards);
         const Real theory = memory_rate(G);
         bool all_settle = true, complex = false;
         const Eigen::VectorXcd modes = modes_of(G);
@@ -181,7 +183,7 @@ TEST_CASE("a sweep there and back has real modes from 0 to 1 so that memory sett
         WarmSteps cold(Start::cold, 1);
         cold(scene);
         const MatX A = matrix_of(cold.now.rows, {}, scene.bodies.u.size());
-        const MatX there = sweep_matrix(A, false), back = sweep_matrix(A, true);
+        const MatX there = sweep_matrix(A, forwards), back = sweep_matrix(A, backwards);
         const Eigen::VectorXcd once = modes_of(there), twice = modes_of(back * there);
         for (const std::complex<Real>& mode : once) complex_modes += std::abs(mode.imag()) > 1e-6 ? 1 : 0;
         CAPTURE(sample);

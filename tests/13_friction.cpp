@@ -319,7 +319,7 @@ TEST_CASE("sweeps on one contact of a steep rod cycle forever where exact fricti
     for (const int sweeps : {1000, 1001}) {
         VecX u = problem.u_star;
         Solution solution;
-        sequential_impulse<3>(problem.rows, {}, {sweeps, 1e-10, false}, memory, u, solution);
+        sequential_impulse<3>(problem.rows, {}, {sweeps, 1e-10}, memory, u, solution);
         CHECK(solution.status == Status::iteration_limit);
         CHECK(residual_by_hand(problem, solution.lambda) > 0.1);
     }
@@ -472,7 +472,7 @@ TEST_CASE("the sweeps cycle at exactly the angles of exercise 13.2", "[idea]")
             const FrictionRows problem = touching_rod(edge + off, 3, mu);
             VecX u = problem.u_star;
             Solution solution;
-            sequential_impulse<3>(problem.rows, {}, {100000, 1e-9, false}, memory, u, solution);
+            sequential_impulse<3>(problem.rows, {}, {100000, 1e-9}, memory, u, solution);
             CHECK((solution.status == Status::solved) == (off * sign > 0));
         }
     }

@@ -212,7 +212,7 @@ TEST_CASE("a block between two walls falls or is held and both are answers", "[i
         CHECK(exact.status == Status::solved);
         ImpulseMemory<3> sweeps;
         VecX by_sweeps = block.u_star, by_exact = block.u_star;
-        sequential_impulse<3>(block.rows, {}, {100, 1e-12, false}, sweeps, by_sweeps, swept);
+        sequential_impulse<3>(block.rows, {}, {100, 1e-12}, sweeps, by_sweeps, swept);
         for (std::size_t i = 0; i < 4; ++i)
             block.rows[i].apply(exact.lambda[static_cast<Index>(i)], by_exact);
         for (const VecX& u : {by_sweeps, by_exact})

@@ -45,7 +45,7 @@ Real sag_by_hand(int boxes, Real frequency)
 SoftSweeps<Manifolds> soft_sweeps(int sweeps)
 {
     SoftSweeps<Manifolds> method;
-    method.solver.sweeps = {sweeps, 0, false};
+    method.solver.sweeps = {sweeps, 0};
     return method;
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("many small steps of one sweep hold what one step of as many sweeps do
     const auto sag = [&](int substeps, int sweeps) {
         JointSweeps<Manifolds> fresh = method;
         fresh.start.from = Start::previous;
-        fresh.solver.sweeps = {sweeps, 0, false};
+        fresh.solver.sweeps = {sweeps, 0};
         JointedScene scene = stack(20);
         return settle(scene, fresh, 1.0 / 60, 60, substeps);
     };
@@ -249,7 +249,7 @@ TEST_CASE("heavy ends slow rows down and leave bodies alone", "[idea]")
             for (PointJoint& joint : scene.joints) joint.kind = ConstraintKind::bilateral;
             JointSweeps<AllBodies> method;
             method.start.from = Start::cold;
-            method.solver.sweeps = {sweeps, 0, false};
+            method.solver.sweeps = {sweeps, 0};
             settle(scene, method, 1.0 / 60, 1);
             return scene.bodies.u;
         };
@@ -276,7 +276,7 @@ TEST_CASE("block descent holds a thousand times on a stack where ten sweeps do n
     CHECK(height_of_top(held) > 5.45);
     JointSweeps<Manifolds> rows;
     rows.correction = steady_contacts();
-    rows.solver.sweeps = {10, 0, false};
+    rows.solver.sweeps = {10, 0};
     settle(fallen, rows, 1.0 / 60, 120);
     CHECK(height_of_top(fallen) < 5);
 }

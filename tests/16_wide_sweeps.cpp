@@ -123,7 +123,7 @@ void check_bits_of_chapter_6(const std::vector<Row<3>>& rows, Index bodies, cons
     Solution there;
     there.lambda = start;
     VecX u_there = u;
-    sequential_impulse(rows, std::span<const int>(order), {7, 0, false}, memory, u_there, there);
+    sequential_impulse(rows, std::span<const int>(order), {7, 0}, memory, u_there, there);
 
     Bodies<3> moved(bodies);
     moved.u = u;
@@ -132,7 +132,7 @@ void check_bits_of_chapter_6(const std::vector<Row<3>>& rows, Index bodies, cons
     now.u_star = u;
     now.solution.lambda = start;
     for (int k = 0; k < bodies; ++k) now.active.push_back(k);
-    solver.sweeps = {7, 0, false};
+    solver.sweeps = {7, 0};
     solver.solve(moved, now);
     INFO(L << " lanes");
     int others = 0;  // rows that nothing moves keep what they were settled at
@@ -231,7 +231,7 @@ TEST_CASE("bodies around a hub beyond the last colour are still solved", "[idea]
     now.u_star = moved.u;
     for (int k = 0; k < bodies; ++k) now.active.push_back(k);
     WideSolver<2> solver;
-    solver.sweeps = {100000, 1e-9, false};
+    solver.sweeps = {100000, 1e-9};
     solver.solve(moved, now);
     CHECK(now.solution.status == Status::solved);
     // each leaves at 1 m/s of the hub, which stays by symmetry of momentum: w = 0 in each row
@@ -276,7 +276,7 @@ Answer swept_by(const BrickRows& all, int threads)
 {
     WideSolver<3, T> solver;
     solver.threads = threads;
-    solver.sweeps = {30, 0, false};
+    solver.sweeps = {30, 0};
     Bodies<3> bodies(all.bodies);
     StepData<3> now;
     now.rows = all.rows;
@@ -341,13 +341,13 @@ TEST_CASE("what moves by itself and is moved by nothing is felt", "[idea]")
         now.u_star = u;
         for (int k = 0; k < bodies; ++k) now.active.push_back(k);
         WideSolver<3> solver;
-        solver.sweeps = {7, 0, false};
+        solver.sweeps = {7, 0};
         solver.solve(moved, now);
         const std::vector<int> order = visiting_order(solver.wide);
         ImpulseMemory<3> memory;
         Solution there;
         VecX u_there = u;
-        sequential_impulse(rows, std::span<const int>(order), {7, 0, false}, memory, u_there, there);
+        sequential_impulse(rows, std::span<const int>(order), {7, 0}, memory, u_there, there);
         // the same sums in another order, of numbers of size 1, seven times
         CHECK((moved.u - u_there).cwiseAbs().maxCoeff() < 1e-12);
         for (Index i = 0; i < u.size(); ++i)
@@ -443,7 +443,7 @@ TEST_CASE("every correction of chapter 7 runs on wide sweeps and moves bodies as
                 method.correction.method = stabilizer;
                 method.correction.correction_sweeps = 2000;
                 method.correction.tolerance = 1e-13;
-                method.solver.sweeps = {5000, 1e-12, false};
+                method.solver.sweeps = {5000, 1e-12};
                 StepData<3> now;
                 for (int i = 0; i < 10; ++i) step(scene, {.h = 1.0 / 60, .substeps = substeps}, method, now);
                 return scene.bodies.x;
@@ -536,7 +536,7 @@ TEST_CASE("a cold pyramid takes twice as many sweeps in colours", "[idea]")
         ImpulseMemory<3> memory;
         Solution solution;
         VecX u = all.u;
-        sequential_impulse(all.rows, order, {sweeps, 0, false}, memory, u, solution);
+        sequential_impulse(all.rows, order, {sweeps, 0}, memory, u, solution);
         return natural_residual(all.rows, solution.lambda, u);
     };
     // measured: 0.94, 0.97, 0.92, 0.90
@@ -586,7 +586,7 @@ TEST_CASE("rows that nothing moves are settled or called infeasible", "[idea]")
     now.u_star = bodies.u;
     now.active = {0, 1, 2};
     WideSolver<2> solver;
-    solver.sweeps = {10, 1e-9, false};
+    solver.sweeps = {10, 1e-9};
     solver.solve(bodies, now);
     CHECK(now.solution.status == Status::solved);
     now.rows[1].bias = 1;

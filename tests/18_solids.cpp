@@ -227,9 +227,9 @@ TEST_CASE("sweeps and islands and active sets find the same motion", "[idea]")
         return scene.bodies.x;
     };
     SpaceSweeps sweeps;
-    sweeps.solver.sweeps = {20000, 1e-12, false};
+    sweeps.solver.sweeps = {20000, 1e-12};
     SpaceIslands islands;
-    islands.solver.sweeps = {20000, 1e-12, false};
+    islands.solver.sweeps = {20000, 1e-12};
     const VecX exact = end(exact_method());
     // each step within 1e-12 m/s, for half a second of a motion that parts slowly
     CHECK((end(sweeps) - exact).norm() < 1e-8);

@@ -52,23 +52,27 @@ void for_each_method(const Visit& visit)
     visit("skipping, in one", awake);
 }
 
-void add_disc(DiscScene& scene, const Vec2& x, bool fixed)
+/// Adds a disc of 0.1 m; 1 / inverse_mass is its mass [kg], 0 = it cannot move.
+void add_disc(DiscScene& scene, const Vec2& x, Real inverse_mass)
 {
     const Index k = scene.bodies.count();
     for (VecX* const v : {&scene.bodies.x, &scene.bodies.u, &scene.bodies.f, &scene.bodies.inverse_mass}) {
         v->conservativeResize(2 * k + 2);
-        v->tail<2>().setConstant(v == &scene.bodies.inverse_mass && !fixed ? 1 : 0);
+        v->tail<2>().setConstant(v == &scene.bodies.inverse_mass ? inverse_mass : 0);
     }
     scene.bodies.position(k) = x;
     scene.radius.conservativeResize(k + 1);
     scene.radius[k] = 0.1;
 }
 
+void add_free_disc(DiscScene& scene, const Vec2& x) { add_disc(scene, x, 1); }
+void add_fixed_disc(DiscScene& scene, const Vec2& x) { add_disc(scene, x, 0); }
+
 /// Five discs that rest on a floor, half a metre apart.
 DiscScene five_at_rest()
 {
     DiscScene scene;
-    for (int k = 0; k < 5; ++k) add_disc(scene, {0.5 * k - 1, 0.1}, false);
+    for (int k = 0; k < 5; ++k) add_free_disc(scene, {0.5 * k - 1, 0.1});
     scene.walls = {{{0, 1}, 0}};
     return scene;
 }
@@ -92,8 +96,8 @@ TEST_CASE(
     "two fixed discs that overlap elsewhere leave five discs at rest where they are whatever the method")
 {
     DiscScene scene = five_at_rest();
-    add_disc(scene, {3, 1}, true);
-    add_disc(scene, {3.19, 1}, true);
+    add_fixed_disc(scene, {3, 1});
+    add_fixed_disc(scene, {3.19, 1});
     check_held(scene);
 }
 
@@ -102,33 +106,33 @@ TEST_CASE("rods that no place satisfies leave five discs at rest where they are 
     SECTION("between two fixed discs")
     {
         DiscScene scene = five_at_rest();
-        add_disc(scene, {3, 1}, true);
-        add_disc(scene, {3.5, 1}, true);
+        add_fixed_disc(scene, {3, 1});
+        add_fixed_disc(scene, {3.5, 1});
         scene.links = {{5, 6, 0.4}, {5, 6, 0.6}};
         check_held(scene);
     }
     SECTION("between a fixed disc and one that moves")
     {
         DiscScene scene = five_at_rest();
-        add_disc(scene, {3, 1}, true);
-        add_disc(scene, {3.5, 1}, false);
+        add_fixed_disc(scene, {3, 1});
+        add_free_disc(scene, {3.5, 1});
         scene.links = {{5, 6, 0.4}, {5, 6, 0.6}};
         check_held(scene);
     }
     SECTION("between two that fall")
     {
         DiscScene scene = five_at_rest();
-        add_disc(scene, {3, 100}, false);
-        add_disc(scene, {3.5, 100}, false);
+        add_free_disc(scene, {3, 100});
+        add_free_disc(scene, {3.5, 100});
         scene.links = {{5, 6, 0.4}, {5, 6, 0.6}};
         check_held(scene);
     }
     SECTION("of a disc that two fixed ones jam")
     {
         DiscScene scene = five_at_rest();
-        add_disc(scene, {3, 1}, true);
-        add_disc(scene, {3.15, 1}, false);
-        add_disc(scene, {3.3, 1}, true);
+        add_fixed_disc(scene, {3, 1});
+        add_free_disc(scene, {3.15, 1});
+        add_fixed_disc(scene, {3.3, 1});
         check_held(scene);
     }
 }
@@ -140,8 +144,8 @@ TEST_CASE("a disc ten millimetres deep below another five above it is corrected 
         for (const Real beta : {0.2, 1.0}) {
             CAPTURE(to_string(way), beta);
             DiscScene scene;
-            add_disc(scene, {0, 0.09}, false);
-            add_disc(scene, {0, 0.295}, false);
+            add_free_disc(scene, {0, 0.09});
+            add_free_disc(scene, {0, 0.295});
             scene.walls = {{{0, 1}, 0}};
             ExactMethod method;
             method.correction.method = way;

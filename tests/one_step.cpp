@@ -115,7 +115,7 @@ void add_cells(const NamedScene& named, const std::string& name, const Solver& s
 std::vector<Cell> all_cells(const NamedScene& named, Stabilizer correction, int substeps)
 {
     std::vector<Cell> cells;
-    const ImpulseSettings tight{1000, 1e-9, false};
+    const ImpulseSettings tight{1000, 1e-9};
     ExactSolver exact;
     add_cells(named, "active sets", exact, correction, substeps, cells);
     for (const Order order : {Order::given, Order::coloured}) {

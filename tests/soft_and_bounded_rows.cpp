@@ -106,7 +106,7 @@ Answer answer_of(const std::string& name, const Problem& problem, Solver solver)
 
 std::vector<Answer> all_answers(const Problem& problem)
 {
-    const ImpulseSettings tight{200000, 1e-10, false};
+    const ImpulseSettings tight{200000, 1e-10};
     std::vector<Answer> answers;
     answers.push_back(answer_of("active sets", problem, ExactSolver{}));
     for (const Order order : {Order::given, Order::alternating, Order::shuffled, Order::coloured})
@@ -216,7 +216,7 @@ void for_each_method(const Use& use)
                 use(solver_name + ", " + name, method);
             };
             StepMethod<Contacts, ImpulseSolver<2>> sweeps;
-            sweeps.solver.sweeps = {1000, 1e-13, false};
+            sweeps.solver.sweeps = {1000, 1e-13};
             with("rows", sweeps);
             sweeps.solver.in_pairs = true;
             with("pairs", sweeps);

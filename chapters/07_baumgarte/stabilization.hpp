@@ -69,18 +69,22 @@ constexpr std::string_view to_string(Stabilizer method)
 /// more is let through: it is unstable, and seeing that is part of the chapter.
 inline void require_valid(const StabilizerSettings& settings)
 {
-    const auto at_least_zero = [](Real value, const char* name, bool finite) {
-        if (!(value >= 0) || (finite && !std::isfinite(value)))
-            throw std::invalid_argument(
-                std::string(name) + " is " + shortest(value) +
-                "; it must be zero or positive" + (finite ? " and finite" : ""));
+    const auto refuse = [](Real value, const char* name, const char* wanted) {
+        throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
+                                    "; it must be " + wanted);
     };
-    at_least_zero(settings.beta, "beta", true);
-    at_least_zero(settings.slop, "slop", true);
-    at_least_zero(settings.bilateral_slop, "bilateral_slop", true);
-    at_least_zero(settings.max_correction_speed, "max_correction_speed", false);
-    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps",
-                  false);
+    const auto finite = [&](Real value, const char* name) {
+        if (!(value >= 0 && std::isfinite(value)))
+            refuse(value, name, "zero or positive and finite");
+    };
+    const auto at_least_zero = [&](Real value, const char* name) {
+        if (!(value >= 0)) refuse(value, name, "zero or positive");
+    };
+    finite(settings.beta, "beta");
+    finite(settings.slop, "slop");
+    finite(settings.bilateral_slop, "bilateral_slop");
+    at_least_zero(settings.max_correction_speed, "max_correction_speed");
+    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps");
     if (settings.correction_sweeps < 0)
         throw std::invalid_argument("correction_sweeps is " +
                                     std::to_string(settings.correction_sweeps) +

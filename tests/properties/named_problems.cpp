@@ -38,12 +38,15 @@ Mlcp problem_of(std::initializer_list<Real> A, std::initializer_list<Real> q, st
     return mlcp;
 }
 
+/// All its numbers are small and whole, so all its answers can be had exactly.
+constexpr bool whole = true, not_whole = false;
+
 /// No verdict of any solver on it is false.
-void check_verdicts(const Mlcp& mlcp, bool whole)
+void check_verdicts(const Mlcp& mlcp, bool is_whole)
 {
     AllSolvers solvers;
     Tally tally;
-    for (const std::string& sentence : false_verdicts(mlcp, whole, solvers.solve(mlcp), tally))
+    for (const std::string& sentence : false_verdicts(mlcp, is_whole, solvers.solve(mlcp), tally))
         FAIL_CHECK(sentence);
     CHECK(tally.verdicts >= 6);
 }
@@ -95,7 +98,7 @@ TEST_CASE("the judge finds false verdicts of each sort")
     solution.status = Status::solved;
     const auto sentences = [&] {
         Tally tally;
-        return false_verdicts(mlcp, true, {{"somebody", solution}}, tally).size();
+        return false_verdicts(mlcp, whole, {{"somebody", solution}}, tally).size();
     };
     CHECK(sentences() == 0);
     solution.uniqueness = Uniqueness::w_unique;
@@ -119,17 +122,17 @@ TEST_CASE("redundant rows of a problem whose q is zero have one w")
     const Mlcp bilateral = problem_of({1, 0, 1, -1, 0, 1, 0, 1, 1, 0, 1, -1, -1, 1, -1, 2}, {0, 0, 0, 0},
                                       {-inf, -inf, -inf, -inf}, {inf, inf, inf, inf});
     CHECK(enumerate(bilateral).uniqueness == Uniqueness::w_unique);
-    check_verdicts(bilateral, true);
+    check_verdicts(bilateral, whole);
     const Mlcp one_sided = problem_of({1, 0, 1, -1, 0, 1, 0, 1, 1, 0, 1, -1, -1, 1, -1, 2}, {0, 0, 0, 0},
                                       {0, 0, -inf, 0}, {inf, inf, 0, inf});
-    check_verdicts(one_sided, true);
+    check_verdicts(one_sided, whole);
     Mlcp tiny = bilateral;  // the least bound is then the only number that says how large a step is
     tiny.lo.setConstant(-std::ldexp(1.0, -40));
     tiny.hi.setConstant(std::ldexp(1.0, -40));
     CHECK(enumerate(tiny).uniqueness == Uniqueness::w_unique);
     // Where w is not one, it stays known: w = (λ1, 0) for every 0 ≤ λ1 ≤ 2 of the rows λ2 and w2 = 0.
-    check_verdicts(problem_of({0, 1, 1, 0}, {0, 0}, {0, -1}, {2, 1}), true);
-    check_verdicts(problem_of({0, 0, 1, 0}, {0, 0}, {0, 0}, {2, 0}), true);
+    check_verdicts(problem_of({0, 1, 1, 0}, {0, 0}, {0, -1}, {2, 1}), whole);
+    check_verdicts(problem_of({0, 0, 1, 0}, {0, 0}, {0, 0}, {2, 0}), whole);
 }
 
 TEST_CASE("the family of a singular set is seen where its equations are all rounding")
@@ -138,7 +141,7 @@ TEST_CASE("the family of a singular set is seen where its equations are all roun
     const Mlcp mlcp = problem_of({1, -1, -1, 0, -1, 3, 0, 2, -1, 0, 2, -1, 0, 2, -1, 2}, {-3, 10, 0, 7},
                                  {0, -inf, -inf, -inf}, {inf, inf, inf, -2});
     CHECK(schur(mlcp).uniqueness != Uniqueness::unique);
-    check_verdicts(mlcp, true);
+    check_verdicts(mlcp, whole);
 }
 
 // ---- solved, and it was no answer -----------------------------------------------------------------------
@@ -146,7 +149,7 @@ TEST_CASE("the family of a singular set is seen where its equations are all roun
 TEST_CASE("conflicting rods without bounds are not solved by impulses of 1e31")
 {
     const Mlcp mlcp = problem_of({4, -4, -4, 4}, {-2, 1}, {-infinity, -infinity}, {infinity, infinity});
-    check_verdicts(mlcp, true);
+    check_verdicts(mlcp, whole);
     AllSolvers solvers;
     for (const Answer& answer : solvers.solve(mlcp)) {
         INFO(answer.solver);
@@ -158,7 +161,7 @@ TEST_CASE("bounds that are far away loosen no tolerance")
 {
     for (const Real far : {1e10, 1e16, 1e20}) {
         const Mlcp mlcp = problem_of({1}, {3}, {-far}, {far});
-        check_verdicts(mlcp, false);
+        check_verdicts(mlcp, not_whole);
         AllSolvers solvers;
         const std::vector<Answer> answers = solvers.solve(mlcp);
         INFO("bounds of " << far);
@@ -172,8 +175,8 @@ TEST_CASE("bounds that are far away loosen no tolerance")
 
 TEST_CASE("a proof of infeasibility does not use a row whose lambda has both bounds or none")
 {
-    check_verdicts(problem_of({-2, 1, 1, -1}, {0, 0}, {-infinity, -infinity}, {0, 2}), true);
-    check_verdicts(problem_of({0, -1, 0, 0}, {0, 0}, {0, -infinity}, {infinity, 2}), true);
+    check_verdicts(problem_of({-2, 1, 1, -1}, {0, 0}, {-infinity, -infinity}, {0, 2}), whole);
+    check_verdicts(problem_of({0, -1, 0, 0}, {0, 0}, {0, -infinity}, {infinity, 2}), whole);
 }
 
 TEST_CASE("an answer is not called unique where a whole ray of answers begins")
@@ -181,7 +184,7 @@ TEST_CASE("an answer is not called unique where a whole ray of answers begins")
     check_verdicts(
         problem_of({2, -1, 0, -1, 5, 1, 1, -1, 0}, {-7, 3, -2}, {-infinity, -infinity, -infinity}, {2, 0, 0}),
         true);
-    check_verdicts(problem_of({1, 1, 0, 0}, {5, 0}, {0, -infinity}, {1, -1}), true);
+    check_verdicts(problem_of({1, 1, 0, 0}, {5, 0}, {0, -infinity}, {1, -1}), whole);
 }
 
 TEST_CASE("Dantzig's method calls none of 20000 problems infeasible that has an answer")
@@ -228,7 +231,7 @@ TEST_CASE("what the memory of active sets held before does not change an answer"
 {
     const Mlcp singular = problem_of({0, 0, -1, 2, 0, -1, 0, -2, -1, 0, 2, 0, 2, -2, 0, -2}, {-3, 2, 0, -1},
                                      {-1, -1, -infinity, -infinity}, {1, 1, 0, 0});
-    check_verdicts(singular, true);
+    check_verdicts(singular, whole);
     Random random(7);
     for (int sample = 0; sample < 300; ++sample) {
         const Mlcp mlcp = sample == 0 ? singular : random_attack(sample % 2 == 0 ? 2 : 3, random).mlcp;

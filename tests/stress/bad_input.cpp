@@ -18,7 +18,8 @@ Fields fields_of_discs(const DiscScene& scene)
     for (auto vector : {&Bodies<2>::x, &Bodies<2>::u, &Bodies<2>::f, &Bodies<2>::inverse_mass})
         add(fields, vector, scene.bodies.x.size());
     for (Index k = 0; k < scene.radius.size(); ++k)
-        fields.push_back({[=](DiscScene& s, Real&, Wish&) -> Real& { return s.radius[k]; }, false, false});
+        fields.push_back({.at = [=](DiscScene& s, Real&, Wish&) -> Real& { return s.radius[k]; },
+                          .may_be_negative = false});
     return fields;
 }
 
@@ -31,11 +32,11 @@ Fields fields_of_joints_and_walls(const DiscScene& scene)
         fields.push_back({[=](DiscScene& s, Real&, Wish&) -> Real& { return s.walls[i].offset; }});
     }
     for (std::size_t i = 0; i < scene.links.size(); ++i)
-        fields.push_back(
-            {[=](DiscScene& s, Real&, Wish&) -> Real& { return s.links[i].length; }, false, false});
+        fields.push_back({.at = [=](DiscScene& s, Real&, Wish&) -> Real& { return s.links[i].length; },
+                          .may_be_negative = false});
     for (std::size_t i = 0; i < scene.bends.size(); ++i)
-        fields.push_back(
-            {[=](DiscScene& s, Real&, Wish&) -> Real& { return s.bends[i].length; }, false, false});
+        fields.push_back({.at = [=](DiscScene& s, Real&, Wish&) -> Real& { return s.bends[i].length; },
+                          .may_be_negative = false});
     return fields;
 }
 

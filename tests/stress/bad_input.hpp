@@ -23,7 +23,7 @@ FieldsOf<Scene> fields_of_the_step()
 {
     return {{[](Scene& s, Real&, Wish&) -> Real& { return s.gravity.x(); }},
             {[](Scene& s, Real&, Wish&) -> Real& { return s.gravity.y(); }},
-            {[](Scene&, Real& h, Wish&) -> Real& { return h; }, false, false}};
+            {.at = [](Scene&, Real& h, Wish&) -> Real& { return h; }, .may_be_negative = false}};
 }
 
 template <class Scene>

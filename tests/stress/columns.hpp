@@ -60,13 +60,13 @@ private:
 template <class Scene>
 std::vector<Setting> step_settings(Scene& scene, StepSettings& s)
 {
-    return {{"gravity x", &scene.gravity.x(), false},
-            {"gravity y", &scene.gravity.y(), false},
-            {"stiffness", &s.stiffness, false},
-            {"damping", &s.damping, false},
-            {"margin", &s.margin, true},
-            {"hand x", &s.hand.x(), false},
-            {"hand y", &s.hand.y(), false}};
+    return {{"gravity x", &scene.gravity.x()},
+            {"gravity y", &scene.gravity.y()},
+            {"stiffness", &s.stiffness},
+            {"damping", &s.damping},
+            or_infinity("margin", &s.margin),
+            {"hand x", &s.hand.x()},
+            {"hand y", &s.hand.y()}};
 }
 
 /// Writes what the wish wants spoilt. A hand is looked at only if it pulls.

@@ -16,12 +16,12 @@ Method on_the_matrix(const std::string& name, bool one_at_a_time)
         void operator()(const Mlcp& mlcp, const Wish& wish, int first, Solution& solution)
         {
             ActiveSetSettings settings;
-            spoil_solver(wish, first, {{"tolerance", &settings.tolerance, true}});
+            spoil_solver(wish, first, {or_infinity("tolerance", &settings.tolerance)});
             if (one_at_a_time) dantzig(mlcp, settings, memory, solution);
             else active_sets(mlcp, settings, memory, solution);
         }
     };
-    Method method = matrix_method(9, name, "exact", {{"tolerance", nullptr, true}}, [one_at_a_time] {
+    Method method = matrix_method(9, name, "exact", {or_infinity("tolerance", nullptr)}, [one_at_a_time] {
         return Solve{one_at_a_time, {}};
     });
     if (one_at_a_time) method.most_rows = 100;

@@ -58,15 +58,15 @@ Method warm(const std::string& name, const Spending& spending, Start start = Sta
 
 std::vector<Setting> small_settings(DiscScene& scene, SmallStepSettings& s)
 {
-    return {{"gravity x", &scene.gravity.x(), false},
-            {"gravity y", &scene.gravity.y(), false},
-            {"margin", &s.margin, true},
-            {"first_tolerance", &s.first_tolerance, true},
-            {"beta", &s.correction.beta, false},
-            {"slop", &s.correction.slop, false},
-            {"bilateral_slop", &s.correction.bilateral_slop, false},
-            {"max_correction_speed", &s.correction.max_correction_speed, true},
-            {"correction tolerance", &s.correction.tolerance, true}};
+    return {{"gravity x", &scene.gravity.x()},
+            {"gravity y", &scene.gravity.y()},
+            or_infinity("margin", &s.margin),
+            or_infinity("first_tolerance", &s.first_tolerance),
+            {"beta", &s.correction.beta},
+            {"slop", &s.correction.slop},
+            {"bilateral_slop", &s.correction.bilateral_slop},
+            or_infinity("max_correction_speed", &s.correction.max_correction_speed),
+            or_infinity("correction tolerance", &s.correction.tolerance)};
 }
 
 /// A preset of chapter 8. It calls nothing solved.

@@ -15,7 +15,7 @@ Method pgs_method(const std::string& name, Sweeps sweeps, Real omega, int most, 
         PgsMemory memory;
         static std::vector<Setting> tunables(PgsSettings& s)
         {
-            return {{"tolerance", &s.tolerance, true}, {"omega", &s.omega, false}};
+            return {or_infinity("tolerance", &s.tolerance), {"omega", &s.omega}};
         }
         void operator()(const Mlcp& mlcp, const Wish& wish, int first, Solution& solution)
         {
@@ -45,13 +45,13 @@ Method cg_method()
         void operator()(const Mlcp& mlcp, const Wish& wish, int first, Solution& solution)
         {
             Real tolerance = 1e-9;
-            spoil_solver(wish, first, {{"tolerance", &tolerance, true}});
+            spoil_solver(wish, first, {or_infinity("tolerance", &tolerance)});
             cold_start(mlcp, solution.lambda);
             conjugate_gradients(mlcp, tolerance, 10000, memory, solution);
         }
     };
-    Method method = matrix_method(4, "conjugate gradients", "to 1e-9 m/s", {{"tolerance", nullptr, true}},
-                                  [] { return Solve{}; });
+    Method method = matrix_method(4, "conjugate gradients", "to 1e-9 m/s",
+                                  {or_infinity("tolerance", nullptr)}, [] { return Solve{}; });
     method.links_only = true;
     return method;
 }
@@ -63,12 +63,12 @@ Method direct_method()
         void operator()(const Mlcp& mlcp, const Wish& wish, int first, Solution& solution)
         {
             Real tolerance = 1e-10;
-            spoil_solver(wish, first, {{"tolerance", &tolerance, true}});
+            spoil_solver(wish, first, {or_infinity("tolerance", &tolerance)});
             solution = direct(mlcp, tolerance);
         }
     };
     Method method =
-        matrix_method(3, "direct", "exact", {{"tolerance", nullptr, true}}, [] { return Solve{}; });
+        matrix_method(3, "direct", "exact", {or_infinity("tolerance", nullptr)}, [] { return Solve{}; });
     method.links_only = true;
     method.most_rows = 250;
     return method;
@@ -80,12 +80,12 @@ Method lemke_method()
         void operator()(const Mlcp& mlcp, const Wish& wish, int first, Solution& solution)
         {
             LemkeSettings settings;
-            spoil_solver(wish, first, {{"tolerance", &settings.tolerance, true}});
+            spoil_solver(wish, first, {or_infinity("tolerance", &settings.tolerance)});
             solution = lemke(mlcp, settings);
         }
     };
     Method method =
-        matrix_method(5, "lemke", "exact", {{"tolerance", nullptr, true}}, [] { return Solve{}; });
+        matrix_method(5, "lemke", "exact", {or_infinity("tolerance", nullptr)}, [] { return Solve{}; });
     method.most_rows = 100;
     return method;
 }

@@ -38,6 +38,12 @@ struct Setting {
     bool may_be_infinite = false;  ///< +∞ means something: no limit
 };
 
+/// A setting whose +∞ means something: no limit.
+inline Setting or_infinity(std::string name, Real* value)
+{
+    return {.name = std::move(name), .value = value, .may_be_infinite = true};
+}
+
 template <class Scene>
 struct MethodOf {
     int chapter = 0;

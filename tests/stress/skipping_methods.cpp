@@ -9,21 +9,21 @@ namespace {
 
 std::vector<Setting> skipping_settings(DiscScene& scene, SkippingSettings& s)
 {
-    return {{"gravity x", &scene.gravity.x(), false},
-            {"gravity y", &scene.gravity.y(), false},
-            {"stiffness", &s.stiffness, false},
-            {"damping", &s.damping, false},
-            {"hand x", &s.hand.x(), false},
-            {"hand y", &s.hand.y(), false},
-            {"tolerance", &s.sweeps.tolerance, false},
-            {"beta", &s.stabilizer.beta, false},
-            {"slop", &s.stabilizer.slop, false},
-            {"bilateral_slop", &s.stabilizer.bilateral_slop, false},
-            {"max_correction_speed", &s.stabilizer.max_correction_speed, true},
-            {"rest speed", &s.rest.speed, false},
-            {"rest acceleration", &s.rest.acceleration, false},
-            {"rest time", &s.rest.time, false},
-            {"row_slack", &s.row_slack, false}};
+    return {{"gravity x", &scene.gravity.x()},
+            {"gravity y", &scene.gravity.y()},
+            {"stiffness", &s.stiffness},
+            {"damping", &s.damping},
+            {"hand x", &s.hand.x()},
+            {"hand y", &s.hand.y()},
+            {"tolerance", &s.sweeps.tolerance},
+            {"beta", &s.stabilizer.beta},
+            {"slop", &s.stabilizer.slop},
+            {"bilateral_slop", &s.stabilizer.bilateral_slop},
+            or_infinity("max_correction_speed", &s.stabilizer.max_correction_speed),
+            {"rest speed", &s.rest.speed},
+            {"rest acceleration", &s.rest.acceleration},
+            {"rest time", &s.rest.time},
+            {"row_slack", &s.row_slack}};
 }
 
 /// Chapter 10's step. Its world is made of the scene that the first step is given. Later changes are scene edits; here

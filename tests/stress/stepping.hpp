@@ -10,26 +10,26 @@ namespace rigid::stress {
 
 inline void add_settings(std::vector<Setting>& all, LeaveErrors& c)
 {
-    all.push_back({"restitution", &c.restitution, false});
-    all.push_back({"threshold", &c.threshold, true});
+    all.push_back({"restitution", &c.restitution});
+    all.push_back(or_infinity("threshold", &c.threshold));
 }
 
 inline void add_settings(std::vector<Setting>& all, Correction& c)
 {
-    all.push_back({"restitution", &c.restitution, false});
-    all.push_back({"threshold", &c.threshold, true});
-    all.push_back({"beta", &c.beta, false});
-    all.push_back({"slop", &c.slop, false});
-    all.push_back({"bilateral_slop", &c.bilateral_slop, false});
-    all.push_back({"max_correction_speed", &c.max_correction_speed, true});
-    all.push_back({"correction tolerance", &c.tolerance, true});
+    all.push_back({"restitution", &c.restitution});
+    all.push_back(or_infinity("threshold", &c.threshold));
+    all.push_back({"beta", &c.beta});
+    all.push_back({"slop", &c.slop});
+    all.push_back({"bilateral_slop", &c.bilateral_slop});
+    all.push_back(or_infinity("max_correction_speed", &c.max_correction_speed));
+    all.push_back(or_infinity("correction tolerance", &c.tolerance));
 }
 
 inline void add_settings(std::vector<Setting>& all, Rattle& c)
 {
-    all.push_back({"restitution", &c.restitution, false});
-    all.push_back({"threshold", &c.threshold, true});
-    all.push_back({"position tolerance", &c.tolerance, false});
+    all.push_back({"restitution", &c.restitution});
+    all.push_back(or_infinity("threshold", &c.threshold));
+    all.push_back({"position tolerance", &c.tolerance});
 }
 
 /// All settings of a method that are numbers.
@@ -38,19 +38,18 @@ std::vector<Setting> settings_of(Scene& scene, StepSettings& settings, Solving& 
 {
     std::vector<Setting> all = step_settings(scene, settings);
     if constexpr (requires { add_settings(all, by.correction); }) add_settings(all, by.correction);
-    if constexpr (requires { by.start.factor; })
-        all.push_back({"warm start factor", &by.start.factor, false});
+    if constexpr (requires { by.start.factor; }) all.push_back({"warm start factor", &by.start.factor});
     if constexpr (requires { by.solver.sweeps.tolerance; })
-        all.push_back({"tolerance", &by.solver.sweeps.tolerance, true});
+        all.push_back(or_infinity("tolerance", &by.solver.sweeps.tolerance));
     if constexpr (requires { by.solver.find.settings.tolerance; })
-        all.push_back({"exactness", &by.solver.find.settings.tolerance, true});
+        all.push_back(or_infinity("exactness", &by.solver.find.settings.tolerance));
     if constexpr (requires { by.contacts.stay; }) {
-        all.push_back({"stay", &by.contacts.stay, false});
-        all.push_back({"skin", &by.contacts.finder.skin, false});
+        all.push_back({"stay", &by.contacts.stay});
+        all.push_back({"skin", &by.contacts.finder.skin});
     }
     if constexpr (requires { by.contacts.contacts.stay; }) {
-        all.push_back({"stay", &by.contacts.contacts.stay, false});
-        all.push_back({"skin", &by.contacts.contacts.finder.skin, false});
+        all.push_back({"stay", &by.contacts.contacts.stay});
+        all.push_back({"skin", &by.contacts.contacts.finder.skin});
     }
     return all;
 }

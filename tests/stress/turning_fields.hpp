@@ -15,8 +15,9 @@ FieldsOf<Scene> fields_of_bodies(const Scene& scene)
         for (Index i = 0; i < scene.bodies.x.size(); ++i)
             fields.push_back({[=](Scene& s, Real&, Wish&) -> Real& { return (s.bodies.*vector)[i]; }});
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
-        fields.push_back(
-            {[=](Scene& s, Real&, Wish&) -> Real& { return s.shapes[k].radius; }, false, false, true});
+        fields.push_back({.at = [=](Scene& s, Real&, Wish&) -> Real& { return s.shapes[k].radius; },
+                          .may_be_negative = false,
+                          .may_be_zero = true});
         for (std::size_t i = 0; i < scene.shapes[k].vertices.size(); ++i)
             for (const Index d : {0, 1})
                 fields.push_back(
@@ -40,7 +41,9 @@ FieldsOf<Scene> fields_of_rows_and_walls(const Scene& scene)
                 fields.push_back({[=](Scene& s, Real&, Wish&) -> Real& { return (s.joints[i].*point)[d]; }});
         fields.push_back({[=](Scene& s, Real&, Wish&) -> Real& { return s.joints[i].length; }});
     }
-    fields.push_back({[](Scene& s, Real&, Wish&) -> Real& { return s.length; }, false, false, true});
+    fields.push_back({.at = [](Scene& s, Real&, Wish&) -> Real& { return s.length; },
+                      .may_be_negative = false,
+                      .may_be_zero = true});
     return fields;
 }
 
@@ -49,10 +52,12 @@ FieldsOf<Scene> fields_of_surfaces(const Scene& scene)
 {
     FieldsOf<Scene> fields;
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-        fields.push_back(
-            {[=](Scene& s, Real&, Wish&) -> Real& { return s.surfaces[i].friction; }, false, false, true});
-        fields.push_back(
-            {[=](Scene& s, Real&, Wish&) -> Real& { return s.surfaces[i].restitution; }, false, false, true});
+        fields.push_back({.at = [=](Scene& s, Real&, Wish&) -> Real& { return s.surfaces[i].friction; },
+                          .may_be_negative = false,
+                          .may_be_zero = true});
+        fields.push_back({.at = [=](Scene& s, Real&, Wish&) -> Real& { return s.surfaces[i].restitution; },
+                          .may_be_negative = false,
+                          .may_be_zero = true});
         fields.push_back({[=](Scene& s, Real&, Wish&) -> Real& { return s.surfaces[i].belt; }});
     }
     return fields;

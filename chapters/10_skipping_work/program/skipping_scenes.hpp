@@ -14,14 +14,20 @@
 
 namespace rigid {
 
-/// Sets disc k: where, how large, and its mass by its area (100 kg/m²); `fixed` ones have no inverse mass.
-inline void set_disc(DiscScene& scene, Index k, const Vec2& x, Real radius,
-                     bool fixed = false)
+/// Sets disc k: where, how large, and its mass by its area (100 kg/m²).
+inline void set_disc(DiscScene& scene, Index k, const Vec2& x, Real radius)
 {
     scene.bodies.position(k) = x;
     scene.radius[k] = radius;
     scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(
-        fixed ? 0 : 1 / (100 * pi * radius * radius));
+        1 / (100 * pi * radius * radius));
+}
+
+/// The same of a disc that cannot move.
+inline void set_fixed_disc(DiscScene& scene, Index k, const Vec2& x, Real radius)
+{
+    set_disc(scene, k, x, radius);
+    scene.bodies.inverse_mass.segment<2>(2 * k).setZero();
 }
 
 /// So many discs, still to be placed; none is a scene as well.
@@ -84,8 +90,9 @@ inline DiscScene rain_on_hills(Index count, std::uint64_t seed, Real width = 36)
     for (Index k = 0; k < fixed; ++k) {
         const Real radius = random.uniform(0.2, 0.26),
                    x = stones[static_cast<std::size_t>(k)];
-        set_disc(scene, k, {x, ground(x) - radius + random.uniform(-0.04, 0.04)},
-                 radius, true);
+        set_fixed_disc(scene, k,
+                       {x, ground(x) - radius + random.uniform(-0.04, 0.04)},
+                       radius);
     }
     for (Index i = 0; i < count; ++i) {
         const Real x = between * (static_cast<Real>(i % in_line) -
@@ -114,11 +121,12 @@ inline DiscScene net(Index side)
     };
     for (Index line = 0; line < side; ++line)
         for (Index column = 0; column < side; ++column) {
-            const bool fixed = line == 0 && (column == 0 || column == side - 1);
+            const bool hung = line == 0 && (column == 0 || column == side - 1);
             const Real x = length * (static_cast<Real>(column) -
                                      0.5 * static_cast<Real>(side - 1));
-            set_disc(scene, at(line, column),
-                     {x, -length * static_cast<Real>(line)}, 0.06, fixed);
+            const Vec2 place(x, -length * static_cast<Real>(line));
+            if (hung) set_fixed_disc(scene, at(line, column), place, 0.06);
+            else set_disc(scene, at(line, column), place, 0.06);
             if (column > 0)
                 scene.links.push_back(
                     {at(line, column - 1), at(line, column), length});
@@ -147,7 +155,7 @@ inline DiscScene field(Index sleepers)
                                     std::to_string(sleepers) +
                                     "; it must be 0 or more");
     DiscScene scene = empty_scene(2 + sleepers);
-    set_disc(scene, 0, {0, 5}, 0.05, true);
+    set_fixed_disc(scene, 0, {0, 5}, 0.05);
     set_disc(scene, 1, {1, 5}, 0.1);
     scene.links = {{0, 1, 1}};
     for (Index i = 0; i < sleepers; ++i)
@@ -165,7 +173,7 @@ inline DiscScene field(Index sleepers)
 inline DiscScene columns_and_ball(Index count, Index height)
 {
     DiscScene scene = empty_scene(1 + count * height);
-    set_disc(scene, 0, {-4.2, 0.3}, 0.3, true);
+    set_fixed_disc(scene, 0, {-4.2, 0.3}, 0.3);
     for (Index c = 0; c < count; ++c)
         for (Index i = 0; i < height; ++i)
             set_disc(scene, 1 + c * height + i,

@@ -171,7 +171,7 @@ void visits(benchmark::State& state, bool friction)
     ImpulseMemory<3> memory;
     Solution solution;
     VecX u = problem.u_star;
-    sequential_impulse<3>(problem.rows, order, {1, 0, false}, memory, u, solution);
+    sequential_impulse<3>(problem.rows, order, {1, 0}, memory, u, solution);
     for (auto _ : state) {
         sweep<3>(memory.rows, memory.feedback, memory.u, 0);
         benchmark::DoNotOptimize(memory.u.data());

@@ -109,7 +109,7 @@ Measured measure(Method method, const Given& start, int substeps)
 template <class Method>
 Method swept(Method method)
 {
-    method.solver.sweeps = {sweeps, 0, false};
+    method.solver.sweeps = {sweeps, 0};
     return method;
 }
 

@@ -79,7 +79,7 @@ public:
         else if (settings.method == "box") take(boxes_, settings, how);
         else if (settings.method == "one_point") take(one_point_, settings, how);
         else {
-            islands_.solver.sweeps = {200, 1e-9, false};
+            islands_.solver.sweeps = {200, 1e-9};
             rigid::step(scene, how, islands_, state_.now);
         }
         for (Index k = 0; k < scene.bodies.count(); ++k)
