@@ -247,6 +247,46 @@ TEST_CASE("the limits that a program prints are taken")
     CHECK(parsed(program, {"--h", "0.005"}).settings.h == 0.005);
 }
 
+TEST_CASE("a choice is written by its name or its number, and each whole number has a name")
+{
+    Program program = toy::program();
+    Tunable& beads = program.scenes[0].tunables[1];
+    beads.low = 1, beads.high = 3, beads.names = {"one", "two", "three"};
+    CHECK_NOTHROW(require_consistent(program));
+    CHECK(parsed(program, {"--set", "beads=three"}).settings["beads"] == 3);
+    CHECK(parsed(program, {"--set", "beads=2"}).settings["beads"] == 2);
+    CHECK(slider_row(beads).names == beads.names);
+    Tunable whether = beads;
+    whether.low = 0, whether.high = 1, whether.names.clear();
+    CHECK(slider_row(whether).names == std::vector<std::string>{"no", "yes"});
+    whether.high = 2;
+    CHECK(slider_row(whether).names.empty());
+    CHECK_THROWS_WITH(parsed(program, {"--set", "beads=four"}), Catch::Matchers::Contains("four"));
+    beads.high = 4;
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("beads has 3 names"));
+}
+
+TEST_CASE("a column beside another is drawn in its plot, and the plot holds both")
+{
+    Program program = toy::program();
+    Column& speed = program.scenes[0].columns[1];
+    speed.beside = "height";
+    CHECK_NOTHROW(require_consistent(program));
+    Show show(program, parsed(program, {}));
+    for (int i = 0; i < 3; ++i) show.single_step({});
+    constexpr bool whole_run = false;
+    const auto plot = plot_of(show, 0, plot_span(show, whole_run), whole_run);
+    REQUIRE(plot);
+    // heights 0, -2, -6, -12 and speeds 0, -4, -8, -12
+    CHECK(plot->low == -12);
+    REQUIRE(plot->beside.size() == 1);
+    REQUIRE(plot->beside[0].back().size() == 4);
+    CHECK(plot->beside[0].back()[1].y() == Approx(2.0 / 3));
+    CHECK(plot->curves[0].back()[1].y() == Approx(5.0 / 6));
+    speed.beside = "nowhere";
+    CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("stands beside \"nowhere\""));
+}
+
 TEST_CASE("more methods than a window has panes are refused with a window and without a display")
 {
     Program program = toy::program();

@@ -85,6 +85,12 @@ void set_tunable(const Demo& scene, Settings& settings, const std::string& assig
                (scene.tunables.empty() ? "; it has none" : "; it has: " + joined(names_of(scene.tunables))));
     const std::string right = std::string("it must be a ") + (tunable->whole() ? "whole " : "") + "number " +
                               range(tunable->low, tunable->high, tunable->unit);
+    const std::vector<std::string> names = tunable->value_names();
+    const auto called = std::find(names.begin(), names.end(), text);
+    if (called != names.end()) {
+        settings.tunables[name] = tunable->low + static_cast<Real>(called - names.begin());
+        return;
+    }
     const auto value = parse_within(text, tunable->low, tunable->high);
     if (!value) refuse("the tunable " + name + " is " + in_quotes(text) + "; " + right);
     if (*value < tunable->low || *value > tunable->high || (tunable->whole() && *value != std::round(*value)))
@@ -228,6 +234,10 @@ void require_consistent(const Program& program)
             if (one.whole() && one.value != std::round(one.value))
                 refuse(where + "the tunable " + one.name + " is " + readable(one.value) +
                        "; it must be whole");
+            if (!one.names.empty() &&
+                (!one.whole() || one.high - one.low + 1 != static_cast<Real>(one.names.size())))
+                refuse(where + "the tunable " + one.name + " has " + std::to_string(one.names.size()) +
+                       " names; each whole number " + range(one.low, one.high, one.unit) + " must have one");
         }
         names = {"step", "t", "method"};
         for (const Column& column : scene.columns) {
@@ -236,6 +246,13 @@ void require_consistent(const Program& program)
             if (!names.insert(column.name).second)
                 refuse(where + "the column " + in_quotes(column.name) +
                        " is there twice (step, t and method always are)");
+        }
+        for (const Column& column : scene.columns) {
+            const auto host = std::find_if(scene.columns.begin(), scene.columns.end(),
+                                           [&](const Column& one) { return one.name == column.beside; });
+            if (!column.beside.empty() && (host == scene.columns.end() || !host->has_own_plot()))
+                refuse(where + "the column " + column.name + " stands beside " + in_quotes(column.beside) +
+                       ", which has no plot of its own");
         }
     }
 }

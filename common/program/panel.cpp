@@ -185,7 +185,9 @@ private:
     {
         ImGui::PushID(row.name.c_str());
         begin_row(row.label, row.help + " (right click)");
-        const std::string format = row.format + (row.unit.empty() ? "" : " " + escaped(shown(row.unit)));
+        std::string format = row.format + (row.unit.empty() ? "" : " " + escaped(shown(row.unit)));
+        if (!row.names.empty())
+            format = escaped(row.names.at(static_cast<std::size_t>(std::lround(value - row.low))));
         ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
         if (row.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
         const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &row.low, &row.high,
@@ -231,14 +233,14 @@ private:
     {
         const Demo& scene = show_.scene();
         if (!show_.playback() || std::none_of(scene.columns.begin(), scene.columns.end(),
-                                              [](const Column& c) { return c.plotted(); }))
+                                              [](const Column& c) { return c.has_own_plot(); }))
             return;
         gap();
         ImGui::Separator();
         gap();
         span_ = plot_span(show_, state_.whole_run);
         for (std::size_t c = 0; c < scene.columns.size(); ++c)
-            if (scene.columns[c].plotted()) plot(c);
+            if (scene.columns[c].has_own_plot()) plot(c);
         plot_times();
     }
 
@@ -323,16 +325,19 @@ private:
             list.AddLine({corner.x + gutter(), y}, {corner.x + size.x, y}, theme_.edge());
         }
         list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-        for (std::size_t k = plot.curves.size(); k-- > 0;)
-            for (const std::vector<Vec2>& piece : plot.curves[k]) {
+        const auto draw = [&](const LivePlot::Pieces& pieces, ImU32 colour) {
+            for (const std::vector<Vec2>& piece : pieces) {
                 std::vector<ImVec2> points;
                 for (const Vec2& p : piece)
                     points.push_back({corner.x + gutter() + static_cast<float>(p.x() * width),
                                       corner.y + margin() + static_cast<float>((1 - p.y()) * height)});
                 if (points.size() > 1)
-                    list.AddPolyline(points.data(), static_cast<int>(points.size()),
-                                     theme_.colour(pane_colour(k)), 0, units(1.5));
+                    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, units(1.5));
             }
+        };
+        for (const LivePlot::Pieces& pieces : plot.beside) draw(pieces, theme_.colour(Colour::ink, 0.4));
+        for (std::size_t k = plot.curves.size(); k-- > 0;)
+            draw(plot.curves[k], theme_.colour(pane_colour(k)));
         list.PopClipRect();
     }
 

@@ -39,6 +39,7 @@ SliderRow slider_row(const Tunable& one)
     row.high = one.high;
     row.first = one.value;
     row.whole = one.whole();
+    row.names = one.value_names();
     row.logarithmic = one.low > 0 && one.high / one.low >= 1000;
     row.format = one.whole() ? "%.0f" : row.logarithmic ? "%.4g" : digits(one);
     return row;
@@ -110,13 +111,21 @@ std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan&
     bool zero = false;
     const auto height_of = [&](Real value) { return !logarithmic ? value : value > 0 ? log10(value) : low; };
     const auto shows = [&](Real value) { return !logarithmic || value >= 0; };
-    for (std::size_t k = 0; k < tracks; ++k)
-        each_sample(show, k, c, whole_run, [&](const Sample& sample) {
-            zero = zero || (logarithmic && sample.value == 0);
-            if (!shows(sample.value) || (logarithmic && sample.value == 0)) return;
-            low = std::min(low, height_of(sample.value));
-            high = std::max(high, height_of(sample.value));
-        });
+    std::vector<std::size_t> columns = {c};
+    for (std::size_t other = 0; other < show.scene().columns.size(); ++other) {
+        const Column& column = show.scene().columns[other];
+        if (column.plotted() && column.beside == show.scene().columns[c].name) columns.push_back(other);
+    }
+    const auto each_of_all = [&](const auto& visit) {
+        for (const std::size_t column : columns)
+            for (std::size_t k = 0; k < tracks; ++k) each_sample(show, k, column, whole_run, visit);
+    };
+    each_of_all([&](const Sample& sample) {
+        zero = zero || (logarithmic && sample.value == 0);
+        if (!shows(sample.value) || (logarithmic && sample.value == 0)) return;
+        low = std::min(low, height_of(sample.value));
+        high = std::max(high, height_of(sample.value));
+    });
     const bool nothing_else = zero && !(low <= high);
     if (nothing_else) low = -1, high = 0;
     if (!(low <= high)) return std::nullopt;
@@ -135,17 +144,18 @@ std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan&
     plot.low_text = zero ? "0" : logarithmic ? "1e" + readable(low) : narrow(low);
     plot.high_text = nothing_else ? "" : logarithmic ? "1e" + readable(high) : narrow(high);
     const Real length = span.end - span.begin;
-    for (std::size_t k = 0; k < tracks; ++k) {
-        std::vector<std::vector<Vec2>>& pieces = plot.curves.emplace_back(1);
-        each_sample(show, k, c, whole_run, [&](const Sample& sample) {
-            if (!shows(sample.value)) {
-                if (!pieces.back().empty()) pieces.emplace_back();
-                return;
-            }
-            pieces.back().push_back({length > 0 ? (sample.t - span.begin) / length : 1,
-                                     (height_of(sample.value) - low) / (high - low)});
-        });
-    }
+    for (const std::size_t column : columns)
+        for (std::size_t k = 0; k < tracks; ++k) {
+            LivePlot::Pieces& pieces = (column == c ? plot.curves : plot.beside).emplace_back(1);
+            each_sample(show, k, column, whole_run, [&](const Sample& sample) {
+                if (!shows(sample.value)) {
+                    if (!pieces.back().empty()) pieces.emplace_back();
+                    return;
+                }
+                pieces.back().push_back({length > 0 ? (sample.t - span.begin) / length : 1,
+                                         (height_of(sample.value) - low) / (high - low)});
+            });
+        }
     return plot;
 }
 

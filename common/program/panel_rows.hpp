@@ -22,6 +22,7 @@ struct SliderRow {
     std::string format;  ///< of printf, without the unit
     Real low = 0, high = 1, first = 0;
     bool whole = false, logarithmic = false;
+    std::vector<std::string> names;  ///< shown for low, low + 1 and so on; none = the number is shown
 };
 
 SliderRow slider_row(const Tunable& tunable);
@@ -54,10 +55,11 @@ TimeSpan plot_span(const Show& show, bool whole_run);
 
 /// The curves of one column.
 struct LivePlot {
-    Real low = 0, high = 0;           ///< its range; powers of ten if the column is logarithmic
-    std::string low_text, high_text;  ///< what stands at both ends
-    std::vector<std::vector<std::vector<Vec2>>>
-        curves;  ///< of each track, its pieces, in the unit square, y up
+    Real low = 0, high = 0;                         ///< its range; powers of ten if the column is logarithmic
+    std::string low_text, high_text;                ///< what stands at both ends
+    using Pieces = std::vector<std::vector<Vec2>>;  ///< of one curve, in the unit square, y up
+    std::vector<Pieces> curves;                     ///< of each track
+    std::vector<Pieces> beside;  ///< of each track and each column that stands beside this one
 };
 
 /// Nothing if there is nothing to show.

@@ -31,10 +31,17 @@ struct Tunable {
     Numbers numbers = Numbers::real;         ///< whole: a count
     OnChange on_change = OnChange::goes_on;  ///< restarts: the scene starts again (a number of discs, say)
     Keys keys = Keys::none;                  ///< which keys change it too
+    std::vector<std::string> names = {};  ///< of the values low, low + 1 and so on; none = they are numbers
 
     bool whole() const { return numbers == Numbers::whole; }
     bool restarts() const { return on_change == OnChange::restarts; }
     bool arrow_keys() const { return keys == Keys::up_and_down; }
+    /// Of the values, in their order: `names`, or no and yes of what is 0 or 1; else none.
+    std::vector<std::string> value_names() const
+    {
+        if (names.empty() && whole() && low == 0 && high == 1) return {"no", "yes"};
+        return names;
+    }
 };
 
 /// All that a run depends on.
@@ -66,8 +73,11 @@ struct Column {
     std::string unit;
     std::string help;
     Plot plot = Plot::none;
+    std::string beside =
+        {};  ///< its curve stands, grey, in the plot of the column of this name; "" = in its own
 
     bool plotted() const { return plot != Plot::none; }
+    bool has_own_plot() const { return plotted() && beside.empty(); }
     bool logarithmic() const { return plot == Plot::logarithmic; }
 };
 

@@ -52,6 +52,7 @@ std::string slider(const SliderRow& row)
         .add("high", number(row.high))
         .add("first", number(row.first))
         .add("whole", truth(row.whole))
+        .add("names", array_of(row.names, json))
         .add("logarithmic", truth(row.logarithmic))
         .text();
 }
@@ -63,7 +64,7 @@ std::string scene(const Demo& demo)
     sliders.push_back(time_step_row(demo));
     std::vector<std::string> plots;
     for (std::size_t c = 0; c < demo.columns.size(); ++c)
-        if (demo.columns[c].plotted())
+        if (demo.columns[c].has_own_plot())
             plots.push_back(Object()
                                 .add("column", std::to_string(c))
                                 .words("title", plot_title(demo.columns[c]))
@@ -120,7 +121,7 @@ std::string state_of(const Show& show)
     if (!playback) sentences.push_back(show.refusal());
     else sentences = playback->failures();
     for (std::size_t c = 0; playback && c < demo.columns.size(); ++c) {
-        if (!demo.columns[c].plotted()) continue;
+        if (!demo.columns[c].has_own_plot()) continue;
         const int digits = playback->tracks().size() > 2 ? 3 : 4;
         values.push_back(array_of(playback->tracks(), [&](const Track& track) {
             return json(track.measured.empty() ? std::string("-") : significant(track.measured[c], digits));

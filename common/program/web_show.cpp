@@ -80,15 +80,19 @@ const DrawList& WebShow::plot(std::size_t column, Real width, Real height, bool 
         list_.line({{gutter, y}, {width, y}}, DrawList::rim, 1, 1);
     }
     list_.clip({gutter, 0, width - gutter, height});
-    for (std::size_t k = plot->curves.size(); k-- > 0;)
-        for (const std::vector<Vec2>& piece : plot->curves[k]) {
+    const int ink = static_cast<int>(Colour::ink);
+    const auto draw = [&](const LivePlot::Pieces& pieces, int colour, Real opacity) {
+        for (const std::vector<Vec2>& piece : pieces) {
             std::vector<Vec2> points;
             for (const Vec2& p : piece)
                 points.push_back({gutter + p.x() * (width - gutter - margin), margin + (1 - p.y()) * tall});
-            if (points.size() > 1) list_.line(points, static_cast<int>(pane_colour(k)), 1, 1.5);
+            if (points.size() > 1) list_.line(points, colour, opacity, 1.5);
         }
+    };
+    for (const LivePlot::Pieces& pieces : plot->beside) draw(pieces, ink, 0.4);
+    for (std::size_t k = plot->curves.size(); k-- > 0;)
+        draw(plot->curves[k], static_cast<int>(pane_colour(k)), 1);
     list_.unclip();
-    const int ink = static_cast<int>(Colour::ink);
     list_.text({gutter - 6, 12}, plot->high_text, 10.5, ink, 0.75, Align::right, false);
     list_.text({gutter - 6, height - 4}, plot->low_text, 10.5, ink, 0.75, Align::right, false);
     return list_;

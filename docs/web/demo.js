@@ -208,7 +208,7 @@
                 });
             const show = value => {
                 if (document.activeElement !== input || Math.abs(to_value(input.value) - value) > 1e-9 * Math.abs(value)) input.value = to_place(value);
-                const text = written(value, row.format) + (row.unit ? ' ' + row.unit : '');
+                const text = row.names[Math.round(value - row.low)] ?? written(value, row.format) + (row.unit ? ' ' + row.unit : '');
                 if (output.textContent !== text) {
                     output.textContent = text;
                     input.setAttribute('aria-valuetext', text);

@@ -581,8 +581,8 @@ Program program()
                        "explicit_euler"};
     javelin.tunables = {{"speed", "m/s", "of the throw", 30, 1, 32, Numbers::real,
                          OnChange::restarts},
-                        {"angle", "degrees", "of the throw, above the horizontal",
-                         40, 0, 90, Numbers::real, OnChange::restarts},
+                        {"angle", "°", "of the throw, above the horizontal", 40, 0,
+                         90, Numbers::real, OnChange::restarts},
                         {"drag", "1/m", "k in a = -k |u| u", 0.001, 0, 0.1,
                          Numbers::real, OnChange::restarts},
                         digits_of_steps(9)};
@@ -629,9 +629,8 @@ Program program()
     pendulum.methods = {"verlet", "explicit_euler", "symplectic_euler", "yoshida4",
                         "rk4",    "dormand_prince"};
     pendulum.side_by_side = {"explicit_euler", "symplectic_euler"};
-    pendulum.tunables = {{"angle", "degrees",
-                          "where it is let go, from straight down", 120, 1, 179,
-                          Numbers::real, OnChange::restarts},
+    pendulum.tunables = {{"angle", "°", "where it is let go, from straight down",
+                          120, 1, 179, Numbers::real, OnChange::restarts},
                          {"length", "m", "of the pendulum", 1, 0.1, 1,
                           Numbers::real, OnChange::restarts},
                          digits_of_steps(6)};

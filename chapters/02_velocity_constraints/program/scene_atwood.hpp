@@ -138,12 +138,12 @@ inline Demo atwood_scene()
         {"m2", "kg", "mass on the right", 1, 0.1, 10},
         {"pulley", "kg", "mass of the pulley, a uniform disc", 1, 0.01, 10}};
     scene.columns = {
-        {"acceleration", "m/s^2", "of the left mass, downwards", Plot::linear},
-        {"acceleration_exact", "m/s^2", "closed form"},
+        {"acceleration", "m/s²", "of the left mass, downwards", Plot::linear},
+        {"acceleration_exact", "m/s²", "closed form", Plot::linear, "acceleration"},
         {"tension_left", "N", "λ/h of the left part of the rope", Plot::linear},
-        {"tension_left_exact", "N", "closed form"},
+        {"tension_left_exact", "N", "closed form", Plot::linear, "tension_left"},
         {"tension_right", "N", "λ/h of the right part of the rope", Plot::linear},
-        {"tension_right_exact", "N", "closed form"}};
+        {"tension_right_exact", "N", "closed form", Plot::linear, "tension_right"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<AtwoodRun>(settings);
     };

@@ -168,7 +168,7 @@ inline Demo discs_scene()
                        OnChange::restarts},
                       {"rounds", "", "how often each row has its turn in a step", 1,
                        1, 100, Numbers::whole},
-                      {"gravity", "m/s^2", "downwards", 0, 0, 20, Numbers::real,
+                      {"gravity", "m/s²", "downwards", 0, 0, 20, Numbers::real,
                        OnChange::goes_on, Keys::up_and_down}};
     scene.columns = {
         {"rows", "", "contacts of the step", Plot::linear},

@@ -116,7 +116,7 @@ inline Demo pendulum_scene()
     scene.view = {{0, -0.25}, {1.5, 1.05}};
     scene.h = 1.0 / 60;
     scene.methods = {"row", "spring"};
-    scene.tunables = {{"angle", "deg", "where it is let go at rest", 90, 1, 179,
+    scene.tunables = {{"angle", "°", "where it is let go at rest", 90, 1, 179,
                        Numbers::real, OnChange::restarts},
                       {"stiffness", "N/m",
                        "of the spring that stands in for the rod", 1000, 10, 1e5}};
@@ -128,7 +128,8 @@ inline Demo pendulum_scene()
         {"stretch", "mm", "length of the rod less 1 m, with h/4", Plot::linear},
         {"tension", "N", "mean pull of the rod in the step, with h/4",
          Plot::linear},
-        {"tension_exact", "N", "pull of the rod in the exact motion", Plot::linear},
+        {"tension_exact", "N", "pull of the rod in the exact motion", Plot::linear,
+         "tension"},
         {"energy", "J", "kinetic and potential, with h/4", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<PendulumRun>(settings);

@@ -118,12 +118,13 @@ inline Demo wedge_scene()
     scene.tunables = {
         {"wedge", "kg", "mass of the wedge", 4, 0.1, 100},
         {"block", "kg", "mass of the block", 1, 0.1, 100},
-        {"angle", "deg", "slope", 30, 5, 45, Numbers::real, OnChange::restarts}};
-    scene.columns = {{"acceleration", "m/s^2", "of the wedge", Plot::linear},
-                     {"acceleration_exact", "m/s^2", "closed form"},
-                     {"force", "N", "λ/h between block and wedge", Plot::linear},
-                     {"force_exact", "N", "closed form"},
-                     {"floor", "N", "λ/h between floor and wedge", Plot::linear}};
+        {"angle", "°", "slope", 30, 5, 45, Numbers::real, OnChange::restarts}};
+    scene.columns = {
+        {"acceleration", "m/s²", "of the wedge", Plot::linear},
+        {"acceleration_exact", "m/s²", "closed form", Plot::linear, "acceleration"},
+        {"force", "N", "λ/h between block and wedge", Plot::linear},
+        {"force_exact", "N", "closed form", Plot::linear, "force"},
+        {"floor", "N", "λ/h between floor and wedge", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<WedgeRun>(settings);
     };

@@ -199,7 +199,7 @@ inline Demo bounce_scene()
         "bounce",
         "A disc bounces; beside it all velocities that its contact allows");
     scene.view = {{0.95, 0.53}, {2.1, 1.15}};
-    scene.tunables.push_back({"tilt", "degrees", "of the floor", 0, -40, 40,
+    scene.tunables.push_back({"tilt", "°", "of the floor", 0, -40, 40,
                               Numbers::real, OnChange::restarts});
     scene.start = [](const Settings& settings) {
         const Real tilt = settings["tilt"] * pi / 180;
@@ -219,7 +219,7 @@ inline Demo corner_scene()
         "corner",
         "A disc is thrown into a corner: two contacts, four sets of either/or");
     scene.tunables[0].value = 0;
-    scene.tunables.push_back({"ramp", "degrees", "slope of the ramp",
+    scene.tunables.push_back({"ramp", "°", "slope of the ramp",
                               atan(0.75) * 180 / pi, 10, 85, Numbers::real,
                               OnChange::restarts});
     scene.start = [](const Settings& settings) {

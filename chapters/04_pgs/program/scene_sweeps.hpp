@@ -164,28 +164,38 @@ inline Demo sweeps_scene()
     scene.view = {{-0.18, -0.03}, {1.22, 0.68}};
     scene.h = scene.h_low = scene.h_high = 1.0 / 60;
     scene.methods = {"gauss_seidel", "jacobi", "sor", "symmetric", "cg"};
-    scene.tunables = {
-        {"rows", "", "N, contacts in the column", 10, 2, 100, Numbers::whole,
-         OnChange::restarts},
-        {"end_mass", "kg", "mass of the uppermost disc; the others have 1 kg", 1,
-         0.01, 10000, Numbers::real, OnChange::restarts},
-        {"heavy_low", "", "1 puts that mass at the floor instead", 0, 0, 1,
-         Numbers::whole, OnChange::restarts},
-        {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95, Numbers::real,
-         OnChange::restarts},
-        {"order", "", "order of the visits: 0 bottom-up, 1 top-down, 2 shuffled", 0,
-         0, 2, Numbers::whole, OnChange::restarts}};
+    scene.tunables = {{"rows", "", "N, contacts in the column", 10, 2, 100,
+                       Numbers::whole, OnChange::restarts},
+                      {"end_mass", "kg",
+                       "mass of the uppermost disc; the others have 1 kg", 1, 0.01,
+                       10000, Numbers::real, OnChange::restarts},
+                      {"heavy_low", "", "1 puts that mass at the floor instead", 0,
+                       0, 1, Numbers::whole, OnChange::restarts},
+                      {"omega", "", "relaxation of method sor", 1.5, 0.05, 1.95,
+                       Numbers::real, OnChange::restarts},
+                      {"order",
+                       "",
+                       "order of the visits: 0 bottom-up, 1 top-down, 2 shuffled",
+                       0,
+                       0,
+                       2,
+                       Numbers::whole,
+                       OnChange::restarts,
+                       Keys::none,
+                       {"bottom-up", "top-down", "shuffled"}}};
     scene.columns = {
         {"sweeps", "", "sweeps so far"},
         {"error", "", "largest error of a λ, relative to the largest λ",
          Plot::logarithmic},
-        {"theory", "", "what (4.15) says; 0 where it does not", Plot::logarithmic},
+        {"theory", "", "what (4.15) says; 0 where it does not", Plot::logarithmic,
+         "error"},
         {"residual", "m/s", "natural residual", Plot::logarithmic},
         {"change", "m/s", "largest change in the sweep, as a velocity",
          Plot::logarithmic},
         {"merit", "J", "merit above its lowest value", Plot::logarithmic},
         {"ratio", "", "error after this sweep / error before it", Plot::linear},
-        {"rate", "", "what theory says to that; 0 where it does not"}};
+        {"rate", "", "what theory says to that; 0 where it does not", Plot::linear,
+         "ratio"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<SweepsRun>(settings);
     };

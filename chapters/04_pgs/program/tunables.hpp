@@ -85,10 +85,12 @@ inline Tunable digits(const std::string& of = "")
 }
 inline Tunable order(const std::string& of = "")
 {
-    return whole(
+    Tunable one = whole(
         "order",
         of + "order of the visits: 0 as the rows come, 1 reversed, 2 shuffled", 0,
         0, 2);
+    one.names = {"given", "reversed", "shuffled"};
+    return one;
 }
 /// Of the sweeps that a program has beside its own method, to compare.
 inline std::vector<Tunable> sweeps_to_compare()
@@ -99,9 +101,11 @@ inline std::vector<Tunable> sweeps_to_compare()
 /// The order of the rows, as in chapter 6.
 inline Tunable row_order()
 {
-    return whole("order",
-                 "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0,
-                 0, 3);
+    Tunable one = whole(
+        "order", "of the rows: 0 given, 1 alternating, 2 shuffled, 3 coloured", 0,
+        0, 3);
+    one.names = {"given", "alternating", "shuffled", "coloured"};
+    return one;
 }
 inline Tunable restitution(Real value)
 {

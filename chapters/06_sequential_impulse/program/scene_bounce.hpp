@@ -133,9 +133,9 @@ inline Demo bounce_scene()
         {"height_1", "m", "of the first ball over the floor", Plot::linear},
         {"height_2", "m", "of the second", Plot::linear},
         {"height_3", "m", "of the third", Plot::linear},
-        {"exact_1", "m", "what the closed form says"},
-        {"exact_2", "m", "what the closed form says"},
-        {"exact_3", "m", "what the closed form says"},
+        {"exact_1", "m", "what the closed form says", Plot::linear, "height_1"},
+        {"exact_2", "m", "what the closed form says", Plot::linear, "height_2"},
+        {"exact_3", "m", "what the closed form says", Plot::linear, "height_3"},
         {"speed_1", "m/s", "upwards"},
         {"speed_2", "m/s", "upwards"},
         {"speed_3", "m/s", "upwards"}};

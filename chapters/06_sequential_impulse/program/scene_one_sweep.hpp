@@ -144,8 +144,16 @@ inline Demo one_sweep_scene()
     scene.methods = {"given", "alternating", "shuffled", "coloured", "blocks"};
     scene.side_by_side = {"given", "coloured"};
     scene.tunables = {
-        {"kind", "", "0 triangle, 1 column, 2 hanging chain", 0, 0, 2,
-         Numbers::whole, OnChange::restarts},
+        {"kind",
+         "",
+         "0 triangle, 1 column, 2 hanging chain",
+         0,
+         0,
+         2,
+         Numbers::whole,
+         OnChange::restarts,
+         Keys::none,
+         {"triangle", "column", "hanging chain"}},
         {"size", "", "discs along its base, in the column, on the chain", 8, 2, 60,
          Numbers::whole, OnChange::restarts, Keys::up_and_down},
         {"end_mass", "kg", "last disc of column and chain; the others have 1 kg", 1,

@@ -133,7 +133,7 @@ inline Demo one_row_scene(bool circle)
         {"error", "m", "distance from the wire, outwards", Plot::linear},
         {"theory", "m",
          circle ? "(7.3) or (7.8), without gravity; 0 for the other ways" : "(7.5)",
-         Plot::linear},
+         Plot::linear, "error"},
         {"lambda", "N s", "impulse of the row"},
         {"kinetic", "J", "kinetic energy", Plot::linear}};
     scene.start = [circle, view = scene.view](const Settings& settings) {

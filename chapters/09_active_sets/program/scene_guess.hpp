@@ -82,9 +82,16 @@ inline Demo guess_scene()
     scene.methods = {"active_sets", "dantzig", "lemke"};
     scene.side_by_side = {"active_sets", "dantzig"};
     scene.tunables = {
-        {"pile", "",
-         "0 a column, 1 a column of 1 kg and 1000 kg in turns, 2 a pyramid", 2, 0,
-         2, Numbers::whole, OnChange::restarts},
+        {"pile",
+         "",
+         "0 a column, 1 a column of 1 kg and 1000 kg in turns, 2 a pyramid",
+         2,
+         0,
+         2,
+         Numbers::whole,
+         OnChange::restarts,
+         Keys::none,
+         {"column", "1 to 1000", "pyramid"}},
         {"levels", "", "boxes in the column, levels of the pyramid", 5, 1, 500,
          Numbers::whole, OnChange::restarts},
         {"jostle", "m/s", "size of the random speeds before the impulses", 1, 0, 5,

@@ -117,9 +117,16 @@ inline Demo linkage_scene()
     demo.methods = {"rattle", "split", "whole_error"};
     demo.side_by_side = {"rattle", "split"};
     demo.tunables = {
-        {"kind", "",
-         "0 the four-bar linkage, 1 a pendulum of rods, 2 a chain of ten", 0, 0, 2,
-         Numbers::whole, OnChange::restarts},
+        {"kind",
+         "",
+         "0 the four-bar linkage, 1 a pendulum of rods, 2 a chain of ten",
+         0,
+         0,
+         2,
+         Numbers::whole,
+         OnChange::restarts,
+         Keys::none,
+         {"four bars", "pendulum", "chain"}},
         {"rods", "", "of the pendulum", 2, 1, 20, Numbers::whole,
          OnChange::restarts},
         {"substeps", "", "parts of each step", 1, 1, 64, Numbers::whole}};

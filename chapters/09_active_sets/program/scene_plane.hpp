@@ -165,8 +165,16 @@ inline Demo plane_scene()
     scene.h_high = 2;
     scene.methods = {"active_sets"};
     scene.tunables = {
-        {"start", "", "the first guess: 0 none, 1 row 1, 2 row 2, 3 both", 3, 0, 3,
-         Numbers::whole, OnChange::restarts},
+        {"start",
+         "",
+         "the first guess: 0 none, 1 row 1, 2 row 2, 3 both",
+         3,
+         0,
+         3,
+         Numbers::whole,
+         OnChange::restarts,
+         Keys::none,
+         {"none", "row 1", "row 2", "both"}},
         {"a11", "1/kg", "of A, row 1", 2, 0.5, 4, Numbers::real,
          OnChange::restarts},
         {"a22", "1/kg", "of A, row 2", 2, 0.5, 4, Numbers::real,

@@ -133,10 +133,11 @@ inline Demo crank_scene()
             };
             return setup;
         });
-    scene.columns = {{"slider", "m", "place of the slider", Plot::linear},
-                     {"exact", "m", "closed form at the crank's angle"},
-                     {"error", "m", "their difference", Plot::logarithmic},
-                     {"off", "m", "of the slider beside its rail", Plot::linear}};
+    scene.columns = {
+        {"slider", "m", "place of the slider", Plot::linear},
+        {"exact", "m", "closed form at the crank's angle", Plot::linear, "slider"},
+        {"error", "m", "their difference", Plot::logarithmic},
+        {"off", "m", "of the slider beside its rail", Plot::linear}};
     return scene;
 }
 

@@ -39,7 +39,7 @@ inline Demo pendulum_scene()
     scene.tunables.push_back({"angle", "°", "at the start, from straight down", 90,
                               1, 179, Numbers::real, OnChange::restarts});
     scene.columns = {{"angle", "rad", "from straight down", Plot::linear},
-                     {"exact", "rad", "closed form", Plot::linear},
+                     {"exact", "rad", "closed form", Plot::linear, "angle"},
                      {"error", "rad", "their difference", Plot::logarithmic},
                      {"energy", "J", "kinetic and potential", Plot::linear},
                      {"joint", "m", "largest error of the pin", Plot::logarithmic}};

@@ -62,10 +62,11 @@ inline Demo engine_demo()
                               Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.tunables.push_back({"torque", "N m", "of its motor, at most", 1e4, 1, 1e5,
                               Numbers::real, OnChange::restarts});
-    scene.columns = {{"piston", "m", "its place", Plot::linear},
-                     {"exact", "m", "closed form at the crank's angle"},
-                     {"error", "m", "their difference", Plot::logarithmic},
-                     {"omega", "rad/s", "of the crank", Plot::linear}};
+    scene.columns = {
+        {"piston", "m", "its place", Plot::linear},
+        {"exact", "m", "closed form at the crank's angle", Plot::linear, "piston"},
+        {"error", "m", "their difference", Plot::logarithmic},
+        {"omega", "rad/s", "of the crank", Plot::linear}};
     return scene;
 }
 

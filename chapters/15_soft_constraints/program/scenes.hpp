@@ -42,9 +42,10 @@ inline Demo spring_scene()
         number("spring", "Hz", "frequency of the spring", 2, 0.01, 1e6));
     scene.tunables.push_back(
         number("damping", "", "its damping ratio", 0, 0, 0.99));
-    scene.columns = {{"x", "m", "out of its rest", Plot::linear},
-                     {"exact", "m", "of the differential equation", Plot::linear},
-                     {"energy", "J", "kinetic and of the spring", Plot::linear}};
+    scene.columns = {
+        {"x", "m", "out of its rest", Plot::linear},
+        {"exact", "m", "of the differential equation", Plot::linear, "x"},
+        {"energy", "J", "kinetic and of the spring", Plot::linear}};
     return scene;
 }
 
