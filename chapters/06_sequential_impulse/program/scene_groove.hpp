@@ -22,6 +22,38 @@ inline Real speed_in_gh(const SceneState& state)
     return state.scene.bodies.velocity(0).norm() / (9.81 * state.step.h);
 }
 
+/// Beside the groove: the place of rest, and the disc's centre and its way of the last steps as under a lens. What is
+/// outside of the lens is left out.
+inline void draw_lens(Canvas& canvas, const Vec2& disc, const Vec2& rest,
+                      const std::vector<Vec2>& trail)
+{
+    constexpr Real magnified = 60, radius = 0.085;
+    const Vec2 middle(0.42, 0.36);
+    const auto in_lens = [&](const Vec2& x) {
+        return Vec2(middle + magnified * (x - rest));
+    };
+    const auto shows = [&](const Vec2& x) {
+        return (in_lens(x) - middle).norm() <= radius;
+    };
+    canvas.disc(middle, radius, {Colour::faint, 1.5});
+    for (const Vec2& way : {Vec2(0.012, 0), Vec2(0, 0.012)})
+        canvas.segment(middle - way, middle + way, {Colour::faint, 1});
+    std::vector<Vec2> way;
+    const std::size_t recent = 120;
+    for (std::size_t i = trail.size() - std::min(trail.size(), recent);
+         i < trail.size(); ++i) {
+        if (shows(trail[i])) way.push_back(in_lens(trail[i]));
+        if ((!shows(trail[i]) || i + 1 == trail.size()) && !way.empty()) {
+            canvas.polyline(way, {Colour::blue, 1, 0.7});
+            way.clear();
+        }
+    }
+    if (shows(disc)) canvas.disc(in_lens(disc), 0.006, paint::body);
+    canvas.text(middle + Vec2(-radius, 0.055),
+                "its centre, × " + fixed(magnified, 0), 12, paint::label,
+                Align::right);
+}
+
 /// \param trail  where the disc has been
 inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle,
                         const std::vector<Vec2>& trail)
@@ -40,6 +72,7 @@ inline void draw_groove(Canvas& canvas, const SceneState& state, Real angle,
             canvas.arrow(touch, touch + std::min(0.3, 0.015 * force) * n,
                          paint::impulse);
     }
+    draw_lens(canvas, disc, rest, trail);
     const Vec2 off = 1000 * (disc - rest);
     canvas.text({-0.52, 0.42},
                 "off its place by " + fixed(off.x(), 2) + ", " + fixed(off.y(), 2) +
