@@ -11,6 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace rigid {
 
@@ -75,12 +76,12 @@ struct Bodies {
 };
 
 /// Throws std::invalid_argument, naming vector, entry and value, unless every entry is finite.
-inline void require_finite(const VecX& v, const std::string& name)
+inline void require_finite(const VecX& v, std::string_view name)
 {
     for (Index i = 0; i < v.size(); ++i)
         if (!std::isfinite(v[i]))
-            throw std::invalid_argument(name + "[" + std::to_string(i) + "] is " + shortest(v[i]) +
-                                        "; it must be a finite number");
+            throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) + "] is " +
+                                        shortest(v[i]) + "; it must be a finite number");
 }
 
 /// Throws std::invalid_argument unless the time step is a positive finite number.
@@ -100,10 +101,10 @@ void require_valid(const Bodies<Dof>& bodies)
     if (n % Dof != 0)
         throw std::invalid_argument("x has " + std::to_string(n) + " entries; it must be a multiple of " +
                                     std::to_string(Dof));
-    const auto check = [n](const VecX& v, const std::string& name) {
+    const auto check = [n](const VecX& v, std::string_view name) {
         if (v.size() != n)
-            throw std::invalid_argument(name + " has " + std::to_string(v.size()) + " entries; x has " +
-                                        std::to_string(n));
+            throw std::invalid_argument(std::string(name) + " has " + std::to_string(v.size()) +
+                                        " entries; x has " + std::to_string(n));
         require_finite(v, name);
     };
     check(bodies.x, "x");

@@ -76,7 +76,8 @@ python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
 python3 docs/tools/search_texts.py build/docs/html build/docs/book.tag
 if [ -d build/docs/demos ]; then
     mkdir -p build/docs/html/demos
-    cp docs/web/unpack.js docs/web/machine.js docs/web/painter.js docs/web/demo.js docs/web/demo.css build/docs/html/
+    for script in unpack join machine painter demo; do cp docs/web/$script.js build/docs/html/; done
+    cp docs/web/demo.css build/docs/html/
     # Only what a page shows.
     for name in $(grep -oh 'src="demos/[^"]*"' build/docs/html/*.html | sort -u | cut -d'"' -f2); do
         cp "build/docs/$name" "build/docs/html/$name"

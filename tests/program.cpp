@@ -360,6 +360,20 @@ TEST_CASE("what was typed arrives in the settings")
     CHECK(repeated.methods == std::vector<std::string>{"explicit", "failing"});
 }
 
+TEST_CASE("a tunable is found by its whole name and a name that no scene listed is refused")
+{
+    Settings settings;
+    settings.tunables = {{"mass", 1}, {"speed", 2}, {"slope", 3}};
+    CHECK(settings["speed"] == 2);  // as long as "slope", and the same first letter
+    CHECK(settings["slope"] == 3);
+    CHECK_FALSE(settings.tunables.contains("mas"));
+    CHECK_FALSE(settings.tunables.contains("masses"));
+    CHECK_THROWS_WITH(settings["sped"], "there is no tunable \"sped\"");
+    settings.tunables["mass"] = 4;
+    settings.tunables["sped"] += 5;
+    CHECK(settings.tunables == TunableValues({{"mass", 4}, {"speed", 2}, {"slope", 3}, {"sped", 5}}));
+}
+
 TEST_CASE("a problem from a file goes to the method that was named")
 {
     const Folder folder;

@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <optional>
 
+#include <string>
+#include <string_view>
+
 namespace rigid {
 
 //! [surface]
@@ -64,11 +67,17 @@ struct RoughScene : RigidScene {
 //! [rough_scene]
 
 /// Throws std::invalid_argument, naming the surface and the value, unless it makes sense.
-inline void require_valid(const Surface& surface, const std::string& name)
+/// \param name    of what it belongs to: "the chain", "body"
+/// \param number  behind the name, unless it is negative; a step checks every surface, and only a refusal puts
+///                the two together
+inline void require_valid(const Surface& surface, std::string_view name,
+                          Index number = -1)
 {
-    const auto refuse = [&name](const char* thing, Real value, const char* right) {
-        throw std::invalid_argument("the " + std::string(thing) + " of " + name +
-                                    " is " + shortest(value) + right);
+    const auto refuse = [=](const char* thing, Real value, const char* right) {
+        throw std::invalid_argument(
+            "the " + std::string(thing) + " of " + std::string(name) +
+            (number < 0 ? "" : " " + std::to_string(number)) + " is " +
+            shortest(value) + right);
     };
     if (!(surface.friction >= 0) || !std::isfinite(surface.friction))
         refuse("friction coefficient", surface.friction,
@@ -92,14 +101,14 @@ inline void require_valid(const Surface& surface, const std::string& name)
 inline void require_valid_surfaces(const RoughScene& scene)
 {
     const auto check = [](const std::vector<Surface>& list, std::size_t count,
-                          const std::string& thing) {
+                          std::string_view thing) {
         if (!list.empty() && list.size() != count)
             throw std::invalid_argument(
                 "the scene has " + std::to_string(list.size()) + " surfaces for " +
                 std::to_string(count) + (thing == "body" ? " bodies" : " walls") +
                 "; each needs its own, or none of them has one");
         for (std::size_t i = 0; i < list.size(); ++i)
-            require_valid(list[i], thing + " " + std::to_string(i));
+            require_valid(list[i], thing, static_cast<Index>(i));
     };
     check(scene.surfaces, scene.shapes.size(), "body");
     check(scene.wall_surfaces, scene.walls.size(), "wall");

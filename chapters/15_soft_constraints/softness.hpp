@@ -15,6 +15,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace rigid {
 
@@ -45,15 +46,15 @@ inline SoftTerms soft_terms(const Softness& how, Real A, Real h)
 
 /// Throws std::invalid_argument, naming the value, unless it makes sense.
 /// \param name  of what is soft: "contacts"
-inline void require_valid(const Softness& how, const std::string& name)
+inline void require_valid(const Softness& how, std::string_view name)
 {
     if (!(how.frequency > 0))
-        throw std::invalid_argument("the frequency of " + name + " is " +
-                                    shortest(how.frequency) +
+        throw std::invalid_argument("the frequency of " + std::string(name) +
+                                    " is " + shortest(how.frequency) +
                                     " Hz; it must be positive (infinite: hard)");
     if (!(how.damping_ratio >= 0) || !std::isfinite(how.damping_ratio))
-        throw std::invalid_argument("the damping ratio of " + name + " is " +
-                                    shortest(how.damping_ratio) +
+        throw std::invalid_argument("the damping ratio of " + std::string(name) +
+                                    " is " + shortest(how.damping_ratio) +
                                     "; it must be zero or positive and finite");
 }
 

@@ -10,10 +10,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigid {
@@ -44,16 +45,38 @@ struct Tunable {
     }
 };
 
+/// Numbers by name. A scene has about ten and each step reads some, so they are searched one after the other: most names
+/// differ from the one that is looked for in their length alone, and no string is made of it.
+class TunableValues {
+public:
+    struct Value {
+        std::string name;
+        Real number = 0;
+        bool operator==(const Value&) const = default;
+    };
+    TunableValues() = default;
+    TunableValues(std::initializer_list<Value> list) : list_(list) {}
+
+    bool contains(std::string_view name) const { return find(name) != nullptr; }
+    Real at(std::string_view name) const;     ///< Throws std::out_of_range for a name that is not there.
+    Real& operator[](std::string_view name);  ///< A name that is not there is added, as 0.
+    bool operator==(const TunableValues&) const = default;
+
+private:
+    const Value* find(std::string_view name) const;
+    std::vector<Value> list_;
+};
+
 /// All that a run depends on.
 struct Settings {
     std::string scene;
     std::string method;
     Real h = 0;  ///< time step [s]
     std::uint64_t seed = 1;
-    std::map<std::string, Real> tunables;
+    TunableValues tunables;
 
     /// The value of a tunable. Throws std::out_of_range for a name that the scene did not list.
-    Real operator[](const std::string& name) const { return tunables.at(name); }
+    Real operator[](std::string_view name) const { return tunables.at(name); }
 };
 
 /// What the reader's hand does during a step. Without a window it follows a seeded path in scenes

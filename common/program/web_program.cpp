@@ -118,7 +118,7 @@ RIGID_PAGE(web_with_setting) int web_with_setting(double value)
     const std::string& name = page().incoming;
     if (name == "h") options.settings.h = value;
     else if (name == "seed") options.settings.seed = static_cast<std::uint64_t>(value);
-    else if (options.settings.tunables.count(name) > 0) options.settings.tunables[name] = value;
+    else if (options.settings.tunables.contains(name)) options.settings.tunables[name] = value;
     else {
         page().sentence = "scene " + options.scene->name + " has no tunable \"" + name + '"';
         return 1;

@@ -265,7 +265,7 @@ class Page:
             data["opens"] = ""
         attributes = "".join(f' data-{name}="{html.escape(value)}"' for name, value in data.items())
         summary = html.escape(told["summary"])
-        head = "" if self.has_demo else loading("demo.css", "unpack", "machine", "painter", "demo")
+        head = "" if self.has_demo else loading("demo.css", "unpack", "join", "machine", "painter", "demo")
         self.has_demo = True
         still = self.image(picture) if picture else (
             f'<img class="demo-still" src="demos/{demo["still"]}" alt="Still picture of the demo: {summary}" '
@@ -281,7 +281,7 @@ class Page:
             return None
         peer = (self.root / "build/docs/demos/box2d3_wasm.js").is_file()
         peer_mark = ' data-peer=""' if peer else ""
-        return (loading("demo.css", "unpack", "machine") + loading("race.css", *(["box2d"] if peer else []), "race") +
+        return (loading("demo.css", "unpack", "join", "machine") + loading("race.css", *(["box2d"] if peer else []), "race") +
                 f'<div class="demo race"{peer_mark}><div class="demo-begin">'
                 '<button type="button" class="demo-start" aria-label="Run the race">&#9654;&#65038; Run it</button>'
                 "<span>The same scene on both sides, at the same time</span></div></div>")

@@ -6,13 +6,13 @@
 (function (space) {
     const waiting = {}; // program: what to do when its code comes
 
-    // The code of a program is a script that calls this (pack.py): its size, and wasm, LZMA, base64.
-    space.rigid_code = (program, size, packed) => { if (waiting[program]) waiting[program](unpacked(size, packed)); };
+    // The code of a program is a script that calls this (pack.py): its sizes, and wasm in streams, LZMA, base64.
+    space.rigid_code = (program, sizes, packed) => { if (waiting[program]) waiting[program](unpacked(sizes, packed)); };
 
-    function unpacked(size, packed) {
+    function unpacked(sizes, packed) {
         const text = atob(packed), bytes = new Uint8Array(text.length);
         for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-        return rigid_unpack(bytes, size);
+        return rigid_join(rigid_unpack(bytes, sizes.slice(1).reduce((a, b) => a + b)), sizes);
     }
 
     // The compiled code of each program, asked for once.

@@ -1,14 +1,16 @@
 // What the tools of this folder share: a chapter's machine in node, and the commands of a draw list as SVG.
 import {readFileSync} from 'node:fs';
 import './unpack.js';
+import './join.js';
 import './machine.js';
 import './painter.js';
 
-export async function code_of(script) {
-    const packed = readFileSync(script, 'utf8').match(/, (\d+), "([A-Za-z0-9+/=]+)"\);\s*$/);
+export function bytes_of(script) {
+    const packed = readFileSync(script, 'utf8').match(/, \[([\d, ]+)\], "([A-Za-z0-9+/=]+)"\);\s*$/);
     if (!packed) throw new Error(`${script} has no code`);
-    return WebAssembly.compile(rigid_unpacked(Number(packed[1]), packed[2]));
+    return rigid_unpacked(packed[1].split(', ').map(Number), packed[2]);
 }
+export const code_of = async script => WebAssembly.compile(bytes_of(script));
 export const machine_of = async script => RigidMachine.of(await code_of(script));
 
 // As in common/svg_canvas.cpp: they read on white and on dark. The cards behind the panes are the page's.

@@ -1,26 +1,29 @@
-// Unpacks LZMA (lc 3, lp 0, pb 0, without header), the format of pack.py: a quarter smaller than gzip, and no browser has it.
+// Unpacks LZMA (lc 3, lp 0, pb 0, without header), what pack.py ends with: a quarter smaller than gzip, and no browser has it.
 // The format: Igor Pavlov, "LZMA specification" (2015, public domain).
 'use strict';
 
 globalThis.rigid_unpack = function (input, size) {
     const out = new Uint8Array(size), chances = count => new Uint16Array(count).fill(1024);
-    let place = 5, range = 0xFFFFFFFF, code = ((input[1] << 24) | (input[2] << 16) | (input[3] << 8) | input[4]) >>> 0;
+    // Range and code in an array: as variables of their own, which the functions share, each change of a number of 32 bits
+    // would take memory.
+    const now = Uint32Array.of(0xFFFFFFFF, (input[1] << 24) | (input[2] << 16) | (input[3] << 8) | input[4]);
+    let place = 5;
 
     function refill() {
-        if (range >= 0x1000000) return;
-        range = (range << 8) >>> 0;
-        code = ((code << 8) | input[place++]) >>> 0;
+        if (now[0] >= 0x1000000) return;
+        now[0] <<= 8;
+        now[1] = (now[1] << 8) | input[place++];
     }
     function bit(p, i) {
-        const bound = (range >>> 11) * p[i];
+        const chance = p[i], bound = (now[0] >>> 11) * chance;
         let value = 0;
-        if (code < bound) {
-            range = bound;
-            p[i] += (2048 - p[i]) >> 5;
+        if (now[1] < bound) {
+            now[0] = bound;
+            p[i] = chance + ((2048 - chance) >> 5);
         } else {
-            range -= bound;
-            code -= bound;
-            p[i] -= p[i] >> 5;
+            now[0] -= bound;
+            now[1] -= bound;
+            p[i] = chance - (chance >> 5);
             value = 1;
         }
         refill();
@@ -43,9 +46,9 @@ globalThis.rigid_unpack = function (input, size) {
     function plain(bits) {
         let value = 0;
         for (; bits > 0; --bits) {
-            range >>>= 1;
-            const one = code >= range ? 1 : 0;
-            if (one) code -= range;
+            now[0] >>>= 1;
+            const one = now[1] >= now[0] ? 1 : 0;
+            if (one) now[1] -= now[0];
             value = (value << 1) | one;
             refill();
         }

@@ -45,8 +45,9 @@ inline void add_stiff_spring(Bodies<2>& bodies, const Constraint<2>& constraint,
 class BeadRun : public Run {
 public:
     BeadRun(Wire wire, const Settings& settings)
-        : wire_(std::move(wire)), bodies_(1), view_(settings)
+        : wire_(std::move(wire)), bodies_(1)
     {
+        remember(settings);
         bodies_.inverse_mass.setConstant(1 / settings["mass"]);
         bodies_.x = wire_.start;
         const Vec2 along =
@@ -82,7 +83,7 @@ public:
         //! [bead_step]
         // (2.32), (2.33)
         theory_r2_ += h * h * theory_product_ * theory_product_ / theory_r2_;
-        view_ = settings;
+        remember(settings);
         trail_.add(bodies_.x);
     }
 
@@ -91,7 +92,7 @@ public:
         return {drift(), std::sqrt(theory_r2_) - wire_.start.norm(), answer_.lambda,
                 answer_.w,
                 kinetic_energy(bodies_) +
-                    potential_energy(bodies_, {0, -view_["gravity"]})};
+                    potential_energy(bodies_, {0, -gravity_})};
     }
 
     void draw(Canvas& canvas) const override
@@ -103,7 +104,7 @@ public:
         // Metres on the picture per m/s, so that a fast bead's arrow stays in the picture.
         const Real scale = 0.5 * std::min<Real>(1, 2.2 / std::max(u.norm(), 1e-9));
         const Vec2 forbidden = n.dot(u) * n;
-        const bool shown = view_.method == "row" && scale * forbidden.norm() > 0.08;
+        const bool shown = by_row_ && scale * forbidden.norm() > 0.08;
         canvas.segment(x - 0.6 * perpendicular(n), x + 0.6 * perpendicular(n),
                        paint::guide);
         canvas.disc(x, 0.05, paint::body);
@@ -121,6 +122,13 @@ public:
     }
 
 private:
+    /// What a picture and a table say of the last step.
+    void remember(const Settings& settings)
+    {
+        gravity_ = settings["gravity"];
+        by_row_ = settings.method == "row";
+    }
+
     /// Distance from the wire: exact for the circle, C/||J|| for the others.
     Real drift() const
     {
@@ -131,7 +139,8 @@ private:
     Wire wire_;
     Bodies<2> bodies_;
     RowAnswer answer_;
-    Settings view_;  // of the last step
+    Real gravity_ = 0;
+    bool by_row_ = false;
     Real theory_r2_ = 1, theory_product_ = 1;
     Trail trail_;
 };

@@ -186,7 +186,7 @@ private:
                     {colour, 1, 1}, right ? Align::right : Align::left);
     }
 
-    std::map<std::string, Real> tunables_;
+    TunableValues tunables_;
     Eigen::Matrix2d A_ = Eigen::Matrix2d::Identity();
     Vec2 q_ = Vec2::Zero(), answer_ = Vec2::Zero();
     Mlcp mlcp_;

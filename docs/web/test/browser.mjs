@@ -166,6 +166,15 @@ try {
         faults.length ? failed += 1 : passed += 1;
         await page.close();
     }
+    // Each chapter has a switch that turns its idea off.
+    const switches = new Map();
+    for (const file of pages)
+        for (const [place, program] of readFileSync(join(folder, file), 'utf8').matchAll(/<div class="demo" data-program="([^"]+)"[^>]*>/g))
+            switches.set(program, switches.get(program) || place.includes(' data-break="'));
+    for (const [program, is_there] of switches) {
+        is_there ? ++passed : ++failed;
+        if (!is_there) console.log(`FAULT  ${program}: no demo of it has a switch that breaks its idea`);
+    }
     // The search box: what the book is about is found in its text, by the keyboard alone.
     const reader = await browser.page();
     for (const [words, wanted] of [['baumgarte', /^ch07_baumgarte\.html/], ['warm start', /^ch08_warm_starting/], ['rattl', /^ch11/]]) {

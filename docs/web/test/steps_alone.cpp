@@ -25,7 +25,7 @@ int rigid::run_program(const std::function<Program()>& make, int argc, char** ar
     for (int i = 4; i < argc; ++i) {
         const std::string word = argv[i];
         const std::size_t equals = word.find('=');
-        if (equals == std::string::npos || settings.tunables.count(word.substr(0, equals)) == 0) {
+        if (equals == std::string::npos || !settings.tunables.contains(word.substr(0, equals))) {
             std::cerr << "scene " << scene->name << " has no tunable for \"" << word << "\"\n";
             return 2;
         }
