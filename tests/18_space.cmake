@@ -7,7 +7,9 @@ foreach(scene top chain door)
   add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
                    --method exact,islands --csv -)
 endforeach()
-foreach(scene slide heap)
+add_program_test(ch18 18_space "runs scene slide" --headless --scene slide --steps 300
+                 --method cone,box,pyramid --csv -)
+foreach(scene heap table low_ball rattleback)
   add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
                    --method cone,box --csv -)
 endforeach()

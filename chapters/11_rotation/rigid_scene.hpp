@@ -9,6 +9,7 @@
 #include "chapters/11_rotation/polygon.hpp"
 #include "common/elementary.hpp"
 #include "common/shapes.hpp"
+#include "common/typical_length.hpp"
 
 #include <vector>
 
@@ -74,27 +75,16 @@ struct RigidScene {
     Real length = 0;
 };
 
-/// ℓ, the length that settings are measured in (chapter 3): the power of ten next to the mean size of the bodies that
-/// can move, twice the way from the centroid to the farthest point [m]; 1 m without any.
-/// Throws std::invalid_argument for a length that is negative or not finite.
+/// ℓ, the length that settings are measured in (chapter 3).
 inline Real typical_length(const RigidScene& scene)
 {
-    if (!(scene.length >= 0) || !std::isfinite(scene.length))
-        throw std::invalid_argument(
-            "the length of the scene is " + shortest(scene.length) +
-            " m; it must be positive and finite, or zero to be derived");
-    if (scene.length > 0) return scene.length;
-    Real sum = 0, count = 0;
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        if (!scene.bodies.can_move(k)) continue;
+    return typical_length(scene.bodies, scene.length, [&scene](Index k) {
         const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
         Real farthest = 0;
         for (const Vec2& vertex : shape.vertices)
             farthest = std::max(farthest, vertex.norm());
-        sum += 2 * (farthest + shape.radius);
-        ++count;
-    }
-    return sum > 0 ? pow(10.0, std::round(log10(sum / count))) : 1;
+        return farthest + shape.radius;
+    });
 }
 
 /// Where a point of body k is now; a point of the world is where it is. p = x + R(θ) r

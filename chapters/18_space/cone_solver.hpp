@@ -14,6 +14,7 @@ namespace rigid {
 struct ConeSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps{50, 1e-6};
+    int corners = 0;  ///< of the pyramid that friction is in; 0: a disc
 
     // What is kept from step to step.
     Islands islands;
@@ -24,7 +25,14 @@ struct ConeSolver {
     std::vector<int> disc_at;  ///< of each row: the disc that begins there, or −1
     int most_sweeps = 0, unsolved = 0;  ///< of the last step
 
-    void require_valid() const { rigid::require_valid(sweeps); }
+    void require_valid() const
+    {
+        rigid::require_valid(sweeps);
+        if (corners != 0 && corners < 3)
+            throw std::invalid_argument(
+                "a pyramid of friction has " + std::to_string(corners) +
+                " corners; it must have three or more, or 0: a disc");
+    }
 
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<6>& bodies, StepData<6>& now)
@@ -94,6 +102,7 @@ private:
                 continue;
             disc_at[k] = static_cast<int>(discs.size());
             discs.push_back(disc_of_rows(rows, k));
+            discs.back().corners = corners;
             ++k;
         }
     }
@@ -116,6 +125,7 @@ private:
             off = false;
             for (std::size_t k = first; k < first + count; ++k) {
                 if (disc_at[k] < 0) {
+                    if (!feedback.empty()) take_bounds(&rows[k], feedback[k]);
                     if (!(std::abs(visit(rows[k], u)) <= tolerance * rows[k].mass))
                         off = true;
                     continue;
@@ -137,7 +147,7 @@ private:
     }
     //! [solve_island]
 
-    Real residual_of(std::size_t first, std::size_t count, const VecX& u) const
+    Real residual_of(std::size_t first, std::size_t count, const VecX& u)
     {
         Real largest = 0;
         for (std::size_t k = first; k < first + count; ++k) {
@@ -147,6 +157,7 @@ private:
                                   &rows[k], radius_at(k), u);
                 ++k;
             } else if (rows[k].mass > 0) {
+                if (!feedback.empty()) take_bounds(&rows[k], feedback[k]);
                 const Real w = velocity<6>(rows[k], u.segment<6>(rows[k].a),
                                            u.segment<6>(rows[k].b));
                 r = natural_residual_row(1 / rows[k].mass, rows[k].lambda, w,

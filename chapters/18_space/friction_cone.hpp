@@ -1,5 +1,5 @@
 /// \file friction_cone.hpp
-/// Friction in space: two rows with one bound, a disc.
+/// Friction in space: two rows with one bound, a disc; or a polygon in its place.
 ///
 ///     ‖λ_t‖ ≤ μ λ_n,   λ_t = P(λ_t − ρ w_t) for any ρ > 0,   P: the nearest point of the disc               (18.38)
 ///
@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
+#include "common/elementary.hpp"
 
 namespace rigid {
 
@@ -22,11 +23,34 @@ inline Vec2 onto_disc(const Vec2& lambda, Real radius)
 }
 //! [project]
 
+//! [pyramid]
+/// The nearest point of the polygon whose corners lie on the disc's rim, the first
+/// along t₁, (18.42).
+/// \param corners  three or more; 0: all of the disc
+inline Vec2 onto_pyramid(const Vec2& lambda, Real radius, int corners)
+{
+    if (corners == 0) return onto_disc(lambda, radius);
+    const Real half = pi / corners;
+    const Real side = std::floor(atan2(lambda.y(), lambda.x()) / (2 * half));
+    const Real angle = (2 * side + 1) * half;  // to the middle of the nearest side
+    const Vec2 out(cos(angle), sin(angle)), along(-out.y(), out.x());
+    const Real height = radius * cos(half), width = radius * sin(half);
+    if (!(out.dot(lambda) > height)) return lambda;
+    return height * out + std::clamp(along.dot(lambda), -width, width) * along;
+}
+//! [pyramid]
+
 /// Two rows of one contact, one after the other, that share a disc.
 struct DiscOfRows {
     std::size_t row = 0;  ///< the first of the two
     Mat2 A;               ///< their block of J M⁻¹ Jᵀ [1/kg]
     Real largest = 0;     ///< the larger eigenvalue of it
+    int corners = 0;      ///< of a pyramid in place of the disc; 0: the disc
+
+    Vec2 nearest(const Vec2& lambda, Real radius) const
+    {
+        return onto_pyramid(lambda, radius, corners);
+    }
 };
 
 template <int Dof>
@@ -67,8 +91,8 @@ Real visit_disc(const DiscOfRows& disc, SolverRow<Dof>* rows, Real radius, VecX&
     const Mat2 other{{disc.A(1, 1), -disc.A(0, 1)}, {-disc.A(1, 0), disc.A(0, 0)}};
     if (det > 1e-12 * disc.largest * disc.largest) next -= other * w / det;
     else if (disc.largest > 0) next -= w / disc.largest;
-    if (next.norm() > radius && disc.largest > 0)
-        next = onto_disc(lambda - w / disc.largest, radius);
+    if (disc.nearest(next, radius) != next && disc.largest > 0)
+        next = disc.nearest(lambda - w / disc.largest, radius);
     const Vec2 change = next - lambda;
     for (int i = 0; i < 2; ++i) {
         rows[i].lambda = next[i];
@@ -89,7 +113,7 @@ Real disc_residual(const DiscOfRows& disc, const SolverRow<Dof>* rows, Real radi
     if (!(disc.largest > 0)) return 0;
     const Vec2 lambda(rows[0].lambda, rows[1].lambda);
     const Vec2 moved = lambda - slide_of(rows, u) / disc.largest;
-    return disc.largest * (lambda - onto_disc(moved, radius)).norm();
+    return disc.largest * (lambda - disc.nearest(moved, radius)).norm();
 }
 //! [disc_residual]
 

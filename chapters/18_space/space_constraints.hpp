@@ -55,8 +55,10 @@ inline Constraint<6> contact_constraint(const StepData<6>& now,
     const SpaceContact& contact =
         now.contacts[static_cast<std::size_t>(source.index)];
     if (source.part == push_part) return push_constraint(contact, place);
-    return drag_constraint(contact, place, static_cast<SpacePart>(source.part),
-                           static_cast<int>(normal_of(now, source.index)));
+    const auto part = static_cast<SpacePart>(source.part);
+    const auto number = static_cast<int>(normal_of(now, source.index));
+    return part <= second_tangent ? drag_constraint(contact, place, part, number)
+                                  : turn_constraint(contact, place, part, number);
 }
 
 /// Constraint i of the step at any positions x.
@@ -144,22 +146,37 @@ inline void require_touching(const SpaceScene& scene)
                 shortest(scene.walls[w].normal.norm()) + " and the offset " +
                 shortest(scene.walls[w].offset) +
                 " m; the length must be 1, the offset finite");
+    // no strings: what is fine asks for no memory
     const auto check = [](const std::vector<Real>& list, std::size_t count,
-                          const std::string& thing) {
+                          const char* thing, const char* what) {
         if (!list.empty() && list.size() != count)
             throw std::invalid_argument(
-                "the scene has " + std::to_string(list.size()) +
-                " coefficients of friction for " + std::to_string(count) + " " +
-                thing + "; each needs its own, or none has one");
+                "the scene has " + std::to_string(list.size()) + " " + what +
+                "s for " + std::to_string(count) + " " + thing +
+                "; each needs its own, or none has one");
         for (std::size_t i = 0; i < list.size(); ++i)
             if (!(list[i] >= 0) || !std::isfinite(list[i]))
                 throw std::invalid_argument(
                     "number " + std::to_string(i) + " of the " + thing +
-                    " has the coefficient of friction " + shortest(list[i]) +
+                    " has the " + what + " " + shortest(list[i]) +
                     "; it must be zero or positive and finite");
     };
-    check(scene.friction, scene.shapes.size(), "bodies");
-    check(scene.wall_friction, scene.walls.size(), "walls");
+    check(scene.friction, scene.shapes.size(), "bodies", "friction coefficient");
+    check(scene.wall_friction, scene.walls.size(), "walls", "friction coefficient");
+    check(scene.rolling, scene.shapes.size(), "bodies", "rolling arm");
+    check(scene.spinning, scene.shapes.size(), "bodies", "spinning arm");
+    for (std::size_t i = 0; i < scene.ellipsoids.size(); ++i) {
+        const SolidEllipsoid& e = scene.ellipsoids[i];
+        if (e.body < 0 || e.body >= scene.bodies.count())
+            throw std::invalid_argument("ellipsoid " + std::to_string(i) +
+                                        " belongs to body " +
+                                        std::to_string(e.body) + " among " +
+                                        std::to_string(scene.bodies.count()));
+        const Real volume = determinant(e.stretch);
+        if (!e.at.allFinite() || !(std::abs(volume) > 0) || !std::isfinite(volume))
+            throw std::invalid_argument("ellipsoid " + std::to_string(i) +
+                                        " is flat, or not finite");
+    }
 }
 
 //! [all_solids]

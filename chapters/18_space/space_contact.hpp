@@ -1,8 +1,9 @@
 /// \file space_contact.hpp
-/// A contact in space: a point of either body and a normal; its row, and the two rows of its friction.
+/// A contact in space: a point of either body and a normal; its row, and the rows of its friction.
 ///
 ///     normal    C = n·(p_b − p_a) − ρ_a − ρ_b,   J = (−n, −R_aᵀ(r_a × n)),  (n, R_bᵀ(r_b × n))             (18.34)
 ///     tangent   the same J with t₁ and t₂ across n, and both arms to the point between the surfaces       (18.35)
+///     turn      J = (0, −R_aᵀe),  (0, R_bᵀe) with e = t₁ and t₂, which rolling is about, and e = n        (18.43)
 ///
 /// The points are fixed in the bodies, where the cores touch. So a ball's is its centre: it may roll, and the gap stays.
 #pragma once
@@ -14,7 +15,14 @@
 namespace rigid {
 
 /// The rows of a contact: Source::part.
-enum SpacePart : int { push_part = 0, first_tangent = 1, second_tangent = 2 };
+enum SpacePart : int {
+    push_part = 0,
+    first_tangent,  ///< and, next to it, the second
+    second_tangent,
+    first_roll,
+    second_roll,
+    spin_part
+};
 
 //! [row]
 /// n·(velocity of the point at x + r) of a body with the axes R, as a row.
@@ -77,10 +85,32 @@ inline Constraint<6> drag_constraint(const SpaceContact& contact,
     if (c.a != world) c.Ja = -point_row(p.Ra, arm_a, t);
     c.kind = ConstraintKind::friction;
     c.bounded_by = number;
-    c.friction = contact.friction;
+    c.friction = contact.grip.friction;
     return c;
 }
 //! [drag]
+
+//! [turn]
+/// (18.43): a moment against rolling, about t₁ or t₂, or against spinning about n.
+inline Constraint<6> turn_constraint(const SpaceContact& contact,
+                                     const ContactPlace& p, SpacePart part,
+                                     int number)
+{
+    const Vec3& n = contact.normal;
+    const Vec3 t1 = across(n);
+    const Vec3 axis = part == spin_part    ? n
+                      : part == first_roll ? t1
+                                           : Vec3(cross(n, t1));
+    Constraint<6> c;
+    c.a = contact.a, c.b = contact.b;
+    c.Jb << 0, 0, 0, (p.Rb.transpose() * axis).transpose();
+    if (c.a != world) c.Ja << 0, 0, 0, -(p.Ra.transpose() * axis).transpose();
+    c.kind = ConstraintKind::friction;
+    c.bounded_by = number;
+    c.friction = part == spin_part ? contact.grip.spinning : contact.grip.rolling;
+    return c;
+}
+//! [turn]
 
 /// Chapter 8's name of a row.
 inline ImpulseKey contact_key(const SpaceContact& contact, int part = 0)

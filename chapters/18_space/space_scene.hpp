@@ -5,7 +5,7 @@
 #include "chapters/18_space/inertia.hpp"
 #include "chapters/18_space/space_bodies.hpp"
 #include "common/contact.hpp"
-#include "common/elementary.hpp"
+#include "common/typical_length.hpp"
 
 #include <array>
 #include <vector>
@@ -59,6 +59,24 @@ struct SolidWall {
     Real offset = 0;          ///< [m]
 };
 
+//! [ellipsoid]
+/// A smooth solid that touches walls, and nothing else: all at + S n with ‖n‖ ≤ 1.
+struct SolidEllipsoid {
+    Index body = 0;
+    Vec3 at = {0, 0, 0};              ///< its centre, in the body's axes [m]
+    Mat3 stretch = Mat3::Identity();  ///< S, in the body's axes [m]
+};
+//! [ellipsoid]
+
+//! [grip]
+/// What two surfaces hold each other with, each of it up to this times λ_n.
+struct Grip {
+    Real friction = 0;  ///< μ: against sliding
+    Real rolling = 0;   ///< arm of the moment against rolling [m]
+    Real spinning = 0;  ///< arm of the moment against spinning about the normal [m]
+};
+//! [grip]
+
 //! [contact]
 /// A point of either body where they touch, or nearly: of their cores, so that the
 /// surfaces are a radius away from it.
@@ -68,7 +86,7 @@ struct SpaceContact {
     Vec3 normal = {0, 1, 0};  ///< unit vector from a to b
     Vec3 at_a = {0, 0, 0}, at_b = {0, 0, 0};  ///< in either body's axes
     Real radius_a = 0, radius_b = 0;          ///< [m]
-    Real friction = 0;                        ///< μ of the two surfaces
+    Grip grip;                                ///< of the two surfaces
 };
 template <>
 struct ContactOf<6> {
@@ -83,32 +101,32 @@ struct SpaceScene {
     std::vector<std::vector<Hull>> shapes;
     std::vector<SpaceJoint> joints;
     std::vector<SolidWall> walls;
+    std::vector<SolidEllipsoid> ellipsoids;
     /// μ of each body and of each wall; empty: nothing there has friction
     std::vector<Real> friction, wall_friction;
+    /// arms of rolling and spinning friction of each body [m]; empty: none has any
+    std::vector<Real> rolling, spinning;
     Vec3 gravity = {0, -9.81, 0};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;
 };
 
+/// From the centroid of a body to the farthest point of its hulls [m].
+inline Real reach_of(const std::vector<Hull>& shape)
+{
+    Real farthest = 0;
+    for (const Hull& hull : shape)
+        for (const Vec3& vertex : hull.vertices)
+            farthest = std::max(farthest, vertex.norm() + hull.radius);
+    return farthest;
+}
+
 /// ℓ, as in the plane (chapter 11).
 inline Real typical_length(const SpaceScene& scene)
 {
-    if (!(scene.length >= 0) || !std::isfinite(scene.length))
-        throw std::invalid_argument(
-            "the length of the scene is " + shortest(scene.length) +
-            " m; it must be positive and finite, or zero to be derived");
-    if (scene.length > 0) return scene.length;
-    Real sum = 0, count = 0;
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        if (!scene.bodies.can_move(k)) continue;
-        Real farthest = 0;
-        for (const Hull& hull : scene.shapes[static_cast<std::size_t>(k)])
-            for (const Vec3& vertex : hull.vertices)
-                farthest = std::max(farthest, vertex.norm() + hull.radius);
-        sum += 2 * farthest;
-        ++count;
-    }
-    return sum > 0 ? pow(10.0, std::round(log10(sum / count))) : 1;
+    return typical_length(scene.bodies, scene.length, [&scene](Index k) {
+        return reach_of(scene.shapes[static_cast<std::size_t>(k)]);
+    });
 }
 
 //! [add_body]

@@ -1,13 +1,14 @@
 /// \file space_touching.hpp
 /// The contacts stage in space: which solids are near each other, where they touch, and the rows of that.
 ///
-///     joints · friction, two rows to a contact · normals, one to a contact
+///     joints · friction, up to five rows to a contact · normals, one to a contact
 ///
 /// Pairs are found by chapter 10's sort and sweep, on the shadows of balls around the bodies. What a joint joins does not
 /// collide, and what cannot move makes no row with what cannot move.
 #pragma once
 
 #include "chapters/10_skipping_work/sort_and_sweep.hpp"
+#include "chapters/18_space/ellipsoid.hpp"
 #include "chapters/18_space/solid_touch.hpp"
 #include "chapters/18_space/space_constraints.hpp"
 
@@ -74,16 +75,17 @@ struct TouchingSolids {
         for (std::size_t w = 0; w < scene.walls.size(); ++w)
             touch_wall(scene, w, how, now);
         for (const auto& [a, b] : pairs) touch_pair(scene, a, b, how, now);
+        touch_ellipsoids(scene, margin, now);
         // friction first: what is visited last is right (section 13.5)
-        for (const SpacePart part : {first_tangent, push_part})
-            for (std::size_t i = 0; i < now.contacts.size(); ++i) {
-                const int number = static_cast<int>(i);
-                if (part == push_part)
-                    now.sources.push_back({Source::Of::contact, number, push_part});
-                else if (now.contacts[i].friction > 0)
-                    for (const SpacePart t : {first_tangent, second_tangent})
-                        now.sources.push_back({Source::Of::contact, number, t});
-            }
+        for (std::size_t i = 0; i < now.contacts.size(); ++i) {
+            const Grip& grip = now.contacts[i].grip;
+            if (grip.friction > 0)
+                add_rows(i, {first_tangent, second_tangent}, now);
+            if (grip.rolling > 0) add_rows(i, {first_roll, second_roll}, now);
+            if (grip.spinning > 0) add_rows(i, {spin_part}, now);
+        }
+        for (std::size_t i = 0; i < now.contacts.size(); ++i)
+            add_rows(i, {push_part}, now);
     }
     //! [stage]
     template <class Method>
@@ -93,6 +95,14 @@ struct TouchingSolids {
     }
 
 private:
+    static void add_rows(std::size_t contact,
+                         std::initializer_list<SpacePart> parts, StepData<6>& now)
+    {
+        for (const SpacePart part : parts)
+            now.sources.push_back(
+                {Source::Of::contact, static_cast<int>(contact), part});
+    }
+
     /// Forms of what is new, and all of them where the bodies are.
     void place(const SpaceScene& scene)
     {
@@ -155,8 +165,8 @@ private:
             for (std::size_t v = 0; v < w; ++v) first += corners(k);
             for (const PlacedSolid& solid : solids[k]) {
                 collide(wall, solid, how, room, touch);
-                const Real mu = combined(scene.wall_friction, w, scene.friction, k);
-                add(scene, world, b, 0, solid.radius(), first, mu, now);
+                add(scene, world, b, 0, solid.radius(), first,
+                    wall_grip(scene, w, k), now);
                 first += static_cast<Index>(solid.vertices.size());
             }
         }
@@ -171,14 +181,14 @@ private:
         for (const PlacedSolid& p : solids[ka])
             for (const PlacedSolid& q : solids[kb]) {
                 collide(p, q, how, room, touch);
-                const Real mu = combined(scene.friction, ka, scene.friction, kb);
-                add(scene, a, b, p.radius(), q.radius(), first, mu, now);
+                add(scene, a, b, p.radius(), q.radius(), first,
+                    grip_of(scene, ka, kb), now);
                 first += TouchNames(*p.form, *q.form).count();
             }
     }
 
     void add(const SpaceScene& scene, Index a, Index b, Real radius_a,
-             Real radius_b, Index first_feature, Real mu, StepData<6>& now)
+             Real radius_b, Index first_feature, const Grip& grip, StepData<6>& now)
     {
         const auto in_axes = [&](Index k, const Vec3& p) -> Vec3 {
             return rotation_of(scene.bodies.x, k).transpose() *
@@ -189,7 +199,7 @@ private:
             const TouchPoint& p = touch.points[static_cast<std::size_t>(i)];
             now.contacts.push_back({a, b, first_feature + p.feature, touch.normal,
                                     in_axes(a, p.on_a), in_axes(b, p.on_b),
-                                    radius_a, radius_b, mu});
+                                    radius_a, radius_b, grip});
         }
     }
 
@@ -209,13 +219,6 @@ private:
         for (const PlacedSolid& solid : solids[k])
             count += static_cast<Index>(solid.vertices.size());
         return count;
-    }
-
-    /// (13.2): μ of two surfaces.
-    static Real combined(const std::vector<Real>& of_a, std::size_t a,
-                         const std::vector<Real>& of_b, std::size_t b)
-    {
-        return of_a.empty() || of_b.empty() ? 0 : std::sqrt(of_a[a] * of_b[b]);
     }
 };
 

@@ -64,6 +64,14 @@ inline Real slow_precession(Real pivot, Real axial, Real spin, Real weight_arm,
     return 2 * weight_arm / (b + std::sqrt(inside));
 }
 
+/// The same of a top.
+inline Real precession_of(const TopShape& top)
+{
+    const Real axial = top.radius * top.radius / 2;
+    return slow_precession(axial / 2 + top.length * top.length, axial, top.spin,
+                           9.81 * top.length, top.tilt);
+}
+
 /// A thin plate with the moments 1, 2 and 3 kg m², which starts with ω = (½, 0, 1): beside it there is (18.16).
 inline SpaceScene spinning_plate()
 {
@@ -100,9 +108,7 @@ inline SpaceScene spinning_top(const TopShape& top)
     const Index k =
         add_body(scene, shape, mass, top.length * axis, {0, 0, -top.tilt});
     // precession about y, seen from the body, and the spin about its axis
-    const Real pivot = across + top.length * top.length;
-    const Real rate =
-        slow_precession(pivot, axial, top.spin, 9.81 * top.length, top.tilt);
+    const Real rate = precession_of(top);
     const Mat3 R = rotation_of(scene.bodies.x, k);
     Vec3 spin = R.transpose() * Vec3(0, rate, 0);
     spin.y() = top.spin;

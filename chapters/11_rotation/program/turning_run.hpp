@@ -4,7 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/11_rotation/program/rigid_picture.hpp"
-#include "common/program/program.hpp"
+#include "common/program/demo_of.hpp"
 
 #include <functional>
 #include <memory>
@@ -42,20 +42,13 @@ Demo turning_demo(const std::string& name, const std::string& summary,
                   const View& view, Real h, std::vector<std::string> methods,
                   std::function<Setup(const Settings&)> setup)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.view = view;
-    scene.h = h;
-    scene.methods = std::move(methods);
-    scene.tunables = {{"substeps", "", "parts of a step", 1, 1, 64, Numbers::whole,
-                       OnChange::goes_on, Keys::up_and_down},
-                      {"sweeps", "", "sweeps a sub-step, of the methods that sweep",
-                       10, 1, 200, Numbers::whole}};
-    scene.start = [setup = std::move(setup)](const Settings& settings) {
-        return std::make_unique<Turning>(setup(settings), settings);
-    };
-    return scene;
+    return demo_of<Turning>(
+        name, summary, view, h, std::move(methods),
+        {{"substeps", "", "parts of a step", 1, 1, 64, Numbers::whole,
+          OnChange::goes_on, Keys::up_and_down},
+         {"sweeps", "", "sweeps a sub-step, of the methods that sweep", 10, 1, 200,
+          Numbers::whole}},
+        std::move(setup));
 }
 
 }  // namespace rigid

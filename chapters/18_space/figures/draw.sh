@@ -13,7 +13,7 @@ run --scene stack --method cone,one_point --steps 45 --svg "$out/ch18_stack.svg"
 run --scene heap --method cone --steps 600 --svg "$out/ch18_heap.svg"
 
 # The force on a block that slides, in 24 directions.
-for method in cone box; do
+for method in cone box pyramid; do
     for direction in 0 15 30 45 60 75 90 105 120 135 150 165 180 195 210 225 240 255 270 285 300 315 330 345; do
         run --scene slide --method $method --set direction=$direction --steps 1 --csv "$data/run"
         awk -F, 'END { print -$7, $8 }' "$data/run" >>"$data/drag_$method"
@@ -36,3 +36,10 @@ for method in explicit implicit momentum middle; do
     done
 done
 plot ch18_order
+
+# A rattleback that is spun the wrong way: its spin at two steps, and by (18.45).
+for h in 0.002 0.0005; do
+    run --scene rattleback --method cone --h $h --steps "$(awk "BEGIN { print 3 / $h }")" --csv "$data/run"
+    awk -F, -v h=$h 'NR > 1 && (NR - 2) % int(0.02 / h + 0.5) == 0 { print $2, $3, $4 }' "$data/run" >"$data/rattle_$h"
+done
+plot ch18_rattleback

@@ -127,10 +127,7 @@ inline Demo top_scene()
             setup.camera.target = {0, 0.12, 0};
             setup.camera.distance = 1;
             setup.traces = true;
-            const Real axial = top.radius * top.radius / 2;
-            const Real exact =
-                slow_precession(axial / 2 + top.length * top.length, axial,
-                                top.spin, 9.81 * top.length, top.tilt);
+            const Real exact = precession_of(top);
             setup.measure = [exact](const SpaceState& s) -> std::vector<Real> {
                 const Vec3 p = centre_of(s.scene.bodies.x, 0);
                 const Vec3 v = s.scene.bodies.u.head<3>();

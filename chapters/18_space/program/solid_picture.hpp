@@ -83,6 +83,29 @@ public:
         round(hull, centre, R, colour);
     }
 
+    /// The lower half of an ellipsoid and its deck, in the body's axes.
+    void boat(const SolidEllipsoid& e, const Vec3& centre, const Mat3& R,
+              Colour colour)
+    {
+        const int rings = 6, slices = 16;
+        const auto point = [&](int ring, int slice) -> Vec3 {
+            const Real polar = pi / 2 * ring / rings,
+                       turn = 2 * pi * slice / slices;
+            return centre +
+                   R * (e.at + e.stretch * Vec3(sin(polar) * cos(turn), -cos(polar),
+                                                sin(polar) * sin(turn)));
+        };
+        std::vector<Vec3> deck;
+        for (int slice = 0; slice < slices; ++slice) {
+            for (int ring = 0; ring < rings; ++ring)
+                facet({point(ring, slice), point(ring + 1, slice),
+                       point(ring + 1, slice + 1), point(ring, slice + 1)},
+                      colour);
+            deck.push_back(point(rings, slices - slice));
+        }
+        facet(deck, Colour::yellow);
+    }
+
     /// A floor at height zero, in squares; around it sides that rise at 45°. Behind all else.
     void ground(Real half, Real height)
     {

@@ -4,7 +4,7 @@
 
 #include "chapters/18_space/program/solid_picture.hpp"
 #include "chapters/18_space/space_method.hpp"
-#include "common/program/program.hpp"
+#include "common/program/demo_of.hpp"
 
 #include <functional>
 #include <memory>
@@ -32,8 +32,9 @@ struct SpaceSetup {
     std::function<void(SolidPicture&, const SpaceState&)> picture;
     Vec3 traced = {0, 0, 0};  ///< a point of the last body that leaves a trail
     bool traces = false;
-    Real ground = 0;  ///< half the side of the floor that is drawn [m]; 0: none
-    Real pit = 0;     ///< how high sides of 45° rise around it [m]
+    Real ground = 0;    ///< half the side of the floor that is drawn [m]; 0: none
+    Real pit = 0;       ///< how high sides of 45° rise around it [m]
+    Real slop = 0.001;  ///< of contacts [ℓ]
 };
 
 /// The deepest overlap of contacts where the step found them [m].
@@ -53,6 +54,7 @@ public:
         state_.energy = energy(state_.scene);
         state_.spin_momentum = momenta(state_.scene.bodies).tail<3>();
         one_point_.contacts.points = 1;
+        cones_.correction.slop = boxes_.correction.slop = setup_.slop;
         turn_camera(settings, {});
         trace();
     }
@@ -77,7 +79,10 @@ public:
             rigid::step(scene, how, exact_, state_.now);
         else if (settings.method == "cone") take(cones_, settings, how);
         else if (settings.method == "box") take(boxes_, settings, how);
-        else if (settings.method == "one_point") take(one_point_, settings, how);
+        else if (settings.method == "pyramid") {
+            pyramids_.solver.corners = static_cast<int>(settings["corners"]);
+            take(pyramids_, settings, how);
+        } else if (settings.method == "one_point") take(one_point_, settings, how);
         else {
             islands_.solver.sweeps = {200, 1e-9};
             rigid::step(scene, how, islands_, state_.now);
@@ -106,6 +111,9 @@ public:
                 picture.hull(hull, centre, R,
                              k % 2 == 0 ? Colour::blue : Colour::orange);
         }
+        for (const SolidEllipsoid& e : scene.ellipsoids)
+            picture.boat(e, centre_of(scene.bodies.x, e.body),
+                         rotation_of(scene.bodies.x, e.body), Colour::blue);
         picture.line(state_.trail, {Colour::purple, 1.2, 0.9});
         if (setup_.picture) setup_.picture(picture, state_);
         picture.paint(canvas);
@@ -155,7 +163,7 @@ private:
     Camera camera_;
     SpaceExact exact_;
     SpaceIslands islands_;
-    TouchingCones cones_, one_point_;
+    TouchingCones cones_, pyramids_, one_point_;
     TouchingBoxes boxes_;
 };
 
@@ -164,18 +172,10 @@ inline Demo space_demo(const std::string& name, const std::string& summary,
                        const View& view, Real h, std::vector<std::string> methods,
                        std::function<SpaceSetup(const Settings&)> setup)
 {
-    Demo scene;
-    scene.name = name;
-    scene.summary = summary;
-    scene.view = view;
-    scene.h = h;
-    scene.methods = std::move(methods);
-    scene.tunables = {
-        {"camera", "°", "where the eye is, around the scene", 0, -180, 180}};
-    scene.start = [setup = std::move(setup)](const Settings& settings) {
-        return std::make_unique<SpaceRun>(setup(settings), settings);
-    };
-    return scene;
+    return demo_of<SpaceRun>(
+        name, summary, view, h, std::move(methods),
+        {{"camera", "°", "where the eye is, around the scene", 0, -180, 180}},
+        std::move(setup));
 }
 
 }  // namespace rigid

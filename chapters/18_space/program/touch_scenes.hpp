@@ -20,8 +20,8 @@ inline void add_touch_tunables(Demo& scene, Real mu, Real sweeps, Real least = 0
 inline Demo slide_scene()
 {
     Demo scene = space_demo(
-        "slide", "A block slides: friction on a disc, and on a box",
-        {{0, 0}, {2.2, 1.5}}, 1.0 / 240, ways_to_drag,
+        "slide", "A block slides: friction on a disc, on a box, in a pyramid",
+        {{0, 0}, {2.2, 1.5}}, 1.0 / 240, {"cone", "box", "pyramid"},
         [](const Settings& settings) {
             SpaceSetup setup;
             const Real speed = settings["speed"], mu = settings["mu"],
@@ -51,6 +51,8 @@ inline Demo slide_scene()
                               Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"direction", "°", "from the first tangent", 45, 0,
                               360, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back(
+        {"corners", "", "of the pyramid", 6, 3, 32, Numbers::whole});
     add_touch_tunables(scene, 0.4, 200, 0.01);  // without friction it never stops
     scene.columns = {{"speed", "m/s", "of the block", Plot::linear},
                      {"distance", "m", "along its first direction", Plot::linear},
@@ -69,6 +71,7 @@ inline Demo stack_scene()
             SpaceSetup setup;
             setup.scene = box_stack(static_cast<int>(settings["boxes"]),
                                     settings["turn"] * pi / 180, settings["mu"]);
+            setup.scene.bodies.inverse_mass.tail<6>() /= settings["top"];
             setup.camera.target = {0, 5, 0};
             setup.camera.distance = 20;
             setup.ground = 4;
@@ -89,8 +92,13 @@ inline Demo stack_scene()
         });
     scene.tunables.push_back({"boxes", "", "of the stack", 10, 1, 30,
                               Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"top", "",
+                              "mass of the topmost over that of the others", 1,
+                              0.001, 10000, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"turn", "°", "of each box against the one below", 3,
                               0, 45, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back(
+        {"substeps", "", "parts of a step", 1, 1, 64, Numbers::whole});
     add_touch_tunables(scene, 0.5, 500);
     scene.columns = {
         {"energy", "J", "less that of the start", Plot::linear},
