@@ -73,6 +73,7 @@ Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
                 row.Jb.template head<2>().isZero(0))
                 r *= now.length;
         if (!(r <= largest)) largest = r;  // also takes over a NaN
+        if (std::isnan(largest)) return largest;
     }
     return largest;
 }

@@ -4,10 +4,11 @@
 ///     K = J G Jᵀ + Γ = L diag(pivot) Lᵀ,   S_parent += J_pᵀ K⁻¹ J_p,   G = (M + S)⁻¹
 ///
 /// (14.8), (14.9). At most four rows, so that all loops are unrolled. J G and K⁻¹ J_p are kept: with them a body waits
-/// for the one before it by two short products on the way up, and by two on the way down.
+/// for the one before it by two short products on the way up, and by two on the way down. Pins have a shorter way:
+/// pin_block.hpp.
 #pragma once
 
-#include "chapters/14_joints/joint_tree.hpp"
+#include "chapters/14_joints/pin_block.hpp"
 
 #include <utility>
 
@@ -25,37 +26,46 @@ void unrolled([[maybe_unused]] const What& what)
 }
 
 /// A body and the joint that it hangs on.
-struct JointBlock {
+struct JointBlock : PinBlock {
     /// a row lies in one piece
     template <int d>
     using Lines = Eigen::Matrix<Real, d, 3, Eigen::RowMajor>;
     using Mat3 = Eigen::Matrix<Real, 3, 3>;
 
-    int count = 0;         ///< rows of the joint
-    Index other = world;   ///< the other body of the joint, if it cannot move
-    Vec<3> star, pull, u;  ///< of a solve: u*, G⁻¹ (u* − û), and the answer
-    Vec<4> y;              ///< of a solve: K⁻¹ r
-    Lines<4> J, Jp;        ///< J of the rows for the body, the parent
-    Lines<4> JG;           ///< line i: what one unit of λ_i does to the body
-    Lines<4> KJp;  ///< K⁻¹ J_p: what −λ becomes per velocity of the parent
+    int count = 0;  ///< rows of the joint
+    /// of each row the other body, if it cannot move
+    std::array<Index, RowGroup::most> others{};
+    Vec<4> Kr;       ///< of a solve: K⁻¹ r
+    Lines<4> J, Jp;  ///< J of the rows for the body, the parent
+    Lines<4> JG;     ///< line i: what one unit of λ_i does to the body
+    Lines<4> KJp;    ///< K⁻¹ J_p: what −λ becomes per velocity of the parent
     Vec<4> inverse_pivot;
     Eigen::Matrix<Real, 4, 4> L;  ///< K = L diag(pivot) Lᵀ
-    Mat3 G, S;                    ///< of S only the lower half is written
+    Mat3 G;
     Vec<4> softness;
 
     void load(const std::vector<Row<3>>& rows, const RowGroup& group,
-              const TreeNode& node)
+              const TreeNode& node, const Vec<3>& inverse_mass)
     {
         const Index body = node.body;
-        other = world;
+        const auto row_of = [&](int i) -> const Row<3>& {
+            return rows[static_cast<std::size_t>(number(group, i))];
+        };
+        is_pin = group.count == 2 && inverse_mass.minCoeff() > 0 &&
+                 load_pin(row_of(0), row_of(1), node);
+        if (is_pin) {
+            count = 2;
+            return;
+        }
         for (count = 0; count < group.count; ++count) {
-            const Row<3>& row = rows[static_cast<std::size_t>(
-                group.rows[static_cast<std::size_t>(count)])];
+            const Row<3>& row = row_of(count);
             const bool is_b = row.b == body;
             J.row(count) = is_b ? row.Jb : row.Ja;
             Jp.row(count) = is_b ? row.Ja : row.Jb;
             softness[count] = row.softness;
-            if (node.parent < 0) other = is_b ? row.a : row.b;
+            others[static_cast<std::size_t>(count)] = node.parent >= 0 ? world
+                                                      : is_b           ? row.a
+                                                                       : row.b;
         }
     }
 
@@ -86,7 +96,7 @@ struct JointBlock {
     /// \param parent  null = the world
     /// \return        such rows
     template <int d>
-    int factor(const Vec<3>& inverse_mass, JointBlock* parent)
+    int factor(const Vec<3>& inverse_mass, TreeBody* parent)
     {
         JG.topRows<d>().noalias() = J.topRows<d>() * G;
         int nothing = 0;
@@ -124,24 +134,27 @@ struct JointBlock {
     /// (14.10): what the joint asks of the parent if that keeps its u*.
     template <int d, class Bias>
     void up(const Bias& b, const RowGroup& group, const VecX& u_all,
-            JointBlock* parent)
+            TreeBody* parent)
     {
         Vec<d> r = J.topRows<d>() * star;
         if (parent) r += Jp.topRows<d>() * parent->star;
-        // what no impulse moves may still move
-        else if (other != world) r += Jp.topRows<d>() * u_all.segment<3>(3 * other);
-        unrolled<d>([&]<int i>() { r[i] += b[number(group, i)]; });
+        unrolled<d>([&]<int i>() {
+            r[i] += b[number(group, i)];
+            // what no impulse moves may still move
+            if (others[i] != world)
+                r[i] += Jp.row(i).dot(u_all.segment<3>(3 * others[i]));
+        });
         r -= JG.topRows<d>() * pull;
         if (parent) parent->pull += KJp.topRows<d>().transpose() * r;
         divide<d>(r);
-        y.head<d>() = r;
+        Kr.head<d>() = r;
     }
 
     /// (14.8) and (14.7): λ and u, once the parent's u is known. The body's u was û before.
     template <int d>
-    void down(const RowGroup& group, const JointBlock* parent, VecX& lambda)
+    void down(const RowGroup& group, const TreeBody* parent, VecX& lambda)
     {
-        Vec<d> l = -y.head<d>();
+        Vec<d> l = -Kr.head<d>();
         if (parent) l -= KJp.topRows<d>() * (parent->u - parent->star);
         unrolled<d>([&]<int i>() { lambda[number(group, i)] = l[i]; });
         u += JG.topRows<d>().transpose() * l;

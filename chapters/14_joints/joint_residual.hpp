@@ -24,7 +24,7 @@ inline void apply_all(const std::vector<Row<3>>& rows, const VecX& lambda, VecX&
         rows[i].apply(lambda[static_cast<Index>(i)], u);
 }
 
-/// The natural residual of all rows [m/s], (3.15), with the bounds that λ sets.
+/// The natural residual of all rows [m/s], (3.15), with the bounds that λ sets; infinite if one is not finite.
 /// \param b  of each row, in place of its own bias
 inline Real natural_residual(const std::vector<Row<3>>& rows, const VecX& b,
                              const VecX& lambda, const VecX& u)
@@ -36,7 +36,7 @@ inline Real natural_residual(const std::vector<Row<3>>& rows, const VecX& b,
         const Real w = row.velocity(u) - row.bias + b[k] + row.softness * lambda[k];
         const auto [lo, hi] = bounds_of(row, lambda);
         const Real r = natural_residual_row(row.diagonal(), lambda[k], w, lo, hi);
-        if (!(r <= residual)) residual = r;  // also takes over a NaN
+        if (!(r <= residual)) residual = std::isfinite(r) ? r : infinity;
     }
     return residual;
 }

@@ -59,7 +59,8 @@ public:
               const std::vector<char>& left_out)
     {
         const Index count = inverse_mass.size() / Dof;
-        found_anew = collect(rows, inverse_mass, left_out);
+        found_anew = !are_those_of_before(rows, inverse_mass, left_out) &&
+                     collect(rows, inverse_mass, left_out);
         if (!found_anew) return;
         // the groups of each body
         begin_.assign(static_cast<std::size_t>(count) + 1, 0);
@@ -115,6 +116,34 @@ private:
         }
     }
 
+    /// Row by row the same bodies, and those that cannot move the same ones?
+    template <int Dof>
+    bool are_those_of_before(const std::vector<Row<Dof>>& rows,
+                             const VecX& inverse_mass,
+                             const std::vector<char>& left_out) const
+    {
+        const auto count = static_cast<std::size_t>(bodies_);
+        if (inverse_mass.size() != Dof * bodies_) return false;
+        for (std::size_t k = 0; k < count; ++k)
+            if (moves_[k] != can_move<Dof>(inverse_mass, k)) return false;
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Row<Dof>& row = rows[i];
+            if (!takes(row) || (!left_out.empty() && left_out[i])) continue;
+            if (n == seen_.size() || seen_[n].a != row.a || seen_[n].b != row.b ||
+                seen_[n].row != i)
+                return false;
+            ++n;
+        }
+        return n == seen_.size();
+    }
+    template <int Dof>
+    static char can_move(const VecX& inverse_mass, std::size_t k)
+    {
+        return inverse_mass.template segment<Dof>(static_cast<Index>(Dof * k))
+                   .maxCoeff() > 0;
+    }
+
     /// Lists the rows that the tree takes. Returns false if its pairs of bodies are those of last time.
     template <int Dof>
     bool collect(const std::vector<Row<Dof>>& rows, const VecX& inverse_mass,
@@ -122,9 +151,8 @@ private:
     {
         const Index count = inverse_mass.size() / Dof;
         moves_.resize(static_cast<std::size_t>(count));
-        for (Index k = 0; k < count; ++k)
-            moves_[static_cast<std::size_t>(k)] =
-                inverse_mass.template segment<Dof>(Dof * k).maxCoeff() > 0;
+        for (std::size_t k = 0; k < moves_.size(); ++k)
+            moves_[k] = can_move<Dof>(inverse_mass, k);
         const auto body = [this](Index k) {
             return k != world && moves_[static_cast<std::size_t>(k)]
                        ? static_cast<int>(k)
@@ -134,8 +162,10 @@ private:
         bodies_ = count;
         bool known = !resized;
         std::size_t n = 0;
+        seen_.clear();
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (!takes(rows[i]) || (!left_out.empty() && left_out[i])) continue;
+            seen_.push_back({rows[i].a, rows[i].b, i});
             const TakenRow taken{body(rows[i].a), body(rows[i].b),
                                  static_cast<int>(i)};
             // nothing that could move
@@ -179,7 +209,12 @@ private:
         int a, b, row;
         bool operator==(const TakenRow& other) const = default;
     };
-    std::vector<TakenRow> taken_;
+    struct SeenRow {
+        Index a, b;
+        std::size_t row;
+    };
+    std::vector<TakenRow> taken_;  ///< of them, those that move anything
+    std::vector<SeenRow> seen_;    ///< all that the tree takes
     std::vector<char> moves_;
     std::vector<RowGroup> before_;
     std::vector<int> begin_, next_, met_, open_;

@@ -225,7 +225,7 @@ private:
                Solution& solution) const
     {
         const Real left = natural_residual(now.rows, bias_, lambda, u);
-        const Real residual = solution.residual = std::max(unlike_, left);
+        const Real residual = solution.residual = std::max(left, unlike_);
         solution.iterations = sweeps_made;
         solution.status = residual <= enough_ ? Status::solved
                           : joints.tree.dependent > 0 || !std::isfinite(residual)

@@ -80,6 +80,8 @@ void add_runs(Registry& registry)
          .resting = true});
     add({.engine = pile("bins_run", bins()), .parameters = "bins=100 discs=1000 steps=300", .resting = true});
     add_turning(registry);
+    add_joints(registry);
+    add_rubble(registry);
 }
 
 }  // namespace rigid::results

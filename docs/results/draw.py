@@ -14,7 +14,7 @@ FRONT = "#B8808080"
 #         chapter of the method: colour
 COLOURS = {"1": "#AA3377", "2": "#CCBB44", "3": "#AA3377", "4": "#4477AA", "5": "#CC3311", "6": "#EE7733",
            "7": "#AA3377", "8": "#22AACC", "9": "#228833", "10": "#BBAA22", "11": "#AA3377",
-           "12": "#4477AA", "13": "#CC3311", "peer": INK}
+           "12": "#4477AA", "13": "#CC3311", "14": "#22AACC", "17": "#228833", "peer": INK}
 MARKS = [7, 9, 5, 13, 11, 6, 8, 4, 12, 10, 3, 2, 1, 15]
 #         method: (colour or None, point type)
 SMOOTH = {"explicit_euler": ("#EE7733", 1), "symplectic_euler": ("#4477AA", 7), "verlet": ("#228833", 9),
@@ -61,6 +61,15 @@ GROUPS = {
         "box_pyramid_run base=20 boxes=210 steps=60": "210 boxes",
         "sliding_box_run slope=30 mu=0.3 steps=60": "a slope",
         "double_rod_run steps=60": "two rods"}),
+    "joint_runs": (None, "error [m or rad]", {
+        "jointed_chain_run links=50 load=1 angle=20 steps=60": "50 links swing",
+        "jointed_chain_run links=50 load=1000 angle=20 steps=60": "50 links, a load of 1000 of them",
+        "bridge_run planks=41 load=1000 steps=120": "41 planks, a load of 1000 of them",
+        "doll_run steps=60": "a doll on stairs"}),
+    "rubble": (None, "residual [m/s]", {
+        "rubble contacts=20 mu=0.5": "20 contacts",
+        "rubble contacts=200 mu=0.5": "200 contacts",
+        "rubble contacts=2000 mu=0.5": "2,000 contacts"}),
 }
 # The same runs by what was counted: only methods that count in this unit.
 BY_WORK = {

@@ -11,11 +11,11 @@ import table as tables
 from table import FAILED, words
 
 WAYS_ON = "[Contents](../README.md) · [Back: Conventions](conventions.md) · [Next: Stability](stability.md)"
-BOOK = tuple("123456789") + ("10", "11", "12", "13")
+BOOK = tuple("123456789") + ("10", "11", "12", "13", "14", "17")
 CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
             "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
             "9": "09_active_sets", "10": "10_skipping_work",
-            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction"}
+            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "17": "17_engine"}
 
 
 # ---- numbers and names as a reader wants them ---------------------------------------------------------------------
@@ -112,6 +112,12 @@ WHEN = [
      ("friction_sweeps", "friction_small_steps", "exact_friction") + ENGINES),
     ("rods on pins: a double pendulum, 1 s", "double_rod_run steps=60", 1e-2,
      ("rods_sweeps", "rods_small_steps", "exact_rods", "rattle") + ENGINES),
+    ("joints: a load of 1000 links on a chain of 50 that swings, 1 s", "jointed_chain_run links=50 load=1000 angle=20 steps=60", 1e-2,
+     ("joint_sweeps", "joint_small_steps", "trees", "trees_without_stiffness", "world") + ENGINES),
+    ("joints: a load of 1000 planks on a bridge of 41", "bridge_run planks=41 load=1000 steps=120", 1e-2,
+     ("joint_sweeps", "joint_small_steps", "trees", "trees_without_stiffness", "world") + ENGINES),
+    ("joints: a doll on stairs", "doll_run steps=60", 1e-2, ("joint_sweeps", "joint_small_steps", "trees", "world")),
+    ("one step, exact: friction at 200 contacts", "rubble contacts=200 mu=0.5", 1e-6, ("friction_sweeps", "exact_friction")),
     ("one step, exact: 200 links, 1000 kg", "chain links=200 end_mass=1000", 1e-6,
      ("one_shot", "gauss_seidel", "sor", "conjugate_gradients", "active_sets", "ode_dantzig", "bullet_dantzig")),
     ("one step, exact: 20 discs, 10,000 kg", "column discs=20 top_mass=10000", 1e-6,
@@ -263,6 +269,9 @@ GROUPS = [
     ("turning_runs", "Seconds of bodies that turn", "Boxes of 1 m with friction 0.5 that should stay where they are (stacks for 2 s, a pyramid of 210 for 1 s), a box that slides down 30° by its closed form, and a double pendulum of two rods whose angles after "
      "a second are known: metres or radians, in steps of 1/60 s. The book's ways are chapter 13's (of the pendulum, which has nothing that touches, chapter 11's): sweeps with the last impulses, small "
      "steps of one sweep, exact answers in 1, 4 or 16 sub-steps, RATTLE. Boxes of Box2D are made smaller by its polygon's skin, so that they touch where ours do."),
+    ("joint_runs", "Seconds of bodies on joints", "Chains of rods at 20° that are let go, their weight's path known from the coordinates of their joints; a bridge that hangs in its closed form under a heavy plank "
+     "and should stay; and a doll on stairs, of which the joints and their limits are looked at. The book's ways are chapter 14's, sweeps and trees, and chapter 17's engine."),
+    ("rubble", "One step: friction", "Random rubble: rows and velocities after gravity are given, impulses are wanted that fit Coulomb's law."),
 ]
 
 #      scene: (what its error is, where the reference comes from)
@@ -286,6 +295,11 @@ ERRORS = {
     "box_pyramid_run": ("largest way of a body from its place, or angle, in all steps [m, rad]", "everything stays at rest"),
     "sliding_box_run": ("largest distance from the place down the slope, in all steps [m]", "constant acceleration, $g(\\sin\\alpha - \\mu\\cos\\alpha)$, in closed form"),
     "double_rod_run": ("larger error of the two angles after 1 s [rad]", "RK4 of the equations in angles, to $10^{-8}$"),
+    "jointed_chain_run": ("largest error of a joint, and way of the weight from its path, in all steps [m]",
+                          "RK4 in the coordinates of the joints, 128 parts of a step"),
+    "bridge_run": ("largest way of a plank from its place, or angle, in all steps [m, rad]", "everything stays at rest, as statics says"),
+    "doll_run": ("largest error of a joint [m], and what a limit is overstepped by [rad], in all steps", "zero"),
+    "rubble": ("natural residual of Coulomb's law [m/s]", "zero"),
     "bins_run": ("largest overlap, and way of the centre of mass, in all steps, over 0.1 m", "everything stays at rest, where it is to 1 nm"),
 }
 UNITS = {
@@ -294,6 +308,7 @@ UNITS = {
     "force evaluation": "the acceleration at one place, once",
     "pivot": "one exchange of a basic variable, $O(n^2)$; for Dantzig a row that changes sides",
     "factorisation": "the active rows factored again, or an older factor corrected by a border",
+    "tree row": "one row of a joint factored or solved, once, in a tree",
     "case set": "one set of cases tried and solved",
     "solve": "one exact answer to all rows of a sub-step",
     "none": "not counted: another program that does not say, or one that chooses its own steps",

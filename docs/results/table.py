@@ -30,7 +30,9 @@ NAMES = {"rk4": "RK4", "yoshida4": "Yoshida 4", "verlet": "Verlet", "explicit_eu
          "skipping_exact_islands": "skipping step, exact islands",
          "friction_sweeps": "warm sweeps with friction", "friction_small_steps": "small steps with friction",
          "exact_friction": "exact friction", "rods_sweeps": "warm sweeps on rods", "rods_small_steps": "small steps on rods",
-         "exact_rods": "exact small steps on rods", "rattle": "RATTLE"}
+         "exact_rods": "exact small steps on rods", "rattle": "RATTLE", "friction_by_lemke": "Lemke, with friction",
+         "joint_sweeps": "warm sweeps on joints", "joint_small_steps": "small steps on joints", "trees": "trees",
+         "trees_without_stiffness": "trees, loads not stiff", "world": "the engine", "world_sleeping": "the engine, with its sleep"}
 
 
 def words(method):

@@ -1,5 +1,9 @@
-// Two engines step bodies that turn, with what the book's methods have: small steps, sleep or none, friction, the slop.
+// Engines step bodies that turn, the book's own of chapter 17 and two others, with what the book's methods have: small steps,
+// sleep or none, friction, the slop.
 #include "docs/results/turning_runs.hpp"
+
+#include "chapters/14_joints/placed_joints.hpp"
+#include "chapters/17_engine/from_scene.hpp"
 
 #ifdef RIGID_HAS_BOX2D
 #include <box2d/box2d.h>
@@ -21,7 +25,7 @@ struct EngineSettings {
 };
 
 /// How long to each side a wall is [m].
-[[maybe_unused]] Real reach_of(const RoughScene& scene)
+[[maybe_unused]] Real reach_of(const JointedScene& scene)
 {
     return 20 + 2 * scene.bodies.x.lpNorm<Eigen::Infinity>();
 }
@@ -31,25 +35,76 @@ struct EngineSettings {
     return surfaces.empty() ? 0 : surfaces.front().friction;
 }
 
+/// Rows of joints that no joint of chapter 14 made are two a pin.
+JointedScene with_pins(JointedScene scene)
+{
+    if (!scene.placed.empty()) return scene;
+    std::vector<PointJoint> rows;
+    rows.swap(scene.joints);
+    for (std::size_t j = 0; j + 1 < rows.size(); j += 2) {
+        RigidJoint pin;
+        pin.a = rows[j].a, pin.b = rows[j].b;
+        pin.at_a = rows[j].at_a, pin.at_b = rows[j].at_b;
+        add_joint(scene, pin);
+    }
+    return scene;
+}
+
+/// Chapter 17's.
+class TurningWorld {
+public:
+    TurningWorld(const TurningScene& run, const EngineSettings& settings)
+    {
+        WorldSettings wanted;
+        wanted.gravity = run.scene.gravity;
+        wanted.substeps = settings.substeps;
+        wanted.slop = settings.slop;
+        wanted.sleep = settings.may_sleep;
+        world_.change(wanted);
+        bodies_ = put_in(world_, with_pins(run.scene), run.touches ? Filter{} : Filter{.group = -1});
+        for (const auto& [a, b] : run.apart)  // a doll's limbs
+            for (const Index k : {a, b})
+                world_.set_filter(bodies_[static_cast<std::size_t>(k)], {.group = -1});
+    }
+    void step(Real h)
+    {
+        world_.step(h);
+        visits_ += world_.work().visits;
+    }
+    std::optional<std::int64_t> work() const { return visits_; }
+    void poses(JointedScene& scene) const
+    {
+        for (std::size_t k = 0; k < bodies_.size(); ++k) {
+            const Vec2 p = world_.position(bodies_[k]);
+            scene.bodies.position(static_cast<Index>(k)) << p, world_.angle(bodies_[k]);
+        }
+    }
+
+private:
+    World world_;
+    std::vector<BodyId> bodies_;
+    std::int64_t visits_ = 0;
+};
+
 #ifdef RIGID_HAS_BOX2D
 /// As in chapter 8's peers: its slop is a constant of the library, so all lengths and gravity are scaled instead.
 class TurningBox2d {
 public:
-    TurningBox2d(const RoughScene& scene, const EngineSettings& settings)
-        : scale_(static_cast<Real>(b2_linearSlop) / settings.slop), world_(vector(scene.gravity)),
+    TurningBox2d(const TurningScene& run, const EngineSettings& settings)
+        : scale_(static_cast<Real>(b2_linearSlop) / settings.slop), world_(vector(run.scene.gravity)),
           substeps_(settings.substeps)
     {
+        const JointedScene& scene = run.scene;
         world_.SetAllowSleeping(settings.may_sleep);
         world_.SetContinuousPhysics(false);
         const Real mu = friction_of(scene.surfaces);
-        const bool collides = scene.joints.empty();
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
             def.position = vector(scene.bodies.position(k).head<2>());
             def.angle = static_cast<float>(scene.bodies.x[3 * k + 2]);
             b2Body* const body = world_.CreateBody(&def);
-            if (collides) {
+            if (run.touches) {
                 // A polygon has a skin of its own around it: it is made smaller by that, so that boxes touch where ours do.
                 b2PolygonShape shape;
                 std::vector<b2Vec2> points;
@@ -97,7 +152,7 @@ public:
             for (int k = 0; k < substeps_; ++k) world_.Step(static_cast<float>(h / substeps_), 1, 1);
     }
 
-    void poses(RoughScene& scene) const
+    void poses(JointedScene& scene) const
     {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
             const b2Vec2& p = bodies_[k]->GetPosition();
@@ -131,9 +186,10 @@ private:
 #ifdef RIGID_HAS_CHIPMUNK
 class TurningChipmunk {
 public:
-    TurningChipmunk(const RoughScene& scene, const EngineSettings& settings)
+    TurningChipmunk(const TurningScene& run, const EngineSettings& settings)
         : space_(cpSpaceNew()), substeps_(settings.substeps)
     {
+        const JointedScene& scene = run.scene;
         cpSpaceSetGravity(space_, vector(scene.gravity));
         cpSpaceSetCollisionSlop(space_, settings.slop);
         cpSpaceSetSleepTimeThreshold(space_,
@@ -146,7 +202,7 @@ public:
             cpBodySetPosition(body, vector(scene.bodies.position(k).head<2>()));
             cpBodySetAngle(body, scene.bodies.x[3 * k + 2]);
             bodies_.push_back(body);
-            if (!scene.joints.empty()) continue;
+            if (!run.touches) continue;
             std::vector<cpVect> points;
             for (const Vec2& v : scene.shapes[static_cast<std::size_t>(k)].vertices)
                 points.push_back(vector(v));
@@ -186,7 +242,7 @@ public:
         cpSpaceSetIterations(space_, substeps_ == 1 ? 10 : 1);
         for (int k = 0; k < substeps_; ++k) cpSpaceStep(space_, h / substeps_);
     }
-    void poses(RoughScene& scene) const
+    void poses(JointedScene& scene) const
     {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
             const cpVect p = cpBodyGetPosition(bodies_[k]);
@@ -210,58 +266,79 @@ private:
 };
 #endif
 
-template <class World>
-[[maybe_unused]] void add_engine(Registry& registry, const SharedTurning& run, const std::string& method,
-                                 const EngineSettings& settings)
+/// Row visits, of an engine that tells them.
+template <class Engine>
+std::optional<std::int64_t> work_of([[maybe_unused]] const Engine& world)
 {
-    registry.add({"peer", method, run->name,
+    if constexpr (requires { world.work(); }) return world.work();
+    else return {};
+}
+
+template <class Engine>
+void add_engine(Registry& registry, const SharedTurning& run, const std::string& chapter,
+                const std::string& method, const EngineSettings& settings, bool quick)
+{
+    const std::string unit = requires(const Engine& world) { world.work(); }
+    ? "row_visit" : "none";
+    registry.add({chapter, method, run->name,
                   run->parameters + " substeps=" + std::to_string(settings.substeps) +
-                      " slop=" + shortest(settings.slop) + " unit=none reference=" + run->reference,
-                  run->h(), false, [=] {
+                      " slop=" + shortest(settings.slop) + " unit=" + unit + " reference=" + run->reference,
+                  run->h(), quick, [=] {
                       const auto seconds = std::make_shared<Real>();
                       Task task;
                       task.run = [=] {
-                          World world(run->scene, settings);
+                          Engine world(*run, settings);
                           const std::clock_t start = std::clock();
                           for (int k = 0; k < run->steps; ++k) world.step(run->h());
                           *seconds = static_cast<Real>(std::clock() - start) / CLOCKS_PER_SEC;
                       };
                       task.judge = [=] {
-                          World world(run->scene, settings);
-                          RoughScene scene = run->scene;
+                          Engine world(*run, settings);
+                          JointedScene scene = run->scene;
                           WorstError watch(*run);
                           for (int k = 0; k < run->steps; ++k) {
                               world.step(run->h());
                               world.poses(scene);
                               watch.look(scene);
                           }
-                          return watch.result({}, "finished");
+                          return watch.result(work_of(world), "finished");
                       };
                       task.seconds = [=] { return *seconds; };
                       return task;
                   }});
 }
 
-template <class World>
-[[maybe_unused]] void add_engine(Registry& registry, const SharedTurning& run, const std::string& method)
+template <class Engine>
+void add_engine(Registry& registry, const SharedTurning& run, const std::string& chapter,
+                const std::string& method, bool quick)
 {
     for (const int substeps : {1, 4, 8, 16, 32})
         for (const Real slop : {5e-3, 5e-4, 5e-5}) {
             if (!run->scene.joints.empty() && slop != EngineSettings{}.slop) continue;
-            add_engine<World>(registry, run, method, {substeps, false, slop});
-            if (run->rests) add_engine<World>(registry, run, method + "_sleeping", {substeps, true, slop});
+            const bool few = quick && slop == EngineSettings{}.slop;
+            add_engine<Engine>(registry, run, chapter, method, {substeps, false, slop}, few);
+            if (run->rests)
+                add_engine<Engine>(registry, run, chapter, method + "_sleeping", {substeps, true, slop}, few);
         }
 }
 
 }  // namespace
 
-void add_turning_engines([[maybe_unused]] Registry& registry, [[maybe_unused]] const SharedTurning& run)
+void add_turning_engines(Registry& registry, const SharedTurning& run)
 {
+    constexpr bool quick = true;
+    add_engine<TurningWorld>(registry, run, "17", "world", run->quick);
+    // their joints are pins, without limits or friction
+    const bool pins =
+        std::all_of(run->scene.placed.begin(), run->scene.placed.end(), [](const PlacedJoint& placed) {
+            return placed.joint.kind == JointKind::revolute && placed.count == 2;
+        });
+    if (!pins) return;
 #ifdef RIGID_HAS_BOX2D
-    add_engine<TurningBox2d>(registry, run, "box2d");
+    add_engine<TurningBox2d>(registry, run, "peer", "box2d", !quick);
 #endif
 #ifdef RIGID_HAS_CHIPMUNK
-    add_engine<TurningChipmunk>(registry, run, "chipmunk");
+    add_engine<TurningChipmunk>(registry, run, "peer", "chipmunk", !quick);
 #endif
 }
 

@@ -12,7 +12,7 @@ template <class Scene, class Method>
 auto stepping(const TurningScene& run, int substeps, Method method)
 {
     return [settings = StepSettings{.h = run.h(), .substeps = substeps}, method = std::move(method),
-            now = StepData<3>()](RoughScene& scene, std::int64_t& work, bool& solved) mutable {
+            now = StepData<3>()](JointedScene& scene, std::int64_t& work, bool& solved) mutable {
         rigid::step(static_cast<Scene&>(scene), settings, method, now);
         if constexpr (requires { method.solver.unsolved; }) {
             solved = solved && method.solver.unsolved == 0;
