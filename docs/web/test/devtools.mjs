@@ -52,10 +52,13 @@ export class Browser {
         return page;
     }
     async close() {
+        // It writes into its folder until it has ended.
+        const ended = this.process.exitCode !== null || new Promise(done => this.process.once('exit', done));
         await this.send('Browser.close').catch(() => {});
-        this.process.kill();
-        await new Promise(done => setTimeout(done, 200));
-        rmSync(this.folder, {recursive: true, force: true, maxRetries: 5});
+        const late = setTimeout(() => this.process.kill('SIGKILL'), 10000);
+        await ended;
+        clearTimeout(late);
+        rmSync(this.folder, {recursive: true, force: true, maxRetries: 20, retryDelay: 100});
     }
 }
 
