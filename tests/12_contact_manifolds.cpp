@@ -841,6 +841,53 @@ TEST_CASE("a shape on a wall touches it with its lowest vertex and the lower one
     }
 }
 
+TEST_CASE("where one end of an edge is looked for ahead so is the other", "[idea]")
+{
+    // a capsule over a floor at y = 0.5: its ends are 0.23 ∓ 0.5 sin 0.25 above it
+    const Polygon shape = capsule(1, 0.1);
+    const Vec<3> pose(0, 0.83, 0.25);
+    const Real near = 0.23 - 0.5 * std::sin(0.25), far = 0.23 + 0.5 * std::sin(0.25);
+    const auto both = [&](Real margin, Real second) {
+        const PlacedShape placed(shape, pose);
+        const Manifold on_box =
+                           at_poses(box(4, 1), {0, 0, 0}, shape, pose, {.margin = margin, .second = second}),
+                       on_wall = collide(HalfSpace{{0, 1}, 0.5}, placed.view(), margin, second);
+        REQUIRE(on_box.count == on_wall.count);
+        std::vector<Real> gaps;
+        for (int i = 0; i < on_box.count; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            CHECK(std::abs(on_box.points[at].gap - on_wall.points[at].gap) <= 1e-14);
+            gaps.push_back(on_box.points[at].gap);
+        }
+        std::sort(gaps.begin(), gaps.end());
+        return gaps;
+    };
+    CHECK(both(0.2, 0).size() == 1);
+    CHECK(both(0.2, 0.3).size() == 1);
+    CHECK(both(0.05, infinity).empty());
+    const std::vector<Real> gaps = both(0.2, infinity);
+    REQUIRE(gaps.size() == 2);
+    CHECK(std::abs(gaps[0] - near) <= 1e-14);
+    CHECK(std::abs(gaps[1] - far) <= 1e-14);
+
+    // what flies at the floor looks ahead by its inner radius, and with both ends; what hangs still does not
+    for (const Real speed : {0.0, 20.0})
+        for (const bool floor_is_wall : {false, true}) {
+            RigidScene scene;
+            scene.length = 1;
+            scene.gravity = {0, 0};
+            if (floor_is_wall) scene.walls.push_back({{0, 1}, 0.5});
+            else add_body(scene, box(4, 1), Mass{}, {0, 0});
+            const Index k = add_body(scene, shape, 1, {0, 0.83}, 0.25);
+            scene.bodies.velocity(k)[1] = -speed;
+            ManifoldSweeps method;
+            method.contacts.ahead = 1;
+            StepData<3> now;
+            step(scene, {.h = 1.0 / 60}, method, now);
+            CHECK(now.contacts.size() == (speed > 0 ? 2 : 0));
+        }
+}
+
 TEST_CASE("a pile of all shapes comes to rest in its trough and nothing is not finite", "[idea]")
 {
     RigidScene scene = pile(35);

@@ -3,6 +3,7 @@
 #include "tests/no_allocation.hpp"
 
 #include "chapters/13_friction/friction_problems.hpp"
+#include "chapters/14_joints/joint_rows.hpp"
 #include "chapters/17_engine/island_choice.hpp"
 #include "chapters/17_engine/moving_worlds.hpp"
 #include "chapters/17_engine/recording.hpp"
@@ -62,6 +63,89 @@ TEST_CASE("the sweeps that an island needs are counted as by hand", "[idea]")
     // exercise 17.1
     CHECK(shape_of_tower({1, 2, 4, 8, 16}).sweeps_needed() == Approx(25 * 16).epsilon(1e-12));
     CHECK(shape_of_tower({1, 2, 4, 8}).sweeps_needed() == Approx(16 * 8).epsilon(1e-12));
+}
+
+TEST_CASE("the two prices of an island are counted as by hand", "[idea]")
+{
+    const IslandShape heavy = shape_of_tower({1, 1, 100});
+    CHECK(heavy.parts == 3);
+    CHECK(heavy.price_of_sweeps() == Approx(8 * 12 * 900).epsilon(1e-12));
+    CHECK(heavy.price_of_exact() == Approx(12'000 + 5184 / (3 * std::sqrt(3.0) + 6)).epsilon(1e-12));
+    // a pyramid with twenty boxes at its foot, and one with forty
+    const auto pyramid = [](int n) {
+        IslandShape shape;
+        shape.bodies = shape.parts = n * (n + 1) / 2;
+        shape.rows = shape.bounded = 4 * n * n;  // four rows to each of n² contacts
+        shape.length = n;
+        return shape;
+    };
+    CHECK(pyramid(20).price_of_sweeps() == Approx(5.12e6).epsilon(1e-12));
+    CHECK(pyramid(20).price_of_exact() == Approx(6.6e6).epsilon(0.01));
+    CHECK(may_be_exact(pyramid(20), {}));
+    CHECK_FALSE(should_be_exact(pyramid(20), {}));
+    CHECK(sweeps_worth(pyramid(20), {}, 60) == 600);
+    CHECK_FALSE(may_be_exact(pyramid(40), {}));
+    CHECK(sweeps_worth(pyramid(40), {}, 60) == 60);  // 1600 sweeps are no way either
+
+    // what joints hold together counts as one: a chain of four
+    JointedScene scene;
+    for (int i = 0; i < 4; ++i) {
+        const Index k = add_body(scene, box(1, 0.2), 1, {1.0 * i, 0.1});
+        if (i > 0) add_joint(scene, joint_at(scene, JointKind::revolute, k - 1, k, {i - 0.5, 0.1}));
+    }
+    std::vector<Row<3>> rows;
+    for (const PointJoint& joint : scene.joints)
+        rows.push_back(bilateral(joint_constraint(scene.bodies.x, joint), scene.bodies.inverse_mass));
+    const std::vector<int> members{0, 1, 2, 3, 4, 5}, bodies{0, 1, 2, 3};
+    IslandSurveyor survey;
+    const IslandShape chain = survey(scene.bodies, rows, members, bodies);
+    CHECK(chain.bodies == 4);
+    CHECK(chain.parts == 1);
+    CHECK(chain.rows == 6);
+    CHECK(chain.bounded == 0);
+}
+
+TEST_CASE("the choice by island costs at most half as much again as the better one for all", "[idea]")
+{
+    struct Bill {
+        Real price = 0;
+        int unsolved = 0;
+    };
+    const auto run = [](World engine, Solving solving, int steps) {
+        WorldSettings settings = engine.settings();
+        settings.solving = solving;
+        engine.change(settings);
+        Bill bill;
+        for (int i = 0; i < steps; ++i) {
+            engine.step(frame);
+            bill.price += static_cast<Real>(engine.work().price());
+            bill.unsolved += engine.work().unsolved;
+        }
+        return bill;
+    };
+    struct Case {
+        const char* name;
+        std::function<World()> make;
+        int steps;
+        Real share;  ///< of the better one, at most; measured: 0.4, 1, 1, 0.05, 1.2, 1
+    };
+    const Case cases[] = {{"pyramid", [] { return pyramid_world(20); }, 60, 0.6},
+                          {"chain", [] { return chain_world(50, 1000); }, 60, 1.01},
+                          {"heavy", [] { return column_world(10, 1000); }, 60, 1.01},
+                          {"net", [] { return grid_world(10); }, 60, 0.1},
+                          {"poured", [] { return poured_world(60); }, 150, 1.5},
+                          {"dolls", [] { return dolls_world(2); }, 120, 1.5}};
+    for (const Case& it : cases) {
+        INFO(it.name);
+        const Bill chosen = run(it.make(), Solving::by_island, it.steps);
+        CHECK(chosen.unsolved == 0);
+        Real best = infinity;
+        for (const Solving all : {Solving::exact, Solving::sweeps}) {
+            const Bill bill = run(it.make(), all, it.steps);
+            if (bill.unsolved == 0) best = std::min(best, bill.price);
+        }
+        CHECK(chosen.price <= it.share * best);
+    }
 }
 
 TEST_CASE("loops of joints are counted and a net of pins is not given to a dense border", "[idea]")
@@ -383,6 +467,49 @@ TEST_CASE("what is poured lies beside what is poured and not in it", "[idea]")
     }
     // 0.03 m with boxes of an inner radius of 0.2 m that fall from up to 6 m; 0.1 m if nobody looks ahead
     CHECK(deep < 0.06);
+}
+
+TEST_CASE("ten dolls that fall on each other stay out of the stairs", "[idea]")
+{
+    World engine = dolls_world(10);
+    Real deep = 0;
+    std::vector<ContactView> contacts;
+    for (int i = 0; i < 120; ++i) {
+        engine.step(frame);
+        engine.contacts(contacts);
+        for (const ContactView& contact : contacts) deep = std::max(deep, -contact.gap);
+    }
+    // 0.03 m; 0.14 if the other end of a shin that is struck has no row
+    CHECK(deep < 0.06);
+}
+
+TEST_CASE("what comes to rest is solved to the end and a heap falls asleep soon after", "[idea]")
+{
+    World pyramid = pyramid_world(10);
+    for (int i = 0; i < 3; ++i) pyramid.step(frame);
+    CHECK(pyramid.work().residual < 1e-7);  // sweeps end at 1e-4
+
+    World engine = poured_world(60);
+    int steps = 0;
+    for (; steps < 400; ++steps) {
+        engine.step(frame);
+        if (steps > 0 && engine.work().awake == 0) break;
+    }
+    CHECK(steps < 400);  // 500 if sweeps alone leave it its velocities
+}
+
+TEST_CASE("rods of one millimetre are not left to overlap by the slop of a box", "[idea]")
+{
+    World engine;
+    engine.add_wall({{0, 1}, 0});
+    for (int i = 0; i < 4; ++i)  // 0.4 mm deep in each other
+        engine.add_body(body_of(box(1, 0.001), {0.1 * i, 0.0001 + 0.0006 * i}));
+    for (int i = 0; i < 60; ++i) engine.step(frame);
+    // a tenth of the inner radius, 0.05 mm, each, and what the last bit of β leaves; with the slop of ℓ they stay as they are
+    const std::vector<BodyId> rods = engine.bodies();
+    for (int i = 0; i < 4; ++i)
+        CHECK(engine.position(rods[static_cast<std::size_t>(i)]).y() >
+              0.0005 + 0.001 * i - 0.000055 * (i + 1));
 }
 
 TEST_CASE("dolls that fall down stairs overstep no limit of their joints", "[idea]")

@@ -30,6 +30,8 @@ struct IslandSolver {
     Order ordering = Order::coloured;
     /// islands of up to so many rows are solved exactly
     int exact_rows = 8;
+    /// of each row: sweeps over its island; empty = those above
+    std::vector<int> allowed;
     bool apart = true;  ///< false: all rows are one problem
     Coupled coupled;
 
@@ -183,7 +185,9 @@ private:
                 return;
             }
         }
-        const IslandAnswer answer = sweep_island(island, follows, in_metres, u);
+        ImpulseSettings how = in_metres;
+        if (!allowed.empty()) how.max_sweeps = allowed[row_at(first)];
+        const IslandAnswer answer = sweep_island(island, follows, how, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
         unsolved += answer.status != Status::solved;

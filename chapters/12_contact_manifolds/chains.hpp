@@ -144,7 +144,7 @@ inline Manifold points_over_edge(const Placed& a, const Placed& b, bool of_b,
     const Real rounding = 1e-12 * (high(of_b ? eb : ea) - low(of_b ? eb : ea));
     if (std::max(low(ea), low(eb)) > std::min(high(ea), high(eb)) + rounding)
         return {};
-    clip(a, b, ea, eb, how.margin, how.stay, how.before, m);
+    clip(a, b, ea, eb, how.margin, how.second, how.stay, how.before, m);
     return m;
 }
 //! [over_edge]

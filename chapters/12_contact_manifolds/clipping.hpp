@@ -8,6 +8,7 @@
 
 #include "chapters/12_contact_manifolds/placed_shape.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace rigid {
@@ -80,15 +81,26 @@ inline EdgeEnds nearer_end_first(EdgeEnds edge, const Vec2& n)
     return edge;
 }
 
+/// A manifold none of whose points is near is none.
+inline void drop_far(Real margin, Manifold& m)
+{
+    const auto near = [&](const ManifoldPoint& point) {
+        return point.gap < margin;
+    };
+    if (std::none_of(m.points.begin(), m.points.begin() + m.count, near))
+        m.count = 0;
+}
+
 //! [clip]
 /// The ends of what both edges have in common along t, as points of the manifold.
 /// \param of_a, of_b  with their coordinates
-/// \param margin  a point whose gap is not below it is left out [m]
+/// \param margin  a point whose gap is not below it is left out [m] …
+/// \param second  … unless the other's is below it, and its own below this [m]
 /// \param stay    as long as both edges end within this of each other, a name
 ///                stays what it was [m]
 /// \param before  names to stay with; may be null
 inline void clip(const Placed& a, const Placed& b, const EdgeEnds& of_a,
-                 const EdgeEnds& of_b, Real margin, Real stay,
+                 const EdgeEnds& of_b, Real margin, Real second, Real stay,
                  const Manifold* before, Manifold& m)
 {
     const EdgeEnds ea = nearer_end_first(of_a, m.normal),
@@ -109,7 +121,7 @@ inline void clip(const Placed& a, const Placed& b, const EdgeEnds& of_a,
 
         const Vec2 pa = point_on(ea, tau), pb = point_on(eb, tau);
         const Real gap = m.normal.dot(pb - pa) - radii;
-        if (!(gap < margin)) continue;
+        if (!(gap < std::max(margin, second))) continue;
         const int name_a = ea.vertex[i], name_b = a.size() + eb.vertex[j];
         if (before != nullptr && std::abs(end_a - end_b) <= stay &&
             before->has(name_a) != before->has(name_b))
@@ -118,6 +130,7 @@ inline void clip(const Placed& a, const Placed& b, const EdgeEnds& of_a,
             (pa + pb + (a.radius - b.radius) * m.normal) / 2, gap,
             by_a ? name_a : name_b};
     }
+    drop_far(margin, m);
     if (m.count == 2 && m.points[1].feature < m.points[0].feature)
         std::swap(m.points[0], m.points[1]);
 }

@@ -20,6 +20,8 @@ struct ManifoldSettings {
     /// what was stays until something else is better by more than this [m]
     Real stay = 0;
     const Manifold* before = nullptr;  ///< of these two shapes a step ago
+    /// a point below the margin brings the other one, if its gap is below this [m]
+    Real second = 0;
 };
 
 //! [incident]
@@ -139,7 +141,7 @@ inline Manifold collide(const Placed& a, const Placed& b,
         eb.along[1] -= eb.along[0];
         eb.along[0] = 0;
     }
-    clip(a, b, ea, eb, how.margin, how.stay, how.before, m);
+    clip(a, b, ea, eb, how.margin, how.second, how.stay, how.before, m);
     return m;
 }
 //! [collide]

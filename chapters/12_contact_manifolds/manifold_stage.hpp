@@ -136,6 +136,10 @@ struct Manifolds {
                finder.asks[static_cast<std::size_t>(k)];
     }
 
+    /// A blow turns a body within the step: where one end of an edge is looked for
+    /// ahead, so is the other, four times as far.
+    static Real second_within(Real reach) { return 4 * reach; }
+
     void wall_contacts(const RigidScene& scene, Real margin, StepData<3>& now) const
     {
         for (const int b : finder.asked) {
@@ -146,12 +150,13 @@ struct Manifolds {
             const Placed shape = placed.of(b);
             for (std::size_t w = 0; w < scene.walls.size(); ++w) {
                 const HalfSpace& wall = scene.walls[w];
-                const Real near =
-                    margin + finder.reach_of(static_cast<std::size_t>(b));
+                const Real reach = finder.reach_of(static_cast<std::size_t>(b)),
+                           near = margin + reach;
                 if (wall.normal.dot(middle) - wall.normal.cwiseAbs().dot(half) >
                     wall.offset + near)
                     continue;
-                add(scene, world, b, collide(wall, shape, near),
+                add(scene, world, b,
+                    collide(wall, shape, near, second_within(reach)),
                     static_cast<int>(w) * shape.size(), now);
             }
         }
@@ -172,10 +177,10 @@ struct Manifolds {
             while (old != before.end() && key_of(*old) < pair) ++old;
             const bool known = old != before.end() && key_of(*old) == pair;
             const Manifold* const last = known ? &old->manifold : at_rest(pair);
-            const ManifoldSettings how{
-                margin + finder.reach_of(static_cast<std::size_t>(a)) +
-                    finder.reach_of(static_cast<std::size_t>(b)),
-                stay * margin, last};
+            const Real reach = finder.reach_of(static_cast<std::size_t>(a)) +
+                               finder.reach_of(static_cast<std::size_t>(b));
+            const ManifoldSettings how{margin + reach, stay * margin, last,
+                                       second_within(reach)};
             const Manifold m =
                 edges.has(a) || edges.has(b)
                     ? collide_in_chain(placed, edges, scene.bodies.x, a, b, how)

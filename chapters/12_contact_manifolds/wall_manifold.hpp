@@ -10,9 +10,11 @@ namespace rigid {
 //! [wall]
 /// Along the outline of a convex shape the height over a wall falls to its lowest
 /// vertex and rises behind it, so the second lowest is beside the lowest.
-/// \param margin  a vertex whose gap is not below it is left out [m]
+/// \param margin  a vertex whose gap is not below it is left out [m] …
+/// \param second  … unless the other's is below it, and its own below this [m]
 /// \return        normal out of the wall; features are numbers of vertices
-inline Manifold collide(const HalfSpace& wall, const Placed& shape, Real margin)
+inline Manifold collide(const HalfSpace& wall, const Placed& shape, Real margin,
+                        Real second = 0)
 {
     Manifold m;
     m.normal = wall.normal;
@@ -23,15 +25,16 @@ inline Manifold collide(const HalfSpace& wall, const Placed& shape, Real margin)
     for (int i = 1; i < shape.size(); ++i)
         if (height(i) < height(lowest)) lowest = i;
     const int before = shape.before(lowest), next = shape.next(lowest);
-    const int second = height(before) < height(next) ? before : next;
+    const int other = height(before) < height(next) ? before : next;
     const auto add = [&](int i) {
         const Real gap = height(i);
-        if (gap < margin)
+        if (gap < std::max(margin, second))
             m.points[static_cast<std::size_t>(m.count++)] = {
                 shape.vertex(i) - (shape.radius + gap / 2) * wall.normal, gap, i};
     };
-    add(std::min(lowest, second));
-    if (second != lowest) add(std::max(lowest, second));
+    add(std::min(lowest, other));
+    if (other != lowest) add(std::max(lowest, other));
+    drop_far(margin, m);
     return m;
 }
 //! [wall]

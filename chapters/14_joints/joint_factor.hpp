@@ -26,6 +26,7 @@ public:
     TreeFactor tree;
     Assemblies assemblies;
     std::vector<int> loop_rows;
+    std::int64_t border_entries = 0;  ///< that were factored
     /// part of J M⁻¹ Jᵀ that a loop must leave of a row, or the row gets no impulse
     Real rank_tolerance = 1e-11;
 
@@ -43,6 +44,7 @@ public:
                 loop_rows.push_back(group.rows[static_cast<std::size_t>(i)]);
         }
         const auto k = static_cast<Index>(loop_rows.size());
+        border_entries += k * k * k / 6;
         if (k == 0) return;
         border_.resize(k, k);
         scale_.resize(k);

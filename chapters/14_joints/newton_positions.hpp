@@ -27,6 +27,9 @@ struct NewtonPositions : NewtonSettings, Restitution {
     Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
     bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
 
+    /// of each body: an overlap with it that is left alone, at most [m]; empty = slop
+    std::vector<Real> slops;
+
     SecondProblem second;
     VecX v;            ///< pseudo-velocities [m/s]
     int renewals = 0;  ///< of J, in the last sub-step
@@ -94,7 +97,7 @@ struct NewtonPositions : NewtonSettings, Restitution {
                 } else {
                     // what lies too deep comes out once, by the part β
                     const Real over =
-                        std::min(Real{0}, c.C + slop * now.length / unit);
+                        std::min(Real{0}, c.C + slop_of(c, now.length) / unit);
                     second.bias[i] = std::max(Real{0}, c.C) / h;
                     if (over < 0 && iterations == 0) {
                         second.bias[i] = beta * over / h;
@@ -149,6 +152,15 @@ private:
     void put_back(Bodies<3>& bodies, const StepData<3>& now) const
     {
         for (const int k : now.active) bodies.position(k) = kept_.segment<3>(3 * k);
+    }
+
+    Real slop_of(const Constraint<3>& c, Real length) const
+    {
+        Real least = slop * length;
+        for (const Index k : {c.a, c.b})
+            if (k != world && k < static_cast<Index>(slops.size()))
+                least = std::min(least, slops[static_cast<std::size_t>(k)]);
+        return least;
     }
 
     /// Whether C is in radians: its row moves no centroid.

@@ -1,20 +1,19 @@
 /// \file island_choice.hpp
 /// The solver stage of the engine: each island by the solver that suits it.
 ///
-///     islands of the step ─┬─ small, or badly conditioned     trees of joints, and exact rows above them     (chapter 14)
+///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
 ///                          └─ all others                      sweeps until the residual is small            (chapter 10)
 ///                                 └─ not small enough?        exact, if it may be                           (the rescue)
+///     what comes to rest                                      exact to the end, if it may be                 (settling)
 ///
 /// Islands share no body that can move, so what each solver finds is the answer to the whole, (10.5). Whatever was done, the
 /// natural residual of the rows decides what is called solved. A further solver is a further StepPart.
 #pragma once
 
 #include "chapters/10_skipping_work/by_islands.hpp"
-#include "chapters/10_skipping_work/fall_asleep.hpp"
-#include "chapters/14_joints/tree_solver.hpp"
 #include "chapters/17_engine/definitions.hpp"
+#include "chapters/17_engine/island_rescue.hpp"
 #include "chapters/17_engine/island_shape.hpp"
-#include "chapters/17_engine/step_part.hpp"
 
 namespace rigid {
 
@@ -25,14 +24,18 @@ struct IslandChoice {
     Real tolerance = 1e-4;  ///< a residual below this is none [ℓ/s]
 
     IslandSolver<3> sweeps;
-    TreeSolver exact, rescuer;
+    TreeSolver exact;
+    IslandRescue rescuer;
     Islands islands;  ///< of the step
-    StepPart swept, exactly, rescued;
+    StepPart swept, exactly;
 
     bool was_configured = false;  ///< false: islands are to be listed again
+    /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
+    Real slow = 0;
 
     // Of the last step.
-    std::int64_t entries = 0;  ///< of matrices, that exact solves looked at
+    std::int64_t entries =
+        0;  ///< that the solve of `exactly` looked at, less old joints
     int exact_count = 0, swept_count = 0, rescued_count = 0, unsolved = 0;
 
     void require_valid() const
@@ -47,6 +50,8 @@ struct IslandChoice {
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
+        // as good as sweeps leave it; half of that, for joints add their rounding
+        set_price(tolerance * now.length / 2, rule.entries, exact);
         if (now.substep == 0) begin(bodies, now);
         swept.gather(bodies, now);
         exactly.gather(bodies, now);
@@ -60,6 +65,7 @@ struct IslandChoice {
             exactly.scatter(bodies, now);
         }
         rescue(bodies, now);
+        settle(bodies, now);
         judge(bodies, now);
     }
     //! [choice]
@@ -98,6 +104,24 @@ struct IslandChoice {
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
 
+    /// All that exact solves of this step have looked at.
+    std::int64_t all_entries() const
+    {
+        return entries + rescuer.entries + joint_entries();
+    }
+
+    /// Of the trees of joints, since the beginning.
+    std::int64_t joint_entries() const
+    {
+        std::int64_t sum = 0;
+        for (const JointFactor* it :
+             {&exact.joints, &exact.apart, &rescuer.solver.joints})
+            sum += it->border_entries +
+                   price::solved_joint * it->tree.work.solved_rows +
+                   price::factored_joint * it->tree.work.factored_rows;
+        return sum;
+    }
+
     /// The rows have another J.
     void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
     {
@@ -116,11 +140,11 @@ private:
         // its bits depend on the state alone
         exact.bounded.forget();
         exact.bounded_apart.forget();
-        rescuer.bounded.forget();
+        rescuer.solver.bounded.forget();
         exactly.second.solution.lambda.setZero();
-        set_price(now.length);
-        entries = 0;
-        const bool same = same_motion(now.rows) && now.same_rows &&
+        rescuer.entries = 0;
+        entries = -joint_entries();
+        const bool same = motion_.is_same(now.rows) && now.same_rows &&
                           now.same_bodies && was_configured;
         swept.now.same_rows = swept.now.same_bodies = same;
         if (same) return;
@@ -128,8 +152,10 @@ private:
         find_islands(bodies, now, {}, islands);
         swept.clear();
         exactly.clear();
+        sweeps.allowed.clear();
         exact_count = swept_count = 0;
-        may_be_exact_.assign(static_cast<std::size_t>(islands.count()), 0);
+        place_of_.assign(static_cast<std::size_t>(islands.count()),
+                         Place::only_swept);
         for (int i = 0; i < islands.count(); ++i) {
             const std::span<const int> rows = islands.rows_of(i),
                                        members = islands.bodies_of(i);
@@ -137,15 +163,20 @@ private:
             if (!rows.empty() && solving != Solving::sweeps) {
                 const IslandShape shape = survey_(bodies, now.rows, rows, members);
                 const bool may = may_be_exact(shape, rule);
-                may_be_exact_[static_cast<std::size_t>(i)] = may;
+                if (may) place_of_[static_cast<std::size_t>(i)] = Place::swept;
                 if (solving == Solving::exact ? may : should_be_exact(shape, rule))
                     part = &exactly;
+                else
+                    sweeps.allowed.insert(
+                        sweeps.allowed.end(), rows.size(),
+                        sweeps_worth(shape, rule, sweeps.sweeps.max_sweeps));
             }
             exact_count += part == &exactly;
             swept_count += part == &swept && !rows.empty();
             part->rows.insert(part->rows.end(), rows.begin(), rows.end());
             part->bodies.insert(part->bodies.end(), members.begin(), members.end());
-            if (part == &exactly) may_be_exact_[static_cast<std::size_t>(i)] = 0;
+            if (part == &exactly)
+                place_of_[static_cast<std::size_t>(i)] = Place::exact;
         }
         swept.number(now, bodies.count());
         exactly.number(now, bodies.count());
@@ -153,31 +184,13 @@ private:
     //! [split]
 
     //! [price]
-    /// What a solve may cost, and how good it must be where guesses do not settle it:
-    /// as good as sweeps would leave it. (Half of that: joints add their rounding.)
-    void set_price(Real length)
+    /// How good a solve must be where guesses do not settle it, and what it may cost.
+    static void set_price(Real late, std::int64_t entries, TreeSolver& solver)
     {
-        for (FrictionSettings* const how : {&exact.exact, &rescuer.exact}) {
-            how->late = tolerance * length / 2;
-            how->most_entries = rule.entries;
-        }
+        solver.exact.late = late;
+        solver.exact.most_entries = entries;
     }
     //! [price]
-
-    /// Whether rows move the bodies that they moved in the step before. A heavy body
-    /// and a short arm may make that nothing in one step and something in the next.
-    bool same_motion(const std::vector<Row<3>>& rows)
-    {
-        bool same = motion_.size() == rows.size();
-        motion_.resize(rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const auto here =
-                static_cast<char>(2 * moves_a(rows[i]) + moves_b(rows[i]));
-            same = same && motion_[i] == here;
-            motion_[i] = here;
-        }
-        return same;
-    }
 
     //! [rescue]
     /// What sweeps have left above the tolerance is solved exactly after all, where
@@ -185,25 +198,25 @@ private:
     void rescue(Bodies<3>& bodies, StepData<3>& now)
     {
         rescued_count = 0;
-        if (solving != Solving::by_island || swept.empty()) return;
-        rescued.clear();
-        for (int i = 0; i < islands.count(); ++i) {
-            if (!may_be_exact_[static_cast<std::size_t>(i)]) continue;
-            const std::span<const int> rows = islands.rows_of(i),
-                                       members = islands.bodies_of(i);
-            if (natural_residual(now, rows, bodies.u) <= tolerance * now.length)
-                continue;
-            ++rescued_count;
-            rescued.rows.insert(rescued.rows.end(), rows.begin(), rows.end());
-            rescued.bodies.insert(rescued.bodies.end(), members.begin(),
-                                  members.end());
-        }
-        if (rescued.empty()) return;
-        rescued.number(now, bodies.count());
-        rescued.gather(bodies, now);
-        rescuer.solve(rescued.local, rescued.now);
-        entries += rescuer.bounded.entries;
-        rescued.scatter(bodies, now);
+        if (solving != Solving::by_island) return;
+        set_price(tolerance * now.length / 2, rule.entries, rescuer.solver);
+        rescued_count =
+            rescuer(islands, bodies, now, tolerance * now.length, [&](int i) {
+                return place_of_[static_cast<std::size_t>(i)] == Place::swept;
+            });
+    }
+
+    /// What comes to rest is solved to the end: sweeps leave it velocities, and so
+    /// does an exact solve that was content with the tolerance.
+    void settle(Bodies<3>& bodies, StepData<3>& now)
+    {
+        if (solving == Solving::sweeps || !(slow > 0)) return;
+        set_price(0, rule.entries / 10, rescuer.solver);
+        const Real length = now.length, speed = slow * length;
+        rescuer(islands, bodies, now, tolerance * length / 1000, [&](int i) {
+            return place_of_[static_cast<std::size_t>(i)] != Place::only_swept &&
+                   are_slow(islands.bodies_of(i), bodies.u, speed, length);
+        });
     }
     //! [rescue]
 
@@ -223,8 +236,10 @@ private:
     }
 
     IslandSurveyor survey_;
-    std::vector<char> may_be_exact_;  ///< of each island that is swept
-    std::vector<char> motion_;        ///< of each row: which of its bodies it moves
+    /// Where an island is; the last: it must not be solved exactly either.
+    enum class Place : std::uint8_t { exact, swept, only_swept };
+    std::vector<Place> place_of_;
+    KnownMotion motion_;
 };
 
 }  // namespace rigid

@@ -1,15 +1,20 @@
 /// \file island_shape.hpp
 /// What an island looks like to a solver: how many rows, how long, how uneven its masses, how many loops; and from
-/// these, whether sweeps or an exact solve is the better one for it.
+/// these, what sweeps over it would cost and what an exact solve, in one unit.
 ///
-///     sweeps needed  ≈  N² r            N bodies from the ground to the farthest one, r largest mass over smallest   (17.1)
+///     sweeps needed  ≈  N² r                           N bodies from the ground to the farthest one, r largest mass over smallest   (17.1)
+///     by sweeps      ≈  8 n N² r                       entries of matrices, n rows; a row visited counts as 8                        (17.2)
+///     exactly        ≈  250 m²/k + 3 m³/k^(3/2) + …    m rows with bounds, k bodies, of which joints make one; and its joints        (17.3)
 ///
 /// N links in a row need a number of sweeps that grows with N² (4.11), a heavy body on a light one as many times more as it
-/// is heavier (chapter 4). The tree of joints costs n rows, what closes k loops k³, m rows with bounds about m² and more.
+/// is heavier (chapter 4). The rows of a heap in the plane are factored in about m³/k^(3/2). \cite george1973
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
 #include "chapters/14_joints/joint_tree.hpp"
+#include "chapters/17_engine/definitions.hpp"
+
+#include <cmath>
 
 namespace rigid {
 
@@ -17,21 +22,45 @@ namespace rigid {
 struct IslandShape {
     int bodies = 0;  ///< that can move
     int rows = 0;
-    int bounded = 0;  ///< rows with bounds: contacts, friction, limits, motors
+    int bounded = 0;  ///< m, rows with bounds: contacts, friction, limits, motors
     int loops = 0;    ///< rows of joints that close loops
+    int parts = 0;    ///< k, bodies, those that joints hold together taken for one
     int length = 0;   ///< N
     Real mass_ratio = 1;
 
     Real sweeps_needed() const { return Real(length) * length * mass_ratio; }
+    Real price_of_sweeps() const;
+    Real price_of_exact() const;
 };
+
+/// What work costs, in entries of a matrix in a sparse factor; each about 1 ns.
+namespace price {
+constexpr int visit = StepWork::visit_price;  ///< of a row, by a sweep
+constexpr int solved_joint = 20;     ///< row of a tree of joints, in each solve
+constexpr int factored_joint = 200;  ///< and in each factor
+}  // namespace price
+
+/// (17.2) [entries]
+inline Real IslandShape::price_of_sweeps() const
+{
+    return price::visit * rows * sweeps_needed();
+}
+/// (17.3) [entries]
+inline Real IslandShape::price_of_exact() const
+{
+    const Real m = bounded, k = std::max(1, parts), joints = rows - bounded,
+               l = loops;
+    const Real heap = 250 * m * m / k + 3 * m * m * m / (k * std::sqrt(k) + 2 * k),
+               tree = 600 * joints, border = 10 * l * joints + l * l * l / 6;
+    return heap + tree + border;
+}
 
 /// What is exact.
 struct ChoiceRule {
     /// islands of up to so many bounded rows: a doll, its limits and contacts
     int always = 64;
-    int at_most = 600;  ///< bounded rows of one that sweeps would be slow on
-    int loops = 120;    ///< rows that close loops, at most
-    Real sweeps = 240;  ///< more than this needed: slow
+    int at_most = 4000;   ///< bounded rows, whatever the price
+    Real patience = 500;  ///< sweeps; where more are needed they are no way
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
 };
@@ -39,12 +68,22 @@ struct ChoiceRule {
 /// Whether an island may be solved exactly, and whether it should be.
 inline bool may_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 {
-    return shape.bounded <= rule.at_most && shape.loops <= rule.loops;
+    return shape.bounded <= rule.at_most &&
+           shape.price_of_exact() <= static_cast<Real>(rule.entries);
 }
 inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 {
     if (!may_be_exact(shape, rule)) return false;
-    return shape.bounded <= rule.always || shape.sweeps_needed() > rule.sweeps;
+    return shape.bounded + shape.loops <= rule.always ||
+           shape.sweeps_needed() > rule.patience ||
+           shape.price_of_exact() < shape.price_of_sweeps();
+}
+/// Sweeps that may go over an island: as many as it needs, if it may be swept.
+inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)
+{
+    const Real needed = shape.sweeps_needed();
+    if (!(needed <= rule.patience)) return least;
+    return std::max(least, static_cast<int>(1.5 * needed));
 }
 //! [shape]
 
@@ -74,6 +113,7 @@ public:
         }
         enter(ground_);
         if (least > 0) shape.mass_ratio = most / least;
+        shape.parts = shape.bodies;
         count_loops(rows, members, shape);
         shape.length = longest(rows, members, island_bodies);
         return shape;
@@ -115,6 +155,7 @@ private:
             if (a != last_a || b != last_b) {
                 closes = lowest_of(parent_, a) == lowest_of(parent_, b);
                 if (!closes) unite(parent_, a, b);
+                shape.parts -= !closes && a != ground_ && b != ground_;
             }
             shape.loops += closes;
             last_a = a, last_b = b;

@@ -116,7 +116,7 @@ struct World::State : EngineState {
         work.contacts = static_cast<int>(now.contacts.size());
         work.rows = static_cast<int>(now.rows.size());
         work.visits = now.visits;
-        work.entries = solver.entries;
+        work.entries = solver.all_entries();
         work.sweeps = solver.sweeps.most_sweeps;
         work.stopped = sleepers.touching.fast.impacts;
         work.residual = now.solution.residual;

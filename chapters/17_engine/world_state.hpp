@@ -129,6 +129,19 @@ struct EngineState {
             !note(k).bullet && (!settings.stop_fast || note(k).joints > 0);
     }
 
+    //! [slop]
+    /// What is thin is not left to overlap by what suits a box: at most by a tenth of
+    /// its inner radius. (The edges of a chain have none.)
+    void list_slop(Index k)
+    {
+        std::vector<Real>& slops = method.correction.slops;
+        slops.resize(notes.size(), infinity);
+        const Real inner = inner_radius(
+            PlacedShape(shape(k), Vec<3>::Zero()).view(), Vec2::Zero());
+        slops[static_cast<std::size_t>(k)] = inner > 0 ? inner / 10 : infinity;
+    }
+    //! [slop]
+
     /// The settings, written into the stages.
     void configure()
     {
@@ -144,12 +157,15 @@ struct EngineState {
         solver.tolerance = settings.tolerance;
         solver.rule.at_most = settings.most_exact;
         solver.rule.always = std::min(ChoiceRule{}.always, settings.most_exact);
-        solver.exact.most_exact = solver.rescuer.most_exact = settings.most_exact;
+        solver.exact.most_exact = solver.rescuer.solver.most_exact =
+            settings.most_exact;
+        // noise of sweeps is no reason to stay awake
+        solver.slow = settings.sleep ? 10 * settings.rest.speed : 0;
         solver.sweeps.sweeps.max_sweeps = settings.sweeps;
         solver.sweeps.sweeps.tolerance = settings.tolerance;
         solver.was_configured = false;
         for (std::size_t k = 0; k < notes.size(); ++k)
-            list_unstopped(static_cast<Index>(k));
+            list_unstopped(static_cast<Index>(k)), list_slop(static_cast<Index>(k));
     }
 };
 

@@ -86,6 +86,7 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
     write_surface(state, k, body.surface);
     state.disturb(k);
     state.list_unstopped(k);
+    state.list_slop(k);
     if (!(mass.mass > 0) && !body.sensor) wake_under(state, k);
     return id;
 }

@@ -350,6 +350,11 @@ def before_the_nudge(table):
 def page(table, root):
     import draw
     chosen = when(table, root)
+    # the engine is no curve of this page: it is what chooses among the methods
+    chosen.insert(2, "| a program of your own: shapes, friction, joints | | **the engine's own choice**, "
+                  "[chapter 17](../chapters/17_engine/README.md#174-each-island-by-its-own-solver): for each island an exact answer or sweeps, "
+                  "whichever (17.2) and (17.3) find cheaper | | what it costs beside other engines is in "
+                  "[section 17.9](../chapters/17_engine/README.md#179-measure-it); the lines below are single methods |")
     lost, compared, lines_lost = losses(table)
     pieces = ["# Run time against error", "", WAYS_ON, "",
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "
