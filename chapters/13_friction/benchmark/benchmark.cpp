@@ -19,12 +19,8 @@
 #include <vector>
 
 #ifdef RIGID_HAS_SICONOS
-#include <FrictionContactProblem.h>
-#include <Friction_cst.h>
-#include <NumericsMatrix.h>
-#include <SolverOptions.h>
+#include "chapters/13_friction/benchmark/peers_siconos.hpp"
 #include <dlfcn.h>
-#include <fc2d_Solvers.h>
 #endif
 
 using namespace rigid;
@@ -84,38 +80,6 @@ void measure(benchmark::State& state,
     state.counters["failed"] = problems - solved;
     state.counters["us_each"] = solved > 0 ? time / solved : 0;
 }
-
-#ifdef RIGID_HAS_SICONOS
-Real siconos(Given& given, int solver, int most, VecX& lambda)
-{
-    const auto n = static_cast<int>(given.mlcp.size());
-    lambda.setZero(n);
-    MatX A = given.mlcp.A;
-    VecX q = given.mlcp.q, w = VecX::Zero(n),
-         mu(static_cast<Index>(given.boxes.size()));
-    for (std::size_t k = 0; k < given.boxes.size(); ++k)
-        mu[static_cast<Index>(k)] = given.boxes[k].mu;
-    NumericsMatrix* const M = NM_create_from_data(NM_DENSE, n, n, A.data());
-    FrictionContactProblem problem;
-    problem.dimension = 2;
-    problem.numberOfContacts = n / 2;
-    problem.M = M;
-    problem.q = q.data();
-    problem.mu = mu.data();
-    SolverOptions* const options = solver_options_create(solver);
-    options->iparam[SICONOS_IPARAM_MAX_ITER] = most;
-    options->dparam[SICONOS_DPARAM_TOL] = 1e-10;
-    int info = 0;
-    const Real needed = microseconds([&] {
-        if (solver == SICONOS_FRICTION_2D_NSGS)
-            fc2d_nsgs_dense(&problem, lambda.data(), w.data(), &info, options);
-        else fc2d_enum(&problem, lambda.data(), w.data(), &info, options);
-    });
-    solver_options_delete(options);
-    if (!lambda.allFinite()) lambda.setZero();
-    return needed;
-}
-#endif
 
 /// Heaps in motion by exact friction: does a step ever keep more energy than (13.19)?
 /// \param repay  with Baumgarte's bias, which (13.19) leaves out
@@ -213,12 +177,16 @@ int main(int argc, char** argv)
     using SetThreads = void (*)(int);
     if (void* const found = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
         reinterpret_cast<SetThreads>(found)(1);
-    add("siconos_nsgs", {5, 20, 50, 100, 200}, [](Given& given, VecX& lambda) {
-        return siconos(given, SICONOS_FRICTION_2D_NSGS, 20000, lambda);
-    });
-    add("siconos_enum", {5}, [](Given& given, VecX& lambda) {
-        return siconos(given, SICONOS_FRICTION_2D_ENUM, 20000, lambda);
-    });
+    const auto add_siconos = [&](const std::string& name, int solver,
+                                 const std::vector<int>& sizes) {
+        add(name, sizes, [solver](Given& given, VecX& lambda) {
+            return peers::siconos(given.mlcp, given.boxes, solver, 20000, lambda);
+        });
+    };
+    add_siconos("siconos_nsgs", SICONOS_FRICTION_2D_NSGS,
+                {5, 20, 50, 100, 200, 500, 1000, 2000});
+    add_siconos("siconos_lemke", SICONOS_FRICTION_2D_LEMKE, {5, 20, 50, 100});
+    add_siconos("siconos_enum", SICONOS_FRICTION_2D_ENUM, {5});
 #endif
     for (const char* const what : {"not_repaid", "stopped", "repaid"})
         benchmark::RegisterBenchmark((std::string("heaps/") + what).c_str(),
