@@ -7,10 +7,10 @@
 #pragma once
 
 #include "common/canvas.hpp"
+#include "common/program/tunable_values.hpp"
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -43,28 +43,6 @@ struct Tunable {
         if (names.empty() && whole() && low == 0 && high == 1) return {"no", "yes"};
         return names;
     }
-};
-
-/// Numbers by name. A scene has about ten and each step reads some, so they are searched one after the other: most names
-/// differ from the one that is looked for in their length alone, and no string is made of it.
-class TunableValues {
-public:
-    struct Value {
-        std::string name;
-        Real number = 0;
-        bool operator==(const Value&) const = default;
-    };
-    TunableValues() = default;
-    TunableValues(std::initializer_list<Value> list) : list_(list) {}
-
-    bool contains(std::string_view name) const { return find(name) != nullptr; }
-    Real at(std::string_view name) const;     ///< Throws std::out_of_range for a name that is not there.
-    Real& operator[](std::string_view name);  ///< A name that is not there is added, as 0.
-    bool operator==(const TunableValues&) const = default;
-
-private:
-    const Value* find(std::string_view name) const;
-    std::vector<Value> list_;
 };
 
 /// All that a run depends on.
