@@ -39,7 +39,8 @@ def main():
         text = page.read_text(encoding="utf-8")
         parts = {folder / urllib.parse.unquote(a) for a in FETCHED.findall(text) if not re.match(r"[a-z]+:", a)}
         parts = {part for part in parts if part.suffix != ".html"}
-        demos = {folder / "demos" / f"{name}.js" for name in re.findall(r'data-program="([^"]+)"', text)}
+        names = set(re.findall(r'data-program="([^"]+)"', text)) | ({"race", "box2d3_wasm"} if 'class="demo race"' in text else set())
+        demos = {folder / "demos" / f"{name}.js" for name in names}
         own = weight(page, known)
         print(f"{page.name:44}{own / 1e3:8.1f}{(own + sum(weight(p, known) for p in parts)) / 1e3:10.1f}"
               f"{sum(weight(p, known) for p in demos) / 1e3:8.1f}")
