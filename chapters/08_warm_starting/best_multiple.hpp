@@ -123,6 +123,8 @@ struct MultipleScratch {
     VecX multiple;  ///< s; 1 where there is no row
     /// a row of the group has a bias that velocities at rest do not satisfy
     std::vector<char> asks;
+    /// a row of the group takes its bounds from another one: it has no merit
+    std::vector<char> follows;
 };
 
 //! [trusted]
@@ -156,6 +158,7 @@ void begin_multiples(const BodyGroups& groups, MultipleScratch& scratch)
         scratch.change.setZero(Dof * count);
         scratch.multiple.setOnes(count);
         scratch.asks.assign(groups.of.size(), 0);
+        scratch.follows.assign(groups.of.size(), 0);
         scratch.written.clear();
     }
     for (const Index k : scratch.written) scratch.multiple[k] = 1;
@@ -164,6 +167,7 @@ void begin_multiples(const BodyGroups& groups, MultipleScratch& scratch)
         scratch.change.template segment<Dof>(Dof * k).setZero();
         scratch.slope[k] = scratch.curvature[k] = scratch.apart[k] = 0;
         scratch.asks[static_cast<std::size_t>(k)] = 0;
+        scratch.follows[static_cast<std::size_t>(k)] = 0;
     }
 }
 
@@ -193,6 +197,8 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
         scratch.curvature[groups.of_row[i]] += rows[i].softness * impulse * impulse;
         if (asks(rows[i]))
             scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
+        if (rows[i].bounded_by >= 0)
+            scratch.follows[static_cast<std::size_t>(groups.of_row[i])] = 1;
     }
     for (const Index k : scratch.written)
         for (Index i = Dof * k; i < Dof * (k + 1); ++i)
@@ -204,8 +210,10 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
             continue;  // not the body that the group is named after
         const Real part =
             scratch.asks[static_cast<std::size_t>(g)] ? cancelled : rounding_alone;
-        const Real most =
-            scratch.curvature[g] < part * scratch.apart[g] ? 1 : infinity;
+        const Real most = scratch.curvature[g] < part * scratch.apart[g] ||
+                                  scratch.follows[static_cast<std::size_t>(g)]
+                              ? 1
+                              : infinity;
         scratch.multiple[g] =
             multiple_of(scratch.slope[g], scratch.curvature[g], rule, most);
     }
