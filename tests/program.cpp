@@ -247,7 +247,7 @@ TEST_CASE("the limits that a program prints are taken")
     CHECK(parsed(program, {"--h", "0.005"}).settings.h == 0.005);
 }
 
-TEST_CASE("a choice is written by its name or its number, and each whole number has a name")
+TEST_CASE("a choice is written by its name or its number and each whole number has a name")
 {
     Program program = toy::program();
     Tunable& beads = program.scenes[0].tunables[1];
@@ -266,7 +266,7 @@ TEST_CASE("a choice is written by its name or its number, and each whole number 
     CHECK_THROWS_WITH(require_consistent(program), Catch::Matchers::Contains("beads has 3 names"));
 }
 
-TEST_CASE("a column beside another is drawn in its plot, and the plot holds both")
+TEST_CASE("a column beside another is drawn in its plot and the plot holds both")
 {
     Program program = toy::program();
     Column& speed = program.scenes[0].columns[1];
@@ -862,7 +862,7 @@ TEST_CASE("one to four methods stand side by side and one that fails stands stil
         Catch::Matchers::Contains("4 at most"));
 }
 
-TEST_CASE("a closer look keeps the point under the pointer, has its ends, and goes back to the view")
+TEST_CASE("a closer look keeps the point under the pointer and has its ends and goes back to the view")
 {
     const View view{{1, 2}, {4, 3}};
     const Rectangle area{0, 0, 800, 600};
@@ -886,7 +886,7 @@ TEST_CASE("a closer look keeps the point under the pointer, has its ends, and go
     CHECK(zoom.of(view).half_size == view.half_size);
 }
 
-TEST_CASE("keys lead through the scenes in a circle, and the panel says what the hand can do")
+TEST_CASE("keys lead through the scenes in a circle and the panel says what the hand can do")
 {
     const Program program = toy::program();
     Show show(program, parsed(program, {}));

@@ -9,72 +9,17 @@
 /// have each their own s. The same idea with several old answers is \cite fischer1998.
 #pragma once
 
-#include "chapters/02_velocity_constraints/constraints.hpp"
-#include "chapters/02_velocity_constraints/row_checks.hpp"
+#include "chapters/08_warm_starting/body_groups.hpp"
 #include "common/text.hpp"
-#include "common/union_find.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace rigid {
-
-/// Which bodies hang together, by rows between bodies that can move. Memory is kept.
-struct BodyGroups {
-    /// K: the lowest number of a body of the same group; of a body without a row
-    /// its own
-    std::vector<Index> of;
-    std::vector<Index> bodies;  ///< those that some row names, ascending
-    std::vector<Index> of_row;  ///< m: the group of the row's bodies
-};
-
-//! [groups]
-/// Union and find: each body points to one of its group with a lower number, in the
-/// end to the lowest. Only bodies that rows name are looked at, so that this costs
-/// nothing where all others sleep.
-/// \param rows          m valid rows
-/// \param inverse_mass  [1/kg]; a body that cannot move joins no others
-/// \param groups        overwritten
-template <int Dof>
-void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
-                 BodyGroups& groups)
-{
-    std::vector<Index>&of = groups.of, &bodies = groups.bodies;
-    const auto count = static_cast<std::size_t>(inverse_mass.size() / Dof);
-    require_bodies<Dof>(rows, static_cast<Index>(count));
-    const auto above = [&of](Index k) -> Index& {
-        return of[static_cast<std::size_t>(k)];
-    };
-    if (of.size() != count) {
-        of.resize(count);
-        std::iota(of.begin(), of.end(), Index{0});
-    } else {
-        for (const Index k : bodies) above(k) = k;
-    }
-    bodies.clear();
-    for (const Row<Dof>& row : rows)
-        for (const Index k : {row.a, row.b})
-            if (k != world) bodies.push_back(k);
-    if (!std::is_sorted(bodies.begin(), bodies.end()))
-        std::sort(bodies.begin(), bodies.end());
-    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-
-    const auto moves = [&inverse_mass](Index k) {
-        return k != world && !inverse_mass.template segment<Dof>(Dof * k).isZero(0);
-    };
-    for (const Row<Dof>& row : rows)
-        if (moves(row.a) && moves(row.b)) unite(of, row.a, row.b);
-    for (const Index k : bodies) above(k) = lowest_of(of, k);
-    groups.of_row.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        groups.of_row[i] = above(moves(rows[i].a) ? rows[i].a : rows[i].b);
-}
-//! [groups]
 
 //! [rule]
 /// What may be taken instead of the s of (8.14). The merit of sλ is at most zero
@@ -123,8 +68,9 @@ struct MultipleScratch {
     VecX multiple;  ///< s; 1 where there is no row
     /// a row of the group has a bias that velocities at rest do not satisfy
     std::vector<char> asks;
-    /// a row of the group takes its bounds from another one: it has no merit
-    std::vector<char> follows;
+    /// 1 or more: of a group with rows that take their bounds from others; else ∞
+    VecX most;
+    VecX own_change, own_slope, own_curvature;  ///< of the rows that do not
 };
 
 //! [trusted]
@@ -157,19 +103,56 @@ void begin_multiples(const BodyGroups& groups, MultipleScratch& scratch)
             sums->setZero(count);
         scratch.change.setZero(Dof * count);
         scratch.multiple.setOnes(count);
+        scratch.most.setConstant(count, infinity);
         scratch.asks.assign(groups.of.size(), 0);
-        scratch.follows.assign(groups.of.size(), 0);
         scratch.written.clear();
     }
-    for (const Index k : scratch.written) scratch.multiple[k] = 1;
+    for (const Index k : scratch.written)
+        scratch.multiple[k] = 1, scratch.most[k] = infinity;
     scratch.written = groups.bodies;
     for (const Index k : scratch.written) {
         scratch.change.template segment<Dof>(Dof * k).setZero();
         scratch.slope[k] = scratch.curvature[k] = scratch.apart[k] = 0;
         scratch.asks[static_cast<std::size_t>(k)] = 0;
-        scratch.follows[static_cast<std::size_t>(k)] = 0;
     }
 }
+
+//! [followed]
+/// Friction brakes more the more the group is pressed down, so its merit falls with
+/// an s that is too large. Above 1 such a group gets no more than its rows with
+/// bounds of their own would get by themselves.
+template <int Dof>
+void limit_followed(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
+                    const VecX& u_star, const BodyGroups& groups,
+                    MultipleScratch& scratch, const VecX& lambda)
+{
+    const auto follows = [](const Row<Dof>& row) { return row.bounded_by >= 0; };
+    if (std::none_of(rows.begin(), rows.end(), follows)) return;
+    for (VecX* const sums : {&scratch.own_slope, &scratch.own_curvature})
+        sums->setZero(scratch.most.size());
+    scratch.own_change.setZero(inverse_mass.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Index group = groups.of_row[i];
+        if (follows(rows[i])) {
+            scratch.most[group] = 1;
+            continue;
+        }
+        const Real impulse = lambda[static_cast<Index>(i)];
+        rows[i].apply(impulse, scratch.own_change);
+        scratch.own_slope[group] += rows[i].velocity(u_star) * impulse;
+        scratch.own_curvature[group] += rows[i].softness * impulse * impulse;
+    }
+    for (const Index k : scratch.written)
+        for (Index i = Dof * k; i < Dof * (k + 1); ++i)
+            if (inverse_mass[i] > 0)
+                scratch.own_curvature[groups.of[static_cast<std::size_t>(k)]] +=
+                    scratch.own_change[i] * scratch.own_change[i] / inverse_mass[i];
+    for (const Index g : scratch.written)
+        if (scratch.most[g] == 1 && scratch.own_curvature[g] > 0)
+            scratch.most[g] =
+                std::max(Real{1}, -scratch.own_slope[g] / scratch.own_curvature[g]);
+}
+//! [followed]
 
 //! [best_multiple]
 /// (8.14): scales the impulses of each group by the multiple that lowers the merit
@@ -189,6 +172,7 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
                    const MultipleRule& rule = {})
 {
     begin_multiples<Dof>(groups, scratch);
+    limit_followed(rows, inverse_mass, u_star, groups, scratch, lambda);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Real impulse = lambda[static_cast<Index>(i)];
         rows[i].apply(impulse, scratch.change);
@@ -197,8 +181,6 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
         scratch.curvature[groups.of_row[i]] += rows[i].softness * impulse * impulse;
         if (asks(rows[i]))
             scratch.asks[static_cast<std::size_t>(groups.of_row[i])] = 1;
-        if (rows[i].bounded_by >= 0)
-            scratch.follows[static_cast<std::size_t>(groups.of_row[i])] = 1;
     }
     for (const Index k : scratch.written)
         for (Index i = Dof * k; i < Dof * (k + 1); ++i)
@@ -210,10 +192,8 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
             continue;  // not the body that the group is named after
         const Real part =
             scratch.asks[static_cast<std::size_t>(g)] ? cancelled : rounding_alone;
-        const Real most = scratch.curvature[g] < part * scratch.apart[g] ||
-                                  scratch.follows[static_cast<std::size_t>(g)]
-                              ? 1
-                              : infinity;
+        const Real most =
+            scratch.curvature[g] < part * scratch.apart[g] ? 1 : scratch.most[g];
         scratch.multiple[g] =
             multiple_of(scratch.slope[g], scratch.curvature[g], rule, most);
     }

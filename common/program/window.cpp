@@ -1,5 +1,6 @@
 #include "common/program/window.hpp"
 
+#include "common/elementary.hpp"
 #include "common/gl_canvas.hpp"
 #include "common/program/interrupt.hpp"
 #include "common/program/outputs.hpp"
@@ -245,7 +246,7 @@ private:
         for (const Projection& pane : projections_) {
             if (!pane.area.contains(mouse)) continue;
             if (io.MouseWheel != 0)
-                zoom_.by(std::pow(1.15, static_cast<Real>(io.MouseWheel)), pane.to_world(mouse),
+                zoom_.by(pow(1.15, static_cast<Real>(io.MouseWheel)), pane.to_world(mouse),
                          show_.scene().view);
             if (io.MouseDown[2])
                 zoom_.drag({static_cast<Real>(io.MouseDelta.x) / pane.scale,
