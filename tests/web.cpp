@@ -301,12 +301,12 @@ TEST_CASE("a plot leaves out what its logarithm does not have and shows where a 
     CHECK(span.begin == 0);
     CHECK(span.end == 1.5);
     // zero, where it starts, lies on the lower edge
-    const std::optional<LivePlot> speeds = plot_of(show.show(), 1, span, whole_run);
-    REQUIRE(speeds);
-    CHECK(speeds->low_text == "0");
-    CHECK(speeds->high_text.empty());
-    CHECK(speeds->curves[0].front() == std::vector<Vec2>{{0, 0}});
-    CHECK(speeds->curves[0].back().empty());
+    const std::optional<LivePlot> of_speed = plot_of(show.show(), 1, span, whole_run);
+    REQUIRE(of_speed);
+    CHECK(of_speed->low_text == "0");
+    CHECK(of_speed->high_text.empty());
+    CHECK(of_speed->curves[0].front() == std::vector<Vec2>{{0, 0}});
+    CHECK(of_speed->curves[0].back().empty());
     const std::optional<LivePlot> plot = plot_of(show.show(), 0, span, whole_run);
     REQUIRE(plot);
     CHECK(plot->high == 0);
