@@ -11,9 +11,9 @@
 #pragma once
 
 #include "chapters/10_skipping_work/by_islands.hpp"
-#include "chapters/17_engine/definitions.hpp"
 #include "chapters/17_engine/island_rescue.hpp"
 #include "chapters/17_engine/island_shape.hpp"
+#include "chapters/17_engine/known_motion.hpp"
 
 namespace rigid {
 

@@ -58,26 +58,4 @@ inline bool are_slow(std::span<const int> bodies, const VecX& u, Real speed,
 }
 //! [slow]
 
-/// Which bodies the rows of a step move. A heavy body and a short arm may make that nothing in one step and something in
-/// the next.
-class KnownMotion {
-public:
-    /// Whether it is as in the step before.
-    bool is_same(const std::vector<Row<3>>& rows)
-    {
-        bool same = moves_.size() == rows.size();
-        moves_.resize(rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const auto here =
-                static_cast<char>(2 * moves_a(rows[i]) + moves_b(rows[i]));
-            same = same && moves_[i] == here;
-            moves_[i] = here;
-        }
-        return same;
-    }
-
-private:
-    std::vector<char> moves_;  ///< of each row: which of its bodies
-};
-
 }  // namespace rigid

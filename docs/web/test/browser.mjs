@@ -131,8 +131,8 @@ async function demo(page, i, {width, dark}, name) {
     check(nameless.length === 0, `these have no names: ${nameless.join(', ')}`);
     const wide = await page.value(`[...${place}.querySelectorAll('*')].filter(one => one.getBoundingClientRect().right > ${place}.getBoundingClientRect().right + 1 && one.getBoundingClientRect().width > 0).map(one => one.outerHTML.slice(0, 60))`);
     check(wide.length === 0, `these stand out at the right: ${wide.slice(0, 3).join(', ')}`);
-    // Last, so that all else was looked at. On a machine with nothing else to do the two times are about the same.
-    check(Math.min(first_frame, own_time) <= 1000, `its first frame took ${first_frame} ms, ${own_time} ms of them at work; 1000 are allowed`);
+    // Last, so that all else was looked at. The time at work tells a slow page from a busy machine; it excuses neither.
+    check(first_frame <= 1000, `its first frame took ${first_frame} ms, ${own_time} ms of them at work; 1000 are allowed`);
     return `${first_frame} ms, at work ${own_time} ms`;
 }
 
