@@ -26,6 +26,8 @@ struct NewtonPositions : NewtonSettings, Restitution {
     int iterations = 0;
     Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
     bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
+    bool joints_alone =
+        false;  ///< contacts and limits gave way, in the last sub-step
 
     /// of each body: an overlap with it that is left alone, at most [m]; empty = slop
     std::vector<Real> slops;
@@ -79,16 +81,20 @@ struct NewtonPositions : NewtonSettings, Restitution {
         Real pushed = 0;  // the largest part of an overlap that is to come out
         Real best = 0, part = 1;
         bool fresh = false;  // J is that of the best positions so far
+        joints_alone = false;
         for (iterations = 0;; ++iterations) {
             const Real before = left;
             left = 0;
-            bool wanted = false;
+            bool wanted = false, touching = false;
             now.constraints.resize(m);
             for (std::size_t i = 0; i < m; ++i) {
                 const auto c = now.constraints[i] =
                     constraint_at(scene, now, i, bodies.x);
-                second.left_out[i] = !has_error(c.kind);
+                const bool bounded = c.kind == ConstraintKind::unilateral;
+                second.left_out[i] =
+                    !has_error(c.kind) || (bounded && joints_alone);
                 if (second.left_out[i]) continue;
+                touching = touching || bounded;
                 // metres of a C: an angle counts as so much at the length ℓ
                 const Real unit = is_angle(c) ? now.length : 1;
                 if (c.kind == ConstraintKind::bilateral) {
@@ -107,17 +113,26 @@ struct NewtonPositions : NewtonSettings, Restitution {
                 }
             }
             const Real allowed = std::max({best, pushed, tolerance * now.length});
-            if (iterations > 0 && !(left <= allowed)) {  // worse than before
+            const bool worse = iterations > 0 && !(left <= allowed);
+            if (worse) {
                 put_back(bodies, now);
                 left = best;
-                if (iterations >= most) break;
+            } else if (left <= tolerance * now.length && !wanted) break;
+            // no answer to both: the joints, and the rest in the next step
+            const bool give_up =
+                touching && (iterations >= most ||
+                             (worse && second.solution.status != Status::solved));
+            if (give_up) {
+                joints_alone = true;
+                continue;
+            }
+            if (iterations >= (joints_alone ? 2 * most : most)) break;
+            if (worse) {
                 if (!fresh) continue;  // with the J of here; then half as far
                 part /= 2;
                 go(bodies, part * h, now);
                 continue;
             }
-            if (iterations >= most || (left <= tolerance * now.length && !wanted))
-                break;
             keep(bodies, now);
             best = left;
             part = 1;

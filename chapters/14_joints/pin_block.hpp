@@ -21,21 +21,37 @@ struct TreeBody {
     Eigen::Matrix<Real, 3, 3> S;  ///< (14.9); only the lower half is written
 };
 
+/// Two numbers that stay two: Eigen loads a Vec2 as one register, and waits where they were just stored one by one.
+struct Pair {
+    Real x = 0, y = 0;
+
+    friend Pair operator+(Pair a, Pair b) { return {a.x + b.x, a.y + b.y}; }
+    friend Pair operator-(Pair a, Pair b) { return {a.x - b.x, a.y - b.y}; }
+    friend Pair operator*(Pair a, Real s) { return {a.x * s, a.y * s}; }
+    friend Real dot(Pair a, Pair b) { return a.x * b.x + a.y * b.y; }
+};
+
 //! [pin_block]
 struct PinBlock : TreeBody {
     bool is_pin = false;
     Index other = world;  ///< the other body of the pin, if it cannot move
     Real sign = 1;        ///< of J
-    Vec2 j_turn, p_turn;  ///< j and p
-    Vec2 beta;            ///< β
+    Pair j_turn, p_turn;  ///< j and p
+    Pair beta;            ///< β
     Real per_D;           ///< 1/D
     Real k00, k10, k11;   ///< K⁻¹
-    Vec2 missing, y;      ///< of a solve: J u* + J_p u_p* + b, and K⁻¹ r
+    Pair missing, y;      ///< of a solve: J u* + J_p u_p* + b, and K⁻¹ r
     Real along;           ///< of a solve: s · pull
 
-    Vec2 inverse_times(const Vec2& v) const
+    Pair inverse_times(Pair v) const
     {
-        return {k00 * v[0] + k10 * v[1], k10 * v[0] + k11 * v[1]};
+        return {k00 * v.x + k10 * v.y, k10 * v.x + k11 * v.y};
+    }
+
+    /// How fast the point at p moves that turns with a body of velocity v.
+    static Pair at_point(const Vec<3>& v, Pair p)
+    {
+        return Pair{v[0], v[1]} + p * v[2];
     }
 
     /// Whether these rows are a pin's, and the j and p of it.
@@ -59,8 +75,8 @@ struct PinBlock : TreeBody {
             second.softness != 0 || other != same ||
             (other != world && !begins(-sign, Jpx, Jpy)))
             return false;
-        j_turn = sign * Vec2(Jx[2], Jy[2]);
-        p_turn = -sign * Vec2(Jpx[2], Jpy[2]);
+        j_turn = Pair{Jx[2], Jy[2]} * sign;
+        p_turn = Pair{Jpx[2], Jpy[2]} * -sign;
         return true;
     }
 
@@ -72,23 +88,23 @@ struct PinBlock : TreeBody {
         const Vec<3> m = inverse_mass.cwiseInverse();
         const Real b00 = m[0] + S(0, 0), b10 = S(1, 0), b11 = m[1] + S(1, 1),
                    b20 = S(2, 0), b21 = S(2, 1), b22 = m[2] + S(2, 2);
-        const Vec2 Bs(b20 - b00 * j_turn[0] - b10 * j_turn[1],
-                      b21 - b10 * j_turn[0] - b11 * j_turn[1]);
-        const Real D = b22 - b20 * j_turn[0] - b21 * j_turn[1] - j_turn.dot(Bs);
+        const Pair Bs{b20 - b00 * j_turn.x - b10 * j_turn.y,
+                      b21 - b10 * j_turn.x - b11 * j_turn.y};
+        const Real D = b22 - b20 * j_turn.x - b21 * j_turn.y - dot(j_turn, Bs);
         const bool turns = D > 0;
         per_D = turns ? 1 / D : 0;
-        beta = per_D * Bs;
-        k00 = b00 - beta[0] * Bs[0];
-        k10 = b10 - beta[1] * Bs[0];
-        k11 = b11 - beta[1] * Bs[1];
+        beta = Bs * per_D;
+        k00 = b00 - beta.x * Bs.x;
+        k10 = b10 - beta.y * Bs.x;
+        k11 = b11 - beta.y * Bs.y;
         if (parent != nullptr) {
-            const Vec2 turn = inverse_times(p_turn);
+            const Pair turn = inverse_times(p_turn);
             parent->S(0, 0) += k00;
             parent->S(1, 0) += k10;
             parent->S(1, 1) += k11;
-            parent->S(2, 0) += turn[0];
-            parent->S(2, 1) += turn[1];
-            parent->S(2, 2) += p_turn.dot(turn);
+            parent->S(2, 0) += turn.x;
+            parent->S(2, 1) += turn.y;
+            parent->S(2, 2) += dot(p_turn, turn);
         }
         return turns ? 0 : 2;
     }
@@ -98,34 +114,34 @@ struct PinBlock : TreeBody {
     void up_pin(const Bias& b, const RowGroup& group, const VecX& u_all,
                 TreeBody* parent)
     {
-        missing = star.head<2>() + j_turn * star[2] +
-                  sign * Vec2(b[group.rows[0]], b[group.rows[1]]);
-        if (parent != nullptr)
-            missing -= parent->star.head<2>() + p_turn * parent->star[2];
+        missing = at_point(star, j_turn) +
+                  Pair{b[group.rows[0]], b[group.rows[1]]} * sign;
+        if (parent != nullptr) missing = missing - at_point(parent->star, p_turn);
         else if (other != world)
-            missing -= u_all.segment<2>(3 * other) + p_turn * u_all[3 * other + 2];
-        along = pull[2] - j_turn.dot(pull.head<2>());
-        y = inverse_times(missing) - (pull.head<2>() - beta * along);
+            missing = missing - at_point(u_all.segment<3>(3 * other), p_turn);
+        const Pair push{pull[0], pull[1]};
+        along = pull[2] - dot(j_turn, push);
+        y = inverse_times(missing) - (push - beta * along);
         if (parent == nullptr) return;
-        parent->pull.head<2>() -= y;
-        parent->pull[2] -= p_turn.dot(y);
+        parent->pull[0] -= y.x;
+        parent->pull[1] -= y.y;
+        parent->pull[2] -= dot(p_turn, y);
     }
 
     /// (14.31): down. λ and u, once the parent's u is known.
     void down_pin(const RowGroup& group, const TreeBody* parent, VecX& lambda)
     {
-        Vec2 l = -y, off = missing;
+        Pair l{-y.x, -y.y}, off = missing;
         if (parent != nullptr) {
-            const Vec<3> change = parent->u - parent->star;
-            const Vec2 moved = change.head<2>() + p_turn * change[2];
-            off -= moved;
-            l += inverse_times(moved);
+            const Pair moved = at_point(parent->u - parent->star, p_turn);
+            off = off - moved;
+            l = l + inverse_times(moved);
         }
-        lambda[group.rows[0]] = sign * l[0];
-        lambda[group.rows[1]] = sign * l[1];
-        const Real turn = beta.dot(off) - along * per_D;
-        u[0] = star[0] - off[0] - j_turn[0] * turn;
-        u[1] = star[1] - off[1] - j_turn[1] * turn;
+        lambda[group.rows[0]] = sign * l.x;
+        lambda[group.rows[1]] = sign * l.y;
+        const Real turn = dot(beta, off) - along * per_D;
+        u[0] = star[0] - off.x - j_turn.x * turn;
+        u[1] = star[1] - off.y - j_turn.y * turn;
         u[2] = star[2] + turn;
     }
 };
