@@ -241,7 +241,8 @@ TEST_CASE("rows in the previous order are found without a search", "[house]")
     CHECK(cache.found == 99);
 }
 
-TEST_CASE("rows that come kind after kind are sorted by merging and the next time found where they were", "[house]")
+TEST_CASE("rows that come kind after kind are sorted by merging and the next time found where they were",
+          "[house]")
 {
     // tangents of all contacts, then the normals; two points of a pair come the other way round
     std::vector<ImpulseKey> keys;
