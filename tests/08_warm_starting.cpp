@@ -241,6 +241,36 @@ TEST_CASE("rows in the previous order are found without a search", "[house]")
     CHECK(cache.found == 99);
 }
 
+TEST_CASE("rows that come kind after kind are sorted by merging and the next time found where they were",
+          "[house]")
+{
+    // tangents of all contacts, then the normals; two points of a pair come the other way round
+    std::vector<ImpulseKey> keys;
+    for (const int part : {1, 0})
+        for (std::int32_t k = 0; k < 200; ++k)
+            for (const std::int32_t feature : {1, 0}) keys.push_back({k, k + 1, feature, part});
+    ImpulseCache cache;
+    VecX lambda = VecX::LinSpaced(800, 1, 800), again;
+    store(cache, keys, lambda, 1);
+    CHECK(cache.scratch.runs.size() == 2);  // one run is left, no ordinary sort was needed
+    CHECK(std::is_sorted(cache.entries.begin(), cache.entries.end(),
+                         [](const auto& a, const auto& b) { return a.key < b.key; }));
+    load(cache, keys, 1, again);
+    CHECK(cache.searched == 0);
+    CHECK(again == lambda);
+    lambda *= 2;
+    store(cache, keys, lambda, 1);
+    load(cache, keys, 1, again);
+    CHECK(again == lambda);
+
+    // as many rows, but one is another: it begins at zero, its neighbours where they were
+    keys[100].first = 1000;
+    load(cache, keys, 1, again);
+    CHECK(again[100] == 0);
+    CHECK(again[101] == lambda[101]);
+    CHECK(cache.found == 799);
+}
+
 TEST_CASE("what is not finite is not remembered and a key that occurs twice is refused", "[house]")
 {
     const std::vector<ImpulseKey> keys = keys_of({{0, 1, 0}, {1, 2, 0}, {2, 3, 0}});

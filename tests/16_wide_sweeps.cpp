@@ -556,6 +556,19 @@ TEST_CASE("a cold column has the same error in colours and twice the residual", 
           Approx(2).epsilon(0.08));
 }
 
+TEST_CASE("a bundle that is cut is known before it is swept", "[house]")
+{
+    // the row of a normal is the last one between the world and the body
+    for (const int between : {14, 15, 16}) {
+        std::vector<Row<3>> rows(static_cast<std::size_t>(between));
+        for (Row<3>& row : rows) row.a = world, row.b = 0;
+        rows[0].bounded_by = between - 1;
+        Bundles bundles;
+        bundle_rows(rows, 1, bundles);
+        CHECK(holds_bounds(rows, bundles) == (between <= Bundles::most_rows));
+    }
+}
+
 TEST_CASE("what a wide sweep cannot do is refused", "[house]")
 {
     WideSolver<3> solver;

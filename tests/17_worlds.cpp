@@ -2,6 +2,7 @@
 
 #include "tests/no_allocation.hpp"
 
+#include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/13_friction/friction_problems.hpp"
 #include "chapters/14_joints/joint_rows.hpp"
 #include "chapters/17_engine/island_choice.hpp"
@@ -188,6 +189,97 @@ TEST_CASE("whatever solves an island it comes to rest at the same place", "[idea
     }
     CHECK(height[1] == Approx(height[0]).margin(1e-3));
     CHECK(height[2] == Approx(height[0]).margin(1e-2));  // sweeps that end at 1e-4 m/s
+}
+
+TEST_CASE("a large island has the bits of wide sweeps in any number of lanes", "[house]")
+{
+    RoughScene scene;
+    static_cast<RigidScene&>(scene) = box_pyramid(9);
+    cover(scene, {0.6, 0, 0, 0});
+    FrictionSweeps<Manifolds> method;
+    StepData<3> now;
+    for (int i = 0; i < 3; ++i) step(scene, {.h = frame}, method, now);
+    now.substep = 0;
+    now.same_rows = now.same_bodies = false;
+    IslandChoice choice;
+    choice.solving = Solving::sweeps;
+    choice.rule.wide = 300;  // it has 324 rows
+    choice.sweeps.sweeps = {.max_sweeps = 30, .tolerance = 1e-4};
+    Bodies<3> ours = scene.bodies;
+    StepData<3> found = now;
+    choice.solve(ours, found);
+    REQUIRE(now.rows.size() == 324);
+    REQUIRE(choice.wide.count == 1);
+    const auto check = [&](auto solver) {
+        solver.sweeps = choice.sweeps.sweeps;
+        Bodies<3> theirs = scene.bodies;
+        StepData<3> other = now;
+        solver.solve(theirs, other);
+        CHECK(theirs.u == ours.u);
+        CHECK(other.solution.lambda == found.solution.lambda);
+        CHECK(other.solution.iterations == found.solution.iterations);
+    };
+    check(WideSolver<3, Real, 1>{});
+    check(WideSolver<3, Real, 2>{});
+    check(WideSolver<3, Real, 4>{});
+    check(WideSolver<3, Real, 8>{});
+}
+
+TEST_CASE("a pyramid that no exact solve can afford stands and falls asleep", "[idea]")
+{
+    // 6400 rows, more than 4000; it needs some 4000 sweeps from cold, 60 would be allowed
+    World engine = pyramid_world(40);
+    const Vec2 top = engine.position(engine.bodies().back());
+    int steps = 0, most = 0;
+    for (; steps < 120 && (steps == 0 || engine.work().awake > 0); ++steps) {
+        engine.step(frame);
+        most = std::max(most, engine.work().sweeps);
+        REQUIRE(engine.work().exact + engine.work().rescued == 0);
+        // never more than (17.4) lets it, and one look at the residual for each time that it seemed to be done
+        REQUIRE(engine.work().price() < 2 * ChoiceRule{}.entries);
+    }
+    CHECK(most == 40'000'000 / (8 * 6400));
+    CHECK(steps < 120);
+    CHECK((engine.position(engine.bodies().back()) - top).norm() < 3e-3);  // with 60 sweeps a step 0.027
+}
+
+TEST_CASE("what moves is not swept as if it stood", "[idea]")
+{
+    World engine = grid_world(20);  // one body of it has a push
+    engine.step(frame);
+    CHECK(engine.work().sweeps > engine.settings().sweeps);
+    engine.set_velocity(engine.bodies()[210], {1, 0}, 0);
+    engine.step(frame);
+    CHECK(engine.work().sweeps == engine.settings().sweeps);
+}
+
+TEST_CASE("a body with more rows than a bundle holds is swept with its island one by one", "[house]")
+{
+    // eight floors in one place: a box of the lowest row has 32 rows with the world, of which 15 would be a bundle
+    for (const Solving solving : {Solving::by_island, Solving::sweeps}) {
+        World engine = pyramid_world(20);
+        for (int i = 0; i < 7; ++i) engine.add_wall({{0, 1}, 0});
+        WorldSettings settings = engine.settings();
+        settings.solving = solving;
+        engine.change(settings);
+        for (int i = 0; i < 5; ++i) engine.step(frame);
+        CHECK(engine.work().rows > 2000);
+        CHECK(engine.work().swept == 1);
+    }
+}
+
+TEST_CASE("a steady step of a large island asks for no memory", "[house]")
+{
+    WorldSettings settings;
+    settings.solving = Solving::sweeps;
+    settings.sleep = false;
+    World engine = pyramid_world(20);
+    engine.change(settings);
+    for (int i = 0; i < 60; ++i) engine.step(frame);
+    REQUIRE(engine.work().swept == 1);
+    const NoAllocation watch;
+    for (int i = 0; i < 5; ++i) engine.step(frame);
+    CHECK(NoAllocation::violations() == 0);
 }
 
 TEST_CASE("a steady step asks for no memory", "[house]")

@@ -7,6 +7,7 @@
 /// Data only: the cache sets where a solver starts, never where it ends. It depends on neither rows nor bodies.
 #pragma once
 
+#include "chapters/08_warm_starting/key_sort.hpp"
 #include "common/contact.hpp"
 
 #include <algorithm>
@@ -69,7 +70,12 @@ struct ImpulseCache {
     };
     std::vector<Entry> entries;
     std::vector<Entry> spare;  ///< where store() writes before it swaps
-    Real h = 0;                ///< time step of the impulses that are stored [s]
+    /// as they came to the last store(), and the entry of each; no keys where rows that
+    /// are gone, or impulses that are not finite, make these lists of different lengths
+    std::vector<ImpulseKey> keys;
+    std::vector<std::uint32_t> place;
+    SortScratch<Entry> scratch;
+    Real h = 0;  ///< time step of the impulses that are stored [s]
     /// steps that an impulse outlives its row; 0 = a row that goes is forgotten
     int keep = 0;
     int found = 0;  ///< rows that the last load() found
@@ -92,27 +98,30 @@ entry_near(ImpulseCache& cache, std::vector<ImpulseCache::Entry>::iterator expec
     return std::lower_bound(first, last, key, below);
 }
 
-/// Into ascending order. Rows come in runs of contacts, so most are a few places from
-/// where they belong, and insertion is linear; if not, an ordinary sort ends it.
-inline void sort_by_key(std::vector<ImpulseCache::Entry>& entries)
+//! [places]
+/// The keys and the places of their entries, for load() and store() of the same rows.
+inline void note_places(ImpulseCache& cache, std::span<const ImpulseKey> keys)
 {
-    const auto ascending = [](const ImpulseCache::Entry& a,
-                              const ImpulseCache::Entry& b) {
-        return a.key < b.key;
-    };
-    std::size_t moves = 0;
-    for (std::size_t i = 1; i < entries.size() && moves <= 8 * entries.size();
-         ++i) {
-        if (!ascending(entries[i], entries[i - 1])) continue;
-        const ImpulseCache::Entry here = entries[i];
-        std::size_t place = i;
-        for (; place > 0 && ascending(here, entries[place - 1]); --place, ++moves)
-            entries[place] = entries[place - 1];
-        entries[place] = here;
+    cache.keys.clear();
+    if (cache.entries.size() != keys.size()) return;
+    cache.place.resize(keys.size());
+    auto next = cache.entries.begin();
+    for (std::size_t i = 0; i < keys.size(); ++i, ++next) {
+        if (next == cache.entries.end() || next->key != keys[i])
+            next = entry_near(cache, next, keys[i]);
+        if (next == cache.entries.end() || next->key != keys[i]) return;
+        cache.place[i] = static_cast<std::uint32_t>(next - cache.entries.begin());
     }
-    if (moves > 8 * entries.size())
-        std::sort(entries.begin(), entries.end(), ascending);
+    cache.keys.assign(keys.begin(), keys.end());
 }
+/// Whether the entries are those of these rows, one for one, and their places known.
+inline bool knows(const ImpulseCache& cache, std::span<const ImpulseKey> keys)
+{
+    return cache.entries.size() == keys.size() &&
+           std::equal(cache.keys.begin(), cache.keys.end(), keys.begin(),
+                      keys.end());
+}
+//! [places]
 
 //! [load]
 /// Where the sweeps start, (8.4). Does not allocate once `lambda` has been as long.
@@ -127,6 +136,13 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h,
     cache.found = cache.searched = 0;
     // an impulse is a force times h
     const Real scale = cache.h > 0 ? h / cache.h : 0;
+    if (knows(cache, keys)) {
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            lambda[static_cast<Index>(i)] =
+                scale * cache.entries[cache.place[i]].lambda;
+        cache.found = static_cast<int>(keys.size());
+        return;
+    }
     auto next = cache.entries.begin();
     for (std::size_t i = 0; i < keys.size(); ++i) {
         // Most rows are those of the previous step in the same order: then the next
@@ -159,6 +175,12 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
         throw std::invalid_argument("there are " + std::to_string(keys.size()) +
                                     " keys for " + std::to_string(lambda.size()) +
                                     " impulses");
+    if (knows(cache, keys) && lambda.allFinite()) {  // the same rows once more
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            cache.entries[cache.place[i]].lambda = lambda[static_cast<Index>(i)];
+        cache.h = h;
+        return;
+    }
     const auto ascending = [](const ImpulseCache::Entry& a,
                               const ImpulseCache::Entry& b) {
         return a.key < b.key;
@@ -167,7 +189,7 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
     present.clear();
     for (std::size_t i = 0; i < keys.size(); ++i)
         present.push_back({keys[i], 0, lambda[static_cast<Index>(i)]});
-    sort_by_key(present);
+    sort_by_key(present, cache.scratch);
     for (std::size_t i = 1; i < present.size(); ++i)
         if (present[i - 1].key == present[i].key)
             throw std::invalid_argument("two rows have the key " +
@@ -189,6 +211,7 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
     });
     std::swap(cache.entries, cache.spare);
     cache.h = h;
+    note_places(cache, keys);
 }
 //! [store]
 

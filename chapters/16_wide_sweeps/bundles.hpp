@@ -98,6 +98,22 @@ void bundle_rows(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
 }
 //! [bundle]
 
+//! [holds]
+/// Whether each row that another one bounds is in a bundle with it. Two bodies with
+/// more than most_rows rows between them may make it false.
+template <int Dof>
+bool holds_bounds(const std::vector<Row<Dof>>& rows, const Bundles& bundles)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int n = rows[i].bounded_by;
+        if (n >= 0 &&
+            bundles.of_row[static_cast<std::size_t>(n)] != bundles.of_row[i])
+            return false;
+    }
+    return true;
+}
+//! [holds]
+
 /// Which bodies of each bundle can move.
 template <int Dof>
 void find_movers(const std::vector<Row<Dof>>& rows, const Bundles& bundles,

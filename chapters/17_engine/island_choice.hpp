@@ -2,6 +2,7 @@
 /// The solver stage of the engine: each island by the solver that suits it.
 ///
 ///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
+///                          ├─ many rows                       sweeps in lanes until the residual is small   (chapter 16)
 ///                          └─ all others                      sweeps until the residual is small            (chapter 10)
 ///                                 └─ not small enough?        exact, if it may be                           (the rescue)
 ///     what comes to rest                                      exact to the end, if it may be                 (settling)
@@ -14,6 +15,7 @@
 #include "chapters/17_engine/island_rescue.hpp"
 #include "chapters/17_engine/island_shape.hpp"
 #include "chapters/17_engine/known_motion.hpp"
+#include "chapters/17_engine/wide_islands.hpp"
 
 namespace rigid {
 
@@ -28,6 +30,7 @@ struct IslandChoice {
     IslandRescue rescuer;
     Islands islands;  ///< of the step
     StepPart swept, exactly;
+    WideIslands wide;
 
     bool was_configured = false;  ///< false: islands are to be listed again
     /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
@@ -55,10 +58,15 @@ struct IslandChoice {
         if (now.substep == 0) begin(bodies, now);
         swept.gather(bodies, now);
         exactly.gather(bodies, now);
-        if (!swept.empty()) {
+        if (swept.empty()) sweeps.most_sweeps = 0;
+        else {
             sweeps.solve(swept.local, swept.now);
             swept.scatter(bodies, now);
         }
+        // noise of sweeps is no reason to stay awake
+        wide.solve(sweeps.sweeps, slow > 0 ? tolerance / 10 : tolerance, bodies,
+                   now);
+        sweeps.most_sweeps = std::max(sweeps.most_sweeps, wide.most_sweeps);
         if (!exactly.empty()) {
             exact.solve(exactly.local, exactly.now);
             entries += exact.bounded.entries;
@@ -73,21 +81,19 @@ struct IslandChoice {
     /// Other biases, the same u*.
     void solve_again(SecondProblem& second, Bodies<3>& bodies, StepData<3>& now)
     {
-        const auto again = [&](StepPart& part, auto& solver) {
+        for_each_part([&](StepPart& part, auto& solver) {
             if (part.empty()) return;
             part.gather(second);
             solver.solve_again(part.second, part.local, part.now);
             part.scatter(bodies, now);
-        };
-        again(swept, sweeps);
-        again(exactly, exact);
+        });
     }
 
     /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
     void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
     {
         bool done = true;
-        const auto apart = [&](StepPart& part, auto& solver) {
+        for_each_part([&](StepPart& part, auto& solver) {
             if (part.empty()) return;
             part.gather(second);
             part.second.solution.status = Status::solved;
@@ -97,9 +103,7 @@ struct IslandChoice {
                 v.segment<3>(3 * part.bodies[static_cast<std::size_t>(i)]) =
                     part.v.segment<3>(3 * i);
             now.visits += std::exchange(part.now.visits, 0);
-        };
-        apart(swept, sweeps);
-        apart(exactly, exact);
+        });
         if (!exactly.empty()) entries += exact.bounded_apart.entries;
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
@@ -107,19 +111,8 @@ struct IslandChoice {
     /// All that exact solves of this step have looked at.
     std::int64_t all_entries() const
     {
-        return entries + rescuer.entries + joint_entries();
-    }
-
-    /// Of the trees of joints, since the beginning.
-    std::int64_t joint_entries() const
-    {
-        std::int64_t sum = 0;
-        for (const JointFactor* it :
-             {&exact.joints, &exact.apart, &rescuer.solver.joints})
-            sum += it->border_entries +
-                   price::solved_joint * it->tree.work.solved_rows +
-                   price::factored_joint * it->tree.work.factored_rows;
-        return sum;
+        return entries + rescuer.entries + joint_entries(exact) +
+               joint_entries(rescuer.solver);
     }
 
     /// The rows have another J.
@@ -131,6 +124,15 @@ struct IslandChoice {
     }
 
 private:
+    /// Each part with the solver that it has.
+    template <class Visit>
+    void for_each_part(const Visit& visit)
+    {
+        visit(swept, sweeps);
+        for (WideIsland& one : wide.islands()) visit(one.part, one.solver);
+        visit(exactly, exact);
+    }
+
     //! [split]
     /// Which islands there are, and which solver each of them gets. While rows and
     /// bodies are those of the step before, so is that.
@@ -143,15 +145,17 @@ private:
         rescuer.solver.bounded.forget();
         exactly.second.solution.lambda.setZero();
         rescuer.entries = 0;
-        entries = -joint_entries();
+        entries = -joint_entries(exact) - joint_entries(rescuer.solver);
         const bool same = motion_.is_same(now.rows) && now.same_rows &&
                           now.same_bodies && was_configured;
         swept.now.same_rows = swept.now.same_bodies = same;
+        for (WideIsland& one : wide.islands()) one.part.now.same_rows = same;
         if (same) return;
         was_configured = true;
         find_islands(bodies, now, {}, islands);
         swept.clear();
         exactly.clear();
+        wide.count = 0;
         sweeps.allowed.clear();
         exact_count = swept_count = 0;
         place_of_.assign(static_cast<std::size_t>(islands.count()),
@@ -159,38 +163,34 @@ private:
         for (int i = 0; i < islands.count(); ++i) {
             const std::span<const int> rows = islands.rows_of(i),
                                        members = islands.bodies_of(i);
-            StepPart* part = &swept;
+            Place& place = place_of_[static_cast<std::size_t>(i)];
+            int allowed = sweeps.sweeps.max_sweeps;
+            std::int64_t to_stand = 0;  // sweeps alone: as many as asked for
             if (!rows.empty() && solving != Solving::sweeps) {
                 const IslandShape shape = survey_(bodies, now.rows, rows, members);
                 const bool may = may_be_exact(shape, rule);
-                if (may) place_of_[static_cast<std::size_t>(i)] = Place::swept;
+                if (may) place = Place::swept;
+                else to_stand = rule.entries;
                 if (solving == Solving::exact ? may : should_be_exact(shape, rule))
-                    part = &exactly;
-                else
-                    sweeps.allowed.insert(
-                        sweeps.allowed.end(), rows.size(),
-                        sweeps_worth(shape, rule, sweeps.sweeps.max_sweeps));
+                    place = Place::exact;
+                allowed = sweeps_worth(shape, rule, allowed);
             }
-            exact_count += part == &exactly;
-            swept_count += part == &swept && !rows.empty();
-            part->rows.insert(part->rows.end(), rows.begin(), rows.end());
-            part->bodies.insert(part->bodies.end(), members.begin(), members.end());
-            if (part == &exactly)
-                place_of_[static_cast<std::size_t>(i)] = Place::exact;
+            exact_count += place == Place::exact;
+            swept_count += place != Place::exact && !rows.empty();
+            if (place != Place::exact &&
+                static_cast<int>(rows.size()) >= rule.wide &&
+                wide.take(bodies, now, rows, members, allowed, to_stand))
+                continue;
+            StepPart& part = place == Place::exact ? exactly : swept;
+            part.rows.insert(part.rows.end(), rows.begin(), rows.end());
+            part.bodies.insert(part.bodies.end(), members.begin(), members.end());
+            if (place != Place::exact)
+                sweeps.allowed.insert(sweeps.allowed.end(), rows.size(), allowed);
         }
         swept.number(now, bodies.count());
         exactly.number(now, bodies.count());
     }
     //! [split]
-
-    //! [price]
-    /// How good a solve must be where guesses do not settle it, and what it may cost.
-    static void set_price(Real late, std::int64_t entries, TreeSolver& solver)
-    {
-        solver.exact.late = late;
-        solver.exact.most_entries = entries;
-    }
-    //! [price]
 
     //! [rescue]
     /// What sweeps have left above the tolerance is solved exactly after all, where

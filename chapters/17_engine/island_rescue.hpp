@@ -4,9 +4,30 @@
 
 #include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "chapters/14_joints/tree_solver.hpp"
+#include "chapters/17_engine/island_shape.hpp"
 #include "chapters/17_engine/step_part.hpp"
 
 namespace rigid {
+
+//! [price]
+/// How good a solve must be where guesses do not settle it, and what it may cost.
+inline void set_price(Real late, std::int64_t entries, TreeSolver& solver)
+{
+    solver.exact.late = late;
+    solver.exact.most_entries = entries;
+}
+
+/// Of the trees of joints, since the beginning.
+inline std::int64_t joint_entries(const TreeSolver& solver)
+{
+    std::int64_t sum = 0;
+    for (const JointFactor* it : {&solver.joints, &solver.apart})
+        sum += it->border_entries +
+               price::solved_joint * it->tree.work.solved_rows +
+               price::factored_joint * it->tree.work.factored_rows;
+    return sum;
+}
+//! [price]
 
 //! [rescue]
 struct IslandRescue {

@@ -61,6 +61,9 @@ struct ChoiceRule {
     int always = 64;
     int at_most = 4000;   ///< bounded rows, whatever the price
     Real patience = 500;  ///< sweeps; where more are needed they are no way
+    /// islands of so many rows are swept in lanes: eight colours or so, in each 8
+    /// lanes of bundles of four rows, four times over, are 1024
+    int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
 };
