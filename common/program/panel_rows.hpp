@@ -31,6 +31,9 @@ SliderRow time_step_row(const Demo& scene);
 /// "drift [m]": what stands above the plot of a column.
 std::string plot_title(const Column& column);
 
+/// "grey: exact": the curves that stand beside a column's own in its plot; "" = none.
+std::string grey_curves(const Demo& scene, const Column& column);
+
 /// Seconds of the scene per second, and how they are written.
 inline constexpr std::array<std::pair<Real, const char*>, 6> speeds = {
     {{0.125, "1/8"}, {0.25, "1/4"}, {0.5, "1/2"}, {1.0, "x 1"}, {2.0, "x 2"}, {4.0, "x 4"}}};

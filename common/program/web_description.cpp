@@ -68,6 +68,7 @@ std::string scene(const Demo& demo)
             plots.push_back(Object()
                                 .add("column", std::to_string(c))
                                 .words("title", plot_title(demo.columns[c]))
+                                .words("grey", grey_curves(demo, demo.columns[c]))
                                 .words("help", demo.columns[c].help)
                                 .words("unit", demo.columns[c].unit)
                                 .text());

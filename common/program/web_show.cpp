@@ -33,6 +33,7 @@ const DrawList& WebShow::picture(Real width, Real height)
     projections_.clear();
     const Playback* playback = show_.playback();
     if (!playback) return list_;
+    show_.look(hand_.input());
     const std::vector<Pane> panes = playback->draw();
     const std::vector<Rectangle> places =
         pane_grid({0, 0, width, height}, panes.size(), show_.scene().view, label_height, gap);

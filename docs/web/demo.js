@@ -169,10 +169,11 @@
             this.rows = scene.sliders.map((row, i) => this.slider(row, i));
             this.sliders.replaceChildren(...this.rows.map(row => row.all));
             this.curves = scene.plots.map(plot => {
-                const canvas = element('canvas', {role: 'img', 'aria-label': 'Plot of ' + plot.title + (plot.help ? ', ' + plot.help : '')});
+                const canvas = element('canvas', {role: 'img', 'aria-label': ['Plot of ' + plot.title, plot.help, plot.grey].filter(Boolean).join(', ')});
                 const values = element('span', {class: 'demo-values'});
                 return {plot, canvas, values, all: element('div', {class: 'demo-plot', title: plot.help},
-                                                           element('div', {class: 'demo-title'}, element('span', {}, plot.title), values), canvas)};
+                                                           element('div', {class: 'demo-title'}, element('span', {}, plot.title),
+                                                                   element('span', {class: 'demo-grey'}, plot.grey), values), canvas)};
             });
             this.plots.replaceChildren(...this.curves.map(curve => curve.all));
             if (this.curves.length) {
