@@ -176,6 +176,10 @@ TEST_CASE("the rows of a panel say what a slider is and its unit and its range",
     CHECK(slider_row({"mass_ratio", "", "", 1, 0.01, 1000}).logarithmic);
     CHECK(slider_row({"mass_ratio", "", "", 1, 0.01, 1000}).label == "mass ratio");
     CHECK(plot_title({"link_error", "mm", ""}) == "link error [mm]");
+    CHECK(plot_value(33132.4, 1) == "33132");
+    CHECK(plot_value(-2.0749, 1) == "-2.075");
+    CHECK(plot_value(-2.0749, 3) == "-2.07");
+    CHECK(plot_value(1.23456e6, 1) == "1.235e+06");
     Program compared = program;
     Demo& fall = compared.scenes[0];
     CHECK(grey_curves(fall, fall.columns[0]).empty());

@@ -279,8 +279,7 @@ private:
         float wanted = 0;
         ImGui::PushFont(fonts_.nearest(scale_ * (tracks.size() > 2 ? 12 : text_size)));
         for (const Track& track : tracks) {
-            values.push_back(
-                track.measured.empty() ? "-" : significant(track.measured[c], tracks.size() > 2 ? 3 : 4));
+            values.push_back(track.measured.empty() ? "-" : plot_value(track.measured[c], tracks.size()));
             wanted += ImGui::CalcTextSize(values.back().c_str()).x + units(12);
         }
         float x = right - wanted;

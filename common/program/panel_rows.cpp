@@ -168,6 +168,12 @@ std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan&
     return plot;
 }
 
+std::string plot_value(Real value, std::size_t tracks)
+{
+    if (std::abs(value) >= 1000 && std::abs(value) < 99999.5) return fixed(value, 0);
+    return significant(value, tracks > 2 ? 3 : 4);
+}
+
 std::string narrow(Real value)
 {
     if (std::abs(value) >= 100 && std::abs(value) < 99999.5) return fixed(value, 0);

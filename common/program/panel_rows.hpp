@@ -81,6 +81,9 @@ void each_sample(const Show& show, std::size_t track, std::size_t column, bool w
     if (!history.recent().empty()) visit(history.recent().back());  // what thinning left out
 }
 
+/// The present value beside a plot: four digits, three where several tracks share the line.
+std::string plot_value(Real value, std::size_t tracks);
+
 /// As many digits as six characters have room for: 0.0496, 1.4e-13.
 std::string narrow(Real value);
 

@@ -163,10 +163,10 @@
                                             ...this.boxes.map((box, i) => element('label', {}, box, scene.methods[i].replaceAll('_', ' ')))));
             if (scene.steered) {
                 this.path = element('input', {type: 'checkbox', onchange: () => this.machine.api.web_script(this.path.checked ? 1 : 0)});
-                this.choices.append(element('label', {class: 'demo-path', title: 'Instead of the pointer'}, this.path, 'a seeded path steers'));
+                this.choices.append(element('label', {class: 'demo-path', title: 'Along a path that is the same each time, until the pointer comes'}, this.path, 'steers itself'));
             } else this.path = null;
 
-            this.rows = scene.sliders.map((row, i) => this.slider(row, i));
+            this.rows = scene.sliders.map((row, i) => row.names.length ? this.choice(row, i) : this.slider(row, i));
             this.sliders.replaceChildren(...this.rows.map(row => row.all));
             this.curves = scene.plots.map(plot => {
                 const canvas = element('canvas', {role: 'img', 'aria-label': ['Plot of ' + plot.title, plot.help, plot.grey].filter(Boolean).join(', ')});
@@ -209,7 +209,7 @@
                 });
             const show = value => {
                 if (document.activeElement !== input || Math.abs(to_value(input.value) - value) > 1e-9 * Math.abs(value)) input.value = to_place(value);
-                const text = row.names[Math.round(value - row.low)] ?? written(value, row.format) + (row.unit ? ' ' + row.unit : '');
+                const text = written(value, row.format) + (row.unit ? ' ' + row.unit : '');
                 if (output.textContent !== text) {
                     output.textContent = text;
                     input.setAttribute('aria-valuetext', text);
@@ -218,6 +218,20 @@
             return {show, all: element('div', {class: 'demo-slider'}, element('label', {for: id, title: row.help}, row.label),
                                        output, element('div', {class: 'demo-range'}, element('span', {}, short(row.low)), input,
                                                        element('span', {}, short(row.high))))};
+        }
+
+        // A setting whose values have names: a box where they are no and yes, else a list.
+        choice(row, i) {
+            const id = `demo-${this.number}-${this.built}-${i}`, whether = row.names.join() === 'no,yes';
+            const place = () => whether ? Number(control.checked) : control.selectedIndex;
+            const attributes = {id, title: row.help, onchange: () => this.change('web_slide', i, row.low + place())};
+            const control = whether ? element('input', {type: 'checkbox', ...attributes}) :
+                element('select', attributes, ...row.names.map(name => element('option', {}, name)));
+            const show = value => {
+                if (whether) control.checked = value > 0;
+                else control.selectedIndex = Math.round(value - row.low);
+            };
+            return {show, all: element('div', {class: 'demo-choice'}, element('label', {for: id, title: row.help}, row.label), control)};
         }
 
         // ---- what the reader does
