@@ -20,11 +20,11 @@
         return made;
     }
 
-    // "%.2f" and "%.4g" and "%.2e" of printf.
+    // "%.2f" and "%.4g" and "%.2e" of printf; a zero has no power of ten.
     function written(value, format) {
         const [, digits, kind] = format.match(/%\.(\d)([fge])/);
         if (kind === 'f') return value.toFixed(digits);
-        if (kind === 'e') return value.toExponential(digits);
+        if (kind === 'e') return value === 0 ? '0' : value.toExponential(digits).replace('e+', 'e');
         return String(Number(value.toPrecision(digits)));
     }
 

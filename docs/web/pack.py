@@ -144,9 +144,6 @@ class Module:
             self.numbers_to(self.code)
         elif op == 0xFD:
             vector = self.peek()
-            if 7 <= vector <= 10:
-                raise SystemExit("the program reads one number into all of a vector (v128.loadN_splat): Emscripten 3.1.6 "
-                                 "moves that behind later writes to the same place (cmake/web/splat.hpp)")
             self.numbers_to(self.code)
             if vector <= 11 or 84 <= vector <= 93:  # load, store
                 self.numbers_to(self.code)
