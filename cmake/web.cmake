@@ -27,9 +27,8 @@ target_compile_options(rigid_web_program PRIVATE ${small})
 # The preset compiles everything with -msimd128 -msse2: Eigen then adds by the two numbers at once that it has on a PC, in
 # the same order (cmake/physics.cmake). Only Eigen does: loops that the compiler pairs or unrolls by itself are written twice
 # or four times over, with their remainders. Chapter 17 was 25 kB heavier in gzip, and no faster.
-# The preset leaves pairs of single numbers (-vectorize-slp=false) to Eigen as well: Emscripten 3.1.6 moves a number that goes
-# into both halves of a pair past a call that writes over it (LLVM's v128.load64_splat), and the closed form of chapter 18
-# was no number.
+# The preset leaves pairs of single numbers (-vectorize-slp=false) to Eigen as well, and makes its own way of writing one number
+# into both halves of a pair (cmake/web/splat.hpp): Emscripten 3.1.6 reads such a number too late.
 set(fast -fno-vectorize "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")
 target_compile_options(rigid_physics PRIVATE ${fast})
 

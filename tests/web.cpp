@@ -68,6 +68,20 @@ Options options_for(const Demo& scene, std::vector<std::string> methods = {})
     return options;
 }
 
+/// A bead whose picture follows the hand, and whose steps do not.
+class Seen : public toy::Bead {
+public:
+    using Bead::Bead;
+    void look(const Settings&, const Input& input) override
+    {
+        if (input.pressed) eye_ = input.pointer;
+    }
+    void draw(Canvas& canvas) const override { canvas.disc(eye_, 0.1); }
+
+private:
+    Vec2 eye_ = {0, 0};
+};
+
 }  // namespace
 
 TEST_CASE("a draw list has each item of a canvas in pixels and cuts them off at the pane", "[house]")
@@ -162,6 +176,18 @@ TEST_CASE("the rows of a panel say what a slider is and its unit and its range",
     CHECK(slider_row({"mass_ratio", "", "", 1, 0.01, 1000}).logarithmic);
     CHECK(slider_row({"mass_ratio", "", "", 1, 0.01, 1000}).label == "mass ratio");
     CHECK(plot_title({"link_error", "mm", ""}) == "link error [mm]");
+    CHECK(plot_value(33132.4, 1) == "33132");
+    CHECK(plot_value(-2.0749, 1) == "-2.075");
+    CHECK(plot_value(-2.0749, 3) == "-2.07");
+    CHECK(plot_value(1.23456e6, 1) == "1.235e+06");
+    Program compared = program;
+    Demo& fall = compared.scenes[0];
+    CHECK(grey_curves(fall, fall.columns[0]).empty());
+    fall.columns.push_back({"as_it_should_be", "m", "", Plot::linear, "height"});
+    CHECK(grey_curves(fall, fall.columns[0]) == "grey: as it should be");
+    CHECK(key_rows(fall).back().what == "held down: pulls what is under it");
+    fall.held = "turns the view";
+    CHECK(key_rows(fall).back().what == "held down: turns the view");
 }
 
 TEST_CASE("the description of a program is JSON whatever its texts hold", "[house]")
@@ -279,6 +305,26 @@ TEST_CASE("the seeded path of a page steers until the pointer comes", "[house]")
     show.single_step();
     CHECK(place() == Approx(1).margin(1e-12));  // the middle of the view
     CHECK_FALSE(show.show().is_scripted());
+}
+
+TEST_CASE("a picture follows the hand while the run is paused", "[house]")
+{
+    Program program = toy::program();
+    program.scenes[0].start = [](const Settings& settings) { return std::make_unique<Seen>(settings); };
+    WebShow show(program, options_for(program.scenes[0]));
+    const auto disc = [&] {
+        for (const Command& command : commands_of(show.picture(400, 300)))
+            if (command.kind == DrawList::Kind::disc) return command.numbers;
+        return std::vector<float>{};
+    };
+    const std::vector<float> before = disc();
+    REQUIRE(before.size() == 3);
+    constexpr bool present = true, down = true;
+    show.point({before[0], before[1]}, present, !down);
+    show.point({before[0] + 50, before[1]}, present, down);
+    const std::vector<float> after = disc();
+    CHECK(after[0] == Approx(before[0] + 50));
+    CHECK(show.show().playback()->steps() == 0);
 }
 
 TEST_CASE("a page that was hidden does not catch up", "[house]")

@@ -269,13 +269,17 @@ private:
         const float right = ImGui::GetWindowContentRegionMax().x, left = ImGui::GetCursorPosX();
         ImGui::TextUnformatted(shown(name).c_str());
         tooltip(column.help);
-        const float name_end = left + ImGui::GetItemRectSize().x;
+        float name_end = left + ImGui::GetItemRectSize().x;
+        if (const std::string grey = grey_curves(show_.scene(), column); !grey.empty()) {
+            ImGui::SameLine();
+            dim_text(grey);
+            name_end += ImGui::GetStyle().ItemSpacing.x + ImGui::GetItemRectSize().x;
+        }
         std::vector<std::string> values;
         float wanted = 0;
         ImGui::PushFont(fonts_.nearest(scale_ * (tracks.size() > 2 ? 12 : text_size)));
         for (const Track& track : tracks) {
-            values.push_back(
-                track.measured.empty() ? "-" : significant(track.measured[c], tracks.size() > 2 ? 3 : 4));
+            values.push_back(track.measured.empty() ? "-" : plot_value(track.measured[c], tracks.size()));
             wanted += ImGui::CalcTextSize(values.back().c_str()).x + units(12);
         }
         float x = right - wanted;

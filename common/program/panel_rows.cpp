@@ -66,6 +66,15 @@ std::string plot_title(const Column& column)
     return in_words(column.name) + (column.unit.empty() ? "" : " [" + column.unit + ']');
 }
 
+std::string grey_curves(const Demo& scene, const Column& column)
+{
+    std::string names;
+    for (const Column& other : scene.columns)
+        if (other.plotted() && other.beside == column.name)
+            names += (names.empty() ? "grey: " : ", ") + in_words(other.name);
+    return names;
+}
+
 std::vector<KeyRow> key_rows(const Demo& scene)
 {
     std::vector<KeyRow> rows = {
@@ -73,7 +82,7 @@ std::vector<KeyRow> key_rows(const Demo& scene)
     const auto arrow = std::find_if(scene.tunables.begin(), scene.tunables.end(),
                                     [](const Tunable& one) { return one.arrow_keys(); });
     if (arrow != scene.tunables.end()) rows.push_back({"Up, Down", in_words(arrow->name)});
-    rows.push_back({"Mouse", scene.steered ? "steers; held: pulls" : "held: pulls what is under it"});
+    rows.push_back({"Pointer", scene.steered ? "steers; held down: pulls" : "held down: " + scene.held});
     return rows;
 }
 
@@ -157,6 +166,12 @@ std::optional<LivePlot> plot_of(const Show& show, std::size_t c, const TimeSpan&
             });
         }
     return plot;
+}
+
+std::string plot_value(Real value, std::size_t tracks)
+{
+    if (std::abs(value) >= 1000 && std::abs(value) < 99999.5) return fixed(value, 0);
+    return significant(value, tracks > 2 ? 3 : 4);
 }
 
 std::string narrow(Real value)

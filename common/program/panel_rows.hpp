@@ -31,6 +31,9 @@ SliderRow time_step_row(const Demo& scene);
 /// "drift [m]": what stands above the plot of a column.
 std::string plot_title(const Column& column);
 
+/// "grey: exact": the curves that stand beside a column's own in its plot; "" = none.
+std::string grey_curves(const Demo& scene, const Column& column);
+
 /// Seconds of the scene per second, and how they are written.
 inline constexpr std::array<std::pair<Real, const char*>, 6> speeds = {
     {{0.125, "1/8"}, {0.25, "1/4"}, {0.5, "1/2"}, {1.0, "x 1"}, {2.0, "x 2"}, {4.0, "x 4"}}};
@@ -77,6 +80,9 @@ void each_sample(const Show& show, std::size_t track, std::size_t column, bool w
     for (const Sample& sample : history.whole()) visit(sample);
     if (!history.recent().empty()) visit(history.recent().back());  // what thinning left out
 }
+
+/// The present value beside a plot: four digits, three where several tracks share the line.
+std::string plot_value(Real value, std::size_t tracks);
 
 /// As many digits as six characters have room for: 0.0496, 1.4e-13.
 std::string narrow(Real value);

@@ -92,6 +92,12 @@ std::vector<std::string> Playback::failures() const
     return sentences;
 }
 
+void Playback::look(const Input& input)
+{
+    for (std::size_t k = 0; k < tracks_.size(); ++k)
+        if (tracks_[k].run) tracks_[k].run->look(own_settings_[k], input);
+}
+
 std::vector<Pane> Playback::draw() const
 {
     std::vector<Pane> panes;

@@ -49,6 +49,8 @@ public:
 
     /// What every track draws now, labelled by its method.
     std::vector<Pane> draw() const;
+    /// Before a picture: where the reader's hand is.
+    void look(const Input& input);
 
 private:
     void measure(Track& track) const;

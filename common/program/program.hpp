@@ -95,6 +95,9 @@ public:
     /// Advances by settings.h. Depends on nothing but the state, the settings and the input.
     virtual void step(const Settings& settings, const Input& input) = 0;
     virtual void draw(Canvas& canvas) const = 0;
+    /// What the picture depends on and the steps do not (from where a solid is seen): before each picture, also while
+    /// the run is paused.
+    virtual void look(const Settings&, const Input&) {}
     /// One number for each column of the scene, in their order.
     virtual std::vector<Real> measure() const = 0;
 };
@@ -109,6 +112,7 @@ struct Demo {
     std::vector<Tunable> tunables;
     std::vector<Column> columns;
     bool steered = false;  ///< the pointer steers it all the time (not only while pressed)
+    std::string held = "pulls what is under it";  ///< what the pointer does while its button is held
     /// Methods that the window shows at first, most_panes of them at most; empty = the default one.
     std::vector<std::string> side_by_side;
     /// Throws std::invalid_argument with a sentence for settings that make no sense.

@@ -79,6 +79,11 @@ public:
     /// how long one is. Ends early where the step's number is a multiple of `stop_every` (0 = never).
     void advance(Real seconds, const Input& hand, long stop_every);
     void single_step(const Input& hand);
+    /// Before a picture.
+    void look(const Input& hand)
+    {
+        if (playback_) playback_->look(hand);
+    }
 
 private:
     void start();

@@ -68,6 +68,7 @@ std::string scene(const Demo& demo)
             plots.push_back(Object()
                                 .add("column", std::to_string(c))
                                 .words("title", plot_title(demo.columns[c]))
+                                .words("grey", grey_curves(demo, demo.columns[c]))
                                 .words("help", demo.columns[c].help)
                                 .words("unit", demo.columns[c].unit)
                                 .text());
@@ -122,9 +123,9 @@ std::string state_of(const Show& show)
     else sentences = playback->failures();
     for (std::size_t c = 0; playback && c < demo.columns.size(); ++c) {
         if (!demo.columns[c].has_own_plot()) continue;
-        const int digits = playback->tracks().size() > 2 ? 3 : 4;
         values.push_back(array_of(playback->tracks(), [&](const Track& track) {
-            return json(track.measured.empty() ? std::string("-") : significant(track.measured[c], digits));
+            return json(track.measured.empty() ? std::string("-")
+                                               : plot_value(track.measured[c], playback->tracks().size()));
         }));
     }
     std::vector<Real> settings;

@@ -33,6 +33,7 @@ const DrawList& WebShow::picture(Real width, Real height)
     projections_.clear();
     const Playback* playback = show_.playback();
     if (!playback) return list_;
+    show_.look(hand_.input());
     const std::vector<Pane> panes = playback->draw();
     const std::vector<Rectangle> places =
         pane_grid({0, 0, width, height}, panes.size(), show_.scene().view, label_height, gap);
@@ -61,7 +62,9 @@ void WebShow::pane(const Rectangle& place, const Pane& pane, const Track& track,
     if (!narrow_pane || !several)
         list_.text({place.x + place.width - 9, baseline}, "t = " + fixed(track.time, 2) + " s", 12, ink, 0.7,
                    Align::right, false);
-    list_.text({x, baseline}, track.method, 13, ink, 1, Align::left, several);
+    std::string method = track.method;
+    std::replace(method.begin(), method.end(), '_', ' ');
+    list_.text({x, baseline}, method, 13, ink, 1, Align::left, several);
     if (const std::optional<Vec2> mark = hand_.mark(show_, i)) list_.ring(projection.to_pixel(*mark), 6, 1.5);
 }
 

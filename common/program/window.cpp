@@ -317,6 +317,7 @@ private:
             sentence(list, theme, area, show_.refusal());
             return;
         }
+        show_.look(hand_.input());
         const std::vector<Pane> panes = show_.playback()->draw();
         const std::vector<Track>& tracks = show_.playback()->tracks();
         const std::vector<Rectangle> places = pane_grid(area, panes.size(), show_.scene().view, label, gap);

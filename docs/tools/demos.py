@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The demos that the texts name, as JSON for docs/web/stills.mjs.
 
-    <!-- demo: column, gauss_seidel sor, rows=20 max_sweeps=5, break two sweeps: gauss_seidel max_sweeps=2 -->
+    <!-- demo: column, gauss_seidel sor, rows=20, break five sweeps a step: gauss_seidel max_sweeps=5 -->
 
 First the scene (of the program of the text's own chapter; elsewhere 04_pgs/column), then, each if there is any: the
 methods side by side; the settings; what turns the idea off (its name, a colon, methods and settings); `opens` if it
-starts by itself.
+starts by itself; last, `says:` and the line that the page shows below it.
 """
 import hashlib
 import json
@@ -33,12 +33,14 @@ def words_of(text, where):
 
 def parse(text, own, where):
     """A demo from what stands behind `demo:`. `own`: the program of the text's chapter, or None."""
-    parts = [part.strip() for part in text.split(",")]
+    what, _, says = text.partition(", says: ")
+    parts = [part.strip() for part in what.split(",")]
     program, slash, scene = parts[0].rpartition("/")
     program = program if slash else own
     if not program or not re.fullmatch(r"[\w-]+", scene):
         raise TextError(f"{where}: a demo names its scene first, outside of a chapter as 04_pgs/column.")
-    demo = {"program": program, "scene": scene, "methods": [], "settings": {}, "break": None, "opens": False, "where": where}
+    demo = {"program": program, "scene": scene, "methods": [], "settings": {}, "break": None, "opens": False, "says": says.strip(),
+            "where": where}
     for part in parts[1:]:
         if part == "opens":
             demo["opens"] = True

@@ -684,11 +684,12 @@ class Demos(Folder):
         return Page(Book(self.root), self.root / "chapters/01_euler/README.md").text()
 
     def test_all_parts_of_a_demo(self):
-        demo = demos.parse("04_pgs/column, gauss_seidel sor, rows=20 h=0.01, break two sweeps: sor max_sweeps=2, opens", None, "a:1")
+        demo = demos.parse("04_pgs/column, gauss_seidel sor, rows=20 h=0.01, break two sweeps: sor max_sweeps=2, opens, says: Ten, and more.", None, "a:1")
         self.assertEqual((demo["program"], demo["scene"], demo["methods"], demo["settings"]),
                          ("04_pgs", "column", ["gauss_seidel", "sor"], {"rows": 20, "h": 0.01}))
         self.assertEqual(demo["break"], {"label": "two sweeps", "methods": ["sor"], "settings": {"max_sweeps": 2}})
         self.assertTrue(demo["opens"])
+        self.assertEqual(demo["says"], "Ten, and more.")
         self.assertEqual(demos.parse("column", "04_pgs", "a:1")["program"], "04_pgs")
 
     def test_a_demo_without_fault(self):

@@ -20,11 +20,11 @@
         return made;
     }
 
-    // "%.2f" and "%.4g" and "%.2e" of printf.
+    // "%.2f" and "%.4g" and "%.2e" of printf; a zero has no power of ten.
     function written(value, format) {
         const [, digits, kind] = format.match(/%\.(\d)([fge])/);
         if (kind === 'f') return value.toFixed(digits);
-        if (kind === 'e') return value.toExponential(digits);
+        if (kind === 'e') return value === 0 ? '0' : value.toExponential(digits).replace('e+', 'e');
         return String(Number(value.toPrecision(digits)));
     }
 
@@ -163,16 +163,17 @@
                                             ...this.boxes.map((box, i) => element('label', {}, box, scene.methods[i].replaceAll('_', ' ')))));
             if (scene.steered) {
                 this.path = element('input', {type: 'checkbox', onchange: () => this.machine.api.web_script(this.path.checked ? 1 : 0)});
-                this.choices.append(element('label', {class: 'demo-path', title: 'Instead of the pointer'}, this.path, 'a seeded path steers'));
+                this.choices.append(element('label', {class: 'demo-path', title: 'Along a path that is the same each time, until the pointer comes'}, this.path, 'steers itself'));
             } else this.path = null;
 
-            this.rows = scene.sliders.map((row, i) => this.slider(row, i));
+            this.rows = scene.sliders.map((row, i) => row.names.length ? this.choice(row, i) : this.slider(row, i));
             this.sliders.replaceChildren(...this.rows.map(row => row.all));
             this.curves = scene.plots.map(plot => {
-                const canvas = element('canvas', {role: 'img', 'aria-label': 'Plot of ' + plot.title + (plot.help ? ', ' + plot.help : '')});
+                const canvas = element('canvas', {role: 'img', 'aria-label': ['Plot of ' + plot.title, plot.help, plot.grey].filter(Boolean).join(', ')});
                 const values = element('span', {class: 'demo-values'});
                 return {plot, canvas, values, all: element('div', {class: 'demo-plot', title: plot.help},
-                                                           element('div', {class: 'demo-title'}, element('span', {}, plot.title), values), canvas)};
+                                                           element('div', {class: 'demo-title'}, element('span', {}, plot.title),
+                                                                   element('span', {class: 'demo-grey'}, plot.grey), values), canvas)};
             });
             this.plots.replaceChildren(...this.curves.map(curve => curve.all));
             if (this.curves.length) {
@@ -208,7 +209,7 @@
                 });
             const show = value => {
                 if (document.activeElement !== input || Math.abs(to_value(input.value) - value) > 1e-9 * Math.abs(value)) input.value = to_place(value);
-                const text = row.names[Math.round(value - row.low)] ?? written(value, row.format) + (row.unit ? ' ' + row.unit : '');
+                const text = written(value, row.format) + (row.unit ? ' ' + row.unit : '');
                 if (output.textContent !== text) {
                     output.textContent = text;
                     input.setAttribute('aria-valuetext', text);
@@ -217,6 +218,20 @@
             return {show, all: element('div', {class: 'demo-slider'}, element('label', {for: id, title: row.help}, row.label),
                                        output, element('div', {class: 'demo-range'}, element('span', {}, short(row.low)), input,
                                                        element('span', {}, short(row.high))))};
+        }
+
+        // A setting whose values have names: a box where they are no and yes, else a list.
+        choice(row, i) {
+            const id = `demo-${this.number}-${this.built}-${i}`, whether = row.names.join() === 'no,yes';
+            const place = () => whether ? Number(control.checked) : control.selectedIndex;
+            const attributes = {id, title: row.help, onchange: () => this.change('web_slide', i, row.low + place())};
+            const control = whether ? element('input', {type: 'checkbox', ...attributes}) :
+                element('select', attributes, ...row.names.map(name => element('option', {}, name)));
+            const show = value => {
+                if (whether) control.checked = value > 0;
+                else control.selectedIndex = Math.round(value - row.low);
+            };
+            return {show, all: element('div', {class: 'demo-choice'}, element('label', {for: id, title: row.help}, row.label), control)};
         }
 
         // ---- what the reader does

@@ -6,8 +6,10 @@
 #include "chapters/18_space/space_method.hpp"
 #include "common/program/demo_of.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,15 +57,14 @@ public:
         state_.spin_momentum = momenta(state_.scene.bodies).tail<3>();
         one_point_.contacts.points = 1;
         cones_.correction.slop = boxes_.correction.slop = setup_.slop;
-        turn_camera(settings, {});
+        look(settings, {});
         trace();
     }
 
-    void step(const Settings& settings, const Input& input) override
+    void step(const Settings& settings, const Input&) override
     {
         SpaceScene& scene = state_.scene;
         if (setup_.change) setup_.change(scene, settings, state_.t);
-        turn_camera(settings, input);
         const StepSettings how{.h = settings.h,
                                .substeps =
                                    settings.tunables.contains("substeps")
@@ -97,6 +98,22 @@ public:
     }
 
     std::vector<Real> measure() const override { return setup_.measure(state_); }
+
+    /// The eye moves around the scene with the pointer while its button is held, and stays where it was left.
+    void look(const Settings& settings, const Input& input) override
+    {
+        if (input.pressed && held_) {
+            const Vec2 way = 4 / setup_.camera.distance * (input.pointer - *held_);
+            turned_ -= way.x();
+            raised_ -= way.y();  // as if the hand held the scene
+        }
+        held_ = input.pressed ? std::optional<Vec2>(input.pointer) : std::nullopt;
+        camera_ = setup_.camera;
+        camera_.azimuth += settings["camera"] * pi / 180 + turned_;
+        // never quite overhead or underneath
+        raised_ = std::clamp(raised_, -1.5 - camera_.height, 1.5 - camera_.height);
+        camera_.height += raised_;
+    }
 
     void draw(Canvas& canvas) const override
     {
@@ -139,15 +156,6 @@ private:
             bodies.u.segment<3>(6 * k + 3) = omega;
         }
     }
-    /// The eye goes round with the pointer while its button is held.
-    void turn_camera(const Settings& settings, const Input& input)
-    {
-        camera_ = setup_.camera;
-        camera_.azimuth += settings["camera"] * pi / 180;
-        if (!input.pressed) return;
-        camera_.azimuth -= input.pointer.x() / camera_.distance * 4;
-        camera_.height += input.pointer.y() / camera_.distance * 4;
-    }
     void trace()
     {
         if (!setup_.traces) return;
@@ -161,6 +169,8 @@ private:
     SpaceSetup setup_;
     SpaceState state_;
     Camera camera_;
+    Real turned_ = 0, raised_ = 0;  ///< by the reader's hand [rad]
+    std::optional<Vec2> held_;      ///< where its pointer was
     SpaceExact exact_;
     SpaceIslands islands_;
     TouchingCones cones_, pyramids_, one_point_;
@@ -172,10 +182,12 @@ inline Demo space_demo(const std::string& name, const std::string& summary,
                        const View& view, Real h, std::vector<std::string> methods,
                        std::function<SpaceSetup(const Settings&)> setup)
 {
-    return demo_of<SpaceRun>(
+    Demo scene = demo_of<SpaceRun>(
         name, summary, view, h, std::move(methods),
         {{"camera", "°", "where the eye is, around the scene", 0, -180, 180}},
         std::move(setup));
+    scene.held = "turns the view";
+    return scene;
 }
 
 }  // namespace rigid

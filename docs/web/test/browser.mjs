@@ -3,7 +3,7 @@
 //     node docs/web/test/browser.mjs HTML_FOLDER [--shots DIR] [--only WORD]
 //
 // Of each demo: nothing is loaded and nothing moves before it is started; it starts by a click within a second; it makes 100
-// steps; it answers the pointer, a finger and the keys; a slider changes a setting; the switch that breaks the idea works; its
+// steps; it answers the pointer, a finger and the keys; a slider and a list change a setting; the switch that breaks the idea works; its
 // controls have names; paused it takes no time; nothing is wider than the page; no word in the console; no request leaves.
 import {mkdirSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {join, resolve} from 'node:path';
@@ -111,6 +111,22 @@ async function demo(page, i, {width, dark}, name) {
     check(await shown() !== value, `the slider ${await page.value(`${slider}.id`)} does not move`);
     await click(page, `${place}.querySelectorAll('.demo-bar button')[2]`);
     check(await page.value(`${place}.dataset.steps`) === '0', 'Reset does not restart');
+
+    // A setting whose values have names takes the one that is chosen, and shows it.
+    const chosen = await page.value(`(() => {
+        const demo = ${place}.demo, i = demo.scene.sliders.findIndex(one => one.names.length);
+        if (i < 0) return '';
+        const row = demo.scene.sliders[i], control = demo.rows[i].all.querySelector('select, input'), before = demo.state.settings[i];
+        const other = before > row.low ? row.low : row.low + 1;
+        if (control.type === 'checkbox') control.checked = other > row.low;
+        else control.selectedIndex = other - row.low;
+        control.dispatchEvent(new Event('change'));
+        const taken = demo.state.settings[i], names = control.type === 'checkbox' ? row.names.length : control.options.length;
+        demo.change('web_slide', i, before);
+        const shown = control.type === 'checkbox' ? Number(control.checked) : control.selectedIndex;
+        return taken !== other ? row.label + ' stays ' + taken : shown !== before - row.low || names !== row.names.length ? row.label + ' shows another value' : '';
+    })()`);
+    check(chosen === '', `a setting with names: ${chosen}`);
 
     // The switch that turns the idea off, and on again.
     const off = `${place}.querySelector('.demo-break input')`;
