@@ -51,7 +51,10 @@ target_compile_definitions(rigid_options INTERFACE ${rigid_sums})
 
 # ---- the library ------------------------------------------------------------------------------------
 add_library(rigid_physics STATIC common/contact.cpp common/eigen_instances.cpp common/elementary.cpp common/measure.cpp
-            common/scenes.cpp chapters/17_engine/world.cpp chapters/17_engine/world_kept.cpp)
+            common/scenes.cpp)
+foreach(part world world_bodies world_changes world_kept world_questions world_walls_joints)
+  target_sources(rigid_physics PRIVATE chapters/17_engine/${part}.cpp)
+endforeach()
 # all pairs of discs: the counted work of a build without optimisation would wait for them
 set_source_files_properties(common/contact.cpp common/measure.cpp PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
 add_library(rigid::physics ALIAS rigid_physics)

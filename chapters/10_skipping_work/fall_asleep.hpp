@@ -113,6 +113,13 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
               slow.acceleration * settings.h))
             continue;
 
+        // Overlaps that are being repaid would stay as they are.
+        if constexpr (requires { method.correction.pushes(0); })
+            if (rests[static_cast<std::size_t>(members[0])].time < 4 * slow.time &&
+                std::any_of(rows.begin(), rows.end(),
+                            [&](int row) { return method.correction.pushes(row); }))
+                continue;
+
         //! [fall_asleep]
         set.sleep(members);
         for (const int row : rows)

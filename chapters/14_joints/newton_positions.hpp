@@ -4,7 +4,12 @@
 ///     x ← x + v h,   J v = −C(x)/h     again and again, with C where the bodies are now; J of the step's start,
 ///                              or of now where that is no longer good enough
 ///
-/// (14.17). No velocity is touched. Contacts give back the part β of an overlap beyond the slop, joints the whole.
+/// (14.17). No velocity is touched. Joints give back the whole of C; contacts and limits nothing up to the slop s, and
+/// beyond it the part β of what is missing to half of it:
+///
+///     J v = −β (C + s/2)/h     where C < −s                                                               (14.17a)
+///
+/// So an overlap ends inside the slop. If it were pushed towards the slop it would come nearer forever and never get there.
 #pragma once
 
 #include "chapters/06_sequential_impulse/restitution.hpp"
@@ -16,9 +21,10 @@ struct NewtonSettings {
     int most = 8;  ///< iterations a sub-step
     /// they end when no joint is off by more than this [ℓ]
     Real tolerance = 1e-9;
-    Real beta = 0.2;   ///< part of an overlap that a sub-step takes back
-    Real slop = 5e-3;  ///< an overlap of up to this much is left alone [ℓ]
-    int sweeps = 10;   ///< of solvers that sweep, in an iteration
+    Real beta = 0.2;       ///< part of an overlap that a sub-step takes back
+    Real slop = 5e-3;      ///< s, an overlap of up to this much is left alone [ℓ]
+    int sweeps = 10;       ///< of solvers that sweep, in an iteration
+    int push_sweeps = 10;  ///< the same where overlaps are to come out
 };
 
 struct NewtonPositions : NewtonSettings, Restitution {
@@ -26,10 +32,9 @@ struct NewtonPositions : NewtonSettings, Restitution {
     int iterations = 0;
     Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
     bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
-    bool joints_alone =
-        false;  ///< contacts and limits gave way, in the last sub-step
+    bool joints_alone = false;     ///< what overlaps gave way, in the last sub-step
 
-    /// of each body: an overlap with it that is left alone, at most [m]; empty = slop
+    /// of each body: a contact's overlap that is left alone, at most [m]; empty = slop
     std::vector<Real> slops;
 
     SecondProblem second;
@@ -39,10 +44,11 @@ struct NewtonPositions : NewtonSettings, Restitution {
     void require_valid() const
     {
         rigid::require_valid(static_cast<const Restitution&>(*this));
-        if (most < 0 || sweeps < 0)
+        if (most < 0 || sweeps < 0 || push_sweeps < 0)
             throw std::invalid_argument(
                 "Newton's method has " + std::to_string(most) + " iterations of " +
-                std::to_string(sweeps) + " sweeps; both must be zero or positive");
+                std::to_string(std::min(sweeps, push_sweeps)) +
+                " sweeps; both must be zero or positive");
         if (!(tolerance >= 0) || !(slop >= 0) || !(beta >= 0 && beta <= 1))
             throw std::invalid_argument(
                 "Newton's method has the tolerance " + shortest(tolerance) +
@@ -73,7 +79,7 @@ struct NewtonPositions : NewtonSettings, Restitution {
         const std::size_t m = now.rows.size();
         second.bias.assign(m, 0);
         second.left_out.assign(m, 0);
-        second.max_sweeps = sweeps;
+        deep_.assign(m, 0);
         second.tolerance = tolerance * now.length / h / 10;
         if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
         renewals = 0;
@@ -101,13 +107,14 @@ struct NewtonPositions : NewtonSettings, Restitution {
                     second.bias[i] = c.C / h;
                     left = std::max(left, std::abs(c.C) * unit);
                 } else {
-                    // what lies too deep comes out once, by the part β
-                    const Real over =
-                        std::min(Real{0}, c.C + slop_of(c, now.length) / unit);
+                    // (14.17a): what lies too deep comes out once, by the part β
+                    const Real s = slop_of(c, now.length) / unit;
                     second.bias[i] = std::max(Real{0}, c.C) / h;
-                    if (over < 0 && iterations == 0) {
-                        second.bias[i] = beta * over / h;
-                        pushed = std::max(pushed, -beta * over * unit);
+                    if (c.C < -s && iterations == 0) {
+                        const Real over = beta * (c.C + s / 2);
+                        second.bias[i] = over / h;
+                        pushed = std::max(pushed, -over * unit);
+                        deep_[i] = 1;
                         wanted = true;
                     }
                 }
@@ -139,10 +146,12 @@ struct NewtonPositions : NewtonSettings, Restitution {
             // the old J is good enough while it takes nine tenths of the error
             fresh = iterations > 0 && left > before / 10;
             if (fresh) renew(solver, bodies, now);
+            second.max_sweeps = wanted ? push_sweeps : sweeps;
             solver.solve_apart(second, v, now);
             if (wanted && goes_far(now, h, std::max(pushed, left))) {
                 // overlaps that work against each other: they stay
                 gave_up_pushing = true;
+                deep_.assign(m, 0);
                 for (std::size_t i = 0; i < m; ++i)
                     if (now.constraints[i].kind == ConstraintKind::unilateral)
                         second.bias[i] = std::max(Real{0}, second.bias[i]);
@@ -153,6 +162,9 @@ struct NewtonPositions : NewtonSettings, Restitution {
         if (renewals > 0) now.rows.swap(rows_);  // those that λ belongs to
     }
     //! [newton]
+
+    /// Whether the last sub-step pushed the two of this row apart.
+    bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
 
 private:
     void go(Bodies<3>& bodies, Real h, const StepData<3>& now) const
@@ -172,6 +184,7 @@ private:
     Real slop_of(const Constraint<3>& c, Real length) const
     {
         Real least = slop * length;
+        if (is_angle(c)) return least;  // a body's own is one of metres
         for (const Index k : {c.a, c.b})
             if (k != world && k < static_cast<Index>(slops.size()))
                 least = std::min(least, slops[static_cast<std::size_t>(k)]);
@@ -210,6 +223,7 @@ private:
         }
     }
     std::vector<Row<3>> rows_;
+    std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid
     VecX kept_;  ///< positions of the active bodies with the least error so far
 };
 

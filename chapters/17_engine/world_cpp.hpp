@@ -1,5 +1,5 @@
 /// \file world_cpp.hpp
-/// The state behind a World: what world.cpp and world_kept.cpp share.
+/// The state behind a World: what world.cpp and its sisters world_….cpp share.
 #pragma once
 
 #include "chapters/17_engine/recording.hpp"

@@ -138,7 +138,7 @@ struct EngineState {
         slops.resize(notes.size(), infinity);
         const Real inner = inner_radius(
             PlacedShape(shape(k), Vec<3>::Zero()).view(), Vec2::Zero());
-        slops[static_cast<std::size_t>(k)] = inner > 0 ? inner / 10 : infinity;
+        slops[static_cast<std::size_t>(k)] = inner > 0 ? inner / 200 : infinity;
     }
     //! [slop]
 
@@ -152,6 +152,7 @@ struct EngineState {
         sleepers.rest = settings.rest;
         sleepers.touching.ahead = 1;
         method.correction.slop = settings.slop;
+        method.correction.push_sweeps = settings.sweeps;
         IslandChoice& solver = method.solver;
         solver.solving = settings.solving;
         solver.tolerance = settings.tolerance;
