@@ -8,7 +8,7 @@ A script can be loaded from a page that was opened as a file; a .wasm can't. The
 The code of functions is taken apart first (docs/web/join.js puts it together again): instructions here, names of
 variables there, constants elsewhere. Beside its like each byte is foretold better, and a variable that is read is named by
 how many others were used since it was used last. That is worth its lines: a program for a page has 200 kB in gzip at most.
-By gzip alone 10 of the 18 programs are heavier (chapter 17: 301 kB) and all together are 3.7 MB; by LZMA alone 4 are (13, 14,
+By gzip alone 9 of the 18 programs are heavier (chapter 17: 301 kB) and all together are 3.7 MB; by LZMA alone 4 are (13, 14,
 17 and 18: 209, 213, 228 and 200 kB) and all are 2.9 MB; in streams none is (180, 184, 195 and 171 kB), and all are 2.5 MB.
 """
 import base64
