@@ -43,7 +43,7 @@ public:
             take(wide_);
         }
         require_finite_state(scene_.bodies);
-        look();
+        look_at_rows();
     }
 
     std::vector<Real> measure() const override
@@ -92,7 +92,7 @@ public:
 
 private:
     /// What the rows of this step look like, whatever has solved them.
-    void look()
+    void look_at_rows()
     {
         const Index bodies = scene_.bodies.count();
         bundle_rows(now_.rows, bodies, bundles_);
