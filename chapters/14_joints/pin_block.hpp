@@ -21,18 +21,19 @@ struct TreeBody {
     Eigen::Matrix<Real, 3, 3> S;  ///< (14.9); only the lower half is written
 };
 
-/// Two numbers that stay two: Eigen loads a Vec2 as one register, and waits where they were just stored one by one.
-struct Pair {
-    Real x = 0, y = 0;
-
-    friend Pair operator+(Pair a, Pair b) { return {a.x + b.x, a.y + b.y}; }
-    friend Pair operator-(Pair a, Pair b) { return {a.x - b.x, a.y - b.y}; }
-    friend Pair operator*(Pair a, Real s) { return {a.x * s, a.y * s}; }
-    friend Real dot(Pair a, Pair b) { return a.x * b.x + a.y * b.y; }
-};
-
 //! [pin_block]
 struct PinBlock : TreeBody {
+    /// Two numbers that stay two: Eigen loads a Vec2 as one register, and waits
+    /// where they were just stored one by one.
+    struct Pair {
+        Real x = 0, y = 0;
+
+        friend Pair operator+(Pair a, Pair b) { return {a.x + b.x, a.y + b.y}; }
+        friend Pair operator-(Pair a, Pair b) { return {a.x - b.x, a.y - b.y}; }
+        friend Pair operator*(Pair a, Real s) { return {a.x * s, a.y * s}; }
+        friend Real dot(Pair a, Pair b) { return a.x * b.x + a.y * b.y; }
+    };
+
     bool is_pin = false;
     Index other = world;  ///< the other body of the pin, if it cannot move
     Real sign = 1;        ///< of J
