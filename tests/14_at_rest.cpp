@@ -58,7 +58,7 @@ Room room_of_dolls(int dolls, int stairs, Real apart)
     cover(room.scene, {0.6, 0, 0, 0});
     auto& touching = room.method.contacts.contacts.contacts.touching;
     touching.finder.filter = forbid_pairs(room.scene.bodies.count(), pairs);
-    touching.fast.stop = false;  // a body that is stopped on its way is torn off its joints
+    never_stop(touching);
     return room;
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("a walker goes a step to the left for each turn of its crank and back"
         filter.group.assign(static_cast<std::size_t>(scene.bodies.count()), 1);
         for (const Index foot : walker.feet) filter.group[static_cast<std::size_t>(foot)] = 0;
         filter.set_meets(0, 0, false), filter.set_meets(0, 1, false), filter.set_meets(1, 1, false);
-        touching.fast.stop = false;
+        never_stop(touching);
         const Real turns = 2;
         const Real worst = run(scene, method, 1.0 / 240, std::lround(240 * turns * 2 * pi / 5));
         CHECK(worst <= 1e-6);

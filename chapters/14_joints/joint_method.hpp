@@ -40,4 +40,14 @@ struct JointRattle {
 using SkippingJoints = JointTrees<AwakeManifolds>;
 //! [method]
 
+//! [never_stop]
+/// Contacts of limbs: one that is stopped alone on its way is torn off its joints, so
+/// none is. Instead their rows are there before they come (12.6c).
+inline void never_stop(Manifolds& contacts)
+{
+    contacts.fast.stop = false;
+    contacts.ahead = 1;
+}
+//! [never_stop]
+
 }  // namespace rigid

@@ -13,7 +13,7 @@ Method touching(const TurningScene& run, Method method)
     if constexpr (requires { method.contacts.contacts.contacts.finder; }) {
         auto& manifolds = method.contacts.contacts.contacts;
         manifolds.finder.filter = forbid_pairs(run.scene.bodies.count(), run.apart);
-        manifolds.fast.stop = false;  // one limb put back would be torn off its joints
+        never_stop(manifolds);
     }
     return method;
 }

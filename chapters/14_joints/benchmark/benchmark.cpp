@@ -341,7 +341,7 @@ void register_ragdolls(int dolls)
     const auto filtered = [](const Ragdolls& all, auto method) {
         auto& touching = method.contacts.contacts.contacts;
         touching.finder.filter = forbid_pairs(all.scene.bodies.count(), all.apart);
-        touching.fast.stop = false;
+        never_stop(touching);
         return method;
     };
     add("trees", [=](benchmark::State& state) {
@@ -414,7 +414,7 @@ JointedScene falling_dolls(int dolls, SkippingJoints& method)
     cover(scene, {0.6, 0, 0, 0});
     auto& touching = method.contacts.contacts.contacts.touching;
     touching.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
-    touching.fast.stop = false;
+    never_stop(touching);
     return scene;
 }
 

@@ -123,8 +123,7 @@ public:
         if (!setup_.touches) setup_.filter.set_meets(0, 0, false);
         for (Manifolds* touching : methods_.touching()) {
             touching->finder.filter = setup_.filter;
-            // a body that is stopped on its way is torn off its joints
-            touching->fast.stop = false;
+            never_stop(*touching);
         }
         trace();
     }
