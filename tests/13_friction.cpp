@@ -578,6 +578,26 @@ TEST_CASE("a pyramid of twenty layers at rest needs a factorisation a step or fe
     CHECK((scene.bodies.x - start).lpNorm<Eigen::Infinity>() <= 1e-6);
 }
 
+TEST_CASE("a candidate that is no number never becomes the best so far", "[house]")
+{
+    // a singular matrix of one guess in a heap of a hundred dolls did this: the λ went to the bodies
+    Random random(5);
+    const FrictionRows problem = random_rubble(random, 3, 0.5, 1);
+    Mlcp mlcp = assemble(problem.rows, problem.u_star);
+    std::vector<FrictionBox> boxes;
+    boxes_of(problem.rows, boxes);
+    Solution best;
+    best.residual = infinity;
+    VecX lambda = VecX::Constant(mlcp.size(), 0.1);
+    CHECK(!accept_coulomb(mlcp, boxes, {}, lambda, best));
+    const Solution before = best;
+    REQUIRE(std::isfinite(before.residual));
+    lambda.setConstant(std::numeric_limits<Real>::quiet_NaN());
+    CHECK(!accept_coulomb(mlcp, boxes, {}, lambda, best));
+    CHECK(best.lambda == before.lambda);
+    CHECK(best.residual == before.residual);
+}
+
 TEST_CASE("large rubble is solved or not called solved", "[idea]")
 {
     Random random(99);

@@ -81,7 +81,7 @@ inline bool walk_once(const Mlcp& mlcp, const Mlcp& given, Real last, int limit,
     const auto accepted = [&](const VecX& lambda, Status otherwise) {
         const Verification verified =
             verify(mlcp, lambda, {settings.tolerance, settings.enough});
-        if (!verified.solved && solution.residual <= verified.residual) {
+        if (!verified.solved && !(verified.residual < solution.residual)) {
             solution.status = otherwise;
             return false;
         }

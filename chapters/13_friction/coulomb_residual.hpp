@@ -40,6 +40,7 @@ inline Real coulomb_residual(Mlcp& mlcp, std::span<const FrictionBox> boxes,
 /// \param mlcp      bounds as above
 /// \param lambda    the candidate
 /// \param solution  becomes λ with its residual if that is smaller than what it has
+///                  (what is no number is never smaller)
 /// \return          whether it is an answer
 inline bool accept_coulomb(Mlcp& mlcp, std::span<const FrictionBox> boxes,
                            const Acceptance& acceptance, VecX& lambda,
@@ -51,7 +52,7 @@ inline bool accept_coulomb(Mlcp& mlcp, std::span<const FrictionBox> boxes,
     bound_by(boxes, lambda, mlcp);
     clamp_into_bounds(mlcp, lambda);
     const Verification found = verify(mlcp, lambda, acceptance);
-    if (found.solved || !(found.residual >= solution.residual)) {
+    if (found.solved || found.residual < solution.residual) {
         solution.lambda = lambda;
         solution.residual = found.residual;
     }
