@@ -5,7 +5,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
-#include "chapters/18_space/friction_cone.hpp"
+#include "chapters/18_space/cone_newton.hpp"
 #include "chapters/18_space/space_contact.hpp"
 
 namespace rigid {
@@ -15,6 +15,10 @@ struct ConeSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps{50, 1e-6};
     int corners = 0;  ///< of the pyramid that friction is in; 0: a disc
+    /// islands of up to so many rows are solved by Algorithm 18.2, and swept where that
+    /// finds no answer; 0: all are swept
+    int exact_rows = 0;
+    ConeNewton newton;
 
     // What is kept from step to step.
     Islands islands;
@@ -24,10 +28,18 @@ struct ConeSolver {
     std::vector<DiscOfRows> discs;
     std::vector<int> disc_at;  ///< of each row: the disc that begins there, or −1
     int most_sweeps = 0, unsolved = 0;  ///< of the last step
+    int guesses = 0;                    ///< of Algorithm 18.2, in the last step
+    int unanswered = 0;  ///< islands of the last step that it left to sweeps
 
     void require_valid() const
     {
         rigid::require_valid(sweeps);
+        newton.settings.require_valid();
+        if (exact_rows < 0)
+            throw std::invalid_argument(
+                "islands of up to " + std::to_string(exact_rows) +
+                " rows are to be solved exactly; it must be "
+                "zero or more");
         if (corners != 0 && corners < 3)
             throw std::invalid_argument(
                 "a pyramid of friction has " + std::to_string(corners) +
@@ -37,7 +49,7 @@ struct ConeSolver {
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<6>& bodies, StepData<6>& now)
     {
-        if (now.substep == 0) most_sweeps = unsolved = 0;
+        if (now.substep == 0) most_sweeps = unsolved = guesses = unanswered = 0;
         find_islands(bodies, now, {}, islands);
         VecX& lambda = now.solution.lambda;
         clamp_start(now.rows, lambda);
@@ -66,12 +78,18 @@ struct ConeSolver {
         for (std::size_t k = 0; k < rows.size(); ++k) {
             const auto number = static_cast<std::size_t>(islands.rows[k]);
             rows[k].lambda = 0;
-            if (second.left_out[number]) rows[k].mass = 0;
+            if (second.left_out[number]) rows[k].mass = rows[k].lo = rows[k].hi = 0;
             else rows[k].bias = second.bias[number];
         }
+        disc_at.assign(rows.size(), -1);
         for (const int k : now.active) v.segment<6>(6 * k).setZero();
         for (int i = 0; i < islands.count(); ++i) {
             const auto [first, count] = rows_of(i);
+            if (is_exact(count)) {
+                ConeRows problem = problem_of(i);
+                problem.feedback = {};
+                if (newton.solve(problem, second.tolerance, v)) continue;
+            }
             now.visits += sweep_on<6>(std::span(rows).subspan(first, count), {},
                                       second.max_sweeps, second.tolerance, v);
         }
@@ -88,6 +106,21 @@ private:
                 islands.first_row[static_cast<std::size_t>(i)]);
         };
         return {at(island), at(island + 1) - at(island)};
+    }
+
+    bool is_exact(std::size_t count) const
+    {
+        return corners == 0 && count > 0 &&
+               count <= static_cast<std::size_t>(exact_rows);
+    }
+    ConeRows problem_of(int island)
+    {
+        const auto [first, count] = rows_of(island);
+        const std::span<const Feedback> all(feedback);
+        return {std::span(rows).subspan(first, count),
+                all.empty() ? all : all.subspan(first, count),
+                std::span<const int>(disc_at).subspan(first, count), discs,
+                islands.bodies_of(island)};
     }
 
     /// Two neighbours that follow one normal with one μ share a disc.
@@ -118,7 +151,20 @@ private:
     void solve_island(int island, VecX& u, StepData<6>& now)
     {
         const auto [first, count] = rows_of(island);
-        const Real tolerance = sweeps.tolerance * now.length;
+        const Real tolerance = sweeps.tolerance * now.length,
+                   before = now.solution.residual;
+        const ConeRows problem = problem_of(island);
+        const bool exact = is_exact(count);
+        if (exact) {
+            const bool found = newton.solve(problem, tolerance, u);
+            guesses += newton.guesses;
+            now.visits += static_cast<std::int64_t>(count) * (1 + newton.guesses);
+            now.solution.residual =
+                std::max(now.solution.residual, newton.residual);
+            if (found) return;
+            ++unanswered;
+            now.solution.residual = before;
+        }
         Real residual = infinity;
         int n = 0;
         for (bool off = true; n < sweeps.max_sweeps && off; ++n) {
@@ -140,6 +186,10 @@ private:
             if (!(tolerance > 0) || (off && n + 1 < sweeps.max_sweeps)) continue;
             residual = residual_of(first, count, u);
             off = !(residual <= tolerance);
+        }
+        if (exact && newton.residual < residual) {  // sweeps have made it no better
+            newton.give_back(problem, u);
+            residual = newton.residual;
         }
         most_sweeps = std::max(most_sweeps, n);
         unsolved += !(residual <= tolerance);

@@ -57,6 +57,16 @@ struct Touching {
 };
 using TouchingBoxes = Touching<ImpulseSolver<6>>;
 using TouchingCones = Touching<ConeSolver>;
+
+/// Islands of up to so many rows solved by Algorithm 18.2, larger ones swept: a factor
+/// of bodies that all hang together grows faster than their number.
+inline TouchingCones exact_cones(int rows = 1000)
+{
+    TouchingCones method;
+    method.solver.exact_rows = rows;
+    method.solver.sweeps = {50, 1e-9};
+    return method;
+}
 //! [touching]
 
 }  // namespace rigid

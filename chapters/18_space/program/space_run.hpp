@@ -56,7 +56,8 @@ public:
         state_.energy = energy(state_.scene);
         state_.spin_momentum = momenta(state_.scene.bodies).tail<3>();
         one_point_.contacts.points = 1;
-        cones_.correction.slop = boxes_.correction.slop = setup_.slop;
+        cones_.correction.slop = boxes_.correction.slop = guesses_.correction.slop =
+            setup_.slop;
         look(settings, {});
         trace();
     }
@@ -83,7 +84,9 @@ public:
         else if (settings.method == "pyramid") {
             pyramids_.solver.corners = static_cast<int>(settings["corners"]);
             take(pyramids_, settings, how);
-        } else if (settings.method == "one_point") take(one_point_, settings, how);
+        } else if (settings.method == "exact_cone")
+            take(guesses_, settings, how, 1e-9);
+        else if (settings.method == "one_point") take(one_point_, settings, how);
         else {
             islands_.solver.sweeps = {200, 1e-9};
             rigid::step(scene, how, islands_, state_.now);
@@ -138,9 +141,10 @@ public:
 
 private:
     template <class Method>
-    void take(Method& method, const Settings& settings, const StepSettings& how)
+    void take(Method& method, const Settings& settings, const StepSettings& how,
+              Real tolerance = 1e-6)
     {
-        method.solver.sweeps = {static_cast<int>(settings["sweeps"]), 1e-6};
+        method.solver.sweeps = {static_cast<int>(settings["sweeps"]), tolerance};
         rigid::step(state_.scene, how, method, state_.now);
     }
     void tumble_all(Tumbling way, Real h)
@@ -173,7 +177,7 @@ private:
     std::optional<Vec2> held_;      ///< where its pointer was
     SpaceExact exact_;
     SpaceIslands islands_;
-    TouchingCones cones_, pyramids_, one_point_;
+    TouchingCones cones_, pyramids_, one_point_, guesses_ = exact_cones();
     TouchingBoxes boxes_;
 };
 

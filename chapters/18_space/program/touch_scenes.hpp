@@ -7,7 +7,7 @@
 
 namespace rigid {
 
-inline const std::vector<std::string> ways_to_drag = {"cone", "box"};
+inline const std::vector<std::string> ways_to_drag = {"cone", "box", "exact_cone"};
 
 inline void add_touch_tunables(Demo& scene, Real mu, Real sweeps, Real least = 0)
 {
@@ -21,7 +21,7 @@ inline Demo slide_scene()
 {
     Demo scene = space_demo(
         "slide", "A block slides: friction on a disc, on a box, in a pyramid",
-        {{0, 0}, {2.2, 1.5}}, 1.0 / 240, {"cone", "box", "pyramid"},
+        {{0, 0}, {2.2, 1.5}}, 1.0 / 240, {"cone", "box", "pyramid", "exact_cone"},
         [](const Settings& settings) {
             SpaceSetup setup;
             const Real speed = settings["speed"], mu = settings["mu"],
@@ -67,7 +67,8 @@ inline Demo stack_scene()
 {
     Demo scene = space_demo(
         "stack", "Boxes on boxes: four points to a face, or one", {{0, 0}, {8, 6}},
-        1.0 / 60, {"cone", "box", "one_point"}, [](const Settings& settings) {
+        1.0 / 60, {"cone", "box", "one_point", "exact_cone"},
+        [](const Settings& settings) {
             SpaceSetup setup;
             setup.scene = box_stack(static_cast<int>(settings["boxes"]),
                                     settings["turn"] * pi / 180, settings["mu"]);
