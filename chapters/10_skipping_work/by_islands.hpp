@@ -32,6 +32,8 @@ struct IslandSolver {
     int exact_rows = 8;
     /// of each row: sweeps over its island; empty = those above
     std::vector<int> allowed;
+    /// of each row: the tolerance of its island [ℓ/s]; empty = that of the sweeps
+    std::vector<Real> enough;
     bool apart = true;  ///< false: all rows are one problem
     Coupled coupled;
 
@@ -187,6 +189,7 @@ private:
         }
         ImpulseSettings how = in_metres;
         if (!allowed.empty()) how.max_sweeps = allowed[row_at(first)];
+        if (!enough.empty()) how.tolerance = enough[row_at(first)] * now.length;
         const IslandAnswer answer = sweep_island(island, follows, how, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;

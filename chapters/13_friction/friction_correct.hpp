@@ -107,6 +107,41 @@ inline void sweep_friction(const FrictionProblem& problem, int sweeps,
 }
 //! [sweep]
 
+//! [sweep_changes]
+/// The same, and w follows each change of a λ, as A is symmetric: a row that changes
+/// none costs nothing. Most that are open, or out of reach, stay as they are.
+/// \param small  the sweeps end when none changes a row by more than this [m/s]
+/// \param guess  its lambda is swept; box_of is that of these rows
+inline void sweep_changes(const FrictionProblem& problem, int sweeps, Real small,
+                          FrictionGuess& guess)
+{
+    const Mlcp& mlcp = *problem.mlcp;
+    guess.step = mlcp.A.diagonal();
+    guess.w.resize(mlcp.size());
+    velocities(problem, guess);
+    for (bool changed = true; sweeps > 0 && changed; --sweeps) {
+        changed = false;
+        for (Index i = 0; i < mlcp.size(); ++i) {
+            const Real a = guess.step[i];
+            if (!(a > 0)) continue;
+            Real lo = mlcp.lo[i], hi = mlcp.hi[i];
+            if (const int k = guess.box_of[static_cast<std::size_t>(i)]; k >= 0) {
+                const FrictionBox& box = problem.boxes[static_cast<std::size_t>(k)];
+                hi = box.mu * std::max(Real{0}, guess.lambda[box.normal]);
+                lo = -hi;
+            }
+            const Real here = guess.lambda[i],
+                       next = std::clamp(here - guess.w[i] / a, lo, hi);
+            if (next == here) continue;
+            changed = changed || std::abs(next - here) * a > small;
+            guess.lambda[i] = next;
+            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
+                guess.w[entry.col()] += entry.value() * (next - here);
+        }
+    }
+}
+//! [sweep_changes]
+
 //! [spent]
 /// Entries of A and its factors that a solve has looked at.
 inline std::int64_t entries_of(const FrictionMemory& memory)

@@ -118,8 +118,9 @@ private:
         box_of.assign(at(problem.mlcp.size()), -1);
         for (std::size_t i = 0; i < problem.boxes.size(); ++i)
             box_of[at(problem.boxes[i].row)] = static_cast<int>(i);
-        sweep_friction(memory.problem, sweeps, box_of, solution.lambda);
-        memory.candidate = solution.lambda;
+        memory.guess.lambda = solution.lambda;
+        sweep_changes(memory.problem, sweeps, enough / 10, memory.guess);
+        memory.candidate = memory.guess.lambda;
         solution.status = Status::iteration_limit;
         solution.residual = infinity;
         accept_coulomb(problem.mlcp, problem.boxes, {settings.tolerance, enough},

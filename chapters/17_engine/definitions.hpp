@@ -124,7 +124,9 @@ struct StepWork {
     int swept = 0;    ///< islands that have rows and were swept
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
-    int unsolved = 0;  ///< islands whose residual is above the tolerance
+    /// islands whose residual is above the tolerance; of large ones that move, above a
+    /// tenth of what gravity gives a body in the step
+    int unsolved = 0;
     /// bodies whose numbers overflowed and that were put back, at rest
     int held = 0;
     int contacts = 0;  ///< points

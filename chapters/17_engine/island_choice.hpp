@@ -2,6 +2,7 @@
 /// The solver stage of the engine: each island by the solver that suits it.
 ///
 ///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
+///                          ├─ joints in what is large, moves  trees of joints, and sweeps above them        (chapter 14)
 ///                          ├─ many rows                       sweeps in lanes until the residual is small   (chapter 16)
 ///                          └─ all others                      sweeps until the residual is small            (chapter 10)
 ///                                 └─ not small enough?        exact, if it may be                           (the rescue)
@@ -12,9 +13,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/by_islands.hpp"
-#include "chapters/17_engine/island_rescue.hpp"
-#include "chapters/17_engine/island_shape.hpp"
-#include "chapters/17_engine/known_motion.hpp"
+#include "chapters/17_engine/island_places.hpp"
 #include "chapters/17_engine/wide_islands.hpp"
 
 namespace rigid {
@@ -24,21 +23,17 @@ struct IslandChoice {
     Solving solving = Solving::by_island;
     ChoiceRule rule;
     Real tolerance = 1e-4;  ///< a residual below this is none [ℓ/s]
-
-    IslandSolver<3> sweeps;
-    TreeSolver exact;
-    IslandRescue rescuer;
-    Islands islands;  ///< of the step
-    StepPart swept, exactly;
-    WideIslands wide;
-
-    bool was_configured = false;  ///< false: islands are to be listed again
     /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
     Real slow = 0;
 
+    IslandPlaces all;  ///< of the step
+    IslandSolver<3> sweeps;
+    StepPart swept;
+    WideIslands wide;
+    TreePart exactly, held;
+    IslandRescue rescuer;
+
     // Of the last step.
-    std::int64_t entries =
-        0;  ///< that the solve of `exactly` looked at, less old joints
     int exact_count = 0, swept_count = 0, rescued_count = 0, unsolved = 0;
 
     void require_valid() const
@@ -48,16 +43,17 @@ struct IslandChoice {
                                         shortest(tolerance) +
                                         "; it must be positive and finite");
         sweeps.require_valid();
-        exact.require_valid();
+        exactly.solver.require_valid();
     }
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
         // as good as sweeps leave it; half of that, for joints add their rounding
-        set_price(tolerance * now.length / 2, rule.entries, exact);
+        for (TreeSolver* solver : {&exactly.solver, &held.solver})
+            set_price(tolerance * now.length / 2, rule.entries, *solver);
         if (now.substep == 0) begin(bodies, now);
+        lessen_start(now);
         swept.gather(bodies, now);
-        exactly.gather(bodies, now);
         if (swept.empty()) sweeps.most_sweeps = 0;
         else {
             sweeps.solve(swept.local, swept.now);
@@ -67,11 +63,8 @@ struct IslandChoice {
         wide.solve(sweeps.sweeps, slow > 0 ? tolerance / 10 : tolerance, bodies,
                    now);
         sweeps.most_sweeps = std::max(sweeps.most_sweeps, wide.most_sweeps);
-        if (!exactly.empty()) {
-            exact.solve(exactly.local, exactly.now);
-            entries += exact.bounded.entries;
-            exactly.scatter(bodies, now);
-        }
+        exactly.solve(bodies, now);
+        held.solve(bodies, now);
         rescue(bodies, now);
         settle(bodies, now);
         judge(bodies, now);
@@ -104,23 +97,22 @@ struct IslandChoice {
                     part.v.segment<3>(3 * i);
             now.visits += std::exchange(part.now.visits, 0);
         });
-        if (!exactly.empty()) entries += exact.bounded_apart.entries;
+        for (TreePart* it : {&exactly, &held})
+            if (!it->part.empty()) it->entries += it->solver.bounded_apart.entries;
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
 
     /// All that exact solves of this step have looked at.
     std::int64_t all_entries() const
     {
-        return entries + rescuer.entries + joint_entries(exact) +
-               joint_entries(rescuer.solver);
+        return exactly.all_entries() + held.all_entries() + rescuer.all_entries();
     }
 
     /// The rows have another J.
     void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
     {
-        if (exactly.empty()) return;
-        exactly.gather_rows(bodies, now);
-        exact.factor_again(exactly.local, exactly.now);
+        exactly.factor_again(bodies, now);
+        held.factor_again(bodies, now);
     }
 
 private:
@@ -130,65 +122,52 @@ private:
     {
         visit(swept, sweeps);
         for (WideIsland& one : wide.islands()) visit(one.part, one.solver);
-        visit(exactly, exact);
+        visit(exactly.part, exactly.solver);
+        visit(held.part, held.solver);
     }
 
     //! [split]
-    /// Which islands there are, and which solver each of them gets. While rows and
-    /// bodies are those of the step before, so is that.
+    /// Which islands there are, and each to the solver that it has.
     void begin(const Bodies<3>& bodies, const StepData<3>& now)
     {
-        // what guesses began from and old factors do not outlive a step, so that
-        // its bits depend on the state alone
-        exact.bounded.forget();
-        exact.bounded_apart.forget();
-        rescuer.solver.bounded.forget();
-        exactly.second.solution.lambda.setZero();
-        rescuer.entries = 0;
-        entries = -joint_entries(exact) - joint_entries(rescuer.solver);
-        const bool same = motion_.is_same(now.rows) && now.same_rows &&
-                          now.same_bodies && was_configured;
+        exactly.forget();
+        held.forget();
+        rescuer.forget();
+        const bool same =
+            all.look(bodies, now, rule, solving, sweeps.sweeps.max_sweeps,
+                     tolerance * now.length);
         swept.now.same_rows = swept.now.same_bodies = same;
         for (WideIsland& one : wide.islands()) one.part.now.same_rows = same;
         if (same) return;
-        was_configured = true;
-        find_islands(bodies, now, {}, islands);
         swept.clear();
-        exactly.clear();
+        exactly.part.clear();
+        held.part.clear();
         wide.count = 0;
         sweeps.allowed.clear();
+        sweeps.enough.clear();
         exact_count = swept_count = 0;
-        place_of_.assign(static_cast<std::size_t>(islands.count()),
-                         Place::only_swept);
-        for (int i = 0; i < islands.count(); ++i) {
-            const std::span<const int> rows = islands.rows_of(i),
-                                       members = islands.bodies_of(i);
-            Place& place = place_of_[static_cast<std::size_t>(i)];
-            int allowed = sweeps.sweeps.max_sweeps;
-            std::int64_t to_stand = 0;  // sweeps alone: as many as asked for
-            if (!rows.empty() && solving != Solving::sweeps) {
-                const IslandShape shape = survey_(bodies, now.rows, rows, members);
-                const bool may = may_be_exact(shape, rule);
-                if (may) place = Place::swept;
-                else to_stand = rule.entries;
-                if (solving == Solving::exact ? may : should_be_exact(shape, rule))
-                    place = Place::exact;
-                allowed = sweeps_worth(shape, rule, allowed);
-            }
-            exact_count += place == Place::exact;
-            swept_count += place != Place::exact && !rows.empty();
-            if (place != Place::exact &&
-                static_cast<int>(rows.size()) >= rule.wide &&
-                wide.take(bodies, now, rows, members, allowed, to_stand))
+        for (int i = 0; i < all.islands.count(); ++i) {
+            const IslandNote& note = all.notes[static_cast<std::size_t>(i)];
+            const std::span<const int> rows = all.islands.rows_of(i),
+                                       members = all.islands.bodies_of(i);
+            const bool goes = note.place >= IslandPlace::swept;
+            exact_count += note.place == IslandPlace::exact;
+            swept_count += note.place != IslandPlace::exact && !rows.empty();
+            if (goes && static_cast<int>(rows.size()) >= rule.wide &&
+                wide.take(bodies, now, rows, members, note))
                 continue;
-            StepPart& part = place == Place::exact ? exactly : swept;
+            StepPart& part = goes                               ? swept
+                             : note.place == IslandPlace::exact ? exactly.part
+                                                                : held.part;
             part.rows.insert(part.rows.end(), rows.begin(), rows.end());
             part.bodies.insert(part.bodies.end(), members.begin(), members.end());
-            if (place != Place::exact)
-                sweeps.allowed.insert(sweeps.allowed.end(), rows.size(), allowed);
+            if (!goes) continue;
+            sweeps.allowed.insert(sweeps.allowed.end(), rows.size(), note.sweeps);
+            sweeps.enough.insert(sweeps.enough.end(), rows.size(),
+                                 note.enough / now.length);
         }
-        swept.number(now, bodies.count());
-        exactly.number(now, bodies.count());
+        for (StepPart* part : {&swept, &exactly.part, &held.part})
+            part->number(now, bodies.count());
     }
     //! [split]
 
@@ -201,9 +180,8 @@ private:
         if (solving != Solving::by_island) return;
         set_price(tolerance * now.length / 2, rule.entries, rescuer.solver);
         rescued_count =
-            rescuer(islands, bodies, now, tolerance * now.length, [&](int i) {
-                return place_of_[static_cast<std::size_t>(i)] == Place::swept;
-            });
+            rescuer(all.islands, bodies, now, tolerance * now.length,
+                    [&](int i) { return all.place(i) == IslandPlace::swept; });
     }
 
     /// What comes to rest is solved to the end: sweeps leave it velocities, and so
@@ -213,20 +191,35 @@ private:
         if (solving == Solving::sweeps || !(slow > 0)) return;
         set_price(0, rule.entries / 10, rescuer.solver);
         const Real length = now.length, speed = slow * length;
-        rescuer(islands, bodies, now, tolerance * length / 1000, [&](int i) {
-            return place_of_[static_cast<std::size_t>(i)] != Place::only_swept &&
-                   are_slow(islands.bodies_of(i), bodies.u, speed, length);
+        rescuer(all.islands, bodies, now, tolerance * length / 1000, [&](int i) {
+            return (all.place(i) == IslandPlace::exact ||
+                    all.place(i) == IslandPlace::swept) &&
+                   are_slow(all.islands.bodies_of(i), bodies.u, speed, length);
         });
     }
     //! [rescue]
+
+    /// What moves does not need all of its old impulses.
+    void lessen_start(StepData<3>& now)
+    {
+        for (int i = 0; i < all.islands.count(); ++i) {
+            if (!all.notes[static_cast<std::size_t>(i)].moves) continue;
+            const std::span<const int> rows = all.islands.rows_of(i);
+            if (zeros_.size() != now.u_star.size())
+                zeros_.setZero(now.u_star.size());
+            const Real t = best_part(now, rows, all.islands.bodies_of(i), zeros_);
+            if (t < 1)
+                for (const int row : rows) now.solution.lambda[row] *= t;
+        }
+    }
 
     void judge(const Bodies<3>& bodies, StepData<3>& now)
     {
         unsolved = 0;
         Real largest = 0;
-        for (int i = 0; i < islands.count(); ++i) {
-            const Real r = natural_residual(now, islands.rows_of(i), bodies.u);
-            unsolved += !(r <= tolerance * now.length);
+        for (int i = 0; i < all.islands.count(); ++i) {
+            const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
+            unsolved += !(r <= all.notes[static_cast<std::size_t>(i)].enough);
             if (!(r <= largest)) largest = r;
         }
         now.solution.residual = largest;
@@ -235,11 +228,7 @@ private:
             unsolved == 0 ? Status::solved : Status::iteration_limit;
     }
 
-    IslandSurveyor survey_;
-    /// Where an island is; the last: it must not be solved exactly either.
-    enum class Place : std::uint8_t { exact, swept, only_swept };
-    std::vector<Place> place_of_;
-    KnownMotion motion_;
+    VecX zeros_;  ///< of the length of u
 };
 
 }  // namespace rigid

@@ -29,12 +29,44 @@ inline std::int64_t joint_entries(const TreeSolver& solver)
 }
 //! [price]
 
-//! [rescue]
-struct IslandRescue {
-    TreeSolver solver;
+//! [trees]
+/// The islands that one solver of chapter 14 has.
+struct TreePart {
     StepPart part;
-    std::int64_t entries = 0;  ///< of matrices, that it looked at
+    TreeSolver solver;
+    std::int64_t entries =
+        0;  ///< that its guesses looked at in this step, less old joints
 
+    /// What guesses began from and old factors do not outlive a step, so that its
+    /// bits depend on the state alone.
+    void forget()
+    {
+        solver.bounded.forget();
+        solver.bounded_apart.forget();
+        part.second.solution.lambda.setZero();
+        entries = -joint_entries(solver);
+    }
+    void solve(Bodies<3>& bodies, StepData<3>& now)
+    {
+        part.gather(bodies, now);
+        if (part.empty()) return;
+        solver.solve(part.local, part.now);
+        entries += solver.bounded.entries;
+        part.scatter(bodies, now);
+    }
+    /// The rows have another J.
+    void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
+    {
+        if (part.empty()) return;
+        part.gather_rows(bodies, now);
+        solver.factor_again(part.local, part.now);
+    }
+    std::int64_t all_entries() const { return entries + joint_entries(solver); }
+};
+//! [trees]
+
+//! [rescue]
+struct IslandRescue : TreePart {
     /// Solves those islands that are meant and whose residual is above `enough`.
     /// \param enough  [m/s]
     /// \param meant   bool(int island)
@@ -56,10 +88,7 @@ struct IslandRescue {
         }
         if (count == 0) return 0;
         part.number(now, bodies.count());
-        part.gather(bodies, now);
-        solver.solve(part.local, part.now);
-        entries += solver.bounded.entries;
-        part.scatter(bodies, now);
+        solve(bodies, now);
         return count;
     }
 };
@@ -78,5 +107,27 @@ inline bool are_slow(std::span<const int> bodies, const VecX& u, Real speed,
     });
 }
 //! [slow]
+
+//! [stands]
+/// The most that the forces of a step give one of these bodies: |g| h under gravity
+/// alone [m/s]
+/// \param u  of the step before
+inline Real given_speed(std::span<const int> bodies, const VecX& u,
+                        const VecX& u_star)
+{
+    Real given = 0;
+    for (const int k : bodies)
+        given = std::max(given,
+                         (u_star.segment<2>(3 * k) - u.segment<2>(3 * k)).norm());
+    return given;
+}
+/// Whether each body is slower than that, as all are that stand, or have stood
+/// until now.
+inline bool stand(std::span<const int> bodies, const VecX& u, const VecX& u_star,
+                  Real length)
+{
+    return are_slow(bodies, u, given_speed(bodies, u, u_star), length);
+}
+//! [stands]
 
 }  // namespace rigid

@@ -30,6 +30,7 @@ struct IslandShape {
 
     Real sweeps_needed() const { return Real(length) * length * mass_ratio; }
     Real price_of_sweeps() const;
+    Real price_of_loops() const;
     Real price_of_exact() const;
 };
 
@@ -45,14 +46,18 @@ inline Real IslandShape::price_of_sweeps() const
 {
     return price::visit * rows * sweeps_needed();
 }
+/// (17.3), its last two terms: what closes loops of joints
+inline Real IslandShape::price_of_loops() const
+{
+    const Real l = loops;
+    return 10 * l * (rows - bounded) + l * l * l / 6;
+}
 /// (17.3) [entries]
 inline Real IslandShape::price_of_exact() const
 {
-    const Real m = bounded, k = std::max(1, parts), joints = rows - bounded,
-               l = loops;
-    const Real heap = 250 * m * m / k + 3 * m * m * m / (k * std::sqrt(k) + 2 * k),
-               tree = 600 * joints, border = 10 * l * joints + l * l * l / 6;
-    return heap + tree + border;
+    const Real m = bounded, k = std::max(1, parts);
+    const Real heap = 250 * m * m / k + 3 * m * m * m / (k * std::sqrt(k) + 2 * k);
+    return heap + 600 * (rows - bounded) + price_of_loops();
 }
 
 /// What is exact.
@@ -66,6 +71,12 @@ struct ChoiceRule {
     int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
+    /// bounded rows of an island that moves and is solved to the tolerance, at
+    /// most, and of one with joints, whose A is denser: some 2 ms of guesses
+    int moving = 300, moving_joined = 200;
+    /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
+    /// beyond its limit
+    int held = 100;
 };
 
 /// Whether an island may be solved exactly, and whether it should be.

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chapters/16_wide_sweeps/wide_solver.hpp"
-#include "chapters/17_engine/island_rescue.hpp"
+#include "chapters/17_engine/island_places.hpp"
 
 namespace rigid {
 
@@ -19,6 +19,7 @@ struct WideIsland {
     WideSolver<3> solver;
     int allowed = 0;   ///< sweeps, where it moves
     int standing = 0;  ///< and where it stands
+    Real enough = 0;   ///< their tolerance, where it moves [ℓ/s]
 };
 
 struct WideIslands {
@@ -29,12 +30,10 @@ struct WideIslands {
     std::span<WideIsland> islands() { return {all.data(), count}; }
 
     /// Takes an island in, if chapter 16 can: what bounds a row is in its bundle.
-    /// \param entries  what its sweeps may cost where it stands; 0: not more than those
-    ///                 that are allowed
-    /// \return         whether it did
+    /// \return  whether it did
     bool take(const Bodies<3>& bodies, const StepData<3>& now,
-              std::span<const int> rows, std::span<const int> members, int allowed,
-              std::int64_t entries)
+              std::span<const int> rows, std::span<const int> members,
+              const IslandNote& note)
     {
         if (count == all.size()) all.emplace_back();
         WideIsland& one = all[count];
@@ -45,11 +44,12 @@ struct WideIslands {
         bundle_rows(one.part.now.rows, one.part.local.count(), trial_);
         if (!holds_bounds(one.part.now.rows, trial_)) return false;
         one.part.now.same_rows = false;
-        one.allowed = allowed;
+        one.allowed = note.sweeps;
+        one.enough = note.enough / now.length;
         const auto visited = static_cast<std::int64_t>(rows.size()) * price::visit;
         // 10⁶ sweeps are more than any island that is large can pay for
-        one.standing =
-            static_cast<int>(std::min<std::int64_t>(entries / visited, 1'000'000));
+        one.standing = static_cast<int>(
+            std::min<std::int64_t>(note.to_stand / visited, 1'000'000));
         ++count;
         return true;
     }
@@ -62,32 +62,19 @@ struct WideIslands {
         if (now.substep == 0) most_sweeps = 0;
         for (WideIsland& one : islands()) {
             one.part.gather(bodies, now);
-            const bool stays = one.standing > one.allowed && stands(one.part);
+            const StepData<3>& here = one.part.now;
+            const bool stays =
+                one.standing > one.allowed &&
+                stand(here.active, one.part.local.u, here.u_star, here.length);
             one.solver.sweeps = sweeps;
             one.solver.sweeps.max_sweeps = stays ? one.standing : one.allowed;
-            if (stays) one.solver.sweeps.tolerance = enough;
+            one.solver.sweeps.tolerance = stays ? enough : one.enough;
             one.solver.solve(one.part.local, one.part.now);
             most_sweeps = std::max(most_sweeps, one.part.now.solution.iterations);
             one.part.scatter(bodies, now);
         }
     }
     //! [wide]
-
-    //! [stands]
-    /// Whether each body is slower than what this step's forces give one of them, as
-    /// all are that stand, or have stood until now. (Velocities are still those of the
-    /// step before.)
-    static bool stands(const StepPart& part)
-    {
-        const StepData<3>& now = part.now;
-        Real given = 0;
-        for (const int k : now.active)
-            given = std::max(given, (now.u_star.segment<2>(3 * k) -
-                                     part.local.u.segment<2>(3 * k))
-                                        .norm());
-        return are_slow(now.active, part.local.u, given, now.length);
-    }
-    //! [stands]
 
 private:
     Bundles trial_;

@@ -108,7 +108,7 @@ struct World::State : EngineState {
         if (now.active.empty()) return;
         const IslandChoice& solver = method.solver;
         work.awake = static_cast<int>(now.active.size());
-        work.islands = solver.islands.count();
+        work.islands = solver.all.islands.count();
         work.exact = solver.exact_count;
         work.swept = solver.swept_count;
         work.rescued = solver.rescued_count;

@@ -158,13 +158,15 @@ struct EngineState {
         solver.tolerance = settings.tolerance;
         solver.rule.at_most = settings.most_exact;
         solver.rule.always = std::min(ChoiceRule{}.always, settings.most_exact);
-        solver.exact.most_exact = solver.rescuer.solver.most_exact =
+        solver.exactly.solver.most_exact = solver.rescuer.solver.most_exact =
             settings.most_exact;
+        solver.held.solver.most_exact = std::max(1, solver.rule.always);
+        solver.held.solver.sweeps = solver.rule.held;
         // noise of sweeps is no reason to stay awake
         solver.slow = settings.sleep ? 10 * settings.rest.speed : 0;
         solver.sweeps.sweeps.max_sweeps = settings.sweeps;
         solver.sweeps.sweeps.tolerance = settings.tolerance;
-        solver.was_configured = false;
+        solver.all.anew = true;
         for (std::size_t k = 0; k < notes.size(); ++k)
             list_unstopped(static_cast<Index>(k)), list_slop(static_cast<Index>(k));
     }

@@ -1,0 +1,166 @@
+/// \file island_places.hpp
+/// Which islands a step has, and where each of them is solved.
+///
+///     it stands, or is small          exactly, or by sweeps until r ≤ tolerance ℓ
+///     it is large and moves           roughly:  r ≤ g h / 10,  g h the most that this step's forces give one of its bodies     (17.5)
+///
+/// What moves has another λ in each step, and an error of one step is no error of the next. Joints are held exactly all the same:
+/// they cost O(n), but for the loops that they close.
+#pragma once
+
+#include "chapters/10_skipping_work/islands.hpp"
+#include "chapters/17_engine/island_rescue.hpp"
+#include "chapters/17_engine/island_shape.hpp"
+#include "chapters/17_engine/known_motion.hpp"
+
+namespace rigid {
+
+//! [place]
+/// Where an island is solved.
+enum class IslandPlace : std::uint8_t {
+    exact,
+    held,        ///< its joints at once, above them sweeps
+    swept,       ///< exactly after all, where sweeps are not good enough
+    only_swept,  ///< exactly in no case
+};
+
+/// \param moves  it is large, and does not stand
+/// \param fits   what closes the loops of its joints is affordable
+inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule,
+                                Solving solving, bool moves, bool fits)
+{
+    if (!fits || solving == Solving::sweeps) return IslandPlace::only_swept;
+    const bool has_joints = shape.rows > shape.bounded;
+    if (moves || !may_be_exact(shape, rule))
+        return has_joints ? IslandPlace::held : IslandPlace::only_swept;
+    const bool is_tree = has_joints && shape.loops == 0;  // joints cost O(n)
+    return solving == Solving::exact || is_tree || should_be_exact(shape, rule)
+               ? IslandPlace::exact
+               : IslandPlace::swept;
+}
+//! [place]
+
+//! [part]
+/// (17.6): the part t of the old impulses to start from, 0 … 1: that which leaves
+/// the least energy.
+/// \param v  zeros, of the length of u; they are zeros again afterwards
+inline Real best_part(const StepData<3>& now, std::span<const int> rows,
+                      std::span<const int> bodies, VecX& v)
+{
+    Real slope = 0, curve = 0;
+    for (const int i : rows) {
+        const Row<3>& row = now.rows[static_cast<std::size_t>(i)];
+        const Real lambda = now.solution.lambda[i];
+        slope += lambda * row.velocity(now.u_star);
+        row.apply(lambda, v);
+    }
+    for (const int i : rows) {
+        const Row<3>& row = now.rows[static_cast<std::size_t>(i)];
+        const Real lambda = now.solution.lambda[i];
+        curve += lambda * (speed_along(row, v) + row.softness * lambda);
+    }
+    for (const int k : bodies) v.segment<3>(3 * k).setZero();
+    return curve > 0 ? std::clamp(-slope / curve, Real{0}, Real{1}) : 0;
+}
+//! [part]
+
+struct IslandNote {
+    IslandPlace place = IslandPlace::only_swept;
+    bool large = false;
+    bool moves = false;         ///< it is large, and does not stand
+    int sweeps = 0;             ///< where it is swept, at most
+    std::int64_t to_stand = 0;  ///< entries that sweeps may cost where it stands
+    Real enough = 0;            ///< a residual below this is none [m/s]
+};
+
+class IslandPlaces {
+public:
+    Islands islands;
+    std::vector<IslandNote> notes;  ///< of each
+    bool anew = true;               ///< they are to be listed again
+
+    std::size_t count() const { return notes.size(); }
+    IslandPlace place(int island) const
+    {
+        return notes[static_cast<std::size_t>(island)].place;
+    }
+
+    //! [look]
+    /// While rows and bodies are those of the step before, and what stood stands, so
+    /// are islands and places.
+    /// \param sweeps     over an island, where nothing else is said
+    /// \param tolerance  [m/s]
+    /// \return           whether they are those of the step before
+    bool look(const Bodies<3>& bodies, const StepData<3>& now,
+              const ChoiceRule& rule, Solving solving, int sweeps, Real tolerance)
+    {
+        const bool same = motion_.is_same(now.rows) && now.same_rows &&
+                          now.same_bodies && !anew && moves_as_before(bodies, now);
+        if (!same) {
+            find_islands(bodies, now, {}, islands);
+            notes.assign(static_cast<std::size_t>(islands.count()), {});
+            joints_ = {};
+            for (std::size_t i = 0; i < notes.size(); ++i)
+                if (!islands.rows_of(static_cast<int>(i)).empty())
+                    notes[i] = look_at(static_cast<int>(i), bodies, now, rule,
+                                       solving, sweeps);
+        }
+        anew = false;
+        for (std::size_t i = 0; i < notes.size(); ++i) {  // (17.5)
+            notes[i].enough = tolerance;
+            if (notes[i].moves)
+                notes[i].enough = std::max(
+                    tolerance, given_speed(islands.bodies_of(static_cast<int>(i)),
+                                           bodies.u, now.u_star) /
+                                   10);
+        }
+        return same;
+    }
+    //! [look]
+
+private:
+    bool moves(int island, const Bodies<3>& bodies, const StepData<3>& now) const
+    {
+        return !stand(islands.bodies_of(island), bodies.u, now.u_star, now.length);
+    }
+    bool moves_as_before(const Bodies<3>& bodies, const StepData<3>& now) const
+    {
+        for (std::size_t i = 0; i < notes.size(); ++i)
+            if (notes[i].large &&
+                notes[i].moves != moves(static_cast<int>(i), bodies, now))
+                return false;
+        return true;
+    }
+
+    IslandNote look_at(int island, const Bodies<3>& bodies, const StepData<3>& now,
+                       const ChoiceRule& rule, Solving solving, int sweeps)
+    {
+        IslandNote note;
+        note.sweeps = sweeps;
+        if (solving == Solving::sweeps) return note;
+        const IslandShape shape = survey_(bodies, now.rows, islands.rows_of(island),
+                                          islands.bodies_of(island));
+        const bool has_joints = shape.rows > shape.bounded;
+        note.large =
+            solving == Solving::by_island &&
+            shape.bounded > (has_joints ? rule.moving_joined : rule.moving);
+        note.moves = note.large && moves(island, bodies, now);
+        // a border is one for the loops of all islands
+        IslandShape joints = joints_;
+        joints.rows += shape.rows - shape.bounded;
+        joints.loops += shape.loops;
+        const bool fits =
+            joints.price_of_loops() <= static_cast<Real>(rule.entries);
+        if (fits) joints_ = joints;
+        note.place = choose_place(shape, rule, solving, note.moves, fits);
+        note.sweeps = sweeps_worth(shape, rule, sweeps);
+        if (!may_be_exact(shape, rule)) note.to_stand = rule.entries;
+        return note;
+    }
+
+    IslandSurveyor survey_;
+    KnownMotion motion_;
+    IslandShape joints_;  ///< of the islands whose joints are solved at once
+};
+
+}  // namespace rigid
