@@ -125,7 +125,7 @@ struct StepWork {
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
     /// islands whose residual is above the tolerance; of large ones that move, above a
-    /// tenth of what gravity gives a body in the step
+    /// thirtieth of what gravity gives a body in the step
     int unsolved = 0;
     /// bodies whose numbers overflowed and that were put back, at rest
     int held = 0;

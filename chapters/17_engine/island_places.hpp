@@ -2,7 +2,7 @@
 /// Which islands a step has, and where each of them is solved.
 ///
 ///     it stands, or is small          exactly, or by sweeps until r ≤ tolerance ℓ
-///     it is large and moves           roughly:  r ≤ g h / 10,  g h the most that this step's forces give one of its bodies     (17.5)
+///     it is large and moves           roughly:  r ≤ g h / 30,  g h the most that this step's forces give one of its bodies     (17.5)
 ///
 /// What moves has another λ in each step, and an error of one step is no error of the next. Joints are held exactly all the same:
 /// they cost O(n), but for the loops that they close.
@@ -112,7 +112,7 @@ public:
                 notes[i].enough = std::max(
                     tolerance, given_speed(islands.bodies_of(static_cast<int>(i)),
                                            bodies.u, now.u_star) /
-                                   10);
+                                   30);
         }
         return same;
     }

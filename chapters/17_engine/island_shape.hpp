@@ -71,9 +71,9 @@ struct ChoiceRule {
     int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
-    /// bounded rows of an island that moves and is solved to the tolerance, at
-    /// most, and of one with joints, whose A is denser: some 2 ms of guesses
-    int moving = 300, moving_joined = 200;
+    /// most bounded rows of an island that moves and is solved to the tolerance;
+    /// with joints more, for what is missing there bends a knee too far
+    int moving = 300, moving_joined = 600;
     /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
     /// beyond its limit
     int held = 100;
