@@ -317,6 +317,32 @@ TEST_CASE("what no body has is refused with a sentence", "[house]")
     CHECK(sentence_of([&] { step(scene, {}, method, now); }).find("limits 1 and 0") != std::string::npos);
 }
 
+TEST_CASE("a joint whose point or frame is not finite and limits without a value are refused", "[house]")
+{
+    const auto with = [](const auto& change) {
+        SpaceScene scene = rod_chain(2);
+        change(scene.joints[1]);
+        SpaceExact method = exact_method();
+        StepData<6> now;
+        const VecX before = scene.bodies.x;
+        const std::string said = sentence_of([&] { step(scene, {}, method, now); });
+        CHECK(scene.bodies.x == before);
+        return said;
+    };
+    for (auto vector : {&SpaceJoint::at_a, &SpaceJoint::at_b, &SpaceJoint::frame_a, &SpaceJoint::frame_b})
+        for (Index d = 0; d < 3; ++d)
+            for (const Real value : {std::nan(""), infinity, -infinity})
+                CHECK(with([&](SpaceJoint& joint) { (joint.*vector)[d] = value; }) ==
+                      "joint 1 has a point or a frame that is not finite");
+    // a free coordinate that is given the same infinity twice is not locked there
+    CHECK(with([](SpaceJoint& joint) {
+              joint.lo[cone] = joint.hi[cone] = infinity;
+          }).find("a finite value must lie between them") != std::string::npos);
+    CHECK(with([](SpaceJoint& joint) {
+              joint.lo[cone] = joint.hi[cone] = -infinity;
+          }).find("a finite value must lie between them") != std::string::npos);
+}
+
 TEST_CASE("a steady step in space asks for no memory", "[house]")
 {
     SpaceScene scene = rod_chain(4);

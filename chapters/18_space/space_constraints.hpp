@@ -123,10 +123,14 @@ inline void require_bodies(const SpaceScene& scene)
             refuse("joins bodies " + std::to_string(joint.a) + " and " +
                    std::to_string(joint.b) + " among " + std::to_string(count));
         for (std::size_t c = 0; c < coordinates; ++c)
-            if (!(joint.lo[c] <= joint.hi[c]))
+            if (!(joint.lo[c] <= joint.hi[c]) || joint.lo[c] == infinity ||
+                joint.hi[c] == -infinity)
                 refuse("has the limits " + shortest(joint.lo[c]) + " and " +
                        shortest(joint.hi[c]) + " of coordinate " +
-                       std::to_string(c) + "; the first must not be the larger");
+                       std::to_string(c) +
+                       "; a finite value must lie between them");
+        for (const Vec3& v : {joint.at_a, joint.at_b, joint.frame_a, joint.frame_b})
+            if (!v.allFinite()) refuse("has a point or a frame that is not finite");
         if (joint.motor >= coordinates ||
             !(joint.force >= 0 && std::isfinite(joint.speed)))
             refuse("has a motor on coordinate " + std::to_string(joint.motor) +

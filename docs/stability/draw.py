@@ -1,4 +1,4 @@
-"""Draws the heat maps of docs/stability.md from the table, and from turning.csv and joints.csv beside it.
+"""Draws the heat maps of docs/stability.md from the table, and from turning.csv, joints.csv and space.csv beside it.
 
     docs/stability/draw.py TABLE FOLDER
 """
@@ -138,7 +138,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "stability_overview.svg").write_text(overview(table), encoding="utf-8")
     (folder / "stability_matrix.svg").write_text(matrix(table), encoding="utf-8")
-    for kind in ("turning", "joints"):
+    for kind in ("turning", "joints", "space"):
         other = Table(pathlib.Path(sys.argv[1]).with_name(f"{kind}.csv"))
         (folder / f"stability_{kind}.svg").write_text(matrix(other), encoding="utf-8")
 

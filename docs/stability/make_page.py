@@ -19,6 +19,7 @@ In page.txt stands, between « and »:
     energy                           the section on gained and lost energy, from energy.csv beside the mark; nothing without it
     turning QUESTION                 the same questions of turning.csv beside the matrix: bodies that turn
     joints QUESTION                  the same of joints.csv: bodies on joints
+    space QUESTION                   the same of space.csv: bodies in space
 """
 
 import csv
@@ -31,7 +32,7 @@ from matrix_table import Table
 CHAPTERS = {3: "03_mlcp_formulation", 4: "04_pgs", 5: "05_lemke", 6: "06_sequential_impulse", 7: "07_baumgarte",
             8: "08_warm_starting", 9: "09_active_sets", 10: "10_skipping_work",
             11: "11_rotation", 12: "12_contact_manifolds", 13: "13_friction",
-            14: "14_joints", 15: "15_soft_constraints", 17: "17_engine"}
+            14: "14_joints", 15: "15_soft_constraints", 17: "17_engine", 18: "18_space"}
 
 
 def chapter(number):
@@ -48,7 +49,7 @@ ENERGY = """Nothing brakes these three linkages, so their exact energy never cha
 class Page:
     def __init__(self, matrix, mark):
         self.table = Table(matrix)
-        self.others = {kind: Table(pathlib.Path(matrix).with_name(f"{kind}.csv")) for kind in ("turning", "joints")}
+        self.others = {kind: Table(pathlib.Path(matrix).with_name(f"{kind}.csv")) for kind in ("turning", "joints", "space")}
         with open(mark, encoding="utf-8") as file:
             self.marks = list(csv.DictReader(file))
         beside = pathlib.Path(mark).with_name("energy.csv")
@@ -71,6 +72,9 @@ class Page:
 
     def joints(self, *question):
         return self.other("joints", question)
+
+    def space(self, *question):
+        return self.other("space", question)
 
     def fill(self, question):
         word, _, rest = question.partition(" ")
@@ -125,7 +129,7 @@ class Page:
 
     def stresses(self):
         count = len(self.table.stresses)
-        return {12: "twelve", 13: "thirteen", 14: "fourteen", 15: "fifteen", 16: "sixteen", 17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty"}.get(count, str(count))
+        return {12: "twelve", 13: "thirteen", 14: "fourteen", 15: "fifteen", 16: "sixteen", 17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty", 21: "twenty-one", 22: "twenty-two"}.get(count, str(count))
 
     def energy(self):
         """What each method gains and loses where nothing should be gained or lost."""

@@ -21,7 +21,8 @@ template <class Scene = DiscScene, class Advance>
 StepOf<Scene> checked(Advance advance)
 {
     return [advance = std::move(advance)](Scene& scene, Real h) {
-        require_valid(scene);
+        // a step in space looks at its scene each time
+        if constexpr (Scene::dof < 6) require_valid(scene);
         require_step(h);
         advance(scene, h);
     };
@@ -56,17 +57,23 @@ private:
     Mlcp mlcp_;
 };
 
-/// The settings of the one step. Gravity is the scene's.
+/// The settings of the one step. Gravity is the scene's; in space there is no hand.
 template <class Scene>
 std::vector<Setting> step_settings(Scene& scene, StepSettings& s)
 {
-    return {{"gravity x", &scene.gravity.x()},
-            {"gravity y", &scene.gravity.y()},
-            {"stiffness", &s.stiffness},
-            {"damping", &s.damping},
-            or_infinity("margin", &s.margin),
-            {"hand x", &s.hand.x()},
-            {"hand y", &s.hand.y()}};
+    if constexpr (Scene::dof == 6)
+        return {{"gravity x", &scene.gravity.x()},
+                {"gravity y", &scene.gravity.y()},
+                {"gravity z", &scene.gravity.z()},
+                or_infinity("margin", &s.margin)};
+    else
+        return {{"gravity x", &scene.gravity.x()},
+                {"gravity y", &scene.gravity.y()},
+                {"stiffness", &s.stiffness},
+                {"damping", &s.damping},
+                or_infinity("margin", &s.margin),
+                {"hand x", &s.hand.x()},
+                {"hand y", &s.hand.y()}};
 }
 
 /// Writes what the wish wants spoilt. A hand is looked at only if it pulls.
@@ -89,7 +96,7 @@ public:
 
 private:
     Scene& scene_;
-    Vec2 gravity_;
+    decltype(Scene::gravity) gravity_;
 };
 
 /// The names alone.

@@ -17,6 +17,7 @@
 namespace rigid {
 struct RoughScene;
 struct JointedScene;
+struct SpaceScene;
 }  // namespace rigid
 
 namespace rigid::stress {
@@ -106,6 +107,15 @@ bool stands_in_order(const RoughScene& scene);
 Real largest_speed(const RoughScene& scene, Real size);  ///< of a centroid, or of a rim that turns [m/s]
 Real speed_of_rest(const RoughScene& scene, const Task& task);
 void watch(const RoughScene& scene, const VecX& start, const Task& task, Verdict& verdict);
+
+// And of a scene in space: space_judge.cpp.
+Real total_energy(const SpaceScene& scene);
+Real lifting(const SpaceScene& scene);
+Real largest_gap(const SpaceScene& scene);  ///< its joints' as well [m, rad]
+bool stands_in_order(const SpaceScene& scene);
+Real largest_speed(const SpaceScene& scene, Real size);
+Real speed_of_rest(const SpaceScene& scene, const Task& task);
+void watch(const SpaceScene& scene, const VecX& start, const Task& task, Verdict& verdict);
 
 /// Runs a method on a scene. The second half of the run is what is judged; finiteness and energy, all of it.
 template <class Scene>

@@ -13,7 +13,8 @@ foreach(pair IN ITEMS "stability.md;${SOURCE}/docs/stability.md"
                       "stability_overview.svg;${tool}/figures/stability_overview.svg"
                       "stability_matrix.svg;${tool}/figures/stability_matrix.svg"
                       "stability_turning.svg;${tool}/figures/stability_turning.svg"
-                      "stability_joints.svg;${tool}/figures/stability_joints.svg")
+                      "stability_joints.svg;${tool}/figures/stability_joints.svg"
+                      "stability_space.svg;${tool}/figures/stability_space.svg")
   list(GET pair 0 made)
   list(GET pair 1 kept)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${FOLDER}/${made} ${kept} RESULT_VARIABLE code)

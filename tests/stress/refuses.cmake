@@ -1,5 +1,5 @@
-# Every cell of the stress "bad input" must have the full score, of discs, of bodies that turn and of those on joints.
-foreach(kind IN ITEMS "" "--turning" "--joints")
+# Every cell of the stress "bad input" must have the full score, of discs, of bodies that turn, of those on joints and of those in space.
+foreach(kind IN ITEMS "" "--turning" "--joints" "--space")
   execute_process(COMMAND ${STRESS} --quick ${kind} --only "bad input" OUTPUT_VARIABLE table RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "stress ${kind} ended with ${code}")

@@ -43,6 +43,7 @@ std::vector<Setting> settings_of(Scene& scene, StepSettings& settings, Solving& 
         all.push_back(or_infinity("tolerance", &by.solver.sweeps.tolerance));
     if constexpr (requires { by.solver.find.settings.tolerance; })
         all.push_back(or_infinity("exactness", &by.solver.find.settings.tolerance));
+    if constexpr (requires { by.contacts.slack; }) all.push_back({"slack", &by.contacts.slack});
     if constexpr (requires { by.contacts.stay; }) {
         all.push_back({"stay", &by.contacts.stay});
         all.push_back({"skin", &by.contacts.finder.skin});
@@ -100,6 +101,7 @@ MethodOf<Scene> stepping(int chapter, const std::string& name, const std::string
             std::vector<Real> before;
             for (const Setting& setting : all) before.push_back(*setting.value);
             spoil(*wish, all, settings);
+            if constexpr (Scene::dof == 6) settings.pulled = world;  // which space refuses by itself
             try {
                 step(static_cast<Inner&>(scene), settings, solving, memory->now);
             } catch (...) {  // the next step is to find the settings as they were

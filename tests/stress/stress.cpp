@@ -3,6 +3,7 @@
 ///     stress [--quick] [--csv FILE] [--only STRESS] [--method NAME] [--threads N] [--check FILE]
 ///     stress --turning [the same]                          bodies that turn
 ///     stress --joints [the same]                           bodies on joints
+///     stress --space [the same]                            bodies in space
 ///     stress --mark [--csv FILE]
 ///     stress --energy [--csv FILE]
 ///
@@ -13,6 +14,7 @@
 #include "common/program/progress.hpp"
 #include "common/text.hpp"
 #include "tests/stress/jointed.hpp"
+#include "tests/stress/space.hpp"
 #include "tests/stress/stresses.hpp"
 #include "tests/stress/table.hpp"
 
@@ -31,7 +33,7 @@ namespace {
 
 struct Options {
     std::string file, only, method, check;
-    bool quick = false, mark = false, energy = false, turning = false, joints = false;
+    bool quick = false, mark = false, energy = false, turning = false, joints = false, space = false;
     int threads = 0;
 };
 
@@ -264,8 +266,10 @@ int main(int argc, char** argv)
     app.add_flag("--energy", options.energy, "what is gained and lost where energy never changes: per cent");
     app.add_flag("--turning", options.turning, "bodies that turn, under the methods of chapters 11 to 13");
     app.add_flag("--joints", options.joints, "bodies on joints, under the methods of chapters 14, 15 and 17");
+    app.add_flag("--space", options.space, "bodies in space, under the methods of chapter 18");
     CLI11_PARSE(app, argc, argv);
     try {
+        if (options.space) return run(options, space_stresses(), space_methods());
         if (options.joints) return run(options, jointed_stresses(), jointed_methods());
         if (options.turning) return run(options, turning_stresses(), turning_methods());
         return options.mark     ? mark(options)
