@@ -151,7 +151,7 @@ TEST_CASE("a block that slides is slowed by exactly mu g h against its velocity"
 TEST_CASE("exact friction is Coulomb's where it says so", "[house]")
 {
     int sliding = 0, solved = 0;
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         SpaceScene scene = thrown_boxes(seed, 6, 0.5);
         TouchingCones method = exact_cones();
         StepData<6> now;
@@ -172,7 +172,7 @@ TEST_CASE("exact friction is Coulomb's where it says so", "[house]")
 
 TEST_CASE("exact friction moves balls as sweeps do that have converged", "[house]")
 {
-    for (const std::uint64_t seed : {11, 12, 13}) {
+    for (const std::uint64_t seed : {11u, 12u, 13u}) {
         SpaceScene swept = struck_balls(seed), exact = swept;
         TouchingCones by_sweeps, by_guesses = exact_cones();
         by_sweeps.solver.sweeps = {200000, 1e-12};
@@ -189,7 +189,7 @@ TEST_CASE("exact friction moves balls as sweeps do that have converged", "[house
 
 TEST_CASE("faces that slide and spin on four points have more than one answer", "[house]")
 {
-    for (const std::uint64_t seed : {11, 12, 13}) {
+    for (const std::uint64_t seed : {11u, 12u, 13u}) {
         SpaceScene swept = thrown_boxes(seed, 3, 0.4), exact = swept;
         TouchingCones by_sweeps, by_guesses = exact_cones();
         by_sweeps.solver.sweeps = {200000, 1e-9};
