@@ -25,14 +25,25 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 
 using namespace rigid;
 
 namespace {
 
+/// A table has the same counters in each row; what was not measured is no number.
+void begin(benchmark::State& state)
+{
+    for (const char* const name :
+         {"error", "energy_error", "us_step", "overlap", "crept", "moved", "visits",
+          "guesses", "unsolved"})
+        state.counters[name] = std::numeric_limits<Real>::quiet_NaN();
+}
+
 void spin(benchmark::State& state, Tumbling way)
 {
+    begin(state);
     const auto steps = static_cast<int>(state.range(0));
     const Vec3 inertia(1, 2, 3), start(0.5, 0, 1);
     Vec3 theta(0, 0, 0), omega = start;
@@ -53,6 +64,7 @@ constexpr int iterations = 50;
 void by_book(benchmark::State& state, SpaceScene scene, int substeps,
              TouchingCones method = {})
 {
+    begin(state);
     const SpaceScene start = scene;
     method.solver.sweeps.max_sweeps = iterations;
     StepData<6> now;
@@ -76,6 +88,7 @@ template <class Engine>
 void by_engine(benchmark::State& state, const SpaceScene& start, int substeps,
                int rounds = iterations)
 {
+    begin(state);
     Engine engine(start, substeps, rounds);
     follow(
         state, start, [&] { engine.step(1.0 / 60); },
