@@ -353,6 +353,13 @@ TEST_CASE(
     CHECK(method.solver.bounded.swept == 1);
     CHECK(method.solver.bounded.unsolved == 1);
     CHECK(now.solution.status == Status::iteration_limit);
+    CHECK(now.solution.iterations == 1);
+    // sweeps that change nothing more are not made, and not counted
+    method.solver.sweeps = 100000;
+    step(scene, {.h = 1.0 / 100}, method, now);
+    CHECK(now.solution.status == Status::solved);
+    CHECK(now.solution.iterations > 1);
+    CHECK(now.solution.iterations < 100000);
     method.solver.most_exact = -1;
     CHECK(sentence_of([&] { step(scene, {}, method, now); }) ==
           "the rows with bounds that are found exactly are at most -1; it must be zero or positive");

@@ -84,6 +84,18 @@ inline void require_valid(const Mlcp& mlcp, std::span<const FrictionBox> boxes)
     }
 }
 
+/// The bounds of a row under the present λ, (13.6).
+inline std::pair<Real, Real> present_bounds(const FrictionProblem& problem,
+                                            const std::vector<int>& box_of, Index i,
+                                            const VecX& lambda)
+{
+    const int k = box_of[static_cast<std::size_t>(i)];
+    if (k < 0) return {problem.mlcp->lo[i], problem.mlcp->hi[i]};
+    const FrictionBox& box = problem.boxes[static_cast<std::size_t>(k)];
+    const Real most = box.mu * std::max(Real{0}, lambda[box.normal]);
+    return {-most, most};
+}
+
 //! [sweep]
 /// Sweeps over A with the bounds of the present λ: chapter 4's, with (13.6).
 inline void sweep_friction(const FrictionProblem& problem, int sweeps,
@@ -92,16 +104,12 @@ inline void sweep_friction(const FrictionProblem& problem, int sweeps,
     const Mlcp& mlcp = *problem.mlcp;
     for (; sweeps > 0; --sweeps)
         for (Index i = 0; i < mlcp.size(); ++i) {
-            Real w = mlcp.q[i], a = 0, lo = mlcp.lo[i], hi = mlcp.hi[i];
+            Real w = mlcp.q[i], a = 0;
             for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
                 w += entry.value() * lambda[entry.col()];
                 if (entry.col() == i) a = entry.value();
             }
-            if (const int k = box_of[static_cast<std::size_t>(i)]; k >= 0) {
-                const FrictionBox& box = problem.boxes[static_cast<std::size_t>(k)];
-                hi = box.mu * std::max(Real{0}, lambda[box.normal]);
-                lo = -hi;
-            }
+            const auto [lo, hi] = present_bounds(problem, box_of, i, lambda);
             if (a > 0) lambda[i] = std::clamp(lambda[i] - w / a, lo, hi);
         }
 }
@@ -112,24 +120,22 @@ inline void sweep_friction(const FrictionProblem& problem, int sweeps,
 /// none costs nothing. Most that are open, or out of reach, stay as they are.
 /// \param small  the sweeps end when none changes a row by more than this [m/s]
 /// \param guess  its lambda is swept; box_of is that of these rows
-inline void sweep_changes(const FrictionProblem& problem, int sweeps, Real small,
-                          FrictionGuess& guess)
+/// \return       how many were made
+inline int sweep_changes(const FrictionProblem& problem, int sweeps, Real small,
+                         FrictionGuess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
     guess.step = mlcp.A.diagonal();
     guess.w.resize(mlcp.size());
     velocities(problem, guess);
-    for (bool changed = true; sweeps > 0 && changed; --sweeps) {
+    int made = 0;
+    for (bool changed = true; made < sweeps && changed; ++made) {
         changed = false;
         for (Index i = 0; i < mlcp.size(); ++i) {
             const Real a = guess.step[i];
             if (!(a > 0)) continue;
-            Real lo = mlcp.lo[i], hi = mlcp.hi[i];
-            if (const int k = guess.box_of[static_cast<std::size_t>(i)]; k >= 0) {
-                const FrictionBox& box = problem.boxes[static_cast<std::size_t>(k)];
-                hi = box.mu * std::max(Real{0}, guess.lambda[box.normal]);
-                lo = -hi;
-            }
+            const auto [lo, hi] =
+                present_bounds(problem, guess.box_of, i, guess.lambda);
             const Real here = guess.lambda[i],
                        next = std::clamp(here - guess.w[i] / a, lo, hi);
             if (next == here) continue;
@@ -139,6 +145,7 @@ inline void sweep_changes(const FrictionProblem& problem, int sweeps, Real small
                 guess.w[entry.col()] += entry.value() * (next - here);
         }
     }
+    return made;
 }
 //! [sweep_changes]
 

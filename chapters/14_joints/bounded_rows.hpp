@@ -8,8 +8,7 @@
 /// joints alone make of u*. A column of A is one impulse and one solve of the tree; what is at a bound, chapter 13 finds.
 #pragma once
 
-#include "chapters/13_friction/friction_solver.hpp"
-#include "chapters/14_joints/bounded_islands.hpp"
+#include "chapters/14_joints/bounded_problem.hpp"
 
 namespace rigid {
 
@@ -20,6 +19,7 @@ public:
     int unsolved = 0;          ///< islands without an answer, of the last solve()
     int guesses = 0;           ///< of all islands, in the last solve()
     int swept = 0;             ///< islands that were too large for guesses
+    int sweeps_made = 0;       ///< over the one that needed most of them
     std::int64_t entries = 0;  ///< that guesses looked at
 
     /// A of an island.
@@ -32,7 +32,7 @@ public:
     /// nothing to them.
     void forget()
     {
-        for (Problem& problem : problems_) problem.find.memory.forget();
+        for (BoundedProblem& problem : problems_) problem.find.memory.forget();
     }
 
     //! [eliminate]
@@ -63,77 +63,34 @@ public:
                const FrictionSettings& settings, int most, int sweeps, Real enough,
                VecX& lambda)
     {
-        entries = unsolved = guesses = swept = 0;
+        entries = unsolved = guesses = swept = sweeps_made = 0;
         for (int k = 0; k < islands.count; ++k) {
-            Problem& problem = problems_[at(k)];
+            BoundedProblem& problem = problems_[at(k)];
             const std::vector<int>& here = islands.rows[at(k)];
-            const auto m = static_cast<Index>(here.size());
-            Mlcp& mlcp = problem.mlcp;
-            mlcp.q.resize(m), mlcp.lo.resize(m), mlcp.hi.resize(m);
+            problem.begin(islands, here, rows, u, b, enough, lambda);
             Solution& solution = problem.solution;
-            solution.lambda.resize(m);
-            problem.boxes.clear();
-            for (Index i = 0; i < m; ++i) {
-                const int number = here[at(i)];
-                mlcp.q[i] = speed_along(rows[at(number)], u) + b[number];
-                bound(rows, i, number, enough, problem);
-                solution.lambda[i] = lambda[number];
-            }
-            if (!is_finite(mlcp)) {  // an overflow has no answer
+            if (!problem.is_finite()) {  // an overflow has no answer
                 solution.lambda.setZero();
                 solution.status = Status::singular;
-            } else if (m > most) sweep(problem, settings, sweeps, enough);
-            else {
+            } else if (problem.mlcp.size() > most) {
+                const int made = problem.sweep(settings, sweeps, enough);
+                sweeps_made = std::max(sweeps_made, made);
+                ++swept;
+            } else {
                 problem.find.settings = settings;
-                problem.find(mlcp, problem.boxes, enough, solution);
+                problem.find(problem.mlcp, problem.boxes, enough, solution);
                 guesses += solution.iterations;
                 entries += problem.find.memory.work.entries;
             }
-            swept += m > most;
             unsolved += solution.status != Status::solved;
-            slide_held(rows, here, enough, problem);
-            for (Index i = 0; i < m; ++i) lambda[here[at(i)]] = solution.lambda[i];
+            problem.slide_held(islands, here, rows, enough);
+            for (std::size_t i = 0; i < here.size(); ++i)
+                lambda[here[i]] = solution.lambda[static_cast<Index>(i)];
         }
     }
     //! [solve]
 
 private:
-    struct Problem {
-        Mlcp mlcp;
-        std::vector<FrictionBox> boxes;
-        FindFriction find;
-        Solution solution;
-    };
-
-    //! [sweep]
-    /// Sweeps over A, each row by what the joints leave of its impulse.
-    static void sweep(Problem& problem, const FrictionSettings& settings,
-                      int sweeps, Real enough)
-    {
-        FrictionMemory& memory = problem.find.memory;
-        Solution& solution = problem.solution;
-        memory.problem.mlcp = &problem.mlcp;
-        memory.problem.boxes = problem.boxes;
-        std::vector<int>& box_of = memory.guess.box_of;
-        box_of.assign(at(problem.mlcp.size()), -1);
-        for (std::size_t i = 0; i < problem.boxes.size(); ++i)
-            box_of[at(problem.boxes[i].row)] = static_cast<int>(i);
-        memory.guess.lambda = solution.lambda;
-        sweep_changes(memory.problem, sweeps, enough / 10, memory.guess);
-        memory.candidate = memory.guess.lambda;
-        solution.status = Status::iteration_limit;
-        solution.residual = infinity;
-        accept_coulomb(problem.mlcp, problem.boxes, {settings.tolerance, enough},
-                       memory.candidate, solution);
-    }
-    //! [sweep]
-
-    static bool is_finite(const Mlcp& mlcp)
-    {
-        const Eigen::Map<const VecX> values(mlcp.A.valuePtr(), mlcp.A.nonZeros());
-        return mlcp.q.allFinite() && values.allFinite();
-    }
-
     template <class Number>
     static std::size_t at(Number i)
     {
@@ -195,46 +152,7 @@ private:
                 u_.segment<3>(joints.place(n)).setZero();
     }
 
-    /// The bounds of a row. One that nothing moves is at the bound to which its w points.
-    void bound(const std::vector<Row<3>>& rows, Index i, int number, Real enough,
-               Problem& problem) const
-    {
-        const Row<3>& row = rows[at(number)];
-        Mlcp& mlcp = problem.mlcp;
-        Real &lo = mlcp.lo[i], &hi = mlcp.hi[i];
-        lo = row.lo, hi = row.hi;
-        if (row.bounded_by >= 0) {
-            const int normal = islands.number[at(row.bounded_by)];
-            lo = hi = 0;
-            if (normal >= 0 && mlcp.A.coeff(i, i) > 0)
-                problem.boxes.push_back({i, normal, row.friction});
-            return;
-        }
-        if (mlcp.A.coeff(i, i) > 0) return;
-        const Real w = mlcp.q[i];
-        const Real there = w > enough    ? lo
-                           : w < -enough ? hi
-                                         : std::clamp(Real{0}, lo, hi);
-        lo = hi = std::isfinite(there) ? there : 0;
-    }
-
-    /// Friction that moves nothing still slides where its w says so.
-    void slide_held(const std::vector<Row<3>>& rows, const std::vector<int>& here,
-                    Real enough, Problem& problem) const
-    {
-        for (Index i = 0; i < problem.mlcp.size(); ++i) {
-            const Row<3>& row = rows[at(here[at(i)])];
-            if (row.bounded_by < 0 || problem.mlcp.A.coeff(i, i) > 0) continue;
-            const int normal = islands.number[at(row.bounded_by)];
-            const Real w = problem.mlcp.q[i];
-            if (normal < 0 || !(std::abs(w) > enough)) continue;
-            const Real most =
-                row.friction * std::max(Real{0}, problem.solution.lambda[normal]);
-            problem.solution.lambda[i] = w > 0 ? -most : most;
-        }
-    }
-
-    std::vector<Problem> problems_;
+    std::vector<BoundedProblem> problems_;
     std::vector<int> next_;
     VecX u_;  ///< zero between calls
 

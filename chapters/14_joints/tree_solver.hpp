@@ -145,7 +145,7 @@ private:
         if (factor.tree.carried > much_carried)
             refine(factor, begin, u, lambda, now);
         listed = true;
-        sweeps_made = any && most_exact > 0 && above.swept > 0 ? most : 0;
+        sweeps_made = any && most_exact > 0 ? above.sweeps_made : 0;
         if (found || most_exact > 0) return found;
         return sweep_on(factor, left_out, most, small, u, lambda, now);
     }

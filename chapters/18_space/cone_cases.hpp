@@ -7,32 +7,9 @@
 #pragma once
 
 #include "chapters/18_space/body_factor.hpp"
-#include "chapters/18_space/friction_cone.hpp"
+#include "chapters/18_space/cone_rows.hpp"
 
 namespace rigid {
-
-/// The rows of an island, their discs, and the velocities of all bodies.
-struct ConeRows {
-    std::span<SolverRow<6>> rows;
-    std::span<const Feedback> feedback;  ///< empty: nothing bounds another
-    std::span<const int>
-        disc_at;  ///< of each row: the disc that begins there, or −1
-    std::span<const DiscOfRows>
-        discs;  ///< DiscOfRows::row counts from the first of all rows
-    std::span<const int> bodies;
-
-    int bound_by(std::size_t k) const
-    {
-        return feedback.empty() || feedback[k].bounding == 0
-                   ? -1
-                   : static_cast<int>(k) + feedback[k].bounding;
-    }
-    const DiscOfRows* disc(std::size_t k) const
-    {
-        return disc_at[k] < 0 ? nullptr
-                              : &discs[static_cast<std::size_t>(disc_at[k])];
-    }
-};
 
 enum class ConeCase : unsigned char { low, free, high, slides };
 
@@ -45,7 +22,8 @@ struct ConeGuess {
     std::vector<ConeEquation> equations;
     std::vector<int> of_row;       ///< the row of each equation
     std::vector<int> equation_of;  ///< of each row, or −1
-    std::vector<int> number;       ///< of each body in the island
+    std::vector<int> number;       ///< of each body in the island, or −1
+    std::vector<int> bodies;       ///< of the island that number is of
     std::vector<std::pair<int, int>> pairs;
     VecX v;
     Real share = 0;  ///< ε of a proximal step (18.54); 0: the problem itself
@@ -67,7 +45,11 @@ inline void begin_guess(const ConeRows& p, const VecX& u, ConeGuess& g)
     g.equation_of.assign(m, -1);
     for (VecX* x : {&g.give, &g.lambda, &g.w, &g.base})
         x->setZero(static_cast<Index>(m));
-    g.number.assign(static_cast<std::size_t>(u.size() / 6), -1);
+    g.number.resize(static_cast<std::size_t>(u.size() / 6), -1);
+    for (const int k : g.bodies)  // of the island before
+        if (static_cast<std::size_t>(k) < g.number.size())
+            g.number[static_cast<std::size_t>(k)] = -1;
+    g.bodies.assign(p.bodies.begin(), p.bodies.end());
     g.u0.resize(6 * n), g.u.resize(6 * n), g.v.resize(6 * n);
     for (Index i = 0; i < n; ++i) {
         const int k = p.bodies[static_cast<std::size_t>(i)];

@@ -157,21 +157,7 @@ private:
     bool sweep_on(const ConeRows& p, int sweeps, Real enough, VecX& u)
     {
         give_back(p, u);
-        for (int n = 0; n < sweeps; ++n)
-            for (std::size_t k = 0; k < p.rows.size(); ++k) {
-                SolverRow<6>* const row = &p.rows[k];
-                if (const DiscOfRows* disc = p.disc(k)) {
-                    visit_disc(
-                        *disc, row,
-                        p.feedback[k].friction *
-                            std::max(Real{0}, row[p.feedback[k].bounding].lambda),
-                        u);
-                    ++k;
-                    continue;
-                }
-                if (!p.feedback.empty()) take_bounds(row, p.feedback[k]);
-                visit(*row, u);
-            }
+        for (int n = 0; n < sweeps; ++n) sweep_cones(p, 0, u);
         for (std::size_t k = 0; k < p.rows.size(); ++k)
             guess.lambda[static_cast<Index>(k)] = p.rows[k].lambda;
         return accept(p, enough, u) ||

@@ -140,51 +140,32 @@ private:
         }
     }
 
-    Real radius_at(std::size_t k) const
-    {
-        const auto normal = static_cast<std::ptrdiff_t>(k) + feedback[k].bounding;
-        return feedback[k].friction *
-               std::max(Real{0}, rows[static_cast<std::size_t>(normal)].lambda);
-    }
-
     //! [solve_island]
     void solve_island(int island, VecX& u, StepData<6>& now)
     {
-        const auto [first, count] = rows_of(island);
-        const Real tolerance = sweeps.tolerance * now.length,
-                   before = now.solution.residual;
+        const std::size_t count = rows_of(island).second;
+        const Real tolerance = sweeps.tolerance * now.length;
         const ConeRows problem = problem_of(island);
         const bool exact = is_exact(count);
         if (exact) {
             const bool found = newton.solve(problem, tolerance, u);
             guesses += newton.guesses;
             now.visits += static_cast<std::int64_t>(count) * (1 + newton.guesses);
-            now.solution.residual =
-                std::max(now.solution.residual, newton.residual);
-            if (found) return;
+            if (found) {
+                now.solution.residual =
+                    std::max(now.solution.residual, newton.residual);
+                return;
+            }
             ++unanswered;
-            now.solution.residual = before;
         }
         Real residual = infinity;
         int n = 0;
         for (bool off = true; n < sweeps.max_sweeps && off; ++n) {
-            off = false;
-            for (std::size_t k = first; k < first + count; ++k) {
-                if (disc_at[k] < 0) {
-                    if (!feedback.empty()) take_bounds(&rows[k], feedback[k]);
-                    if (!(std::abs(visit(rows[k], u)) <= tolerance * rows[k].mass))
-                        off = true;
-                    continue;
-                }
-                const auto& disc = discs[static_cast<std::size_t>(disc_at[k])];
-                if (!(visit_disc(disc, &rows[k], radius_at(k), u) <= tolerance))
-                    off = true;
-                ++k;
-            }
+            off = sweep_cones(problem, tolerance, u);
             now.visits += static_cast<std::int64_t>(count);
             // a small change is no small residual (chapter 4): look
             if (!(tolerance > 0) || (off && n + 1 < sweeps.max_sweeps)) continue;
-            residual = residual_of(first, count, u);
+            residual = residual_of(problem, u);
             off = !(residual <= tolerance);
         }
         if (exact && newton.residual < residual) {  // sweeps have made it no better
@@ -196,27 +177,6 @@ private:
         now.solution.residual = std::max(now.solution.residual, residual);
     }
     //! [solve_island]
-
-    Real residual_of(std::size_t first, std::size_t count, const VecX& u)
-    {
-        Real largest = 0;
-        for (std::size_t k = first; k < first + count; ++k) {
-            Real r = 0;
-            if (disc_at[k] >= 0) {
-                r = disc_residual(discs[static_cast<std::size_t>(disc_at[k])],
-                                  &rows[k], radius_at(k), u);
-                ++k;
-            } else if (rows[k].mass > 0) {
-                if (!feedback.empty()) take_bounds(&rows[k], feedback[k]);
-                const Real w = velocity<6>(rows[k], u.segment<6>(rows[k].a),
-                                           u.segment<6>(rows[k].b));
-                r = natural_residual_row(1 / rows[k].mass, rows[k].lambda, w,
-                                         rows[k].lo, rows[k].hi);
-            }
-            if (!(r <= largest)) largest = r;
-        }
-        return largest;
-    }
 };
 
 }  // namespace rigid

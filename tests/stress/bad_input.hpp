@@ -122,6 +122,21 @@ Verdict in_the_middle(const MethodOf<Scene>& method, const Scene& scene, const F
                : worst(verdict, {lost, silent});
 }
 
+/// The row of a matrix of bodies that turn.
+/// \param run  as of StressOf
+template <class Scene>
+StressOf<Scene> bad_input_of(const decltype(StressOf<Scene>::run)& run)
+{
+    StressOf<Scene> stress{
+        "bad input",
+        "NaN, ∞ and −∞ in turn in every number of the scene, the step and the method's settings; where "
+        "they must be positive, 0 and −1 as well",
+        {"bodies and shapes", "walls joints and surfaces", "gravity and h", "settings", "after 10 steps"},
+        run};
+    stress.seeds = {2, 2, 2, 2, 2};
+    return stress;
+}
+
 /// Groups of fields, a level each, and all of them after ten steps.
 template <class Scene>
 std::optional<Verdict> spoil_all(const MethodOf<Scene>& method, const Scene& scene, int level,

@@ -3,13 +3,12 @@
 #include "chapters/14_joints/ragdoll.hpp"
 #include "common/elementary.hpp"
 #include "tests/stress/jointed.hpp"
+#include "tests/stress/tasks.hpp"
 #include "tests/stress/turning_fields.hpp"
 
 namespace rigid::stress {
 
 namespace {
-
-using Values = std::array<Real, levels>;
 
 struct Case {
     JointedScene scene;
@@ -23,26 +22,14 @@ JointedStress stress_of(const std::string& name, const std::string& what, const 
                         const std::string& unit, const std::function<Case(Real)>& make,
                         Springs springs = Springs::none)
 {
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
-    JointedStress stress{
-        name, what, words,
-        [=](const JointedMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
+    return stress_over<JointedScene>(
+        name, what, values, unit, {3, 3, 3, 3, 3},
+        [=](const JointedMethod& method, Real value, std::uint64_t seed) -> std::optional<Verdict> {
             if (springs == Springs::some && !method.springs) return std::nullopt;
-            Case now = make(values[static_cast<std::size_t>(level)]);
+            Case now = make(value);
             perturb(now.scene, seed, now.task.size);
             return judge(std::move(now.scene), now.task, method.start(std::make_shared<const Wish>()));
-        }};
-    stress.seeds = {3, 3, 3, 3, 3};
-    return stress;
-}
-
-Task moving(Real size = 1)
-{
-    Task task;
-    task.size = size;
-    task.rests = false;
-    return task;
+        });
 }
 
 RigidJoint pin(Index a, const Vec2& at_a, Index b, const Vec2& at_b)
@@ -306,20 +293,14 @@ JointedScene some_joints(std::uint64_t seed)
 
 JointedStress bad_joints()
 {
-    JointedStress stress{
-        "bad input",
-        "NaN, ∞ and −∞ in turn in every number of the scene, the step and the method's settings; where "
-        "they must be positive, 0 and −1 as well",
-        {"bodies and shapes", "walls joints and surfaces", "gravity and h", "settings", "after 10 steps"},
+    return bad_input_of<JointedScene>(
         [](const JointedMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
             const JointedScene scene = some_joints(seed);
             FieldsOf<JointedScene> joints = fields_of_rows_and_walls(scene);
             const FieldsOf<JointedScene> surfaces = fields_of_surfaces(scene);
             joints.insert(joints.end(), surfaces.begin(), surfaces.end());
             return spoil_all(method, scene, level, fields_of_bodies(scene), joints);
-        }};
-    stress.seeds = {2, 2, 2, 2, 2};
-    return stress;
+        });
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 #include "chapters/18_space/solid_scenes.hpp"
 #include "tests/stress/bad_input.hpp"
 #include "tests/stress/space.hpp"
+#include "tests/stress/tasks.hpp"
 
 namespace rigid::stress {
 
 namespace {
-
-using Values = std::array<Real, levels>;
-using Seeds = std::array<int, levels>;
 
 /// Whether bodies touch, which methods of joints alone don't know.
 enum class Touching : bool { none, some };
@@ -43,19 +41,15 @@ SpaceStress stress_of(const std::string& name, const std::string& what, const Va
                       const std::string& unit, Touching touching, const std::function<Case(Real)>& make,
                       const Seeds& seeds = {3, 3, 3, 3, 3})
 {
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
-    SpaceStress stress{
-        name, what, words,
-        [=](const SpaceMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
+    return stress_over<SpaceScene>(
+        name, what, values, unit, seeds,
+        [=](const SpaceMethod& method, Real value, std::uint64_t seed) -> std::optional<Verdict> {
             if (touching == Touching::some && method.links_only) return std::nullopt;
-            Case now = make(values[static_cast<std::size_t>(level)]);
+            Case now = make(value);
             if (rows_of(now.scene, touching) > method.most_rows) return std::nullopt;
             perturb(now.scene, seed, now.task.size);
             return judge(std::move(now.scene), now.task, method.start(std::make_shared<const Wish>()));
-        }};
-    stress.seeds = seeds;
-    return stress;
+        });
 }
 
 void in_seconds(SpaceStress& stress, const Values& per_second)
@@ -74,22 +68,6 @@ SpaceScene stack(int boxes, Real side = 1)
                  {0, 0.05 * i, 0});
     add_floor(scene, mu);
     return scene;
-}
-
-Task standing_on(Real size = 1)
-{
-    Task task;
-    task.size = size;
-    task.upright = true;
-    return task;
-}
-
-Task moving(Real size = 1)
-{
-    Task task;
-    task.size = size;
-    task.rests = false;
-    return task;
 }
 
 SpaceStress heavy_top()
@@ -528,18 +506,12 @@ Fields fields_of_joints_and_walls(const SpaceScene& scene)
 
 SpaceStress bad_solids()
 {
-    SpaceStress stress{
-        "bad input",
-        "NaN, ∞ and −∞ in turn in every number of the scene, the step and the method's settings; where "
-        "they must be positive, 0 and −1 as well",
-        {"bodies and shapes", "walls joints and surfaces", "gravity and h", "settings", "after 10 steps"},
+    return bad_input_of<SpaceScene>(
         [](const SpaceMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
             const SpaceScene scene = some_solids(method, seed);
             return spoil_all(method, scene, level, fields_of_bodies(scene, !method.links_only),
                              fields_of_joints_and_walls(scene));
-        }};
-    stress.seeds = {2, 2, 2, 2, 2};
-    return stress;
+        });
 }
 
 }  // namespace

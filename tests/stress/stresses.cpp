@@ -1,4 +1,4 @@
-#include "tests/stress/stresses.hpp"
+#include "tests/stress/tasks.hpp"
 
 #include "chapters/08_warm_starting/looped_trusses.hpp"
 #include "chapters/09_active_sets/linkages.hpp"
@@ -73,15 +73,6 @@ Task swinging()
 DiscScene loaded_column() { return column_between_walls(5, 1000, 0.001); }
 
 namespace {
-
-using Values = std::array<Real, levels>;
-
-std::array<std::string, levels> with_units(const Values& values, const std::string& unit)
-{
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
-    return words;
-}
 
 /// No two discs collide and there is no wall.
 bool links_alone(const DiscScene& scene)

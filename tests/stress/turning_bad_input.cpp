@@ -22,20 +22,13 @@ RoughScene some_bodies(std::uint64_t seed)
 
 TurningStress turning_bad_input()
 {
-    TurningStress stress{
-        "bad input",
-        "NaN, ∞ and −∞ in turn in every number of the scene, the step and the method's settings; where "
-        "they must be positive, 0 and −1 as well",
-        {"bodies and shapes", "walls joints and surfaces", "gravity and h", "settings", "after 10 steps"},
-        [](const TurningMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
-            const RoughScene scene = some_bodies(seed);
-            FieldsOf<RoughScene> joints = fields_of_rows_and_walls(scene),
-                                 surfaces = fields_of_surfaces(scene);
-            if (method.friction) joints.insert(joints.end(), surfaces.begin(), surfaces.end());
-            return spoil_all(method, scene, level, fields_of_bodies(scene), joints);
-        }};
-    stress.seeds = {2, 2, 2, 2, 2};
-    return stress;
+    return bad_input_of<RoughScene>([](const TurningMethod& method, int level,
+                                       std::uint64_t seed) -> std::optional<Verdict> {
+        const RoughScene scene = some_bodies(seed);
+        FieldsOf<RoughScene> joints = fields_of_rows_and_walls(scene), surfaces = fields_of_surfaces(scene);
+        if (method.friction) joints.insert(joints.end(), surfaces.begin(), surfaces.end());
+        return spoil_all(method, scene, level, fields_of_bodies(scene), joints);
+    });
 }
 
 }  // namespace rigid::stress

@@ -1,5 +1,6 @@
 #include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/13_friction/slopes.hpp"
+#include "tests/stress/tasks.hpp"
 #include "tests/stress/turning.hpp"
 
 namespace rigid::stress {
@@ -31,16 +32,6 @@ RoughScene slanted_rods(int count, Real end_mass, int copies)
 
 namespace {
 
-using Values = std::array<Real, levels>;
-using Seeds = std::array<int, levels>;
-
-std::array<std::string, levels> with_units(const Values& values, const std::string& unit)
-{
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
-    return words;
-}
-
 /// What a scene needs a method to know.
 struct Needs {
     bool touching = true;   ///< bodies that touch each other
@@ -63,18 +54,16 @@ TurningStress stress_of(const std::string& name, const std::string& what, const 
                         const std::string& unit, const Needs& needs, const std::function<Case(Real)>& make,
                         const Seeds& seeds = {3, 3, 3, 3, 3})
 {
-    TurningStress stress{
-        name, what, with_units(values, unit),
-        [=](const TurningMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
+    return stress_over<RoughScene>(
+        name, what, values, unit, seeds,
+        [=](const TurningMethod& method, Real value, std::uint64_t seed) -> std::optional<Verdict> {
             if ((needs.touching && method.walls_only) || (needs.friction && !method.friction))
                 return std::nullopt;
-            Case now = make(values[static_cast<std::size_t>(level)]);
+            Case now = make(value);
             if (rows_of(now.scene) > method.most_rows) return std::nullopt;
             perturb(now.scene, seed, now.task.size, now.masses);
             return judge(std::move(now.scene), now.task, method.start(std::make_shared<const Wish>()));
-        }};
-    stress.seeds = seeds;
-    return stress;
+        });
 }
 
 constexpr Real mu = 0.5;
@@ -87,22 +76,6 @@ RoughScene stack(int boxes, Real side = 1)
     for (int i = 0; i < boxes; ++i) add_body(scene, box(side, side), 1, {0, side * (i + 0.5)});
     cover(scene, {mu, 0, 0, 0});
     return scene;
-}
-
-Task standing_on(Real size = 1)
-{
-    Task task;
-    task.size = size;
-    task.upright = true;
-    return task;
-}
-
-Task moving()
-{
-    Task task;
-    task.size = 1;
-    task.rests = false;
-    return task;
 }
 
 TurningStress heavy_top()
