@@ -1003,3 +1003,16 @@ TEST_CASE("numbers too large for doubles end with a true status", "[idea]")
     const Solution tiny = lemke(plain_lcp(matrix2(1e-300, 0, 0, 1e300), vector({-1, -1})));
     if (tiny.status == Status::solved) CHECK(tiny.residual <= 1e-10);
 }
+
+TEST_CASE("a vertex that is no number is never the best one", "[house]")
+{
+    // two rows that are nearly one: what refines the last vertex divides zero by zero
+    Mlcp mlcp = plain_lcp(matrix2(5.7039634567063388e-09, -9.6407002086939298e-22, -9.6407002086939298e-22,
+                                  1.6294476852693525e-34),
+                          vector({2.138231777304978e-82, -0.00052321042201440571}));
+    mlcp.lo[1] = -infinity;
+    const Solution solution = lemke(mlcp);
+    CHECK(solution.lambda.allFinite());
+    CHECK(std::isfinite(solution.residual));
+    CHECK(solution.status != Status::solved);
+}
