@@ -60,19 +60,22 @@ inline void begin_guesses(FrictionProblem& problem, FrictionGuess& guess,
     guess.tie.setZero(static_cast<Index>(problem.boxes.size()));
 }
 
-/// w = A λ + q, and in a proximal step + ε D (λ − base).
+/// w = A λ + q, and in a proximal step + ε D (λ − base). A is symmetric, so it is read by columns: one whose λ is zero costs
+/// nothing, and most are open or out of reach.
 inline void velocities(const FrictionProblem& problem, FrictionGuess& guess)
 {
     const Mlcp& mlcp = *problem.mlcp;
     ++guess.looked;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real w = mlcp.q[i];
-        for (SparseMatrix::InnerIterator a(mlcp.A, i); a; ++a)
-            w += a.value() * guess.lambda[a.col()];
-        if (problem.share > 0)
-            w += problem.scale.shift[i] * (guess.lambda[i] - guess.base[i]);
-        guess.w[i] = w;
+    guess.w = mlcp.q;
+    for (Index j = 0; j < mlcp.size(); ++j) {
+        const Real here = guess.lambda[j];
+        if (here == 0) continue;
+        for (SparseMatrix::InnerIterator a(mlcp.A, j); a; ++a)
+            guess.w[a.col()] += a.value() * here;
     }
+    if (problem.share > 0)
+        guess.w.array() +=
+            problem.scale.shift.array() * (guess.lambda - guess.base).array();
 }
 
 //! [natural_map]
