@@ -46,7 +46,7 @@ struct IslandSolver {
     std::vector<SolverRow<Dof>> rows;  ///< island by island
     std::vector<Feedback> feedback;    ///< of each of them; empty = none has any
     std::vector<int> place_of;
-    std::vector<ExactScratch> exact;
+    std::deque<ExactScratch> exact;
 
     // Of the last step.
     int most_sweeps = 0;  ///< of the island that needed the most

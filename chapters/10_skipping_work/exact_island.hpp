@@ -11,6 +11,7 @@
 #include "chapters/09_active_sets/active_sets.hpp"
 #include "chapters/10_skipping_work/island_solver.hpp"
 
+#include <deque>
 #include <utility>
 
 namespace rigid {
@@ -62,10 +63,10 @@ void guess_from_impulses(std::span<const SolverRow<Dof>> rows, const Mlcp& mlcp,
 
 /// Solves these rows exactly. Where chapter 9 cannot, λ and u are left as they are. `sweeps` counts guesses.
 /// \param enough   if the natural residual is below this as it is, there is nothing to solve [m/s]
-/// \param scratch  one for each number of rows; grows
+/// \param scratch  one for each number of rows; grows without a copy
 template <int Dof>
 IslandAnswer solve_exactly(std::span<SolverRow<Dof>> rows, Real enough,
-                           std::vector<ExactScratch>& scratch, VecX& u)
+                           std::deque<ExactScratch>& scratch, VecX& u)
 {
     IslandAnswer answer;
     answer.residual = natural_residual<Dof>(rows, u);

@@ -10,6 +10,8 @@
 
 #include "chapters/14_joints/bounded_problem.hpp"
 
+#include <deque>
+
 namespace rigid {
 
 class BoundedRows {
@@ -152,7 +154,7 @@ private:
                 u_.segment<3>(joints.place(n)).setZero();
     }
 
-    std::vector<BoundedProblem> problems_;
+    std::deque<BoundedProblem> problems_;  ///< grows without copying their memory
     std::vector<int> next_;
     VecX u_;  ///< zero between calls
 

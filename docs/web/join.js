@@ -26,6 +26,8 @@ globalThis.rigid_join = function (bytes, [size, ...sizes]) {
         for (; value > 127; value >>= 7) into[n++] = value & 127 | 128;
         into[n++] = value;
     }
+    // What pack.py writes for the most frequent instructions.
+    const latest = 0xC8, zero = 0xCA;
     // Variables by their last use, the latest first.
     let recent = [];
     function used(rank) {
@@ -40,6 +42,17 @@ globalThis.rigid_join = function (bytes, [size, ...sizes]) {
 
     function instruction() {
         const op = code.bytes[code.place++];
+        if (op === latest || op === latest + 1) {
+            into[n++] = 0x20;
+            known(op - latest);
+            write(used(op - latest));
+            return 0;
+        }
+        if (op === zero) {
+            into[n++] = 0x41;
+            into[n++] = 0;
+            return 0;
+        }
         into[n++] = op;
         if (op === 0x20) {
             const before = n, rank = number(read);

@@ -8,8 +8,9 @@ A script can be loaded from a page that was opened as a file; a .wasm can't. The
 The code of functions is taken apart first (docs/web/join.js puts it together again): instructions here, names of
 variables there, constants elsewhere. Beside its like each byte is foretold better, and a variable that is read is named by
 how many others were used since it was used last. That is worth its lines: a program for a page has 200 kB in gzip at most.
-By gzip alone 9 of the 18 programs are heavier (chapter 17: 301 kB) and all together are 3.7 MB; by LZMA alone 4 are (13, 14,
-17 and 18: 209, 213, 228 and 200 kB) and all are 2.9 MB; in streams none is (180, 184, 195 and 171 kB), and all are 2.5 MB.
+By gzip alone 9 of the 18 programs are heavier (chapter 17: 311 kB) and all together are 3.5 MB; by LZMA alone 4 are (13, 14,
+15 and 17: 209, 213, 213 and 236 kB) and all are 2.7 MB; in streams chapter 17 was (202 kB). The most frequent instructions
+have a byte of their own, so none is (13, 14, 15 and 17: 175, 179, 176 and 195 kB), and all are 2.3 MB.
 """
 import base64
 import lzma
@@ -18,6 +19,10 @@ import sys
 
 FILTER = {"id": lzma.FILTER_LZMA1, "dict_size": 1 << 23, "lc": 3, "lp": 0, "pb": 0, "mode": lzma.MODE_NORMAL,
           "mf": lzma.MF_BT4, "nice_len": 273, "depth": 1000}
+
+# Bytes that are no instruction of wasm, for the most frequent ones: the variable that was used last is read, or the one
+# before it; the whole number zero.
+LATEST, ZERO = 0xC8, 0xCA
 
 
 def leb(number):
@@ -99,7 +104,8 @@ class Module:
         if self.place != end:
             raise SystemExit(f"a function ends at byte {self.place}, not at {end} as it says")
 
-    def variable(self, is_read):
+    def variable(self):
+        """The number of a variable, and how many others were used since it was used last."""
         start = self.place
         index = self.number()
         if self.wasm[start:self.place] != leb(index):
@@ -108,13 +114,21 @@ class Module:
             self.recent.append(len(self.recent))
         rank = self.recent.index(index)
         self.recent.insert(0, self.recent.pop(rank))
-        if is_read:
-            self.read += leb(rank)
-        else:
-            self.written += leb(index)
+        return index, rank
 
     def instruction(self):
         op = self.wasm[self.place]
+        if op == 0x20:  # a variable is read
+            self.place += 1
+            rank = self.variable()[1]
+            self.code.append(LATEST + rank if rank < 2 else op)
+            if rank >= 2:
+                self.read += leb(rank)
+            return
+        if op == 0x41 and self.wasm[self.place + 1] == 0:
+            self.code.append(ZERO)
+            self.place += 2
+            return
         self.bytes_to(self.code, 1)
         if op in (0x02, 0x03, 0x04, 0x06):  # block, loop, if, try
             self.depth += 1
@@ -129,8 +143,8 @@ class Module:
             self.numbers_to(self.code, self.peek() + 2)
         elif op in (0x10, 0x11):
             self.numbers_to(self.calls, op - 0x0F)
-        elif op in (0x20, 0x21, 0x22):
-            self.variable(op == 0x20)
+        elif op in (0x21, 0x22):
+            self.written += leb(self.variable()[0])
         elif 0x28 <= op <= 0x3E:  # load, store: alignment and offset
             self.numbers_to(self.code)
             self.numbers_to(self.offsets)
