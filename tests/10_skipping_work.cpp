@@ -18,6 +18,7 @@
 #include "tests/says.hpp"
 #include "tests/sentence.hpp"
 
+#include <deque>
 #include <map>
 #include <set>
 
@@ -743,7 +744,7 @@ TEST_CASE("a far pair of contradictory rods does not change one bit of another i
 TEST_CASE("one row and two rows have in closed form the answer of chapter 9", "[idea]")
 {
     Random random(8);
-    std::vector<ExactScratch> scratch;
+    std::deque<ExactScratch> scratch;
     int pushing = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         VecX inverse_mass(6), u(6);
@@ -795,7 +796,7 @@ TEST_CASE("a small exact island that is called solved has the residual that was 
     // Two rows on one body at angles from 1e-9 rad to a right one, also none: in closed form they lose up to eight
     // digits, and beyond them all.
     Random random(91);
-    std::vector<ExactScratch> scratch;
+    std::deque<ExactScratch> scratch;
     int solved = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         VecX inverse_mass(2), u(2);
@@ -841,7 +842,7 @@ TEST_CASE("for two balls and a wall by hand the exact island gives what (10.6) s
             u.segment<2>(row.a) += row.Wa * start;
             u.segment<2>(row.b) += row.Wb * start;
         }
-        std::vector<ExactScratch> scratch;
+        std::deque<ExactScratch> scratch;
         const IslandAnswer answer = solve_exactly<2>(solver_rows, 1e-13, scratch, u);
         CHECK(answer.status == Status::solved);
         CHECK(u.cwiseAbs().maxCoeff() < 1e-12);
