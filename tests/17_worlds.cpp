@@ -704,6 +704,88 @@ TEST_CASE("a body whose numbers overflow is held where it was and the step says 
     CHECK(engine.velocity(lost).y() == Approx(-9.81 * frame));
 }
 
+TEST_CASE("what hangs on a body whose numbers overflow is held with it and goes on", "[idea]")
+{
+    for (const int substeps : {1, 3}) {
+        INFO(substeps << " sub-steps");
+        WorldSettings settings;
+        settings.substeps = substeps;
+        World engine(settings);
+        std::vector<BodyId> ids;
+        std::vector<Vec2> places;
+        for (int i = 0; i < 4; ++i) {  // a chain of three, and one for itself
+            places.push_back({i < 3 ? 0.5 * i : 20.0, 50});
+            BodyDefinition body = body_of(disc(0.2), places.back());
+            if (i == 1) body.velocity = {0, 1e306};
+            ids.push_back(engine.add_body(body));
+            if (i == 1 || i == 2)
+                engine.add_joint(ids[static_cast<std::size_t>(i) - 1], ids.back(),
+                                 engine.joint_at(JointKind::revolute, ids[static_cast<std::size_t>(i) - 1],
+                                                 ids.back(), {0.5 * i - 0.25, 50}));
+        }
+        engine.step(frame);
+        CHECK(engine.work().held == 3);
+        CHECK(engine.work().unsolved == 1);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK((engine.position(ids[i]) - places[i]).norm() <=
+                  9.81 * frame * frame);  // at most a fall of one step
+            CHECK(std::abs(engine.velocity(ids[i]).y()) <= 9.81 * frame);
+        }
+        CHECK(engine.velocity(ids[3]).y() == Approx(-9.81 * frame));
+        for (int k = 0; k < 30; ++k) {
+            engine.step(frame);
+            CHECK(engine.work().held == 0);
+            CHECK(engine.work().unsolved == 0);
+        }
+        for (const JointId joint : engine.joints()) {
+            CHECK(engine.error(joint) <= 1e-8);  // Newton stops at 1e-9 ℓ
+            CHECK(engine.force(joint).allFinite());
+        }
+        // all three fall as one, and as what was never near them, but for the sub-step that they were held
+        CHECK(engine.velocity(ids[0]).y() == Approx(engine.velocity(ids[2]).y()));
+        CHECK(engine.velocity(ids[1]).y() == Approx(engine.velocity(ids[3]).y() + 9.81 * frame / substeps));
+    }
+}
+
+TEST_CASE("joints between masses whose ratio no number holds leave no impulse that is no number", "[house]")
+{
+    World engine;
+    std::vector<BodyId> ids;
+    const Real masses[] = {1e120, 1e-119, 1e-67};
+    for (int i = 0; i < 3; ++i) {
+        BodyDefinition body = body_of(disc(0.2), {0.5 * i, 50});
+        body.mass = Mass{masses[i], {0, 0}, 0.02 * masses[i]};
+        body.velocity = {0.0, 1.0 * i};
+        ids.push_back(engine.add_body(body));
+    }
+    engine.add_joint(ids[0], ids[1], engine.joint_at(JointKind::revolute, ids[0], ids[1], {0.3, 50.1}));
+    engine.add_joint(ids[1], ids[2], engine.joint_at(JointKind::weld, ids[1], ids[2], {0.8, 49.9}));
+    for (int k = 0; k < 3; ++k) {
+        engine.step(frame);
+        CHECK(engine.work().unsolved > 0);
+        for (const JointId joint : engine.joints()) {
+            CHECK(engine.force(joint).allFinite());
+            CHECK(std::isfinite(engine.torque(joint)));
+        }
+    }
+}
+
+TEST_CASE("a step whose part is no time and a shape whose area is no number are refused", "[house]")
+{
+    WorldSettings settings;
+    settings.substeps = 3;
+    World engine(settings);
+    engine.add_body({});
+    const std::uint64_t before = engine.hash();
+    CHECK_THROWS_WITH(engine.step(std::numeric_limits<Real>::denorm_min()),
+                      Contains("the time step h is 0 s"));
+    CHECK(engine.hash() == before);
+    BodyDefinition vast = body_of(box(1e200, 1e200), {0, 0});
+    vast.density = 0;
+    CHECK_THROWS_WITH(engine.add_body(vast), Contains("no finite centroid"));
+    CHECK(engine.hash() == before);
+}
+
 TEST_CASE("worlds of extreme numbers never show one that is not finite", "[house]")
 {
     Random random(5);

@@ -68,6 +68,10 @@ inline Mass require_valid(const BodyDefinition& body)
         for (const Vec2& vertex : body.shape.vertices) fixed.centroid += vertex;
         fixed.centroid /= static_cast<Real>(body.shape.vertices.size());
     }
+    if (!fixed.centroid.allFinite())
+        throw std::invalid_argument("the shape of the body has no finite centroid: "
+                                    "its area or a sum of its "
+                                    "vertices overflows; it must be smaller");
     return fixed;
 }
 

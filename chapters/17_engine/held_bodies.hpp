@@ -2,6 +2,7 @@
 /// The correction stage of the engine: chapter 14's, and a body whose state overflows is held where it was.
 ///
 ///     a number of x or u that is not finite, or above 10⁷⁵     →     x of before the sub-step, u = 0, and no impulses
+///     an impulse that is not finite                            →     0
 ///
 /// Sweeps that diverge, joints between masses too far apart, a velocity that a caller gave: a number may leave the range of
 /// doubles. What is computed with it is NaN, and one NaN makes all of its island NaN in the next step. The fourth power of 10⁷⁵
@@ -40,7 +41,7 @@ struct HeldBodies : LoadedJoints {
             scene.bodies.velocity(k).setZero();
             held.push_back(k);
         }
-        if (held.size() == first) return;
+        if (held.size() == first && now.solution.lambda.allFinite()) return;
         forget_impulses(first, now);
         std::sort(held.begin(), held.end());
         held.erase(std::unique(held.begin(), held.end()), held.end());
@@ -58,7 +59,8 @@ private:
                small(bodies.u.segment<3>(3 * k));
     }
 
-    /// The next step would start from them.
+    /// The next step would start from them. (A factor of joints between masses of 10¹²⁰ and 10⁻¹¹⁹ kg overflows,
+    /// and leaves u as it was.)
     void forget_impulses(std::size_t first, StepData<3>& now) const
     {
         const auto is_held = [&](Index k) {

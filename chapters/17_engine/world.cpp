@@ -69,6 +69,7 @@ void World::step(Real h)
 {
     State& s = *state_;
     require_step(h);
+    require_step(h / s.settings.substeps);  // of 5e-324 s a half is 0
     s.begin_events();
     s.work = {};
     s.work.bodies = s.bodies.count;

@@ -37,6 +37,21 @@ inline World world_of(const RigidScene& smooth, Real mu = 0.6,
 
 inline World pyramid_world(int base) { return world_of(box_pyramid(base)); }
 
+/// The same of boxes of another size, with the length of the world that goes with it.
+inline World sized_pyramid_world(int base, Real size)
+{
+    RigidScene scene = box_pyramid(base);
+    scene.bodies.x.reshaped(3, scene.bodies.count()).topRows(2) *= size;
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        scene.shapes[static_cast<std::size_t>(k)] = box(size, size);
+        scene.bodies.inverse_mass.segment<3>(3 * k) /= size * size;
+        scene.bodies.inverse_mass[3 * k + 2] /= size * size;
+    }
+    WorldSettings settings;
+    settings.length = size;
+    return world_of(scene, 0.6, settings);
+}
+
 inline World house_world(int storeys)
 {
     World made;

@@ -9,8 +9,8 @@
 
 #include <box2d/box2d.h>
 
+#include <map>
 #include <tuple>
-#include <utility>
 
 namespace rigid {
 
@@ -22,11 +22,14 @@ public:
         world_.SetAllowSleeping(sleeps);
         b2BodyDef fixed;
         b2Body* const ground = world_.CreateBody(&fixed);
-        std::vector<std::pair<BodyId, b2Body*>> known;
+        std::map<BodyId, b2Body*> known;
         for (const BodyId id : here.bodies()) {
             b2BodyDef def;
             const bool moves = here.mass(id) < infinity;
-            def.type = moves ? b2_dynamicBody : b2_staticBody;
+            const bool goes = !here.velocity(id).isZero(0) || here.spin(id) != 0;
+            def.type = moves  ? b2_dynamicBody
+                       : goes ? b2_kinematicBody
+                              : b2_staticBody;
             def.position = vector(here.position(id));
             def.angle = static_cast<float>(here.angle(id));
             def.linearVelocity = vector(here.velocity(id));
@@ -40,7 +43,7 @@ public:
                 body->SetMassData(&mass);
             }
             bodies_.push_back(body);
-            known.emplace_back(id, body);
+            known[id] = body;
         }
         for (const WallId id : here.walls()) {
             const HalfSpace& wall = here.wall(id);
@@ -54,9 +57,8 @@ public:
             ground->CreateFixture(&def);
         }
         const auto find = [&](BodyId id) {
-            for (const auto& [of, body] : known)
-                if (of == id) return body;
-            return ground;
+            const auto found = known.find(id);
+            return found == known.end() ? ground : found->second;
         };
         for (const JointId id : here.joints()) {
             const RigidJoint& joint = here.joint(id);
@@ -82,6 +84,11 @@ public:
     {
         for (int k = 0; k < substeps_; ++k)
             world_.Step(static_cast<float>(h / substeps_), 8, 3);
+    }
+    void drive(std::size_t k, const Vec2& velocity, Real spin)
+    {
+        bodies_[k]->SetLinearVelocity(vector(velocity));
+        bodies_[k]->SetAngularVelocity(static_cast<float>(spin));
     }
     void read(Poses& poses) const
     {

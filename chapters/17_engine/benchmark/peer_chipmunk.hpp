@@ -10,6 +10,7 @@
 #include <chipmunk/chipmunk.h>
 
 #include <cmath>
+#include <map>
 
 namespace rigid {
 
@@ -20,22 +21,24 @@ public:
     {
         cpSpaceSetGravity(space_, vector(here.settings().gravity));
         cpSpaceSetIterations(space_, 10);
-        cpSpaceSetCollisionSlop(space_, 5e-3);
+        cpSpaceSetCollisionSlop(space_, 5e-3 * here.settings().length);
         cpSpaceSetSleepTimeThreshold(space_,
                                      sleeps ? 0.5 : static_cast<cpFloat>(infinity));
         for (const BodyId id : here.bodies()) {
-            const bool moves = here.mass(id) < infinity;
+            const bool moves = here.mass(id) < infinity,
+                       goes = !here.velocity(id).isZero(0) || here.spin(id) != 0;
             cpBody* const body = cpSpaceAddBody(
-                space_, moves ? cpBodyNew(here.mass(id), here.inertia(id))
-                              : cpBodyNewStatic());
+                space_, moves  ? cpBodyNew(here.mass(id), here.inertia(id))
+                        : goes ? cpBodyNewKinematic()
+                               : cpBodyNewStatic());
             cpBodySetPosition(body, vector(here.position(id)));
             cpBodySetAngle(body, here.angle(id));
-            if (moves) {
+            if (moves || goes) {
                 cpBodySetVelocity(body, vector(here.velocity(id)));
                 cpBodySetAngularVelocity(body, here.spin(id));
             }
             bodies_.push_back(body);
-            ids_.push_back(id);
+            known_[id] = body;
             add_shape(body, here, id);
         }
         for (const WallId id : here.walls()) {
@@ -80,6 +83,11 @@ public:
     {
         for (int k = 0; k < substeps_; ++k) cpSpaceStep(space_, h / substeps_);
     }
+    void drive(std::size_t k, const Vec2& velocity, Real spin)
+    {
+        cpBodySetVelocity(bodies_[k], vector(velocity));
+        cpBodySetAngularVelocity(bodies_[k], spin);
+    }
     void read(Poses& poses) const
     {
         poses.clear();
@@ -93,9 +101,8 @@ private:
     static cpVect vector(const Vec2& v) { return cpv(v.x(), v.y()); }
     cpBody* find(BodyId id) const
     {
-        for (std::size_t k = 0; k < ids_.size(); ++k)
-            if (ids_[k] == id) return bodies_[k];
-        return cpSpaceGetStaticBody(space_);
+        const auto found = known_.find(id);
+        return found == known_.end() ? cpSpaceGetStaticBody(space_) : found->second;
     }
     void add_shape(cpBody* body, const World& here, BodyId id)
     {
@@ -131,7 +138,7 @@ private:
     cpSpace* space_;
     int substeps_;
     std::vector<cpBody*> bodies_;
-    std::vector<BodyId> ids_;
+    std::map<BodyId, cpBody*> known_;
     std::vector<cpShape*> shapes_;
     std::vector<cpConstraint*> joints_;
 };

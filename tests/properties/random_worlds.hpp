@@ -1,0 +1,465 @@
+/// \file random_worlds.hpp
+/// Small worlds of the engine with numbers that are meant to go wrong, kind by kind, and what must hold of each of them.
+///
+///     a call  throws std::invalid_argument and moves nothing, or is obeyed
+///     a step  throws nothing; every number that a world shows is finite; a body that is held is reported.
+///             Where numbers of any size came in, it may refuse as a call does, if a product of two of them overflows
+///     bytes   a world that was saved and loaded goes on to the same bits
+#pragma once
+
+#include "chapters/14_joints/joint_rows.hpp"
+#include "chapters/17_engine/world_scenes.hpp"
+#include "common/random.hpp"
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace rigid::properties {
+
+inline constexpr std::string_view world_kinds[] = {
+    "come and go",     // bodies, joints and blows at any time
+    "powers of ten",   // masses, speeds and stiffness of up to 10^±150
+    "any number",      // NaN, ∞, 0, negative, denormal, the largest: for every member of every definition
+    "joined",          // chains and rings of all kinds of joints, mass ratios of up to 10^12
+    "in one another",  // bodies that begin at one place, on edges, with any settings
+};
+inline constexpr Index world_kind_count = static_cast<Index>(std::size(world_kinds));
+
+struct WorldTally {
+    std::int64_t worlds = 0, steps = 0, refused = 0, held = 0, unsolved = 0, loaded = 0;
+};
+
+/// One world from its first call to its last step. All that it draws is drawn from one generator, in a fixed order.
+class WorldAttack {
+public:
+    WorldAttack(Index kind, Random& random, WorldTally& tally)
+        : kind_(kind), random_(random), tally_(tally), world_(some_settings())
+    {
+    }
+
+    /// \return  a sentence about the first thing that is false; empty: nothing is
+    std::string operator()(int steps)
+    {
+        ++tally_.worlds;
+        begin();
+        const bool loads = one_of(8);
+        for (int i = 0; i < steps && wrong_.empty(); ++i) {
+            if (kind_ == 0 && one_of(4)) act();
+            if (kind_ == 2 && one_of(20)) act();
+            if (loads && i == steps / 2) load(i);
+            step(world_, i);
+            judge(i);
+        }
+        if (wrong_.empty()) ask();
+        return wrong_;
+    }
+
+private:
+    // ---- numbers ------------------------------------------------------------------------------------
+    bool one_of(Index count) { return random_.index(count) == 0; }
+    Real power(Real low, Real high) { return pow(10, random_.uniform(low, high)); }
+    Real any()
+    {
+        constexpr Real list[] = {std::numeric_limits<Real>::quiet_NaN(),
+                                 infinity,
+                                 -infinity,
+                                 0,
+                                 -0.0,
+                                 -1,
+                                 std::numeric_limits<Real>::denorm_min(),
+                                 std::numeric_limits<Real>::min(),
+                                 std::numeric_limits<Real>::max(),
+                                 -std::numeric_limits<Real>::max(),
+                                 1e150,
+                                 -1e150,
+                                 1e-150,
+                                 1e75,
+                                 1e-20,
+                                 1e20};
+        const Index which = random_.index(24);
+        const Real other = (which % 2 ? 1 : -1) * power(-9, 9);
+        return which < 16 ? list[which] : other;
+    }
+    /// A number that makes sense, or in the kind "any number" now and then any.
+    Real or_any(Real sane)
+    {
+        const bool it = kind_ == 2 && one_of(24);
+        return it ? any() : sane;
+    }
+    Vec2 place(Real wide = 2)
+    {
+        const Real x = random_.uniform(-wide, wide), y = random_.uniform(-0.5, 3);
+        const Real px = or_any(x), py = or_any(y);
+        return {px, py};
+    }
+    Vec2 along(Real angle, Real length) { return {length * cos(angle), length * sin(angle)}; }
+
+    // ---- things -------------------------------------------------------------------------------------
+    WorldSettings some_settings()
+    {
+        WorldSettings s;
+        const Index solving = random_.index(5);
+        s.solving = solving < 3 ? Solving::by_island : static_cast<Solving>(solving - 2);
+        s.substeps = 1 + static_cast<int>(random_.index(3));
+        s.sleep = !one_of(4);
+        s.stop_fast = !one_of(4);
+        wild_ = random_.uniform(0, 150);
+        if (kind_ < 2) return s;
+        if (one_of(4)) s.sweeps = 1 + static_cast<int>(random_.index(100));
+        if (one_of(4)) s.most_exact = static_cast<int>(random_.index(40));
+        if (one_of(4)) s.length = power(-3, 3);
+        if (one_of(4)) s.margin = power(-6, 1);
+        if (one_of(4)) s.slop = power(-9, 0);
+        if (one_of(4)) s.tolerance = power(-12, 0);
+        const Real down = random_.uniform(0, 7);
+        if (one_of(4)) s.gravity = along(down, power(-3, 4));
+        for (Real* const number :
+             {&s.length, &s.margin, &s.slop, &s.tolerance, &s.rest.speed, &s.rest.acceleration, &s.rest.time,
+              &s.hit_speed, &s.gravity.x(), &s.gravity.y()})
+            *number = or_any(*number);
+        try {
+            require_valid(s);
+        } catch (const std::invalid_argument&) {
+            ++tally_.refused;
+            return {};
+        }
+        return s;
+    }
+    Polygon some_shape(Real size)
+    {
+        switch (random_.index(kind_ == 2 ? 6 : 5)) {
+        case 0:
+            return disc(size);
+        case 1:
+            return capsule(size, 0.3 * size);
+        case 2:
+            return box(size, (one_of(4) ? 0.002 : 0.2) * size);
+        case 3:
+            return box(size, size, 0.1 * size);
+        case 4: {
+            Polygon shape;
+            const Index corners = 3 + random_.index(6);
+            const Real from = random_.uniform(0, 7);
+            for (Index i = 0; i < corners; ++i)
+                shape.vertices.push_back(
+                    along(from + 2 * pi * static_cast<Real>(i) / static_cast<Real>(corners), size));
+            return shape;
+        }
+        default: {
+            Polygon shape;
+            const Index corners = random_.index(6);
+            for (Index i = 0; i < corners; ++i) shape.vertices.push_back(place(size));
+            shape.radius = or_any(random_.uniform(0, 0.2));
+            return shape;
+        }
+        }
+    }
+    BodyDefinition some_body()
+    {
+        BodyDefinition body;
+        body.shape = some_shape(kind_ == 0 ? power(-2.5, 1) : kind_ == 1 ? power(-1.5, 0.5) : power(-1.5, 0));
+        body.position = kind_ == 4 && !one_of(3) ? Vec2(0, 0.5) : place();
+        body.angle = or_any(kind_ == 4 && one_of(2) ? 0 : random_.uniform(-7, 7));
+        body.density = or_any(one_of(8)    ? 0
+                              : kind_ == 1 ? power(-wild_, wild_)
+                              : kind_ == 3 ? power(-6, 6)
+                                           : power(-4, 4));
+        const bool fast = one_of(4);
+        const Real speed = kind_ == 1   ? power(-2, fast ? 2 * wild_ : 3)
+                           : kind_ == 0 ? power(-2, 3)
+                                        : power(-2, fast ? 3 : 0.5);
+        body.velocity = along(random_.uniform(0, 7), speed);
+        body.spin = (one_of(2) ? 1 : -1) * (kind_ == 1 ? power(0, fast ? 2 * wild_ : 2) : power(-2, 2));
+        Surface& surface = body.surface;
+        surface.friction = one_of(6) ? power(-3, 3) : random_.uniform(0, 1.5);
+        surface.restitution = one_of(2) ? 0 : random_.uniform();
+        if (one_of(6)) surface.belt = random_.uniform(-5, 5);
+        if (one_of(6)) surface.rolling = power(-4, 0);
+        for (Real* const number : {&body.velocity.x(), &body.velocity.y(), &body.spin, &surface.friction,
+                                   &surface.restitution, &surface.belt, &surface.rolling})
+            *number = or_any(*number);
+        if (kind_ == 2 && one_of(6)) {
+            Mass mass;
+            mass.mass = or_any(power(-3, 3));
+            mass.inertia = or_any(power(-3, 3));
+            mass.centroid = place(0.1);
+            body.mass = mass;
+        }
+        body.bullet = one_of(6);
+        body.sensor = one_of(16);
+        if (body.sensor && !one_of(8)) body.density = 0, body.mass.reset();
+        if (one_of(6))
+            body.filter = {1u << random_.index(3), 7, static_cast<std::int32_t>(random_.index(3)) - 1};
+        return body;
+    }
+    RigidJoint some_joint(BodyId a, BodyId b, const Vec2& at)
+    {
+        const auto kind = static_cast<JointKind>(random_.index(12));
+        RigidJoint joint;
+        attempt([&] { joint = world_.joint_at(kind, a, b, at); });
+        joint.kind = kind;
+        const Real stiff = kind_ == 1 ? power(-wild_, 2 * wild_) : power(-3, 6);
+        if (kind == JointKind::distance || kind == JointKind::rope || kind == JointKind::pulley || one_of(8))
+            joint.length = random_.uniform(0, 3);
+        joint.ratio = one_of(4) ? -power(-3, 3) : 1;
+        joint.over_a = place(), joint.over_b = place();
+        const bool can = has_coordinate(kind) || one_of(20);
+        if (can && one_of(2))
+            joint.lower = -random_.uniform(), joint.upper = one_of(5) ? joint.lower : random_.uniform();
+        if (can && one_of(3)) joint.motor.force = stiff, joint.motor.speed = random_.uniform(-30, 30);
+        const bool poses = kind == JointKind::mouse || kind == JointKind::motor;
+        if (poses || kind == JointKind::wheel || (can && one_of(3)))
+            joint.spring = {0, one_of(2) ? stiff : 0, stiff, one_of(2) ? 0 : power(-3, 4),
+                            random_.uniform(-1, 1)};
+        if (poses || kind == JointKind::friction) joint.torque = stiff, joint.motor.force = stiff;
+        if (one_of(8)) joint.breaking_force = power(-2, 5);
+        if (one_of(8)) joint.breaking_torque = power(-2, 5);
+        joint.collide_connected = one_of(3);
+        for (Real* const number :
+             {&joint.at_a.x(), &joint.at_b.y(), &joint.axis.x(), &joint.angle, &joint.length, &joint.ratio,
+              &joint.over_a.x(), &joint.over_b.y(), &joint.lower, &joint.upper, &joint.motor.speed,
+              &joint.motor.force, &joint.spring.force, &joint.spring.stiffness, &joint.spring.damping,
+              &joint.spring.target, &joint.torque, &joint.breaking_force, &joint.breaking_torque})
+            *number = or_any(*number);
+        return joint;
+    }
+
+    // ---- calls --------------------------------------------------------------------------------------
+    /// A call is refused with a sentence and moves nothing, or is obeyed.
+    template <class Call>
+    void attempt(const Call& call)
+    {
+        const std::uint64_t before = world_.hash();
+        try {
+            call();
+        } catch (const std::invalid_argument&) {
+            ++tally_.refused;
+            if (world_.hash() != before) wrong_ = "a call that was refused moved something";
+        }
+    }
+    BodyId some(const std::vector<BodyId>& all)
+    {
+        return all.empty() ? BodyId{}
+                           : all[static_cast<std::size_t>(random_.index(static_cast<Index>(all.size())))];
+    }
+    void join(BodyId a, BodyId b, const Vec2& at)
+    {
+        const RigidJoint joint = some_joint(a, b, at);
+        attempt([&] { world_.add_joint(a, b, joint); });
+    }
+    void begin()
+    {
+        attempt([&] { world_.add_wall({{0, 1}, or_any(0)}); });
+        if (one_of(3)) {
+            const Real angle = random_.uniform(0, 7);
+            const Vec2 normal = along(angle, or_any(1));
+            attempt([&] { world_.add_wall({normal, -3}, {or_any(random_.uniform()), 0, or_any(0), 0}); });
+        }
+        if (kind_ == 4 || one_of(4)) {
+            std::vector<Vec2> points;
+            const Index count = 2 + random_.index(4);
+            for (Index i = 0; i < count; ++i)
+                points.push_back({or_any(3 - 6 * static_cast<Real>(i) / 5), random_.uniform(-0.4, 0.4)});
+            attempt([&] { world_.add_chain(points); });
+        }
+        const Index count = 3 + random_.index(one_of(24) ? 10 : 3);
+        std::vector<BodyId> added;
+        for (Index i = 0; i < count; ++i) {
+            BodyDefinition body = some_body();
+            if (kind_ == 3) body.position = {0.4 * static_cast<Real>(i), 2};
+            attempt([&] { added.push_back(world_.add_body(body)); });
+        }
+        if (kind_ == 3) {
+            for (std::size_t i = 0; i < added.size(); ++i)
+                join(i == 0 ? BodyId{} : added[i - 1], added[i], {0.4 * static_cast<Real>(i) - 0.2, 2});
+            for (Index i = random_.index(3); i > 0; --i) {
+                const BodyId a = some(added), b = some(added);
+                join(a, b, place());
+            }
+        } else if (kind_ == 1 || kind_ == 2)
+            for (Index i = random_.index(5); i > 0; --i) {
+                const BodyId a = one_of(6) ? BodyId{} : some(added), b = some(added);
+                join(a, b, place());
+            }
+    }
+    void act()
+    {
+        const std::vector<BodyId> all = world_.bodies();
+        const BodyId it = some(all), other = some(all);
+        const Vec2 at = place(3);
+        switch (random_.index(12)) {
+        case 0:
+        case 1:
+            if (all.size() < 7) {
+                const BodyDefinition body = some_body();
+                attempt([&] { world_.add_body(body); });
+            }
+            break;
+        case 2:
+            if (all.size() > 2) attempt([&] { world_.remove(it); });
+            break;
+        case 3:
+        case 4:
+            join(it, other, at);
+            break;
+        case 5:
+            attempt([&] { world_.move(it, at, or_any(random_.uniform(-7, 7))); });
+            break;
+        case 6:
+            attempt([&] { world_.push(it, power(-2, 3) * at, at); });
+            break;
+        case 7: {
+            const Real angle = random_.uniform(0, 7);
+            const Vec2 velocity = along(angle, power(-2, 3));
+            attempt([&] { world_.set_velocity(it, velocity, or_any(random_.uniform(-50, 50))); });
+            break;
+        }
+        case 8:
+            attempt([&] { world_.pull(one_of(3) ? BodyId{} : it, at); });
+            break;
+        case 9: {
+            const Surface surface{or_any(random_.uniform(0, 2)), or_any(random_.uniform()), 0, 0};
+            attempt([&] { world_.set_surface(it, surface); });
+            break;
+        }
+        case 10: {
+            const WorldSettings settings = some_settings();
+            attempt([&] { world_.change(settings); });
+            break;
+        }
+        default: {
+            const std::vector<JointId> joints = world_.joints();
+            if (joints.empty()) break;
+            const JointId gone =
+                joints[static_cast<std::size_t>(random_.index(static_cast<Index>(joints.size())))];
+            if (one_of(2)) world_.remove(gone);
+            else {
+                RigidJoint joint = world_.joint(gone);
+                joint.motor.speed = or_any(random_.uniform(-30, 30));
+                joint.spring.target = or_any(random_.uniform(-1, 1));
+                attempt([&] { world_.change(gone, joint); });
+            }
+        }
+        }
+    }
+
+    // ---- what must hold -----------------------------------------------------------------------------
+    void wrong(const std::string& what, int step)
+    {
+        if (wrong_.empty()) wrong_ = "step " + std::to_string(step) + ": " + what;
+    }
+    /// Valid calls lead to states that a step can go on from, whatever the calls were.
+    void step(World& world, int i)
+    {
+        if (kind_ == 2 && one_of(20)) {
+            const Real h = any();
+            try {
+                world.step(h);
+                return;
+            } catch (const std::invalid_argument&) {
+                ++tally_.refused;
+            }
+        }
+        takes_step(world, i);
+        ++tally_.steps;
+    }
+    bool takes_step(World& world, int i)
+    {
+        try {
+            world.step(frame);
+            return true;
+        } catch (const std::invalid_argument& refusal) {
+            ++tally_.refused;
+            if (kind_ != 2) wrong(std::string("it refuses: ") + refusal.what(), i);
+        } catch (const std::exception& thrown) {
+            wrong(std::string("it throws: ") + thrown.what(), i);
+        }
+        return false;
+    }
+    /// Products of its numbers with those of bodies stay below the largest number.
+    static bool is_moderate(const RigidJoint& joint)
+    {
+        for (const Real number :
+             {joint.at_a.norm(), joint.at_b.norm(), joint.over_a.norm(), joint.over_b.norm(),
+              std::abs(joint.length), std::abs(joint.ratio), std::abs(joint.angle)})
+            if (!(number <= 1e75)) return false;
+        return true;
+    }
+    void judge(int i)
+    {
+        const StepWork& work = world_.work();
+        tally_.held += work.held;
+        tally_.unsolved += work.unsolved > 0;
+        if (work.held > 0 && work.unsolved == 0) wrong("a body is held and nothing is unsolved", i);
+        if (work.held != static_cast<int>(world_.events().held.size()))
+            wrong("not all that is held is reported", i);
+        if (std::isnan(work.residual)) wrong("the residual is no number", i);
+        for (const BodyId body : world_.bodies())
+            if (!world_.position(body).allFinite() || !world_.velocity(body).allFinite() ||
+                !std::isfinite(world_.angle(body)) || !std::isfinite(world_.spin(body)))
+                wrong("body " + std::to_string(body.place) + " is at (" +
+                          shortest(world_.position(body).x()) + ", " + shortest(world_.position(body).y()) +
+                          ") with the velocity (" + shortest(world_.velocity(body).x()) + ", " +
+                          shortest(world_.velocity(body).y()) + ") and the spin " +
+                          shortest(world_.spin(body)),
+                      i);
+        world_.contacts(contacts_);
+        for (const ContactView& contact : contacts_)
+            if (!std::isfinite(contact.impulse) || !std::isfinite(contact.gap) ||
+                !contact.point.allFinite() || !contact.normal.allFinite())
+                wrong("a contact has the impulse " + shortest(contact.impulse) + " and the gap " +
+                          shortest(contact.gap),
+                      i);
+        for (const JointId joint : world_.joints())
+            if (!is_moderate(world_.joint(joint))) continue;
+            else if (std::isnan(world_.error(joint)) || std::isnan(world_.torque(joint)) ||
+                     world_.force(joint).hasNaN() || std::isnan(world_.coordinate(joint)))
+                wrong("the " + std::string(to_string(world_.joint(joint).kind)) + " joint " +
+                          std::to_string(joint.place) + " has the error " + shortest(world_.error(joint)) +
+                          ", the force (" + shortest(world_.force(joint).x()) + ", " +
+                          shortest(world_.force(joint).y()) + "), the torque " +
+                          shortest(world_.torque(joint)) + " and the coordinate " +
+                          shortest(world_.coordinate(joint)),
+                      i);
+    }
+    void load(int i)
+    {
+        World other = World::load(world_.save());
+        ++tally_.loaded;
+        for (int k = 0; k < 10 && wrong_.empty(); ++k) {
+            const bool one = takes_step(world_, i + k), two = takes_step(other, i + k);
+            if (one != two || other.hash() != world_.hash())
+                wrong("the world that was saved and loaded has other bits", i + k);
+        }
+    }
+    void ask()
+    {
+        for (int k = 0; k < 4; ++k) {
+            const Vec2 from = place(4), way = place(4);
+            const Polygon shape = some_shape(power(-1, 0));
+            attempt([&] {
+                const auto met = world_.ray(from, way);
+                if (met && !(met->part >= 0 && met->part <= 1 && met->point.allFinite()))
+                    wrong_ = "a ray meets no place";
+            });
+            attempt([&] {
+                const auto met = world_.cast(shape, from, 0, way);
+                if (met && !(met->part >= 0 && met->part <= 1)) wrong_ = "a cast meets no place";
+            });
+            attempt([&] { world_.overlapping(shape, from); });
+            attempt([&] { world_.at(from); });
+        }
+    }
+
+    static constexpr Real frame = 1.0 / 60;
+    Index kind_;
+    Random& random_;
+    WorldTally& tally_;
+    Real wild_ = 0;  ///< powers of ten
+    std::string wrong_;
+    World world_;
+    std::vector<ContactView> contacts_;
+};
+
+}  // namespace rigid::properties
