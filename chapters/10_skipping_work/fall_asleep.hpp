@@ -68,10 +68,12 @@ Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
         const auto [lo, hi] = bounds_of(row, now.solution.lambda);
         const Real w = row.velocity(u) + row.softness * lambda;
         Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
-        if constexpr (Dof == 3)
-            if (row.Ja.template head<2>().isZero(0) &&
-                row.Jb.template head<2>().isZero(0))
+        if constexpr (Dof > 2) {
+            constexpr int ways = Dof == 3 ? 2 : 3;  // the others are angles
+            if (row.Ja.template head<ways>().isZero(0) &&
+                row.Jb.template head<ways>().isZero(0))
                 r *= now.length;
+        }
         if (!(r <= largest)) largest = r;  // also takes over a NaN
         if (std::isnan(largest)) return largest;
     }

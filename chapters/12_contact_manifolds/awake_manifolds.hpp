@@ -1,6 +1,7 @@
 /// \file awake_manifolds.hpp
 /// The contacts stage for shapes that skips what needs nothing: bodies that sleep are not placed, not paired and make no
 /// rows. When an island falls asleep and what wakes it is chapter 10's; what the scene's owner changes is seen by itself.
+/// A template, because solids in space sleep by it too (chapter 18).
 #pragma once
 
 #include "chapters/07_baumgarte/stabilization.hpp"
@@ -18,11 +19,21 @@ inline Vec<3> measured_velocity(const RigidScene& scene, Index k, const Vec<3>& 
     return {u[0], u[1], u[2] * (turning_radius(shape) + shape.radius)};
 }
 
-//! [awake_manifolds]
-struct AwakeManifolds : Sleepers<3> {
-    Manifolds touching;
-    //! [awake_manifolds]
-    SceneWatch watch;  ///< the scene as the last step left it
+//! [awake_stage]
+/// \tparam Touching  the contacts stage that looks at some bodies: begin_with(); and
+///                   the pairs that touched: `touching`, of sleepers `resting`
+/// \tparam Watch     what has been changed in a Watch::Scene
+template <class Touching, class Watch>
+struct AwakeStage : Sleepers<Watch::Scene::dof> {
+    using Scene = typename Watch::Scene;
+    static constexpr int dof = Scene::dof;
+    using Base = Sleepers<dof>;
+    using Base::rest, Base::sleep, Base::length, Base::set, Base::rests,
+        Base::changed, Base::woken, Base::fell_asleep;
+
+    Touching touching;
+    //! [awake_stage]
+    Watch watch;  ///< the scene as the last step left it
     RestConditions conditions;
     Real margin = 0;  ///< of the last step [m]
 
@@ -41,10 +52,12 @@ struct AwakeManifolds : Sleepers<3> {
 
     //! [awake_begin]
     template <class Method>
-    void begin(const RigidScene& scene, const StepSettings& settings,
-               Method& method, StepData<3>& now)
+    void begin(const Scene& scene, const StepSettings& settings, Method& method,
+               StepData<dof>& now)
     {
         require_bodies(scene);
+        if constexpr (requires { touching.require_fit(scene, method); })
+            touching.require_fit(scene, method);
         woken = fell_asleep = 0;
         take_in_changes(scene, settings, method);
         now.length = length;
@@ -53,12 +66,12 @@ struct AwakeManifolds : Sleepers<3> {
 
         // Whatever an awake body touches wakes, with its island, and looks too.
         do {
-            if (!set.woken.empty()) take_in_the_woken(method);
+            if (!set.woken.empty()) this->take_in_the_woken(method);
             now.active = set.awake;
             now.active.insert(now.active.end(), moved_.begin(), moved_.end());
             std::sort(now.active.begin(), now.active.end());
             touching.begin_with(scene, margin, settings.h, now.active, now);
-            for (const Contact& contact : now.contacts)
+            for (const auto& contact : now.contacts)
                 for (const Index k : {contact.a, contact.b})
                     if (k != world) set.wake(k);
         } while (!set.woken.empty());
@@ -70,15 +83,15 @@ struct AwakeManifolds : Sleepers<3> {
         now.bends = {};
         now.same_bodies = !changed;
         changed = false;
-        begin_from(scene.bodies, now);
+        this->begin_from(scene.bodies, now);
     }
 
-    template <class Scene, class Method>
-    void end(Scene& scene, const StepSettings& settings, Method& method,
-             const StepData<3>& now)
+    template <class AnyScene, class Method>
+    void end(AnyScene& scene, const StepSettings& settings, Method& method,
+             const StepData<dof>& now)
     {
         touching.end(scene, settings, method, now);
-        fall_asleep(scene, settings, method, now);
+        this->fall_asleep(scene, settings, method, now);
         watch.remember(scene);
     }
 
@@ -86,10 +99,12 @@ private:
     std::vector<int> moved_;  ///< fixed bodies that are elsewhere than a step ago
 
     template <class Method>
-    void take_in_changes(const RigidScene& scene, const StepSettings& settings,
+    void take_in_changes(const Scene& scene, const StepSettings& settings,
                          const Method& method)
     {
-        RestConditions present{scene.gravity, 0, 0, rest, {}, sleep};
+        RestConditions present{Vec2(0, 0), 0, 0, rest, {}, sleep};
+        // in space the watch alone compares it
+        if constexpr (dof == 3) present.gravity = scene.gravity;
         if constexpr (requires { present.correction = method.correction; })
             present.correction = method.correction;
         else if constexpr (requires { method.correction.slop; }) {
@@ -100,7 +115,7 @@ private:
         moved_.clear();
         if (watch.x.size() == 0 ||
             scene.bodies.count() < static_cast<Index>(rests.size()))
-            wake_all(scene.bodies);
+            this->wake_all(scene.bodies);
         else {
             watch.compare(scene, [&](Index k) { was_changed(scene.bodies, k); });
             if (watch.all_concerned(scene) || !same_rest(present, conditions) ||
@@ -108,7 +123,7 @@ private:
                 wake_everybody();
         }
         while (static_cast<Index>(rests.size()) < scene.bodies.count())
-            add(scene.bodies, static_cast<Index>(rests.size()));
+            this->add(scene.bodies, static_cast<Index>(rests.size()));
         conditions = present;
         margin = found_within;
         if (settings.pulled != world) {
@@ -121,14 +136,14 @@ private:
     }
 
     /// ℓ is the scene's, and stays what it was while bodies are added.
-    Real length_of(const RigidScene& scene)
+    Real length_of(const Scene& scene)
     {
         if (watch.x.size() == 0 || scene.length > 0) length = typical_length(scene);
         return length;
     }
 
     /// Body k has been changed: it wakes, and what touched it or hangs on it.
-    void was_changed(const Bodies<3>& bodies, Index k)
+    void was_changed(const Bodies<dof>& bodies, Index k)
     {
         set.wake(k);
         const auto with = [&](Index a, Index b) {
@@ -136,9 +151,9 @@ private:
                 for (const Index other : {a, b})
                     if (other != world) set.wake(other);
         };
-        for (const TouchingPair& pair : touching.touching) with(pair.a, pair.b);
-        for (const TouchingPair& pair : touching.resting) with(pair.a, pair.b);
-        for (const PointJoint& joint : watch.joints) with(joint.a, joint.b);
+        for (const auto& pair : touching.touching) with(pair.a, pair.b);
+        for (const auto& pair : touching.resting) with(pair.a, pair.b);
+        for (const auto& joint : watch.joints) with(joint.a, joint.b);
 
         Activity& activity = set.activity[static_cast<std::size_t>(k)];
         const bool moves = bodies.can_move(k) || !bodies.velocity(k).isZero(0);
@@ -155,5 +170,9 @@ private:
         changed = true;
     }
 };
+
+//! [awake_manifolds]
+using AwakeManifolds = AwakeStage<Manifolds, SceneWatch>;
+//! [awake_manifolds]
 
 }  // namespace rigid

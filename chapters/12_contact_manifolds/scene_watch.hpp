@@ -26,6 +26,7 @@ inline bool operator==(const PointJoint& a, const PointJoint& b)
 }
 
 struct SceneWatch {
+    using Scene = RigidScene;
     VecX x, u, inverse_mass;  ///< as the last step left them
     std::vector<Polygon> shapes;
     std::vector<PointJoint> joints;

@@ -35,13 +35,17 @@ inline SpaceContact touch_of(const SolidWall& wall, const SolidEllipsoid& e,
 
 /// All contacts of ellipsoids with walls. Their names are below zero: corners have the
 /// others.
-inline void touch_ellipsoids(const SpaceScene& scene, Real margin, StepData<6>& now)
+/// \param looks  bool(Index): whether the step looks at a body
+template <class Looks>
+void touch_ellipsoids(const SpaceScene& scene, Real margin, const Looks& looks,
+                      StepData<6>& now)
 {
     Index name = 0;
     for (const SolidEllipsoid& ellipsoid : scene.ellipsoids)
         for (std::size_t w = 0; w < scene.walls.size(); ++w) {
             --name;
-            if (!scene.bodies.can_move(ellipsoid.body)) continue;
+            if (!scene.bodies.can_move(ellipsoid.body) || !looks(ellipsoid.body))
+                continue;
             const VecX& x = scene.bodies.x;
             SpaceContact contact = touch_of(scene.walls[w], ellipsoid, x);
             const Vec3 p = point_of_solid(x, contact.b, contact.at_b);

@@ -196,17 +196,28 @@ struct AllSolids {
         const Bodies<6>& bodies = scene.bodies;
         now.active.resize(static_cast<std::size_t>(bodies.count()));
         std::iota(now.active.begin(), now.active.end(), 0);
+        list_joints(
+            scene, [](Index) { return true; }, now);
+        now.x_found = bodies.x;
+    }
+    /// The rows of the joints of some bodies, and no contact yet.
+    /// \param looks  bool(Index): whether the step looks at a body
+    template <class Looks>
+    static void list_joints(const SpaceScene& scene, const Looks& looks,
+                            StepData<6>& now)
+    {
+        const Bodies<6>& bodies = scene.bodies;
         now.contacts.clear();
         now.sources.clear();
         for (std::size_t i = 0; i < scene.joints.size(); ++i) {
             const SpaceJoint& joint = scene.joints[i];
             if (!bodies.can_move(joint.a) && !bodies.can_move(joint.b)) continue;
+            if (!(joint.a != world && looks(joint.a)) && !looks(joint.b)) continue;
             for_each_slot(frames_of(bodies.x, joint), joint, [&](int slot) {
                 now.sources.push_back(
                     {Source::Of::joint, static_cast<int>(i) * joint_slots + slot});
             });
         }
-        now.x_found = bodies.x;
     }
     template <class Method>
     void end(const SpaceScene&, const StepSettings&, Method&,

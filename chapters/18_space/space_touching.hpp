@@ -2,13 +2,10 @@
 /// The contacts stage in space: which solids are near each other, where they touch, and the rows of that.
 ///
 ///     joints · friction, up to five rows to a contact · normals, one to a contact
-///
-/// Pairs are found by chapter 10's sort and sweep, on the shadows of balls around the bodies. What a joint joins does not
-/// collide, and what cannot move makes no row with what cannot move.
 #pragma once
 
-#include "chapters/10_skipping_work/sort_and_sweep.hpp"
 #include "chapters/18_space/ellipsoid.hpp"
+#include "chapters/18_space/solid_pairs.hpp"
 #include "chapters/18_space/solid_touch.hpp"
 #include "chapters/18_space/space_constraints.hpp"
 
@@ -32,20 +29,13 @@ inline void collide(const SolidWall& wall, const PlacedSolid& b,
 }
 //! [wall]
 
-struct TouchingSolids {
+struct TouchingSolids : SolidPairs {
     /// what differs by less than this is the same [margins]
     Real slack = 0.01;
     int points = 4;  ///< of each pair of hulls, at most; 1: the deepest alone
 
     // What is kept from step to step.
     AllSolids others;
-    std::vector<std::vector<Hull>> known;       ///< of these the forms are
-    std::vector<std::vector<SolidForm>> forms;  ///< of each body's hulls
-    std::vector<std::vector<PlacedSolid>> solids;
-    std::vector<Real> reach;  ///< of each body, from its centroid [m]
-    SortAndSweep shadows;
-    VecX seen, radii;
-    std::vector<std::pair<int, int>> pairs, joined;
     ClipRoom room;
     Touch touch;
 
@@ -68,14 +58,31 @@ struct TouchingSolids {
     {
         others.begin(scene, settings, method, now);
         require_touching(scene);
+        mark(scene, now.active);
+        list_contacts(scene, settings.margin * now.length, now);
+    }
+
+    /// The same for a step that looks at some bodies only.
+    /// \param bodies  ascending; the others are where they were in the last step
+    void begin_with(const SpaceScene& scene, Real margin, Real,
+                    std::span<const int> bodies, StepData<6>& now)
+    {
+        mark(scene, bodies);
+        AllSolids::list_joints(
+            scene, [this](Index k) { return looks(k); }, now);
+        list_contacts(scene, margin, now);
+    }
+
+    void list_contacts(const SpaceScene& scene, Real margin, StepData<6>& now)
+    {
         place(scene);
-        const Real margin = settings.margin * now.length;
         find_pairs(scene, margin);
         const TouchSettings how{margin, slack * margin};
         for (std::size_t w = 0; w < scene.walls.size(); ++w)
             touch_wall(scene, w, how, now);
         for (const auto& [a, b] : pairs) touch_pair(scene, a, b, how, now);
-        touch_ellipsoids(scene, margin, now);
+        touch_ellipsoids(
+            scene, margin, [this](Index k) { return looks(k); }, now);
         // friction first: what is visited last is right (section 13.5)
         for (std::size_t i = 0; i < now.contacts.size(); ++i) {
             const Grip& grip = now.contacts[i].grip;
@@ -88,6 +95,15 @@ struct TouchingSolids {
             add_rows(i, {push_part}, now);
     }
     //! [stage]
+
+    /// What a scene needs for all of this.
+    template <class Method>
+    void require_fit(const SpaceScene& scene, const Method& method) const
+    {
+        require_touching(scene);
+        AllSolids::refuse_unfit(method.correction);
+    }
+
     template <class Method>
     void end(const SpaceScene&, const StepSettings&, Method&,
              const StepData<6>&) const
@@ -103,54 +119,6 @@ private:
                 {Source::Of::contact, static_cast<int>(contact), part});
     }
 
-    /// Forms of what is new, and all of them where the bodies are.
-    void place(const SpaceScene& scene)
-    {
-        if (known != scene.shapes) {
-            known = scene.shapes;
-            forms.assign(known.size(), {});
-            reach.assign(known.size(), 0);
-            for (std::size_t k = 0; k < known.size(); ++k)
-                for (const Hull& hull : known[k]) {
-                    forms[k].push_back(form_of(hull));
-                    reach[k] = std::max(reach[k], forms[k].back().reach);
-                }
-            solids.assign(known.size(), {});
-        }
-        for (std::size_t k = 0; k < forms.size(); ++k) {
-            const auto body = static_cast<Index>(k);
-            const Mat3 R = rotation_of(scene.bodies.x, body);
-            solids[k].resize(forms[k].size());
-            for (std::size_t i = 0; i < forms[k].size(); ++i)
-                solids[k][i].place(forms[k][i], centre_of(scene.bodies.x, body), R);
-        }
-    }
-
-    void find_pairs(const SpaceScene& scene, Real margin)
-    {
-        const Bodies<6>& bodies = scene.bodies;
-        seen.resize(2 * bodies.count());
-        radii.resize(bodies.count());
-        joined.clear();
-        for (const SpaceJoint& joint : scene.joints)
-            joined.emplace_back(static_cast<int>(std::min(joint.a, joint.b)),
-                                static_cast<int>(std::max(joint.a, joint.b)));
-        std::sort(joined.begin(), joined.end());
-        for (Index k = 0; k < bodies.count(); ++k) {
-            seen.segment<2>(2 * k) = centre_of(bodies.x, k).head<2>();
-            radii[k] = reach[static_cast<std::size_t>(k)];
-        }
-        pairs.clear();
-        sort_and_sweep(seen, radii, margin, 0, shadows, [&](int a, int b) {
-            if (!bodies.can_move(a) && !bodies.can_move(b)) return;
-            const Vec3 way = centre_of(bodies.x, b) - centre_of(bodies.x, a);
-            if (!(way.norm() < radii[a] + radii[b] + margin)) return;
-            if (!std::binary_search(joined.begin(), joined.end(), std::pair(a, b)))
-                pairs.emplace_back(a, b);
-        });
-        std::sort(pairs.begin(), pairs.end());
-    }
-
     void touch_wall(const SpaceScene& scene, std::size_t w,
                     const TouchSettings& how, StepData<6>& now)
     {
@@ -159,7 +127,8 @@ private:
             const auto k = static_cast<std::size_t>(b);
             const Real height =
                 wall.normal.dot(centre_of(scene.bodies.x, b)) - wall.offset;
-            if (!scene.bodies.can_move(b) || height - reach[k] >= how.margin)
+            if (!looks(b) || !scene.bodies.can_move(b) ||
+                height - reach[k] >= how.margin)
                 continue;
             Index first = 0;
             for (std::size_t v = 0; v < w; ++v) first += corners(k);
@@ -178,6 +147,7 @@ private:
         const auto ka = static_cast<std::size_t>(a),
                    kb = static_cast<std::size_t>(b);
         Index first = 0;
+        const std::size_t before = now.contacts.size();
         for (const PlacedSolid& p : solids[ka])
             for (const PlacedSolid& q : solids[kb]) {
                 collide(p, q, how, room, touch);
@@ -185,6 +155,7 @@ private:
                     grip_of(scene, ka, kb), now);
                 first += TouchNames(*p.form, *q.form).count();
             }
+        if (now.contacts.size() > before) touching.push_back({a, b});
     }
 
     void add(const SpaceScene& scene, Index a, Index b, Real radius_a,
