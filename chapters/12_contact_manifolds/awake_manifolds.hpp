@@ -20,8 +20,8 @@ inline Vec<3> measured_velocity(const RigidScene& scene, Index k, const Vec<3>& 
 }
 
 //! [awake_stage]
-/// \tparam Touching  the contacts stage that looks at some bodies: begin_with(); and
-///                   the pairs that touched: `touching`, of sleepers `resting`
+/// \tparam Touching  the contacts stage that looks at some bodies: begin_with(),
+///                   and pairs that touched: `touching`, of sleepers `resting`
 /// \tparam Watch     what has been changed in a Watch::Scene
 template <class Touching, class Watch>
 struct AwakeStage : Sleepers<Watch::Scene::dof> {

@@ -46,13 +46,13 @@ inline Real inner_radius(const Placed& shape, const Vec2& centroid)
 //! [each_other]
 /// Of two fast bodies: both move until one of them stops, then the other alone.
 /// \return  a hit at the part of the step at which they meet
-template <class FirstImpact>
-Impact impact_of_two(const MovingShape& a, Real part_a, const MovingShape& b,
-                     Real part_b, const FirstImpact& first_impact)
+/// \tparam Moving  MovingShape, or what moves in space (chapter 18)
+template <class Moving, class FirstImpact>
+Impact impact_of_two(const Moving& a, Real part_a, const Moving& b, Real part_b,
+                     const FirstImpact& first_impact)
 {
-    const auto piece = [](const MovingShape& m, Real from, Real to, Real part) {
-        return MovingShape{m.shape, m.at(std::min(from, part)),
-                           m.at(std::min(to, part))};
+    const auto piece = [](const Moving& m, Real from, Real to, Real part) {
+        return m.piece(std::min(from, part), std::min(to, part));
     };
     const Real first = std::min(part_a, part_b), end = std::max(part_a, part_b);
     Impact both =
@@ -67,9 +67,9 @@ Impact impact_of_two(const MovingShape& a, Real part_a, const MovingShape& b,
 
 /// Fast bodies in pairs, until none stops any earlier. After 20 rounds all of them
 /// stay where they were: nothing can have gone through anything then.
-template <class Motion, class MayMeet, class FirstImpact>
+template <class Motion, class MayMeet, class FirstImpact, class Fast>
 void stop_each_other(const Motion& motion, const MayMeet& may_meet,
-                     const FirstImpact& first_impact, FastBodies& fast)
+                     const FirstImpact& first_impact, Fast& fast)
 {
     fast.pairs.clear();
     for (std::size_t i = 0; i < fast.bodies.size(); ++i)
@@ -90,11 +90,11 @@ void stop_each_other(const Motion& motion, const MayMeet& may_meet,
                        kb = static_cast<std::size_t>(b);
             Real &part_a = fast.part[ka], &part_b = fast.part[kb];
             const Real inner = std::max(fast.inner[ka], fast.inner[kb]);
-            const Impact impact = impact_of_two(
-                motion(a), part_a, motion(b), part_b,
-                [&](const MovingShape& of_a, const MovingShape& of_b) {
-                    return first_impact(of_a, of_b, inner);
-                });
+            const Impact impact =
+                impact_of_two(motion(a), part_a, motion(b), part_b,
+                              [&](const auto& of_a, const auto& of_b) {
+                                  return first_impact(of_a, of_b, inner);
+                              });
             if (!impact.hit) continue;
             for (Real* const part : {&part_a, &part_b}) {
                 // rounding is no reason for another round

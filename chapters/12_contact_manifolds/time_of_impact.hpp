@@ -20,6 +20,10 @@ struct MovingShape {
     Vec<3> from = Vec<3>::Zero(), to = Vec<3>::Zero();
 
     Vec<3> at(Real part) const { return from + part * (to - from); }
+    MovingShape piece(Real begin, Real end) const
+    {
+        return {shape, at(begin), at(end)};
+    }
     Vec<3> way() const { return to - from; }
 };
 
@@ -49,29 +53,26 @@ struct ImpactMemory {
 //! [advance]
 /// (12.6), for any gap(τ) with its normal: from τ = 0 until the gap is at most
 /// `target` + `tolerance`.
-/// \param nearest  Manifold(Real τ)
-/// \param rate     Real(const Vec2& n): no faster can the gap close [m a unit of τ]
-/// \return         no hit if it is so close at the start: that is a contact
-///                 already. After 100 rounds the present τ is called a hit: early,
-///                 never late
-template <class Nearest, class Rate>
-Impact advance(const Nearest& nearest, const Rate& rate, Real target,
-               Real tolerance)
+/// \param gap_at  of τ: what has a `gap` and a `normal`
+/// \param rate    Real(normal): no faster can the gap close [m a unit of τ]
+/// \return        no hit if it is so close at the start: that is a contact
+///                already. After 100 rounds the present τ is called a hit: early,
+///                never late
+template <class GapAt, class Rate>
+Impact advance_gap(const GapAt& gap_at, const Rate& rate, Real target,
+                   Real tolerance)
 {
     Impact impact;
     Real part = 0;
     while (++impact.rounds <= 100) {
-        const Manifold m = nearest(part);
-        Real gap = infinity;
-        for (int i = 0; i < m.count; ++i)
-            gap = std::min(gap, m.points[static_cast<std::size_t>(i)].gap);
+        const auto [gap, normal] = gap_at(part);
         if (part == 0) impact.start = gap;
         if (gap <= target + tolerance) {
             impact.close = part == 0;
             if (impact.close) return impact;
             break;
         }
-        const Real closing = rate(m.normal);
+        const Real closing = rate(normal);
         if (!(closing > 0)) return impact;
         if (part + (gap - target) / closing >= 1) return impact;
         part += (gap - target) / closing;
@@ -79,6 +80,23 @@ Impact advance(const Nearest& nearest, const Rate& rate, Real target,
     impact.hit = true;
     impact.part = part;
     return impact;
+}
+
+/// The same for shapes in the plane.
+/// \param nearest  Manifold(Real τ)
+template <class Nearest, class Rate>
+Impact advance(const Nearest& nearest, const Rate& rate, Real target,
+               Real tolerance)
+{
+    return advance_gap(
+        [&nearest](Real part) {
+            const Manifold m = nearest(part);
+            Real gap = infinity;
+            for (int i = 0; i < m.count; ++i)
+                gap = std::min(gap, m.points[static_cast<std::size_t>(i)].gap);
+            return std::pair<Real, Vec2>(gap, m.normal);
+        },
+        rate, target, tolerance);
 }
 
 inline Impact time_of_impact(const MovingShape& a, const MovingShape& b,

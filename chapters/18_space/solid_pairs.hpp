@@ -23,6 +23,8 @@ struct SolidPairs {
     std::vector<std::vector<SolidForm>> forms;  ///< of each body's hulls
     std::vector<std::vector<PlacedSolid>> solids;
     std::vector<Real> reach;  ///< of each body, from its centroid [m]
+    /// of each body: how far it looks beyond the margin [m]
+    std::vector<Real> ahead_of;
     SortAndSweep shadows;
     VecX seen, radii;
     std::vector<std::pair<int, int>> pairs, joined;
@@ -86,7 +88,8 @@ struct SolidPairs {
         std::sort(joined.begin(), joined.end());
         for (Index k = 0; k < bodies.count(); ++k) {
             seen.segment<2>(2 * k) = centre_of(bodies.x, k).head<2>();
-            radii[k] = reach[static_cast<std::size_t>(k)];
+            const auto i = static_cast<std::size_t>(k);
+            radii[k] = reach[i] + ahead_of[i];
         }
         pairs.clear();
         sort_and_sweep(seen, radii, margin, 0, shadows, [&](int a, int b) {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "chapters/18_space/ellipsoid.hpp"
-#include "chapters/18_space/solid_pairs.hpp"
+#include "chapters/18_space/fast_solids.hpp"
 #include "chapters/18_space/solid_touch.hpp"
 #include "chapters/18_space/space_constraints.hpp"
 
@@ -34,6 +34,11 @@ struct TouchingSolids : SolidPairs {
     Real slack = 0.01;
     int points = 4;  ///< of each pair of hulls, at most; 1: the deepest alone
 
+    FastSolids fast;
+    /// a gap that two bodies could close in this step has its row: how far each of
+    /// them looks ahead at most; 0: no farther than the margin [inner radii]
+    Real ahead = 0;
+
     // What is kept from step to step.
     AllSolids others;
     ClipRoom room;
@@ -45,6 +50,10 @@ struct TouchingSolids : SolidPairs {
             throw std::invalid_argument("the slack of contacts is " +
                                         shortest(slack) +
                                         " margins; it must be from 0 to 1");
+        if (!(ahead >= 0) || !std::isfinite(ahead))
+            throw std::invalid_argument(
+                "solids look " + shortest(ahead) +
+                " inner radii ahead; it must be zero or positive and finite");
         if (points < 1 || points > 4)
             throw std::invalid_argument("a pair of hulls has " +
                                         std::to_string(points) +
@@ -59,23 +68,26 @@ struct TouchingSolids : SolidPairs {
         others.begin(scene, settings, method, now);
         require_touching(scene);
         mark(scene, now.active);
-        list_contacts(scene, settings.margin * now.length, now);
+        list_contacts(scene, settings.margin * now.length, settings.h, now);
     }
 
     /// The same for a step that looks at some bodies only.
     /// \param bodies  ascending; the others are where they were in the last step
-    void begin_with(const SpaceScene& scene, Real margin, Real,
+    void begin_with(const SpaceScene& scene, Real margin, Real h,
                     std::span<const int> bodies, StepData<6>& now)
     {
         mark(scene, bodies);
+        now.x_found = scene.bodies.x;
         AllSolids::list_joints(
             scene, [this](Index k) { return looks(k); }, now);
-        list_contacts(scene, margin, now);
+        list_contacts(scene, margin, h, now);
     }
 
-    void list_contacts(const SpaceScene& scene, Real margin, StepData<6>& now)
+    void list_contacts(const SpaceScene& scene, Real margin, Real h,
+                       StepData<6>& now)
     {
         place(scene);
+        look_ahead(scene, margin, h, ahead, *this);
         find_pairs(scene, margin);
         const TouchSettings how{margin, slack * margin};
         for (std::size_t w = 0; w < scene.walls.size(); ++w)
@@ -105,9 +117,10 @@ struct TouchingSolids : SolidPairs {
     }
 
     template <class Method>
-    void end(const SpaceScene&, const StepSettings&, Method&,
-             const StepData<6>&) const
+    void end(SpaceScene& scene, const StepSettings& settings, Method&,
+             const StepData<6>& now)
     {
+        if (fast.stop) stop_fast_solids(scene, settings, now, *this, fast);
     }
 
 private:
@@ -120,13 +133,14 @@ private:
     }
 
     void touch_wall(const SpaceScene& scene, std::size_t w,
-                    const TouchSettings& how, StepData<6>& now)
+                    const TouchSettings& near, StepData<6>& now)
     {
         const SolidWall& wall = scene.walls[w];
         for (Index b = 0; b < scene.bodies.count(); ++b) {
             const auto k = static_cast<std::size_t>(b);
             const Real height =
                 wall.normal.dot(centre_of(scene.bodies.x, b)) - wall.offset;
+            const TouchSettings how{near.margin + ahead_of[k], near.slack};
             if (!looks(b) || !scene.bodies.can_move(b) ||
                 height - reach[k] >= how.margin)
                 continue;
@@ -141,11 +155,13 @@ private:
         }
     }
 
-    void touch_pair(const SpaceScene& scene, int a, int b, const TouchSettings& how,
-                    StepData<6>& now)
+    void touch_pair(const SpaceScene& scene, int a, int b,
+                    const TouchSettings& near, StepData<6>& now)
     {
         const auto ka = static_cast<std::size_t>(a),
                    kb = static_cast<std::size_t>(b);
+        const TouchSettings how{near.margin + ahead_of[ka] + ahead_of[kb],
+                                near.slack};
         Index first = 0;
         const std::size_t before = now.contacts.size();
         for (const PlacedSolid& p : solids[ka])

@@ -1,0 +1,223 @@
+/// \file fast_solids.hpp
+/// Solids that go so far in a step that they could be on the other side of something: they are stopped on their way.
+///
+///     fast:   ‖Δc‖ + max ‖δ × p̄‖ > ½ ρ,   ρ the inner radius
+///     stopped at τ:   ω = I⁻¹ R(τ)ᵀ R(1) I ω,  the angular momentum stays;   v by (12.6a)                (18.58)
+///
+/// As in chapter 12, whose rounds for fast bodies among each other are used. What hangs on a joint is never stopped: that
+/// would tear it off.
+#pragma once
+
+#include "chapters/12_contact_manifolds/fast_bodies.hpp"
+#include "chapters/18_space/moving_solid.hpp"
+#include "chapters/18_space/solid_pairs.hpp"
+
+namespace rigid {
+
+//! [fast_solids]
+struct FastSolids {
+    bool stop = false;  ///< false: nothing is looked for
+    // What the last step found.
+    std::vector<int> bodies;  ///< that were fast
+    int impacts = 0;          ///< of those, stopped on their way
+    int rounds = 0;           ///< distances computed
+    std::vector<Real> part;   ///< of the way that each body goes
+    std::vector<Real> inner;  ///< inner radii [m]
+    std::vector<char> is_fast, is_held, is_joined;
+    std::vector<Vec3> low, high;             ///< of what each can reach on its way
+    std::vector<std::pair<int, int>> pairs;  ///< of fast bodies that may meet
+    SolidImpactMemory memory;
+};
+//! [fast_solids]
+
+//! [inner]
+/// ρ of a body: from the middle of its corners to the nearest side, of its thinnest
+/// hull [m].
+inline Real inner_radius(const std::vector<SolidForm>& forms)
+{
+    Real least = infinity;
+    for (const SolidForm& form : forms) {
+        Vec3 middle(0, 0, 0);
+        for (const Vec3& p : form.hull.vertices) middle += p;
+        middle /= static_cast<Real>(form.hull.vertices.size());
+        Real nearest = form.normals.empty() ? 0 : infinity;
+        for (std::size_t f = 0; f < form.normals.size(); ++f) {
+            const auto on = static_cast<std::size_t>(form.hull.faces[f][0]);
+            nearest = std::min(
+                nearest, form.normals[f].dot(form.hull.vertices[on] - middle));
+        }
+        least = std::min(least, nearest + form.hull.radius);
+    }
+    return least;
+}
+//! [inner]
+
+//! [ahead]
+/// (12.6c), of the bodies that are looked at.
+/// \param most  how far at most [inner radii]
+inline void look_ahead(const SpaceScene& scene, Real margin, Real h, Real most,
+                       SolidPairs& near)
+{
+    near.ahead_of.assign(near.forms.size(), 0);
+    if (!(most > 0)) return;
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (!near.looks(k) || near.forms[i].empty()) continue;
+        const auto u = scene.bodies.velocity(k);
+        const Real falls = scene.bodies.can_move(k) ? scene.gravity.norm() * h : 0,
+                   turns = u.tail<3>().norm() * near.reach[i],
+                   way = h * (u.head<3>().norm() + falls + turns);
+        if (way > margin / 2)
+            near.ahead_of[i] = std::min(way, most * inner_radius(near.forms[i]));
+    }
+}
+//! [ahead]
+
+//! [put_back]
+/// (18.58) for the bodies that were stopped.
+template <class Motion>
+void put_back(Bodies<6>& bodies, Real h, const std::vector<Row<6>>& rows,
+              const Motion& motion, FastSolids& fast)
+{
+    for (const int k : fast.bodies) {
+        const Real part = fast.part[static_cast<std::size_t>(k)];
+        if (part >= 1) continue;
+        if (fast.impacts++ == 0) {
+            fast.is_held.assign(fast.is_fast.size(), 0);
+            for (const Row<6>& row : rows)
+                for (const Index body : {row.a, row.b})
+                    if (body != world)
+                        fast.is_held[static_cast<std::size_t>(body)] = 1;
+        }
+        const MovingSolid m = motion(k);
+        const Mat3 R = m.axes_at(part);
+        auto u = bodies.velocity(k);
+        const Vec3 inverse = bodies.inverse_mass.segment<3>(6 * k + 3);
+        if (inverse.minCoeff() > 0) {
+            const Vec3 L = Vec3(u.tail<3>()).cwiseQuotient(inverse);
+            u.tail<3>() = inverse.cwiseProduct(
+                Vec3(R.transpose() * (rotation_of(bodies.x, k) * L)));
+        }
+        bodies.position(k) << m.centre_at(part), rotation_vector(R);
+        const Vec3 gained =
+            (1 - part) * h * bodies.inverse_mass[6 * k] * bodies.force(k).head<3>();
+        const Real work = gained.dot(u.head<3>());
+        if (!fast.is_held[static_cast<std::size_t>(k)]) u.head<3>() -= gained;
+        else if (work > 0)
+            u.head<3>() *= std::sqrt(
+                std::max(Real{0}, 1 - 2 * work / u.head<3>().squaredNorm()));
+    }
+}
+//! [put_back]
+
+//! [stop_fast]
+/// After a step: what went so far that it could have passed through something goes
+/// back to where it would have met it.
+/// \param near  the forms of the bodies; where they are is not asked
+inline void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
+                             const StepData<6>& now, const SolidPairs& near,
+                             FastSolids& fast)
+{
+    const auto K = static_cast<std::size_t>(scene.bodies.count());
+    const Real margin = settings.margin * now.length;
+    const auto motion = [&](int k) {
+        const Vec3 spin = scene.bodies.velocity(k).tail<3>();
+        return motion_of(near.forms[static_cast<std::size_t>(k)], now.x_found,
+                         scene.bodies.x, k, settings.h * spin);
+    };
+    const auto forms = [&](int k) -> const std::vector<SolidForm>& {
+        return near.forms[static_cast<std::size_t>(k)];
+    };
+    fast.bodies.clear();
+    fast.impacts = fast.rounds = 0;
+    fast.is_joined.assign(K, 0);
+    for (const SpaceJoint& joint : scene.joints)
+        for (const Index k : {joint.a, joint.b})
+            if (k != world) fast.is_joined[static_cast<std::size_t>(k)] = 1;
+    fast.inner.resize(K);
+    for (const int k : now.active) {
+        const auto at = static_cast<std::size_t>(k);
+        if (forms(k).empty() || fast.is_joined[at] || !scene.bodies.can_move(k))
+            continue;
+        const MovingSolid m = motion(k);
+        Real turns = 0;
+        for (const SolidForm& form : forms(k))
+            turns = std::max(turns, turning(m, form));
+        if (m.way.norm() + turns > inner_radius(forms(k)) / 2)
+            fast.bodies.push_back(k);
+    }
+    if (fast.bodies.empty()) return;
+
+    fast.part.assign(K, 1);
+    fast.is_fast.assign(K, 0);
+    for (const int k : fast.bodies) fast.is_fast[static_cast<std::size_t>(k)] = 1;
+    // all that each can reach on its way, however it turns
+    fast.low.resize(K), fast.high.resize(K);
+    for (std::size_t k = 0; k < K; ++k) {
+        const MovingSolid m = motion(static_cast<int>(k));
+        const Vec3 to = m.from + m.way,
+                   out = Vec3::Constant(near.reach[k] + margin);
+        fast.low[k] = m.from.cwiseMin(to) - out;
+        fast.high[k] = m.from.cwiseMax(to) + out;
+        fast.inner[k] = forms(static_cast<int>(k)).empty()
+                            ? 0
+                            : inner_radius(forms(static_cast<int>(k)));
+    }
+    const auto inner_of = [&](int k) {
+        return fast.inner[static_cast<std::size_t>(k)];
+    };
+    const auto may_meet = [&](int a, int b) {
+        const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+        return (fast.low[i].array() <= fast.high[j].array()).all() &&
+               (fast.low[j].array() <= fast.high[i].array()).all();
+    };
+    // of what is close already, only that it gets deeper than half its inner radius,
+    // or than it is by an eighth
+    const auto search = [&](Real inner, const auto& until) {
+        Impact impact = until(margin / 4, margin / 4);
+        fast.rounds += impact.rounds;
+        if (impact.close && inner > 0) {
+            const Real deep = std::min(-inner / 2, impact.start - inner / 8);
+            impact = until(deep, inner / 16);
+            fast.rounds += impact.rounds;
+        }
+        return impact;
+    };
+    const auto earlier = [](Impact& first, const Impact& other) {
+        if (other.hit && (!first.hit || other.part < first.part)) first = other;
+    };
+    const auto first_impact = [&](const MovingSolid& a, const MovingSolid& b,
+                                  Real inner) {
+        Impact first;
+        for (const SolidForm& p : *a.forms)
+            for (const SolidForm& q : *b.forms)
+                earlier(first, search(inner, [&](Real target, Real tolerance) {
+                            return time_of_impact(a, p, b, q, target, tolerance,
+                                                  fast.memory);
+                        }));
+        return first;
+    };
+    const auto hold = [&](int k, const Impact& impact) {
+        Real& part = fast.part[static_cast<std::size_t>(k)];
+        if (impact.hit) part = std::min(part, impact.part);
+    };
+    for (const int a : fast.bodies) {
+        const MovingSolid m = motion(a);
+        const auto at = static_cast<std::size_t>(a);
+        for (int b = 0; b < static_cast<int>(K); ++b)
+            if (!fast.is_fast[static_cast<std::size_t>(b)] && may_meet(a, b))
+                hold(a, first_impact(m, motion(b),
+                                     std::max(fast.inner[at], inner_of(b))));
+        for (const SolidWall& wall : scene.walls)
+            for (const SolidForm& form : forms(a))
+                hold(a, search(fast.inner[at], [&](Real target, Real tolerance) {
+                         return time_of_impact(wall, m, form, target, tolerance,
+                                               fast.memory);
+                     }));
+    }
+    stop_each_other(motion, may_meet, first_impact, fast);
+    put_back(scene.bodies, settings.h, now.rows, motion, fast);
+}
+//! [stop_fast]
+
+}  // namespace rigid
