@@ -15,6 +15,15 @@ foreach(scene heap table low_ball rattleback)
 endforeach()
 add_program_test(ch18 18_space "runs scene stack" --headless --scene stack --steps 300
                  --method cone,box,one_point,exact_cone --csv -)
+foreach(scene gyroscope plates heavy_end)
+  add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 300
+                   --method exact,islands --csv -)
+endforeach()
+add_program_test(ch18 18_space "runs scene cradle" --headless --scene cradle --steps 600 --method cone,exact_cone --csv -)
+foreach(scene wall cards dolls car pour)
+  add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 60
+                   --method cone,box,exact_cone --csv -)
+endforeach()
 add_program_test(ch18 18_space "refuses a heap of none" --headless --scene heap --set bodies=0 --steps 1)
 set_tests_properties("ch18: 18_space refuses a heap of none" PROPERTIES WILL_FAIL ON)
 add_program_test(ch18 18_space "refuses a top that is too slow" --headless --scene top --set spin=40 --set tilt=1 --steps 1)

@@ -69,9 +69,9 @@ inline SpaceScene box_stack(int boxes, Real turn, Real mu)
 }
 
 //! [heap]
-/// Balls, capsules, boxes and hulls of about half a metre, in layers of nine above
+/// Balls, capsules, boxes and hulls of about half a metre, in layers of side² above
 /// a pit with sloping sides.
-inline SpaceScene mixed_heap(int bodies, Real mu, std::uint64_t seed)
+inline SpaceScene mixed_heap(int bodies, Real mu, std::uint64_t seed, int side = 3)
 {
     SpaceScene scene;
     Random random(seed);
@@ -91,17 +91,19 @@ inline SpaceScene mixed_heap(int bodies, Real mu, std::uint64_t seed)
                 points.push_back(0.3 * draw(-1, 1).normalized());
             hull = solid_hull(points);
         }
-        const Vec3 place(i % 3 - 1, i / 9, i / 3 % 3 - 1),
+        const Real middle = (side - 1) / 2.0;
+        const Vec3 place(i % side - middle, i / (side * side),
+                         i / side % side - middle),
             shift = draw(-0.05, 0.05);
         add_body(scene, {hull}, 1000.0, 0.8 * place + shift + Vec3(0, 1.2, 0),
                  draw(-1.5, 1.5));
     }
-    const Real c = std::sqrt(0.5);
+    const Real c = std::sqrt(0.5), d = c * (1 + 0.4 * (side - 3));
     scene.walls = {{{0, 1, 0}, 0},
-                   {{c, c, 0}, -c},
-                   {{-c, c, 0}, -c},
-                   {{0, c, c}, -c},
-                   {{0, c, -c}, -c}};
+                   {{c, c, 0}, -d},
+                   {{-c, c, 0}, -d},
+                   {{0, c, c}, -d},
+                   {{0, c, -c}, -d}};
     scene.wall_friction.assign(scene.walls.size(), mu);
     scene.friction.assign(scene.shapes.size(), mu);
     return scene;

@@ -37,6 +37,9 @@ struct SpaceSetup {
     Real ground = 0;    ///< half the side of the floor that is drawn [m]; 0: none
     Real pit = 0;       ///< how high sides of 45° rise around it [m]
     Real slop = 0.001;  ///< of contacts [ℓ]
+    Real restitution = 0;     ///< of contacts
+    Skin skin = Skin::glass;  ///< where no ground is drawn
+    Index followed = world;   ///< a body that the eye follows; the world: none
 };
 
 /// The deepest overlap of contacts where the step found them [m].
@@ -58,6 +61,8 @@ public:
         one_point_.contacts.points = 1;
         cones_.correction.slop = boxes_.correction.slop = guesses_.correction.slop =
             setup_.slop;
+        cones_.correction.restitution = boxes_.correction.restitution =
+            guesses_.correction.restitution = setup_.restitution;
         look(settings, {});
         trace();
     }
@@ -121,8 +126,12 @@ public:
     void draw(Canvas& canvas) const override
     {
         const SpaceScene& scene = state_.scene;
-        SolidPicture picture(camera_,
-                             setup_.ground > 0 ? Skin::opaque : Skin::glass);
+        Camera camera = camera_;
+        if (setup_.followed != world)
+            camera.target += centre_of(scene.bodies.x, setup_.followed) -
+                             centre_of(setup_.scene.bodies.x, setup_.followed);
+        SolidPicture picture(camera,
+                             setup_.ground > 0 ? Skin::opaque : setup_.skin);
         if (setup_.ground > 0) picture.ground(setup_.ground, setup_.pit);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Mat3 R = rotation_of(scene.bodies.x, k);

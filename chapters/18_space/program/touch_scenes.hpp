@@ -111,19 +111,21 @@ inline Demo stack_scene()
     return scene;
 }
 
-inline Demo heap_scene()
+/// What is poured into a pit, in layers of side².
+inline Demo poured_demo(const std::string& name, const std::string& summary,
+                        int side, Real bodies, Real most)
 {
+    const Real wider = 0.4 * (side - 3), far = 1 + wider;
     Demo scene = space_demo(
-        "heap", "Balls, capsules, boxes and hulls fall into a pit",
-        {{0, 0}, {2.7, 1.8}}, 1.0 / 120, ways_to_drag,
-        [](const Settings& settings) {
+        name, summary, {{0, 0}, {2.7 * far, 1.8 * far}}, 1.0 / 120, ways_to_drag,
+        [side, wider, far](const Settings& settings) {
             SpaceSetup setup;
             setup.scene = mixed_heap(static_cast<int>(settings["bodies"]),
-                                     settings["mu"], settings.seed);
-            setup.camera.target = {0, 0.5, 0};
-            setup.camera.distance = 8;
+                                     settings["mu"], settings.seed, side);
+            setup.camera.target = {0, 0.5 * far, 0};
+            setup.camera.distance = 8 * far;
             setup.camera.height = 0.5;
-            setup.ground = 1, setup.pit = 1.2;
+            setup.ground = 1 + wider, setup.pit = 1.2 + wider;
             setup.measure = [](const SpaceState& s) -> std::vector<Real> {
                 return {energy(s.scene) - s.energy,
                         static_cast<Real>(s.now.contacts.size()),
@@ -132,14 +134,26 @@ inline Demo heap_scene()
             };
             return setup;
         });
-    scene.tunables.push_back({"bodies", "", "that fall", 30, 1, 200, Numbers::whole,
-                              OnChange::restarts});
+    scene.tunables.push_back({"bodies", "", "that fall", bodies, 1, most,
+                              Numbers::whole, OnChange::restarts});
     add_touch_tunables(scene, 0.5, 50);
     scene.columns = {{"energy", "J", "less that of the start", Plot::linear},
                      {"contacts", "", "points where solids touch", Plot::linear},
                      {"overlap", "m", "the deepest", Plot::linear},
                      {"sweeps", "", "of the step", Plot::linear}};
     return scene;
+}
+
+inline Demo heap_scene()
+{
+    return poured_demo("heap", "Balls, capsules, boxes and hulls fall into a pit",
+                       3, 30, 200);
+}
+
+inline Demo pour_scene()
+{
+    return poured_demo("pour", "Hundreds of solids fall into a wide pit", 8, 300,
+                       1000);
 }
 
 }  // namespace rigid

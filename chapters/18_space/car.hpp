@@ -1,0 +1,85 @@
+/// \file car.hpp
+/// A car: a box on four wheels. One joint holds a wheel, up and down on a strut and around its axle: a slider and a
+/// hinge at once.
+///
+///     strut   F = −k C − d Ċ      C the wheel's way up along the strut     (18.71)
+#pragma once
+
+#include "chapters/18_space/joint_makers.hpp"
+#include "chapters/18_space/solid_scenes.hpp"
+
+namespace rigid {
+
+struct Car {
+    Real mass = 1000, wheel_mass = 20;  ///< [kg]
+    Real radius = 0.32;                 ///< of a wheel [m]
+    Real sink = 0.08;    ///< how far its weight presses the struts [m]
+    Real damping = 0.3;  ///< of a strut under its quarter; 1 is critical
+    Real torque = 120;   ///< of the motor of each wheel, at most [N m]
+    Real speed = 5;      ///< that the motors drive at [m/s]
+
+    Real stiffness(Real g = 9.81) const { return mass * g / (4 * sink); }
+    Real resistance() const  ///< d [N s/m]
+    {
+        return damping * std::sqrt(stiffness() * mass);
+    }
+};
+
+/// Body 0 is the box, at the height at which its struts are not pressed; then come the
+/// wheels, and joint i holds wheel i + 1.
+inline SpaceScene car_on_floor(const Car& car, Real mu)
+{
+    SpaceScene scene;
+    const Vec3 size(3, 0.5, 1.3);
+    add_body(scene, {solid_box(size)}, car.mass / size.prod(),
+             {0, car.radius + 0.25, 0});
+    const Hull wheel = solid_capsule(0.06, car.radius);
+    const Real density = car.wheel_mass / mass_of(wheel, 1).mass;
+    for (const Real x : {-1.1, 1.1})
+        for (const Real z : {-1.1, 1.1}) {
+            const Vec3 at(x, car.radius, z), axle(0, 0, -1);
+            const Index k =
+                add_body(scene, {wheel}, density, at, frame_along(axle));
+            SpaceJoint joint = joint_at(scene, 0, k, at, axle);
+            joint.lock({along_x, along_z, swing_y, swing_z});
+            joint.lo[along_y] = -0.1, joint.hi[along_y] = 0.2;
+            joint.motor = twist;
+            joint.speed = car.speed / car.radius, joint.force = car.torque;
+            scene.joints.push_back(joint);
+        }
+    add_floor(scene, mu);
+    return scene;
+}
+
+//! [struts]
+/// (18.71) of all struts, for a step of length h that comes after it. A step longer
+/// than 2 m/d of a wheel is unstable: with the values above, 1/42 s.
+inline void push_struts(SpaceScene& scene, const Car& car, Real h)
+{
+    Bodies<6>& bodies = scene.bodies;
+    const VecX u = bodies.u;  // no strut sees what another has pushed
+    for (const SpaceJoint& joint : scene.joints) {
+        const Constraint<6> strut =
+            coordinate_of(frames_of(bodies.x, joint), joint, along_y);
+        const Real rate = strut.Ja.dot(u.segment<6>(6 * joint.a)) +
+                          strut.Jb.dot(u.segment<6>(6 * joint.b));
+        const Real impulse =
+            -h * (car.stiffness() * strut.C + car.resistance() * rate);
+        bodies.velocity(joint.a) +=
+            bodies.apply_inverse_mass(joint.a, strut.Ja.transpose() * impulse);
+        bodies.velocity(joint.b) +=
+            bodies.apply_inverse_mass(joint.b, strut.Jb.transpose() * impulse);
+    }
+}
+//! [struts]
+
+/// Sleepers across the way of the car, that cannot move.
+inline void add_bumps(SpaceScene& scene, int bumps, Real height, Real mu)
+{
+    for (int i = 0; i < bumps; ++i)
+        add_body(scene, {solid_box({0.4, 2 * height, 1.6})}, SolidMass{},
+                 {4 + 2.0 * i, 0, i % 2 == 0 ? -1.0 : 1.0});
+    scene.friction.assign(scene.shapes.size(), mu);
+}
+
+}  // namespace rigid
