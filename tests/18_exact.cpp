@@ -264,6 +264,34 @@ TEST_CASE("the velocities of four coplanar points do not depend on where the gue
     }
 }
 
+TEST_CASE("exact friction turns with the scene and scales with its masses", "[house]")
+{
+    const auto run = [](const Vec3& turn, Real mass) {
+        SpaceScene scene = struck_balls(21);
+        const Mat3 R = rotation_matrix(turn);
+        for (Index k = 0; k < 10; ++k) {
+            scene.bodies.position(k).head<3>() = R * scene.bodies.x.segment<3>(6 * k);
+            scene.bodies.position(k).tail<3>() = rotation_vector(R * rotation_of(scene.bodies.x, k));
+            scene.bodies.velocity(k).head<3>() = R * scene.bodies.u.segment<3>(6 * k);
+        }
+        scene.gravity = R * scene.gravity;
+        for (SolidWall& wall : scene.walls) wall.normal = R * wall.normal;
+        scene.bodies.inverse_mass /= mass;
+        TouchingCones method = exact_cones();
+        method.solver.sweeps.tolerance = 1e-12;
+        StepData<6> now;
+        step(scene, {.h = 1.0 / 60}, method, now);
+        REQUIRE(now.solution.status == Status::solved);
+        VecX u = solved_velocities(now);
+        for (Index k = 0; k < 10; ++k) u.segment<3>(6 * k) = R.transpose() * u.segment<3>(6 * k);
+        return u;
+    };
+    const VecX plain = run({0, 0, 0}, 1);
+    // residuals of 1e-12, and tangents that lie in other directions
+    CHECK((run({0.8, -0.3, 0.5}, 1) - plain).norm() < 1e-9);
+    CHECK((run({0, 0, 0}, 1e-3) - plain).norm() < 1e-9);
+}
+
 TEST_CASE("a stack of twenty and tops of up to a million times the mass stand without small steps", "[house]")
 {
     struct Case {
