@@ -5,6 +5,9 @@
 ///     SCENE/WHO/N   four seconds at 60 steps a second in N sub-steps each, with 50 iterations in each; nothing sleeps:
 ///                   us_step  time of a step, the median over the steps [µs]
 ///                   overlap  the deepest after the first second [m]
+///                   gap      the farthest that a locked coordinate of a joint was off [m, rad]
+///                   over     the farthest that a limit of a joint was overstepped [rad]
+///                   gained   the most by which the energy of all rose above its least so far [J]
 ///                   crept    how far the body that moved most in the last two seconds moved in them [m]
 ///                   moved    and in all four [m]
 ///                   visits   rows visited in a step, of the book
@@ -12,6 +15,7 @@
 ///                            its tolerance, 1e-6 ℓ/s of sweeps and 1e-9 ℓ/s of guesses
 
 #include "chapters/18_space/benchmark/touching.hpp"
+#include "chapters/18_space/built_scenes.hpp"
 #include "chapters/18_space/exact_tumbling.hpp"
 #include "chapters/18_space/tumbling.hpp"
 
@@ -20,6 +24,10 @@
 #endif
 #ifdef RIGID_HAS_ODE
 #include "chapters/18_space/benchmark/peer_ode.hpp"
+#endif
+
+#ifdef RIGID_HAS_BOX3D
+#include "chapters/18_space/benchmark/peer_box3d.hpp"
 #endif
 
 #include <benchmark/benchmark.h>
@@ -36,8 +44,8 @@ namespace {
 void begin(benchmark::State& state)
 {
     for (const char* const name :
-         {"error", "energy_error", "us_step", "overlap", "crept", "moved", "visits",
-          "guesses", "unsolved"})
+         {"error", "energy_error", "us_step", "overlap", "gap", "over", "gained",
+          "crept", "moved", "visits", "guesses", "unsolved"})
         state.counters[name] = std::numeric_limits<Real>::quiet_NaN();
 }
 
@@ -78,7 +86,7 @@ void by_book(benchmark::State& state, SpaceScene scene, int substeps,
             guesses += method.solver.guesses;
             unsolved += now.solution.status != Status::solved;
         },
-        [&](VecX& x) { x = scene.bodies.x; });
+        [&](VecX& x, VecX& u) { x = scene.bodies.x, u = scene.bodies.u; });
     state.counters["visits"] = static_cast<Real>(visits) / 240;
     state.counters["guesses"] = static_cast<Real>(guesses) / 240;
     state.counters["unsolved"] = unsolved;
@@ -92,7 +100,15 @@ void by_engine(benchmark::State& state, const SpaceScene& start, int substeps,
     Engine engine(start, substeps, rounds);
     follow(
         state, start, [&] { engine.step(1.0 / 60); },
-        [&](VecX& x) { engine.read(x); });
+        [&](VecX& x, VecX& u) { engine.read(x, u); });
+}
+
+/// Friction is for what may touch, of which there is nothing.
+SpaceScene chain_of_fifty()
+{
+    SpaceScene scene = heavy_chain(50, 1000);
+    scene.friction.assign(scene.shapes.size(), 0.5);
+    return scene;
 }
 
 void register_scene(const std::string& name,
@@ -121,6 +137,12 @@ void register_scene(const std::string& name,
             by_engine<OdeWorld>(s, make(), substeps, 0);
         });
 #endif
+#ifdef RIGID_HAS_BOX3D
+        // it makes one sweep, and one more that relaxes, in each sub-step
+        add("box3d", [=](benchmark::State& s) {
+            by_engine<Box3dWorld>(s, make(), substeps);
+        });
+#endif
     }
 }
 
@@ -130,6 +152,10 @@ const bool registered = [] {
     register_scene("heavy_1000_on_3", [] { return heavy_stack(4, 1000); });
     register_scene("heavy_1000_on_19", [] { return heavy_stack(20, 1000); });
     register_scene("pour_60", [] { return simple_heap(60); });
+    register_scene("pour_300", [] { return simple_heap(300, 6); });
+    register_scene("wall", [] { return brick_wall(10, 10, 0.6); });
+    register_scene("chain_1000", [] { return chain_of_fifty(); });
+    register_scene("dolls_10", [] { return dolls_on_stairs(10, 2); });
     return true;
 }();
 

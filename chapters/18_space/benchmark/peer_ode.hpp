@@ -35,6 +35,7 @@ public:
         for (Index k = 0; k < here.bodies.count(); ++k) {
             const SimpleSolid solid =
                 simple_solid(here.shapes[static_cast<std::size_t>(k)]);
+            const bool moves = here.bodies.can_move(k);
             const dBodyID body = dBodyCreate(world_);
             dGeomID geom = nullptr;
             if (solid.kind == SimpleSolid::ball)
@@ -54,9 +55,13 @@ public:
             const Vec3 I =
                 here.bodies.inverse_mass.segment<3>(6 * k + 3).cwiseInverse();
             dMass mass;
-            dMassSetParameters(&mass, 1 / here.bodies.inverse_mass[6 * k], 0, 0, 0,
-                               I.x(), I.y(), I.z(), 0, 0, 0);
-            dBodySetMass(body, &mass);
+            if (moves) {
+                dMassSetParameters(&mass, 1 / here.bodies.inverse_mass[6 * k], 0, 0,
+                                   0, I.x(), I.y(), I.z(), 0, 0, 0);
+                dBodySetMass(body, &mass);
+            } else {
+                dBodySetKinematic(body);
+            }
             const Vec3 at = centre_of(here.bodies.x, k),
                        v = here.bodies.u.segment<3>(6 * k),
                        spin = world_spin(here.bodies, k);
@@ -68,6 +73,7 @@ public:
             dBodySetAngularVel(body, spin.x(), spin.y(), spin.z());
             bodies_.push_back(body);
         }
+        for (const SpaceJoint& joint : here.joints) add_joint(here, joint);
     }
     ~OdeWorld()
     {
@@ -87,20 +93,57 @@ public:
             dJointGroupEmpty(contacts_);
         }
     }
-    void read(VecX& x) const
+    void read(VecX& x, VecX& u) const
     {
         for (std::size_t k = 0; k < bodies_.size(); ++k) {
             const dReal* const at = dBodyGetPosition(bodies_[k]);
             const dReal* const q = dBodyGetQuaternion(bodies_[k]);
             x.segment<6>(6 * static_cast<Index>(k)) << at[0], at[1], at[2],
                 rotation_vector({q[0], {q[1], q[2], q[3]}});
+            const dReal* const v = dBodyGetLinearVel(bodies_[k]);
+            const dReal* const w = dBodyGetAngularVel(bodies_[k]);
+            const Vec3 spin =
+                rotation_matrix(Quaternion{q[0], {q[1], q[2], q[3]}}).transpose() *
+                Vec3(w[0], w[1], w[2]);
+            u.segment<6>(6 * static_cast<Index>(k)) << v[0], v[1], v[2], spin;
         }
     }
 
 private:
+    /// Hinges with stops, and ball joints, which have no limits here: it knows those by
+    /// Euler angles alone.
+    void add_joint(const SpaceScene& here, const SpaceJoint& joint)
+    {
+        const bool turns = joint.locked(swing_y);
+        const dJointID made = turns ? dJointCreateHinge(world_, nullptr)
+                                    : dJointCreateBall(world_, nullptr);
+        // its angle is that of its first body against its second
+        dJointAttach(made, bodies_[static_cast<std::size_t>(joint.b)],
+                     joint.a == world ? nullptr
+                                      : bodies_[static_cast<std::size_t>(joint.a)]);
+        const Vec3 p = point_of_solid(here.bodies.x, joint.b, joint.at_b);
+        if (!turns) {
+            dJointSetBallAnchor(made, p.x(), p.y(), p.z());
+            return;
+        }
+        const Vec3 n = rotation_of(here.bodies.x, joint.b) *
+                       rotation_matrix(joint.frame_b) * Vec3(1, 0, 0);
+        dJointSetHingeAnchor(made, p.x(), p.y(), p.z());
+        dJointSetHingeAxis(made, n.x(), n.y(), n.z());
+        if (!std::isfinite(joint.hi[twist])) return;
+        dJointSetHingeParam(made, dParamLoStop, joint.lo[twist]);
+        dJointSetHingeParam(made, dParamHiStop, joint.hi[twist]);
+    }
     static void near(void* data, dGeomID a, dGeomID b)
     {
         auto& self = *static_cast<OdeWorld*>(data);
+        const dBodyID p = dGeomGetBody(a), q = dGeomGetBody(b);
+        const auto rests = [](dBodyID body) {
+            return body == nullptr || dBodyIsKinematic(body) != 0;
+        };
+        if ((rests(p) && rests(q)) ||
+            (p != nullptr && q != nullptr && dAreConnected(p, q) != 0))
+            return;
         std::array<dContactGeom, 8> points;
         const int count = dCollide(a, b, 8, points.data(), sizeof(dContactGeom));
         for (int i = 0; i < count; ++i) {
