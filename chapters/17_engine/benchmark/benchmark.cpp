@@ -8,7 +8,8 @@
 ///                 crept    how far the body that moved most in the second half moved in it [m]
 ///                 sunk     how far the body that moved most is from where it began [m]
 ///                 gained   the largest rise of energy, as a height of all bodies [m]
-///     asleep_N/book, awake_N/book   what a step costs of N bodies in piles of five, of which 100 or all are kept awake:
+///     asleep_N/book, awake_N/book   what a step costs of N bodies, of which 100 or all are discs that roll,
+///                 the others sleep in piles:
 ///                 us_step, and the counters awake, contacts, rows, visits and tested of the last step
 ///
 /// overlap, gap, crept, sunk and gained are measured by one function for all engines, on poses in doubles. Each by its own
@@ -215,23 +216,22 @@ World unsettled(World world)
     return world;
 }
 
-/// N bodies in piles of five, all asleep but `kept` of them.
-void cost_of(benchmark::State& state, int bodies, int kept)
+/// N bodies: some discs that roll on and on, and piles of five that sleep.
+void cost_of(benchmark::State& state, int bodies, int rolling)
 {
     begin_counters(state);
-    World world = piles_world(bodies / 5);
-    const std::vector<BodyId> ids = world.bodies();
-    const auto step = [&] {
-        for (int k = 0; k < kept; k += 5)
-            world.wake(ids[static_cast<std::size_t>(k)]);
-        world.step(frame);
-    };
-    for (int i = 0; i < 40; ++i) step();  // half a second and they sleep
+    World world = piles_world((bodies - rolling) / 5);
+    for (int i = 0; i < rolling; ++i) {
+        BodyDefinition disc_of = body_of(disc(0.25), {-2.0 - i, 0.25});
+        disc_of.velocity = {-0.5, 0};
+        disc_of.spin = 2;
+        world.add_body(disc_of);
+    }
+    for (int i = 0; i < 60; ++i)
+        world.step(frame);  // after half a second piles sleep
     std::vector<Real> times;
     for (auto _ : state)
         for (int i = 0; i < 20; ++i) {
-            for (int k = 0; k < kept; k += 5)
-                world.wake(ids[static_cast<std::size_t>(k)]);
             const auto begin = std::chrono::steady_clock::now();
             world.step(frame);
             times.push_back(since(begin));
