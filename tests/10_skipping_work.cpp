@@ -525,6 +525,14 @@ TEST_CASE("islands are the connected parts of random rows and rows of two island
         std::vector<int> island_of(rows.size(), -1);
         for (int i = 0; i < islands.count(); ++i)
             for (const int row : islands.rows_of(i)) island_of[static_cast<std::size_t>(row)] = i;
+        // each row has a place, and those of no island are the last ones
+        REQUIRE(islands.rows.size() == rows.size());
+        CHECK(std::set<int>(islands.rows.begin(), islands.rows.end()).size() == rows.size());
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const auto row = static_cast<std::size_t>(islands.rows[k]);
+            CHECK((island_of[row] < 0) == (static_cast<int>(k) >= islands.first_row.back()));
+            CHECK((island_of[row] < 0) == (!moves_a(rows[row]) && !moves_b(rows[row])));
+        }
         for (Index i = 0; i < mlcp.size(); ++i)
             for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
                 if (entry.value() != 0)

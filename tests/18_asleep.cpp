@@ -7,13 +7,12 @@
 #include "chapters/18_space/space_sleep.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/same_vector.hpp"
 #include "tests/sentence.hpp"
 
 using namespace rigid;
 
 namespace {
-
-constexpr Real sixtieth = 1.0 / 60;
 
 /// Steps until nothing is awake.
 /// \return  how many; `most` if something still was
@@ -60,11 +59,6 @@ SpaceScene two_stacks(int boxes)
         add_body(scene, {solid_box({1, 1, 1})}, 1000.0, {i < boxes ? 0.0 : 10.0, i % boxes + 0.5, 0});
     add_floor(scene, 0.5);
     return scene;
-}
-
-bool same_bits(const VecX& a, const VecX& b)
-{
-    return a.size() == b.size() && (a.array() == b.array()).all();
 }
 
 }  // namespace

@@ -6,13 +6,12 @@
 #include "chapters/18_space/space_sleep.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/same_vector.hpp"
 #include "tests/sentence.hpp"
 
 using namespace rigid;
 
 namespace {
-
-constexpr Real sixtieth = 1.0 / 60;
 
 Vec3 any_vector(Random& random, Real size)
 {
@@ -47,11 +46,6 @@ TouchingCones stopping(Real restitution = 0)
     method.contacts.fast.stop = true;
     method.correction.restitution = restitution;
     return method;
-}
-
-bool same_bits(const VecX& a, const VecX& b)
-{
-    return a.size() == b.size() && (a.array() == b.array()).all();
 }
 
 MovingSolid any_motion(Random& random, const std::vector<SolidForm>& forms, Real far, Real turn)

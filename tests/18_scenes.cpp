@@ -255,6 +255,38 @@ TEST_CASE("dolls on stairs keep their joints and limits and gain no energy", "[i
     CHECK(head.x() > 0.5);  // it is on its way down
 }
 
+TEST_CASE("a joint that is exactly straight has a cone all the same", "[house]")
+{
+    // straight, the cone's row leans to no side and moves nothing: it has no island, and no place among those that do
+    SpaceScene scene;
+    for (int i = 0; i < 3; ++i) {
+        add_body(scene, {solid_capsule(0.5, 0.1)}, 1000.0, Vec3(i, 2, 0), {0, pi / 2, 0});
+        if (i == 0) continue;
+        SpaceJoint joint = ball_joint(scene, i - 1, i, {i - 0.5, 2, 0}, {1, 0, 0});
+        joint.hi[cone] = 0.3;
+        scene.joints.push_back(joint);
+    }
+    add_floor(scene, 0.5);
+    for (const int exact_rows : {0, 1000}) {
+        SpaceScene falls = scene;
+        TouchingCones method;
+        method.solver.exact_rows = exact_rows;
+        SpaceIslands by_islands;
+        StepData<6> now, then;
+        step(falls, {.h = 1.0 / 60}, method, now);
+        int still = 0;
+        for (const Row<6>& row : now.rows) still += !moves_a(row) && !moves_b(row);
+        CHECK(still == 2);
+        CHECK(now.solution.lambda.allFinite());
+        for (Index k = 0; k < 3; ++k) CHECK(falls.bodies.u[6 * k + 1] == Approx(-9.81 / 60));
+        for (int i = 0; i < 120; ++i) step(falls, {.h = 1.0 / 60}, method, now);
+        CHECK(largest_joint_error(falls) < 1e-3);
+        SpaceScene other = scene;
+        step(other, {.h = 1.0 / 60}, by_islands, then);
+        for (Index k = 0; k < 3; ++k) CHECK(other.bodies.u[6 * k + 1] == Approx(-9.81 / 60));
+    }
+}
+
 TEST_CASE("a car sinks on its struts by m g over 4 k and drives as fast as its motors say", "[idea]")
 {
     const Car car;

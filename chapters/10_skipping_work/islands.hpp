@@ -72,7 +72,8 @@ inline void separate(Index count, std::span<const int> bodies, Islands& islands)
 /// Joins the islands by rows and lists what is in each of them.
 /// \param bodies   as given to separate(); between the two calls unite() may have
 ///                 joined some of them
-/// \param rows     m rows; a row that moves no body is left out of `islands.rows`
+/// \param rows     m rows; one that moves no body is in no island, and comes last in
+///                 `islands.rows`
 /// \param order    row numbers in the order that they are to have in their island;
 ///                 empty = as they are
 /// \param islands  out; memory is kept
@@ -128,6 +129,9 @@ void join_by_rows(std::span<const int> bodies, const std::vector<Row<Dof>>& rows
             return k < 0 ? -1 : Islands::at(islands.number, k);
         },
         islands.first_row, islands.rows);
+    // what moves nothing is in no island, and comes last: each row has a place
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (mover(rows[row_at(i)]) < 0) islands.rows.push_back(static_cast<int>(i));
     for (int& i : islands.rows)
         i = static_cast<int>(row_at(static_cast<std::size_t>(i)));
 }

@@ -23,6 +23,14 @@ inline void require_surface(const Surface& surface, const std::string& name)
             "; in a world there is one, the methods of chapter 13 take both");
 }
 
+/// A shape is kept about its centroid. Far from it rounding may make one point of two vertices.
+inline Mass require_about(const Mass& mass, Polygon shape)
+{
+    for (Vec2& vertex : shape.vertices) vertex -= mass.centroid;
+    require_valid(shape);
+    return mass;
+}
+
 /// Throws std::invalid_argument, with a sentence, unless a definition makes sense. Returns how its mass is spread.
 inline Mass require_valid(const BodyDefinition& body)
 {
@@ -58,7 +66,7 @@ inline Mass require_valid(const BodyDefinition& body)
                 "the body has the mass " + shortest(mass.mass) +
                 " kg and the inertia " + shortest(mass.inertia) +
                 " kg m²; both and their inverses must be positive and finite");
-        return mass;
+        return require_about(mass, body.shape);
     }
     Mass fixed;  // what has no area is about the mean of its vertices
     if (body.mass) fixed.centroid = body.mass->centroid;
@@ -72,7 +80,7 @@ inline Mass require_valid(const BodyDefinition& body)
         throw std::invalid_argument("the shape of the body has no finite centroid: "
                                     "its area or a sum of its "
                                     "vertices overflows; it must be smaller");
-    return fixed;
+    return require_about(fixed, body.shape);
 }
 
 }  // namespace rigid

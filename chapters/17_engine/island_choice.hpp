@@ -220,7 +220,7 @@ private:
         for (int i = 0; i < all.islands.count(); ++i) {
             const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
             unsolved += !(r <= all.notes[static_cast<std::size_t>(i)].enough);
-            if (!(r <= largest)) largest = r;
+            if (!(r <= largest || std::isnan(largest))) largest = r;
         }
         now.solution.residual = largest;
         now.solution.iterations = sweeps.most_sweeps;
