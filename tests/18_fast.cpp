@@ -23,7 +23,10 @@ Vec3 any_vector(Random& random, Real size)
 Hull any_hull(Random& random, int kind)
 {
     if (kind == 0) return solid_ball(random.uniform(0.02, 0.1));
-    if (kind == 1) return solid_capsule(random.uniform(0.2, 1), random.uniform(0.01, 0.05));
+    if (kind == 1) {
+        const Real length = random.uniform(0.2, 1);
+        return solid_capsule(length, random.uniform(0.01, 0.05));
+    }
     if (kind == 2) return solid_box(Vec3(0.3, 0.3, 0.3) + any_vector(random, 0.27));
     std::vector<Vec3> cloud;
     for (int i = 0; i < 10; ++i) cloud.push_back(any_vector(random, 0.2));
@@ -93,7 +96,10 @@ TEST_CASE("of ten thousand random shots no impact is missed and none is where sm
         MovingSolid p = any_motion(random, a, 4, 6);
         const MovingSolid q = any_motion(random, b, 1, 2);
         // every other one is aimed
-        if (i % 2 == 0) p.way = random.uniform(0.5, 4) * (q.from - p.from) + any_vector(random, 0.3);
+        if (i % 2 == 0) {
+            const Real times = random.uniform(0.5, 4);
+            p.way = times * (q.from - p.from) + any_vector(random, 0.3);
+        }
         const Impact impact = time_of_impact(p, a[0], q, b[0], target, tolerance, memory);
         if (impact.close) continue;
         const auto gap = [&](Real part) {
@@ -154,7 +160,8 @@ TEST_CASE("what passes beside a plate is not stopped and keeps its bits", "[hous
         SpaceScene scene = plate();
         const bool far = i >= 20;  // so far that no distance is computed
         const Vec3 at(-2 - random.uniform(0, 3), far ? 6 : 2.7, 0);
-        const Index k = add_body(scene, {any_hull(random, i % 4)}, 1000.0, at, any_vector(random, 1.5));
+        const Hull hull = any_hull(random, i % 4);
+        const Index k = add_body(scene, {hull}, 1000.0, at, any_vector(random, 1.5));
         scene.bodies.velocity(k) << 200, 0, 0, any_vector(random, 100);
         SpaceScene free = scene;
         TouchingCones method = stopping(), none;
@@ -198,9 +205,11 @@ TEST_CASE("a stop keeps momentum and angular momentum and no energy comes from i
         scene.gravity.setZero();
         scene.length = 1;
         const bool balls = i % 4 == 0;
-        add_body(scene, {any_hull(random, balls ? 0 : 2)}, 1000.0, {0, 0, 0}, any_vector(random, 1));
-        add_body(scene, {any_hull(random, i % 4)}, 1000.0,
-                 {-3 - random.uniform(0, 3), random.uniform(-0.05, 0.05), 0}, any_vector(random, 1));
+        const Hull hit = any_hull(random, balls ? 0 : 2);
+        add_body(scene, {hit}, 1000.0, {0, 0, 0}, any_vector(random, 1));
+        const Hull comes = any_hull(random, i % 4);
+        const Real x = -3 - random.uniform(0, 3), y = random.uniform(-0.05, 0.05);
+        add_body(scene, {comes}, 1000.0, {x, y, 0}, any_vector(random, 1));
         scene.bodies.velocity(1) << 200, 0, 0, any_vector(random, 40);
         scene.bodies.velocity(0) << any_vector(random, 20), any_vector(random, 40);
         TouchingCones method = stopping(0.5);
