@@ -95,3 +95,16 @@ function(measure_beside target)
     endif()
   endforeach()
 endfunction()
+
+# measure_beside_box2d3(TARGET SOURCE): and Box2D 3, where it is installed (or -Dbox2d_DIR=…). Its headers have the names of
+# Box2D 2.4's, so one source alone sees them: a library apart. A macro, because a language is enabled for a whole file.
+macro(measure_beside_box2d3 target source)
+  find_package(box2d 3 CONFIG QUIET)
+  if(TARGET box2d::box2d)
+    enable_language(C)   # its C library may want -lm and threads of it
+    add_library(${target}_box2d3 STATIC EXCLUDE_FROM_ALL ${source})
+    target_link_libraries(${target}_box2d3 PRIVATE rigid_common box2d::box2d)
+    target_link_libraries(${target} PRIVATE ${target}_box2d3)
+    target_compile_definitions(${target} PRIVATE RIGID_HAS_BOX2D3)
+  endif()
+endmacro()

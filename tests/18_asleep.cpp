@@ -7,8 +7,8 @@
 #include "chapters/18_space/space_sleep.hpp"
 
 #include "tests/catch.hpp"
-#include "tests/same_vector.hpp"
 #include "tests/sentence.hpp"
+#include "tests/solids.hpp"
 
 using namespace rigid;
 

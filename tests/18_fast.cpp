@@ -6,19 +6,12 @@
 #include "chapters/18_space/space_sleep.hpp"
 
 #include "tests/catch.hpp"
-#include "tests/same_vector.hpp"
 #include "tests/sentence.hpp"
+#include "tests/solids.hpp"
 
 using namespace rigid;
 
 namespace {
-
-Vec3 any_vector(Random& random, Real size)
-{
-    const Real x = random.uniform(-size, size), y = random.uniform(-size, size),
-               z = random.uniform(-size, size);
-    return {x, y, z};
-}
 
 Hull any_hull(Random& random, int kind)
 {

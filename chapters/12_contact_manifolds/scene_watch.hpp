@@ -25,6 +25,23 @@ inline bool operator==(const PointJoint& a, const PointJoint& b)
            a.over_a == b.over_a && a.over_b == b.over_b && a.collides == b.collides;
 }
 
+/// Calls changed(k) for both bodies of each joint that is another than it was, gone or new.
+/// \param bodies  how many there are now
+template <class Joint, class Changed>
+void compare_joints(const std::vector<Joint>& was, const std::vector<Joint>& is,
+                    Index bodies, const Changed& changed)
+{
+    for (std::size_t i = 0; i < std::max(was.size(), is.size()); ++i) {
+        const bool had = i < was.size(), has = i < is.size();
+        if (had && has && was[i] == is[i]) continue;
+        for (const Joint* const joint :
+             {had ? &was[i] : nullptr, has ? &is[i] : nullptr})
+            if (joint)
+                for (const Index k : {joint->a, joint->b})
+                    if (k != world && k < bodies) changed(k);
+    }
+}
+
 struct SceneWatch {
     using Scene = RigidScene;
     VecX x, u, inverse_mass;  ///< as the last step left them
@@ -86,16 +103,7 @@ struct SceneWatch {
                 scene.shapes[i].vertices != shapes[i].vertices)
                 changed(k);
         }
-        const std::size_t most = std::max(joints.size(), scene.joints.size());
-        for (std::size_t i = 0; i < most; ++i) {
-            const bool was = i < joints.size(), is = i < scene.joints.size();
-            if (was && is && joints[i] == scene.joints[i]) continue;
-            for (const PointJoint* const joint :
-                 {was ? &joints[i] : nullptr, is ? &scene.joints[i] : nullptr})
-                if (joint)
-                    for (const Index k : {joint->a, joint->b})
-                        if (k != world && k < bodies.count()) changed(k);
-        }
+        compare_joints(joints, scene.joints, bodies.count(), changed);
     }
     //! [watch]
 };

@@ -22,56 +22,13 @@ struct FastSolids {
     int impacts = 0;          ///< of those, stopped on their way
     int rounds = 0;           ///< distances computed
     std::vector<Real> part;   ///< of the way that each body goes
-    std::vector<Real> inner;  ///< inner radii [m]
+    std::vector<Real> inner;  ///< inner radii, for the rounds [m]
     std::vector<char> is_fast, is_held, is_joined;
     std::vector<Vec3> low, high;             ///< of what each can reach on its way
     std::vector<std::pair<int, int>> pairs;  ///< of fast bodies that may meet
     SolidImpactMemory memory;
 };
 //! [fast_solids]
-
-//! [inner]
-/// ρ of a body: from the middle of its corners to the nearest side, of its thinnest
-/// hull [m].
-inline Real inner_radius(const std::vector<SolidForm>& forms)
-{
-    Real least = infinity;
-    for (const SolidForm& form : forms) {
-        Vec3 middle(0, 0, 0);
-        for (const Vec3& p : form.hull.vertices) middle += p;
-        middle /= static_cast<Real>(form.hull.vertices.size());
-        Real nearest = form.normals.empty() ? 0 : infinity;
-        for (std::size_t f = 0; f < form.normals.size(); ++f) {
-            const auto on = static_cast<std::size_t>(form.hull.faces[f][0]);
-            nearest = std::min(
-                nearest, form.normals[f].dot(form.hull.vertices[on] - middle));
-        }
-        least = std::min(least, nearest + form.hull.radius);
-    }
-    return least;
-}
-//! [inner]
-
-//! [ahead]
-/// (12.6c), of the bodies that are looked at.
-/// \param most  how far at most [inner radii]
-inline void look_ahead(const SpaceScene& scene, Real margin, Real h, Real most,
-                       SolidPairs& near)
-{
-    near.ahead_of.assign(near.forms.size(), 0);
-    if (!(most > 0)) return;
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        if (!near.looks(k) || near.forms[i].empty()) continue;
-        const auto u = scene.bodies.velocity(k);
-        const Real falls = scene.bodies.can_move(k) ? scene.gravity.norm() * h : 0,
-                   turns = u.tail<3>().norm() * near.reach[i],
-                   way = h * (u.head<3>().norm() + falls + turns);
-        if (way > margin / 2)
-            near.ahead_of[i] = std::min(way, most * inner_radius(near.forms[i]));
-    }
-}
-//! [ahead]
 
 //! [put_back]
 /// (18.58) for the bodies that were stopped.
@@ -134,7 +91,6 @@ inline void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
     for (const SpaceJoint& joint : scene.joints)
         for (const Index k : {joint.a, joint.b})
             if (k != world) fast.is_joined[static_cast<std::size_t>(k)] = 1;
-    fast.inner.resize(K);
     for (const int k : now.active) {
         const auto at = static_cast<std::size_t>(k);
         if (forms(k).empty() || fast.is_joined[at] || !scene.bodies.can_move(k))
@@ -143,11 +99,11 @@ inline void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
         Real turns = 0;
         for (const SolidForm& form : forms(k))
             turns = std::max(turns, turning(m, form));
-        if (m.way.norm() + turns > inner_radius(forms(k)) / 2)
-            fast.bodies.push_back(k);
+        if (m.way.norm() + turns > near.inner[at] / 2) fast.bodies.push_back(k);
     }
     if (fast.bodies.empty()) return;
 
+    fast.inner = near.inner;
     fast.part.assign(K, 1);
     fast.is_fast.assign(K, 0);
     for (const int k : fast.bodies) fast.is_fast[static_cast<std::size_t>(k)] = 1;
@@ -159,9 +115,6 @@ inline void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
                    out = Vec3::Constant(near.reach[k] + margin);
         fast.low[k] = m.from.cwiseMin(to) - out;
         fast.high[k] = m.from.cwiseMax(to) + out;
-        fast.inner[k] = forms(static_cast<int>(k)).empty()
-                            ? 0
-                            : inner_radius(forms(static_cast<int>(k)));
     }
     const auto inner_of = [&](int k) {
         return fast.inner[static_cast<std::size_t>(k)];

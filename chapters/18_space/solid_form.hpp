@@ -170,4 +170,24 @@ struct PlacedSolid {
     //! [support]
 };
 
+/// ρ of a body: from the middle of its corners to the nearest side, of its thinnest hull; 0 of none [m].
+inline Real inner_radius(const std::vector<SolidForm>& forms)
+{
+    if (forms.empty()) return 0;
+    Real least = infinity;
+    for (const SolidForm& form : forms) {
+        Vec3 middle(0, 0, 0);
+        for (const Vec3& p : form.hull.vertices) middle += p;
+        middle /= static_cast<Real>(form.hull.vertices.size());
+        Real nearest = form.normals.empty() ? 0 : infinity;
+        for (std::size_t f = 0; f < form.normals.size(); ++f) {
+            const auto on = static_cast<std::size_t>(form.hull.faces[f][0]);
+            nearest = std::min(
+                nearest, form.normals[f].dot(form.hull.vertices[on] - middle));
+        }
+        least = std::min(least, nearest + form.hull.radius);
+    }
+    return least;
+}
+
 }  // namespace rigid

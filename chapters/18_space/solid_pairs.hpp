@@ -23,6 +23,7 @@ struct SolidPairs {
     std::vector<std::vector<SolidForm>> forms;  ///< of each body's hulls
     std::vector<std::vector<PlacedSolid>> solids;
     std::vector<Real> reach;  ///< of each body, from its centroid [m]
+    std::vector<Real> inner;  ///< radius of each body [m]
     /// of each body: how far it looks beyond the margin [m]
     std::vector<Real> ahead_of;
     SortAndSweep shadows;
@@ -59,11 +60,14 @@ struct SolidPairs {
             known = scene.shapes;
             forms.assign(known.size(), {});
             reach.assign(known.size(), 0);
-            for (std::size_t k = 0; k < known.size(); ++k)
+            inner.resize(known.size());
+            for (std::size_t k = 0; k < known.size(); ++k) {
                 for (const Hull& hull : known[k]) {
                     forms[k].push_back(form_of(hull));
                     reach[k] = std::max(reach[k], forms[k].back().reach);
                 }
+                inner[k] = inner_radius(forms[k]);
+            }
             solids.assign(known.size(), {});
         }
         for (std::size_t k = 0; k < forms.size(); ++k) {

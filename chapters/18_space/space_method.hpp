@@ -48,9 +48,9 @@ inline Correction closed_contacts()
 
 /// Solids that touch. With chapter 6's sweeps the rows of friction are a box, with
 /// ConeSolver a disc.
-template <class Solver>
+template <class Solver, class Contacts = TouchingSolids>
 struct Touching {
-    TouchingSolids contacts;
+    Contacts contacts;
     Correction correction = closed_contacts();
     WarmStart start;
     Solver solver;

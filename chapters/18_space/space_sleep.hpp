@@ -31,15 +31,8 @@ inline Vec<6> measured_velocity(const SpaceScene& scene, Index k, const Vec<6>& 
 using AwakeSolids = AwakeStage<TouchingSolids, SpaceWatch>;
 
 /// Solids that touch, and sleep where they are at rest.
-template <class Solver>
-struct Sleeping {
-    AwakeSolids contacts;
-    Correction correction = closed_contacts();
-    WarmStart start;
-    Solver solver;
-};
-using SleepingBoxes = Sleeping<ImpulseSolver<6>>;
-using SleepingCones = Sleeping<ConeSolver>;
+using SleepingBoxes = Touching<ImpulseSolver<6>, AwakeSolids>;
+using SleepingCones = Touching<ConeSolver, AwakeSolids>;
 //! [sleeping]
 
 }  // namespace rigid

@@ -6,6 +6,7 @@
 
 #include "chapters/18_space/ellipsoid.hpp"
 #include "chapters/18_space/fast_solids.hpp"
+#include "chapters/18_space/look_ahead.hpp"
 #include "chapters/18_space/solid_touch.hpp"
 #include "chapters/18_space/space_constraints.hpp"
 

@@ -2,6 +2,7 @@
 /// What has been changed in a scene in space since the last step: chapter 12's watch, for what there is here.
 #pragma once
 
+#include "chapters/12_contact_manifolds/scene_watch.hpp"
 #include "chapters/18_space/space_scene.hpp"
 
 #include <algorithm>
@@ -75,16 +76,7 @@ struct SpaceWatch {
                 grip(scene, i) != grip(seen, i))
                 changed(k);
         }
-        const std::size_t most = std::max(joints.size(), scene.joints.size());
-        for (std::size_t i = 0; i < most; ++i) {
-            const bool had = i < joints.size(), has = i < scene.joints.size();
-            if (had && has && joints[i] == scene.joints[i]) continue;
-            for (const SpaceJoint* const joint :
-                 {had ? &joints[i] : nullptr, has ? &scene.joints[i] : nullptr})
-                if (joint)
-                    for (const Index k : {joint->a, joint->b})
-                        if (k != world && k < is.count()) changed(k);
-        }
+        compare_joints(joints, scene.joints, is.count(), changed);
     }
 
 private:

@@ -1,6 +1,6 @@
 #include "chapters/14_joints/benchmark/peers_box2d3.hpp"
 
-#include <box2d/box2d.h>
+#include "chapters/14_joints/benchmark/box2d3_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,31 +15,12 @@ struct Box2d3Joints::World {
 
 namespace {
 
-b2Vec2 vector(const Vec2& v)
-{
-    return {static_cast<float>(v.x()), static_cast<float>(v.y())};
-}
-
-void add_shape(b2BodyId body, const Polygon& shape, int group)
+b2ShapeDef surface_of(int group)
 {
     b2ShapeDef def = b2DefaultShapeDef();
     def.material.friction = 0.6F;
     def.filter.groupIndex = -group;
-    const auto r = static_cast<float>(shape.radius);
-    std::vector<b2Vec2> corners;
-    for (const Vec2& v : shape.vertices) corners.push_back(vector(v));
-    if (corners.size() == 1) {
-        const b2Circle disc{corners[0], r};
-        b2CreateCircleShape(body, &def, &disc);
-    } else if (corners.size() == 2) {
-        const b2Capsule capsule{corners[0], corners[1], r};
-        b2CreateCapsuleShape(body, &def, &capsule);
-    } else {
-        const b2Hull hull =
-            b2ComputeHull(corners.data(), static_cast<int>(corners.size()));
-        const b2Polygon polygon = b2MakePolygon(&hull, r);
-        b2CreatePolygonShape(body, &def, &polygon);
-    }
+    return def;
 }
 
 }  // namespace
@@ -67,7 +48,7 @@ Box2d3Joints::Box2d3Joints(const JointedScene& scene, int substeps,
         def.angularVelocity = static_cast<float>(u[2]);
         const b2BodyId body = b2CreateBody(world_->id, &def);
         const auto i = static_cast<std::size_t>(k);
-        if (!group.empty()) add_shape(body, scene.shapes[i], group[i]);
+        if (!group.empty()) add_shape(body, scene.shapes[i], surface_of(group[i]));
         const b2MassData mass{
             static_cast<float>(1 / m[0]), {0, 0}, static_cast<float>(1 / m[2])};
         if (!m.isZero(0)) b2Body_SetMassData(body, mass);

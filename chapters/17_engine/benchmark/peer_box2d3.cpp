@@ -1,6 +1,6 @@
 #include "chapters/17_engine/benchmark/peer_box2d3.hpp"
 
-#include <box2d/box2d.h>
+#include "chapters/14_joints/benchmark/box2d3_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,33 +22,13 @@ struct Box2d3World::Inside {
 
 namespace {
 
-b2Vec2 vector(const Vec2& v)
+b2ShapeDef surface_of(const World& here, BodyId id)
 {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y())};
-}
-
-void add_shape(b2BodyId body, const World& here, BodyId id)
-{
-    const Polygon& shape = here.shape(id);
     b2ShapeDef def = b2DefaultShapeDef();
     def.material.friction = static_cast<float>(here.surface(id).friction);
     def.material.restitution = static_cast<float>(here.surface(id).restitution);
     def.filter.groupIndex = here.filter(id).group;
-    const auto r = static_cast<float>(shape.radius);
-    std::vector<b2Vec2> corners;
-    for (const Vec2& v : shape.vertices) corners.push_back(vector(v));
-    if (corners.size() == 1) {
-        const b2Circle disc{corners[0], r};
-        b2CreateCircleShape(body, &def, &disc);
-    } else if (corners.size() == 2) {
-        const b2Capsule capsule{corners[0], corners[1], r};
-        b2CreateCapsuleShape(body, &def, &capsule);
-    } else {
-        const b2Hull hull =
-            b2ComputeHull(corners.data(), static_cast<int>(corners.size()));
-        const b2Polygon polygon = b2MakePolygon(&hull, r);
-        b2CreatePolygonShape(body, &def, &polygon);
-    }
+    return def;
 }
 
 }  // namespace
@@ -75,7 +55,7 @@ Box2d3World::Box2d3World(const World& here, bool sleeps, int substeps)
         def.linearVelocity = vector(here.velocity(id));
         def.angularVelocity = static_cast<float>(here.spin(id));
         const b2BodyId body = b2CreateBody(in.id, &def);
-        add_shape(body, here, id);
+        add_shape(body, here.shape(id), surface_of(here, id));
         const b2MassData mass{static_cast<float>(here.mass(id)),
                               {0, 0},
                               static_cast<float>(here.inertia(id))};

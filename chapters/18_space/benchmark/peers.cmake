@@ -1,4 +1,4 @@
-#Engines of space, on stacks, heaps and joints.
+# Engines of space, on stacks, heaps and joints.
 measure_beside(18_space_benchmark bullet ode)
 # And Box3D, where it is installed (or -Dbox3d_DIR=…).
 find_package(box3d CONFIG QUIET)

@@ -19,10 +19,15 @@ inline std::vector<Real> measure_fall(const SpaceState& s)
 
 inline Demo fall_demo(const std::string& name, const std::string& summary,
                       const View& view, Real h,
-                      std::function<SpaceSetup(const Settings&)> setup,
-                      std::vector<Tunable> tunables)
+                      const std::function<SpaceSetup(const Settings&)>& make,
+                      const std::vector<Tunable>& tunables)
 {
-    Demo scene = space_demo(name, summary, view, h, ways_to_drag, std::move(setup));
+    Demo scene = space_demo(name, summary, view, h, ways_to_drag,
+                            [make](const Settings& settings) {
+                                SpaceSetup setup = make(settings);
+                                setup.measure = measure_fall;
+                                return setup;
+                            });
     scene.tunables.insert(scene.tunables.end(), tunables.begin(), tunables.end());
     scene.tunables.push_back(
         {"substeps", "", "parts of a step", 4, 1, 64, Numbers::whole});
@@ -50,7 +55,6 @@ inline Demo wall_scene()
             add_wrecking_ball(setup.scene, ball, settings["mu"]);
             setup.camera = {{0, 1.6, -0.5}, 14, 0.9, 0.25};
             setup.ground = 4;
-            setup.measure = measure_fall;
             return setup;
         },
         {{"rows", "", "of the wall", 7, 1, 12, Numbers::whole, OnChange::restarts},
@@ -68,7 +72,6 @@ inline Demo cards_scene()
                                      settings["lean"] * pi / 180, settings["mu"]);
             setup.camera = {{0, 1.3, 0}, 12, 0.35, 0.2};
             setup.ground = 3;
-            setup.measure = measure_fall;
             return setup;
         },
         {{"storeys", "", "of the tower", 3, 1, 6, Numbers::whole,
@@ -88,7 +91,6 @@ inline Demo dolls_scene()
                                              settings["speed"]);
                          setup.camera = {{1.5, 1.2, 0}, 15, 0.7, 0.35};
                          setup.ground = 6;
-                         setup.measure = measure_fall;
                          return setup;
                      },
                      {{"dolls", "", "on the landing", 3, 1, 10, Numbers::whole,

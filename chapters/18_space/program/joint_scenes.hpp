@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/18_space/gyroscope.hpp"
+#include "chapters/18_space/program/hung_demo.hpp"
 #include "chapters/18_space/program/touch_scenes.hpp"
 
 namespace rigid {
@@ -90,63 +91,42 @@ inline Demo gyroscope_scene()
     return scene;
 }
 
-/// A chain, its tunables but for the sub-steps, and columns.
-inline Demo hung_demo(const std::string& name, const std::string& summary,
-                      const Camera& camera,
-                      const std::function<SpaceScene(const Settings&)>& make,
-                      std::vector<Tunable> tunables)
-{
-    Demo scene = space_demo(
-        name, summary, {{0, 0}, {0.4 * camera.distance, 0.3 * camera.distance}},
-        1.0 / 240, {"exact", "islands"}, [=](const Settings& settings) {
-            SpaceSetup setup;
-            setup.scene = make(settings);
-            setup.camera = camera;
-            setup.skin = Skin::opaque;
-            setup.measure = [](const SpaceState& s) -> std::vector<Real> {
-                return {energy(s.scene) - s.energy, largest_joint_error(s.scene),
-                        static_cast<Real>(s.now.visits)};
-            };
-            return setup;
-        });
-    scene.tunables.insert(scene.tunables.end(), tunables.begin(), tunables.end());
-    scene.tunables.push_back(
-        {"substeps", "", "parts of a step", 4, 1, 64, Numbers::whole});
-    scene.columns = {
-        {"energy_error", "J", "energy minus that of the start", Plot::linear},
-        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic},
-        {"visits", "", "rows visited", Plot::linear}};
-    return scene;
-}
-
 inline Demo plates_scene()
 {
-    return hung_demo("plates",
-                     "Plates on hinges swing in one plane, however they are pushed",
-                     {{0, -2.5, 0}, 16},
-                     [](const Settings& settings) {
-                         return plate_chain(static_cast<int>(settings["plates"]),
-                                            settings["aside"]);
-                     },
-                     {{"plates", "", "of the chain", 5, 1, 12, Numbers::whole,
-                       OnChange::restarts},
-                      {"aside", "m/s", "a push across the plane", 1, 0, 10,
-                       Numbers::real, OnChange::restarts}});
+    return hung_demo(
+        "plates", "Plates on hinges swing in one plane, however they are pushed",
+        {{0, 0}, {6.4, 4.8}},
+        [](const Settings& settings) {
+            SpaceSetup setup;
+            setup.scene = plate_chain(static_cast<int>(settings["plates"]),
+                                      settings["aside"]);
+            setup.camera = {{0, -2.5, 0}, 16};
+            setup.skin = Skin::opaque;
+            return setup;
+        },
+        {{"plates", "", "of the chain", 5, 1, 12, Numbers::whole,
+          OnChange::restarts},
+         {"aside", "m/s", "a push across the plane", 1, 0, 10, Numbers::real,
+          OnChange::restarts}});
 }
 
 inline Demo heavy_scene()
 {
-    return hung_demo("heavy_end",
-                     "A chain of light links with a heavy ball at its end",
-                     {{1.5, -4, 0}, 18},
-                     [](const Settings& settings) {
-                         return heavy_chain(static_cast<int>(settings["links"]),
-                                            settings["ratio"]);
-                     },
-                     {{"links", "", "of the chain", 30, 1, 50, Numbers::whole,
-                       OnChange::restarts},
-                      {"ratio", "", "mass of the ball over that of a link", 1000, 1,
-                       10000, Numbers::real, OnChange::restarts}});
+    return hung_demo(
+        "heavy_end", "A chain of light links with a heavy ball at its end",
+        {{0, 0}, {7.2, 5.4}},
+        [](const Settings& settings) {
+            SpaceSetup setup;
+            setup.scene =
+                heavy_chain(static_cast<int>(settings["links"]), settings["ratio"]);
+            setup.camera = {{1.5, -4, 0}, 18};
+            setup.skin = Skin::opaque;
+            return setup;
+        },
+        {{"links", "", "of the chain", 30, 1, 50, Numbers::whole,
+          OnChange::restarts},
+         {"ratio", "", "mass of the ball over that of a link", 1000, 1, 10000,
+          Numbers::real, OnChange::restarts}});
 }
 
 }  // namespace rigid

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/18_space/exact_tumbling.hpp"
+#include "chapters/18_space/program/hung_demo.hpp"
 #include "chapters/18_space/program/space_run.hpp"
 #include "chapters/18_space/tossed.hpp"
 #include "common/elementary.hpp"
@@ -152,9 +153,9 @@ inline Demo top_scene()
 
 inline Demo chain_scene()
 {
-    Demo scene = space_demo(
+    return hung_demo(
         "chain", "Rods on ball joints and universal joints swing out of the plane",
-        {{0, -1.6}, {4.6, 3.2}}, 1.0 / 240, {"exact", "islands"},
+        {{0, -1.6}, {4.6, 3.2}},
         [](const Settings& settings) {
             SpaceSetup setup;
             setup.scene = rod_chain(static_cast<int>(settings["rods"]));
@@ -162,21 +163,10 @@ inline Demo chain_scene()
             setup.camera.distance = 14;
             setup.traces = true;
             setup.traced = {0.4, 0, 0};
-            setup.measure = [](const SpaceState& s) -> std::vector<Real> {
-                return {energy(s.scene) - s.energy, largest_joint_error(s.scene),
-                        static_cast<Real>(s.now.visits)};
-            };
             return setup;
-        });
-    scene.tunables.push_back({"rods", "", "rods of the chain", 4, 1, 12,
-                              Numbers::whole, OnChange::restarts});
-    scene.tunables.push_back(
-        {"substeps", "", "parts of a step", 4, 1, 64, Numbers::whole});
-    scene.columns = {
-        {"energy_error", "J", "energy minus that of the start", Plot::linear},
-        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic},
-        {"visits", "", "rows visited", Plot::linear}};
-    return scene;
+        },
+        {{"rods", "", "rods of the chain", 4, 1, 12, Numbers::whole,
+          OnChange::restarts}});
 }
 
 inline Demo door_scene()
