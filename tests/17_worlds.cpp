@@ -772,12 +772,49 @@ TEST_CASE("joints between masses whose ratio no number holds leave no impulse th
     }
 }
 
+TEST_CASE("a hand whose force is no number holds its body and no step refuses what it left", "[house]")
+{
+    World engine;
+    const BodyId ball = engine.add_body(body_of(disc(0.2), {0, 5}));
+    engine.pull(ball, {0, std::numeric_limits<Real>::max()});
+    engine.step(frame);
+    CHECK(engine.work().held == 1);
+    CHECK(engine.position(ball).y() == 5);
+    engine.pull({}, {0, 0});
+    World again = World::load(engine.save());
+    for (World* const world : {&engine, &again}) {
+        CHECK_NOTHROW(world->step(frame));
+        CHECK(world->velocity(ball).y() == Approx(-9.81 * frame));
+    }
+}
+
+TEST_CASE("a step so short that every velocity is noise loses nothing", "[house]")
+{
+    // what rounding makes of a position in 1e-300 s is more than any number (x/h), so no residual is small
+    World engine;
+    std::vector<BodyId> ids;
+    for (int i = 0; i < 2; ++i) ids.push_back(engine.add_body(body_of(disc(0.2), {1e9 + 0.5 * i, 50})));
+    RigidJoint joint = engine.joint_at(JointKind::revolute, ids[0], ids[1], {1e9 + 0.25, 50});
+    joint.lower = -0.1, joint.upper = 0.1;
+    engine.add_joint(ids[0], ids[1], joint);
+    engine.set_velocity(ids[0], {0, 1}, 30);  // the limit has a row
+    engine.step(frame);
+    CHECK_NOTHROW(engine.step(1e-300));
+    for (const BodyId id : ids) {
+        CHECK(engine.position(id).allFinite());
+        CHECK(engine.velocity(id).allFinite());
+    }
+    CHECK_NOTHROW(engine.step(frame));
+}
+
 TEST_CASE("a step whose part is no time and a shape whose area is no number are refused", "[house]")
 {
     WorldSettings settings;
     settings.substeps = 3;
     World engine(settings);
-    engine.add_body({});
+    BodyDefinition ton;
+    ton.mass = Mass{1000, {0, 0}, 1000};
+    engine.add_body(ton);
     const std::uint64_t before = engine.hash();
     CHECK_THROWS_WITH(engine.step(std::numeric_limits<Real>::denorm_min()),
                       Contains("the time step h is 0 s"));
@@ -791,6 +828,14 @@ TEST_CASE("a step whose part is no time and a shape whose area is no number are 
     for (Vec2& vertex : far.shape.vertices) vertex.x() += 1e15;
     far.mass = Mass{1, {-1e16, 0}, 1};
     CHECK_THROWS_WITH(engine.add_body(far), Contains("are the same point"));
+    CHECK(engine.hash() == before);
+    // a weight that overflows would be refused by each step from then on, and by load()
+    BodyDefinition heavy = body_of(disc(0.5), {0, 0});
+    heavy.mass = Mass{1e308, {0, 0}, 1e308};
+    CHECK_THROWS_WITH(engine.add_body(heavy), Contains("has no finite weight"));
+    WorldSettings strong = engine.settings();
+    strong.gravity = {0, -1e308};
+    CHECK_THROWS_WITH(engine.change(strong), Contains("has no finite weight"));
     CHECK(engine.hash() == before);
 }
 

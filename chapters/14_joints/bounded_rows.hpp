@@ -71,7 +71,8 @@ public:
             const std::vector<int>& here = islands.rows[at(k)];
             problem.begin(islands, here, rows, u, b, enough, lambda);
             Solution& solution = problem.solution;
-            if (!problem.is_finite()) {  // an overflow has no answer
+            // an overflow has no answer
+            if (!problem.is_finite() || !(enough < infinity)) {
                 solution.lambda.setZero();
                 solution.status = Status::singular;
             } else if (problem.mlcp.size() > most) {

@@ -220,14 +220,14 @@ private:
         lambda += change_;
     }
 
-    /// `solved` if the natural residual of λ, from the velocities themselves, is below the tolerance.
+    /// `solved` if the natural residual of λ, of the velocities, is below the tolerance, and not all is noise.
     void judge(const VecX& u, const VecX& lambda, const StepData<3>& now,
                Solution& solution) const
     {
         const Real left = natural_residual(now.rows, bias_, lambda, u);
         const Real residual = solution.residual = std::max(left, unlike_);
         solution.iterations = sweeps_made;
-        solution.status = residual <= enough_ ? Status::solved
+        solution.status = residual <= enough_ && enough_ < infinity ? Status::solved
                           : joints.tree.dependent > 0 || !std::isfinite(residual)
                               ? Status::singular
                               : Status::iteration_limit;

@@ -83,4 +83,15 @@ inline Mass require_valid(const BodyDefinition& body)
     return require_about(fixed, body.shape);
 }
 
+/// Throws std::invalid_argument unless gravity gives a mass a weight that is a number.
+/// \param mass  0, ∞: cannot be moved
+inline void require_weight(Real mass, const Vec2& gravity)
+{
+    if (std::isfinite(mass) && !(mass * gravity).allFinite())
+        throw std::invalid_argument(
+            "a body of " + shortest(mass) + " kg under the gravity (" +
+            shortest(gravity.x()) + ", " + shortest(gravity.y()) +
+            ") m/s² has no finite weight; one of both must be smaller");
+}
+
 }  // namespace rigid

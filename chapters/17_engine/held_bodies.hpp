@@ -1,7 +1,7 @@
 /// \file held_bodies.hpp
 /// The correction stage of the engine: chapter 14's, and a body whose state overflows is held where it was.
 ///
-///     a number of x or u that is not finite, or above 10⁷⁵     →     x of before the sub-step, u = 0, and no impulses
+///     a number of x or u that is not finite, or above 10⁷⁵     →     x of before the sub-step, u = 0, no force and no impulses
 ///     an impulse that is not finite                            →     0
 ///
 /// Sweeps that diverge, joints between masses too far apart, a velocity that a caller gave: a number may leave the range of
@@ -39,6 +39,7 @@ struct HeldBodies : LoadedJoints {
             if (is_in_range(scene.bodies, k)) continue;
             scene.bodies.position(k) = before_.segment<3>(3 * k);
             scene.bodies.velocity(k).setZero();
+            scene.bodies.force(k).setZero();
             held.push_back(k);
         }
         if (held.size() == first && now.solution.lambda.allFinite()) return;

@@ -6,6 +6,7 @@
 
 #include "chapters/17_engine/world.hpp"
 
+#include "chapters/17_engine/body_checks.hpp"
 #include "chapters/17_engine/world_cpp.hpp"
 
 namespace rigid {
@@ -104,6 +105,7 @@ const Events& World::events() const { return state_->events; }
 void World::change(const WorldSettings& settings)
 {
     require_valid(settings);
+    for (const BodyId body : bodies()) require_weight(mass(body), settings.gravity);
     state_->settings = settings;
     state_->configure();
     state_->changed = true;

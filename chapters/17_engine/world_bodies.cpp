@@ -13,6 +13,7 @@ BodyId World::add_body(const BodyDefinition& definition)
 {
     State& s = *state_;
     const Mass mass = require_valid(definition);
+    require_weight(mass.mass, s.settings.gravity);
     const std::uint8_t group = definition.sensor
                                    ? FilterClasses::nothing
                                    : s.classes.enter(definition.filter, s.filter());
