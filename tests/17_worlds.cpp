@@ -836,6 +836,9 @@ TEST_CASE("a step whose part is no time and a shape whose area is no number are 
     WorldSettings strong = engine.settings();
     strong.gravity = {0, -1e308};
     CHECK_THROWS_WITH(engine.change(strong), Contains("has no finite weight"));
+    WorldSettings vast_too;
+    vast_too.length = 1e200, vast_too.tolerance = 1e150;
+    CHECK_THROWS_WITH(engine.change(vast_too), Contains("1e+150 times it is not finite"));
     CHECK(engine.hash() == before);
 }
 

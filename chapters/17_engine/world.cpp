@@ -14,7 +14,7 @@ namespace rigid {
 void require_valid(const WorldSettings& settings)
 {
     const auto refuse = [](const char* name, const std::string& value,
-                           const char* right) {
+                           const std::string& right) {
         throw std::invalid_argument(std::string("the ") + name +
                                     " of the world is " + value + "; it must be " +
                                     right);
@@ -47,6 +47,11 @@ void require_valid(const WorldSettings& settings)
         refuse("number of rows that are exact at most",
                std::to_string(settings.most_exact), "zero or positive");
     at_least_zero("speed of hits", settings.hit_speed);
+    // all of them are shares of the length
+    for (const Real share : {settings.margin, settings.slop, settings.tolerance})
+        if (!std::isfinite(share * settings.length))
+            refuse("length", shortest(settings.length) + " m",
+                   "smaller: " + shortest(share) + " times it is not finite");
 }
 
 World::World(const WorldSettings& settings)
