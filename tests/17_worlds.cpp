@@ -782,9 +782,9 @@ TEST_CASE("a hand whose force is no number holds its body and no step refuses wh
     CHECK(engine.position(ball).y() == 5);
     engine.pull({}, {0, 0});
     World again = World::load(engine.save());
-    for (World* const world : {&engine, &again}) {
-        CHECK_NOTHROW(world->step(frame));
-        CHECK(world->velocity(ball).y() == Approx(-9.81 * frame));
+    for (World* const each : {&engine, &again}) {
+        CHECK_NOTHROW(each->step(frame));
+        CHECK(each->velocity(ball).y() == Approx(-9.81 * frame));
     }
 }
 
