@@ -8,6 +8,7 @@
 #include "chapters/09_active_sets/exact_method.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/18_space/cone_solver.hpp"
+#include "chapters/18_space/loaded_solids.hpp"
 #include "chapters/18_space/space_touching.hpp"
 
 namespace rigid {
@@ -51,7 +52,7 @@ inline Correction closed_contacts()
 template <class Solver, class Contacts = TouchingSolids>
 struct Touching {
     Contacts contacts;
-    Correction correction = closed_contacts();
+    LoadedSolids correction = closed_contacts();
     WarmStart start;
     Solver solver;
 };

@@ -35,7 +35,7 @@ compilers = {
     'g++ -O3': ('g++', ['-O3'] + threads, '', []),
     'clang++ -O0': ('clang++', ['-O0'] + threads, '', []),
     'clang++ -O2': ('clang++', ['-O2'] + threads, '', []),
-    'em++ -O2': ('em++', ['-O2'] + wasm, '.js', ['node', '--experimental-wasm-eh']),
+    'em++ -O2': ('em++', ['-O2'] + wasm, '.js', ['node']),
     'mingw -O2': ('x86_64-w64-mingw32-g++-posix', ['-O2'] + mingw, '.exe', ['wine']),
 }
 
@@ -65,6 +65,9 @@ def lines_of(name, steps):
         if not wine():
             return None, 'wine is not installed'
         runner = [wine()]
+    if runner == ['node'] and '--experimental-wasm-eh' in subprocess.run(['node', '--v8-options'], text=True,
+                                                                         capture_output=True).stdout:
+        runner = ['node', '--experimental-wasm-eh']  # newer ones need no asking, and refuse it
     build.mkdir(parents=True, exist_ok=True)
     program = build / (name.replace(' ', '').replace('+', 'p') + (ending or '.out'))
     made = subprocess.run([compiler, *flags, *own, f'-I{eigen()}', *sources, '-o', str(program)], cwd=root, text=True,

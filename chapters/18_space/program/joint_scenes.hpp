@@ -112,13 +112,15 @@ inline Demo plates_scene()
 
 inline Demo heavy_scene()
 {
-    return hung_demo(
+    Demo scene = hung_demo(
         "heavy_end", "A chain of light links with a heavy ball at its end",
         {{0, 0}, {7.2, 5.4}},
         [](const Settings& settings) {
             SpaceSetup setup;
             setup.scene =
                 heavy_chain(static_cast<int>(settings["links"]), settings["ratio"]);
+            // for what may touch, and nothing does
+            setup.scene.friction.assign(setup.scene.shapes.size(), 0.5);
             setup.camera = {{1.5, -4, 0}, 18};
             setup.skin = Skin::opaque;
             return setup;
@@ -126,7 +128,14 @@ inline Demo heavy_scene()
         {{"links", "", "of the chain", 30, 1, 50, Numbers::whole,
           OnChange::restarts},
          {"ratio", "", "mass of the ball over that of a link", 1000, 1, 10000,
-          Numbers::real, OnChange::restarts}});
+          Numbers::real, OnChange::restarts},
+         {"stiff", "", "a load makes a link hard to turn (cones)", 1, 0, 1,
+          Numbers::whole},
+         {"sweeps", "", "of a step, at most (cone)", 50, 1, 5000, Numbers::whole}});
+    scene.methods.insert(scene.methods.begin(), {"exact_cone", "cone"});
+    scene.h = 1.0 / 60;
+    scene.tunables.back().value = 1;  // sub-steps
+    return scene;
 }
 
 }  // namespace rigid

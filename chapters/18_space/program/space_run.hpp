@@ -154,6 +154,8 @@ private:
               Real tolerance = 1e-6)
     {
         method.solver.sweeps = {static_cast<int>(settings["sweeps"]), tolerance};
+        if (settings.tunables.contains("stiff"))
+            method.correction.stiff = settings["stiff"] > 0;
         rigid::step(state_.scene, how, method, state_.now);
     }
     void tumble_all(Tumbling way, Real h)
