@@ -9,6 +9,11 @@ if(RIGID_WINE)
 endif()
 set(CMAKE_CXX_FLAGS_INIT "-Wa,-mbig-obj")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")   # no DLL of the compiler's needs to be found
+# … nor that of its threads: the library of the same name for static linking, which FindOpenMP takes second.
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libgomp.a OUTPUT_VARIABLE gomp OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(IS_ABSOLUTE "${gomp}")
+  set(OpenMP_gomp_LIBRARY ${gomp} CACHE FILEPATH "OpenMP of MinGW, for static linking")
+endif()
 
 # Libraries of headers alone are this system's. /usr/include itself has the headers of another C library, so that they get
 # a folder without those: cmake/mingw/*Config.cmake name it.
