@@ -292,6 +292,46 @@ TEST_CASE("exact friction turns with the scene and scales with its masses", "[ho
     CHECK((run({0, 0, 0}, 1e-3) - plain).norm() < 1e-9);
 }
 
+TEST_CASE("exact friction is mirrored with the scene and scales with its unit of length", "[house]")
+{
+    Vec<6> mirror;  // that lies in the plane of x and y: a turn about z stays
+    mirror << 1, 1, -1, -1, -1, 1;
+    const auto run = [&](bool in_mirror, Real unit) {
+        SpaceScene scene = struck_balls(21);
+        for (Index k = 0; k < 10; ++k) {
+            for (Hull& hull : scene.shapes[static_cast<std::size_t>(k)]) hull.radius *= unit;
+            scene.bodies.inverse_mass.segment<3>(6 * k + 3) /= unit * unit;
+            scene.bodies.position(k).head<3>() *= unit;
+            scene.bodies.velocity(k).head<3>() *= unit;
+            if (!in_mirror) continue;
+            const Vec<6> x = scene.bodies.x.segment<6>(6 * k), u = scene.bodies.u.segment<6>(6 * k);
+            scene.bodies.position(k) = mirror.cwiseProduct(x);
+            scene.bodies.velocity(k) = mirror.cwiseProduct(u);
+        }
+        scene.gravity *= unit;
+        for (SolidWall& wall : scene.walls) {
+            wall.offset *= unit;
+            if (in_mirror) wall.normal.z() = -wall.normal.z();
+        }
+        TouchingCones method = exact_cones();
+        method.solver.sweeps.tolerance = 1e-12;
+        StepData<6> now;
+        step(scene, {.h = 1.0 / 60}, method, now);
+        REQUIRE(now.solution.status == Status::solved);
+        REQUIRE(now.contacts.size() > 10);
+        VecX u = solved_velocities(now);
+        for (Index k = 0; k < 10; ++k) {
+            if (in_mirror) u.segment<6>(6 * k) = mirror.cwiseProduct(Vec<6>(u.segment<6>(6 * k)));
+            u.segment<3>(6 * k) /= unit;
+        }
+        return u;
+    };
+    const VecX plain = run(false, 1);
+    // residuals of 1e-12 ℓ/s, through a heap of ten
+    CHECK((run(true, 1) - plain).norm() < 1e-9);
+    for (const Real unit : {1e-3, 0.1, 1000.0}) CHECK((run(false, unit) - plain).norm() < 1e-9);
+}
+
 TEST_CASE("a stack of twenty and tops of up to a million times the mass stand without small steps", "[house]")
 {
     struct Case {

@@ -26,6 +26,8 @@ foreach(scene wall cards dolls car pour)
   add_program_test(ch18 18_space "runs scene ${scene}" --headless --scene ${scene} --steps 60
                    --method cone,box,exact_cone --csv -)
 endforeach()
+add_program_test(ch18 18_space "runs scene hills" --headless --scene hills --steps 60
+                 --method cone,one_by_one,box,exact_cone --csv -)
 add_program_test(ch18 18_space "refuses a heap of none" --headless --scene heap --set bodies=0 --steps 1)
 set_tests_properties("ch18: 18_space refuses a heap of none" PROPERTIES WILL_FAIL ON)
 add_program_test(ch18 18_space "refuses a top that is too slow" --headless --scene top --set spin=40 --set tilt=1 --steps 1)

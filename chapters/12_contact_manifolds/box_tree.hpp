@@ -16,7 +16,9 @@
 
 namespace rigid {
 
-class BoxTree {
+/// \tparam Box  with overlap(), contains(), joined(), grown() and perimeter(): chapter 18 has boxes in space
+template <class Box>
+class BoxTreeOf {
 public:
     static constexpr int nobody = -1;
     Real skin = 0;  ///< how far a body may move before its leaf does [m]
@@ -208,5 +210,7 @@ private:
     mutable std::vector<int> stack_;
     int root_ = nobody, free_ = nobody;
 };
+
+using BoxTree = BoxTreeOf<Box>;
 
 }  // namespace rigid

@@ -191,7 +191,7 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         const MovingShape m = motion(k);
         const Vec2 from = m.from.head<2>(), to = m.to.head<2>();
         fast.swept.push_back(
-            grown({from.cwiseMin(to), from.cwiseMax(to)},
+            grown(Box{from.cwiseMin(to), from.cwiseMax(to)},
                   turning_radius(*m.shape) + m.shape->radius + margin));
     }
     fast.part.assign(static_cast<std::size_t>(K), 1);

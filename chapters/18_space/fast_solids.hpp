@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/12_contact_manifolds/fast_bodies.hpp"
+#include "chapters/18_space/mesh_touch.hpp"
 #include "chapters/18_space/moving_solid.hpp"
 #include "chapters/18_space/solid_pairs.hpp"
 
@@ -27,6 +28,7 @@ struct FastSolids {
     std::vector<Vec3> low, high;             ///< of what each can reach on its way
     std::vector<std::pair<int, int>> pairs;  ///< of fast bodies that may meet
     SolidImpactMemory memory;
+    MeshMemory ground;
 };
 //! [fast_solids]
 
@@ -66,6 +68,31 @@ void put_back(Bodies<6>& bodies, Real h, const std::vector<Row<6>>& rows,
     }
 }
 //! [put_back]
+
+//! [on_mesh]
+/// When a solid that starts before a triangle gets too deep into it. What slides over
+/// one is close to the next when it gets there: only depth is an impact.
+inline Impact impact_on(const TriangleMesh& mesh, int t, const MovingSolid& m,
+                        const SolidForm& form, Real inner, Real margin,
+                        FastSolids& fast)
+{
+    if (behind(mesh, t, m.place(form, 0, fast.memory.b))) return {};
+    fast.ground.take(mesh, t);
+    Real target = margin / 4, tolerance = margin / 4;
+    if (inner > 0) target = -std::min(inner, margin) / 2, tolerance = -target / 4;
+    Impact impact;
+    for (const bool closer : {false, true}) {
+        if (closer)  // than it was at the start
+            target = std::min(-inner / 2, impact.start - inner / 8),
+            tolerance = inner / 16;
+        impact = time_of_impact({}, fast.ground.form, m, form, target, tolerance,
+                                fast.memory);
+        fast.rounds += impact.rounds;
+        if (!impact.close || !(inner > 0)) break;
+    }
+    return impact;
+}
+//! [on_mesh]
 
 //! [stop_fast]
 /// After a step: what went so far that it could have passed through something goes
@@ -167,6 +194,14 @@ inline void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
                          return time_of_impact(wall, m, form, target, tolerance,
                                                fast.memory);
                      }));
+        for (const auto& mesh : scene.meshes) {
+            mesh->near({fast.low[at], fast.high[at]}, fast.ground.stack,
+                       fast.ground.near);
+            for (const SolidForm& form : forms(a))
+                for (const int t : fast.ground.near)
+                    hold(a, impact_on(*mesh, t, m, form, fast.inner[at], margin,
+                                      fast));
+        }
     }
     stop_each_other(motion, may_meet, first_impact, fast);
     put_back(scene.bodies, settings.h, now.rows, motion, fast);

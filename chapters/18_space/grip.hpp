@@ -34,4 +34,12 @@ inline Grip wall_grip(const SpaceScene& scene, std::size_t wall, std::size_t bod
             longer_arm(scene.spinning, body, body)};
 }
 
+/// Of a mesh and a body.
+inline Grip mesh_grip(const SpaceScene& scene, std::size_t mesh, std::size_t body)
+{
+    return {both_rough(scene.mesh_friction, mesh, scene.friction, body),
+            longer_arm(scene.rolling, body, body),
+            longer_arm(scene.spinning, body, body)};
+}
+
 }  // namespace rigid

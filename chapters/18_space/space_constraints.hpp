@@ -142,6 +142,7 @@ inline void require_bodies(const SpaceScene& scene)
 /// The same for what touches: walls and coefficients of friction.
 inline void require_touching(const SpaceScene& scene)
 {
+    require_meshes(scene);
     for (std::size_t w = 0; w < scene.walls.size(); ++w)
         if (!(std::abs(scene.walls[w].normal.norm() - 1) <= 1e-9) ||
             !std::isfinite(scene.walls[w].offset))
@@ -167,6 +168,8 @@ inline void require_touching(const SpaceScene& scene)
     };
     check(scene.friction, scene.shapes.size(), "bodies", "friction coefficient");
     check(scene.wall_friction, scene.walls.size(), "walls", "friction coefficient");
+    check(scene.mesh_friction, scene.meshes.size(), "meshes",
+          "friction coefficient");
     check(scene.rolling, scene.shapes.size(), "bodies", "rolling arm");
     check(scene.spinning, scene.shapes.size(), "bodies", "spinning arm");
     for (std::size_t i = 0; i < scene.ellipsoids.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "chapters/18_space/inertia.hpp"
 #include "chapters/18_space/space_bodies.hpp"
+#include "chapters/18_space/triangle_mesh.hpp"
 #include "common/contact.hpp"
 #include "common/typical_length.hpp"
 
@@ -101,15 +102,31 @@ struct SpaceScene {
     std::vector<std::vector<Hull>> shapes;
     std::vector<SpaceJoint> joints;
     std::vector<SolidWall> walls;
+    std::vector<std::shared_ptr<const TriangleMesh>> meshes;
     std::vector<SolidEllipsoid> ellipsoids;
-    /// μ of each body and of each wall; empty: nothing there has friction
-    std::vector<Real> friction, wall_friction;
+    /// μ of each body, wall and mesh; empty: nothing there has friction
+    std::vector<Real> friction, wall_friction, mesh_friction;
     /// arms of rolling and spinning friction of each body [m]; empty: none has any
     std::vector<Real> rolling, spinning;
     Vec3 gravity = {0, -9.81, 0};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;
 };
+
+/// Throws std::invalid_argument unless each mesh is one, and no ellipsoid could fall through it.
+inline void require_meshes(const SpaceScene& scene)
+{
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        if (!scene.meshes[i])
+            throw std::invalid_argument("mesh " + std::to_string(i) +
+                                        " of the scene is none; make it by "
+                                        "triangle_mesh()");
+    if (!scene.meshes.empty() && !scene.ellipsoids.empty())
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.ellipsoids.size()) +
+            " ellipsoids and " + std::to_string(scene.meshes.size()) +
+            " meshes; an ellipsoid touches walls alone");
+}
 
 /// From the centroid of a body to the farthest point of its hulls [m].
 inline Real reach_of(const std::vector<Hull>& shape)

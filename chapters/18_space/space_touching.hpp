@@ -7,6 +7,7 @@
 #include "chapters/18_space/ellipsoid.hpp"
 #include "chapters/18_space/fast_solids.hpp"
 #include "chapters/18_space/look_ahead.hpp"
+#include "chapters/18_space/mesh_touch.hpp"
 #include "chapters/18_space/solid_touch.hpp"
 #include "chapters/18_space/space_constraints.hpp"
 
@@ -44,6 +45,7 @@ struct TouchingSolids : SolidPairs {
     AllSolids others;
     ClipRoom room;
     Touch touch;
+    MeshMemory ground;
 
     void require_valid() const
     {
@@ -93,6 +95,10 @@ struct TouchingSolids : SolidPairs {
         const TouchSettings how{margin, slack * margin};
         for (std::size_t w = 0; w < scene.walls.size(); ++w)
             touch_wall(scene, w, how, now);
+        ground.boxes = ground.triangles = 0;
+        for (Index b = 0; b < scene.bodies.count(); ++b)
+            if (looks(b) && scene.bodies.can_move(b))
+                touch_meshes(scene, b, how, now);
         for (const auto& [a, b] : pairs) touch_pair(scene, a, b, how, now);
         touch_ellipsoids(
             scene, margin, [this](Index k) { return looks(k); }, now);
@@ -154,6 +160,26 @@ private:
                 first += static_cast<Index>(solid.vertices.size());
             }
         }
+    }
+
+    void touch_meshes(const SpaceScene& scene, Index b, const TouchSettings& near,
+                      StepData<6>& now)
+    {
+        const auto k = static_cast<std::size_t>(b);
+        const TouchSettings how{near.margin + ahead_of[k], near.slack};
+        Index first = 0;  // below zero: hulls on walls have the others
+        for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+            for (const PlacedSolid& solid : solids[k]) {
+                const TriangleMesh& mesh = *scene.meshes[m];
+                const int names = take_names(mesh, *solid.form, ground, first);
+                collide(mesh, solid, names, how, room, touch, ground);
+                for (std::size_t i = 0; i < ground.count; ++i) {
+                    touch.normal = ground.manifolds[i].normal;
+                    keep_four(ground.manifolds[i].points, how.slack, touch);
+                    add(scene, world, b, 0, solid.radius(), first,
+                        mesh_grip(scene, m, k), now);
+                }
+            }
     }
 
     void touch_pair(const SpaceScene& scene, int a, int b,

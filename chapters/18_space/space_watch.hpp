@@ -49,6 +49,8 @@ struct SpaceWatch {
     {
         const bool concerned = scene.gravity != seen.gravity ||
                                scene.walls != seen.walls ||
+                               scene.meshes != seen.meshes ||
+                               scene.mesh_friction != seen.mesh_friction ||
                                scene.ellipsoids != seen.ellipsoids ||
                                scene.wall_friction != seen.wall_friction;
         stale = stale || concerned || scene.bodies.x.size() != x.size();

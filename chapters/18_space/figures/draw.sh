@@ -11,6 +11,7 @@ run --scene chain --steps 300 --svg "$out/ch18_chain.svg"
 
 run --scene stack --method cone,one_point --steps 45 --svg "$out/ch18_stack.svg"
 run --scene heap --method cone --steps 600 --svg "$out/ch18_heap.svg"
+run --scene hills --method cone --set balls=6 --steps 700 --svg "$out/ch18_hills.svg"
 
 # The force on a block that slides, in 24 directions.
 for method in cone box pyramid; do

@@ -1,6 +1,7 @@
 // Chapter 18. Space: the program.
 #include "chapters/18_space/program/fall_scenes.hpp"
 #include "chapters/18_space/program/joint_scenes.hpp"
+#include "chapters/18_space/program/mesh_demo.hpp"
 #include "chapters/18_space/program/scenes.hpp"
 #include "chapters/18_space/program/spin_scenes.hpp"
 #include "chapters/18_space/program/touch_scenes.hpp"
@@ -12,13 +13,13 @@ int main(int argc, char** argv)
         Program program;
         program.name = "18_space";
         program.title = "Chapter 18. Space";
-        program.scenes = {book_scene(),   spin_scene(),      handle_scene(),
-                          top_scene(),    chain_scene(),     door_scene(),
-                          slide_scene(),  stack_scene(),     heap_scene(),
-                          table_scene(),  low_ball_scene(),  rattleback_scene(),
-                          cradle_scene(), gyroscope_scene(), plates_scene(),
-                          heavy_scene(),  wall_scene(),      cards_scene(),
-                          pour_scene(),   dolls_scene(),     car_scene()};
+        program.scenes = {
+            book_scene(),   spin_scene(),      handle_scene(),   top_scene(),
+            chain_scene(),  door_scene(),      slide_scene(),    stack_scene(),
+            heap_scene(),   table_scene(),     low_ball_scene(), rattleback_scene(),
+            cradle_scene(), gyroscope_scene(), plates_scene(),   heavy_scene(),
+            wall_scene(),   cards_scene(),     pour_scene(),     dolls_scene(),
+            car_scene(),    hills_scene()};
         return program;
     };
     return run_program(make, argc, argv);

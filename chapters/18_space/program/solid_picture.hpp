@@ -132,6 +132,19 @@ public:
         }
     }
 
+    /// A ground of triangles. It is put away a little, so that what stands on it is before it.
+    void mesh(const TriangleMesh& mesh)
+    {
+        for (int t = 0; t < mesh.count(); ++t) {
+            const std::size_t before = facets_.size();
+            facet({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
+                  Colour::faint);
+            if (facets_.size() == before) continue;
+            facets_.back().depth += (mesh.corner(t, 1) - mesh.corner(t, 0)).norm();
+            if (t % 2 != 0) facets_.back().style.opacity *= 0.8;
+        }
+    }
+
     void line(const std::vector<Vec3>& points, Style style)
     {
         std::vector<Vec2> seen;

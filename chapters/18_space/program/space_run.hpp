@@ -59,6 +59,7 @@ public:
         state_.energy = energy(state_.scene);
         state_.spin_momentum = momenta(state_.scene.bodies).tail<3>();
         one_point_.contacts.points = 1;
+        one_by_one_.contacts.ground.as_one = false;
         cones_.correction.slop = boxes_.correction.slop = guesses_.correction.slop =
             setup_.slop;
         cones_.correction.restitution = boxes_.correction.restitution =
@@ -92,6 +93,7 @@ public:
         } else if (settings.method == "exact_cone")
             take(guesses_, settings, how, 1e-9);
         else if (settings.method == "one_point") take(one_point_, settings, how);
+        else if (settings.method == "one_by_one") take(one_by_one_, settings, how);
         else {
             islands_.solver.sweeps = {200, 1e-9};
             rigid::step(scene, how, islands_, state_.now);
@@ -133,6 +135,7 @@ public:
         SolidPicture picture(camera,
                              setup_.ground > 0 ? Skin::opaque : setup_.skin);
         if (setup_.ground > 0) picture.ground(setup_.ground, setup_.pit);
+        for (const auto& mesh : scene.meshes) picture.mesh(*mesh);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Mat3 R = rotation_of(scene.bodies.x, k);
             const Vec3 centre = centre_of(scene.bodies.x, k);
@@ -188,7 +191,8 @@ private:
     std::optional<Vec2> held_;      ///< where its pointer was
     SpaceExact exact_;
     SpaceIslands islands_;
-    TouchingCones cones_, pyramids_, one_point_, guesses_ = exact_cones();
+    TouchingCones cones_, pyramids_, one_point_, one_by_one_,
+        guesses_ = exact_cones();
     TouchingBoxes boxes_;
 };
 
