@@ -496,8 +496,9 @@ TEST_CASE("a step that looks at few bodies finds what one that looks at all woul
     engine.add_body(body_of(box(0.5, 0.5), {6, 1.45}));
     engine.set_surface(belt, {0.6, 0.5, 0, 0});  // a bounce is measured by u*
     for (int i = 0; i < 150; ++i) {
-        if (i == 20) engine.set_velocity(belt, {1, -2}, 0);
-        if (i == 40 || i == 100) engine.set_velocity(belt, {0, 0}, 0);
+        if (i == 2) engine.set_velocity(belt, {1, -9}, 0);  // away from what falls on it
+        if (i == 20) engine.set_velocity(belt, {1, 0}, 0);
+        if (i == 4 || i == 40 || i == 100) engine.set_velocity(belt, {0, 0}, 0);
         if (i == 90) engine.set_velocity(belt, {-0.5, 0.2}, 0.1);
         if (i % 30 == 25) engine.move(ledge, engine.position(ledge) + Vec2(0.05, 0.01), 0.02);
         World other = World::load(engine.save());
