@@ -413,6 +413,127 @@ TEST_CASE("another surface or filter of one body wakes that body and no other pi
     CHECK(!engine.is_awake(all[9]));
 }
 
+namespace {
+
+/// Piles of five, and discs that roll on and on beside them, when the piles have fallen asleep.
+World piles_beside_discs(int piles, int discs)
+{
+    World engine = piles_world(piles);
+    for (int i = 0; i < discs; ++i) {
+        BodyDefinition disc_of = body_of(disc(0.25), {-2.0 - i, 0.25});
+        disc_of.velocity = {-0.5, 0};
+        disc_of.spin = 2;
+        engine.add_body(disc_of);
+    }
+    for (int i = 0; i < 60; ++i) engine.step(frame);
+    return engine;
+}
+
+}  // namespace
+
+TEST_CASE("a step passes what is awake and nothing of what sleeps beside it", "[house]")
+{
+    for (const int piles : {10, 200}) {
+        World engine = piles_beside_discs(piles, 20);
+        for (int i = 0; i < 20; ++i) {
+            engine.step(frame);
+            CHECK(engine.work().awake == 20);
+            CHECK(engine.work().walked == 20);  // their touches with the floor
+        }
+        const BodyId rolls = engine.bodies().back();
+        engine.set_velocity(rolls, {-0.6, 0}, 2.4);
+        engine.step(frame);
+        CHECK(engine.work().awake == 20);
+        CHECK(engine.work().walked == 21);  // and the one body that was changed
+    }
+}
+
+TEST_CASE("what calls have changed is found in one pass however many bodies it is", "[house]")
+{
+    const auto walked = [](int piles) {
+        World engine = piles_beside_discs(piles, 1);
+        const std::vector<BodyId> all = engine.bodies();
+        for (int p = 0; p < piles; ++p) engine.wake(all[static_cast<std::size_t>(5 * p)]);
+        engine.step(frame);
+        CHECK(engine.work().awake == 5 * piles + 1);
+        return static_cast<Real>(engine.work().walked);
+    };
+    // of each pile one body that was reported, four pairs of two boxes and five touches; what there is besides is one
+    // touch of a disc
+    CHECK(walked(20) == 20 * 10 + 1);
+    CHECK(walked(160) == 160 * 10 + 1);
+}
+
+TEST_CASE("what sleeps goes on touching until it is taken out and then ends once", "[house]")
+{
+    World engine = piles_beside_discs(3, 1);
+    World again = World::load(engine.save());
+    for (World* const each : {&engine, &again}) {
+        const BodyId low = each->bodies()[5];  // of the second pile
+        each->step(frame);
+        CHECK(each->events().ended.empty());
+        CHECK(each->events().began.empty());
+        const Vec2 place = each->position(low);
+        each->remove(low);
+        each->add_body(body_of(box(0.5, 0.5), place));  // its number is used again
+        each->step(frame);
+        CHECK(each->events().ended.size() == 2);  // with the floor, and with the next one
+        CHECK(each->events().began.size() == 2);
+        each->step(frame);
+        CHECK(each->events().ended.empty());
+    }
+    CHECK(engine.hash() == again.hash());
+}
+
+TEST_CASE("a step that looks at few bodies finds what one that looks at all would", "[house]")
+{
+    // a world that was just loaded knows nothing of the step before: whatever is copied, it copies whole
+    World engine;
+    engine.add_wall({{0, 1}, 0});
+    const BodyId belt = engine.add_body(body_of(box(6, 0.4), {0, 1}, 0, 0)),
+                 ledge = engine.add_body(body_of(box(2, 0.4), {6, 1}, 0, 0));
+    for (int i = 0; i < 4; ++i) engine.add_body(body_of(box(0.5, 0.5), {0.1 * (i % 2), 1.5 + 0.52 * i}));
+    engine.add_body(body_of(box(0.5, 0.5), {6, 1.45}));
+    engine.set_surface(belt, {0.6, 0.5, 0, 0});  // a bounce is measured by u*
+    for (int i = 0; i < 150; ++i) {
+        if (i == 2) engine.set_velocity(belt, {1, -9}, 0);  // away from what falls on it
+        if (i == 20) engine.set_velocity(belt, {1, 0}, 0);
+        if (i == 4 || i == 40 || i == 100) engine.set_velocity(belt, {0, 0}, 0);
+        if (i == 90) engine.set_velocity(belt, {-0.5, 0.2}, 0.1);
+        if (i % 30 == 25) engine.move(ledge, engine.position(ledge) + Vec2(0.05, 0.01), 0.02);
+        World other = World::load(engine.save());
+        engine.step(frame);
+        other.step(frame);
+        REQUIRE(other.hash() == engine.hash());
+    }
+}
+
+TEST_CASE("a pyramid costs the same at any size where its gravity has that size too", "[idea]")
+{
+    const auto price = [](Real size) {
+        World engine = sized_pyramid_world(10, size);
+        WorldSettings settings = engine.settings();
+        settings.gravity *= size;
+        engine.change(settings);
+        Random random(1);
+        for (const BodyId body : engine.bodies())
+            if (engine.mass(body) < infinity)
+                engine.move(body, engine.position(body) + Vec2(1e-4 * size * random.uniform(-1, 1), 0),
+                            engine.angle(body));
+        std::int64_t sum = 0;
+        for (int i = 0; i < 60; ++i) {
+            engine.step(frame);
+            sum += engine.work().price();
+        }
+        CHECK(engine.work().awake == 0);
+        return static_cast<Real>(sum);
+    };
+    const Real one = price(1);
+    for (const Real size : {1.0 / 1024, 128.0}) CHECK(price(size) == one);  // each number has the same digits
+    // others round otherwise: a guess more or less
+    for (const Real size : {1e-3, 100.0}) CHECK(price(size) == Approx(one).epsilon(0.1));
+}
+
 TEST_CASE("a world of other units moves as the first one does", "[idea]")
 {
     // lengths by 1000, masses by 8: 1000 is no power of two, so rounding differs, and a heap makes it grow

@@ -14,8 +14,10 @@ inline void free_velocities(RigidScene& scene, const StepSettings& settings,
                             StepData<3>& now)
 {
     Bodies<3>& bodies = scene.bodies;
-    now.u_star = bodies.u;
+    // what the step does not look at has the velocity that it has
+    if (now.u_star.size() != bodies.u.size()) now.u_star = bodies.u;
     for (const int k : now.active) {
+        now.u_star.segment<3>(3 * k) = bodies.velocity(k);
         const Real inverse_mass = bodies.inverse_mass[3 * k];
         bodies.force(k).setZero();
         if (!(inverse_mass > 0)) continue;

@@ -22,7 +22,7 @@ inline Vec<3> measured_velocity(const RigidScene& scene, Index k, const Vec<3>& 
 //! [awake_stage]
 /// \tparam Touching  the contacts stage that looks at some bodies: begin_with(),
 ///                   and pairs that touched: `touching`, of sleepers `resting`
-/// \tparam Watch     what has been changed in a Watch::Scene
+/// \tparam Watch     what has been changed in a Watch::Scene: compared, or reported
 template <class Touching, class Watch>
 struct AwakeStage : Sleepers<Watch::Scene::dof> {
     using Scene = typename Watch::Scene;
@@ -36,6 +36,8 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
     Watch watch;  ///< the scene as the last step left it
     RestConditions conditions;
     Real margin = 0;  ///< of the last step [m]
+    std::int64_t walked =
+        0;  ///< bodies, pairs and joints that changes made it look at
 
     void require_valid() const
     {
@@ -55,11 +57,12 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
     void begin(const Scene& scene, const StepSettings& settings, Method& method,
                StepData<dof>& now)
     {
-        require_bodies(scene);
+        watch.require(scene);
         if constexpr (requires { touching.require_fit(scene, method); })
             touching.require_fit(scene, method);
         woken = fell_asleep = 0;
-        take_in_changes(scene, settings, method);
+        put_back_u_star(scene.bodies, now);
+        take_in_changes(scene, settings, method, now);
         now.length = length;
         now.active.clear();
         if (set.awake.empty() && moved_.empty()) return;
@@ -98,9 +101,22 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
 private:
     std::vector<int> moved_;  ///< fixed bodies that are elsewhere than a step ago
 
+    std::vector<int> changed_;  ///< bodies, since the last step
+    std::vector<char> is_changed_;
+
+    /// What has fallen asleep, or moves no more, has its velocity for a u* again;
+    /// the others have kept it.
+    static void put_back_u_star(const Bodies<dof>& bodies, StepData<dof>& now)
+    {
+        if (now.u_star.size() != bodies.u.size()) return;  // it is made new
+        for (const int k : now.active)
+            if (k < bodies.count())
+                now.u_star.template segment<dof>(dof * k) = bodies.velocity(k);
+    }
+
     template <class Method>
     void take_in_changes(const Scene& scene, const StepSettings& settings,
-                         const Method& method)
+                         const Method& method, StepData<dof>& now)
     {
         RestConditions present{Vec2(0, 0), 0, 0, rest, {}, sleep};
         // in space the watch alone compares it
@@ -113,11 +129,15 @@ private:
         }
         const Real found_within = settings.margin * length_of(scene);
         moved_.clear();
-        if (watch.x.size() == 0 ||
-            scene.bodies.count() < static_cast<Index>(rests.size()))
+        walked = 0;
+        if (watch.is_new() ||
+            scene.bodies.count() < static_cast<Index>(rests.size())) {
             this->wake_all(scene.bodies);
-        else {
-            watch.compare(scene, [&](Index k) { was_changed(scene.bodies, k); });
+            now.x_found.resize(0);  // nothing is known of this scene
+            now.u_star.resize(0);
+        } else {
+            list_changed(scene);
+            wake_the_changed(scene);
             if (watch.all_concerned(scene) || !same_rest(present, conditions) ||
                 found_within != margin)
                 wake_everybody();
@@ -138,36 +158,67 @@ private:
     /// ℓ is the scene's, and stays what it was while bodies are added.
     Real length_of(const Scene& scene)
     {
-        if (watch.x.size() == 0 || scene.length > 0) length = typical_length(scene);
+        if (watch.is_new() || scene.length > 0) length = typical_length(scene);
         return length;
     }
 
-    /// Body k has been changed: it wakes, and what touched it or hangs on it.
-    void was_changed(const Bodies<dof>& bodies, Index k)
+    /// Each of them once.
+    void list_changed(const Scene& scene)
     {
-        set.wake(k);
-        const auto with = [&](Index a, Index b) {
-            if (a == k || b == k)
-                for (const Index other : {a, b})
-                    if (other != world) set.wake(other);
-        };
-        for (const auto& pair : touching.touching) with(pair.a, pair.b);
-        for (const auto& pair : touching.resting) with(pair.a, pair.b);
-        for (const auto& joint : watch.joints) with(joint.a, joint.b);
+        changed_.clear();
+        is_changed_.resize(static_cast<std::size_t>(scene.bodies.count()), 0);
+        walked += watch.compare(scene, [this](Index k) {
+            char& listed = is_changed_[static_cast<std::size_t>(k)];
+            if (!std::exchange(listed, 1)) changed_.push_back(static_cast<int>(k));
+        });
+    }
 
-        Activity& activity = set.activity[static_cast<std::size_t>(k)];
+    //! [changed]
+    /// What has been changed wakes, and what touched it or hangs on it: one pass for
+    /// all of them. A pair of two sleepers concerns nobody who was awake.
+    void wake_the_changed(const Scene& scene)
+    {
+        if (changed_.empty()) return;
+        const auto known = static_cast<Index>(rests.size());  // a new body is awake
+        const auto is_in = [this](Index k) {
+            return k != world && is_changed_[static_cast<std::size_t>(k)] != 0;
+        };
+        const auto wake_of = [&](const auto& pairs) {
+            walked += static_cast<std::int64_t>(pairs.size());
+            for (const auto& pair : pairs)
+                if (is_in(pair.a) || is_in(pair.b))
+                    for (const Index k : {Index{pair.a}, Index{pair.b}})
+                        if (k != world && k < known) set.wake(k);
+        };
+        const bool all_awake =
+            std::all_of(changed_.begin(), changed_.end(),
+                        [this](int k) { return set.is_awake(k); });
+        for (const int k : changed_) set.wake(k);
+        wake_of(touching.touching);
+        if (!all_awake) wake_of(touching.resting);
+        wake_of(scene.joints);
+        //! [changed]
+        for (const int k : changed_) take_in(scene.bodies, k);
+        set.tidy();
+        changed = true;
+    }
+
+    /// Body k has other numbers: it may have begun to move, or may move no more.
+    void take_in(const Bodies<dof>& bodies, int k)
+    {
+        const auto at = static_cast<std::size_t>(k);
+        is_changed_[at] = 0;
+        Activity& activity = set.activity[at];
         const bool moves = bodies.can_move(k) || !bodies.velocity(k).isZero(0);
         if (moves && activity == Activity::fixed) {
             activity = Activity::awake;
-            set.awake.push_back(static_cast<int>(k));
-            set.woken.push_back(static_cast<int>(k));
+            set.awake.push_back(k);
+            set.woken.push_back(k);
         }
         if (!moves) {
             activity = Activity::fixed;
-            moved_.push_back(static_cast<int>(k));
+            moved_.push_back(k);
         }
-        set.tidy();
-        changed = true;
     }
 };
 

@@ -54,6 +54,7 @@ struct Manifolds {
             look_ahead(scene, placed, {margin, ahead, settings.h}, finder.asked,
                        now.active, finder.reach);
         finder.find(scene, placed, margin);
+        now.x_found = scene.bodies.x;
         list_rows(scene, margin, now);
     }
 
@@ -68,13 +69,16 @@ struct Manifolds {
             look_ahead(scene, placed, {margin, ahead, h}, finder.asked, bodies,
                        finder.reach);
         finder.find(scene, placed, margin, bodies);
+        const VecX& x = scene.bodies.x;
+        if (now.x_found.size() != x.size()) now.x_found = x;
+        for (const int k : bodies)
+            now.x_found.segment<3>(3 * k) = x.segment<3>(3 * k);
         list_rows(scene, margin, now);
     }
 
     void list_rows(const RigidScene& scene, Real margin, StepData<3>& now)
     {
         edges.list(scene);
-        now.x_found = scene.bodies.x;
         now.contacts.clear();
         now.sources.clear();
         for (std::size_t i = 0; i < scene.joints.size(); ++i)
@@ -202,7 +206,6 @@ struct Manifolds {
 private:
     std::vector<int> asked_before_;
     bool woke_ = false;  ///< other bodies ask than in the step before
-
     static std::uint64_t key_of(const TouchingPair& pair)
     {
         return pair_key(pair.a, pair.b);

@@ -7,7 +7,7 @@
 /// bodies. Nobody has to call anything when he changes a scene.
 #pragma once
 
-#include "chapters/11_rotation/rigid_scene.hpp"
+#include "chapters/11_rotation/rigid_constraints.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -54,6 +54,9 @@ struct SceneWatch {
     /// something was another than it is here
     mutable bool stale = true;
 
+    bool is_new() const { return x.size() == 0; }
+    static void require(const RigidScene& scene) { require_bodies(scene); }
+
     void remember(const RigidScene& scene)
     {
         x = scene.bodies.x;
@@ -84,8 +87,9 @@ struct SceneWatch {
 
     /// Calls changed(k) for each body with another place, velocity, mass or shape,
     /// and for those of each joint that is another. (New bodies are not compared.)
+    /// Returns how many it has looked at.
     template <class Changed>
-    void compare(const RigidScene& scene, const Changed& concerns) const
+    Index compare(const RigidScene& scene, const Changed& concerns) const
     {
         const auto changed = [&](Index k) {
             stale = true;
@@ -104,6 +108,7 @@ struct SceneWatch {
                 changed(k);
         }
         compare_joints(joints, scene.joints, bodies.count(), changed);
+        return K + static_cast<Index>(scene.joints.size());
     }
     //! [watch]
 };

@@ -187,17 +187,21 @@ inline void add_bounces(const RoughScene& scene, const Restitution& bounce,
                         const StepSettings& settings, StepData<3>& now)
 {
     const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
-    const auto none = [](const std::vector<Surface>& surfaces) {
-        return std::none_of(surfaces.begin(), surfaces.end(),
-                            [](const Surface& s) { return s.restitution > 0; });
+    const auto bounces = [](const Surface& s) { return s.restitution > 0; };
+    const auto may_bounce = [&](Index k) {
+        return k != world && bounces(scene.surfaces[static_cast<std::size_t>(k)]);
     };
-    if (!(bounce.restitution > 0) && none(scene.surfaces) &&
-        none(scene.wall_surfaces))
-        return;
+    const bool any = bounce.restitution > 0 ||
+                     std::any_of(scene.wall_surfaces.begin(),
+                                 scene.wall_surfaces.end(), bounces),
+               none = !any && scene.surfaces.empty();
+    if (none) return;
     for (std::size_t i = 0; i < now.constraints.size(); ++i) {
         if (!now.constraints[i].bounces) continue;
         const auto& contact =
             now.contacts[static_cast<std::size_t>(now.sources[i].index)];
+        // whose wall it is takes longer to find
+        if (!any && !may_bounce(contact.a) && !may_bounce(contact.b)) continue;
         const Real e =
             std::max(bounce.restitution, surface_of(scene, contact).restitution);
         if (!(e > 0)) continue;

@@ -34,7 +34,8 @@ public:
     /// nothing to them.
     void forget()
     {
-        for (BoundedProblem& problem : problems_) problem.find.memory.forget();
+        for (std::size_t k = 0; k < used_; ++k) problems_[k].find.memory.forget();
+        used_ = 0;
     }
 
     //! [eliminate]
@@ -45,6 +46,7 @@ public:
         islands.list(rows, joints.assemblies, left_out);
         if (problems_.size() < static_cast<std::size_t>(islands.count))
             problems_.resize(static_cast<std::size_t>(islands.count));
+        used_ = std::max(used_, static_cast<std::size_t>(islands.count));
         if (u_.size() != 3 * bodies) u_.setZero(3 * bodies);
         columns = 0;
         for (int k = 0; k < islands.count; ++k)
@@ -156,6 +158,8 @@ private:
     }
 
     std::deque<BoundedProblem> problems_;  ///< grows without copying their memory
+    std::size_t used_ =
+        0;  ///< of these, since forget(): what sleeps has had others
     std::vector<int> next_;
     VecX u_;  ///< zero between calls
 

@@ -15,11 +15,13 @@ namespace rigid {
 
 //! [stiffness]
 /// h κ of each body [N m s], from the impulses in now.solution.lambda and the
-/// positions of the scene; never below zero.
+/// positions of the scene; never below zero. Of a body that the step does not look
+/// at it is what it was.
 inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
                               VecX& kappa)
 {
-    kappa.setZero(scene.bodies.count());
+    if (kappa.size() != scene.bodies.count()) kappa.setZero(scene.bodies.count());
+    for (const int k : now.active) kappa[k] = 0;
     for (std::size_t i = 0; i < now.sources.size(); ++i) {
         if (now.sources[i].of != Source::Of::joint) continue;
         const Constraint<3>& c = now.constraints[i];
@@ -28,7 +30,7 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
         if (joint.measure == PointJoint::Measure::angle) continue;
         const Real lambda = now.solution.lambda[static_cast<Index>(i)];
         const auto add = [&](Index k, const Vec2& at, const RowVec<3>& J) {
-            if (k == world) return;
+            if (!scene.bodies.can_move(k)) return;
             const Vec2 r = point_of(scene.bodies.x, k, at) -
                            scene.bodies.position(k).head<2>();
             kappa[k] += lambda * r.dot(J.head<2>().transpose());
@@ -36,7 +38,7 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
         add(c.a, joint.at_a, c.Ja);
         add(c.b, joint.at_b, c.Jb);
     }
-    kappa = kappa.cwiseMax(0);
+    for (const int k : now.active) kappa[k] = std::max(kappa[k], Real{0});
 }
 //! [stiffness]
 
@@ -52,8 +54,9 @@ struct LoadedJoints : NewtonPositions {
         Bodies<3>& bodies = scene.bodies;
         if (stiff) {
             turning_stiffness(scene, now, kappa_);
-            inverse_mass_ = bodies.inverse_mass;
+            inverse_inertia_.clear();
             for (const int k : now.active) {
+                inverse_inertia_.push_back(bodies.inverse_mass[3 * k + 2]);
                 Real& inverse_inertia = bodies.inverse_mass[3 * k + 2];
                 const Real less =
                     1 / (1 + settings.part() * kappa_[k] * inverse_inertia);
@@ -68,13 +71,15 @@ struct LoadedJoints : NewtonPositions {
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<3>& now)
     {
-        if (stiff) scene.bodies.inverse_mass.swap(inverse_mass_);
+        for (std::size_t i = 0; stiff && i < now.active.size(); ++i)
+            scene.bodies.inverse_mass[3 * now.active[i] + 2] = inverse_inertia_[i];
         NewtonPositions::move(scene, settings, solver, now);
     }
     //! [loaded]
 
 private:
-    VecX kappa_, inverse_mass_;
+    VecX kappa_;
+    std::vector<Real> inverse_inertia_;  ///< of the active bodies, their own
 };
 
 }  // namespace rigid

@@ -131,9 +131,12 @@ struct StepWork {
     int held = 0;
     int contacts = 0;  ///< points
     int rows = 0;
-    std::int64_t visits = 0;         ///< rows visited, whatever for
-    std::int64_t entries = 0;        ///< of matrices, looked at by exact solves
-    std::int64_t tested = 0;         ///< boxes compared in search of pairs
+    std::int64_t visits = 0;   ///< rows visited, whatever for
+    std::int64_t entries = 0;  ///< of matrices, looked at by exact solves
+    std::int64_t tested = 0;   ///< boxes compared in search of pairs
+    /// bodies, pairs, joints and touches passed because something was changed, woke or
+    /// fell asleep, and touches of what is awake
+    std::int64_t walked = 0;
     int sweeps = 0;                  ///< of the island that needed the most
     int stopped = 0;                 ///< fast bodies that were stopped on their way
     int woken = 0, fell_asleep = 0;  ///< bodies

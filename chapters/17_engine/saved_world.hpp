@@ -180,10 +180,9 @@ void members(Archive& io, RestConditions& it)
        it.correction.slop, it.sleep);
 }
 template <class Archive>
-void members(Archive& io, SceneWatch& it)
+void members(Archive& io, ToldChanges& it)
 {
-    io(it.x, it.u, it.inverse_mass, it.shapes, it.joints, it.walls, it.chains,
-       it.gravity, it.stale);
+    io(it.told, it.known, it.walls, it.chains, it.gravity);
 }
 template <class Archive>
 void members(Archive& io, Manifold& it)
@@ -202,12 +201,12 @@ template <class Archive>
 void members(Archive& io, EngineState& it)
 {
     io(it.settings, it.scene, it.bodies, it.joints, it.walls, it.notes, it.classes);
-    io(it.touching.held, it.seen, it.meanwhile, it.time, it.steps, it.pulled,
-       it.pulled_to, it.changed);
+    io(it.sensors, it.touching.held, it.touching.asleep, it.seen, it.meanwhile,
+       it.time, it.steps, it.pulled, it.pulled_to, it.changed);
     // what begins the next step's answer
     io(it.method.start.cache.entries, it.method.start.cache.h);
     // which bodies are awake, and with what the sleepers will wake
-    AwakeManifolds& sleepers = it.awake();
+    ToldManifolds& sleepers = it.awake();
     io(sleepers.set, sleepers.rests, sleepers.forces, sleepers.u_before,
        sleepers.changed, sleepers.length, sleepers.margin, sleepers.conditions,
        sleepers.watch);
@@ -216,8 +215,7 @@ void members(Archive& io, EngineState& it)
     io(stage.touching, stage.resting, stage.finder.filter.group,
        stage.finder.filter.meets);
     // a change of these would wake bodies
-    io(it.method.contacts.was_broken, it.method.contacts.contacts.surfaces,
-       it.method.contacts.contacts.walls);
+    io(it.method.contacts.was_broken, it.method.contacts.contacts.walls);
 }
 //! [members]
 

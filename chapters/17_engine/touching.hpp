@@ -11,6 +11,7 @@
 #include "chapters/13_friction/friction_rows.hpp"
 #include "chapters/17_engine/events.hpp"
 
+#include <iterator>
 #include <tuple>
 
 namespace rigid {
@@ -38,19 +39,28 @@ struct HeldTouch {
 
 //! [touching]
 struct Touching {
-    std::vector<HeldTouch> held;  ///< ascending
+    std::vector<HeldTouch> held;    ///< of bodies that were looked at, ascending
+    std::vector<HeldTouch> asleep;  ///< of others, ascending
+    std::int64_t walked = 0;        ///< touches passed in the last step
 
     /// Takes in the contacts of a step.
     /// \param now        as it was taken
+    /// \param looking    the bodies that are looked at
     /// \param looked_at  bool(int): its contacts were looked for in this step
     /// \param before     Vec<3>(Index): the velocity of a body before the step
     /// \param name       Touch(const TouchKey&)
     /// \param slowest    slower ones are no hits [m/s]
     template <class LookedAt, class Before, class Name>
     void update(const RigidScene& scene, const StepData<3>& now, Real margin,
-                Real slowest, const LookedAt& looked_at, const Before& before,
-                const Name& name, Events& events)
+                Real slowest, const std::vector<int>& looking,
+                const LookedAt& looked_at, const Before& before, const Name& name,
+                Events& events)
     {
+        const auto seen = [&](const HeldTouch& it) {
+            return looked_at(it.key.b) || (it.key.a >= 0 && looked_at(it.key.a));
+        };
+        walked = static_cast<std::int64_t>(held.size());
+        if (looking != looking_) sort_out(looking, seen);
         list_pairs(scene, now, margin);
         next_.clear();
         auto found = pairs_.begin();
@@ -58,10 +68,7 @@ struct Touching {
             for (; found != pairs_.end() && found->key < old.key; ++found)
                 begin(*found, now, slowest, before, name, events);
             const bool there = found != pairs_.end() && found->key == old.key;
-            const bool seen =
-                looked_at(old.key.b) || (old.key.a >= 0 && looked_at(old.key.a));
-            const bool stays = there ? found->near : !seen;
-            if (stays) next_.push_back(old);
+            if (there && found->near) next_.push_back(old);
             else events.ended.push_back(old.touch);
             found += there;
         }
@@ -74,22 +81,45 @@ struct Touching {
     /// Body k is taken out: what it touched ends.
     void forget(int k, Events& events)
     {
-        std::erase_if(held, [&](const HeldTouch& old) {
-            if (old.key.a != k && old.key.b != k) return false;
-            events.ended.push_back(old.touch);
-            return true;
-        });
+        forget_those([k](const TouchKey& key) { return key.a == k || key.b == k; },
+                     events);
     }
     void forget_wall(int wall, Events& events)
     {
-        std::erase_if(held, [&](const HeldTouch& old) {
-            if (old.key.wall != wall) return false;
-            events.ended.push_back(old.touch);
-            return true;
-        });
+        forget_those([wall](const TouchKey& key) { return key.wall == wall; },
+                     events);
     }
 
 private:
+    template <class Goes>
+    void forget_those(const Goes& goes, Events& events)
+    {
+        for (auto* const list : {&held, &asleep})
+            std::erase_if(*list, [&](const HeldTouch& old) {
+                if (goes(old.key)) events.ended.push_back(old.touch);
+                return goes(old.key);
+            });
+    }
+
+    /// Other bodies are looked at than in the step before: which touches does that
+    /// concern?
+    template <class IsSeen>
+    void sort_out(const std::vector<int>& looking, const IsSeen& seen)
+    {
+        walked += static_cast<std::int64_t>(asleep.size());
+        looking_ = looking;
+        next_.clear();
+        std::merge(held.begin(), held.end(), asleep.begin(), asleep.end(),
+                   std::back_inserter(next_), ascending);
+        held.clear();
+        asleep.clear();
+        for (const HeldTouch& it : next_) (seen(it) ? held : asleep).push_back(it);
+    }
+    static bool ascending(const HeldTouch& x, const HeldTouch& y)
+    {
+        return x.key < y.key;
+    }
+
     struct Pair {
         TouchKey key;
         int contact = 0;       ///< the deepest
@@ -151,6 +181,7 @@ private:
 
     std::vector<Pair> pairs_;
     std::vector<HeldTouch> next_;
+    std::vector<int> looking_;
 };
 
 }  // namespace rigid

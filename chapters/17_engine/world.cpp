@@ -79,7 +79,7 @@ void World::step(Real h)
     s.begin_events();
     s.work = {};
     s.work.bodies = s.bodies.count;
-    AwakeManifolds& sleepers = s.awake();
+    ToldManifolds& sleepers = s.awake();
     // all sleep, and no call has changed anything: no step would change a bit
     s.work.skipped = s.steps > 0 && !s.changed && sleepers.set.awake.empty() &&
                      s.pulled == world;

@@ -47,6 +47,7 @@ struct World::State : EngineState {
         events.left.clear();
         events.broken.clear();
         events.held.clear();
+        touching.walked = 0;
         events.ended.swap(meanwhile.ended);
         events.left.swap(meanwhile.left);
     }
@@ -55,7 +56,7 @@ struct World::State : EngineState {
     /// Events and counters of a step that was taken.
     void report()
     {
-        AwakeManifolds& sleepers = awake();
+        ToldManifolds& sleepers = awake();
         Manifolds& stage = sleepers.touching;
         const bool looked = stage.finder.tested >= 0;
         for (const int k : now.active) displace(k);
@@ -66,6 +67,7 @@ struct World::State : EngineState {
         if (looked)
             touching.update(
                 scene, now, metres(settings.margin), metres(settings.hit_speed),
+                stage.finder.asked,
                 [&](int k) {
                     return stage.finder.asks[static_cast<std::size_t>(k)] != 0;
                 },
@@ -88,9 +90,7 @@ struct World::State : EngineState {
                 if (scene.placed[i].broken && joints.has(i) &&
                     method.contacts.was_broken[i] == 0)
                     events.broken.push_back(joints.id(i));
-        bool sensors = false;
-        for (const BodyNotes& it : notes) sensors = sensors || it.sensor;
-        if (sensors) {
+        if (sensors > 0) {
             place_moved(*this);
             update_sensors(*this);
         }
@@ -101,8 +101,9 @@ struct World::State : EngineState {
 
     void count()
     {
-        const AwakeManifolds& sleepers = awake();
+        const ToldManifolds& sleepers = awake();
         work.woken = sleepers.woken;
+        work.walked = sleepers.walked + touching.walked;
         work.fell_asleep = sleepers.fell_asleep;
         work.tested = std::max<std::int64_t>(0, sleepers.touching.finder.tested);
         if (now.active.empty()) return;

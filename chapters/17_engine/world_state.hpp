@@ -8,6 +8,7 @@
 #include "chapters/17_engine/held_bodies.hpp"
 #include "chapters/17_engine/island_choice.hpp"
 #include "chapters/17_engine/places.hpp"
+#include "chapters/17_engine/told_changes.hpp"
 #include "chapters/17_engine/touching.hpp"
 
 #include <limits>
@@ -18,7 +19,7 @@ namespace rigid {
 /// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
 /// each island.
 struct EngineMethod {
-    WithJoints<WithFriction<AwakeManifolds>> contacts;
+    WithJoints<WithFriction<ToldManifolds>> contacts;
     HeldBodies correction;
     WarmStart start = last_impulses();
     IslandChoice solver;
@@ -48,6 +49,7 @@ struct EngineState {
     Places<WallTag> walls;    ///< of scene.walls
     std::vector<BodyNotes> notes;
     FilterClasses classes;
+    int sensors = 0;  ///< bodies
 
     Touching touching;
     std::vector<Seen> seen;       ///< by sensors, ascending
@@ -67,11 +69,8 @@ struct EngineState {
     mutable std::vector<char> is_unplaced;  ///< of each body, 1: it is in the list
     //! [state]
 
-    AwakeManifolds& awake() { return method.contacts.contacts.contacts; }
-    const AwakeManifolds& awake() const
-    {
-        return method.contacts.contacts.contacts;
-    }
+    ToldManifolds& awake() { return method.contacts.contacts.contacts; }
+    const ToldManifolds& awake() const { return method.contacts.contacts.contacts; }
     CollisionFilter& filter() { return awake().touching.finder.filter; }
     Real metres(Real lengths) const { return lengths * settings.length; }
 
@@ -96,15 +95,12 @@ struct EngineState {
     }
 
     //! [disturb]
-    /// Body k counts as changed: it wakes, and what touches it or hangs on it. The
-    /// watch of chapter 12 compares with what it remembers; this it cannot have
-    /// remembered.
+    /// Body k counts as changed: it wakes, and what touches it or hangs on it, when
+    /// the next step begins. It has to rest again from the beginning.
     void disturb(Index k)
     {
         changed = true;
-        VecX& remembered = awake().watch.x;
-        if (3 * k < remembered.size())
-            remembered[3 * k] = std::numeric_limits<Real>::quiet_NaN();
+        awake().watch.tell(k);
         if (auto& rests = awake().rests; k < static_cast<Index>(rests.size()))
             rests[static_cast<std::size_t>(k)] = {};
         displace(static_cast<int>(k));
@@ -147,7 +143,7 @@ struct EngineState {
     {
         scene.gravity = settings.gravity;
         scene.length = settings.length;
-        AwakeManifolds& sleepers = awake();
+        ToldManifolds& sleepers = awake();
         sleepers.sleep = settings.sleep;
         sleepers.rest = settings.rest;
         sleepers.touching.ahead = 1;

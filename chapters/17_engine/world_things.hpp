@@ -15,7 +15,7 @@ namespace rigid {
 /// What touches body k, sleeping or not, wakes, and is no neighbour any more.
 inline void part_from_neighbours(EngineState& state, Index k)
 {
-    AwakeManifolds& sleepers = state.awake();
+    ToldManifolds& sleepers = state.awake();
     for (auto* const pairs :
          {&sleepers.touching.touching, &sleepers.touching.resting})
         std::erase_if(*pairs, [&](const TouchingPair& pair) {
@@ -31,7 +31,7 @@ inline void part_from_neighbours(EngineState& state, Index k)
 inline void wake_under(EngineState& state, Index k)
 {
     place_moved(state);
-    AwakeManifolds& sleepers = state.awake();
+    ToldManifolds& sleepers = state.awake();
     const Box box =
         grown(sleepers.touching.placed.boxes[static_cast<std::size_t>(k)],
               state.metres(state.settings.margin));
@@ -43,17 +43,10 @@ inline void wake_under(EngineState& state, Index k)
 //! [neighbours]
 
 //! [surface]
-/// The surface of a body. The stage has seen those of all others: they do not wake.
 inline void write_surface(EngineState& state, Index k, const Surface& surface)
 {
-    std::vector<Surface>& known = state.method.contacts.contacts.surfaces;
-    // shorter before the first step, when all are awake
-    const bool seen = known.size() == state.scene.surfaces.size();
-    for (auto* const list : {&state.scene.surfaces, &known}) {
-        if (list == &known && !seen) break;
-        list->resize(state.scene.shapes.size());
-        (*list)[static_cast<std::size_t>(k)] = surface;
-    }
+    state.scene.surfaces.resize(state.scene.shapes.size());
+    state.scene.surfaces[static_cast<std::size_t>(k)] = surface;
 }
 //! [surface]
 
@@ -83,6 +76,7 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
     }
     scene.bodies.velocity(k) << body.velocity, body.spin;
     state.note(k) = {body.filter, body.user, body.sensor, body.bullet, -1, 0};
+    state.sensors += body.sensor;
     write_surface(state, k, body.surface);
     state.disturb(k);
     state.list_unstopped(k);
@@ -113,6 +107,7 @@ inline void take_out_body(EngineState& state, Index k)
     state.classes.leave(group);
     group = FilterClasses::nothing;
     write_surface(state, k, Surface{0, 0, 0, 0});
+    state.sensors -= state.note(k).sensor;
     state.note(k) = {};
     state.bodies.give_back(static_cast<std::size_t>(k));
     if (state.pulled == k) state.pulled = world;

@@ -76,7 +76,12 @@ void World::change(JointId joint, RigidJoint how)
     const std::size_t i = s.joints.require(joint, "joint");
     how.a = s.scene.placed[i].joint.a;
     how.b = s.scene.placed[i].joint.b;
+    const auto first = s.scene.joints.begin() + s.scene.placed[i].first,
+               end = first + s.scene.placed[i].count;
+    const std::vector<PointJoint> before(first, end);
     change_joint(s.scene, i, how);
+    if (!std::equal(first, end, before.begin()) && how.a != world)
+        s.awake().watch.tell(how.a);
     s.disturb(how.b);
     s.note(Call::change_joint, joint, how);
 }

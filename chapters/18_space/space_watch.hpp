@@ -34,6 +34,9 @@ struct SpaceWatch {
     SpaceScene seen;            ///< the rest of the scene
     mutable bool stale = true;  ///< something was another than it is here
 
+    bool is_new() const { return x.size() == 0; }
+    static void require(const SpaceScene& scene) { require_bodies(scene); }
+
     void remember(const SpaceScene& scene)
     {
         x = scene.bodies.x;
@@ -60,8 +63,9 @@ struct SpaceWatch {
     /// Calls changed(k) for each body with another place, velocity, mass, shape
     /// or surface,
     /// and for those of each joint that is another. (New bodies are not compared.)
+    /// Returns how many it has looked at.
     template <class Changed>
-    void compare(const SpaceScene& scene, const Changed& concerns) const
+    Index compare(const SpaceScene& scene, const Changed& concerns) const
     {
         const auto changed = [&](Index k) {
             stale = true;
@@ -79,6 +83,7 @@ struct SpaceWatch {
                 changed(k);
         }
         compare_joints(joints, scene.joints, is.count(), changed);
+        return is.count() + static_cast<Index>(scene.joints.size());
     }
 
 private:

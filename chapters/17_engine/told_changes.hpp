@@ -1,0 +1,65 @@
+/// \file told_changes.hpp
+/// The watch of a scene whose owner reports what it changes: nothing is compared but what there is for all bodies.
+///
+/// Chapter 12's watch keeps a copy of the scene and compares each body in each step. Everything that a caller can change
+/// in a World goes through a call of it, which has checked the new numbers and knows whose they are. So a step looks at
+/// what was reported, and at nothing else of what sleeps.
+#pragma once
+
+#include "chapters/12_contact_manifolds/awake_manifolds.hpp"
+
+namespace rigid {
+
+//! [told]
+struct ToldChanges {
+    using Scene = RigidScene;
+    std::vector<int> told;  ///< bodies, since the last step; may name one twice
+    Index known = 0;        ///< bodies in the last step: others are new
+    std::vector<HalfSpace> walls;
+    std::vector<Chain> chains;
+    Vec2 gravity = {0, 0};
+
+    /// Body k has been changed, or what it hangs on.
+    void tell(Index k)
+    {
+        if (k < known) told.push_back(static_cast<int>(k));
+    }
+    //! [told]
+
+    bool is_new() const { return known == 0; }
+    /// Each call has checked what it was given.
+    static void require(const RigidScene&) {}
+
+    void remember(const RigidScene& scene)
+    {
+        told.clear();
+        known = scene.bodies.count();
+        if (!all_concerned(scene)) return;
+        gravity = scene.gravity;
+        walls = scene.walls;
+        chains = scene.chains;
+    }
+
+    /// What there is for all bodies is compared: it is little.
+    bool all_concerned(const RigidScene& scene) const
+    {
+        const auto same = [](const HalfSpace& a, const HalfSpace& b) {
+            return a.normal == b.normal && a.offset == b.offset;
+        };
+        return scene.gravity != gravity || scene.chains != chains ||
+               !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
+                           scene.walls.end(), same);
+    }
+
+    /// Calls changed(k) for each body that was reported, and returns how many.
+    template <class Changed>
+    Index compare(const RigidScene&, const Changed& changed) const
+    {
+        for (const int k : told) changed(k);
+        return static_cast<Index>(told.size());
+    }
+};
+
+using ToldManifolds = AwakeStage<Manifolds, ToldChanges>;
+
+}  // namespace rigid
