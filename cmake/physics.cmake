@@ -66,6 +66,11 @@ set_source_files_properties(common/contact.cpp common/measure.cpp PROPERTIES COM
 add_library(rigid::physics ALIAS rigid_physics)
 set_target_properties(rigid_physics PROPERTIES EXPORT_NAME physics POSITION_INDEPENDENT_CODE ON)
 target_compile_features(rigid_physics PUBLIC cxx_std_20)
+# A program that defines eigen_assert in its own way, as the tests do, brings its own copies of inline functions, and the
+# linker may choose them. g++ must not count on the registers that the library's copies leave alone: under Windows, where
+# code is not independent of its position, it did.
+set(rigid_replaceable $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-ra>)
+target_compile_options(rigid_physics PRIVATE ${rigid_replaceable})
 target_include_directories(rigid_physics PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/rigid>)
 target_link_libraries(rigid_physics PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:rigid_flags>)
 # Most of the physics is in headers: the bits are the same only if the program that includes them rounds so, too.
