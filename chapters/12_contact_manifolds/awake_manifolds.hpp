@@ -61,11 +61,11 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
         if constexpr (requires { touching.require_fit(scene, method); })
             touching.require_fit(scene, method);
         woken = fell_asleep = 0;
-        put_back_u_star(scene.bodies, now);
         take_in_changes(scene, settings, method, now);
         now.length = length;
         now.active.clear();
         if (set.awake.empty() && moved_.empty()) return;
+        put_back_u_star(scene.bodies, now);
 
         // Whatever an awake body touches wakes, with its island, and looks too.
         do {
@@ -82,7 +82,7 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
         // then the step ends here
         if (set.awake.empty()) watch.remember(scene);
 
-        now.active = set.awake;
+        looked_ = now.active = set.awake;
         now.bends = {};
         now.same_bodies = !changed;
         changed = false;
@@ -101,15 +101,16 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
 private:
     std::vector<int> moved_;  ///< fixed bodies that are elsewhere than a step ago
 
+    std::vector<int> looked_;   ///< at, in the last step that was taken
     std::vector<int> changed_;  ///< bodies, since the last step
     std::vector<char> is_changed_;
 
     /// What has fallen asleep, or moves no more, has its velocity for a u* again;
     /// the others have kept it.
-    static void put_back_u_star(const Bodies<dof>& bodies, StepData<dof>& now)
+    void put_back_u_star(const Bodies<dof>& bodies, StepData<dof>& now) const
     {
         if (now.u_star.size() != bodies.u.size()) return;  // it is made new
-        for (const int k : now.active)
+        for (const int k : looked_)
             if (k < bodies.count())
                 now.u_star.template segment<dof>(dof * k) = bodies.velocity(k);
     }
