@@ -46,7 +46,8 @@ struct LoadedSolids : Correction {
     {
         Bodies<6>& bodies = scene.bodies;
         forget();
-        if (stiff) sum_stiffness(scene, now);
+        // Baumgarte's λ closes gaps as well: it is no load
+        if (stiff && method != Stabilizer::baumgarte) sum_stiffness(scene, now);
         for (const int k : loaded_) {
             auto inverse = bodies.inverse_mass.segment<3>(6 * k + 3);
             kept_.emplace_back(k, inverse);
