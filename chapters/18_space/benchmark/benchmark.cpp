@@ -2,7 +2,9 @@
 ///
 ///     spin/WAY/N    five seconds of I = (1, 2, 3) in N steps: the error of ω [rad/s] beside (18.16), how far the energy is
 ///                   off at the end, and the time
-///     SCENE/WHO/N   four seconds at 60 steps a second in N sub-steps each, with 50 iterations in each; nothing sleeps:
+///     SCENE/WHO/N   four seconds at 60 steps a second in N sub-steps each, with 50 iterations in each; nothing sleeps.
+///                   bullet_10, jolt_10 and ode_20 have the iterations that these engines have by default, and book_steps
+///                   makes N steps, each of which looks for contacts, as Bullet, ODE and Jolt do:
 ///                   us_step  time of a step, the median over the steps [µs]
 ///                   overlap  the deepest after the first second [m]
 ///                   gap      the farthest that a locked coordinate of a joint was off [m, rad]
@@ -28,6 +30,10 @@
 
 #ifdef RIGID_HAS_BOX3D
 #include "chapters/18_space/benchmark/peer_box3d.hpp"
+#endif
+
+#ifdef RIGID_HAS_JOLT
+#include "chapters/18_space/benchmark/peer_jolt.hpp"
 #endif
 
 #include <benchmark/benchmark.h>
@@ -69,8 +75,9 @@ void spin(benchmark::State& state, Tumbling way)
 
 constexpr int iterations = 50;
 
+/// \param steps  a frame is so many steps, each of which looks for contacts
 void by_book(benchmark::State& state, SpaceScene scene, int substeps,
-             TouchingCones method = {})
+             TouchingCones method = {}, int steps = 1)
 {
     begin(state);
     const SpaceScene start = scene;
@@ -81,10 +88,15 @@ void by_book(benchmark::State& state, SpaceScene scene, int substeps,
     follow(
         state, start,
         [&] {
-            step(scene, {.h = 1.0 / 60, .substeps = substeps}, method, now);
-            visits += now.visits;
-            guesses += method.solver.guesses;
-            unsolved += now.solution.status != Status::solved;
+            bool solved = true;
+            for (int i = 0; i < steps; ++i) {
+                step(scene, {.h = 1.0 / 60 / steps, .substeps = substeps}, method,
+                     now);
+                visits += now.visits;
+                guesses += method.solver.guesses;
+                solved = solved && now.solution.status == Status::solved;
+            }
+            unsolved += !solved;
         },
         [&](VecX& x, VecX& u) { x = scene.bodies.x, u = scene.bodies.u; });
     state.counters["visits"] = static_cast<Real>(visits) / 240;
@@ -122,6 +134,8 @@ void register_scene(const std::string& name,
                 ->Iterations(1);
         };
         add("book", [=](benchmark::State& s) { by_book(s, make(), substeps); });
+        add("book_steps",
+            [=](benchmark::State& s) { by_book(s, make(), 1, {}, substeps); });
         add("book_exact", [=](benchmark::State& s) {
             by_book(s, make(), substeps, exact_cones());
         });
@@ -129,10 +143,16 @@ void register_scene(const std::string& name,
         add("bullet", [=](benchmark::State& s) {
             by_engine<BulletWorld>(s, make(), substeps);
         });
+        add("bullet_10", [=](benchmark::State& s) {
+            by_engine<BulletWorld>(s, make(), substeps, 10);
+        });
 #endif
 #ifdef RIGID_HAS_ODE
         add("ode_quick",
             [=](benchmark::State& s) { by_engine<OdeWorld>(s, make(), substeps); });
+        add("ode_20", [=](benchmark::State& s) {
+            by_engine<OdeWorld>(s, make(), substeps, 20);
+        });
         add("ode_exact", [=](benchmark::State& s) {
             by_engine<OdeWorld>(s, make(), substeps, 0);
         });
@@ -141,6 +161,13 @@ void register_scene(const std::string& name,
         // it makes one sweep, and one more that relaxes, in each sub-step
         add("box3d", [=](benchmark::State& s) {
             by_engine<Box3dWorld>(s, make(), substeps);
+        });
+#endif
+#ifdef RIGID_HAS_JOLT
+        add("jolt",
+            [=](benchmark::State& s) { by_engine<JoltPeer>(s, make(), substeps); });
+        add("jolt_10", [=](benchmark::State& s) {
+            by_engine<JoltPeer>(s, make(), substeps, 10);
         });
 #endif
     }
