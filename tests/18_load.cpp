@@ -118,7 +118,7 @@ TEST_CASE("the same chain is torn apart where the load is not stiff", "[ch18][lo
 
 TEST_CASE("fifty sweeps hold the heavy end by millimetres if its load is stiff", "[ch18][load]")
 {
-    TouchingCones method;                    // all swept
+    TouchingCones method;                     // all swept
     CHECK(swing_of(4, method).open < 0.005);  // measured 2.5 mm
     method.correction.stiff = false;
     CHECK(swing_of(4, method).open > 1);  // measured 1.4 m
