@@ -193,19 +193,15 @@ struct Manifolds {
             touching.push_back({a, b, m});
             add(scene, a, b, m, 0, now);
         }
-        const auto asks = [this](int k) {
-            return finder.asks[static_cast<std::size_t>(k)] != 0;
-        };
         if (woke_)
-            std::erase_if(resting, [&](const TouchingPair& pair) {
-                return asks(pair.a) || asks(pair.b);
-            });
+            std::erase_if(resting, [this](const auto& pair) { return asks(pair); });
     }
     //! [pair_contacts]
 
 private:
     std::vector<int> asked_before_;
     bool woke_ = false;  ///< other bodies ask than in the step before
+
     static std::uint64_t key_of(const TouchingPair& pair)
     {
         return pair_key(pair.a, pair.b);
@@ -213,6 +209,12 @@ private:
     static bool ascending(const TouchingPair& a, const TouchingPair& b)
     {
         return key_of(a) < key_of(b);
+    }
+
+    bool asks(const TouchingPair& pair) const
+    {
+        return finder.asks[static_cast<std::size_t>(pair.a)] != 0 ||
+               finder.asks[static_cast<std::size_t>(pair.b)] != 0;
     }
 
     /// Pairs of the step before that nobody asks for any more are kept apart.
@@ -223,9 +225,7 @@ private:
         asked_before_ = finder.asked;
         const std::size_t old = resting.size();
         for (const TouchingPair& pair : before)
-            if (!finder.asks[static_cast<std::size_t>(pair.a)] &&
-                !finder.asks[static_cast<std::size_t>(pair.b)])
-                resting.push_back(pair);
+            if (!asks(pair)) resting.push_back(pair);
         std::inplace_merge(resting.begin(),
                            resting.begin() + static_cast<std::ptrdiff_t>(old),
                            resting.end(), ascending);

@@ -42,14 +42,36 @@ void compare_joints(const std::vector<Joint>& was, const std::vector<Joint>& is,
     }
 }
 
+/// What there is for all bodies of a scene, as it was.
+struct Surroundings {
+    std::vector<HalfSpace> walls;
+    std::vector<Chain> chains;
+    Vec2 gravity = {0, 0};
+
+    void remember(const RigidScene& scene)
+    {
+        gravity = scene.gravity;
+        walls = scene.walls;
+        chains = scene.chains;
+    }
+
+    bool differ(const RigidScene& scene) const
+    {
+        const auto same = [](const HalfSpace& a, const HalfSpace& b) {
+            return a.normal == b.normal && a.offset == b.offset;
+        };
+        return scene.gravity != gravity || scene.chains != chains ||
+               !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
+                           scene.walls.end(), same);
+    }
+};
+
 struct SceneWatch {
     using Scene = RigidScene;
     VecX x, u, inverse_mass;  ///< as the last step left them
     std::vector<Polygon> shapes;
     std::vector<PointJoint> joints;
-    std::vector<HalfSpace> walls;
-    std::vector<Chain> chains;
-    Vec2 gravity = {0, 0};
+    Surroundings around;
 
     /// something was another than it is here
     mutable bool stale = true;
@@ -63,9 +85,7 @@ struct SceneWatch {
         u = scene.bodies.u;
         if (!std::exchange(stale, false)) return;
         inverse_mass = scene.bodies.inverse_mass;
-        gravity = scene.gravity;
-        walls = scene.walls;
-        chains = scene.chains;
+        around.remember(scene);
         joints = scene.joints;
         shapes = scene.shapes;
     }
@@ -74,13 +94,7 @@ struct SceneWatch {
     /// What is there for all bodies is another than it was: gravity, a wall.
     bool all_concerned(const RigidScene& scene) const
     {
-        const auto same = [](const HalfSpace& a, const HalfSpace& b) {
-            return a.normal == b.normal && a.offset == b.offset;
-        };
-        const bool concerned =
-            scene.gravity != gravity || scene.chains != chains ||
-            !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
-                        scene.walls.end(), same);
+        const bool concerned = around.differ(scene);
         stale = stale || concerned || scene.bodies.x.size() != x.size();
         return concerned;
     }

@@ -182,7 +182,7 @@ void members(Archive& io, RestConditions& it)
 template <class Archive>
 void members(Archive& io, ToldChanges& it)
 {
-    io(it.told, it.known, it.walls, it.chains, it.gravity);
+    io(it.told, it.known, it.around.walls, it.around.chains, it.around.gravity);
 }
 template <class Archive>
 void members(Archive& io, Manifold& it)

@@ -15,9 +15,7 @@ struct ToldChanges {
     using Scene = RigidScene;
     std::vector<int> told;  ///< bodies, since the last step; may name one twice
     Index known = 0;        ///< bodies in the last step: others are new
-    std::vector<HalfSpace> walls;
-    std::vector<Chain> chains;
-    Vec2 gravity = {0, 0};
+    Surroundings around;
 
     /// Body k has been changed, or what it hangs on.
     void tell(Index k)
@@ -34,21 +32,13 @@ struct ToldChanges {
     {
         told.clear();
         known = scene.bodies.count();
-        if (!all_concerned(scene)) return;
-        gravity = scene.gravity;
-        walls = scene.walls;
-        chains = scene.chains;
+        if (around.differ(scene)) around.remember(scene);
     }
 
     /// What there is for all bodies is compared: it is little.
     bool all_concerned(const RigidScene& scene) const
     {
-        const auto same = [](const HalfSpace& a, const HalfSpace& b) {
-            return a.normal == b.normal && a.offset == b.offset;
-        };
-        return scene.gravity != gravity || scene.chains != chains ||
-               !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
-                           scene.walls.end(), same);
+        return around.differ(scene);
     }
 
     /// Calls changed(k) for each body that was reported, and returns how many.

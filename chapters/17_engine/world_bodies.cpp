@@ -47,7 +47,8 @@ BodyId World::add_chain(std::span<const Vec2> points, bool closed,
         s.note(static_cast<Index>(id.place)).chain = static_cast<int>(first);
     }
     s.scene.chains.push_back({first, s.scene.bodies.count() - 1, closed});
-    s.awake().watch.chains = s.scene.chains;  // the edges have woken what they must
+    // the edges have woken what they must
+    s.awake().watch.around.chains = s.scene.chains;
     s.note(Call::add_chain, corners, closed, surface, filter);
     return s.id(first);
 }
@@ -63,7 +64,7 @@ void World::remove(BodyId body)
             [of](const Chain& it) { return it.first == static_cast<Index>(of); });
         first = chain->first, last = chain->last;
         s.scene.chains.erase(chain);
-        s.awake().watch.chains = s.scene.chains;
+        s.awake().watch.around.chains = s.scene.chains;
     }
     for (Index i = first; i <= last; ++i) {
         for (std::size_t j = 0; s.note(i).joints > 0 && j < s.joints.size(); ++j)
