@@ -390,6 +390,38 @@ TEST_CASE("a box that a slow platform carries never falls asleep", "[idea]")
     CHECK(room.scene.bodies.x[3] - room.scene.bodies.x[0] < 1e-4);
 }
 
+TEST_CASE("the rows and free velocities of the last step stay together when all have fallen asleep", "[house]")
+{
+    World room(two_towers());
+    int steps = 0;
+    do room.run(1);
+    while (!room.all_asleep() && ++steps < 1000);
+    REQUIRE(room.all_asleep());
+    const VecX u_star = room.now.u_star, lambda = room.now.solution.lambda;
+    REQUIRE(room.now.rows.size() > 0);
+    CHECK(u_star[1] < -time_step * 9.81 / 2);  // not the 0 of a sleeper
+    room.run(3);
+    CHECK((room.now.u_star == u_star));
+    CHECK((room.now.solution.lambda == lambda));
+}
+
+TEST_CASE("a platform that was stopped carries nothing on", "[idea]")
+{
+    RigidScene smooth;
+    add_body(smooth, box(40, 1), Mass{}, {0, -2});
+    add_body(smooth, box(1, 1), 1, {0, 1.5});
+    World room(rough(smooth));
+    auto platform = room.scene.bodies.velocity(0);
+    platform << 2, 3, 0;
+    room.run(10);  // half a metre up, and not yet below the box
+    REQUIRE(room.scene.bodies.x[4] - room.scene.bodies.x[1] > 1.05);
+    platform.setZero();
+    room.run(90);
+    CHECK(std::abs(room.scene.bodies.x[3]) < 1e-3);
+    CHECK(std::abs(room.scene.bodies.x[4] - room.scene.bodies.x[1] - 1) < 0.01);
+    CHECK(room.scene.bodies.velocity(1).norm() < 1e-3);
+}
+
 TEST_CASE("steps of boxes that wake and sleep again allocate nothing", "[house]")
 {
     World room = asleep_towers();
