@@ -65,7 +65,6 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
         now.length = length;
         now.active.clear();
         if (set.awake.empty() && moved_.empty()) return;
-        put_back_u_star(scene.bodies, now);
 
         // Whatever an awake body touches wakes, with its island, and looks too.
         do {
@@ -82,7 +81,7 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
         // then the step ends here
         if (set.awake.empty()) watch.remember(scene);
 
-        looked_ = now.active = set.awake;
+        now.active = set.awake;
         now.bends = {};
         now.same_bodies = !changed;
         changed = false;
@@ -101,19 +100,8 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
 private:
     std::vector<int> moved_;  ///< fixed bodies that are elsewhere than a step ago
 
-    std::vector<int> looked_;   ///< at, in the last step that was taken
     std::vector<int> changed_;  ///< bodies, since the last step
     std::vector<char> is_changed_;
-
-    /// What has fallen asleep, or moves no more, has its velocity for a u* again;
-    /// the others have kept it.
-    void put_back_u_star(const Bodies<dof>& bodies, StepData<dof>& now) const
-    {
-        if (now.u_star.size() != bodies.u.size()) return;  // it is made new
-        for (const int k : looked_)
-            if (k < bodies.count())
-                now.u_star.template segment<dof>(dof * k) = bodies.velocity(k);
-    }
 
     template <class Method>
     void take_in_changes(const Scene& scene, const StepSettings& settings,
