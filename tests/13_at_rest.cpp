@@ -390,7 +390,8 @@ TEST_CASE("a box that a slow platform carries never falls asleep", "[idea]")
     CHECK(room.scene.bodies.x[3] - room.scene.bodies.x[0] < 1e-4);
 }
 
-TEST_CASE("the rows and free velocities of the last step stay together when all have fallen asleep", "[house]")
+TEST_CASE("the rows and free velocities of the last step stay together when all have fallen asleep",
+          "[house]")
 {
     World room(two_towers());
     int steps = 0;
