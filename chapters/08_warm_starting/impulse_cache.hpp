@@ -33,7 +33,18 @@ struct ImpulseKey {
 
     static constexpr std::int32_t of_a_body = -4, of_a_joint = -3,
                                   of_a_machine = -2;
-    auto operator<=>(const ImpulseKey&) const = default;
+    bool operator==(const ImpulseKey&) const = default;
+    /// One number after the other, two of them in one comparison.
+    auto operator<=>(const ImpulseKey& other) const
+    {
+        const auto both = [](std::int64_t high, std::int32_t low) {
+            return high * 0x1'0000'0000 + low;
+        };
+        const auto bodies = both(first, second) <=> both(other.first, other.second);
+        return bodies != 0
+                   ? bodies
+                   : both(feature, part) <=> both(other.feature, other.part);
+    }
 };
 
 inline ImpulseKey link_key(std::size_t joint, int row = 0)

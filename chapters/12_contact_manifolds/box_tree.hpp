@@ -78,16 +78,21 @@ public:
     void search(const Touches& touches, const Visit& visit) const
     {
         if (root_ == nobody) return;
-        std::vector<int>& stack = stack_;
-        const std::size_t bottom = stack.size();
-        stack.push_back(root_);
-        while (stack.size() > bottom) {
-            const Node& here = node(stack.back());
-            stack.pop_back();
+        // a node waits once at most; a search within a search goes on above
+        const std::size_t bottom = waiting_;
+        if (stack_.size() < bottom + nodes_.size())
+            stack_.resize(bottom + nodes_.size());
+        stack_[waiting_++] = root_;
+        while (waiting_ > bottom) {
+            const Node& here = node(stack_[--waiting_]);
             ++tested;
             if (!touches(here.box)) continue;
-            if (here.is_leaf()) visit(here.item);
-            else stack.push_back(here.right), stack.push_back(here.left);
+            if (here.is_leaf()) {
+                visit(here.item);
+                continue;
+            }
+            stack_[waiting_++] = here.right;
+            stack_[waiting_++] = here.left;
         }
     }
     template <class Visit>
@@ -206,8 +211,9 @@ private:
     //! [rotate]
 
     std::vector<Node> nodes_;
-    std::vector<int> leaf_;  ///< of each item
-    mutable std::vector<int> stack_;
+    std::vector<int> leaf_;            ///< of each item
+    mutable std::vector<int> stack_;   ///< nodes to be looked at
+    mutable std::size_t waiting_ = 0;  ///< so many of them
     int root_ = nobody, free_ = nobody;
 };
 

@@ -91,19 +91,19 @@ struct NewtonPositions : NewtonSettings, Restitution {
         for (iterations = 0;; ++iterations) {
             const Real before = left;
             left = 0;
-            bool wanted = false, touching = false;
-            now.constraints.resize(m);
+            bool wanted = false, touching = false, joined = false;
             for (std::size_t i = 0; i < m; ++i) {
-                const auto c = now.constraints[i] =
-                    constraint_at(scene, now, i, bodies.x);
+                Constraint<3>& c = now.constraints[i];
                 const bool bounded = c.kind == ConstraintKind::unilateral;
                 second.left_out[i] =
                     !has_error(c.kind) || (bounded && joints_alone);
                 if (second.left_out[i]) continue;
+                c = constraint_at(scene, now, i, bodies.x);
                 touching = touching || bounded;
                 // metres of a C: an angle counts as so much at the length ℓ
                 const Real unit = is_angle(c) ? now.length : 1;
                 if (c.kind == ConstraintKind::bilateral) {
+                    joined = true;
                     second.bias[i] = c.C / h;
                     left = std::max(left, std::abs(c.C) * unit);
                 } else {
@@ -145,7 +145,7 @@ struct NewtonPositions : NewtonSettings, Restitution {
             part = 1;
             // the old J is good enough while it takes nine tenths of the error
             fresh = iterations > 0 && left > before / 10;
-            if (fresh) renew(solver, bodies, now);
+            if (fresh) renew(scene, solver, now);
             second.max_sweeps = wanted ? push_sweeps : sweeps;
             solver.solve_apart(second, v, now);
             if (wanted && goes_far(now, h, std::max(pushed, left))) {
@@ -158,6 +158,10 @@ struct NewtonPositions : NewtonSettings, Restitution {
                 solver.solve_apart(second, v, now);
             }
             go(bodies, h, now);
+            if (!joined) {  // overlaps come out once
+                ++iterations;
+                break;
+            }
         }
         if (renewals > 0) now.rows.swap(rows_);  // those that λ belongs to
     }
@@ -208,12 +212,15 @@ private:
     }
 
     /// J where the bodies are now, for solvers that have a factor of it.
-    template <class Solver>
-    void renew(Solver& solver, const Bodies<3>& bodies, StepData<3>& now)
+    template <class Scene, class Solver>
+    void renew(const Scene& scene, Solver& solver, StepData<3>& now)
     {
+        const Bodies<3>& bodies = scene.bodies;
         if constexpr (requires { solver.factor_again(bodies, now); }) {
             if (renewals++ == 0) rows_ = now.rows;
             for (std::size_t i = 0; i < now.rows.size(); ++i) {
+                if (second.left_out[i])  // not looked at yet
+                    now.constraints[i] = constraint_at(scene, now, i, bodies.x);
                 const Row<3> row =
                     bilateral(now.constraints[i], bodies.inverse_mass);
                 now.rows[i].Ja = row.Ja, now.rows[i].Jb = row.Jb;

@@ -121,7 +121,9 @@ struct StepWork {
     int awake = 0;
     int islands = 0;  ///< of those that are awake, single bodies included
     int exact = 0;    ///< islands solved exactly
-    int swept = 0;    ///< islands that have rows and were swept
+    /// of those: the impulses of the step before were the answer, in the last sub-step
+    int answered = 0;
+    int swept = 0;  ///< islands that have rows and were swept
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
     /// islands whose residual is above the tolerance; of large ones that move, above a

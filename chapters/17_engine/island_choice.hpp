@@ -2,7 +2,8 @@
 /// The solver stage of the engine: each island by the solver that suits it.
 ///
 ///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
-///                          ├─ joints in what is large, moves  trees of joints, and sweeps above them        (chapter 14)
+///                          │      └─ as it was?              the impulses of the step before
+///                          ├─ joints that sweeps would lose  trees of joints, and sweeps above them        (chapter 14)
 ///                          ├─ many rows                       sweeps in lanes until the residual is small   (chapter 16)
 ///                          └─ all others                      sweeps until the residual is small            (chapter 10)
 ///                                 └─ not small enough?        exact, if it may be                           (the rescue)
@@ -13,6 +14,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/by_islands.hpp"
+#include "chapters/17_engine/exact_islands.hpp"
 #include "chapters/17_engine/island_places.hpp"
 #include "chapters/17_engine/wide_islands.hpp"
 
@@ -30,7 +32,8 @@ struct IslandChoice {
     IslandSolver<3> sweeps;
     StepPart swept;
     WideIslands wide;
-    TreePart exactly, held;
+    ExactIslands exactly;
+    TreePart held;
     IslandRescue rescuer;
 
     // Of the last step.
@@ -63,7 +66,7 @@ struct IslandChoice {
         wide.solve(sweeps.sweeps, slow > 0 ? tolerance / 10 : tolerance, bodies,
                    now);
         sweeps.most_sweeps = std::max(sweeps.most_sweeps, wide.most_sweeps);
-        exactly.solve(bodies, now);
+        exactly.solve(all.islands, bodies, now);
         held.solve(bodies, now);
         rescue(bodies, now);
         settle(bodies, now);
@@ -74,6 +77,7 @@ struct IslandChoice {
     /// Other biases, the same u*.
     void solve_again(SecondProblem& second, Bodies<3>& bodies, StepData<3>& now)
     {
+        exactly.take_all(now);
         for_each_part([&](StepPart& part, auto& solver) {
             if (part.empty()) return;
             part.gather(second);
@@ -86,6 +90,7 @@ struct IslandChoice {
     void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
     {
         bool done = true;
+        exactly.take_all(now);
         for_each_part([&](StepPart& part, auto& solver) {
             if (part.empty()) return;
             part.gather(second);
@@ -97,7 +102,7 @@ struct IslandChoice {
                     part.v.segment<3>(3 * i);
             now.visits += std::exchange(part.now.visits, 0);
         });
-        for (TreePart* it : {&exactly, &held})
+        for (TreePart* it : {static_cast<TreePart*>(&exactly), &held})
             if (!it->part.empty()) it->entries += it->solver.bounded_apart.entries;
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
@@ -140,8 +145,8 @@ private:
         for (WideIsland& one : wide.islands()) one.part.now.same_rows = same;
         if (same) return;
         swept.clear();
-        exactly.part.clear();
         held.part.clear();
+        exactly.clear();
         wide.count = 0;
         sweeps.allowed.clear();
         sweeps.enough.clear();
@@ -151,22 +156,22 @@ private:
             const std::span<const int> rows = all.islands.rows_of(i),
                                        members = all.islands.bodies_of(i);
             const bool goes = note.place >= IslandPlace::swept;
-            exact_count += note.place == IslandPlace::exact;
             swept_count += note.place != IslandPlace::exact && !rows.empty();
+            if (note.place == IslandPlace::exact) {
+                exactly.all.push_back(i);
+                continue;
+            }
             if (goes && static_cast<int>(rows.size()) >= rule.wide &&
                 wide.take(bodies, now, rows, members, note))
                 continue;
-            StepPart& part = goes                               ? swept
-                             : note.place == IslandPlace::exact ? exactly.part
-                                                                : held.part;
-            part.rows.insert(part.rows.end(), rows.begin(), rows.end());
-            part.bodies.insert(part.bodies.end(), members.begin(), members.end());
+            (goes ? swept : held.part).add(rows, members);
             if (!goes) continue;
             sweeps.allowed.insert(sweeps.allowed.end(), rows.size(), note.sweeps);
             sweeps.enough.insert(sweeps.enough.end(), rows.size(),
-                                 note.enough / now.length);
+                                 note.until / now.length);
         }
-        for (StepPart* part : {&swept, &exactly.part, &held.part})
+        exact_count = static_cast<int>(exactly.all.size());
+        for (StepPart* part : {&swept, &held.part})
             part->number(now, bodies.count());
     }
     //! [split]

@@ -30,9 +30,13 @@ inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule
                                 Solving solving, bool moves, bool fits)
 {
     if (!fits || solving == Solving::sweeps) return IslandPlace::only_swept;
-    const bool has_joints = shape.rows > shape.bounded;
-    if (moves || !may_be_exact(shape, rule))
-        return has_joints ? IslandPlace::held : IslandPlace::only_swept;
+    const bool has_joints = shape.has_joints();
+    const bool is_swept = !has_joints || (moves && may_be_swept(shape, rule));
+    const bool is_cheap =
+        has_joints &&
+        shape.price_of_exact() <= price::visit * Real(shape.rows) * rule.joined;
+    if (!may_be_exact(shape, rule) || (moves && !is_cheap))
+        return is_swept ? IslandPlace::only_swept : IslandPlace::held;
     const bool is_tree = has_joints && shape.loops == 0;  // joints cost O(n)
     return solving == Solving::exact || is_tree || should_be_exact(shape, rule)
                ? IslandPlace::exact
@@ -66,11 +70,13 @@ inline Real best_part(const StepData<3>& now, std::span<const int> rows,
 
 struct IslandNote {
     IslandPlace place = IslandPlace::only_swept;
-    bool large = false;
+    bool joined = false;        ///< by joints
+    bool large = false;         ///< where it moves it is not like what stands
     bool moves = false;         ///< it is large, and does not stand
     int sweeps = 0;             ///< where it is swept, at most
     std::int64_t to_stand = 0;  ///< entries that sweeps may cost where it stands
     Real enough = 0;            ///< a residual below this is none [m/s]
+    Real until = 0;             ///< sweeps end at this one [m/s]
 };
 
 class IslandPlaces {
@@ -107,12 +113,14 @@ public:
         }
         anew = false;
         for (std::size_t i = 0; i < notes.size(); ++i) {  // (17.5)
-            notes[i].enough = tolerance;
-            if (notes[i].moves)
-                notes[i].enough = std::max(
-                    tolerance, given_speed(islands.bodies_of(static_cast<int>(i)),
-                                           bodies.u, now.u_star) /
-                                   30);
+            IslandNote& note = notes[i];
+            note.enough = note.until = tolerance;
+            if (!note.moves) continue;
+            note.enough = std::max(
+                tolerance, given_speed(islands.bodies_of(static_cast<int>(i)),
+                                       bodies.u, now.u_star) /
+                               30);
+            if (!note.joined) note.until = note.enough;
         }
         return same;
     }
@@ -140,10 +148,9 @@ private:
         if (solving == Solving::sweeps) return note;
         const IslandShape shape = survey_(bodies, now.rows, islands.rows_of(island),
                                           islands.bodies_of(island));
-        const bool has_joints = shape.rows > shape.bounded;
-        note.large =
-            solving == Solving::by_island &&
-            shape.bounded > (has_joints ? rule.moving_joined : rule.moving);
+        note.joined = shape.has_joints();
+        note.large = solving == Solving::by_island &&
+                     shape.bounded > (note.joined ? rule.always : rule.moving);
         note.moves = note.large && moves(island, bodies, now);
         // a border is one for the loops of all islands
         IslandShape joints = joints_;
@@ -153,7 +160,8 @@ private:
             joints.price_of_loops() <= static_cast<Real>(rule.entries);
         if (fits) joints_ = joints;
         note.place = choose_place(shape, rule, solving, note.moves, fits);
-        note.sweeps = sweeps_worth(shape, rule, sweeps);
+        note.sweeps = note.moves && note.joined ? std::max(sweeps, rule.joined)
+                                                : sweeps_worth(shape, rule, sweeps);
         if (!may_be_exact(shape, rule)) note.to_stand = rule.entries;
         return note;
     }

@@ -79,12 +79,10 @@ struct IslandRescue : TreePart {
         part.clear();
         for (int i = 0; i < islands.count(); ++i) {
             if (!meant(i)) continue;
-            const std::span<const int> rows = islands.rows_of(i),
-                                       members = islands.bodies_of(i);
+            const std::span<const int> rows = islands.rows_of(i);
             if (natural_residual(now, rows, bodies.u) <= enough) continue;
             ++count;
-            part.rows.insert(part.rows.end(), rows.begin(), rows.end());
-            part.bodies.insert(part.bodies.end(), members.begin(), members.end());
+            part.add(rows, islands.bodies_of(i));
         }
         if (count == 0) return 0;
         part.number(now, bodies.count());
@@ -93,6 +91,15 @@ struct IslandRescue : TreePart {
     }
 };
 //! [rescue]
+
+/// u of these bodies, from u* and the impulses of their rows.
+inline void push(const StepData<3>& now, std::span<const int> rows,
+                 std::span<const int> bodies, VecX& u)
+{
+    for (const int k : bodies) u.segment<3>(3 * k) = now.u_star.segment<3>(3 * k);
+    for (const int i : rows)
+        now.rows[static_cast<std::size_t>(i)].apply(now.solution.lambda[i], u);
+}
 
 //! [slow]
 /// Whether each of these bodies is slow.

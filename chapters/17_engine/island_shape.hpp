@@ -28,6 +28,7 @@ struct IslandShape {
     int length = 0;   ///< N
     Real mass_ratio = 1;
 
+    bool has_joints() const { return rows > bounded; }
     Real sweeps_needed() const { return Real(length) * length * mass_ratio; }
     Real price_of_sweeps() const;
     Real price_of_loops() const;
@@ -71,9 +72,12 @@ struct ChoiceRule {
     int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
-    /// most bounded rows of an island that moves and is solved to the tolerance;
-    /// with joints more, for what is missing there bends a knee too far
-    int moving = 300, moving_joined = 600;
+    /// most bounded rows of an island without joints that moves and is solved to the
+    /// tolerance
+    int moving = 300;
+    /// sweeps over one with joints that moves: what is missing there bends a knee.
+    /// With 500 ten dolls overstep a limit by 0.05 rad, with 1000 by 0.008
+    int joined = 1000;
     /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
     /// beyond its limit
     int held = 100;
@@ -91,6 +95,12 @@ inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
     return shape.bounded + shape.loops <= rule.always ||
            shape.sweeps_needed() > rule.patience ||
            shape.price_of_exact() < shape.price_of_sweeps();
+}
+/// Whether sweeps over an island with joints that moves come to an end, (17.1): it
+/// begins near the answer, and a tenth of its digits will do.
+inline bool may_be_swept(const IslandShape& shape, const ChoiceRule& rule)
+{
+    return shape.sweeps_needed() <= 10 * rule.joined;
 }
 /// Sweeps that may go over an island: as many as it needs, if it may be swept.
 inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)

@@ -26,6 +26,11 @@ struct StepPart {
         rows.clear();
         bodies.clear();
     }
+    void add(std::span<const int> more_rows, std::span<const int> more_bodies)
+    {
+        rows.insert(rows.end(), more_rows.begin(), more_rows.end());
+        bodies.insert(bodies.end(), more_bodies.begin(), more_bodies.end());
+    }
     //! [part]
 
     /// Numbers what is in `rows` and `bodies`, and in the rows beside these bodies.

@@ -45,7 +45,7 @@ struct WideIslands {
         if (!holds_bounds(one.part.now.rows, trial_)) return false;
         one.part.now.same_rows = false;
         one.allowed = note.sweeps;
-        one.enough = note.enough / now.length;
+        one.enough = note.until / now.length;
         const auto visited = static_cast<std::int64_t>(rows.size()) * price::visit;
         // 10⁶ sweeps are more than any island that is large can pay for
         one.standing = static_cast<int>(

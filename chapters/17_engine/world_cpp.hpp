@@ -111,6 +111,7 @@ struct World::State : EngineState {
         work.awake = static_cast<int>(now.active.size());
         work.islands = solver.all.islands.count();
         work.exact = solver.exact_count;
+        work.answered = solver.exactly.answered;
         work.swept = solver.swept_count;
         work.rescued = solver.rescued_count;
         work.unsolved = solver.unsolved;
