@@ -8,11 +8,15 @@
 
 #include "chapters/17_engine/island_rescue.hpp"
 
+#include <limits>
+
 namespace rigid {
 
 struct ExactIslands : TreePart {
     std::vector<int> all;  ///< of the step's islands
-    int answered = 0;      ///< of them, in the last sub-step
+    // Of the last sub-step.
+    int answered = 0;         ///< of them
+    std::vector<Real> known;  ///< residuals of those; of others NaN [m/s]
 
     /// Others than in the step before.
     void clear()
@@ -22,23 +26,33 @@ struct ExactIslands : TreePart {
     }
 
     //! [open]
-    void solve(const Islands& islands, Bodies<3>& bodies, StepData<3>& now)
+    /// \param enough  the tolerance to which others settle [m/s]
+    void solve(const Islands& islands, Real enough, Bodies<3>& bodies,
+               StepData<3>& now)
     {
         islands_ = &islands;
         bodies_ = &bodies;
         open_.clear();
+        known.assign(static_cast<std::size_t>(islands.count()), nan);
         for (const int i : all) {
             const std::span<const int> rows = islands.rows_of(i);
             push(now, rows, islands.bodies_of(i), bodies.u);
             now.visits += static_cast<std::int64_t>(rows.size());
-            if (!(natural_residual(now, rows, bodies.u) <= noise * now.length))
-                open_.push_back(i);
+            const Real r = natural_residual(now, rows, bodies.u);
+            if (r <= std::min(noise * now.length, enough))
+                known[static_cast<std::size_t>(i)] = r;
+            else open_.push_back(i);
         }
         answered = static_cast<int>(all.size() - open_.size());
         take(open_, now);
         TreePart::solve(bodies, now);
     }
     //! [open]
+
+    bool is_answered(int island) const
+    {
+        return !std::isnan(known[static_cast<std::size_t>(island)]);
+    }
 
     /// Another problem on the same rows may be about any of them.
     void take_all(const StepData<3>& now)
@@ -57,7 +71,8 @@ struct ExactIslands : TreePart {
 
 private:
     /// a residual that rounding leaves [ℓ/s]
-    static constexpr Real noise = 1e-12;
+    static constexpr Real noise = 1e-12,
+                          nan = std::numeric_limits<Real>::quiet_NaN();
 
     bool is_part(const std::vector<int>& list) const
     {

@@ -66,7 +66,7 @@ struct IslandChoice {
         wide.solve(sweeps.sweeps, slow > 0 ? tolerance / 10 : tolerance, bodies,
                    now);
         sweeps.most_sweeps = std::max(sweeps.most_sweeps, wide.most_sweeps);
-        exactly.solve(all.islands, bodies, now);
+        exactly.solve(all.islands, tolerance * now.length / 1000, bodies, now);
         held.solve(bodies, now);
         rescue(bodies, now);
         settle(bodies, now);
@@ -199,6 +199,7 @@ private:
         rescuer(all.islands, bodies, now, tolerance * length / 1000, [&](int i) {
             return (all.place(i) == IslandPlace::exact ||
                     all.place(i) == IslandPlace::swept) &&
+                   !exactly.is_answered(i) &&
                    are_slow(all.islands.bodies_of(i), bodies.u, speed, length);
         });
     }
@@ -223,7 +224,10 @@ private:
         unsolved = 0;
         Real largest = 0;
         for (int i = 0; i < all.islands.count(); ++i) {
-            const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
+            const Real r =
+                exactly.is_answered(i)
+                    ? exactly.known[static_cast<std::size_t>(i)]
+                    : natural_residual(now, all.islands.rows_of(i), bodies.u);
             unsolved += !(r <= all.notes[static_cast<std::size_t>(i)].enough);
             if (!(r <= largest || std::isnan(largest))) largest = r;
         }
