@@ -1,9 +1,10 @@
 /// \file exact_islands.hpp
 /// The islands of a step that are solved exactly, but for those whose impulses of the step before are the answer again.
 ///
-///     u = u* + M⁻¹ Jᵀ λ_old,     r(λ_old, u) ≤ 10⁻¹² ℓ/s     then λ = λ_old
+///     u = u* + M⁻¹ Jᵀ λ_old,     r(λ_old, u) ≤ 5 · 10⁻¹⁰ ℓ/s     then λ = λ_old
 ///
-/// What rests is answered so: nothing of it is eliminated, factored or guessed.
+/// The exact solver takes a λ that is as good as that for an answer, too. What rests is answered so: nothing of it is
+/// eliminated, factored or guessed.
 #pragma once
 
 #include "chapters/17_engine/island_rescue.hpp"
@@ -34,13 +35,13 @@ struct ExactIslands : TreePart {
         bodies_ = &bodies;
         open_.clear();
         known.assign(static_cast<std::size_t>(islands.count()), nan);
+        const Real good = std::min(solver.tolerance * now.length / 2, enough);
         for (const int i : all) {
             const std::span<const int> rows = islands.rows_of(i);
             push(now, rows, islands.bodies_of(i), bodies.u);
             now.visits += static_cast<std::int64_t>(rows.size());
             const Real r = natural_residual(now, rows, bodies.u);
-            if (r <= std::min(noise * now.length, enough))
-                known[static_cast<std::size_t>(i)] = r;
+            if (r <= good) known[static_cast<std::size_t>(i)] = r;
             else open_.push_back(i);
         }
         answered = static_cast<int>(all.size() - open_.size());
@@ -70,9 +71,7 @@ struct ExactIslands : TreePart {
     }
 
 private:
-    /// a residual that rounding leaves [ℓ/s]
-    static constexpr Real noise = 1e-12,
-                          nan = std::numeric_limits<Real>::quiet_NaN();
+    static constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
     bool is_part(const std::vector<int>& list) const
     {

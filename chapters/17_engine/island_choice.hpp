@@ -184,9 +184,10 @@ private:
         rescued_count = 0;
         if (solving != Solving::by_island) return;
         set_price(tolerance * now.length / 2, rule.entries, rescuer.solver);
-        rescued_count =
-            rescuer(all.islands, bodies, now, tolerance * now.length,
-                    [&](int i) { return all.place(i) == IslandPlace::swept; });
+        rescued_count = rescuer(
+            all.islands, bodies, now,
+            [&](int i) { return all.notes[static_cast<std::size_t>(i)].enough; },
+            [&](int i) { return all.place(i) == IslandPlace::swept; });
     }
 
     /// What comes to rest is solved to the end: sweeps leave it velocities, and so
@@ -196,7 +197,8 @@ private:
         if (solving == Solving::sweeps || !(slow > 0)) return;
         set_price(0, rule.entries / 10, rescuer.solver);
         const Real length = now.length, speed = slow * length;
-        rescuer(all.islands, bodies, now, tolerance * length / 1000, [&](int i) {
+        const auto enough = [&](int) { return tolerance * length / 1000; };
+        rescuer(all.islands, bodies, now, enough, [&](int i) {
             return (all.place(i) == IslandPlace::exact ||
                     all.place(i) == IslandPlace::swept) &&
                    !exactly.is_answered(i) &&

@@ -31,12 +31,14 @@ inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule
 {
     if (!fits || solving == Solving::sweeps) return IslandPlace::only_swept;
     const bool has_joints = shape.has_joints();
-    const bool is_swept = !has_joints || (moves && may_be_swept(shape, rule));
-    const bool is_cheap =
-        has_joints &&
-        shape.price_of_exact() <= price::visit * Real(shape.rows) * rule.joined;
-    if (!may_be_exact(shape, rule) || (moves && !is_cheap))
-        return is_swept ? IslandPlace::only_swept : IslandPlace::held;
+    if (moves && !has_joints) return IslandPlace::only_swept;
+    if (moves && !sweeps_cost_more(shape, rule)) {
+        if (!may_be_swept(shape, rule)) return IslandPlace::held;
+        return may_be_rescued(shape, rule) ? IslandPlace::swept
+                                           : IslandPlace::only_swept;
+    }
+    if (!may_be_exact(shape, rule))
+        return has_joints ? IslandPlace::held : IslandPlace::only_swept;
     const bool is_tree = has_joints && shape.loops == 0;  // joints cost O(n)
     return solving == Solving::exact || is_tree || should_be_exact(shape, rule)
                ? IslandPlace::exact

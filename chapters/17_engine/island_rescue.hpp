@@ -67,20 +67,20 @@ struct TreePart {
 
 //! [rescue]
 struct IslandRescue : TreePart {
-    /// Solves those islands that are meant and whose residual is above `enough`.
-    /// \param enough  [m/s]
+    /// Solves those islands that are meant and whose residual is above what is enough.
+    /// \param enough  Real(int island) [m/s]
     /// \param meant   bool(int island)
     /// \return        how many they were
-    template <class Meant>
+    template <class Enough, class Meant>
     int operator()(const Islands& islands, Bodies<3>& bodies, StepData<3>& now,
-                   Real enough, const Meant& meant)
+                   const Enough& enough, const Meant& meant)
     {
         int count = 0;
         part.clear();
         for (int i = 0; i < islands.count(); ++i) {
             if (!meant(i)) continue;
             const std::span<const int> rows = islands.rows_of(i);
-            if (natural_residual(now, rows, bodies.u) <= enough) continue;
+            if (natural_residual(now, rows, bodies.u) <= enough(i)) continue;
             ++count;
             part.add(rows, islands.bodies_of(i));
         }

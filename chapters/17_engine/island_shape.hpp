@@ -96,11 +96,21 @@ inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
            shape.sweeps_needed() > rule.patience ||
            shape.price_of_exact() < shape.price_of_sweeps();
 }
-/// Whether sweeps over an island with joints that moves come to an end, (17.1): it
-/// begins near the answer, and a tenth of its digits will do.
+/// Of an island with joints that moves: whether an exact solve costs less than its
+/// sweeps, whether these come to an end, (17.1), for it begins near its answer and a
+/// tenth of the count will do, and whether it may be solved exactly where they do not.
+inline bool sweeps_cost_more(const IslandShape& shape, const ChoiceRule& rule)
+{
+    return may_be_exact(shape, rule) &&
+           shape.price_of_exact() < price::visit * Real(shape.rows) * rule.joined;
+}
 inline bool may_be_swept(const IslandShape& shape, const ChoiceRule& rule)
 {
     return shape.sweeps_needed() <= 10 * rule.joined;
+}
+inline bool may_be_rescued(const IslandShape& shape, const ChoiceRule& rule)
+{
+    return may_be_exact(shape, rule) && shape.bounded <= 2 * rule.moving;
 }
 /// Sweeps that may go over an island: as many as it needs, if it may be swept.
 inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)
