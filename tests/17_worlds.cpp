@@ -1069,6 +1069,75 @@ TEST_CASE("a solve that has looked at what it may ends with the best that it has
     CHECK(hard >= 2);
 }
 
+/// Two rows that push one body from both sides, each of which wants it to leave at 1 m/s: there is no answer. Each
+/// has friction.
+Mlcp pressed_from_both_sides(std::vector<FrictionBox>& boxes)
+{
+    MatX A = MatX::Identity(4, 4);
+    A(0, 1) = A(1, 0) = -1;
+    Mlcp mlcp{A.sparseView(), VecX(4), VecX::Zero(4), VecX::Constant(4, infinity)};
+    mlcp.q << -1, -1, 0.2, -0.1;
+    boxes = {{2, 0, 0.5}, {3, 1, 0.5}};
+    return mlcp;
+}
+
+TEST_CASE("what has no answer costs as many entries as its pairs of rows warrant and no more idle steps",
+          "[house]")
+{
+    std::vector<FrictionBox> boxes;
+    const auto solve = [&](const FrictionSettings& settings, FrictionWork& work) {
+        Mlcp mlcp = pressed_from_both_sides(boxes);
+        FrictionMemory memory;
+        Solution solution;
+        friction_active_sets(mlcp, boxes, settings, memory, solution);
+        work = memory.work;
+        CHECK(solution.status == Status::iteration_limit);
+        return solution.residual;
+    };
+    FrictionSettings settings;
+    settings.most_rows_of_rounds = 0;
+    FrictionWork whole, idle, few;
+    const Real best = solve(settings, whole);
+    CHECK(best == Approx(1).epsilon(1e-3));  // neither of the two gets what it wants
+    CHECK(whole.proximal_steps == settings.retreats * settings.proximal_steps);
+    settings.idle_steps = 60;
+    CHECK(solve(settings, idle) == Approx(best).epsilon(1e-3));
+    CHECK(idle.proximal_steps <= settings.retreats * (settings.idle_steps + 5));
+    CHECK(idle.walks == 1);
+    settings.pair_entries = 20;
+    CHECK(solve(settings, few) == Approx(best).epsilon(1e-2));
+    CHECK(few.entries <= 20 * 16 + 100);  // it ends after a guess
+    CHECK(idle.entries > 2 * few.entries);
+    settings.most_entries = 200;  // the smaller of the two counts
+    solve(settings, few);
+    CHECK(few.entries <= 200 + 100);
+}
+
+TEST_CASE("boxes that a plate presses to the floor cost no more than their number warrants", "[house]")
+{
+    for (const int side : {1, 2, 3}) {
+        World engine;
+        engine.add_wall({{0, 1}, 0});
+        for (int i = 0; i < side; ++i)
+            for (int j = 0; j < side; ++j)
+                engine.add_body(body_of(box(1, 1), {i - 0.5 * (side - 1), 0.5 + j}));
+        BodyDefinition plate = body_of(box(side + 0.2, 0.5), {0, side + 0.3});
+        plate.density = 0;
+        plate.velocity = {0, -1};
+        engine.add_body(plate);
+        int unsolved = 0;
+        for (int i = 0; i < 30; ++i) {
+            engine.step(frame);
+            const StepWork& work = engine.work();
+            unsolved += work.unsolved > 0;
+            // velocities and positions; without (17.7) it is 5 to 7 times as much
+            const std::int64_t rows = work.rows;
+            CHECK(work.entries <= 2 * ChoiceRule{}.pair_entries * rows * rows);
+        }
+        CHECK(unsolved > 10);  // nothing lets a plate of no mass wait
+    }
+}
+
 TEST_CASE("rubble is solved in every step and no step looks at more than it may", "[idea]")
 {
     World engine = rubble_world(40, 3);

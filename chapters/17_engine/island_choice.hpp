@@ -50,7 +50,7 @@ struct IslandChoice {
     {
         // as good as sweeps leave it; half of that, for joints add their rounding
         for (TreeSolver* solver : {&exactly.solver, &held.solver})
-            set_price(tolerance * now.length / 2, rule.entries, *solver);
+            set_price(tolerance * now.length / 2, rule.entries, rule, *solver);
         if (now.substep == 0) begin(bodies, now);
         lessen_start(now);
         swept.gather(bodies, now);
@@ -178,7 +178,7 @@ private:
     {
         rescued_count = 0;
         if (solving != Solving::by_island) return;
-        set_price(tolerance * now.length / 2, rule.entries, rescuer.solver);
+        set_price(tolerance * now.length / 2, rule.entries, rule, rescuer.solver);
         rescued_count =
             rescuer(all.islands, bodies, now, tolerance * now.length,
                     [&](int i) { return all.place(i) == IslandPlace::swept; });
@@ -189,7 +189,7 @@ private:
     void settle(Bodies<3>& bodies, StepData<3>& now)
     {
         if (solving == Solving::sweeps || !(slow > 0)) return;
-        set_price(0, rule.entries / 10, rescuer.solver);
+        set_price(0, rule.entries / 10, rule, rescuer.solver);
         const Real length = now.length, speed = slow * length;
         rescuer(all.islands, bodies, now, tolerance * length / 1000, [&](int i) {
             return (all.place(i) == IslandPlace::exact ||

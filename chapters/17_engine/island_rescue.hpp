@@ -11,10 +11,16 @@ namespace rigid {
 
 //! [price]
 /// How good a solve must be where guesses do not settle it, and what it may cost.
-inline void set_price(Real late, std::int64_t entries, TreeSolver& solver)
+/// \param entries  at most, however large the island
+inline void set_price(Real late, std::int64_t entries, const ChoiceRule& rule,
+                      TreeSolver& solver)
 {
-    solver.exact.late = late;
-    solver.exact.most_entries = entries;
+    FrictionSettings& exact = solver.exact;
+    exact.late = late;
+    exact.most_entries = entries;
+    exact.pair_entries = rule.pair_entries;
+    exact.idle_steps = rule.idle_steps;
+    exact.most_rows_of_rounds = 0;
 }
 
 /// Of the trees of joints, since the beginning.

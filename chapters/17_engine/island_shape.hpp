@@ -71,6 +71,10 @@ struct ChoiceRule {
     int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
+    /// and for each pair of its rows with bounds (17.7): what is solved needs half
+    std::int64_t pair_entries = 500;
+    /// proximal steps without a better residual: ε falls to its least in 37
+    int idle_steps = 60;
     /// most bounded rows of an island that moves and is solved to the tolerance;
     /// with joints more, for what is missing there bends a knee too far
     int moving = 300, moving_joined = 600;
