@@ -19,12 +19,16 @@ inline bool proximal_friction(FrictionMemory& memory,
 {
     FrictionProblem& problem = memory.problem;
     const Acceptance acceptance{settings.tolerance, settings.enough};
-    Real share = 0.1, last = infinity;
+    Real share = 0.1, last = infinity, least = infinity;
     memory.proximal_base = solution.lambda;
     bool settled = false;
-    for (int step = 0;
-         step < settings.proximal_steps && !settled && !is_spent(memory, settings);
-         ++step) {
+    int idle = 0;
+    const auto is_stuck = [&] {
+        return settings.idle_steps > 0 && idle >= settings.idle_steps;
+    };
+    for (int step = 0; step < settings.proximal_steps && !settled && !is_stuck() &&
+                       !is_spent(memory, settings);
+         ++step, ++idle) {
         ++memory.work.proximal_steps;
         set_share(problem, share);
         memory.factor.forget();
@@ -39,6 +43,7 @@ inline bool proximal_friction(FrictionMemory& memory,
                                  memory.candidate, here);
         if (settled || here.residual < solution.residual) solution = here;
         memory.proximal_base = memory.candidate;
+        if (here.residual < 0.99 * least) least = here.residual, idle = -1;
         // too slow: a smaller term is gone sooner
         if (!(here.residual < 0.5 * last)) share = std::max(1e-9, 0.5 * share);
         last = here.residual;
@@ -81,7 +86,10 @@ inline bool last_resorts(FrictionMemory& memory, const FrictionSettings& setting
     }
     if (affords(settings.most_rows_of_walks, cube)) {
         ++memory.work.walks;
-        if (take(stewart_trinkle_by_lemke(mlcp, boxes))) return true;
+        LemkeSettings of_walks;  // one that ends has up to four pivots a row
+        of_walks.pivot_limit =
+            20 * static_cast<int>(mlcp.size() + 2 * std::ssize(boxes));
+        if (take(stewart_trinkle_by_lemke(mlcp, boxes, of_walks))) return true;
     }
     return false;
 }

@@ -14,10 +14,14 @@ struct FrictionSettings {
     Real late = 0;
     /// entries of A and its factors that a solve may look at; 0 = any number
     std::int64_t most_entries = 0;
+    /// and for each pair of its rows; 0 = any number
+    std::int64_t pair_entries = 0;
     /// guesses without fewer wrong rows, before another beginning is asked for
     int patience = 5;
     int retreats = 2;          ///< such beginnings: sweeps and proximal steps
     int proximal_steps = 300;  ///< of each of these
+    /// so many of them without a better residual are the last; 0 = any number
+    int idle_steps = 0;
     /// the last resorts are for problems of up to so many rows; 0 = none
     Index most_rows_of_rounds = 400, most_rows_of_walks = 240;
 };
@@ -55,15 +59,18 @@ inline void require_valid(const FrictionSettings& settings)
     if (!(settings.tolerance > 0) || !(settings.enough >= 0) ||
         !std::isfinite(settings.enough) || !(settings.late >= 0) ||
         !std::isfinite(settings.late) || settings.most_entries < 0 ||
-        settings.patience < 0 || settings.retreats < 0 ||
-        settings.proximal_steps < 0)
+        settings.pair_entries < 0 || settings.patience < 0 ||
+        settings.retreats < 0 || settings.proximal_steps < 0 ||
+        settings.idle_steps < 0)
         throw std::invalid_argument(
             "tolerance " + shortest(settings.tolerance) + ", enough " +
             shortest(settings.enough) + ", late " + shortest(settings.late) +
-            ", entries " + std::to_string(settings.most_entries) + ", patience " +
-            std::to_string(settings.patience) + ", retreats " +
+            ", entries " + std::to_string(settings.most_entries) +
+            ", of a pair of rows " + std::to_string(settings.pair_entries) +
+            ", patience " + std::to_string(settings.patience) + ", retreats " +
             std::to_string(settings.retreats) + ", proximal steps " +
-            std::to_string(settings.proximal_steps) +
+            std::to_string(settings.proximal_steps) + ", idle ones " +
+            std::to_string(settings.idle_steps) +
             ": the tolerance must be positive, the others not negative");
 }
 
@@ -157,12 +164,20 @@ inline std::int64_t entries_of(const FrictionMemory& memory)
     return memory.work.entries + memory.factor.changed +
            memory.guess.looked * mlcp.A.nonZeros();
 }
+/// The most that a solve of n rows may look at.
+inline std::int64_t price_of(const FrictionSettings& settings, Index n)
+{
+    const auto any = std::numeric_limits<std::int64_t>::max();
+    return std::min(settings.most_entries > 0 ? settings.most_entries : any,
+                    settings.pair_entries > 0 ? settings.pair_entries * n * n
+                                              : any);
+}
 /// Whether, with so many more, it costs more than it may.
 inline bool is_spent(const FrictionMemory& memory, const FrictionSettings& settings,
                      std::int64_t more = 0)
 {
-    return settings.most_entries > 0 &&
-           entries_of(memory) + more > settings.most_entries;
+    return entries_of(memory) >
+           price_of(settings, memory.problem.mlcp->size()) - more;
 }
 //! [spent]
 

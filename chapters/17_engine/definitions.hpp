@@ -121,9 +121,7 @@ struct StepWork {
     int awake = 0;
     int islands = 0;  ///< of those that are awake, single bodies included
     int exact = 0;    ///< islands solved exactly
-    /// of those: the impulses of the step before were the answer, in the last sub-step
-    int answered = 0;
-    int swept = 0;  ///< islands that have rows and were swept
+    int swept = 0;    ///< islands that have rows and were swept
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
     /// islands whose residual is above the tolerance; of large ones that move, above a
@@ -144,6 +142,8 @@ struct StepWork {
     int woken = 0, fell_asleep = 0;  ///< bodies
     /// the largest natural residual of a row [m/s]; infinite where numbers overflowed
     Real residual = 0;
+    /// what is solved exactly was not: the impulses of the step before were the answer
+    bool answered = false;
     bool skipped =
         false;  ///< all slept and nothing was changed: no step was needed
 

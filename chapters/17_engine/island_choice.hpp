@@ -53,7 +53,7 @@ struct IslandChoice {
     {
         // as good as sweeps leave it; half of that, for joints add their rounding
         for (TreeSolver* solver : {&exactly.solver, &held.solver})
-            set_price(tolerance * now.length / 2, rule.entries, *solver);
+            set_price(tolerance * now.length / 2, rule.entries, rule, *solver);
         if (now.substep == 0) begin(bodies, now);
         lessen_start(now);
         swept.gather(bodies, now);
@@ -77,7 +77,7 @@ struct IslandChoice {
     /// Other biases, the same u*.
     void solve_again(SecondProblem& second, Bodies<3>& bodies, StepData<3>& now)
     {
-        exactly.take_all(now);
+        exactly.refresh(now);
         for_each_part([&](StepPart& part, auto& solver) {
             if (part.empty()) return;
             part.gather(second);
@@ -90,7 +90,7 @@ struct IslandChoice {
     void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
     {
         bool done = true;
-        exactly.take_all(now);
+        exactly.refresh(now);
         for_each_part([&](StepPart& part, auto& solver) {
             if (part.empty()) return;
             part.gather(second);
@@ -158,7 +158,7 @@ private:
             const bool goes = note.place >= IslandPlace::swept;
             swept_count += note.place != IslandPlace::exact && !rows.empty();
             if (note.place == IslandPlace::exact) {
-                exactly.all.push_back(i);
+                exactly.add(all.islands, i);
                 continue;
             }
             if (goes && static_cast<int>(rows.size()) >= rule.wide &&
@@ -171,7 +171,7 @@ private:
                                  note.until / now.length);
         }
         exact_count = static_cast<int>(exactly.all.size());
-        for (StepPart* part : {&swept, &held.part})
+        for (StepPart* part : {&swept, &exactly.part, &held.part})
             part->number(now, bodies.count());
     }
     //! [split]
@@ -183,11 +183,10 @@ private:
     {
         rescued_count = 0;
         if (solving != Solving::by_island) return;
-        set_price(tolerance * now.length / 2, rule.entries, rescuer.solver);
-        rescued_count = rescuer(
-            all.islands, bodies, now,
-            [&](int i) { return all.notes[static_cast<std::size_t>(i)].enough; },
-            [&](int i) { return all.place(i) == IslandPlace::swept; });
+        set_price(tolerance * now.length / 2, rule.entries, rule, rescuer.solver);
+        rescued_count =
+            rescuer(all.islands, bodies, now, tolerance * now.length,
+                    [&](int i) { return all.place(i) == IslandPlace::swept; });
     }
 
     /// What comes to rest is solved to the end: sweeps leave it velocities, and so
@@ -195,13 +194,11 @@ private:
     void settle(Bodies<3>& bodies, StepData<3>& now)
     {
         if (solving == Solving::sweeps || !(slow > 0)) return;
-        set_price(0, rule.entries / 10, rescuer.solver);
+        set_price(0, rule.entries / 10, rule, rescuer.solver);
         const Real length = now.length, speed = slow * length;
-        const auto enough = [&](int) { return tolerance * length / 1000; };
-        rescuer(all.islands, bodies, now, enough, [&](int i) {
-            return (all.place(i) == IslandPlace::exact ||
-                    all.place(i) == IslandPlace::swept) &&
-                   !exactly.is_answered(i) &&
+        rescuer(all.islands, bodies, now, tolerance * length / 1000, [&](int i) {
+            return (all.place(i) == IslandPlace::swept ||
+                    (all.place(i) == IslandPlace::exact && !exactly.answered)) &&
                    are_slow(all.islands.bodies_of(i), bodies.u, speed, length);
         });
     }
@@ -227,8 +224,8 @@ private:
         Real largest = 0;
         for (int i = 0; i < all.islands.count(); ++i) {
             const Real r =
-                exactly.is_answered(i)
-                    ? exactly.known[static_cast<std::size_t>(i)]
+                exactly.answered && all.place(i) == IslandPlace::exact
+                    ? exactly.residual(i)
                     : natural_residual(now, all.islands.rows_of(i), bodies.u);
             unsolved += !(r <= all.notes[static_cast<std::size_t>(i)].enough);
             if (!(r <= largest || std::isnan(largest))) largest = r;

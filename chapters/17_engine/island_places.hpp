@@ -1,11 +1,12 @@
 /// \file island_places.hpp
 /// Which islands a step has, and where each of them is solved.
 ///
-///     it stands, or is small          exactly, or by sweeps until r ≤ tolerance ℓ
-///     it is large and moves           roughly:  r ≤ g h / 30,  g h the most that this step's forces give one of its bodies     (17.5)
+///     it stands, or is small             exactly, or by sweeps until r ≤ tolerance ℓ
+///     it is large, moves, has joints     by up to a thousand sweeps, until r ≤ tolerance ℓ
+///     it is large, moves, has none       roughly:  r ≤ g h / 30,  g h the most that this step's forces give one of its bodies     (17.5)
 ///
-/// What moves has another λ in each step, and an error of one step is no error of the next. Joints are held exactly all the same:
-/// they cost O(n), but for the loops that they close.
+/// What moves has another λ in each step, and an error of one step is no error of the next; but a limit that is missed bends a
+/// knee. Joints that sweeps would lose are held exactly all the same: they cost O(n), but for the loops that they close.
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
@@ -32,11 +33,9 @@ inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule
     if (!fits || solving == Solving::sweeps) return IslandPlace::only_swept;
     const bool has_joints = shape.has_joints();
     if (moves && !has_joints) return IslandPlace::only_swept;
-    if (moves && !sweeps_cost_more(shape, rule)) {
-        if (!may_be_swept(shape, rule)) return IslandPlace::held;
-        return may_be_rescued(shape, rule) ? IslandPlace::swept
-                                           : IslandPlace::only_swept;
-    }
+    if (moves && !sweeps_cost_more(shape, rule))
+        return may_be_swept(shape, rule) ? IslandPlace::only_swept
+                                         : IslandPlace::held;
     if (!may_be_exact(shape, rule))
         return has_joints ? IslandPlace::held : IslandPlace::only_swept;
     const bool is_tree = has_joints && shape.loops == 0;  // joints cost O(n)

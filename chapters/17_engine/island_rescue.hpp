@@ -11,10 +11,16 @@ namespace rigid {
 
 //! [price]
 /// How good a solve must be where guesses do not settle it, and what it may cost.
-inline void set_price(Real late, std::int64_t entries, TreeSolver& solver)
+/// \param entries  at most, however large the island
+inline void set_price(Real late, std::int64_t entries, const ChoiceRule& rule,
+                      TreeSolver& solver)
 {
-    solver.exact.late = late;
-    solver.exact.most_entries = entries;
+    FrictionSettings& exact = solver.exact;
+    exact.late = late;
+    exact.most_entries = entries;
+    exact.pair_entries = rule.pair_entries;
+    exact.idle_steps = rule.idle_steps;
+    exact.most_rows_of_rounds = 0;
 }
 
 /// Of the trees of joints, since the beginning.
@@ -67,20 +73,20 @@ struct TreePart {
 
 //! [rescue]
 struct IslandRescue : TreePart {
-    /// Solves those islands that are meant and whose residual is above what is enough.
-    /// \param enough  Real(int island) [m/s]
+    /// Solves those islands that are meant and whose residual is above `enough`.
+    /// \param enough  [m/s]
     /// \param meant   bool(int island)
     /// \return        how many they were
-    template <class Enough, class Meant>
+    template <class Meant>
     int operator()(const Islands& islands, Bodies<3>& bodies, StepData<3>& now,
-                   const Enough& enough, const Meant& meant)
+                   Real enough, const Meant& meant)
     {
         int count = 0;
         part.clear();
         for (int i = 0; i < islands.count(); ++i) {
             if (!meant(i)) continue;
             const std::span<const int> rows = islands.rows_of(i);
-            if (natural_residual(now, rows, bodies.u) <= enough(i)) continue;
+            if (natural_residual(now, rows, bodies.u) <= enough) continue;
             ++count;
             part.add(rows, islands.bodies_of(i));
         }

@@ -72,9 +72,13 @@ struct ChoiceRule {
     int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
-    /// most bounded rows of an island without joints that moves and is solved to the
-    /// tolerance
-    int moving = 300;
+    /// and for each pair of its rows with bounds (17.7): what is solved needs half
+    std::int64_t pair_entries = 500;
+    /// proximal steps without a better residual: ε falls to its least in 37
+    int idle_steps = 60;
+    /// most bounded rows of an island that moves and is solved to the tolerance, and
+    /// of one with joints that is solved exactly
+    int moving = 300, moving_joined = 600;
     /// sweeps over one with joints that moves: what is missing there bends a knee.
     /// With 500 ten dolls overstep a limit by 0.05 rad, with 1000 by 0.008
     int joined = 1000;
@@ -97,20 +101,16 @@ inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
            shape.price_of_exact() < shape.price_of_sweeps();
 }
 /// Of an island with joints that moves: whether an exact solve costs less than its
-/// sweeps, whether these come to an end, (17.1), for it begins near its answer and a
-/// tenth of the count will do, and whether it may be solved exactly where they do not.
+/// sweeps, and whether these come to an end, (17.1): it begins near its answer, and a
+/// tenth of the count will do.
 inline bool sweeps_cost_more(const IslandShape& shape, const ChoiceRule& rule)
 {
-    return may_be_exact(shape, rule) &&
+    return may_be_exact(shape, rule) && shape.bounded <= rule.moving_joined &&
            shape.price_of_exact() < price::visit * Real(shape.rows) * rule.joined;
 }
 inline bool may_be_swept(const IslandShape& shape, const ChoiceRule& rule)
 {
     return shape.sweeps_needed() <= 10 * rule.joined;
-}
-inline bool may_be_rescued(const IslandShape& shape, const ChoiceRule& rule)
-{
-    return may_be_exact(shape, rule) && shape.bounded <= 2 * rule.moving;
 }
 /// Sweeps that may go over an island: as many as it needs, if it may be swept.
 inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)
