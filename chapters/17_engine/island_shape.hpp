@@ -76,11 +76,11 @@ struct ChoiceRule {
     std::int64_t pair_entries = 500;
     /// proximal steps without a better residual: ε falls to its least in 37
     int idle_steps = 60;
-    /// most bounded rows of an island that moves and is solved to the tolerance, and
-    /// of one with joints that is solved exactly
+    /// most bounded rows of an island that moves and is solved to the tolerance; of
+    /// one with joints, exactly
     int moving = 300, moving_joined = 600;
-    /// sweeps over one with joints that moves: what is missing there bends a knee.
-    /// With 500 ten dolls overstep a limit by 0.05 rad, with 1000 by 0.008
+    /// sweeps over one with joints that moves: with 500 the knees of ten dolls bend
+    /// 0.05 rad too far, with 1000 0.008
     int joined = 1000;
     /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
     /// beyond its limit
@@ -101,8 +101,8 @@ inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
            shape.price_of_exact() < shape.price_of_sweeps();
 }
 /// Of an island with joints that moves: whether an exact solve costs less than its
-/// sweeps, and whether these come to an end, (17.1): it begins near its answer, and a
-/// tenth of the count will do.
+/// sweeps, and whether these end, (17.1): it begins near its answer, so a tenth of
+/// the count will do.
 inline bool sweeps_cost_more(const IslandShape& shape, const ChoiceRule& rule)
 {
     return may_be_exact(shape, rule) && shape.bounded <= rule.moving_joined &&
