@@ -1,0 +1,130 @@
+// Our engine, as wasm, and a peer of npm in the same process of node, on the same scenes: errors and times.
+//
+//     node docs/race/beside.mjs plane|space [--write | --check | --text] [--scenes NAME,…] [--builds FOLDER]
+//
+// plane: the engine of chapter 17 beside Box2D v3 (docs/race.md). space: the methods of chapter 18 beside Jolt
+// (chapters/18_space/in_depth.md). A run gives build/race/NAME.csv and prints its tables. --write puts both into the book:
+// docs/race/beside_NAME.csv, and the text between <!-- beside: NAME --> and <!-- /beside -->. --text fills only the text, from
+// the table that the book has. --check measures no time: each error must be that of the book's table, as printed.
+// A peer that is not installed is left out; --write and --text then refuse.
+import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {dirname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {Ours, Theirs, box2d_of} from './beside_sides.mjs';
+import {columns, digits, row_of, tables_of} from './beside_tables.mjs';
+
+const own = dirname(fileURLToPath(import.meta.url)), root = join(own, '../..'), packages = join(root, 'build/peers/node_modules');
+
+const each = (list, make) => list.flatMap(make);
+const parts = {
+    plane: {
+        wasm: 'race_plane.wasm', text: 'docs/race.md', peer: 'Box2D', package: 'box2d3-wasm', peer_of: () => box2d_of(packages),
+        ours: scene => [
+            {method: 'engine', substeps: 1, sleep: true},
+            ...each([1, 2, 4, 8, 16], substeps => [
+                {method: 'engine', substeps},
+                ...(['pyramid', 'pour'].includes(scene.name) ? [] : [{method: 'exact', substeps}]), // minutes
+                ...[15, 60, 240].map(rounds => ({method: 'sweeps', substeps, rounds}))])],
+        theirs: () => [{substeps: 4, sleep: true}, ...[1, 2, 4, 8, 16, 32, 64].map(substeps => ({substeps}))],
+    },
+};
+
+const words = process.argv.slice(2);
+const flag = name => words.includes(name) && words.splice(words.indexOf(name), 1).length > 0;
+const option = name => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : '';
+const [write, check, text] = ['--write', '--check', '--text'].map(flag);
+const only = option('--scenes').split(',').filter(Boolean), builds = option('--builds') || join(root, 'build/web/bin');
+const name = words[0], part = parts[name];
+const fail = sentence => { console.error(sentence); process.exit(2); };
+if (!part || words.length > 1 || write + check + text > 1 || (only.length && (write || text)))
+    fail('usage: node docs/race/beside.mjs plane|space [--write | --check | --text] [--scenes NAME,…] [--builds FOLDER]; --scenes goes with --check alone');
+const kept = join(own, `beside_${name}.csv`);
+
+// One setting on one scene: the largest error of each kind in a run of its own, then the least time of several runs.
+function measure(side, scene, place, setting, timed) {
+    const line = {scene: scene.name, ...setting, errors: scene.errors.map(() => 0), time: Infinity, sentence: ''};
+    try {
+        side.open(place, setting);
+        for (let k = 0; k < scene.steps; ++k) {
+            side.step();
+            const found = side.errors();
+            line.errors = scene.errors.map((what, i) => Math.max(line.errors[i], found[side.kinds.indexOf(what)]));
+            if (line.errors.includes(Infinity)) break;
+        }
+        side.close();
+        for (let turn = 0, spent = 0; timed && (turn < 2 || (spent < 300 && turn < 20)) && !line.errors.includes(Infinity); ++turn) {
+            side.open(place, setting);
+            let took = 0;
+            for (let k = 0; k < scene.steps; ++k) took += side.step();
+            side.close();
+            spent += took;
+            line.time = Math.min(line.time, 1000 * took / scene.steps);
+        }
+    } catch (fault) {
+        line.sentence = fault.message;
+        line.errors.fill(Infinity);
+    }
+    return line;
+}
+
+async function run() {
+    const wasm = join(builds, part.wasm);
+    if (!existsSync(wasm)) fail(`${wasm} is not there; build it by ./book race`);
+    const ours = await Ours.of(wasm), peer = await part.peer_of();
+    ours.kinds = ours.measures;
+    if (!peer) {
+        const sentence = `${part.package} is not installed (./book setup peers): our side runs alone`;
+        if (write) fail(`${sentence}, which is no table for the book`);
+        console.log(sentence);
+    }
+    const theirs = peer && new Theirs(ours, peer);
+    if (peer) theirs.kinds = ours.kinds;
+    for (const one of only) if (!ours.scenes.some(scene => scene.name === one)) fail(`there is no scene '${one}'; there are: ${ours.scenes.map(scene => scene.name).join(', ')}`);
+    const rows = [];
+    for (const [place, scene] of ours.scenes.entries()) {
+        if (only.length && !only.includes(scene.name)) continue;
+        const settings = [...part.ours(scene).map(one => [ours, {who: 'book', ...one}]),
+                          ...(peer ? part.theirs(scene).map(one => [theirs, {who: part.peer, method: 'its own', ...one}]) : [])];
+        for (const [side, setting] of settings) {
+            const line = measure(side, scene, place, setting, !check), row = row_of(line, scene);
+            rows.push(row);
+            console.log(columns.map((column, i) => row[column].padEnd([9, 6, 8, 4, 5, 5, 8, 8, 8, 8][i])).join(' ') + line.sentence);
+        }
+    }
+    return rows;
+}
+
+const as_csv = rows => [columns, ...rows.map(row => columns.map(column => row[column]))].map(row => row.join(',') + '\n').join('');
+const from_csv = file => readFileSync(file, 'utf8').trim().split('\n').slice(1).map(row => row.split(','))
+    .map(row => Object.fromEntries(columns.map((column, i) => [column, row[i]])));
+
+async function fill(rows) {
+    const titles = new Map((await Ours.of(join(builds, part.wasm))).scenes.map(scene => [scene.name, scene.title]));
+    const file = join(root, part.text), old = readFileSync(file, 'utf8');
+    const place = new RegExp(`(<!-- beside: ${name} -->\\n)[^]*?(<!-- /beside -->)`);
+    if (!place.test(old)) fail(`${part.text} has no place for the tables: <!-- beside: ${name} --> and <!-- /beside -->`);
+    const made = tables_of(rows, titles, part.peer);
+    writeFileSync(file, old.replace(place, (all, begin, end) => `${begin}\n${made}\n${end}`));
+}
+
+if (text) {
+    if (!existsSync(kept)) fail(`${kept} is not there; ./book race --write makes it`);
+    await fill(from_csv(kept));
+    process.exit(0);
+}
+const rows = await run();
+if (check) {
+    const key = row => columns.slice(0, 6).map(column => row[column]).join(' '), errors = row => columns.slice(6, 9).map(column => row[column]).join(' ');
+    const known = new Map(from_csv(kept).map(row => [key(row), errors(row)]));
+    const faults = rows.filter(row => known.get(key(row)) !== errors(row));
+    for (const row of faults) console.log(`FAULT  ${key(row)}: the errors are ${errors(row)}, in docs/race/beside_${name}.csv ${known.get(key(row))}`);
+    console.log(`${faults.length ? 'FAULT ' : 'ok    '} ${rows.length - faults.length} of ${rows.length} lines are those of docs/race/beside_${name}.csv`);
+    process.exit(faults.length ? 1 : 0);
+}
+mkdirSync(join(root, 'build/race'), {recursive: true});
+writeFileSync(join(root, `build/race/${name}.csv`), as_csv(rows));
+if (write) {
+    writeFileSync(kept, as_csv(rows));
+    await fill(rows);
+} else console.log('\n' + tables_of(rows, new Map(), part.peer));
+process.exit(0); // a peer may have left threads that wait
