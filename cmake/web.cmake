@@ -72,7 +72,9 @@ function(add_race name source)
 endfunction()
 add_race(race docs/race/race.cpp)
 add_race(race_plane docs/race/beside_plane.cpp -O3)
-set_target_properties(race_plane PROPERTIES EXCLUDE_FROM_ALL ON)
+add_race(race_space docs/race/beside_space.cpp -O3)
+target_include_directories(race_space BEFORE PRIVATE cmake/web)   # benchmark/benchmark.h
+set_target_properties(race_plane race_space PROPERTIES EXCLUDE_FROM_ALL ON)
 set(script ${CMAKE_BINARY_DIR}/race/race.js)
 add_custom_command(OUTPUT ${script} DEPENDS race docs/web/pack.py
   COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:race> ${script})

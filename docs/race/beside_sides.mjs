@@ -1,15 +1,19 @@
 // The sides of beside.mjs: our engine as wasm, and each peer as its npm package has it, all in this process.
-import {existsSync, readFileSync} from 'node:fs';
-import {join} from 'node:path';
+import {copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {dirname, join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import '../web/unpack.js';
 import '../web/join.js';
 import '../web/machine.js';
 import './box2d.js';
+import './jolt.js';
 
 export const frame = 1 / 60;
 
-// Ours. A setting: {method, substeps, sweeps, sleep, steps}; a frame is `steps` steps, each of which looks for contacts.
+// A setting: {method, rounds, substeps, sleep}, rounds 0 or none: as they come. A method whose name begins with `small` makes
+// so many steps in place of sub-steps: each looks for contacts.
+const small = ({method}) => method.startsWith('small');
+
 export class Ours {
     static async of(file) {
         const ours = new Ours();
@@ -18,11 +22,12 @@ export class Ours {
         ours.measures = ours.machine.program.measures;
         return ours;
     }
-    open(scene, {method, substeps, sweeps = 0, sleep = false, steps = 1}) {
-        const {machine} = this;
-        this.steps = steps;
+    open(scene, setting) {
+        const {method, rounds = 0, substeps, sleep = false} = setting;
+        this.steps = small(setting) ? substeps : 1;
         this.driven = this.scenes[scene].driven;
-        machine.attempt('race_open', scene, ['engine', 'exact', 'sweeps'].indexOf(method), substeps, sweeps, sleep ? 1 : 0);
+        this.machine.attempt('race_open', scene, ['engine', 'exact', 'sweeps'].indexOf(method.replace('small ', '')),
+                             small(setting) ? 1 : substeps, rounds, sleep ? 1 : 0);
     }
     numbers(place, count) { return new Float64Array(this.machine.api.memory.buffer, place, count); }
     text() { return JSON.parse(this.machine.text(this.machine.api.race_scene())); }
@@ -49,21 +54,27 @@ export class Theirs {
         this.ours.open(scene, {method: 'engine', substeps: 1});
         this.scene = this.ours.text();
         this.driven = this.ours.driven;
-        this.peer.open(this.scene, setting.substeps, setting.sleep, setting.rounds);
+        this.steps = small(setting) ? setting.substeps : 1;
+        this.peer.open(this.scene, small(setting) ? 1 : setting.substeps, setting.sleep, setting.rounds);
     }
     positions() {
         const room = this.ours.numbers(this.ours.machine.api.race_theirs(), this.peer.coordinates * this.scene.bodies.length);
         this.peer.positions(room);
     }
     step() {
-        if (this.driven) {
-            this.positions();
-            const drive = this.ours.numbers(this.ours.machine.api.race_drive(1, frame), 3 * this.driven).slice();
-            for (let k = 0; k < this.driven; ++k) this.peer.drive(k, drive.subarray(3 * k, 3 * k + 3));
+        const h = frame / this.steps;
+        let spent = 0;
+        for (let i = 0; i < this.steps; ++i) {
+            if (this.driven) {
+                this.positions();
+                const drive = this.ours.numbers(this.ours.machine.api.race_drive(1, h), 3 * this.driven).slice();
+                for (let k = 0; k < this.driven; ++k) this.peer.drive(k, drive.subarray(3 * k, 3 * k + 3));
+            }
+            const before = performance.now();
+            this.peer.step(h);
+            spent += performance.now() - before;
         }
-        const before = performance.now();
-        this.peer.step(frame);
-        return performance.now() - before;
+        return spent;
     }
     errors() {
         this.positions();
@@ -72,7 +83,8 @@ export class Theirs {
     close() { this.peer.close(); }
 }
 
-// Each is null where its package is not installed.
+// Each is null where its package is not installed. Both builds are those with vector instructions; they can use threads, and
+// have none here.
 export async function box2d_of(packages, build = 'deluxe') {
     const folder = join(packages, 'box2d3-wasm');
     if (!existsSync(folder)) return null;
@@ -80,5 +92,26 @@ export async function box2d_of(packages, build = 'deluxe') {
     const {default: factory} = await import(pathToFileURL(file + '.mjs').href);
     const peer = await RigidBox2d.of({factory, code: readFileSync(file + '.wasm')});
     peer.coordinates = 3;
+    return peer;
+}
+
+export async function jolt_of(packages, build = 'multithread.wasm') {
+    const folder = join(packages, 'jolt-physics');
+    if (!existsSync(folder)) return null;
+    let file = join(folder, `dist/jolt-physics.${build}`);
+    if (build === 'multithread.wasm') {
+        // In node its threads end before they begin: `await import(…).workerData` lacks parentheses. A copy has them.
+        const copy = join(packages, '../jolt_in_node/jolt-physics.multithread.wasm');
+        mkdirSync(dirname(copy), {recursive: true});
+        writeFileSync(join(dirname(copy), 'package.json'), '{"type": "module"}\n');
+        writeFileSync(copy + '.js', readFileSync(file + '.js', 'utf8').replace('await import("node:worker_threads").workerData', '(await import("node:worker_threads")).workerData'));
+        copyFileSync(file + '.wasm', copy + '.wasm');
+        file = copy;
+    }
+    const {default: factory} = await import(pathToFileURL(file + '.js').href);
+    const alive = setInterval(() => {}, 1000); // while its threads begin, nothing else waits
+    const peer = await RigidJolt.of(factory, readFileSync(file + '.wasm'));
+    clearInterval(alive);
+    peer.coordinates = 7;
     return peer;
 }

@@ -19,10 +19,10 @@ const ratio = x => x < 0.995 ? x.toPrecision(2) : x < 9.95 ? x.toPrecision(2) : 
 // The name of a scene is written where it begins.
 const named = rows => rows.map((row, i) => i && rows[i - 1][0] === row[0] ? ['', ...row.slice(1)] : row);
 const length = x => ({0.1: '10 cm', 0.01: '1 cm', 0.001: '1 mm', 1e-4: '0.1 mm', 1e-6: '1 µm', 1e-8: '10 nm'})[x];
-const setting = row => `${row.method === 'its own' ? '' : row.method + (row.method === 'sweeps' ? ' ' + row.rounds : '') + ', '}${row.substeps}`;
+const setting = row => [row.method.replace('its own', '') + (row.rounds && ' ' + row.rounds), row.substeps].map(one => one.trim()).filter(Boolean).join(', ');
 
 // All that a text says of the rows. \param titles  of the scenes, by their names
-export function tables_of(rows, titles, peer) {
+export function tables_of(rows, titles, {peer, equal, spoken}) {
     const scenes = [...new Set(rows.map(row => row.scene))], title = name => titles.get(name) || name;
     const errors_of = name => Object.keys(kinds).filter(what => rows.find(row => row.scene === name)[what + '_m'] !== '');
     const find = (scene, who, more) => rows.find(row => row.scene === scene && row.who === who && Object.entries(more).every(([key, one]) => row[key] === one));
@@ -34,8 +34,10 @@ export function tables_of(rows, titles, peer) {
     for (const scene of scenes) for (const what of errors_of(scene)) {
         const kind = kinds[what];
         by_default.push([title(scene), kind, ...pair(find(scene, 'book', {sleep: 'yes'}), find(scene, peer, {sleep: 'yes'}), what + '_m')]);
-        for (const substeps of ['1', '4', '16'])
-            at_equal.push([title(scene), `${kind}, ${substeps}`, ...pair(find(scene, 'book', {sleep: 'no', method: 'engine', substeps}), find(scene, peer, {sleep: 'no', substeps}), what + '_m')]);
+        for (const [i, [, ours, theirs]] of equal.entries()) for (const substeps of ['1', '4', '16']) {
+            const a = find(scene, 'book', {sleep: 'no', substeps, ...ours}), b = find(scene, peer, {sleep: 'no', substeps, ...theirs});
+            if (a) (at_equal[i] ||= []).push([title(scene), `${kind}, ${substeps}`, ...pair(a, b, what + '_m')]);
+        }
         const cheapest = (who, level) => rows.filter(row => row.scene === scene && row.who === who && row.sleep === 'no' && value(row[what + '_m']) <= level && row.us_step !== '')
             .sort((a, b) => Number(a.us_step) - Number(b.us_step))[0];
         let last, lonely = false;
@@ -58,11 +60,10 @@ export function tables_of(rows, titles, peer) {
         `**At equal error the book takes longer** than ${peer} (in brackets: how many times as long): ${sentence(behind)}.`,
         `**It takes less time**: ${sentence(ahead)}.`,
         `**${peer} gets there with none of its settings**, the book does: ${sentence(alone)}.`,
-        `**At equal error, without sleep.** The fastest setting of each whose error is at most that. Ours: method, sub-steps; after \`sweeps\`, how many at most. ${peer}'s: sub-steps. Ratio: our time to theirs.`,
+        `**At equal error, without sleep.** The fastest setting of each whose error is at most that; times in microseconds a step. ${spoken} Ratio: our time to theirs.`,
         table(['scene', 'error', 'book', peer, 'book [µs]', `${peer} [µs]`, 'ratio'], named(at_error)),
         '**As they come, sleep on:**',
         table(['scene', 'error', ...head], named(by_default)),
-        '**At equal sub-steps, sleep off**, our side by its own choice of method:',
-        table(['scene', 'error, sub-steps', ...head], named(at_equal)),
+        ...equal.flatMap(([caption], i) => [`**At equal sub-steps, sleep off**, ${caption}:`, table(['scene', 'error, sub-steps', ...head], named(at_equal[i] || []))]),
     ].join('\n\n') + '\n';
 }
