@@ -55,7 +55,8 @@ export class Theirs {
         this.scene = this.ours.text();
         this.driven = this.ours.driven;
         this.steps = small(setting) ? setting.substeps : 1;
-        this.peer.open(this.scene, small(setting) ? 1 : setting.substeps, setting.sleep, setting.rounds);
+        const stiffness = setting.method === 'stiff' ? setting.substeps / frame / 4 : 0; // Box2D's own bound
+        this.peer.open(this.scene, small(setting) ? 1 : setting.substeps, setting.sleep, setting.rounds || stiffness);
     }
     positions() {
         const room = this.ours.numbers(this.ours.machine.api.race_theirs(), this.peer.coordinates * this.scene.bodies.length);

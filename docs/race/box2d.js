@@ -19,14 +19,16 @@
             return side;
         }
 
-        // `scene`: what race_scene() says (world_text.hpp).
-        open(scene, substeps, sleep = false) {
+        // `scene`: what race_scene() says (world_text.hpp). `stiffness` [Hz]: of contacts, which Box2D bounds by a quarter of its
+        // sub-steps a second; 0: as it comes. The package can set none of joints.
+        open(scene, substeps, sleep = false, stiffness = 0) {
             this.close();
             const {box} = this, vector = ([x, y]) => new box.b2Vec2(x, y);
             this.substeps = substeps;
             const def = box.b2DefaultWorldDef();
             def.gravity = vector(scene.gravity);
             def.enableSleep = sleep;
+            if (stiffness) def.contactHertz = stiffness;
             this.world = box.b2CreateWorld(def);
             const ground = box.b2CreateBody(this.world, box.b2DefaultBodyDef());
             const surface = (friction, group) => {
