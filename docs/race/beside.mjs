@@ -167,5 +167,5 @@ writeFileSync(join(root, `build/race/${name}.csv`), as_csv(rows));
 if (write) {
     writeFileSync(kept, as_csv(rows));
     await fill(rows);
-} else console.log('\n' + tables_of(rows, new Map(), part));
+} else if (rows.some(row => row.who === part.peer)) console.log('\n' + tables_of(rows, new Map(), part));
 process.exit(0); // a peer may have left threads that wait
