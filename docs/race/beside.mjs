@@ -146,7 +146,7 @@ async function fill(rows) {
     const place = new RegExp(`(<!-- beside: ${name} -->\\n)[^]*?(<!-- /beside -->)`);
     if (!place.test(old)) fail(`${part.text} has no place for the tables: <!-- beside: ${name} --> and <!-- /beside -->`);
     const with_what = readFileSync(kept, 'utf8').match(/^# (.*), load ([\d.]+)$/m);
-    const made = (with_what ? `One run, ${with_what[1]}${Number(with_what[2]) > 1.5 ? `. **The machine was busy with other things** (load ${with_what[2]}): errors stand, times will be taken again` : ', an idle machine'}.\n\n` : '') + tables_of(rows, titles, part);
+    const made = (with_what ? `Measured with ${with_what[1]}${Number(with_what[2]) > 1.5 ? `. **The machine was busy with other things** (load ${with_what[2]}): errors stand, times will be taken again` : ', on an idle machine'}.\n\n` : '') + tables_of(rows, titles, part);
     const left = [...titles].filter(([scene]) => !rows.some(row => row.scene === scene)).map(([, title]) => title);
     const unmeasured = left.length ? `Not in this table yet: ${left.join('; ')}.\n\n` : '';
     writeFileSync(file, old.replace(place, (all, begin, end) => `${begin}\n${unmeasured}${made}\n${end}`));
