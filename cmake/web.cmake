@@ -61,12 +61,20 @@ foreach(main ${mains})
   list(APPEND scripts ${script})
 endforeach()
 
-# The race (docs/race.md): no program of a chapter, and on a page of its own.
-add_executable(race docs/race/race.cpp)
-target_compile_options(race PRIVATE ${fast})
-target_link_libraries(race PRIVATE rigid_web)
-target_link_options(race PRIVATE --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)
-set_target_properties(race PROPERTIES SUFFIX .wasm)
+# The race (docs/race.md): no program of a chapter, and on a page of its own. For node alone, and faster: race_plane and
+# race_space (docs/race/beside.mjs), by `./book race`.
+function(add_race name source)
+  add_executable(${name} ${source})
+  target_compile_options(${name} PRIVATE ${ARGN} ${fast})
+  target_link_libraries(${name} PRIVATE rigid_web)
+  target_link_options(${name} PRIVATE ${ARGN} --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1)
+  set_target_properties(${name} PROPERTIES SUFFIX .wasm)
+endfunction()
+add_race(race docs/race/race.cpp)
+add_race(race_plane docs/race/beside_plane.cpp -O3)
+add_race(race_space docs/race/beside_space.cpp -O3)
+target_include_directories(race_space BEFORE PRIVATE cmake/web)   # benchmark/benchmark.h
+set_target_properties(race_plane race_space PROPERTIES EXCLUDE_FROM_ALL ON)
 set(script ${CMAKE_BINARY_DIR}/race/race.js)
 add_custom_command(OUTPUT ${script} DEPENDS race docs/web/pack.py
   COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/web/pack.py $<TARGET_FILE:race> ${script})

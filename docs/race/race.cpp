@@ -4,8 +4,7 @@
 #include "docs/race/race_scenes.hpp"
 
 #include "chapters/17_engine/from_scene.hpp"
-#include "common/program/web_description.hpp"
-#include "common/text.hpp"
+#include "docs/race/world_text.hpp"
 
 #include <optional>
 
@@ -19,17 +18,25 @@ const std::vector<std::pair<std::string, Solving>> methods = {
 /// Things of one group that is negative do not meet.
 constexpr Filter nothing{1, 0xffff'ffff, -1};
 
+/// What its walls have; a world tells it of bodies only.
+Real wall_friction(const JointedScene& scene)
+{
+    return scene.wall_surfaces.empty() ? 0 : scene.wall_surfaces.front().friction;
+}
+
 /// One run: a world with all settings as they come, but for the two that are chosen, and without sleep.
 class Ours {
 public:
     Ours(const RaceScene& race, Solving solving, int substeps)
-        : world_({.substeps = substeps, .sleep = false, .solving = solving})
+        : world_({.substeps = substeps, .sleep = false, .solving = solving}),
+          wall_friction_(wall_friction(race.scene))
     {
         bodies_ = put_in(world_, race.scene, race.touches ? Filter{} : nothing);
         x_.resize(3 * static_cast<Index>(bodies_.size()));
     }
 
     void step() { world_.step(1.0 / 60); }
+    std::string text() const { return world_text(world_, wall_friction_); }
     /// (x, y, θ) of each body.
     const VecX& x()
     {
@@ -40,6 +47,7 @@ public:
 
 private:
     World world_;
+    Real wall_friction_;
     std::vector<BodyId> bodies_;
     VecX x_;
 };
@@ -51,65 +59,12 @@ struct Page {
     Manifolds referee;
     StepData<3> found;
     VecX theirs;
-    std::string text, sentence;
 };
 
 Page& page()
 {
     static Page one;
     return one;
-}
-
-const char* said(std::string text)
-{
-    page().text = std::move(text);
-    return page().text.c_str();
-}
-
-std::string list(std::initializer_list<Real> numbers)
-{
-    std::string text;
-    for (const Real one : numbers) text += (text.empty() ? "" : ",") + shortest(one);
-    return '[' + text + ']';
-}
-
-std::string vertices_of(const Polygon& shape)
-{
-    std::string text;
-    for (const Vec2& v : shape.vertices) text += (text.empty() ? "" : ",") + list({v.x(), v.y()});
-    return '[' + text + ']';
-}
-
-Real friction_of(const std::vector<Surface>& surfaces)
-{
-    return surfaces.empty() ? 0 : surfaces.front().friction;
-}
-
-/// All that another engine needs to build the same scene.
-std::string scene_text(const RaceScene& race)
-{
-    const JointedScene& scene = race.scene;
-    std::string bodies, walls, pins;
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        const Vec<3> x = scene.bodies.position(k), u = scene.bodies.velocity(k),
-                     W = scene.bodies.inverse_mass.segment<3>(3 * k);
-        const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
-        bodies += (bodies.empty() ? "" : ",") + ("{\"x\":" + list({x[0], x[1], x[2]})) +
-                  ",\"u\":" + list({u[0], u[1], u[2]}) + ",\"mass\":" + shortest(1 / W[0]) +
-                  ",\"inertia\":" + shortest(1 / W[2]) + ",\"radius\":" + shortest(shape.radius) +
-                  ",\"vertices\":" + vertices_of(shape) + '}';
-    }
-    for (const HalfSpace& wall : scene.walls)
-        walls += (walls.empty() ? "" : ",") + list({wall.normal.x(), wall.normal.y(), wall.offset});
-    for (const PlacedJoint& placed : scene.placed) {
-        const RigidJoint& pin = placed.joint;
-        pins += (pins.empty() ? "" : ",") + list({static_cast<Real>(pin.a), static_cast<Real>(pin.b),
-                                                  pin.at_a.x(), pin.at_a.y(), pin.at_b.x(), pin.at_b.y()});
-    }
-    return "{\"bodies\":[" + bodies + "],\"walls\":[" + walls + "],\"pins\":[" + pins +
-           "],\"gravity\":" + list({scene.gravity.x(), scene.gravity.y()}) +
-           ",\"friction\":" + shortest(friction_of(scene.surfaces)) +
-           ",\"touches\":" + (race.touches ? "true" : "false") + '}';
 }
 
 std::string description()
@@ -127,32 +82,18 @@ std::string description()
     return "{\"name\":\"race\",\"scenes\":[" + scenes + "]}";
 }
 
-template <class Do>
-int attempt(const Do& what)
-{
-    try {
-        what();
-        return 0;
-    } catch (const std::exception& error) {
-        page().sentence = error.what();
-        return 1;
-    }
-}
-
 }  // namespace
 }  // namespace rigid::race
 
 using namespace rigid;
 using namespace rigid::race;
 
-#define RIGID_PAGE(name) extern "C" __attribute__((export_name(#name), used))
-
 RIGID_PAGE(web_start) int web_start()
 {
     return attempt([] { page(); });
 }
 RIGID_PAGE(web_description) const char* web_description() { return said(description()); }
-RIGID_PAGE(web_sentence) const char* web_sentence() { return page().sentence.c_str(); }
+RIGID_PAGE(web_sentence) const char* web_sentence() { return last_said().sentence.c_str(); }
 
 /// Begins a run. The numbers are places in the lists of the description.
 RIGID_PAGE(race_open) int race_open(int scene, int method, int substeps)
@@ -166,7 +107,7 @@ RIGID_PAGE(race_open) int race_open(int scene, int method, int substeps)
         all.referee = {};
     });
 }
-RIGID_PAGE(race_scene) const char* race_scene() { return said(scene_text(page().scenes[page().scene])); }
+RIGID_PAGE(race_scene) const char* race_scene() { return said(page().ours->text()); }
 RIGID_PAGE(race_step) int race_step(int steps)
 {
     return attempt([&] {
