@@ -38,7 +38,7 @@ struct ExactIslands : TreePart {
         bodies_ = &bodies;
         for (const int i : all) {
             const std::span<const int> rows = islands.rows_of(i);
-            push(now, rows, islands.bodies_of(i), bodies.u);
+            push(now, rows, islands.bodies_of(i), bodies);
             now.visits += static_cast<std::int64_t>(rows.size());
             const Real r = natural_residual(now, rows, bodies.u);
             residuals_[static_cast<std::size_t>(i)] = r;

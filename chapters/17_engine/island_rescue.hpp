@@ -98,13 +98,18 @@ struct IslandRescue : TreePart {
 };
 //! [rescue]
 
-/// u of these bodies, from u* and the impulses of their rows.
+/// u of these bodies, from u* and the impulses of their rows. What cannot move is not
+/// touched: zero times an impulse that has overflowed is no zero.
 inline void push(const StepData<3>& now, std::span<const int> rows,
-                 std::span<const int> bodies, VecX& u)
+                 std::span<const int> members, Bodies<3>& bodies)
 {
-    for (const int k : bodies) u.segment<3>(3 * k) = now.u_star.segment<3>(3 * k);
-    for (const int i : rows)
-        now.rows[static_cast<std::size_t>(i)].apply(now.solution.lambda[i], u);
+    for (const int k : members) bodies.velocity(k) = now.u_star.segment<3>(3 * k);
+    for (const int i : rows) {
+        const Row<3>& row = now.rows[static_cast<std::size_t>(i)];
+        const Real lambda = now.solution.lambda[i];
+        if (bodies.can_move(row.a)) bodies.velocity(row.a) += row.Wa * lambda;
+        if (bodies.can_move(row.b)) bodies.velocity(row.b) += row.Wb * lambda;
+    }
 }
 
 //! [slow]
