@@ -6,9 +6,10 @@
 #include "chapters/18_space/car.hpp"
 #include "chapters/18_space/doll_scenes.hpp"
 #include "chapters/18_space/solid_scenes.hpp"
-#include "chapters/18_space/space_method.hpp"
+#include "chapters/18_space/step_in_parts.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/sentence.hpp"
 #include "tests/solids.hpp"
 
 using namespace rigid;
@@ -184,4 +185,62 @@ TEST_CASE("sweeps side by side take no memory once they have seen a scene", "[ho
     const NoAllocation guard;
     for (int i = 0; i < 20; ++i) step(scene, {.h = sixtieth}, method, now);
     CHECK(NoAllocation::violations() == 0);
+}
+
+TEST_CASE("a step in parts is so many steps and none is refused", "[house]")
+{
+    SpaceScene scene = mixed_heap(8, 0.5, 1), other = scene;
+    TouchingCones method, same;
+    StepData<6> now, then;
+    for (int i = 0; i < 30; ++i) {
+        step_in_parts(scene, {.h = sixtieth}, 3, method, now);
+        std::int64_t visits = 0;
+        for (int part = 0; part < 3; ++part) {
+            step(other, {.h = sixtieth / 3}, same, then);
+            visits += then.visits;
+        }
+        REQUIRE(same_bits(scene.bodies.x, other.bodies.x));
+        REQUIRE(now.visits == visits);
+    }
+    const VecX before = scene.bodies.x;
+    CHECK(sentence_of([&] { step_in_parts(scene, {}, 0, method, now); }) ==
+          "a step is taken in 0 parts; it must be 1 or more");
+    CHECK(same_bits(scene.bodies.x, before));
+}
+
+TEST_CASE("what falls overlaps by no more than its way in a part and what turns does so too", "[house]")
+{
+    // in sub-steps a contact is found once, and its normal and its points stay
+    const auto deepest_of = [](int parts, int substeps, Real spin) {
+        Real deepest = 0;
+        for (int n = 0; n < 12; ++n) {  // how far it is from the floor at a step's end is by lot
+            SpaceScene scene;
+            scene.length = 1;
+            const Index k = add_body(scene, {solid_box({0.2, 0.2, 0.2})}, 1000.0, {0, 0.6 + 0.01 * n, 0});
+            add_floor(scene, 0.5);
+            scene.bodies.velocity(k)[1] = -5;
+            scene.bodies.velocity(k)[5] = spin;
+            TouchingCones method;
+            StepData<6> now;
+            const SolidForm form = form_of(scene.shapes[0][0]);
+            for (int i = 0; i < 20; ++i) {
+                step_in_parts(scene, {.h = sixtieth, .substeps = substeps}, parts, method, now);
+                for (const Vec3& vertex : form.hull.vertices)
+                    deepest = std::max(deepest, -point_of_solid(scene.bodies.x, k, vertex).y());
+            }
+        }
+        return deepest;
+    };
+    for (const Real spin : {0.0, 15.0}) {
+        const Real speed = 6 + 0.35 * spin;  // of the fastest corner
+        INFO("spin " << spin);
+        const Real whole = deepest_of(1, 1, spin), sub = deepest_of(1, 4, spin),
+                   parts = deepest_of(4, 1, spin);
+        CAPTURE(whole, sub, parts);
+        CHECK(whole > 0.03);
+        CHECK(sub > 0.03);
+        CHECK(parts < speed * sixtieth / 4);
+        CHECK(parts < whole / 2);
+        CHECK(parts < sub / 2);
+    }
 }

@@ -33,6 +33,7 @@ struct ConeSolver {
     std::vector<int> disc_at;  ///< of each row: the disc that begins there, or −1
     LevelSweeps<std::min(full_lanes<Real>, 4)> lanes;  ///< eight are no faster
     std::vector<int> swept;             ///< islands that are not done
+    std::vector<SolverRow<6>> pushing;  ///< in the second problem
     int most_sweeps = 0, unsolved = 0;  ///< of the last step
     int guesses = 0;                    ///< of Algorithm 18.2, in the last step
     int unanswered = 0;  ///< islands of the last step that it left to sweeps
@@ -99,8 +100,11 @@ struct ConeSolver {
                 problem.feedback = {};
                 if (newton.solve(problem, second.tolerance, v)) continue;
             }
-            now.visits += sweep_on<6>(std::span(rows).subspan(first, count), {},
-                                      second.max_sweeps, second.tolerance, v);
+            pushing.clear();  // a row without mass changes nothing
+            for (const SolverRow<6>& row : std::span(rows).subspan(first, count))
+                if (row.mass > 0) pushing.push_back(row);
+            now.visits +=
+                sweep_on<6>(pushing, {}, second.max_sweeps, second.tolerance, v);
         }
     }
 

@@ -106,8 +106,8 @@ inline bool any_of(const Mask& mask)
 /// \param radius  μ λ_n as it is now [N s]
 /// \return        how far the rows were off [m/s]
 template <class V>
-V visit_disc(LaneRow<V>* rows, const LaneDisc<V>& disc, const V& radius,
-             const LaneBodies<V>& inverse, LaneBodies<V>& u)
+inline V visit_disc(LaneRow<V>* rows, const LaneDisc<V>& disc, const V& radius,
+                    const LaneBodies<V>& inverse, LaneBodies<V>& u)
 {
     const V one = V{} + Real(1);
     const V w0 = velocity(rows[0], u), w1 = velocity(rows[1], u);

@@ -22,8 +22,8 @@ struct RunPacket {
     int row = 0;   ///< its first, in LevelSweeps::rows
     int disc = 0;  ///< in LevelSweeps::discs
     int live = 0;  ///< lanes whose islands are not done
-    /// where the velocities of the two bodies are, in LevelSweeps::u; of an empty lane
-    /// and of an island that is done: the packet's own place, which is no body's
+    /// where the velocities of the two bodies are, in LevelSweeps::u; of an empty
+    /// lane the packet's own place, which is no body's
     std::array<int, static_cast<std::size_t>(L)> a{}, b{};
     std::array<int, static_cast<std::size_t>(L)> island{};
 };
@@ -130,18 +130,13 @@ struct LevelSweeps {
     //! [sweep]
 
     //! [leave]
-    /// An island that is done leaves its lanes: what happens there moves nothing.
+    /// An island is done. A packet that has no other is visited no more.
     void leave(int island)
     {
         auto r = static_cast<std::size_t>(
             levels.first_run[static_cast<std::size_t>(island)]);
-        for (; r < levels.runs.size() && levels.runs[r].island == island; ++r) {
-            const auto p = static_cast<std::size_t>(levels.runs[r].packet),
-                       i = static_cast<std::size_t>(levels.runs[r].lane);
-            packets[p].a[i] = packets[p].b[i] = nobody(p);
-            put_masses(p, levels.runs[r].lane, Vec<6>::Zero(), Vec<6>::Zero());
-            --packets[p].live;
-        }
+        for (; r < levels.runs.size() && levels.runs[r].island == island; ++r)
+            --packets[static_cast<std::size_t>(levels.runs[r].packet)].live;
     }
     //! [leave]
 
@@ -202,18 +197,14 @@ private:
                         static_cast<std::size_t>(i) * sizeof(Real),
                     &value, sizeof(Real));
     }
-    void put_masses(std::size_t packet, int l, const Vec<6>& a, const Vec<6>& b)
-    {
-        for (int d = 0; d < 6; ++d)
-            put(inverse[packet].a[d], l, a[d]), put(inverse[packet].b[d], l, b[d]);
-    }
     void fill(const RowRun& run, const ConeRows& from, const VecX& masses)
     {
         const auto first = static_cast<std::size_t>(run.first),
                    p = static_cast<std::size_t>(run.packet);
         const int l = run.lane;
-        put_masses(p, l, masses.segment<6>(from.rows[first].a),
-                   masses.segment<6>(from.rows[first].b));
+        for (int d = 0; d < 6; ++d)
+            put(inverse[p].a[d], l, masses[from.rows[first].a + d]),
+                put(inverse[p].b[d], l, masses[from.rows[first].b + d]);
         for (int n = 0; n < run.rows(); ++n) {
             const SolverRow<6>& row =
                 from.rows[first + static_cast<std::size_t>(n)];
