@@ -6,6 +6,7 @@
 
 #include "chapters/10_skipping_work/islands.hpp"
 #include "chapters/18_space/cone_newton.hpp"
+#include "chapters/18_space/level_sweeps.hpp"
 #include "chapters/18_space/space_contact.hpp"
 
 namespace rigid {
@@ -19,6 +20,9 @@ struct ConeSolver {
     /// finds no answer; 0: all are swept
     int exact_rows = 0;
     ConeNewton newton;
+    /// rows that share no body are visited side by side; false: one by one, which
+    /// gives the same bits
+    bool wide = true;
 
     // What is kept from step to step.
     Islands islands;
@@ -27,6 +31,9 @@ struct ConeSolver {
     std::vector<int> place_of;
     std::vector<DiscOfRows> discs;
     std::vector<int> disc_at;  ///< of each row: the disc that begins there, or −1
+    LevelSweeps<std::min(full_lanes<Real>, 4)> lanes;  ///< eight are no faster
+    std::vector<int> swept;             ///< islands that are not done
+    std::vector<SolverRow<6>> pushing;  ///< in the second problem
     int most_sweeps = 0, unsolved = 0;  ///< of the last step
     int guesses = 0;                    ///< of Algorithm 18.2, in the last step
     int unanswered = 0;  ///< islands of the last step that it left to sweeps
@@ -63,7 +70,10 @@ struct ConeSolver {
             bodies.u.segment<6>(row.b) += row.Wb * row.lambda;
         }
         now.solution.residual = 0;
-        for (int i = 0; i < islands.count(); ++i) solve_island(i, bodies.u, now);
+        if (wide && corners == 0) solve_together(bodies, now);
+        else
+            for (int i = 0; i < islands.count(); ++i)
+                solve_island(i, bodies.u, now);
         for (std::size_t k = 0; k < rows.size(); ++k)
             lambda[islands.rows[k]] = rows[k].lambda;
         now.solution.iterations = most_sweeps;
@@ -90,8 +100,11 @@ struct ConeSolver {
                 problem.feedback = {};
                 if (newton.solve(problem, second.tolerance, v)) continue;
             }
-            now.visits += sweep_on<6>(std::span(rows).subspan(first, count), {},
-                                      second.max_sweeps, second.tolerance, v);
+            pushing.clear();  // a row without mass changes nothing
+            for (const SolverRow<6>& row : std::span(rows).subspan(first, count))
+                if (row.mass > 0) pushing.push_back(row);
+            now.visits +=
+                sweep_on<6>(pushing, {}, second.max_sweeps, second.tolerance, v);
         }
     }
 
@@ -172,11 +185,61 @@ private:
             newton.give_back(problem, u);
             residual = newton.residual;
         }
-        most_sweeps = std::max(most_sweeps, n);
-        unsolved += !(residual <= tolerance);
-        now.solution.residual = std::max(now.solution.residual, residual);
+        note(n, residual, now);
     }
     //! [solve_island]
+
+    //! [together]
+    /// The same, side by side: each island ends by itself, and leaves its lanes.
+    void solve_together(Bodies<6>& bodies, StepData<6>& now)
+    {
+        swept.clear();
+        lanes.levels.begin(bodies.count(), islands.count());
+        for (int i = 0; i < islands.count(); ++i) {
+            const auto [first, count] = rows_of(i);
+            if (is_exact(count) || count == 0 || sweeps.max_sweeps == 0) {
+                solve_island(i, bodies.u, now);
+                continue;
+            }
+            swept.push_back(i);
+            lanes.levels.add(problem_of(i), i, first, bodies);
+        }
+        if (swept.empty()) return;
+        lanes.arrange({rows, feedback, disc_at, discs, {}}, bodies);
+        for (int n = 1; !swept.empty(); ++n) {
+            lanes.sweep(sweeps.tolerance * now.length);
+            std::erase_if(swept,
+                          [&](int i) { return is_done(i, n, bodies.u, now); });
+        }
+    }
+
+    /// Whether an island ends after n sweeps.
+    bool is_done(int island, int n, VecX& u, StepData<6>& now)
+    {
+        const auto [first, count] = rows_of(island);
+        const Real tolerance = sweeps.tolerance * now.length;
+        const bool last = n == sweeps.max_sweeps;
+        now.visits += static_cast<std::int64_t>(count);
+        if (!last && lanes.off[static_cast<std::size_t>(island)]) return false;
+        for (const int k : islands.bodies_of(island))
+            for (Index i = 6 * k; i < 6 * k + 6; ++i) u[i] = lanes.number(i);
+        for (std::size_t k = first; k < first + count; ++k)
+            rows[k].lambda = lanes.lambda(k);
+        Real residual = infinity;
+        if (tolerance > 0) residual = residual_of(problem_of(island), u);
+        if (!last && tolerance > 0 && !(residual <= tolerance)) return false;
+        lanes.leave(island);
+        note(n, residual, now);
+        return true;
+    }
+    //! [together]
+
+    void note(int sweep_count, Real residual, StepData<6>& now)
+    {
+        most_sweeps = std::max(most_sweeps, sweep_count);
+        unsolved += !(residual <= sweeps.tolerance * now.length);
+        now.solution.residual = std::max(now.solution.residual, residual);
+    }
 };
 
 }  // namespace rigid

@@ -8,7 +8,7 @@
 ///     4  v = the point of the simplex of the y's that is nearest to the origin, those without weight leave; go to 2
 ///
 /// The simplex has at most four corners, and its nearest point lies inside exactly one of its faces, edges, corners, or
-/// itself: try all fifteen, (18.30). \cite gilbert1988
+/// itself, (18.30). Parts without the newest corner were there in the round before, and had nothing nearer: try the others. \cite gilbert1988
 #pragma once
 
 #include "chapters/18_space/solid_form.hpp"
@@ -38,7 +38,9 @@ inline Vec3 nearest_of(Simplex& s)
     Vec3 best(0, 0, 0);
     Real least = infinity;
     Simplex kept;
-    for (unsigned part = 1; part < (1u << s.size); ++part) {
+    // the others were there before the newest corner came
+    const unsigned newest = 1u << (s.size - 1);
+    for (unsigned part = newest; part < 2 * newest; ++part) {
         std::array<std::size_t, 4> corner{};
         int n = 0;
         for (std::size_t i = 0; i < 4; ++i)

@@ -76,7 +76,7 @@ inline Constraint<6> constraint_at(const SpaceScene& scene, const StepData<6>& n
 }
 
 /// All of them where the bodies are; the frames of a joint and the points of a contact are found once for rows that are
-/// neighbours.
+/// neighbours, and rotations once for contacts that are.
 inline void evaluate_constraints(const SpaceScene& scene, StepData<6>& now)
 {
     now.constraints.resize(now.sources.size());
@@ -89,8 +89,8 @@ inline void evaluate_constraints(const SpaceScene& scene, StepData<6>& now)
             const auto& contact =
                 now.contacts[static_cast<std::size_t>(source.index)];
             if (source.index != contact_at)
-                place = place_of(contact, scene.bodies.x),
-                contact_at = source.index;
+                find_place(contact, scene.bodies.x, place),
+                    contact_at = source.index;
             now.constraints[i] = contact_constraint(now, source, place);
             continue;
         }

@@ -37,15 +37,25 @@ inline RowVec<6> point_row(const Mat3& R, const Vec3& r, const Vec3& n)
 /// Where the two points of a contact are at the positions x, with the arms to them.
 struct ContactPlace {
     Mat3 Ra, Rb;
-    Vec3 arm_a, arm_b, way;  ///< from the centroids; way = p_b − p_a
+    Vec3 arm_a, arm_b, way;      ///< from the centroids; way = p_b − p_a
+    Index a = world, b = world;  ///< whose rotations these are
 };
+
+/// \param p  the place of another contact, which may be of the same bodies, or none
+inline void find_place(const SpaceContact& contact, const VecX& x, ContactPlace& p)
+{
+    if (p.b != contact.b || p.a != contact.a) {
+        p.a = contact.a, p.b = contact.b;
+        p.Ra = rotation_of(x, contact.a), p.Rb = rotation_of(x, contact.b);
+    }
+    p.arm_a = p.Ra * contact.at_a, p.arm_b = p.Rb * contact.at_b;
+    p.way = centre_of(x, contact.b) + p.arm_b - centre_of(x, contact.a) - p.arm_a;
+}
 
 inline ContactPlace place_of(const SpaceContact& contact, const VecX& x)
 {
     ContactPlace p;
-    p.Ra = rotation_of(x, contact.a), p.Rb = rotation_of(x, contact.b);
-    p.arm_a = p.Ra * contact.at_a, p.arm_b = p.Rb * contact.at_b;
-    p.way = centre_of(x, contact.b) + p.arm_b - centre_of(x, contact.a) - p.arm_a;
+    find_place(contact, x, p);
     return p;
 }
 

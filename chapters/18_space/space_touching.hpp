@@ -204,15 +204,17 @@ private:
     void add(const SpaceScene& scene, Index a, Index b, Real radius_a,
              Real radius_b, Index first_feature, const Grip& grip, StepData<6>& now)
     {
-        const auto in_axes = [&](Index k, const Vec3& p) -> Vec3 {
-            return rotation_of(scene.bodies.x, k).transpose() *
-                   (p - centre_of(scene.bodies.x, k));
+        if (touch.count == 0) return;
+        const Mat3 Ra = rotation_of(scene.bodies.x, a),
+                   Rb = rotation_of(scene.bodies.x, b);
+        const auto in_axes = [&](Index k, const Mat3& R, const Vec3& p) -> Vec3 {
+            return R.transpose() * (p - centre_of(scene.bodies.x, k));
         };
         if (touch.count > points) keep_deepest();
         for (int i = 0; i < touch.count; ++i) {
             const TouchPoint& p = touch.points[static_cast<std::size_t>(i)];
             now.contacts.push_back({a, b, first_feature + p.feature, touch.normal,
-                                    in_axes(a, p.on_a), in_axes(b, p.on_b),
+                                    in_axes(a, Ra, p.on_a), in_axes(b, Rb, p.on_b),
                                     radius_a, radius_b, grip});
         }
     }

@@ -29,8 +29,10 @@ inline Demo fall_demo(const std::string& name, const std::string& summary,
                                 return setup;
                             });
     scene.tunables.insert(scene.tunables.end(), tunables.begin(), tunables.end());
+    scene.tunables.push_back({"parts", "", "of a step that look for contacts", 1, 1,
+                              64, Numbers::whole});
     scene.tunables.push_back(
-        {"substeps", "", "parts of a step", 4, 1, 64, Numbers::whole});
+        {"substeps", "", "of a part, with its contacts", 4, 1, 64, Numbers::whole});
     add_touch_tunables(scene, 0.6, 50);
     scene.columns = {
         {"energy", "J", "less that of the start", Plot::linear},

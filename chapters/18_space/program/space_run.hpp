@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/18_space/program/solid_picture.hpp"
-#include "chapters/18_space/space_method.hpp"
+#include "chapters/18_space/step_in_parts.hpp"
 #include "common/program/demo_of.hpp"
 
 #include <algorithm>
@@ -159,7 +159,10 @@ private:
         method.solver.sweeps = {static_cast<int>(settings["sweeps"]), tolerance};
         if (settings.tunables.contains("stiff"))
             method.correction.stiff = settings["stiff"] > 0;
-        rigid::step(state_.scene, how, method, state_.now);
+        const bool parts = settings.tunables.contains("parts");
+        step_in_parts(state_.scene, how,
+                      parts ? static_cast<int>(settings["parts"]) : 1, method,
+                      state_.now);
     }
     void tumble_all(Tumbling way, Real h)
     {

@@ -98,8 +98,10 @@ inline Demo stack_scene()
                               0.001, 10000, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"turn", "°", "of each box against the one below", 3,
                               0, 45, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"parts", "", "of a step that look for contacts", 1, 1,
+                              64, Numbers::whole});
     scene.tunables.push_back(
-        {"substeps", "", "parts of a step", 1, 1, 64, Numbers::whole});
+        {"substeps", "", "of a part, with its contacts", 1, 1, 64, Numbers::whole});
     add_touch_tunables(scene, 0.5, 500);
     scene.columns = {
         {"energy", "J", "less that of the start", Plot::linear},
@@ -136,6 +138,8 @@ inline Demo poured_demo(const std::string& name, const std::string& summary,
         });
     scene.tunables.push_back({"bodies", "", "that fall", bodies, 1, most,
                               Numbers::whole, OnChange::restarts});
+    scene.tunables.push_back({"parts", "", "of a step that look for contacts", 1, 1,
+                              64, Numbers::whole});
     add_touch_tunables(scene, 0.5, 50);
     scene.columns = {{"energy", "J", "less that of the start", Plot::linear},
                      {"contacts", "", "points where solids touch", Plot::linear},
