@@ -47,8 +47,6 @@ struct TreeSolver {
     {
         factor_again(bodies, now);
         biases_of(now.rows, bias_);
-        enough_ = std::max(std::max(tolerance, 1e-9) * now.length,
-                           noise_of_corners(bodies, now));
         answer(bodies, now);
     }
 
@@ -65,6 +63,8 @@ struct TreeSolver {
         inverse_mass_ = bodies.inverse_mass;
         joints.factor(now.rows, inverse_mass_);
         listed_ = listed_apart_ = false;
+        enough_ = std::max(std::max(tolerance, 1e-9) * now.length,
+                           noise_of_corners(bodies, now));
     }
 
     /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.

@@ -59,12 +59,15 @@ struct ExactIslands : TreePart {
     /// Another problem on the same rows needs their factors.
     void refresh(const StepData<3>& now)
     {
-        if (!is_fresh_ && bodies_) factor_again(*bodies_, now);
+        if (is_fresh_ || !bodies_ || part.empty()) return;
+        part.gather(*bodies_, now);
+        solver.factor_again(part.local, part.now);
+        is_fresh_ = true;
     }
     void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
     {
+        refresh(now);
         TreePart::factor_again(bodies, now);
-        is_fresh_ = true;
     }
 
 private:
