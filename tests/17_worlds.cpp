@@ -112,15 +112,19 @@ TEST_CASE("the choice by island costs at most half as much again as the better o
         Real price = 0;
         int unsolved = 0;
     };
-    const auto run = [](World engine, Solving solving, int steps) {
+    // `solved`: the bill of a solver that is asked in each step, also where old impulses are the answer (17.4)
+    const auto run = [](World engine, Solving solving, int steps, bool solved) {
         WorldSettings settings = engine.settings();
         settings.solving = solving;
         engine.change(settings);
         Bill bill;
+        Real last = 0;
         for (int i = 0; i < steps; ++i) {
             engine.step(frame);
-            bill.price += static_cast<Real>(engine.work().price());
-            bill.unsolved += engine.work().unsolved;
+            const StepWork& work = engine.work();
+            if (!(solved && work.answered)) last = static_cast<Real>(work.price());
+            bill.price += last;
+            bill.unsolved += work.unsolved;
         }
         return bill;
     };
@@ -128,23 +132,21 @@ TEST_CASE("the choice by island costs at most half as much again as the better o
         const char* name;
         std::function<World()> make;
         int steps;
-        /// of the better one, at most; measured: 0.4, 1, 1, 0.14, 1.2, 1 (where all is exact the net costs a third of
-        /// what it did since old impulses are tried first, so 0.05 became 0.14)
-        Real share;
+        Real share;  ///< of the better one, at most; measured: 0.4, 1, 1, 0.05, 1.2, 1
     };
     const Case cases[] = {{"pyramid", [] { return pyramid_world(20); }, 60, 0.6},
                           {"chain", [] { return chain_world(50, 1000); }, 60, 1.01},
                           {"heavy", [] { return column_world(10, 1000); }, 60, 1.01},
-                          {"net", [] { return grid_world(10); }, 60, 0.2},
+                          {"net", [] { return grid_world(10); }, 60, 0.1},
                           {"poured", [] { return poured_world(60); }, 150, 1.5},
                           {"dolls", [] { return dolls_world(2); }, 120, 1.5}};
     for (const Case& it : cases) {
         INFO(it.name);
-        const Bill chosen = run(it.make(), Solving::by_island, it.steps);
+        const Bill chosen = run(it.make(), Solving::by_island, it.steps, false);
         CHECK(chosen.unsolved == 0);
         Real best = infinity;
         for (const Solving all : {Solving::exact, Solving::sweeps}) {
-            const Bill bill = run(it.make(), all, it.steps);
+            const Bill bill = run(it.make(), all, it.steps, true);
             if (bill.unsolved == 0) best = std::min(best, bill.price);
         }
         CHECK(chosen.price <= it.share * best);
@@ -816,9 +818,9 @@ TEST_CASE("ten dolls in one heap are swept to the end and overstep no limit by m
         price += engine.work().price();
         for (const JointId joint : engine.joints()) worst = std::max(worst, engine.error(joint));
     }
-    // six falls: 0.008 rad, at worst 0.014; with 500 sweeps 0.05, at worst 0.14
+    // six falls: 0.011 rad, at worst 0.025; with 500 sweeps 0.04, at worst 0.06
     CHECK(worst < 0.04);
-    CHECK(unsolved < 60);  // 36 steps of 240 are above a thirtieth of g h after a thousand sweeps
+    CHECK(unsolved < 60);  // 20 to 53 steps of 240 are above a thirtieth of g h after a thousand sweeps
     // 0.9e9; 1.6e9 where the heap is solved exactly
     CHECK(price < 1'200'000'000);
 }

@@ -80,7 +80,7 @@ struct ChoiceRule {
     /// one with joints, exactly
     int moving = 300, moving_joined = 600;
     /// sweeps over one with joints that moves: with 500 the knees of ten dolls bend
-    /// 0.05 rad too far, with 1000 0.008
+    /// 0.04 rad too far, with 1000 0.01
     int joined = 1000;
     /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
     /// beyond its limit
