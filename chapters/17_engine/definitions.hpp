@@ -41,7 +41,7 @@ struct Filter {
     bool operator==(const Filter&) const = default;
 };
 
-constexpr bool lets_meet(const Filter& a, const Filter& b)
+inline bool lets_meet(const Filter& a, const Filter& b)
 {
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.category & b.meets) != 0 && (b.category & a.meets) != 0;
