@@ -249,6 +249,28 @@ TEST_CASE("a touch begins once and ends once and a fall is a hit with its speed"
     CHECK(engine.events().ended[0].b == ball);
 }
 
+TEST_CASE("a touch that bears nothing stays while its gap is small and ends where it is not", "[idea]")
+{
+    World engine;
+    engine.add_wall({{0, 1}, 0});
+    const BodyId ball = engine.add_body(falling(disc(0.5), {0, 0.5}));
+    run(engine, 10);
+    WorldSettings weightless = engine.settings();
+    weightless.gravity = {0, 0};
+    engine.change(weightless);
+    engine.set_velocity(ball, {0, 0}, 0);
+    // a tenth of the margin is 2 mm
+    for (const auto& [gap, ends] : {std::pair{1e-3, 0}, std::pair{5e-3, 1}}) {
+        engine.move(ball, {0, 0.5 + gap}, 0);
+        int ended = 0;
+        for (int i = 0; i < 5; ++i) {
+            engine.step(h);
+            ended += static_cast<int>(engine.events().ended.size());
+        }
+        CHECK(ended == ends);
+    }
+}
+
 TEST_CASE("a sensor sees what comes in and what leaves and pushes nothing", "[idea]")
 {
     World engine;

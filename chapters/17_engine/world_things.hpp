@@ -11,21 +11,6 @@
 
 namespace rigid {
 
-//! [neighbours]
-/// What touches body k, sleeping or not, wakes, and is no neighbour any more.
-inline void part_from_neighbours(EngineState& state, Index k)
-{
-    ToldManifolds& sleepers = state.awake();
-    for (auto* const pairs :
-         {&sleepers.touching.touching, &sleepers.touching.resting})
-        std::erase_if(*pairs, [&](const TouchingPair& pair) {
-            if (pair.a != k && pair.b != k) return false;
-            sleepers.set.wake(pair.a);
-            sleepers.set.wake(pair.b);
-            return true;
-        });
-}
-
 /// What sleeps where a new body is that cannot move wakes. (One that can move is
 /// awake itself, and looks.)
 inline void wake_under(EngineState& state, Index k)
@@ -40,7 +25,6 @@ inline void wake_under(EngineState& state, Index k)
             sleepers.set.wake(b);
     });
 }
-//! [neighbours]
 
 //! [surface]
 inline void write_surface(EngineState& state, Index k, const Surface& surface)
@@ -90,7 +74,6 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
 /// A body's place stays, as a point that meets nothing.
 inline void take_out_body(EngineState& state, Index k)
 {
-    part_from_neighbours(state, k);
     state.disturb(k);
     state.touching.forget(static_cast<int>(k), state.meanwhile);
     const BodyId gone = state.id(k);
