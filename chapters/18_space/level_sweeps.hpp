@@ -6,6 +6,7 @@
 /// A sweep reads packets, rows and discs from front to back.
 #pragma once
 
+#include "chapters/16_wide_sweeps/wide_rows.hpp"
 #include "chapters/18_space/lane_cones.hpp"
 #include "chapters/18_space/visit_levels.hpp"
 
@@ -191,43 +192,39 @@ private:
         return discs[disc].friction * at_least(push, V{});
     }
 
-    static void put(V& many, int i, Real value)
-    {
-        std::memcpy(reinterpret_cast<char*>(&many) +
-                        static_cast<std::size_t>(i) * sizeof(Real),
-                    &value, sizeof(Real));
-    }
     void fill(const RowRun& run, const ConeRows& from, const VecX& masses)
     {
         const auto first = static_cast<std::size_t>(run.first),
                    p = static_cast<std::size_t>(run.packet);
         const int l = run.lane;
         for (int d = 0; d < 6; ++d)
-            put(inverse[p].a[d], l, masses[from.rows[first].a + d]),
-                put(inverse[p].b[d], l, masses[from.rows[first].b + d]);
+            write_lane(inverse[p].a[d], l, masses[from.rows[first].a + d]),
+                write_lane(inverse[p].b[d], l, masses[from.rows[first].b + d]);
         for (int n = 0; n < run.rows(); ++n) {
             const SolverRow<6>& row =
                 from.rows[first + static_cast<std::size_t>(n)];
             LaneRow<V>& out = rows[static_cast<std::size_t>(packets[p].row + n)];
             for (int d = 0; d < 6; ++d)
-                put(out.Ja[d], l, row.Ja[d]), put(out.Jb[d], l, row.Jb[d]);
-            put(out.bias, l, row.bias), put(out.mass, l, row.mass);
-            put(out.lo, l, row.lo), put(out.hi, l, row.hi);
-            put(out.lambda, l, row.lambda);
+                write_lane(out.Ja[d], l, row.Ja[d]),
+                    write_lane(out.Jb[d], l, row.Jb[d]);
+            write_lane(out.bias, l, row.bias), write_lane(out.mass, l, row.mass);
+            write_lane(out.lo, l, row.lo), write_lane(out.hi, l, row.hi);
+            write_lane(out.lambda, l, row.lambda);
         }
         const int each = run.rows() / run.items;
         for (int n = 0; run.kind != RunKind::plain && n < run.items; ++n) {
             const std::size_t k = first + static_cast<std::size_t>(each * n),
                               d = static_cast<std::size_t>(packets[p].disc + n);
-            put(discs[d].friction, l, from.feedback[k].friction);
+            write_lane(discs[d].friction, l, from.feedback[k].friction);
             bounding[d][static_cast<std::size_t>(l)] =
                 place[static_cast<std::size_t>(from.bound_by(k))];
             if (const DiscOfRows* disc = from.disc(k)) {
                 const Mat2& A = disc->A;
-                put(discs[d].a, l, A(0, 0)), put(discs[d].b, l, A(1, 1));
-                put(discs[d].c, l, A(0, 1));
-                put(discs[d].det, l, A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0));
-                put(discs[d].largest, l, disc->largest);
+                write_lane(discs[d].a, l, A(0, 0)),
+                    write_lane(discs[d].b, l, A(1, 1));
+                write_lane(discs[d].c, l, A(0, 1));
+                write_lane(discs[d].det, l, A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0));
+                write_lane(discs[d].largest, l, disc->largest);
             }
         }
     }
