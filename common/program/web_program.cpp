@@ -4,6 +4,7 @@
 /// that can fail returns 0, or 1 and a sentence in web_sentence().
 #include "common/program/program.hpp"
 #include "common/program/steps_alone.hpp"
+#include "common/program/web_calls.hpp"
 #include "common/program/web_description.hpp"
 #include "common/program/web_show.hpp"
 
@@ -22,7 +23,7 @@ struct Page {
     Program program;
     Options options;                ///< of the next show
     std::unique_ptr<WebShow> show;  ///< empty until web_open()
-    std::string text, sentence, incoming;
+    std::string incoming;
     std::vector<Real> rows;
     const DrawList* list = nullptr;
 };
@@ -31,25 +32,6 @@ Page& page()
 {
     static Page one;
     return one;
-}
-
-const char* said(std::string text)
-{
-    page().text = std::move(text);
-    return page().text.c_str();
-}
-
-/// 0, or 1 with the sentence of what went wrong.
-template <class Do>
-int attempt(const Do& what)
-{
-    try {
-        what();
-        return 0;
-    } catch (const std::exception& error) {
-        page().sentence = sentence_of(error);
-        return 1;
-    }
 }
 
 const Demo& scene_called(const std::string& name)
@@ -80,8 +62,6 @@ int run_program(const std::function<Program()>& make, int, char**)
 
 using namespace rigid;
 
-#define RIGID_PAGE(name) extern "C" __attribute__((export_name(#name), used))
-
 // ---- the program -----------------------------------------------------------------------------------
 
 RIGID_PAGE(web_start) int web_start()
@@ -89,7 +69,7 @@ RIGID_PAGE(web_start) int web_start()
     return attempt([] { chapter_main(0, nullptr); });
 }
 RIGID_PAGE(web_description) const char* web_description() { return said(description_of(page().program)); }
-RIGID_PAGE(web_sentence) const char* web_sentence() { return page().sentence.c_str(); }
+RIGID_PAGE(web_sentence) const char* web_sentence() { return last_said().sentence.c_str(); }
 /// Room for a text of so many bytes, which the next function reads.
 RIGID_PAGE(web_text) char* web_text(int bytes)
 {
@@ -120,7 +100,7 @@ RIGID_PAGE(web_with_setting) int web_with_setting(double value)
     else if (name == "seed") options.settings.seed = static_cast<std::uint64_t>(value);
     else if (options.settings.tunables.contains(name)) options.settings.tunables[name] = value;
     else {
-        page().sentence = "scene " + options.scene->name + " has no tunable \"" + name + '"';
+        last_said().sentence = "scene " + options.scene->name + " has no tunable \"" + name + '"';
         return 1;
     }
     return 0;

@@ -13,12 +13,7 @@
 namespace rigid::race {
 namespace {
 
-constexpr std::array<const char*, 3> measures = {"moved", "gap", "overlap"};
-
-/// \param what  which of the measures are errors there, as letters: m, g, o
-struct WorldRun {
-    std::string name, title, what;
-    int steps;
+struct WorldRun : Measured {
     std::function<World()> make;
     Real wall_friction = 0.6;  ///< of add_wall()
     Real spin = 0;             ///< of the drum, whose walls are the first four bodies [rad/s]
@@ -30,7 +25,7 @@ std::vector<WorldRun> world_runs()
     std::vector<WorldRun> all;
     for (const RaceScene& race : race_scenes()) {
         const char* const what[] = {"m", "o", "g"};
-        all.push_back({race.name, race.title, what[static_cast<int>(race.error)], race.steps,
+        all.push_back({{race.name, race.title, what[static_cast<int>(race.error)], race.steps},
                        [race] {
                            World made;
                            put_in(made, race.scene, race.touches ? Filter{} : meets_no_twin);
@@ -38,11 +33,13 @@ std::vector<WorldRun> world_runs()
                        },
                        race.scene.wall_surfaces.empty() ? 0 : race.scene.wall_surfaces.front().friction});
     }
-    all.push_back({"pour", "300 poured", "o", 240, [] { return poured_world(300); }});
-    all.push_back({"dolls", "ten dolls on stairs", "go", 240, [] { return dolls_world(10); }});
-    all.push_back(
-        {"tumbler", "a tumbler with 40 boxes", "o", 240, [] { return tumbler_world(40, 0.5); }, 0.6, 0.5});
-    all.push_back({"bridge", "a bridge of 30 planks, and balls", "go", 240, [] { return bridge_world(30); }});
+    all.push_back({{"pour", "300 poured", "o"}, [] { return poured_world(300); }});
+    all.push_back({{"dolls", "ten dolls on stairs", "go"}, [] { return dolls_world(10); }});
+    all.push_back({{"tumbler", "a tumbler with 40 boxes", "o", 240, 4},
+                   [] { return tumbler_world(40, 0.5); },
+                   0.6,
+                   0.5});
+    all.push_back({{"bridge", "a bridge of 30 planks, and balls", "go"}, [] { return bridge_world(30); }});
     return all;
 }
 
@@ -78,21 +75,6 @@ void read_theirs(Poses& poses)
         poses[k] = page().theirs.segment<3>(3 * static_cast<Index>(k));
 }
 
-std::string description()
-{
-    Listed scenes;
-    for (const WorldRun& run : page().runs) {
-        Listed what;
-        for (const char* const one : measures)
-            if (run.what.find(one[0]) != std::string::npos) what.add(json(one));
-        scenes.add("{\"name\":" + json(run.name) + ",\"title\":" + json(run.title) +
-                   ",\"errors\":" + what.text() + ",\"steps\":" + std::to_string(run.steps) +
-                   ",\"driven\":" + (run.spin != 0 ? "4" : "0") + '}');
-    }
-    return "{\"name\":\"beside_plane\",\"measures\":[\"moved\",\"gap\",\"overlap\"],\"scenes\":" +
-           scenes.text() + '}';
-}
-
 }  // namespace
 }  // namespace rigid::race
 
@@ -103,7 +85,10 @@ RIGID_PAGE(web_start) int web_start()
 {
     return attempt([] { page(); });
 }
-RIGID_PAGE(web_description) const char* web_description() { return said(description()); }
+RIGID_PAGE(web_description) const char* web_description()
+{
+    return said(description_of("beside_plane", page().runs));
+}
 RIGID_PAGE(web_sentence) const char* web_sentence() { return last_said().sentence.c_str(); }
 
 /// Begins a run. \param solving  as Solving has them; \param sweeps  0: as they come
@@ -162,9 +147,8 @@ RIGID_PAGE(race_errors) const double* race_errors(int theirs)
             all.found.fill(infinity);
             return all.found.data();
         }
-    const auto wants = [&](char one) { return all.run->what.find(one) != std::string::npos; };
-    if (wants('m')) all.found[0] = WorldJudge::moved(all.first, all.now);
-    if (wants('g')) all.found[1] = all.judge->gap(all.now);
-    if (wants('o')) all.found[2] = all.judge->overlap(all.now);
+    if (all.run->by('m')) all.found[0] = WorldJudge::moved(all.first, all.now);
+    if (all.run->by('g')) all.found[1] = all.judge->gap(all.now);
+    if (all.run->by('o')) all.found[2] = all.judge->overlap(all.now);
     return all.found.data();
 }

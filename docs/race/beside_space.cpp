@@ -15,11 +15,7 @@
 namespace rigid::race {
 namespace {
 
-constexpr std::array<const char*, 3> measures = {"moved", "gap", "overlap"};
-
-/// \param what  which of the measures are errors there, as letters: m, g, o
-struct SpaceRun {
-    std::string name, title, what;
+struct SpaceRun : Measured {
     std::function<SpaceScene()> make;
 };
 
@@ -46,14 +42,14 @@ SpaceScene chain_of_fifty()
 std::vector<SpaceRun> space_runs()
 {
     return {
-        {"stack_10", "ten boxes", "m", [] { return unsettled(box_stack(10, 0.05, 0.5)); }},
-        {"stack_20", "twenty boxes", "m", [] { return unsettled(box_stack(20, 0.05, 0.5)); }},
-        {"heavy", "1000 times the mass on three", "m", [] { return unsettled(heavy_stack(4, 1000)); }},
-        {"wall", "wall of 105 bricks", "m", [] { return unsettled(brick_wall(10, 10, 0.6)); }},
-        {"chain", "chain of 50 with a heavy end", "g", [] { return chain_of_fifty(); }},
-        {"dolls", "ten dolls on stairs", "go", [] { return dolls_on_stairs(10, 2); }},
-        {"pour_60", "60 poured", "o", [] { return simple_heap(60); }},
-        {"pour_300", "300 poured", "o", [] { return simple_heap(300, 6); }},
+        {{"stack_10", "ten boxes", "m"}, [] { return unsettled(box_stack(10, 0.05, 0.5)); }},
+        {{"stack_20", "twenty boxes", "m"}, [] { return unsettled(box_stack(20, 0.05, 0.5)); }},
+        {{"heavy", "1000 times the mass on three", "m"}, [] { return unsettled(heavy_stack(4, 1000)); }},
+        {{"wall", "wall of 105 bricks", "m"}, [] { return unsettled(brick_wall(10, 10, 0.6)); }},
+        {{"chain", "chain of 50 with a heavy end", "g"}, [] { return chain_of_fifty(); }},
+        {{"dolls", "ten dolls on stairs", "go"}, [] { return dolls_on_stairs(10, 2); }},
+        {{"pour_60", "60 poured", "o"}, [] { return simple_heap(60); }},
+        {{"pour_300", "300 poured", "o"}, [] { return simple_heap(300, 6); }},
     };
 }
 
@@ -75,20 +71,6 @@ Page& page()
     return one;
 }
 
-std::string description()
-{
-    Listed scenes;
-    for (const SpaceRun& run : page().runs) {
-        Listed what;
-        for (const char* const one : measures)
-            if (run.what.find(one[0]) != std::string::npos) what.add(json(one));
-        scenes.add("{\"name\":" + json(run.name) + ",\"title\":" + json(run.title) +
-                   ",\"errors\":" + what.text() + ",\"steps\":240,\"driven\":0}");
-    }
-    return "{\"name\":\"beside_space\",\"measures\":[\"moved\",\"gap\",\"overlap\"],\"scenes\":" +
-           scenes.text() + '}';
-}
-
 }  // namespace
 }  // namespace rigid::race
 
@@ -99,7 +81,10 @@ RIGID_PAGE(web_start) int web_start()
 {
     return attempt([] { page(); });
 }
-RIGID_PAGE(web_description) const char* web_description() { return said(description()); }
+RIGID_PAGE(web_description) const char* web_description()
+{
+    return said(description_of("beside_space", page().runs));
+}
 RIGID_PAGE(web_sentence) const char* web_sentence() { return last_said().sentence.c_str(); }
 
 /// Begins a run. \param how  1: exact where an island has at most 1000 rows, else: sweeps; \param sweeps  0: as they come
@@ -128,7 +113,7 @@ RIGID_PAGE(race_open) int race_open(int scene, int how, int substeps, int sweeps
         all.theirs.resize(7 * all.start.bodies.count());
     });
 }
-RIGID_PAGE(race_scene) const char* race_scene() { return said(space_text(page().start)); }
+RIGID_PAGE(race_scene) const char* race_scene() { return said(space_text(page().ours)); }
 RIGID_PAGE(race_step) int race_step(double h)
 {
     return attempt([&] {
@@ -157,13 +142,12 @@ RIGID_PAGE(race_errors) const double* race_errors(int theirs)
         all.found.fill(infinity);
         return all.found.data();
     }
-    const auto wants = [&](char one) { return all.run->what.find(one) != std::string::npos; };
-    if (wants('m')) all.found[0] = SpaceJudge::moved(all.start.bodies.x, all.x);
-    if (wants('g')) {
+    if (all.run->by('m')) all.found[0] = SpaceJudge::moved(all.start.bodies.x, all.x);
+    if (all.run->by('g')) {
         SpaceScene here = all.start;
         here.bodies.x = all.x;
         all.found[1] = largest_joint_error(here);
     }
-    if (wants('o')) all.found[2] = all.judge->overlap(all.x);
+    if (all.run->by('o')) all.found[2] = all.judge->overlap(all.x);
     return all.found.data();
 }

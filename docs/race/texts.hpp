@@ -1,13 +1,13 @@
 /// \file texts.hpp
-/// Numbers and vectors as JSON, and what a page's functions hand out: a text that stays until the next one, and a sentence.
+/// Numbers and vectors as JSON, and the scenes of a program as the page or beside.mjs asks for them.
 #pragma once
 
+#include "common/program/web_calls.hpp"
 #include "common/program/web_description.hpp"
 #include "common/text.hpp"
 
-#include <exception>
+#include <array>
 #include <string>
-#include <utility>
 
 namespace rigid::race {
 
@@ -31,35 +31,37 @@ private:
     std::string text_;
 };
 
-struct Said {
-    std::string text, sentence;
+/// What is measured of a scene: how far a body has moved, how far a joint is open, how deep bodies overlap [m].
+inline constexpr std::array<const char*, 3> measures = {"moved", "gap", "overlap"};
+
+/// A scene of beside.mjs.
+struct Measured {
+    std::string name, title;
+    std::string what;  ///< which of the measures are errors there, as letters: m, g, o
+    int steps = 240;
+    int driven = 0;  ///< so many of the first bodies are moved by hand
+
+    bool by(char measure) const { return what.find(measure) != std::string::npos; }
 };
 
-inline Said& last_said()
+inline std::string text_of(const Measured& scene)
 {
-    static Said one;
-    return one;
+    Listed errors;
+    for (const char* const one : measures)
+        if (scene.by(one[0])) errors.add(json(one));
+    return "{\"name\":" + json(scene.name) + ",\"title\":" + json(scene.title) +
+           ",\"errors\":" + errors.text() + ",\"steps\":" + std::to_string(scene.steps) +
+           ",\"driven\":" + std::to_string(scene.driven) + '}';
 }
 
-inline const char* said(std::string text)
+/// \param scenes  each of them a Measured, or more
+template <class Scenes>
+std::string description_of(const std::string& name, const Scenes& scenes)
 {
-    last_said().text = std::move(text);
-    return last_said().text.c_str();
-}
-
-/// 0, or 1 and a sentence.
-template <class Do>
-int attempt(const Do& what)
-{
-    try {
-        what();
-        return 0;
-    } catch (const std::exception& error) {
-        last_said().sentence = error.what();
-        return 1;
-    }
+    Listed kinds, texts;
+    for (const char* const one : measures) kinds.add(json(one));
+    for (const Measured& scene : scenes) texts.add(text_of(scene));
+    return "{\"name\":" + json(name) + ",\"measures\":" + kinds.text() + ",\"scenes\":" + texts.text() + '}';
 }
 
 }  // namespace rigid::race
-
-#define RIGID_PAGE(name) extern "C" __attribute__((export_name(#name), used))
