@@ -838,7 +838,7 @@ TEST_CASE("a wall without direction and a shape that was spoilt are refused with
     // A step does not look at shapes each time: whoever changes one calls require_valid(scene).
     scene.shapes[0].radius = -1;
     CHECK(sentence_of([&] { require_valid(scene); }) ==
-          "the shape of body 0: the radius of the polygon is -1 m; it must be zero or positive and finite");
+          "the shape of body 0: the radius of the polygon is -1 m; it must be between 0 and 1e75");
 }
 
 TEST_CASE("bad polygons and masses and joints are refused with a sentence", "[idea]")
@@ -847,8 +847,12 @@ TEST_CASE("bad polygons and masses and joints are refused with a sentence", "[id
         return sentence_of([&] { mass_of(shape, density); });
     };
     CHECK(refused({}, 1) == "the polygon has no vertex; it needs one or more");
-    CHECK(refused(disc(-1), 1) ==
-          "the radius of the polygon is -1 m; it must be zero or positive and finite");
+    CHECK(refused(disc(-1), 1) == "the radius of the polygon is -1 m; it must be between 0 and 1e75");
+    CHECK(refused(disc(1e76), 1) == "the radius of the polygon is 1e+76 m; it must be between 0 and 1e75");
+    CHECK(refused(box(1e76, 1), 1) ==
+          "vertex 0 of the polygon is (-5e+75, -0.5); both must be numbers between -1e75 and 1e75");
+    CHECK(refused(box(1e-76, 1), 1) ==
+          "the edge of the polygon from vertex 0 is 1e-76 m long; it must be 1e-75 or more");
     CHECK(refused(disc(0), 1) ==
           "the polygon has the area 0 m²; it must be positive: three vertices, or a radius");
     CHECK(refused(capsule(1, 0), 1) ==
@@ -860,7 +864,7 @@ TEST_CASE("bad polygons and masses and joints are refused with a sentence", "[id
     CHECK(refused({{{0, 0}, {0, 0}, {1, 1}}, 0}, 1) ==
           "vertices 0 and 1 of the polygon are the same point; each must be its own");
     CHECK(refused({{{0, 0}, {1, std::nan("")}, {1, 1}}, 0}, 1) ==
-          "vertex 1 of the polygon is (1, nan); it must be finite");
+          "vertex 1 of the polygon is (1, nan); both must be numbers between -1e75 and 1e75");
     Polygon star;
     for (int i = 0; i < 5; ++i) star.vertices.push_back({std::cos(4 * pi * i / 5), std::sin(4 * pi * i / 5)});
     CHECK(refused(star, 1) == "the polygon goes around 2 times; a convex one goes around once");

@@ -363,6 +363,11 @@ TEST_CASE("a joint that makes no sense is refused with a sentence that names it"
           "the revolute joint 0 joins bodies -1 and 2, which cannot move; one of them must have a mass");
     CHECK(says([](RigidJoint& joint) { joint.lower = 1, joint.upper = 0.5; }) ==
           "the revolute joint 0 has the lower limit 1 and the upper 0.5; lower must not be above upper");
+    CHECK(says([](RigidJoint& joint) { joint.lower = joint.upper = infinity; }) ==
+          "the revolute joint 0 has the limits inf and inf; no number is between them");
+    CHECK(says([](RigidJoint& joint) {
+              joint.at_b = {0, 1e76};
+          }) == "the revolute joint 0 has a frame, a length or a ratio of 1e+76; none may be beyond 1e75");
     CHECK(says([](RigidJoint& joint) { joint.spring.stiffness = -2; }) ==
           "the revolute joint 0 has the stiffness -2; it must be zero or positive and finite");
     CHECK(says([](RigidJoint& joint) {

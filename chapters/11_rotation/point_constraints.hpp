@@ -41,11 +41,18 @@ inline void require_valid(const PointJoint& joint, std::size_t number, Index bod
         refuse("joins bodies " + std::to_string(joint.a) + " and " +
                std::to_string(joint.b) + " among " + std::to_string(bodies) +
                "; they must be two, and only a may be the world (−1)");
-    if (!joint.at_a.allFinite() || !joint.at_b.allFinite() ||
-        !std::isfinite(joint.length) || !std::isfinite(joint.gear_a) ||
-        !std::isfinite(joint.gear_b) || !std::isfinite(joint.speed) ||
-        !joint.over_a.allFinite() || !joint.over_b.allFinite())
-        refuse("has a point, a length, a gear or a speed that is not finite");
+    const auto finite = [&](const char* what, std::initializer_list<Real> numbers) {
+        for (const Real one : numbers)
+            if (!std::isfinite(one))
+                refuse("has " + std::string(what) + " of " + shortest(one) +
+                       "; it must be finite");
+    };
+    finite("a point", {joint.at_a.x(), joint.at_a.y(), joint.at_b.x(),
+                       joint.at_b.y(), joint.over_a.x(), joint.over_a.y(),
+                       joint.over_b.x(), joint.over_b.y()});
+    finite("a length", {joint.length});
+    finite("a gear", {joint.gear_a, joint.gear_b});
+    finite("a speed", {joint.speed});
     if (joint.kind == ConstraintKind::spring &&
         !(joint.stiffness >= 0 && joint.damping >= 0 &&
           std::isfinite(joint.stiffness) && std::isfinite(joint.damping) &&

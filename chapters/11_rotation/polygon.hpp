@@ -29,6 +29,10 @@ struct Polygon {
     Real radius = 0;  ///< [m]
 };
 
+/// A coordinate or a coefficient beyond it is refused, and an edge shorter than its
+/// inverse: the fourth power, which an inertia has, must be a number.
+constexpr Real largest_number = 1e75;
+
 /// How the mass of a body is spread.
 struct Mass {
     Real mass = 0;           ///< [kg]
@@ -59,16 +63,17 @@ inline void require_valid(const Polygon& shape)
     if (n == 0)
         throw std::invalid_argument(
             "the polygon has no vertex; it needs one or more");
-    if (!(shape.radius >= 0) || !std::isfinite(shape.radius))
+    if (!(shape.radius >= 0 && shape.radius <= largest_number))
         throw std::invalid_argument("the radius of the polygon is " +
                                     shortest(shape.radius) +
-                                    " m; it must be zero or positive and finite");
+                                    " m; it must be between 0 and 1e75");
     for (std::size_t i = 0; i < n; ++i)
-        if (!shape.vertices[i].allFinite())
+        if (!(shape.vertices[i].array().abs() <= largest_number).all())
             throw std::invalid_argument(
                 "vertex " + std::to_string(i) + " of the polygon is (" +
                 shortest(shape.vertices[i].x()) + ", " +
-                shortest(shape.vertices[i].y()) + "); it must be finite");
+                shortest(shape.vertices[i].y()) +
+                "); both must be numbers between -1e75 and 1e75");
     Real turned = 0;  // all exterior angles together: once around
     for (std::size_t i = 0; i < n && n > 1; ++i) {
         const Vec2 before = shape.vertices[(i + 1) % n] - shape.vertices[i];
@@ -79,6 +84,11 @@ inline void require_valid(const Polygon& shape)
                 "vertices " + std::to_string(i) + " and " +
                 std::to_string((i + 1) % n) +
                 " of the polygon are the same point; each must be its own");
+        if (before.norm() < 1 / largest_number)
+            throw std::invalid_argument("the edge of the polygon from vertex " +
+                                        std::to_string(i) + " is " +
+                                        shortest(before.norm()) +
+                                        " m long; it must be 1e-75 or more");
         if (n == 2) break;
         const Real angle = atan2(cross2(before, after), before.dot(after));
         if (!(angle > 0 && angle < pi))

@@ -88,6 +88,13 @@ inline void require_valid(const Surface& surface, std::string_view name,
     if (!(surface.rolling >= 0) || !std::isfinite(surface.rolling))
         refuse("rolling arm", surface.rolling,
                " m; it must be zero or positive and finite");
+    const auto not_beyond = [&](const char* thing, Real value) {
+        if (std::abs(value) > largest_number)
+            refuse(thing, value, "; it must not be beyond 1e75");
+    };
+    not_beyond("friction coefficient", surface.friction);
+    not_beyond("belt speed", surface.belt);
+    not_beyond("rolling arm", surface.rolling);
     if (!(surface.while_sliding() >= 0 &&
           surface.while_sliding() <= surface.friction))
         refuse("kinetic friction coefficient", surface.while_sliding(),

@@ -121,12 +121,22 @@ inline void require_valid(const RigidJoint& joint, std::size_t number,
         !std::isfinite(joint.spring.target))
         refuse("has a frame, a length, a ratio, a speed or a target that is not "
                "finite");
+    for (const Real length :
+         {joint.at_a.x(), joint.at_a.y(), joint.at_b.x(), joint.at_b.y(),
+          joint.over_a.x(), joint.over_a.y(), joint.over_b.x(), joint.over_b.y(),
+          joint.length, joint.ratio, joint.angle})
+        if (std::abs(length) > largest_number)
+            refuse("has a frame, a length or a ratio of " + shortest(length) +
+                   "; none may be beyond 1e75");
     if (!(std::abs(joint.axis.norm() - 1) <= 1e-9))
         refuse("has an axis of the length " + shortest(joint.axis.norm()) +
                "; it must be 1");
     if (!(joint.lower <= joint.upper))
         refuse("has the lower limit " + shortest(joint.lower) + " and the upper " +
                shortest(joint.upper) + "; lower must not be above upper");
+    if (joint.lower == infinity || joint.upper == -infinity)
+        refuse("has the limits " + shortest(joint.lower) + " and " +
+               shortest(joint.upper) + "; no number is between them");
     const bool driven = joint.motor.force > 0 || joint.spring.stiffness > 0 ||
                         joint.spring.damping > 0;
     const bool poses = joint.kind == JointKind::mouse ||

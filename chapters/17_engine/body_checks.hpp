@@ -23,6 +23,14 @@ inline void require_surface(const Surface& surface, const std::string& name)
             "; in a world there is one, the methods of chapter 13 take both");
 }
 
+/// A body beyond would be held there by every step (held_bodies.hpp).
+inline bool is_place(const Vec2& position, Real angle)
+{
+    return std::abs(position.x()) <= largest_number &&
+           std::abs(position.y()) <= largest_number &&
+           std::abs(angle) <= largest_number;
+}
+
 /// A shape is kept about its centroid. Far from it rounding may make one point of two vertices.
 inline Mass require_about(const Mass& mass, Polygon shape)
 {
@@ -45,6 +53,11 @@ inline Mass require_valid(const BodyDefinition& body)
             shortest(body.velocity.x()) + ", " + shortest(body.velocity.y()) +
             ") m/s and the spin " + shortest(body.spin) +
             " rad/s; all must be finite");
+    if (!is_place(body.position, body.angle))
+        throw std::invalid_argument(
+            "the body is at (" + shortest(body.position.x()) + ", " +
+            shortest(body.position.y()) + ") m at the angle " +
+            shortest(body.angle) + " rad; none may be beyond 1e75");
     if (!(body.density >= 0) || !std::isfinite(body.density))
         throw std::invalid_argument(
             "the density of the body is " + shortest(body.density) +
@@ -77,9 +90,9 @@ inline Mass require_valid(const BodyDefinition& body)
         fixed.centroid /= static_cast<Real>(body.shape.vertices.size());
     }
     if (!fixed.centroid.allFinite())
-        throw std::invalid_argument("the shape of the body has no finite centroid: "
-                                    "its area or a sum of its "
-                                    "vertices overflows; it must be smaller");
+        throw std::invalid_argument(
+            "the centroid of the body is (" + shortest(fixed.centroid.x()) + ", " +
+            shortest(fixed.centroid.y()) + "); it must be finite");
     return require_about(fixed, body.shape);
 }
 

@@ -54,7 +54,7 @@ private:
     {
         // false for NaN
         const auto small = [](const auto& v) {
-            return (v.array().abs() <= 1e75).all();
+            return (v.array().abs() <= largest_number).all();
         };
         return small(bodies.x.segment<3>(3 * k)) &&
                small(bodies.u.segment<3>(3 * k));

@@ -33,6 +33,11 @@ BodyId World::add_chain(std::span<const Vec2> points, bool closed,
     require_surface(surface, "the chain");
     RigidScene trial;  // throws for points that make no chain
     rigid::add_chain(trial, corners, closed);
+    for (const Vec2& corner : corners)
+        if (!is_place(corner, 0))
+            throw std::invalid_argument(
+                "the chain has a point at (" + shortest(corner.x()) + ", " +
+                shortest(corner.y()) + ") m; none may be beyond 1e75");
     const std::uint8_t group = s.classes.enter(filter, s.filter());
     const Index first = s.scene.bodies.count();
     for (Index i = 0; i < trial.bodies.count(); ++i) {

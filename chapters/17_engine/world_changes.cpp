@@ -13,11 +13,11 @@ void World::move(BodyId body, const Vec2& position, Real angle)
 {
     State& s = *state_;
     const Index k = s.number(body);
-    if (!position.allFinite() || !std::isfinite(angle))
-        throw std::invalid_argument("the body is to go to (" +
-                                    shortest(position.x()) + ", " +
-                                    shortest(position.y()) + ") m at the angle " +
-                                    shortest(angle) + " rad; they must be finite");
+    if (!is_place(position, angle))
+        throw std::invalid_argument(
+            "the body is to go to (" + shortest(position.x()) + ", " +
+            shortest(position.y()) + ") m at the angle " + shortest(angle) +
+            " rad; they must be finite, none beyond 1e75");
     s.scene.bodies.position(k) << position, angle;
     s.disturb(k);
     if (!s.scene.bodies.can_move(k) && !s.note(k).sensor) wake_under(s, k);
@@ -97,10 +97,10 @@ void World::pull(BodyId body, const Vec2& to)
 {
     State& s = *state_;
     const Index k = s.number_or_world(body);
-    if (!to.allFinite())
+    if (!is_place(to, 0))
         throw std::invalid_argument("the hand pulls to (" + shortest(to.x()) +
                                     ", " + shortest(to.y()) +
-                                    ") m; it must be finite");
+                                    ") m; it must be finite, and not beyond 1e75");
     if (k != world && !s.scene.bodies.can_move(k))
         throw std::invalid_argument("the hand pulls body " + std::to_string(k) +
                                     ", which cannot move; it must have a density");

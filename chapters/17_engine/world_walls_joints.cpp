@@ -15,6 +15,10 @@ WallId World::add_wall(const HalfSpace& wall, const Surface& surface)
     RigidScene trial;
     trial.walls.push_back(wall);
     require_bodies(trial);  // throws for a wall that makes no sense
+    if (!(std::abs(wall.offset) <= largest_number))
+        throw std::invalid_argument("the wall has the offset " +
+                                    shortest(wall.offset) +
+                                    " m; it must not be beyond 1e75");
     require_surface(surface, "the wall");
     WallId id;
     if (s.walls.free.empty()) {

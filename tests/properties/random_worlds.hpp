@@ -2,8 +2,7 @@
 /// Small worlds of the engine with numbers that are meant to go wrong, kind by kind, and what must hold of each of them.
 ///
 ///     a call  throws std::invalid_argument and moves nothing, or is obeyed
-///     a step  throws nothing; every number that a world shows is finite; a body that is held is reported.
-///             Where numbers of any size came in, it may refuse as a call does, if a product of two of them overflows
+///     a step  throws nothing; every number that a world shows is finite; a body that is held is reported
 ///     bytes   a world that was saved and loaded goes on to the same bits
 #pragma once
 
@@ -185,22 +184,10 @@ private:
         try {
             world.step(frame);
             return true;
-        } catch (const std::invalid_argument& refusal) {
-            ++tally_.refused;
-            if (kind_ != 2) wrong(std::string("it refuses: ") + refusal.what(), i);
         } catch (const std::exception& thrown) {
             wrong(std::string("it throws: ") + thrown.what(), i);
         }
         return false;
-    }
-    /// Products of its numbers with those of bodies stay below the largest number.
-    static bool is_moderate(const RigidJoint& joint)
-    {
-        for (const Real number :
-             {joint.at_a.norm(), joint.at_b.norm(), joint.over_a.norm(), joint.over_b.norm(),
-              std::abs(joint.length), std::abs(joint.ratio), std::abs(joint.angle)})
-            if (!(number <= 1e75)) return false;
-        return true;
     }
     void judge(int i)
     {
@@ -223,14 +210,15 @@ private:
         world_.contacts(contacts_);
         for (const ContactView& contact : contacts_)
             if (!std::isfinite(contact.impulse) || !std::isfinite(contact.gap) ||
-                !contact.point.allFinite() || !contact.normal.allFinite())
-                wrong("a contact has the impulse " + shortest(contact.impulse) + " and the gap " +
-                          shortest(contact.gap),
+                !contact.point.allFinite() || !(std::abs(contact.normal.norm() - 1) < 1e-9))
+                wrong("a contact at (" + shortest(contact.point.x()) + ", " + shortest(contact.point.y()) +
+                          ") with the normal (" + shortest(contact.normal.x()) + ", " +
+                          shortest(contact.normal.y()) + ") has the impulse " + shortest(contact.impulse) +
+                          " and the gap " + shortest(contact.gap),
                       i);
         for (const JointId joint : world_.joints())
-            if (!is_moderate(world_.joint(joint))) continue;
-            else if (std::isnan(world_.error(joint)) || std::isnan(world_.torque(joint)) ||
-                     world_.force(joint).hasNaN() || std::isnan(world_.coordinate(joint)))
+            if (std::isnan(world_.error(joint)) || std::isnan(world_.torque(joint)) ||
+                world_.force(joint).hasNaN() || std::isnan(world_.coordinate(joint)))
                 wrong("the " + std::string(to_string(world_.joint(joint).kind)) + " joint " +
                           std::to_string(joint.place) + " has the error " + shortest(world_.error(joint)) +
                           ", the force (" + shortest(world_.force(joint).x()) + ", " +

@@ -36,6 +36,12 @@ struct Layers final : JPH::BroadPhaseLayerInterface,
     {
         return JPH::BroadPhaseLayer(static_cast<JPH::BroadPhaseLayer::Type>(layer));
     }
+#if defined(JPH_EXTERNAL_PROFILE) || defined(JPH_PROFILE_ENABLED)
+    const char* GetBroadPhaseLayerName(JPH::BroadPhaseLayer layer) const override
+    {
+        return layer == JPH::BroadPhaseLayer(fixed_things) ? "fixed" : "moving";
+    }
+#endif
     bool ShouldCollide(JPH::ObjectLayer a, JPH::BroadPhaseLayer b) const override
     {
         return a == moving_things || b == JPH::BroadPhaseLayer(moving_things);
