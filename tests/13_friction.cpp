@@ -713,7 +713,8 @@ TEST_CASE("bad surfaces are refused with a sentence", "[house]")
           "the friction coefficient of body 0 is -0.1; it must be zero or positive and finite");
     CHECK(refused({std::nan(""), 0, 0, 0}) ==
           "the friction coefficient of body 0 is nan; it must be zero or positive and finite");
-    CHECK(refused({1e76, 0, 0, 0}) == "the friction coefficient of body 0 is 1e+76; it must not be beyond 1e75");
+    CHECK(refused({1e76, 0, 0, 0}) ==
+          "the friction coefficient of body 0 is 1e+76; it must not be beyond 1e75");
     CHECK(refused({0, 0, -1e76, 0}) == "the belt speed of body 0 is -1e+76; it must not be beyond 1e75");
     CHECK(refused({0, 0, 0, 1e76}) == "the rolling arm of body 0 is 1e+76; it must not be beyond 1e75");
     CHECK(refused({0, 1.5, 0, 0}) == "the restitution of body 0 is 1.5; it must be from 0 to 1");

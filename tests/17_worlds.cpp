@@ -622,7 +622,8 @@ TEST_CASE("bad input gets a sentence and changes nothing", "[house]")
     CHECK_THROWS_WITH(engine.move(body, {0, 0}, -1e76), Contains("beyond 1e75"));
     CHECK_THROWS_WITH(engine.add_body(body_of(box(1, 1), {-1e76, 0})), Contains("beyond 1e75"));
     CHECK_THROWS_WITH(engine.add_body(body_of(box(1e76, 1), {0, 0})), Contains("vertex 0"));
-    CHECK_THROWS_WITH(engine.add_chain(std::vector<Vec2>{{1e76, 0}, {1e76, 5}}), Contains("the chain has a point"));
+    CHECK_THROWS_WITH(engine.add_chain(std::vector<Vec2>{{1e76, 0}, {1e76, 5}}),
+                      Contains("the chain has a point"));
     CHECK_THROWS_WITH(engine.set_velocity(body, {0, infinity}, 0), Contains("finite"));
     CHECK_THROWS_WITH(engine.push(body, {nan, 0}, {0, 0}), Contains("impulse"));
     CHECK_THROWS_WITH(engine.add_wall({{0, 2}, 0}), Contains("normal"));
@@ -994,7 +995,8 @@ TEST_CASE("joints between masses whose ratio no number holds leave no impulse th
     }
 }
 
-TEST_CASE("a hand that pulls farther than numbers go holds its body and no step refuses what it left", "[house]")
+TEST_CASE("a hand that pulls farther than numbers go holds its body and no step refuses what it left",
+          "[house]")
 {
     World engine;
     const BodyId ball = engine.add_body(body_of(disc(0.2), {0, 5}));
