@@ -1432,8 +1432,8 @@ TEST_CASE("a run pulls the disc that lies under the pressed pointer of its pictu
     Settings settings;
     settings.h = 1.0 / 60;
     constexpr bool pressed = true, released = false;
-    const auto after = [&](const Vec2& pointer, bool pressed) {
-        run.step(settings, {.pointer = pointer, .present = true, .pressed = pressed});
+    const auto after = [&](const Vec2& pointer, bool down) {
+        run.step(settings, {.pointer = pointer, .present = true, .pressed = down});
         return run.measure();
     };
     CHECK(after({2.1, 0}, released)[0] == world);

@@ -5,6 +5,7 @@
 ///     p = x + R p̄,  n = R n̄            (18.1) for each corner, each normal, each direction
 #pragma once
 
+#include "chapters/11_rotation/polygon.hpp"
 #include "chapters/18_space/inertia.hpp"
 #include "chapters/18_space/space_bodies.hpp"
 
@@ -44,9 +45,9 @@ inline void require_valid(const SolidForm& form)
         throw std::invalid_argument("a hull " + what);
     };
     if (hull.vertices.empty()) refuse("has no vertices");
-    if (!(hull.radius >= 0) || !std::isfinite(hull.radius))
+    if (!(hull.radius >= 0 && hull.radius <= largest_number))
         refuse("has the radius " + shortest(hull.radius) +
-               " m; it must be zero or positive and finite");
+               " m; it must be between 0 and 1e75");
     if (hull.vertices.size() <= 2) return;
     if (hull.faces.size() < 4)
         refuse("of " + std::to_string(hull.vertices.size()) + " vertices has " +
@@ -84,8 +85,11 @@ inline SolidForm form_of(const Hull& hull)
         return hull.vertices.at(static_cast<std::size_t>(i));
     };
     for (const Vec3& p : hull.vertices) {
-        if (!p.allFinite())
-            throw std::invalid_argument("a hull has a vertex that is not finite");
+        if (!(p.array().abs() <= largest_number).all())
+            throw std::invalid_argument(
+                "a hull has a vertex at (" + shortest(p.x()) + ", " +
+                shortest(p.y()) + ", " + shortest(p.z()) +
+                "); all three must be finite, and none beyond 1e75");
         form.reach = std::max(form.reach, p.norm() + hull.radius);
     }
     if (hull.vertices.size() == 2) form.edges.push_back({0, 1});
@@ -105,13 +109,16 @@ inline SolidForm form_of(const Hull& hull)
             edges.push_back(static_cast<int>(at - form.edges.begin()));
             if (at == form.edges.end()) form.edges.push_back(edge);
         }
-        if (!(area.norm() > 0)) throw std::invalid_argument("a face has no area");
+        // less has a square that is none, and so no normal
+        if (!(area.norm() >= 1 / (largest_number * largest_number)))
+            throw std::invalid_argument("a face has no area");
         form.normals.push_back(area.normalized());
         form.face_edges.push_back(std::move(edges));
     }
     for (const SolidEdge& edge : form.edges) {
         const Vec3 way = corner(edge.to) - corner(edge.from);
-        if (!(way.norm() > 0)) throw std::invalid_argument("an edge has no length");
+        if (!(way.norm() >= 1 / largest_number))
+            throw std::invalid_argument("an edge has no length");
         const Vec3 d = way.normalized();
         const auto parallel = [&d](const Vec3& other) {
             return cross(d, other).squaredNorm() < 1e-20;  // a few roundings
