@@ -29,10 +29,6 @@ struct Polygon {
     Real radius = 0;  ///< [m]
 };
 
-/// A coordinate or a coefficient beyond it is refused, and an edge shorter than its
-/// inverse: the fourth power, which an inertia has, must be a number.
-constexpr Real largest_number = 1e75;
-
 /// How the mass of a body is spread.
 struct Mass {
     Real mass = 0;           ///< [kg]

@@ -44,20 +44,15 @@ inline Mass require_valid(const BodyDefinition& body)
 {
     require_valid(body.shape);
     require_surface(body.surface, "the body");
-    if (!body.position.allFinite() || !std::isfinite(body.angle) ||
-        !body.velocity.allFinite() || !std::isfinite(body.spin))
+    if (!is_place(body.position, body.angle) || !body.velocity.allFinite() ||
+        !std::isfinite(body.spin))
         throw std::invalid_argument(
             "the body is at (" + shortest(body.position.x()) + ", " +
             shortest(body.position.y()) + ") m at the angle " +
             shortest(body.angle) + " rad with the velocity (" +
             shortest(body.velocity.x()) + ", " + shortest(body.velocity.y()) +
             ") m/s and the spin " + shortest(body.spin) +
-            " rad/s; all must be finite");
-    if (!is_place(body.position, body.angle))
-        throw std::invalid_argument(
-            "the body is at (" + shortest(body.position.x()) + ", " +
-            shortest(body.position.y()) + ") m at the angle " +
-            shortest(body.angle) + " rad; none may be beyond 1e75");
+            " rad/s; all must be finite, and no place or angle beyond 1e75");
     if (!(body.density >= 0) || !std::isfinite(body.density))
         throw std::invalid_argument(
             "the density of the body is " + shortest(body.density) +

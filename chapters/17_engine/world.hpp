@@ -11,7 +11,8 @@
 /// one thread at a time may call functions, also those that are const. The same calls give the same bits.
 ///
 /// Each function throws std::invalid_argument, with a sentence that names the thing and the value, for an id of
-/// something that is not there any more and for a number that makes no sense; then nothing has changed.
+/// something that is not there any more and for a number that makes no sense; then nothing has changed. Of places, angles,
+/// shapes, frames and coefficients those beyond 1e75 (largest_number) make none.
 #pragma once
 
 #include "chapters/17_engine/events.hpp"

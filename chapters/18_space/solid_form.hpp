@@ -5,7 +5,6 @@
 ///     p = x + R p̄,  n = R n̄            (18.1) for each corner, each normal, each direction
 #pragma once
 
-#include "chapters/11_rotation/polygon.hpp"
 #include "chapters/18_space/inertia.hpp"
 #include "chapters/18_space/space_bodies.hpp"
 
