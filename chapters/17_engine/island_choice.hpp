@@ -152,7 +152,7 @@ private:
         sweeps.enough.clear();
         exact_count = swept_count = 0;
         for (int i = 0; i < all.islands.count(); ++i) {
-            const IslandNote& note = all.notes[static_cast<std::size_t>(i)];
+            const IslandNote& note = all.note(i);
             const std::span<const int> rows = all.islands.rows_of(i),
                                        members = all.islands.bodies_of(i);
             const bool goes = note.place >= IslandPlace::swept;
@@ -177,16 +177,15 @@ private:
     //! [split]
 
     //! [rescue]
-    /// What sweeps have left above the tolerance is solved exactly after all, where
-    /// that is possible.
+    /// What sweeps have left above what is good enough is solved exactly after all,
+    /// where that is possible.
     void rescue(Bodies<3>& bodies, StepData<3>& now)
     {
         rescued_count = 0;
         if (solving != Solving::by_island) return;
         set_price(tolerance * now.length / 2, rule.entries, rule, rescuer.solver);
-        rescued_count =
-            rescuer(all.islands, bodies, now, tolerance * now.length,
-                    [&](int i) { return all.place(i) == IslandPlace::swept; });
+        rescued_count = rescuer(all.islands, bodies, now,
+                                [&](int i) { return all.rescued_above(i); });
     }
 
     /// What comes to rest is solved to the end: sweeps leave it velocities, and so
@@ -196,10 +195,13 @@ private:
         if (solving == Solving::sweeps || !(slow > 0)) return;
         set_price(0, rule.entries / 10, rule, rescuer.solver);
         const Real length = now.length, speed = slow * length;
-        rescuer(all.islands, bodies, now, tolerance * length / 1000, [&](int i) {
-            return (all.place(i) == IslandPlace::swept ||
-                    (all.place(i) == IslandPlace::exact && !exactly.answered)) &&
-                   are_slow(all.islands.bodies_of(i), bodies.u, speed, length);
+        rescuer(all.islands, bodies, now, [&](int i) {
+            const IslandPlace place = all.place(i);
+            const bool meant =
+                (place == IslandPlace::swept ||
+                 (place == IslandPlace::exact && !exactly.answered)) &&
+                are_slow(all.islands.bodies_of(i), bodies.u, speed, length);
+            return meant ? tolerance * length / 1000 : infinity;
         });
     }
     //! [rescue]
@@ -208,7 +210,7 @@ private:
     void lessen_start(StepData<3>& now)
     {
         for (int i = 0; i < all.islands.count(); ++i) {
-            if (!all.notes[static_cast<std::size_t>(i)].moves) continue;
+            if (!all.note(i).moves) continue;
             const std::span<const int> rows = all.islands.rows_of(i);
             if (zeros_.size() != now.u_star.size())
                 zeros_.setZero(now.u_star.size());
@@ -227,7 +229,7 @@ private:
                 exactly.answered && all.place(i) == IslandPlace::exact
                     ? exactly.residual(i)
                     : natural_residual(now, all.islands.rows_of(i), bodies.u);
-            unsolved += !(r <= all.notes[static_cast<std::size_t>(i)].enough);
+            unsolved += !(r <= all.note(i).enough);
             if (!(r <= largest || std::isnan(largest))) largest = r;
         }
         now.solution.residual = largest;

@@ -1,17 +1,17 @@
 /// \file island_places.hpp
 /// Which islands a step has, and where each of them is solved.
 ///
-///     it stands, or is small             exactly, or by sweeps until r ≤ tolerance ℓ
-///     it is large, moves, has joints     by up to a thousand sweeps, until r ≤ tolerance ℓ
-///     it is large, moves, has none       roughly:  r ≤ g h / 30,  g h the most that this step's forces give one of its bodies     (17.5)
+///     it stands, or has few rows         exactly, or by sweeps until r ≤ tolerance ℓ
+///     it moves, with joints              by up to a thousand sweeps, until r ≤ tolerance ℓ
+///     it moves, a heap                   roughly:  r ≤ g h / 30,  g h the most that this step's forces give one of its bodies     (17.5)
 ///
 /// What moves has another λ in each step, and an error of one step is no error of the next; but a limit that is missed bends a
 /// knee. Joints that sweeps would lose are held exactly all the same: they cost O(n), but for the loops that they close.
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
+#include "chapters/17_engine/choice_rule.hpp"
 #include "chapters/17_engine/island_rescue.hpp"
-#include "chapters/17_engine/island_shape.hpp"
 #include "chapters/17_engine/known_motion.hpp"
 
 namespace rigid {
@@ -32,10 +32,12 @@ inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule
 {
     if (!fits || solving == Solving::sweeps) return IslandPlace::only_swept;
     const bool has_joints = shape.has_joints();
-    if (moves && !has_joints) return IslandPlace::only_swept;
-    if (moves && !sweeps_cost_more(shape, rule))
-        return may_be_swept(shape, rule) ? IslandPlace::only_swept
-                                         : IslandPlace::held;
+    const bool ends = may_be_swept(shape, rule);
+    if (moves && !has_joints && shape.bounded > rule.moving)
+        return IslandPlace::only_swept;
+    if (moves && !has_joints && ends) return IslandPlace::swept;
+    if (moves && has_joints && !sweeps_cost_more(shape, rule))
+        return ends ? IslandPlace::only_swept : IslandPlace::held;
     if (!may_be_exact(shape, rule))
         return has_joints ? IslandPlace::held : IslandPlace::only_swept;
     const bool is_tree = has_joints && shape.loops == 0;  // joints cost O(n)
@@ -87,9 +89,15 @@ public:
     bool anew = true;               ///< they are to be listed again
 
     std::size_t count() const { return notes.size(); }
-    IslandPlace place(int island) const
+    const IslandNote& note(int island) const
     {
-        return notes[static_cast<std::size_t>(island)].place;
+        return notes[static_cast<std::size_t>(island)];
+    }
+    IslandPlace place(int island) const { return note(island).place; }
+    /// The residual above which it is solved exactly after all [m/s]
+    Real rescued_above(int island) const
+    {
+        return place(island) == IslandPlace::swept ? note(island).enough : infinity;
     }
 
     //! [look]
@@ -150,8 +158,7 @@ private:
         const IslandShape shape = survey_(bodies, now.rows, islands.rows_of(island),
                                           islands.bodies_of(island));
         note.joined = shape.has_joints();
-        note.large = solving == Solving::by_island &&
-                     shape.bounded > (note.joined ? rule.always : rule.moving);
+        note.large = solving == Solving::by_island && shape.bounded > rule.always;
         note.moves = note.large && moves(island, bodies, now);
         // a border is one for the loops of all islands
         IslandShape joints = joints_;
@@ -161,8 +168,8 @@ private:
             joints.price_of_loops() <= static_cast<Real>(rule.entries);
         if (fits) joints_ = joints;
         note.place = choose_place(shape, rule, solving, note.moves, fits);
-        note.sweeps = note.moves && note.joined ? std::max(sweeps, rule.joined)
-                                                : sweeps_worth(shape, rule, sweeps);
+        note.sweeps = note.moves ? sweeps_of_moving(shape, rule, sweeps)
+                                 : sweeps_worth(shape, rule, sweeps);
         if (!may_be_exact(shape, rule)) note.to_stand = rule.entries;
         return note;
     }

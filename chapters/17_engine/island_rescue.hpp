@@ -4,7 +4,7 @@
 
 #include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "chapters/14_joints/tree_solver.hpp"
-#include "chapters/17_engine/island_shape.hpp"
+#include "chapters/17_engine/choice_rule.hpp"
 #include "chapters/17_engine/step_part.hpp"
 
 namespace rigid {
@@ -73,20 +73,20 @@ struct TreePart {
 
 //! [rescue]
 struct IslandRescue : TreePart {
-    /// Solves those islands that are meant and whose residual is above `enough`.
-    /// \param enough  [m/s]
-    /// \param meant   bool(int island)
+    /// Solves those islands whose residual is above what is good enough for them.
+    /// \param enough  Real(int island) [m/s]; infinite = it is not meant
     /// \return        how many they were
-    template <class Meant>
+    template <class Enough>
     int operator()(const Islands& islands, Bodies<3>& bodies, StepData<3>& now,
-                   Real enough, const Meant& meant)
+                   const Enough& enough)
     {
         int count = 0;
         part.clear();
         for (int i = 0; i < islands.count(); ++i) {
-            if (!meant(i)) continue;
+            const Real most = enough(i);
+            if (most == infinity) continue;
             const std::span<const int> rows = islands.rows_of(i);
-            if (natural_residual(now, rows, bodies.u) <= enough) continue;
+            if (natural_residual(now, rows, bodies.u) <= most) continue;
             ++count;
             part.add(rows, islands.bodies_of(i));
         }
