@@ -261,6 +261,7 @@ const bool registered = [] {
     measure({"bridge_30", [] { return bridge_world(30); }});
     measure({"grid_20", [] { return grid_world(20); }});
     measure({"grid_100", [] { return grid_world(100); }, 30});
+    measure({"rubble_40", [] { return rubble_world(40, 1); }});
     measure({"poured_300", [] { return poured_world(300); }});
     measure({"poured_10000", [] { return poured_world(10000); }, 120});
     measure({"dolls_10", [] { return dolls_world(10); }});
