@@ -9,6 +9,7 @@ add_library(rigid_program STATIC
   common/program/outputs.cpp
   common/program/panel_rows.cpp
   common/program/panes.cpp
+  common/program/part_watch.cpp
   common/program/playback.cpp
   common/program/program.cpp
   common/program/progress.cpp

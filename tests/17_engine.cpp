@@ -392,3 +392,32 @@ TEST_CASE("the momentum of bodies that only meet each other stays", "[idea]")
     // overlaps are corrected between two centroids by equal impulses on points that are not quite the same: to the slop
     CHECK(std::abs(change[2]) < 0.2);
 }
+
+TEST_CASE("a step tells its stages in their order and its bits are the same", "[house]")
+{
+    WorldSettings settings;
+    settings.substeps = 2;
+    World told(settings), silent(settings);
+    for (World* const engine : {&told, &silent}) {
+        engine->add_wall({{0, 1}, 0});
+        engine->add_body(falling(box(1, 1), {0, 0.6}, 0.1));
+    }
+    const std::vector<Stage> order = {Stage::contacts,  Stage::start, Stage::rows,     Stage::solver,
+                                      Stage::positions, Stage::rows,  Stage::solver,   Stage::positions,
+                                      Stage::rows,      Stage::start, Stage::contacts, Stage::report};
+    std::vector<Stage> stages;
+    int steps = 0;
+    for (; steps < 400 && (steps == 0 || told.work().awake > 0); ++steps) {
+        stages.clear();
+        told.step(h, [&](Stage stage) { stages.push_back(stage); });
+        silent.step(h);
+        if (told.work().awake > 0) CHECK(stages == order);
+        REQUIRE(told.hash() == silent.hash());
+    }
+    CHECK(steps < 400);
+    // all sleep: there is no step, and nothing to tell
+    stages.clear();
+    told.step(h, [&](Stage stage) { stages.push_back(stage); });
+    CHECK(told.work().skipped);
+    CHECK(stages.empty());
+}

@@ -132,13 +132,13 @@ TEST_CASE("the choice by island costs at most half as much again as the better o
         const char* name;
         std::function<World()> make;
         int steps;
-        Real share;  ///< of the better one, at most; measured: 0.4, 1, 1, 0.05, 1.2, 1
+        Real share;  ///< of the better one, at most; measured: 0.01, 1, 0.5, 0.05, 0.6, 1.3
     };
-    const Case cases[] = {{"pyramid", [] { return pyramid_world(20); }, 60, 0.6},
+    const Case cases[] = {{"pyramid", [] { return pyramid_world(20); }, 60, 0.05},
                           {"chain", [] { return chain_world(50, 1000); }, 60, 1.01},
-                          {"heavy", [] { return column_world(10, 1000); }, 60, 1.01},
+                          {"heavy", [] { return column_world(10, 1000); }, 60, 0.7},
                           {"net", [] { return grid_world(10); }, 60, 0.1},
-                          {"poured", [] { return poured_world(60); }, 150, 1.5},
+                          {"poured", [] { return poured_world(60); }, 150, 0.8},
                           {"dolls", [] { return dolls_world(2); }, 120, 1.5}};
     for (const Case& it : cases) {
         INFO(it.name);
@@ -754,8 +754,8 @@ TEST_CASE("a small heap that moves is swept and overlaps no more than one that i
         Real price = 0;
         int unsolved = 0;
     };
-    const auto fall = [](Solving solving, std::uint64_t seed) {
-        World engine = rubble_world(24 + 8 * static_cast<int>(seed), seed);
+    const auto fall = [](Solving solving, int seed) {
+        World engine = rubble_world(24 + 8 * seed, static_cast<std::uint64_t>(seed));
         WorldSettings settings = engine.settings();
         settings.solving = solving;
         engine.change(settings);
@@ -769,7 +769,7 @@ TEST_CASE("a small heap that moves is swept and overlaps no more than one that i
         return found;
     };
     Fall swept, exact;
-    for (const std::uint64_t seed : {0, 1, 2, 3})
+    for (const int seed : {0, 1, 2, 3})
         for (const auto& [solving, sum] :
              {std::pair{Solving::by_island, &swept}, std::pair{Solving::exact, &exact}}) {
             const Fall one = fall(solving, seed);

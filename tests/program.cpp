@@ -5,6 +5,7 @@
 #include "common/program/outputs.hpp"
 #include "common/program/panel_rows.hpp"
 #include "common/program/panes.hpp"
+#include "common/program/part_watch.hpp"
 #include "common/program/scripted_pointer.hpp"
 #include "common/program/show.hpp"
 #include "common/program/table.hpp"
@@ -940,4 +941,38 @@ TEST_CASE("time does not gather rounding errors and goes on when h changes")
     playback.set_h(0.5);
     playback.step({});
     CHECK(playback.time() == 1000 * 0.1 + 0.5);
+}
+
+TEST_CASE("the parts of a step are timed in the order in which they are told and a mean forgets the oldest")
+{
+    PartTimes times;
+    // 1 s of rows, 2 of the solver, 1 of rows again; what is between two steps is no part
+    for (const Real start : {0.0, 100.0}) {
+        times.begin("rows", start);
+        times.begin("solver", start + 1);
+        times.begin("rows", start + 3);
+        times.begin("", start + 4);
+    }
+    REQUIRE(times.parts().size() == 2);
+    CHECK(times.parts()[0].name == "rows");
+    CHECK(times.parts()[0].seconds == 2);
+    CHECK(times.parts()[1].seconds == 2);
+    CHECK(seconds_of(times.parts()) == 4);
+    CHECK(seconds_of(times.parts(), "solver") == 2);
+    CHECK(seconds_of(times.parts(), "nothing") == 0);
+    for (int i = 0; i < 600; ++i) times.begin("", 200);  // steps in which nothing was done
+    CHECK(seconds_of(times.parts()) < 1e-3);
+}
+
+TEST_CASE("a run that tells no parts has none")
+{
+    const Program program = toy::program();
+    Playback playback(program.scenes[0], parsed(program, {}).settings, {"symplectic", "explicit"});
+    PartWatch watch;
+    watch.listen(playback);
+    playback.step({});
+    REQUIRE(watch.tracks() == 2);
+    CHECK(watch.parts(0).empty());
+    watch.listen(playback);
+    CHECK(watch.tracks() == 2);
 }

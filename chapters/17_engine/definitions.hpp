@@ -10,6 +10,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace rigid {
@@ -152,5 +153,22 @@ struct StepWork {
     static constexpr int visit_price = 8;
 };
 //! [work]
+
+//! [stages]
+/// The parts of a step: rows, solver and positions once for each sub-step.
+enum class Stage : std::uint8_t {
+    contacts,   ///< what is awake, and what touches
+    start,      ///< impulses of the step before: found, and kept
+    rows,       ///< forces, constraints, biases
+    solver,     ///< impulses and velocities
+    positions,  ///< moved, and errors taken out of them
+    report      ///< events, sensors, counters
+};
+constexpr int stage_count = 6;
+const char* to_string(Stage stage);
+
+/// Is told which stage begins. It must not call the world, nor throw.
+using StageListener = std::function<void(Stage)>;
+//! [stages]
 
 }  // namespace rigid

@@ -103,6 +103,56 @@ inline World bricks_world(int rows, int columns)
     return made;
 }
 
+/// An arch of stones.
+inline World arch_world(int stones)
+{
+    World made;
+    put_in(made, stone_arch(stones, 0.2, 0.7));
+    return made;
+}
+
+/// A ball of iron on a chain that swings into a wall of bricks.
+inline World wrecker_world(int rows)
+{
+    World made;
+    made.add_wall({{0, 1}, 0});
+    for (int row = 0; row < rows; ++row)
+        for (int i = 0; i < 3; ++i)
+            made.add_body(body_of(box(0.5, 0.3),
+                                  {0.51 * i + 0.25 * (row % 2), 0.15 + 0.3 * row}));
+    constexpr int links = 8;
+    const Vec2 hook(-1, 5);
+    BodyId last;
+    for (int i = 0; i < links; ++i) {  // pulled back to the left, level
+        const Vec2 at = hook - Vec2(0.4 * i, 0);
+        BodyDefinition link =
+            body_of(box(0.4, 0.05, 0.01), at - Vec2(0.2, 0), 0, 40);
+        link.filter = meets_no_twin;
+        const BodyId id = made.add_body(link);
+        made.add_joint(last, id, made.joint_at(JointKind::revolute, last, id, at));
+        last = id;
+    }
+    const Vec2 end = hook - Vec2(0.4 * links, 0);
+    const BodyId ball = made.add_body(body_of(disc(0.5), end, 0, 60));
+    made.add_joint(last, ball, made.joint_at(JointKind::revolute, last, ball, end));
+    return made;
+}
+
+/// A plank on a pin, light boxes at one end, and a heavy one that falls on the other.
+inline World seesaw_world(Real ratio)
+{
+    World made;
+    made.add_wall({{0, 1}, 0});
+    const BodyId plank = made.add_body(body_of(box(5, 0.1), {0, 0.6}));
+    RigidJoint pin = made.joint_at(JointKind::revolute, {}, plank, {0, 0.6});
+    pin.lower = -0.2, pin.upper = 0.2;
+    made.add_joint({}, plank, pin);
+    for (int i = 0; i < 3; ++i)
+        made.add_body(body_of(box(0.4, 0.4), {-2.2, 0.85 + 0.4 * i}));
+    made.add_body(body_of(box(0.8, 0.8), {2, 4.5}, 0, ratio / 4));
+    return made;
+}
+
 /// Rubble in a trough.
 inline World rubble_world(int bodies, std::uint64_t seed)
 {

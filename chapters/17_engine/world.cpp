@@ -7,6 +7,7 @@
 #include "chapters/17_engine/world.hpp"
 
 #include "chapters/17_engine/body_checks.hpp"
+#include "chapters/17_engine/told_stages.hpp"
 #include "chapters/17_engine/world_cpp.hpp"
 
 namespace rigid {
@@ -54,6 +55,24 @@ void require_valid(const WorldSettings& settings)
                    "smaller: " + shortest(share) + " times it is not finite");
 }
 
+const char* to_string(Stage stage)
+{
+    switch (stage) {
+    case Stage::contacts:
+        return "contacts";
+    case Stage::start:
+        return "start";
+    case Stage::rows:
+        return "rows";
+    case Stage::solver:
+        return "solver";
+    case Stage::positions:
+        return "positions";
+    default:
+        return "report";
+    }
+}
+
 World::World(const WorldSettings& settings)
 {
     require_valid(settings);
@@ -71,7 +90,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 //! [step]
-void World::step(Real h)
+void World::step(Real h, const StageListener& listener)
 {
     State& s = *state_;
     require_step(h);
@@ -91,8 +110,10 @@ void World::step(Real h)
                                .hand = s.pulled_to};
         sleepers.touching.finder.tested = -1;  // not looked for yet
         s.method.correction.held.clear();
-        rigid::step(s.scene, how, s.method, s.now);
+        ToldStages told{s.method, listener};
+        rigid::step(s.scene, how, told, s.now);
         s.changed = false;
+        told.tell(Stage::report);
         s.report();
     }
     s.time += h;

@@ -36,8 +36,9 @@ public:
     World& operator=(World&&) noexcept;
 
     /// One time step. What it did is in work(), what happened in events().
-    /// \param h  [s]; need not be the same each time
-    void step(Real h);
+    /// \param h         [s]; need not be the same each time
+    /// \param listener  is told which stage begins; empty = nobody is
+    void step(Real h, const StageListener& listener = {});
     //! [world]
     /// Seconds since the beginning, and steps.
     Real time() const;

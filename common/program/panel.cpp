@@ -41,6 +41,7 @@ public:
         buttons();
         sliders();
         plots();
+        part_times();
         if (ImGui::CollapsingHeader("Keys and mouse")) keys();
         ImGui::EndChild();
         bottom();
@@ -259,29 +260,23 @@ private:
                 " steps");
     }
 
-    void plot(std::size_t c)
+    /// A name at the left, a value of each track in the colour of its pane at the right.
+    /// \param grey  stands behind the name
+    void line_of_values(const std::string& name, const std::string& help, const std::string& grey,
+                        const std::vector<std::string>& values)
     {
-        const Column& column = show_.scene().columns[c];
-        const std::vector<Track>& tracks = show_.playback()->tracks();
-
-        // Name and unit at the left, the present values in the colours of their panes at the right.
-        const std::string name = plot_title(column);
         const float right = ImGui::GetWindowContentRegionMax().x, left = ImGui::GetCursorPosX();
         ImGui::TextUnformatted(shown(name).c_str());
-        tooltip(column.help);
+        tooltip(help);
         float name_end = left + ImGui::GetItemRectSize().x;
-        if (const std::string grey = grey_curves(show_.scene(), column); !grey.empty()) {
+        if (!grey.empty()) {
             ImGui::SameLine();
             dim_text(grey);
             name_end += ImGui::GetStyle().ItemSpacing.x + ImGui::GetItemRectSize().x;
         }
-        std::vector<std::string> values;
         float wanted = 0;
-        ImGui::PushFont(fonts_.nearest(scale_ * (tracks.size() > 2 ? 12 : text_size)));
-        for (const Track& track : tracks) {
-            values.push_back(track.measured.empty() ? "-" : plot_value(track.measured[c], tracks.size()));
-            wanted += ImGui::CalcTextSize(values.back().c_str()).x + units(12);
-        }
+        ImGui::PushFont(fonts_.nearest(scale_ * (values.size() > 2 ? 12 : text_size)));
+        for (const std::string& value : values) wanted += ImGui::CalcTextSize(value.c_str()).x + units(12);
         float x = right - wanted;
         bool same_line = x > name_end;
         if (!same_line) x = std::max(left, x);
@@ -295,6 +290,36 @@ private:
             x += ImGui::CalcTextSize(values[k].c_str()).x + units(12);
         }
         ImGui::PopFont();
+    }
+
+    /// Where the time of a step goes, for runs that tell their parts.
+    void part_times()
+    {
+        const PartWatch* watch = state_.watch;
+        if (!watch || watch->tracks() == 0 || watch->parts(0).empty()) return;
+        gap();
+        if (!ImGui::CollapsingHeader("Time of a step")) return;
+        const auto line = [&](const std::string& name, const auto& seconds_of) {
+            std::vector<std::string> values;
+            for (std::size_t k = 0; k < watch->tracks(); ++k)
+                values.push_back(significant(1e6 * seconds_of(watch->parts(k)), 3));
+            line_of_values(name + " [µs]", "Mean of the last steps, by the clock of this machine", "",
+                           values);
+        };
+        for (const PartTimes::Part& part : watch->parts(0))
+            line(part.name, [&](const auto& parts) { return seconds_of(parts, part.name); });
+        line("all", [](const auto& parts) { return seconds_of(parts); });
+    }
+
+    void plot(std::size_t c)
+    {
+        const Column& column = show_.scene().columns[c];
+        const std::vector<Track>& tracks = show_.playback()->tracks();
+
+        std::vector<std::string> values;
+        for (const Track& track : tracks)
+            values.push_back(track.measured.empty() ? "-" : plot_value(track.measured[c], tracks.size()));
+        line_of_values(plot_title(column), column.help, grey_curves(show_.scene(), column), values);
 
         // The area.
         const ImVec2 size = {ImGui::GetContentRegionAvail().x, units(58)};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/gl_canvas.hpp"
+#include "common/program/part_watch.hpp"
 #include "common/program/show.hpp"
 
 #include <string>
@@ -22,6 +23,7 @@ struct PanelState {
     std::string record_folder;
     long frames_recorded = 0;
     Real frames_per_second = 0;
+    const PartWatch* watch = nullptr;  ///< of the steps; null = nobody looks at a clock
     std::string message;  ///< what happened in the last seconds, such as a picture saved
 };
 

@@ -88,6 +88,9 @@ struct StepFailure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Is told the name of a part of a step.
+using PartListener = std::function<void(std::string_view)>;
+
 /// One scene under one method, alive.
 class Run {
 public:
@@ -100,6 +103,9 @@ public:
     virtual void look(const Settings&, const Input&) {}
     /// One number for each column of the scene, in their order.
     virtual std::vector<Real> measure() const = 0;
+    /// From here on each step tells the listener which part of it begins, and "" at its end. A run without parts tells
+    /// nothing. Whoever listens must not change the run.
+    virtual void tell_parts(PartListener) {}
 };
 
 struct Demo {

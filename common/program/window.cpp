@@ -42,7 +42,12 @@ std::string& glfw_complaint()
 class Window {
 public:
     Window(const Program& program, const Options& options)
-        : options_(options), show_(program, options, table_of_show(options.csv))
+        : options_(options),
+          show_(program, options,
+                [this, table = table_of_show(options.csv)](const Playback& playback, bool fresh) {
+                    if (fresh) watch_.listen(playback);
+                    if (table) table(playback, fresh);
+                })
     {
         if (!options.svg.empty()) require_writable("the picture", options.svg);
         if (!options.png.empty()) require_writable("the picture", options.png);
@@ -116,6 +121,7 @@ public:
     int run()
     {
         InterruptGuard guard;
+        state_.watch = &watch_;
         auto before = std::chrono::steady_clock::now();
         while (true) {
             const bool last = glfwWindowShouldClose(window_) || InterruptGuard::interrupted() ||
@@ -490,6 +496,7 @@ private:
     }
 
     Options options_;
+    PartWatch watch_;
     Show show_;
     PanelState state_;
     GLFWwindow* window_ = nullptr;

@@ -85,6 +85,18 @@ inline std::vector<Demo> samples()
                          {{-1, 1.6}, {4.5, 3}},
                          count_of("rows", "of bricks", 8, 1, 20),
                          [=](Real n) { return bricks_world(whole(n), 5); }));
+    all.push_back(sample("wrecker", "A ball on a chain swings into a wall",
+                         {{-0.8, 2.6}, {5, 3.4}},
+                         count_of("rows", "of bricks", 8, 1, 20),
+                         [=](Real n) { return wrecker_world(whole(n)); }));
+    all.push_back(
+        sample("seesaw", "A heavy box falls on a seesaw", {{0, 3}, {5, 4}},
+               {"ratio", "", "its mass over that of one of the light ones", 20, 1,
+                1000, Numbers::real, OnChange::restarts},
+               [](Real ratio) { return seesaw_world(ratio); }));
+    all.push_back(sample("arch", "An arch of stones", {{0, 0.55}, {1.5, 0.9}},
+                         count_of("stones", "of the arch", 12, 4, 60),
+                         [=](Real n) { return arch_world(2 * (whole(n) / 2)); }));
     all.push_back(sample("rubble", "Rubble of all shapes", {{0, 2.5}, {5, 4}},
                          count_of("bodies", "in the trough", 60, 1, 400),
                          [=](Real n) { return rubble_world(whole(n), 1); }));

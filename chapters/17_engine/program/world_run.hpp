@@ -46,12 +46,20 @@ public:
             throw_one();
         hold(input);
         if (setup_.before) setup_.before(here, settings);
-        here.step(settings.h);
+        here.step(settings.h, listener_);
+        if (part_begins_) part_begins_("");
         for (const BodyId body : here.bodies())
             if (!here.position(body).allFinite() ||
                 !here.velocity(body).allFinite())
                 throw StepFailure("the state of body " +
                                   std::to_string(body.place) + " is not finite");
+    }
+
+    void tell_parts(PartListener listener) override
+    {
+        part_begins_ = std::move(listener);
+        listener_ = [this](Stage stage) { part_begins_(to_string(stage)); };
+        if (!part_begins_) listener_ = {};
     }
 
     std::vector<Real> measure() const override
@@ -150,6 +158,8 @@ private:
     }
 
     WorldSetup setup_;
+    PartListener part_begins_;
+    StageListener listener_;
     Real top_ = 0;
     int thrown_ = 0;
     BodyId held_;
