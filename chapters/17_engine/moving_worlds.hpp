@@ -133,7 +133,9 @@ inline World wrecker_world(int rows)
         last = id;
     }
     const Vec2 end = hook - Vec2(0.4 * links, 0);
-    const BodyId ball = made.add_body(body_of(disc(0.5), end, 0, 60));
+    BodyDefinition iron = body_of(disc(0.5), end, 0, 60);
+    iron.filter = meets_no_twin;  // the chain ends inside it
+    const BodyId ball = made.add_body(iron);
     made.add_joint(last, ball, made.joint_at(JointKind::revolute, last, ball, end));
     return made;
 }
