@@ -39,7 +39,7 @@ foreach(main ${mains})
   cmake_path(GET folder FILENAME chapter)
   add_executable(${chapter} ${main} $<TARGET_OBJECTS:rigid_web_program>)
   set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=chapter_main)
-  if(chapter MATCHES "^1[47]_")   # they have the most methods, and would weigh more than 200 kB
+  if(chapter MATCHES "^1[478]_")   # they have the most methods, and would weigh more than 200 kB
     target_compile_options(${chapter} PRIVATE ${small})
     target_link_options(${chapter} PRIVATE -Oz)
   else()
