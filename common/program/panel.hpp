@@ -24,7 +24,7 @@ struct PanelState {
     long frames_recorded = 0;
     Real frames_per_second = 0;
     const PartWatch* watch = nullptr;  ///< of the steps; null = nobody looks at a clock
-    std::string message;  ///< what happened in the last seconds, such as a picture saved
+    std::string message;               ///< what happened in the last seconds, such as a picture saved
 };
 
 /// The width that the panel takes [units of ImGui].
