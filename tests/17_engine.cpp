@@ -402,9 +402,9 @@ TEST_CASE("a step tells its stages in their order and its bits are the same", "[
         engine->add_wall({{0, 1}, 0});
         engine->add_body(falling(box(1, 1), {0, 0.6}, 0.1));
     }
-    const std::vector<Stage> order = {Stage::contacts,  Stage::start, Stage::rows,     Stage::solver,
-                                      Stage::positions, Stage::rows,  Stage::solver,   Stage::positions,
-                                      Stage::rows,      Stage::start, Stage::contacts, Stage::report};
+    const std::vector<Stage> order = {Stage::contacts,  Stage::start,    Stage::rows,   Stage::solver,
+                                      Stage::positions, Stage::rows,     Stage::solver, Stage::positions,
+                                      Stage::start,     Stage::contacts, Stage::report};
     std::vector<Stage> stages;
     int steps = 0;
     for (; steps < 400 && (steps == 0 || told.work().awake > 0); ++steps) {

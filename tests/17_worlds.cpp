@@ -85,6 +85,9 @@ TEST_CASE("the two prices of an island are counted as by hand", "[idea]")
     CHECK(may_be_exact(pyramid(20), {}));
     CHECK_FALSE(should_be_exact(pyramid(20), {}));
     CHECK(sweeps_worth(pyramid(20), {}, 60) == 600);
+    // its 529 sweeps would cost less, and are no way
+    CHECK(pyramid(23).price_of_sweeps() < pyramid(23).price_of_exact());
+    CHECK(should_be_exact(pyramid(23), {}));
     CHECK_FALSE(may_be_exact(pyramid(40), {}));
     CHECK(sweeps_worth(pyramid(40), {}, 60) == 60);  // 1600 sweeps are no way either
 
@@ -810,6 +813,24 @@ TEST_CASE("what comes to rest is solved to the end and then falls asleep", "[ide
     }
     CHECK(steps < 400);
     CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
+}
+
+TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it sleep", "[idea]")
+{
+    World smooth = poured_world(190), rough = poured_world(190, 0.001);
+    int asleep = 0;
+    for (int i = 0; i < 500; ++i) {
+        smooth.step(frame);
+        rough.step(frame);
+        asleep += rough.work().awake == 0;
+    }
+    CHECK(asleep > 200);  // after 196 to 338 steps, fifteen pours
+    CHECK(smooth.work().awake == 190);
+    int moving = 0;
+    for (const BodyId body : smooth.bodies())
+        moving += smooth.velocity(body).norm() > 1e-3 || std::abs(smooth.spin(body)) > 4e-3;
+    CHECK(moving >= 1);
+    CHECK(moving <= 4);  // a disc, and what leans on it
 }
 
 TEST_CASE("rods of one millimetre are not left to overlap by the slop of a box", "[idea]")

@@ -125,8 +125,8 @@ struct StepWork {
     int swept = 0;    ///< islands that have rows and were swept
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
-    /// islands whose residual is above the tolerance; of large ones that move, above a
-    /// thirtieth of what gravity gives a body in the step
+    /// islands whose residual is above the tolerance; of those with more than 64 rows
+    /// with bounds that move, above a thirtieth of what gravity gives a body in the step
     int unsolved = 0;
     /// bodies whose numbers overflowed and that were put back, at rest
     int held = 0;
@@ -164,7 +164,6 @@ enum class Stage : std::uint8_t {
     positions,  ///< moved, and errors taken out of them
     report      ///< events, sensors, counters
 };
-constexpr int stage_count = 6;
 const char* to_string(Stage stage);
 
 /// Is told which stage begins. It must not call the world, nor throw.

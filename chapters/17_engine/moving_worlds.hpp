@@ -27,8 +27,9 @@ inline World dolls_world(int dolls)
     return made;
 }
 
-/// Boxes that are poured into a trough.
-inline World poured_world(int bodies)
+/// Boxes and discs that are poured into a trough.
+/// \param rolling  resistance of the discs [m]
+inline World poured_world(int bodies, Real rolling = 0)
 {
     World made;
     const int wide = std::max(4, static_cast<int>(std::sqrt(bodies)));
@@ -38,8 +39,11 @@ inline World poured_world(int bodies)
     for (int i = 0; i < bodies; ++i) {
         const Real x = (i % wide - 0.5 * (wide - 1)) * 0.75 + 0.02 * (i / wide % 3),
                    y = 0.5 + 0.75 * (i / wide);
-        made.add_body(
-            body_of(i % 3 == 2 ? disc(0.25) : box(0.5, 0.4), {x, y}, 0.2 * i));
+        const bool rolls = i % 3 == 2;
+        BodyDefinition body =
+            body_of(rolls ? disc(0.25) : box(0.5, 0.4), {x, y}, 0.2 * i);
+        if (rolls) body.surface.rolling = rolling;
+        made.add_body(body);
     }
     return made;
 }

@@ -42,7 +42,7 @@ struct ToldStages {
         {
             all.tell(Stage::positions);
             all.method.correction.move(scene, settings, all.method.solver, now);
-            all.tell(Stage::rows);  // of the next sub-step
+            if (now.substep + 1 < settings.substeps) all.tell(Stage::rows);
         }
     };
     struct Start {
