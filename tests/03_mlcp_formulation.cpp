@@ -446,6 +446,32 @@ TEST_CASE("no free impulse and no bound and no unused entry loosens the rule", "
     CHECK(verify(unused, lambda).solved);
 }
 
+TEST_CASE("a row that no impulse moves is excused by no number of another row", "[house]")
+{
+    // w_0 = -1 whatever λ is; row 1 is forced to 1e34 m/s, whose rounding is 1e18.
+    for (const bool written : {false, true}) {  // zeros that are written down are none, too
+        Mlcp still = problem({0, 0, -1, 1}, {-1, -1});
+        if (written) {
+            still.A.coeffRef(0, 0) = 0;
+            still.A.coeffRef(0, 1) = 0;
+        }
+        still.lo[0] = 1e34;
+        const Eigen::Vector2d lambda(1e34, 1e34);
+        CHECK_FALSE(verify(still, lambda).solved);
+        CHECK(verify(still, lambda, {1e-10, 1.01}).solved);  // unless 1 m/s is nothing
+        CHECK_FALSE(verify(still, lambda, {1e-10, 0.99}).solved);
+        CHECK(enumerate(still).status != Status::solved);
+        CHECK(schur(still).status != Status::solved);
+        still.q[0] = 1;
+        CHECK(verify(still, lambda).solved);
+        // Nor does it excuse another row, however large its own number is.
+        Mlcp loud = problem({0, 0, 0, 1}, {1e30, -1});
+        if (written) loud.A.coeffRef(0, 1) = 0;
+        CHECK(verify(loud, Eigen::Vector2d(0, 1)).solved);
+        CHECK_FALSE(verify(loud, Eigen::Vector2d(0, 0)).solved);
+    }
+}
+
 TEST_CASE("an impulse that is off its bound by the last digit is not at its bound", "[house]")
 {
     Mlcp wall = problem({1}, {1});

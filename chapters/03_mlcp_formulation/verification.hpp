@@ -7,7 +7,8 @@
 ///     v_i ≤ 100 max(f, τ U_i, 64 ε U_i) for every w_i within ½ (k_i + 1) ε S_i of the computed one (3.16d)
 ///
 /// S_i are the numbers that are added up in row i, k_i how many products; N_i is S_i at the point of the bounds that
-/// is nearest to zero, and no λ has a smaller S_i. v_i is never below the natural residual r_i.
+/// is nearest to zero, and no λ has a smaller S_i. v_i is never below the natural residual r_i. A row without entries
+/// has w_i = q_i whatever λ is: it is left out of the maxima, and v_i ≤ f there.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
@@ -71,6 +72,7 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
     for (Index i = 0; i < mlcp.size(); ++i) {
         const Real lo = mlcp.lo[i], hi = mlcp.hi[i];
         Real w = mlcp.q[i], S = std::abs(w), N = S, diagonal = 0, terms = 1;
+        bool moved = false;  // by some λ
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry;
              ++entry, ++terms) {
             const Index j = entry.col();
@@ -80,6 +82,7 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
             if (mlcp.lo[j] > 0) N += std::abs(entry.value() * mlcp.lo[j]);
             if (mlcp.hi[j] < 0) N += std::abs(entry.value() * mlcp.hi[j]);
             if (j == i) diagonal = entry.value();
+            moved = moved || std::abs(entry.value()) > 0;
         }
         const Real natural = natural_residual_row(diagonal, lambda[i], w, lo, hi);
         if (!(natural <= residual)) residual = natural;  // also takes over a NaN
@@ -87,7 +90,7 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
         possible =
             possible && std::isfinite(S) && lambda[i] >= lo && lambda[i] <= hi;
         const Real unit = row_unit(mlcp, i, diagonal);
-        if (terms > 1) {
+        if (moved) {
             speed = std::max(speed, N);
             energy = std::max(energy, N / unit);
         }
@@ -95,6 +98,8 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
         const Real v = violation(lambda[i], w, lo, hi);
         const Real worst = std::max(violation(lambda[i], w - hidden, lo, hi),
                                     violation(lambda[i], w + hidden, lo, hi));
+        // nothing is rounded where w = q
+        possible = possible && (moved || v <= enough);
         const bool in_its_row = v <= tau * S;
         Real least = 0;  // U_i
         if (v > enough && in_its_row) least = v / tau;

@@ -107,8 +107,8 @@ inline Mlcp chapter_five(Index n, Random& random)
 }  // namespace detail
 
 inline constexpr std::string_view attack_kinds[] = {
-    "chapter five", "any whole",  "symmetric whole", "singular whole", "degenerate",   "boxed indefinite",
-    "far bounds",   "huge units", "mixed units",     "near copies",    "all bilateral"};
+    "chapter five", "any whole",  "symmetric whole", "singular whole", "degenerate",    "boxed indefinite",
+    "far bounds",   "huge units", "mixed units",     "near copies",    "all bilateral", "forced"};
 inline constexpr Index attack_kind_count = static_cast<Index>(std::size(attack_kinds));
 
 /// A random problem of a kind, of up to eight rows (and of up to thirty, one in fifty).
@@ -215,7 +215,7 @@ inline Attack random_attack(Index kind, Random& random)
         if (random.index(3) == 0) whole_bounds(mlcp, random);
         break;
     }
-    default: {
+    case 10: {
         const bool whole = random.index(2) == 0;
         const Index rank = 1 + random.index(n);
         const MatX G = whole ? whole_matrix(n, rank, 1, random) : normal_matrix(n, rank, random);
@@ -225,6 +225,21 @@ inline Attack random_attack(Index kind, Random& random)
         attack.whole = whole;
         mlcp = plain_lcp(G * G.transpose(), q);
         mlcp.lo.setConstant(-infinity);
+        break;
+    }
+    default: {  // impulses of any size that the bounds force, beside rows that nothing moves
+        MatX A = whole_matrix(n, n, 1, random);
+        if (random.index(2) == 0) A = (A * A.transpose()).eval();
+        if (random.index(3) == 0) A = normal_matrix(n, n, random);
+        for (Index i = 0; i < n; ++i)
+            if (random.index(3) == 0) A.row(i).setZero();
+        mlcp = plain_lcp(A, random.index(2) == 0 ? whole_vector(n, 2, random) : normal_vector(n, random));
+        for (Index i = 0; i < n; ++i) {
+            const Index sort = random.index(5);
+            if (sort == 0) mlcp.lo[i] = power(-30, 35);
+            if (sort == 1) mlcp.lo[i] = -infinity, mlcp.hi[i] = -power(-30, 35);
+            if (sort == 2) mlcp.hi[i] = mlcp.lo[i] = power(0, 20);
+        }
         break;
     }
     }
