@@ -472,6 +472,16 @@ TEST_CASE("a row that no impulse moves is excused by no number of another row", 
     }
 }
 
+TEST_CASE("a row that nothing moves has the unit of the rows that it moves", "[house]")
+{
+    // Scaled, the numbers of a problem don't tell its units: λ_1 moves row 0, and no λ moves row 1.
+    for (const Real size : {1.0, std::ldexp(1.0, 300), std::ldexp(1.0, -300)}) {
+        CHECK(DenseMlcp(problem({size, size, 0, 0}, {1, 1})).A(0, 1) == 1);
+        CHECK(DenseMlcp(problem({0, size, 0, 0}, {1, 1})).A(0, 1) == 1);  // row 0 has √size from its neighbour
+        CHECK(DenseMlcp(problem({0, 0, 0, 0}, {1, 1})).q[1] == 1);
+    }
+}
+
 TEST_CASE("an impulse that is off its bound by the last digit is not at its bound", "[house]")
 {
     Mlcp wall = problem({1}, {1});

@@ -35,11 +35,25 @@ struct DenseMlcp {
         scale.resize(mlcp.size());
         for (Index i = 0; i < mlcp.size(); ++i)
             scale[i] = std::ldexp(
-                1, -static_cast<int>(std::round(log2(row_unit(mlcp, i, A(i, i))))));
+                1, -static_cast<int>(std::round(log2(unit_of(mlcp, i)))));
         A = scale.asDiagonal() * A * scale.asDiagonal();
         q.array() *= scale.array();
         lo.array() /= scale.array();
         hi.array() /= scale.array();
+    }
+
+private:
+    /// A row without entries has no unit of its own; its λ has that of the rows that it moves.
+    Real unit_of(const Mlcp& mlcp, Index i) const
+    {
+        const Real moves = A.col(i).cwiseAbs().maxCoeff();
+        if (!(moves > 0) || A.row(i).cwiseAbs().maxCoeff() > 0)
+            return row_unit(mlcp, i, A(i, i));
+        Real unit = 0;
+        for (Index j = 0; j < A.rows(); ++j)
+            if (const Real across = std::abs(A(j, j)); across > 0)
+                unit = std::max(unit, std::abs(A(j, i)) / std::sqrt(across));
+        return unit > 0 ? unit : std::sqrt(moves);
     }
 };
 

@@ -15,6 +15,7 @@
 namespace rigid::properties {
 
 inline constexpr Wide underflow = 1e-300;  ///< below that doubles lose digits
+inline constexpr Wide certain = 1e-20;     ///< a share: no rounding of a double is that small
 
 /// A problem in wide numbers, each row in a unit of its own, so that units can't hide an error: d_i = √A_ii, and in a
 /// row without a diagonal what its neighbours make of it.
@@ -48,31 +49,41 @@ struct WideProblem {
         }
     }
 
-    /// The natural residual (3.15) of each row as a share of what the problem is given, the largest one. A row without
-    /// a diagonal has no measure for λ: it stands at a bound or has w = 0.
+    struct Row {
+        Wide residual = 0;  ///< the natural residual (3.15); without a diagonal λ is at a bound or not
+        Wide sum = 0;       ///< |q_i| + Σ |A_ij λ_j|
+    };
+
+    Row row(Index i, const std::vector<Wide>& lambda) const
+    {
+        const auto k = static_cast<std::size_t>(i);
+        Wide r = mlcp.q[i], a = 0, sum = magnitude(r);
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            const Wide term =
+                static_cast<Wide>(entry.value()) * lambda[static_cast<std::size_t>(entry.col())];
+            r += term;
+            sum += magnitude(term);
+            if (entry.col() == i && entry.value() > 0) a = entry.value();
+        }
+        const auto room = [&](Real bound) {  // a (λ − bound); without a diagonal nothing or everything
+            const Wide distance = lambda[k] - static_cast<Wide>(bound);
+            if (a > 0) return a * distance;
+            const Wide rounding = 1e-14 * (magnitude(lambda[k]) + std::abs(bound));
+            return magnitude(distance) <= rounding ? Wide{0} : distance * static_cast<Wide>(1e300) * 1e300;
+        };
+        if (mlcp.lo[i] > -infinity) r = std::min(r, room(mlcp.lo[i]));
+        if (mlcp.hi[i] < infinity) r = std::max(r, room(mlcp.hi[i]));
+        return {r, sum};
+    }
+
+    /// The residual of each row as a share of what the problem is given, the largest one.
     /// \param enough  [m/s] that much in a row is nothing
     Wide error(const std::vector<Wide>& lambda, Wide enough = 0) const
     {
         Wide largest = 0;
         for (Index i = 0; i < mlcp.size(); ++i) {
             const auto k = static_cast<std::size_t>(i);
-            Wide r = mlcp.q[i], a = 0, sum = magnitude(r);
-            for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-                const Wide term =
-                    static_cast<Wide>(entry.value()) * lambda[static_cast<std::size_t>(entry.col())];
-                r += term;
-                sum += magnitude(term);
-                if (entry.col() == i && entry.value() > 0) a = entry.value();
-            }
-            const auto room = [&](Real bound) {  // a (λ − bound); without a diagonal nothing or everything
-                const Wide distance = lambda[k] - static_cast<Wide>(bound);
-                if (a > 0) return a * distance;
-                const Wide rounding = 1e-14 * (magnitude(lambda[k]) + std::abs(bound));
-                return magnitude(distance) <= rounding ? Wide{0}
-                                                       : distance * static_cast<Wide>(1e300) * 1e300;
-            };
-            if (mlcp.lo[i] > -infinity) r = std::min(r, room(mlcp.lo[i]));
-            if (mlcp.hi[i] < infinity) r = std::max(r, room(mlcp.hi[i]));
+            const auto [r, sum] = row(i, lambda);
             if (magnitude(r) <= std::max(enough, underflow)) continue;
             const Wide size = unit[k] > 0 ? unit[k] * given : speed;
             Wide share = size > 0 ? magnitude(r) / size : static_cast<Wide>(infinity);
@@ -81,6 +92,17 @@ struct WideProblem {
             if (!(share <= largest)) largest = share;
         }
         return largest;
+    }
+
+    /// Whether no residual is seen, beside what is given and beside each row's own numbers: a bound of 1e30 N s
+    /// elsewhere hides nothing.
+    bool is_certain(const std::vector<Wide>& lambda) const
+    {
+        for (Index i = 0; i < mlcp.size(); ++i) {
+            const auto [r, sum] = row(i, lambda);
+            if (!(magnitude(r) <= std::max(certain * sum, underflow))) return false;
+        }
+        return error(lambda) <= certain;
     }
 
     /// Whether impulses are of a size that the problem can speak of: no λ that doubles lose in a sum.
@@ -143,8 +165,6 @@ inline bool wide_solve(const WideProblem& problem, const std::vector<std::size_t
     return true;
 }
 
-inline constexpr Wide certain =
-    1e-20;  ///< as a share of what is given: no rounding of a double is that small
 inline constexpr Wide dependent = 1e-25;  ///< a pivot of that share is none
 
 /// Is there an answer so near to λ that only rounding lies between? Its active rows are solved in wide numbers; what
@@ -158,7 +178,7 @@ inline std::optional<std::vector<Wide>> certain_answer(const WideProblem& proble
     for (Index i = 0; i < mlcp.size(); ++i)
         if (near[i] > mlcp.lo[i] && near[i] < mlcp.hi[i]) active.push_back(static_cast<std::size_t>(i));
     if (!wide_solve(problem, active, dependent, lambda)) return std::nullopt;
-    if (!(problem.error(lambda) <= certain) || !problem.is_moderate(lambda)) return std::nullopt;
+    if (!problem.is_certain(lambda) || !problem.is_moderate(lambda)) return std::nullopt;
     return lambda;
 }
 
@@ -179,7 +199,7 @@ inline std::optional<std::vector<Wide>> search_answer(const WideProblem& problem
             else if (std::abs(bound) < infinity) lambda[k] = bound;
             else possible = false;
         }
-        if (possible && wide_solve(problem, active, dependent, lambda) && problem.error(lambda) <= certain &&
+        if (possible && wide_solve(problem, active, dependent, lambda) && problem.is_certain(lambda) &&
             problem.is_moderate(lambda))
             return lambda;
         std::size_t k = 0;
