@@ -477,7 +477,7 @@ TEST_CASE("a row that nothing moves has the unit of the rows that it moves", "[h
     // Scaled, the numbers of a problem don't tell its units: λ_1 moves row 0, and no λ moves row 1.
     for (const Real size : {1.0, std::ldexp(1.0, 300), std::ldexp(1.0, -300)}) {
         CHECK(DenseMlcp(problem({size, size, 0, 0}, {1, 1})).A(0, 1) == 1);
-        CHECK(DenseMlcp(problem({0, size, 0, 0}, {1, 1})).A(0, 1) == 1);  // row 0 has √size from its neighbour
+        CHECK(DenseMlcp(problem({0, size, 0, 0}, {1, 1})).A(0, 1) == 1);  // row 0: √size
         CHECK(DenseMlcp(problem({0, 0, 0, 0}, {1, 1})).q[1] == 1);
     }
 }
