@@ -47,6 +47,35 @@ inline Real row_unit(const Mlcp& mlcp, Index i, Real diagonal)
     return unit > 0 ? unit : largest > 0 ? std::sqrt(largest) : 1;
 }
 
+/// d_i where A need not be positive semi-definite: at least |A_ij| / d_j for all j.
+inline Real coupled_unit(const Mlcp& mlcp, Index i)
+{
+    Real unit = row_unit(mlcp, i, mlcp.A.coeff(i, i));
+    for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+        const Real other = std::abs(mlcp.A.coeff(entry.col(), entry.col()));
+        if (other > 0)
+            unit = std::max(unit, std::abs(entry.value()) / std::sqrt(other));
+    }
+    return unit;
+}
+
+/// max N_j / d_j over the rows that some λ moves, with these d_j.
+inline Real coupled_energy(const Mlcp& mlcp)
+{
+    Real energy = 0;
+    for (Index i = 0; i < mlcp.size(); ++i) {
+        Real N = std::abs(mlcp.q[i]);
+        bool moved = false;
+        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
+            const Real lo = mlcp.lo[entry.col()], hi = mlcp.hi[entry.col()];
+            N += std::abs(entry.value()) * std::max({lo, -hi, Real{0}});
+            moved = moved || std::abs(entry.value()) > 0;
+        }
+        if (moved) energy = std::max(energy, N / coupled_unit(mlcp, i));
+    }
+    return energy;
+}
+
 /// v_i of (3.16a).
 inline Real violation(Real lambda, Real w, Real lo, Real hi)
 {
@@ -68,6 +97,7 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
     Real speed = 0, energy = 0;
     // and how large they have to be for these v_i
     Real least_speed = 0, least_energy = 0;
+    Real least_excuse = 0;  // of what only ε U_i lets in
     bool possible = true, small = true, in_each_row = true;
     for (Index i = 0; i < mlcp.size(); ++i) {
         const Real lo = mlcp.lo[i], hi = mlcp.hi[i];
@@ -105,6 +135,8 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
         if (v > enough && in_its_row) least = v / tau;
         const Real floor = v > enough && !in_its_row ? v / epsilon : 0;
         least_speed = std::max(least_speed, floor);
+        if (floor > 0)
+            least_excuse = std::max(least_excuse, floor / coupled_unit(mlcp, i));
         if (worst > 100 * enough)
             least = std::max(least, worst / (100 * std::max(tau, 64 * epsilon)));
         if (diagonal > 0) least_speed = std::max(least_speed, least);
@@ -114,7 +146,10 @@ inline Verification verify(const Mlcp& mlcp, const VecX& lambda,
     }
     const bool within =
         energy > 0 ? least_speed <= speed && least_energy <= energy : small;
-    return {residual, possible && within && std::isfinite(energy), in_each_row};
+    const bool excused =
+        !(least_excuse > 0) || energy <= 0 || least_excuse <= coupled_energy(mlcp);
+    return {residual, possible && within && excused && std::isfinite(energy),
+            in_each_row};
 }
 //! [verify]
 
