@@ -347,6 +347,7 @@ TEST_CASE("rows that differ in their last digits are not called infeasible becau
     for (const Mlcp& mlcp : {two, three}) {
         CHECK(enumerate(mlcp).status != Status::infeasible);
         CHECK(enumerate(mlcp, {.stop_at_first = true, .first = {}}).status != Status::infeasible);
+        CHECK(schur(mlcp).status != Status::infeasible);
     }
 }
 
