@@ -474,13 +474,13 @@ TEST_CASE("a row that no impulse moves is excused by no number of another row", 
 
 TEST_CASE("a row of huge numbers with a small diagonal does not excuse another row", "[house]")
 {
-    // Row 0: 1e-2 λ_0 - 1e20 λ_1 + 1e20 λ_2 + 1, with λ_1 ≥ 1, is zero at λ_2 = 1. Row 2 has 10 m/s there; the rounding
-    // of 1e20 m/s would be 1e4.
+    // w_0 = 1e-2 λ_0 - 1e20 λ_1 + 1e20 λ_2, with λ_1 ≥ 1, is zero at (0, 1, 1). Row 2 has -10 m/s there; the rounding of
+    // 1e20 m/s would be 2e4.
     Mlcp huge = problem({1e-2, -1e20, 1e20, 0, 1, 0, 0, 0, 1}, {0, 1, -11});
     huge.lo[1] = 1;
     CHECK_FALSE(verify(huge, Eigen::Vector3d(0, 1, 1)).solved);
     CHECK(verify(huge, Eigen::Vector3d(0, 1, 11)).solved);
-    // Of rows in which entry beside entry is of one size, the largest excuses what is rounding beside it.
+    // Where A is positive semi-definite the largest number excuses what is rounding beside it.
     Mlcp even = problem({1, 0, 0, 1}, {-1e18, -50});  // ε U = 222 m/s
     CHECK(verify(even, Eigen::Vector2d(1e18, 0)).solved);
     even.q[1] = -500;
