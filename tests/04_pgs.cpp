@@ -308,6 +308,34 @@ TEST_CASE("Gauss-Seidel on a column of N shrinks the error by cos squared of pi 
     }
 }
 
+TEST_CASE("a sweep in which nothing is clamped multiplies the error by the matrix of (4.10a)", "[house]")
+{
+    // the two discs of (4.2), by hand: (2, 1) becomes (1, 1/2)
+    MatX by_hand(2, 2), A(2, 2);
+    A << 1, -1, -1, 2;
+    by_hand << 0, 1, 0, 0.5;
+    CHECK((gauss_seidel_matrix(A) - by_hand).norm() <= 1e-15);
+    Random random(410);
+    for (int round = 0; round < 100; ++round) {
+        const Index n = 2 + round % 7;
+        MatX J(n, n + 1);
+        for (Index i = 0; i < J.size(); ++i) J.data()[i] = random.uniform(-1, 1);
+        A = J * J.transpose();
+        VecX answer(n), lambda(n);
+        for (Index i = 0; i < n; ++i) answer[i] = random.uniform(-1, 1), lambda[i] = random.uniform(-1, 1);
+        const Mlcp mlcp{A.sparseView(), -A * answer, VecX::Constant(n, -infinity),
+                        VecX::Constant(n, infinity)};
+        const MatX G = gauss_seidel_matrix(A);
+        const Real small = A.diagonal().minCoeff() / A.cwiseAbs().maxCoeff();  // what a visit divides by
+        for (int sweeps = 0; sweeps < 3; ++sweeps) {
+            const VecX predicted = G * (lambda - answer);
+            sweep_forward(mlcp, lambda);
+            // rounding of some ten products, divided by the smallest diagonal entry
+            CHECK((lambda - answer - predicted).norm() <= 1e-13 * (1 + lambda.norm()) / small);
+        }
+    }
+}
+
 TEST_CASE("sweeps for six digits on a column are 20 and 136 and 550 and 2204", "[house]")
 {
     CHECK(sweeps_until(line(2), 1e-6) == 20);

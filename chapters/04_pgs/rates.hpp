@@ -50,6 +50,14 @@ inline VecX line_answer(Index count, Real end_mass, Real impulse,
     return lambda;
 }
 
+/// (4.10a): the matrix G that one sweep multiplies the error of λ by, rows visited from first to last, none clamped.
+inline MatX gauss_seidel_matrix(const MatX& A)
+{
+    const MatX lower = A.triangularView<Eigen::Lower>();
+    return MatX::Identity(A.rows(), A.cols()) -
+           lower.triangularView<Eigen::Lower>().solve(A);
+}
+
 //! [theta]
 /// The smallest angle θ of (4.14): tan θ tan (N−1)θ = 1/R, by bisection.
 /// \param count  N ≥ 2 rows

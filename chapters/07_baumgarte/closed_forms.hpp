@@ -2,6 +2,7 @@
 /// What correcting an error leads to, in formulas: the theory lines of this chapter's plots.
 #pragma once
 
+#include "chapters/04_pgs/rates.hpp"
 #include "common/math.hpp"
 
 #include <Eigen/LU>
@@ -44,14 +45,6 @@ inline Real rise(Real v, Real g, Real h)
 inline Real one_sweep_sag(Index k, Index N, Real g, Real beta, Real h)
 {
     return static_cast<Real>(N - k) * g * h * h / beta;
-}
-
-/// The matrix that one sweep multiplies the error of λ by, rows visited from first to last: (4.10).
-inline MatX gauss_seidel_matrix(const MatX& A)
-{
-    const MatX lower = A.triangularView<Eigen::Lower>();
-    return MatX::Identity(A.rows(), A.cols()) -
-           lower.triangularView<Eigen::Lower>().solve(A);
 }
 
 inline MatX power(const MatX& G, int exponent)
