@@ -6,7 +6,7 @@
 ///
 ///     the polygon      triangles from one vertex     area ½ e × f,  e, f the two sides from there
 ///     on each edge     a rectangle l × ρ             polar moment about its middle  l ρ (l² + ρ²) / 12
-///     at each vertex   a sector of the half-angle α  area α ρ²,  centroid at 2 ρ sin α / 3α,  polar moment α ρ⁴ / 2
+///     at each vertex   a sector of the half-angle α  area α ρ²,  centroid at 2 ρ sin α / 3α,  polar moment about its tip α ρ⁴ / 2
 ///
 /// and each piece is moved to the common centroid by the theorem of parallel axes (11.11).
 #pragma once
