@@ -5,6 +5,7 @@
 #include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/13_friction/friction_problems.hpp"
 #include "chapters/13_friction/impact_laws.hpp"
+#include "chapters/13_friction/program/scenes.hpp"
 #include "chapters/13_friction/slopes.hpp"
 #include "common/random.hpp"
 
@@ -348,6 +349,50 @@ TEST_CASE("sweeps on one contact of a steep rod cycle forever where exact fricti
     CHECK(std::abs(solved.solution.lambda[0] - 1 / sliding_mobility(angle, mu, 1)) <= 1e-12);
 }
 
+TEST_CASE("the sweeps on a steep rod make the visits of the table of section 13.5", "[idea]")
+{
+    const auto of_figure = [](const std::string& name) {
+        for (const Tunable& tunable : rod_scene().tunables)
+            if (tunable.name == name) return tunable.value;
+        return Real{0};
+    };
+    // of the rod of Figure 13.2 itself: its tangent has to slide on at its bound in the third visit
+    const Real angle = of_figure("angle") * pi / 180, mu = of_figure("mu"), slide = of_figure("slide");
+    const Real A_nn = 1 + 3 * std::cos(angle) * std::cos(angle),
+               A_tt = 1 + 3 * std::sin(angle) * std::sin(angle), A_nt = 3 * std::sin(angle) * std::cos(angle),
+               c = 1 / A_nn;
+    const Real least = A_nt * c + A_tt * mu * c;
+    CHECK(std::abs(least - 4.15) <= 1e-4);  // tan θ = 2, μ = 1.6; the angle is written with six digits
+    CHECK(slide > least);
+    const FrictionRows problem = touching_rod(angle, slide, mu);
+    const Mlcp mlcp = assemble(problem.rows, problem.u_star);
+    CHECK(std::abs(mlcp.A.coeff(0, 0) - A_nn) <= 1e-12);  // (13.7), a dozen operations
+    CHECK(std::abs(mlcp.A.coeff(0, 1) - A_nt) <= 1e-12);
+    CHECK(std::abs(mlcp.A.coeff(1, 1) - A_tt) <= 1e-12);
+    const std::vector<int> tangent_first{1, 0};
+    ImpulseMemory<3> memory;
+    const auto after = [&](int sweeps, Real speed) {
+        VecX u = touching_rod(angle, speed, mu).u_star;
+        Solution solution;
+        sequential_impulse<3>(touching_rod(angle, speed, mu).rows, tangent_first, {sweeps, 0}, memory, u,
+                              solution);
+        return VecX(solution.lambda);
+    };
+    for (int sweeps = 1; sweeps <= 50; ++sweeps) {  // rounding of some visits
+        const VecX lambda = after(sweeps, slide);
+        CHECK(std::abs(lambda[0] - (sweeps % 2 == 1 ? c : 0)) <= 1e-12);
+        CHECK(std::abs(lambda[1] - (sweeps % 2 == 1 ? 0 : mu * c)) <= 1e-12);
+    }
+    CHECK(std::abs(c - 0.625) <= 1e-6);
+    CHECK(std::abs(1 / sliding_mobility(angle, mu, 1) - 0.284) <= 5e-4);  // the answer
+    // below 4.15 m/s the second normal visit leaves something
+    CHECK(after(2, least + 1e-3)[0] <= 0);
+    CHECK(after(2, least - 1e-3)[0] <= 0);
+    CHECK(after(2, 3)[0] > 0.1);
+    CHECK(std::abs(after(1000, 3)[0] - 0.09766) <= 1e-5);  // and the cycle is another one
+    CHECK(std::abs(after(1001, 3)[0] - 0.50781) <= 1e-5);
+}
+
 TEST_CASE("where Painleve's rod has no acceleration it has a velocity and all solvers agree on it", "[idea]")
 {
     const Real angle = std::atan(2.0);
@@ -395,6 +440,51 @@ TEST_CASE("Newton's restitution with friction makes energy and a common restitut
         const Real mu = random.uniform(0, 2), e = random.uniform();
         problem = random_rubble(random, 6, mu, 1);
         CHECK(gained(ImpactLaw::common, e) <= 1e-12);  // (13.14), but for rounding
+    }
+}
+
+TEST_CASE("the step bounces by Newton's law and makes the energy that the text says", "[idea]")
+{
+    // R3, in one step of chapter 3
+    RoughScene scene = rod_on_end(56 * pi / 180, {0.8, -1}, 0, 0.3);
+    cover(scene, {.friction = 0.3, .restitution = 1});
+    const VecX inverse_mass = Vec<3>(1, 1, 12), before = scene.bodies.u;
+    Exact method;
+    run(scene, method, 1.0 / 60, 1);
+    CHECK(std::abs(kinetic_energy(before, inverse_mass) - 0.82) <= 1e-12);
+    // the rod stands on the floor to rounding, which h divides
+    CHECK(std::abs(kinetic_energy(scene.bodies.u, inverse_mass) - 0.94310795) <= 1e-7);
+    FindFriction find;
+    Real most = 0;
+    for (int degrees = 5; degrees <= 85; ++degrees)
+        for (int speed = 0; speed <= 60; ++speed) {
+            const FrictionRows rod = touching_rod(degrees * pi / 180, 0.05 * speed, 2);
+            VecX u = rod.u_star;
+            const Solution all = impact(rod.rows, 1, ImpactLaw::newton, find, u);
+            const Real gain =
+                kinetic_energy(u, rod.inverse_mass) - kinetic_energy(rod.u_star, rod.inverse_mass);
+            Real work = 0;  // (13.13), with velocities and not with w
+            for (std::size_t i = 0; i < 2; ++i)
+                work += all.lambda[static_cast<Index>(i)] / 2 *
+                        (rod.rows[i].velocity(rod.u_star) + rod.rows[i].velocity(u));
+            CHECK(std::abs(gain - work) <= 1e-10 * (1 + u.squaredNorm()));  // the solver's tolerance
+            most = std::max(most, gain / kinetic_energy(rod.u_star, rod.inverse_mass));
+        }
+    CHECK(std::abs(most - 0.184) <= 5e-4);
+}
+
+TEST_CASE("a tall block on a rough slope topples from the angle on at which its weight passes its edge",
+          "[idea]")
+{
+    const Real limit = std::atan(0.5) * 180 / pi;  // 1 m wide and 2 m high, and tan of it is below μ
+    for (const Real off : {-0.5, 0.5}) {
+        RoughScene scene = on_a_slope(box(1, 2), 1, limit + off, 0.9);
+        const Real start = scene.bodies.x[2];
+        Exact method;
+        run(scene, method, 1.0 / 60, 120);
+        // It turns about its edge as cosh(2.56 t / s): half a degree is a radian after two seconds.
+        CHECK((std::abs(scene.bodies.x[2] - start) > 0.3) == (off > 0));
+        CHECK((std::abs(scene.bodies.x[2] - start) <= 1e-9) == (off < 0));
     }
 }
 

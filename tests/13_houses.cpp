@@ -174,6 +174,18 @@ TEST_CASE("an arch of ten stones stands and falls within two percent of (13.17)"
     }
 }
 
+TEST_CASE("joints near the feet of an arch of many stones are held whatever (13.17) would say of them",
+          "[idea]")
+{
+    const int stones = 20;
+    const Real mu = arch_by_hand(stones), psi = std::atan(mu), steepest = (stones / 2 - 1) * pi / stones;
+    // Their cone reaches beyond upright: (13.17) has a negative tangent there and would refuse any μ.
+    CHECK(steepest + psi > pi / 2);
+    CHECK(mu * std::tan(steepest + psi) < 0);
+    CHECK(std::abs(least_friction(static_contacts(stone_arch(stones, 0.6, 1))) - mu) <=
+          1e-4);  // the bisection
+}
+
 TEST_CASE("a thin arch of rough stones folds at hinges where its line of thrust leaves the stones", "[idea]")
 {
     const Real mu = 2;

@@ -125,7 +125,7 @@ inline Demo rod_scene()
     scene.tunables.push_back({"angle", "°", "of the rod to the floor", 63.4349, 1,
                               89, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"slide", "m/s",
-                              "of the rod at the start, to the right", 3, -10, 10,
+                              "of the rod at the start, to the right", 5, -10, 10,
                               Numbers::real, OnChange::restarts});
     scene.tunables.push_back(mu_tunable(1.6));
     scene.tunables.push_back(
