@@ -375,6 +375,29 @@ TEST_CASE("a dense factor refuses a row of which rounding is left", "[house]")
     }
 }
 
+TEST_CASE("an answer that Dantzig's drive has reached is not lost by correcting it", "[house]")
+{
+    // Two rows that depend on each other but for a pivot of 1.7e-11 of the diagonal. An ε of w is then 1e-5 of λ, and
+    // the answer is 1e-6 from a bound.
+    Random random(91);
+    for (int round = 0; round < 500; ++round) {
+        MatX J(2, 3);
+        Vec<3> first, aside;
+        for (Index i = 0; i < 3; ++i) first[i] = random.uniform(-1, 1), aside[i] = random.uniform(-1, 1);
+        aside -= first * first.dot(aside) / first.squaredNorm();
+        J.row(0) = first;
+        J.row(1) = first + aside.normalized() * first.norm() * std::sqrt(1.7e-11);
+        const MatX A = J * J.transpose();
+        VecX answer(2);
+        answer << 1e-6 * random.uniform(), 1;
+        answer *= random.uniform();
+        const Mlcp mlcp{A.sparseView(), -A * answer, VecX::Zero(2), VecX::Constant(2, infinity)};
+        const Solution solution = dantzig(mlcp);
+        INFO(round << ": " << solution.lambda.transpose() << ", residual " << solution.residual);
+        CHECK(solution.status == Status::solved);
+    }
+}
+
 TEST_CASE("a factor with rows appended and removed one at a time is that of the rows it has", "[house]")
 {
     Random random(20);

@@ -201,6 +201,7 @@ void solve_guess(const GuessedProblem& problem, const Factor& factor, Guess& gue
 /// \param patience  flips of all wrong rows without fewer of them, before one row
 ///                  at a time
 /// \param limit     of work.guesses
+/// \param singly    whether that comes then, (9.6); if not, this ends in `limit`
 template <class Factor>
 GuessEnd correct_guess(const GuessedProblem& problem, Factor& factor, int patience,
                        int limit, bool singly, Guess& guess, ActiveSetWork& work)

@@ -24,7 +24,11 @@ inline void dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings,
                                  : 1000 + 10 * static_cast<int>(mlcp.size()));
     const DantzigDrive::Place place = drive.run();
     solution.uniqueness = Uniqueness::not_examined;
-    const bool verified = verify_guess(mlcp, settings, drive.lambda, solution);
+    bool verified = verify_guess(mlcp, settings, drive.lambda, solution);
+    if (!verified && place == DantzigDrive::Place::right) {
+        drive.refine();
+        verified = verify_guess(mlcp, settings, drive.lambda, solution);
+    }
     if (!verified && place == DantzigDrive::Place::limit)
         solution.status = Status::iteration_limit;
     if (!verified && place == DantzigDrive::Place::ray)

@@ -44,8 +44,22 @@ public:
             if (place != Place::right) return place;
             is_done_[index(d)] = true;
         }
-        refine();
         return Place::right;
+    }
+
+    /// λ_F again from what is left of w_F. Where a row of F nearly depends on the
+    /// others this moves λ far for the sake of rounding, out of its bounds even.
+    void refine()
+    {
+        for (int round = 0; round < 2; ++round) {
+            w = A_ * lambda + mlcp_.q;
+            VecX step(factor_.size());
+            for (Index k = 0; k < factor_.size(); ++k)
+                step[k] = -w[factor_.rows[index(k)]];
+            factor_.solve(step);
+            for (Index k = 0; k < factor_.size(); ++k)
+                lambda[factor_.rows[index(k)]] += step[k];
+        }
     }
 
     /// The direction of the last step: at a ray it may prove that there is no answer.
@@ -176,20 +190,6 @@ private:
         for (const Index i : factor_.rows) w_slope_[i] = 0;
     }
     //! [direction]
-
-    /// λ_F again from what is left of w_F.
-    void refine()
-    {
-        for (int round = 0; round < 2; ++round) {
-            w = A_ * lambda + mlcp_.q;
-            VecX step(factor_.size());
-            for (Index k = 0; k < factor_.size(); ++k)
-                step[k] = -w[factor_.rows[index(k)]];
-            factor_.solve(step);
-            for (Index k = 0; k < factor_.size(); ++k)
-                lambda[factor_.rows[index(k)]] += step[k];
-        }
-    }
 
     const Mlcp& mlcp_;
     MatX A_;

@@ -8,7 +8,7 @@
 
 namespace rigid {
 
-/// One visit to each row (4.5).
+/// One visit to each row (4.4).
 inline void visit_rows(const GuessedProblem& problem, VecX& lambda)
 {
     const Mlcp& mlcp = *problem.mlcp;
