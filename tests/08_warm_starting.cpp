@@ -14,6 +14,7 @@
 #include "common/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/says.hpp"
 #include "tests/sentence.hpp"
 
 #include <functional>
@@ -323,6 +324,36 @@ TEST_CASE("for two discs in a column by hand one digit costs three sweeps from z
     CHECK(now.solution.iterations > 30);
     step(scene, {}, method, now);
     CHECK(now.solution.iterations == 1);
+}
+
+TEST_CASE("two discs take 18 sweeps with the floor first and 20 with the floor last as the text says",
+          "[idea]")
+{
+    DiscScene scene = column(2);
+    WarmMethod method = method_for(Start::cold);
+    StepData<2> now;
+    rows_alone(scene, method, now);  // the pair, then the floor
+    REQUIRE(now.rows.size() == 2);
+    const std::vector<int> floor_first{1, 0}, floor_last;
+    const auto solve = [&](const std::vector<int>& order, int most, const Vec2& start, Real heavier) {
+        ImpulseMemory<2> memory;
+        VecX u = heavier * now.u_star;
+        Solution solution;
+        solution.lambda = start;
+        sequential_impulse<2>(now.rows, order, {most, 1e-6}, memory, u, solution);
+        return solution;
+    };
+    const Vec2 zero(0, 0), previous = Vec2(1, 2) * 9.81 / 60;
+    // 2⁻ᵏ gh is left after k sweeps; to notice takes one more.
+    CHECK(solve(floor_first, 17, zero, 1).status == Status::iteration_limit);
+    CHECK(solve(floor_first, 18, zero, 1).status == Status::solved);
+    CHECK(std::abs(solve(floor_first, 18, zero, 1).residual / (9.81 / 60) * std::pow(2, 18) - 1) <= 1e-6);
+    CHECK(solve(floor_first, 100, zero, 1).iterations == 19);
+    CHECK(solve(floor_last, 100, zero, 1).iterations == 20);
+    CHECK(solve(floor_last, 100, previous, 1.01).iterations == 13);
+    CHECK(says("chapters/08_warm_starting/README.md",
+               "$10^{-6}$ m/s after 18. (The program visits the floor last,"));
+    CHECK(says("chapters/08_warm_starting/README.md", "the program makes 13 instead of 20"));
 }
 
 TEST_CASE(

@@ -52,8 +52,8 @@ struct SmallStep {
     std::vector<StartOfGroup> starts;  ///< of each group
     VecX mass;                         ///< K [kg]; 0 = cannot move
     VecX u, change;                    ///< [m/s]; Δu of the guess
-    int sweeps = 0;                    ///< of the last step
-    Real length = 1;                   ///< ℓ, of the scene [m]
+    int sweeps = 0;   ///< of the last step, of all sub-steps together
+    Real length = 1;  ///< ℓ, of the scene [m]
     /// nothing came or went since the step before
     bool same_rows = false;
     /// in: make the rows again though they may be the same; for one step
