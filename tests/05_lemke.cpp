@@ -15,6 +15,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <functional>
+#include <map>
 #include <set>
 
 using namespace rigid;
@@ -642,6 +643,39 @@ TEST_CASE("every friction problem of a stack of boxes is solved", "[idea]")
                 REQUIRE(solution.status == Status::solved);
                 CHECK(judged_residual(problem, solution.lambda) <= 1e-10);
             }
+}
+
+TEST_CASE("of 810 stacks under a heavy top each walk solves as many as the text says and the rest are named",
+          "[house]")
+{
+    int all = 0, first = 0, second = 0, light = 0;
+    std::map<Status, int> others;
+    for (const Index boxes : {5, 10, 20})
+        for (const Real top : {1e3, 1e5})
+            for (std::uint64_t seed = 1; seed <= 135; ++seed) {
+                BoxStack stack;
+                stack.boxes = boxes, stack.top_mass = top, stack.seed = seed;
+                const Mlcp problem = stewart_trinkle(stack);
+                const int limit = 10000 + 50 * static_cast<int>(problem.size());
+                Solution solution;
+                ++all;
+                walk_once(problem, problem, 1, limit, {}, solution);
+                const Solution both = lemke(problem);
+                if (solution.status == Status::solved) ++first;
+                else if (both.status == Status::solved) ++second;
+                else ++others[both.status];
+                light += both.status == Status::solved && top < 1e4;
+            }
+    CHECK(all == 810);
+    CHECK(light == 405);
+    const auto number = [&](Status status) { return std::to_string(others[status]); };
+    CHECK(says("chapters/05_lemke/README.md",
+               "walk solves " + std::to_string(first) + " and the second " + std::to_string(second) +
+                   " more, among them all with 1000 kg. Of the other " +
+                   std::to_string(all - first - second) + ", " + number(Status::ray_termination) +
+                   " end on a ray that proves nothing, " + number(Status::singular) +
+                   " at a vertex that (5.17) rejects, and " + number(Status::iteration_limit) +
+                   " at the limit of pivots"));
 }
 
 TEST_CASE("friction opposes sliding and stays in its cone and loses energy", "[idea]")
