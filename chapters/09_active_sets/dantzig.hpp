@@ -24,10 +24,13 @@ inline void dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings,
                                  : 1000 + 10 * static_cast<int>(mlcp.size()));
     const DantzigDrive::Place place = drive.run();
     solution.uniqueness = Uniqueness::not_examined;
+    const VecX driven = drive.lambda;
+    if (place == DantzigDrive::Place::right) drive.refine();
     bool verified = verify_guess(mlcp, settings, drive.lambda, solution);
+    // what was right already may not be any more
     if (!verified && place == DantzigDrive::Place::right) {
-        drive.refine();
-        verified = verify_guess(mlcp, settings, drive.lambda, solution);
+        drive.lambda = driven;
+        verified = verify_guess(mlcp, settings, driven, solution);
     }
     if (!verified && place == DantzigDrive::Place::limit)
         solution.status = Status::iteration_limit;
