@@ -69,6 +69,40 @@ for command in "figures 1 9" "test 9 1" "figures 1 x"; do
     wants "$command" "$said" "there are: 1 2"
 done
 
+# The small programs: compiled by a compiler that makes a script, once, and run where the reader stands.
+cat >"$scratch/tools/g++" <<'END'
+#!/bin/sh
+while [ "$1" != -o ]; do shift; done
+printf '#!/bin/sh\necho "small rows of $*" >small.csv\n' >"$2"
+chmod +x "$2"
+END
+chmod +x "$scratch/tools/g++"
+printf '#!/bin/sh\necho -I/eigen\n' >"$scratch/tools/pkg-config"
+chmod +x "$scratch/tools/pkg-config"
+unset CXX
+printf '// Chapter 1 in one file.\nint one;\n' >"$book/chapters/01_one/small.cpp"
+said=$("$book/book" small 1 a.svg 2>&1 || true)
+wants "small 1" "$said" "compiling: g++ -std=c++20 -O2 -I/eigen chapters/01_one/small.cpp"
+wants "what small 1 wrote" "$(cat small.csv 2>&1)" "small rows of a.svg"
+said=$("$book/book" small 1 2>&1 || true)
+[ -z "$said" ] || wants "small 1 again" "$said" "nothing compiled"
+touch -t 203001010000 "$book/chapters/01_one/small.cpp"
+wants "small 1 once it is changed" "$("$book/book" small 1 2>&1)" "compiling: g++"
+said=$("$book/book" small 2 2>&1) && wants "small 2" "code 0" "a refusal"
+wants "small 2" "$said" "chapter 2 has no small program; there are: 1"
+printf '// Chapter 2 in one file, grown from chapter 1.\nint two;\n' >"$book/chapters/02_two/small.cpp"
+said=$("$book/book" small 2 --diff 2>&1 || true)
+wants "small 2 --diff" "$said" "-int one;"
+wants "small 2 --diff" "$said" "+int two;"
+said=$("$book/book" small 1 --diff 2>&1) && wants "small 1 --diff" "code 0" "a refusal"
+wants "small 1 --diff" "$said" "chapters/01_one/small.cpp grew from no other"
+wants "small" "$("$book/book" small 2>&1)" "Chapter 2 in one file, grown from chapter 1."
+said=$("$book/book" small 9 2>&1) && wants "small 9" "code 0" "a refusal"
+wants "small 9" "$said" "there are: 1 2"
+printf '#!/bin/sh\nexit 1\n' >"$scratch/tools/g++"
+said=$("$book/book" small 2 2>&1) && wants "small 2 that is wrong" "code 0" "a refusal"
+wants "small 2 that is wrong" "$said" "chapters/02_two/small.cpp does not compile"
+
 # The reader's own headers: a list of one chapter, a program of tests that fails one of three.
 cp -r "$(dirname "$script")/tests/mine" "$scratch/mine_tool"
 mkdir -p "$book/tests/mine" "$book/build/mine/bin"

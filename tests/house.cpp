@@ -74,9 +74,44 @@ bool is_physics(const std::string& path)
     return true;
 }
 
+/// A chapter's whole method in one file, which stands alone (./book small N).
+bool is_small(const std::string& path) { return path.ends_with("/small.cpp"); }
+
+/// The rules of a small program: Eigen and the standard library, and so short that it can be held in the head.
+std::vector<std::string> broken_small_rules(const Source& source)
+{
+    std::vector<std::string> broken;
+    for (const std::string& included : includes(source.text))
+        if (!starts_with(included, "Eigen/") && included.find_first_of("./") != std::string::npos)
+            broken.push_back(source.path + " stands alone and includes " + included);
+    const int own = chapter_of(source.path);
+    const int most = own <= 8 ? 150 : own <= 17 ? 200 : 250;
+    std::istringstream text(source.text);
+    int count = 0;
+    for (std::string line; std::getline(text, line);) {
+        ++count;
+        const auto letters =
+            std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
+        if (letters > 84)
+            broken.push_back(source.path + ":" + std::to_string(count) + " has " + std::to_string(letters) +
+                             " columns of 84");
+    }
+    if (count > most)
+        broken.push_back(source.path + " has " + std::to_string(count) + " lines of " + std::to_string(most));
+    static const std::regex first(
+        R"(^// Chapter (\d+) in one file(?:: |, grown from chapter (\d+): ).+\.\n)");
+    std::smatch match;
+    if (!std::regex_search(source.text, match, first) || std::stoi(match[1]) != own ||
+        (own > 1 && !match[2].matched) || (match[2].matched && std::stoi(match[2]) >= own))
+        broken.push_back(source.path + " does not begin as \"// Chapter " + std::to_string(own) +
+                         " in one file, grown from chapter …: what it is.\"");
+    return broken;
+}
+
 /// The sentences that a source breaks the rules by.
 std::vector<std::string> broken_rules(const Source& source)
 {
+    if (is_small(source.path)) return broken_small_rules(source);
     std::vector<std::string> broken;
     const int own = chapter_of(source.path);
     for (const std::string& included : includes(source.text)) {
@@ -290,6 +325,18 @@ TEST_CASE("the rules of the house notice what they are for")
     CHECK(count("chapters/04_d/d.hpp", "x = std::sin(a);\n") == 1);
     CHECK(count("chapters/04_d/benchmark/d.hpp", "x = std::sin(a);\n") == 0);
     CHECK(count("common/d.hpp", "x = sin(a) + std::sqrt(a);\n") == 0);
+    const std::string first = "// Chapter 4 in one file, grown from chapter 3: rows.\n";
+    CHECK(count("chapters/04_d/small.cpp",
+                first + "#include <Eigen/Core>\n#include <cstdio>\nx = std::sin(a);\n") == 0);
+    CHECK(count("chapters/04_d/small.cpp", first + "#include \"chapters/04_d/d.hpp\"\n") == 1);
+    CHECK(count("chapters/04_d/small.cpp", first + "#include \"d.hpp\"\n") == 1);
+    CHECK(count("chapters/04_d/small.cpp", first + std::string(150, '\n')) == 1);
+    CHECK(count("chapters/09_d/small.cpp",
+                "// Chapter 9 in one file, grown from chapter 8: sets.\n" + std::string(150, '\n')) == 0);
+    CHECK(count("chapters/04_d/small.cpp", first + "// " + std::string(82, 'x') + "\n") == 1);
+    CHECK(count("chapters/04_d/small.cpp", "// Chapter 4 in one file: rows.\n") == 1);
+    CHECK(count("chapters/04_d/small.cpp", "// Chapter 4 in one file, grown from chapter 5: rows.\n") == 1);
+    CHECK(count("chapters/01_d/small.cpp", "// Chapter 1 in one file: springs.\n") == 0);
 }
 
 TEST_CASE("no name of a test holds what makes Catch print without end or choose other tests")

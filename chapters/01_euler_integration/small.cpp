@@ -1,4 +1,4 @@
-// Chapter 1 in one file: a mass of 1 kg on a spring, by three methods.
+// Chapter 1 in one file: a mass of 1 kg on a spring, by three methods of Euler's.
 //
 //     dx/dt = u,   du/dt = a = −ω² x        E = ½ u² + ½ ω² x²
 //

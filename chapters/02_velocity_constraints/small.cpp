@@ -1,5 +1,5 @@
-// Chapter 2 in one file, grown from chapter 1: a bead on a wire. Between the two
-// lines of symplectic Euler an impulse along Jᵀ makes J u + b zero.
+// Chapter 2 in one file, grown from chapter 1: a bead on a wire.
+// An impulse along Jᵀ between the two lines of symplectic Euler makes J u + b zero.
 //
 //     C = ½ (xᵀx − 1),  J = xᵀ,  λ = −(J u + b) / (J M⁻¹ Jᵀ),  u ← u + M⁻¹ Jᵀ λ
 #include <Eigen/Core>

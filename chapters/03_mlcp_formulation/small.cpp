@@ -1,5 +1,5 @@
-// Chapter 3 in one file, grown from chapter 2: many rows, and contacts, which only
-// push. They make one problem; it is solved by trying all sets of cases.
+// Chapter 3 in one file, grown from chapter 2: many rows, and contacts, which push.
+// All rows make one problem, which is solved by trying its cases.
 //
 //     w = A λ + q,   A = J M⁻¹ Jᵀ,   q = J u* + b,   b = C / h
 //     contact: λ ≥ 0, w ≥ 0, λ w = 0         link: w = 0

@@ -1,5 +1,5 @@
-// Chapter 4 in one file, grown from chapter 3: the same problem, solved one row at
-// a time, as if all other rows were right.
+// Chapter 4 in one file, grown from chapter 3: the problem solved row by row.
+// Each row is solved as if all others were right, and clamped.
 //
 //     w = A λ + q,   A = J M⁻¹ Jᵀ,   q = J u* + b,   b = C / h
 //     contact: λ ≥ 0, w ≥ 0, λ w = 0         link: w = 0

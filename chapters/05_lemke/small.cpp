@@ -1,4 +1,4 @@
-// Chapter 5 in one file, grown from chapter 4: the same problem, solved by a walk.
+// Chapter 5 in one file, grown from chapter 4: the problem solved by a finite walk.
 //
 //     w = A z + q + d z0,   z0 from large down to 0,   z = λ
 //     contact: z ≥ 0, w ≥ 0, z w = 0         link: w = 0

@@ -1,5 +1,5 @@
-// Chapter 6 in one file, grown from chapter 4: the same sweeps without the matrix,
-// on the velocities of the two discs of each row.
+// Chapter 6 in one file, grown from chapter 4: the same sweeps without the matrix.
+// Each visit reads and changes the velocities of two discs.
 //
 //     w = J u + b,   u ← u + M⁻¹ Jᵀ Δλ,   b = C / h
 //     contact: λ ≥ 0, w ≥ 0, λ w = 0         link: w = 0
