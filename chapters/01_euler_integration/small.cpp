@@ -80,7 +80,7 @@ int main(int count, char** word)
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "stroke-width='0.04' viewBox='-3.6 -3 6.6 6.4'>\n";
+           "width='400' stroke-width='0.04' viewBox='-2.4 -3.4 5.5 5.2'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';

@@ -49,12 +49,12 @@ double energy(const Body& body)
 int main(int count, char** word)
 {
     // By hand, section 2.3: a bead of 2 kg that leaves the wire at 1 m/s.
-    Body bead{{0.6, 0.8}, {1, 0.5}, 0.5};
-    const double before = energy(bead);
+    const Body before{{0.6, 0.8}, {1, 0.5}, 0.5};
+    Body bead = before;
     std::printf("lambda %g N s", impulse(bead, bead.x.transpose(), 0));
     row_step(bead, 0);
-    std::printf(", u %g %g m/s, E %g to %g J\n", bead.u[0], bead.u[1], before,
-                energy(bead));
+    std::printf(", u %g %g m/s, energy %g J, then %g J\n", bead.u[0], bead.u[1],
+                energy(before), energy(bead));
 
     for (const double stiffness : {100, 1000, 10000, 39000, 41000}) {
         Body body{{1, 0}, {0, 1}};
@@ -72,19 +72,16 @@ int main(int count, char** word)
                 1000 * (body.x.norm() - 1), body.x.norm());
     if (count < 2) return 0;
 
-    // The wire, and ten seconds of the row and of a spring with steps of 0.1 s.
-    std::vector<Path> paths{{"#808080", {}}, {"#CC3311", {}}, {"#4477AA", {}}};
-    Body row{{1, 0}, {0, 1}}, spring = row;
-    for (int n = 0; n <= 100; ++n) {
-        paths[0].second.push_back({std::cos(0.1 * n), std::sin(0.1 * n)});
-        paths[1].second.push_back(row.x);
-        paths[2].second.push_back(spring.x);
-        row_step(row, 0.1);
-        spring_step(spring, 0.1, 100);
-    }
+    const Vector2d x = bead.x, end = x + before.u;
+    std::vector<Path> paths{{"#808080", {}},                 // the wire
+                            {"#EE7733", {x, end}},           // u*
+                            {"#CC3311", {end, x + bead.u}},  // M⁻¹ Jᵀ λ
+                            {"#4477AA", {x, x + bead.u}}};   // u
+    for (double t = -0.3; t < 2.2; t += 0.05)
+        paths[0].second.push_back({std::cos(t), std::sin(t)});
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "stroke-width='0.015' viewBox='-1.4 -1.4 2.8 2.8'>\n";
+           "width='400' stroke-width='0.015' viewBox='-0.7 -1.5 2.5 1.8'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';

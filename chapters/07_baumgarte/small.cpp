@@ -33,7 +33,7 @@ std::vector<Contact> find_contacts(const Discs& d)
     const auto meet = [&](int a, int b, double margin, double lo) {
         const Vector2d ab = d.x.segment<2>(2 * b) - d.x.segment<2>(2 * a);
         const double C = ab.norm() - d.radius[a] - d.radius[b];
-        if (C < margin) found.push_back({a, b, ab / ab.norm(), C, lo});
+        if (C < margin) found.push_back({a, b, ab.normalized(), C, lo});
     };
     for (int b = 1; b < d.chain; ++b) meet(b - 1, b, INFINITY, -INFINITY);
     for (int a = 0; a < K; ++a)
@@ -139,7 +139,7 @@ int main(int count, char** word)
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "stroke-width='0.2' viewBox='-1 -11 22 17'>\n";
+           "width='400' stroke-width='0.2' viewBox='-1 -11 22 17'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';

@@ -5,6 +5,7 @@ into TOKENS (code span, inline maths, image, citation, link, plain words). The
 checks and the Doxygen filter work on the same tokens, so what is checked is
 what is rendered.
 """
+import difflib
 import os
 import pathlib
 import re
@@ -370,10 +371,54 @@ def test_names(source):
 MARKER = re.compile(r"^\s*//!\s*\[([\w-]+)\]\s*$")
 
 
+CHANGED = "changed:"  # of a snippet's name: how a function differs from that of the small program before
+GROWN_FROM = re.compile(r"^// Chapter \d+ in one file, grown from chapter (\d+):")
+
+
+def function_code(path, name):
+    """(first line number, last, lines) of the function or type `name` at the left edge of a source, with its comment."""
+    lines = path.read_text(encoding="utf-8").split("\n")
+    begin = re.compile(rf"(?!//|#)\S.*\b{re.escape(name)}\(.*[^;]$|struct {re.escape(name)} {{$")
+    places = [k for k, l in enumerate(lines) if begin.match(l)]
+    if len(places) != 1:
+        raise TextError(f"{path.name} has {len(places) or 'no'} functions '{name}()' to quote, it needs one.")
+    first = places[0]
+    last = next((k for k in range(first, len(lines)) if lines[k] in ("}", "};")), None)
+    if last is None:
+        raise TextError(f"the function '{name}()' of {path.name} has no end '}}' at the left edge.")
+    while first > 0 and lines[first - 1].startswith("//"):
+        first -= 1
+    return first + 1, last + 1, lines[first:last + 1]
+
+
+def changed_code(path, name):
+    """(first line number, last, lines) of what a small program changed in the function of the one that it grew from."""
+    first, last, code = function_code(path, name)
+    match = GROWN_FROM.match(path.read_text(encoding="utf-8"))
+    folder = match and chapters(path.parents[2]).get(int(match.group(1)))
+    if not folder:
+        raise TextError(f"{path.name} does not begin with the chapter that it grew from.")
+    before = function_code(folder / path.name, name)[2]
+    changes = list(difflib.ndiff(before, code))
+    return first, last, [c[0] + c[2:] if c[2:] else c[0].strip() for c in changes if not c.startswith("?")]
+
+
+def snippet_language(source, name):
+    """What a quoted piece is written in."""
+    if name.startswith(CHANGED):
+        return "diff"
+    return "cpp" if source.endswith((".hpp", ".cpp", ".h")) else ""
+
+
 def snippet_code(path, name):
-    """(first line number, lines) between the two markers //! [name] of a source."""
+    """(first line number, last, lines) between the two markers //! [name] of a source; of the function whose name ends
+    with () and its comment; or, as `changed:step()`, of how it differs in the small program before."""
     if not path.is_file():
         raise TextError(f"there is no file {path.name} to take the snippet '{name}' from.")
+    if name.endswith("()"):
+        if name.startswith(CHANGED):
+            return changed_code(path, name[len(CHANGED):-2])
+        return function_code(path, name[:-2])
     lines = path.read_text(encoding="utf-8").split("\n")
     places = [k for k, l in enumerate(lines) if (m := MARKER.match(l)) and m.group(1) == name]
     if not places:

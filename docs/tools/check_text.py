@@ -37,7 +37,7 @@ import urllib.parse
 
 from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
-                      figure_captions, markdown_files, source_files, run_tool, test_names, tokens)
+                      figure_captions, markdown_files, snippet_language, source_files, run_tool, test_names, tokens)
 from demos import demo_of, own_program
 
 WIDEST_CODE = 84
@@ -259,7 +259,8 @@ class Checker:
 
     def code_width(self, path, block):
         """Code that a reader reads or types fits the page; what a program prints may be as wide as it is."""
-        language = "cpp" if block.kind == "snippet" else block.info["language"]
+        language = (snippet_language(block.info["source"], block.info["name"]) if block.kind == "snippet"
+                    else block.info["language"])
         if language not in ("cpp", "sh"):
             return
         for k, line in enumerate(block.lines):

@@ -17,7 +17,7 @@ import sys
 
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
                       blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, page_id, run_tool, slug,
-                      snippet_code, test_names, tokens)
+                      snippet_code, snippet_language, test_names, tokens)
 from demos import demo_of, own_program
 
 
@@ -227,7 +227,8 @@ class Page:
         source = (self.path.parent / block.info["source"]).resolve()
         first, last, code = snippet_code(source, block.info["name"])
         name = self.relative(source)
-        return ["", *self.fenced(code, "cpp"), "",
+        kind = "cpp" if snippet_language(name, block.info["name"]) == "cpp" else "unparsed"
+        return ["", *self.fenced(code, kind), "",
                 f'\\htmlonly[block]<div class="origin"><a href="book:{html.escape(name)}#{first}">'
                 f"{html.escape(name)}, lines {first} to {last}<!--/book--></a></div>\\endhtmlonly", ""]
 

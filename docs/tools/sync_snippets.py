@@ -6,13 +6,15 @@
 
 A block is `<!-- snippet: FILE NAME -->` to `<!-- /snippet -->`, each on its own
 line; FILE is relative to the text. The code lies in FILE between two lines
-`//! [NAME]`.
+`//! [NAME]`. With `()` behind it, NAME is that of a function, which needs no such lines;
+`changed:step()` shows how it differs in the small program that FILE grew from.
 """
 import argparse
 import pathlib
 import sys
 
-from booktext import ROOT, TextError, blocks, book_folder, markdown_files, run_tool, snippet_code
+from booktext import ROOT, TextError, blocks, book_folder, markdown_files, run_tool, snippet_code, \
+    snippet_language
 
 
 def filled(root, path):
@@ -36,8 +38,7 @@ def filled(root, path):
             out += block.lines
             continue
         ticks = "````" if any(l.lstrip().startswith("```") for l in code) else "```"
-        language = "cpp" if source.endswith((".hpp", ".cpp", ".h")) else ""
-        new = [block.lines[0], ticks + language, *code, ticks, block.lines[-1]]
+        new = [block.lines[0], ticks + snippet_language(source, name), *code, ticks, block.lines[-1]]
         if new != block.lines:
             changed.append((block.line, source, name))
         out += new

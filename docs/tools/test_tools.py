@@ -430,6 +430,29 @@ class Snippets(Folder):
         sync_snippets.run(self.root, check=False)
         self.assertIn("return x + 1", self.read("chapters/02_constraints/README.md"))
 
+    def test_a_function_of_a_small_program_and_what_it_changed(self):
+        before = "// Chapter 1 in one file: a step.\n\n// (1.1)\nint step(int x)\n{\n    return x;\n}\n\nint main()\n{\n    return step(1);\n}\n"
+        after = before.replace("Chapter 1 in one file", "Chapter 2 in one file, grown from chapter 1").replace(
+            "return x;", "return 2 * x;")
+        (self.root / "chapters/01_euler/small.cpp").write_text(before, encoding="utf-8")
+        (self.root / "chapters/02_constraints/small.cpp").write_text(after, encoding="utf-8")
+        for name in ("step()", "changed:step()"):
+            self.add(f"<!-- snippet: small.cpp {name} -->\n<!-- /snippet -->", "chapters/02_constraints/README.md")
+        sync_snippets.run(self.root, check=False)
+        text = self.read("chapters/02_constraints/README.md")
+        self.assertIn("```cpp\n// (1.1)\nint step(int x)\n{\n    return 2 * x;\n}\n```", text)
+        self.assertIn("```diff\n // (1.1)\n int step(int x)\n {\n-    return x;\n+    return 2 * x;\n }\n```", text)
+        self.assertEqual(sync_snippets.run(self.root, check=True), ([], True))
+        self.change("chapters/01_euler/small.cpp", "return x;", "return -x;")
+        self.assertIn("'changed:step()' of small.cpp is stale", self.stale())
+
+    def test_a_function_that_is_not_there(self):
+        (self.root / "chapters/01_euler/small.cpp").write_text("// Chapter 1 in one file: a step.\nint one()\n{\n}\n", encoding="utf-8")
+        self.add("<!-- snippet: small.cpp two() -->\n<!-- /snippet -->", "chapters/01_euler/README.md")
+        self.assertIn("small.cpp has no functions 'two()' to quote", self.stale())
+        self.change("chapters/01_euler/README.md", "small.cpp two()", "small.cpp changed:one()")
+        self.assertIn("does not begin with the chapter that it grew from", self.stale())
+
 
 class Filter(Folder):
     def page(self, name="chapters/01_euler/README.md"):

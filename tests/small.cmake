@@ -1,0 +1,24 @@
+# The small programs (./book small N): each compiled alone as a reader does, without a warning, and held to the library.
+add_catch_tests(small small FILES tests/small/bodies.cpp tests/small/matrix.cpp tests/small/sweeps.cpp)
+set_target_properties(test_small PROPERTIES UNITY_BUILD OFF)   # each has names of its own
+
+if(NOT MSVC)
+  get_target_property(folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  list(TRANSFORM folders PREPEND -isystem)
+  file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/small.cpp)
+  foreach(program ${programs})
+    cmake_path(GET program PARENT_PATH chapter)
+    cmake_path(GET chapter FILENAME chapter)
+    # in a folder from which no header of the book is found
+    set(place ${CMAKE_CURRENT_BINARY_DIR}/small/${chapter})
+    file(MAKE_DIRECTORY ${place})
+    add_test(NAME "small: ${chapter} compiles alone without a warning"
+             COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -O2 -Wall -Wextra -Werror ${folders} ${program} -o small
+             WORKING_DIRECTORY ${place})
+    add_test(NAME "small: ${chapter} draws its picture" COMMAND ./small picture.svg WORKING_DIRECTORY ${place})
+    set_tests_properties("small: ${chapter} compiles alone without a warning"
+                         PROPERTIES LABELS small TIMEOUT 300 FIXTURES_SETUP "small_${chapter}")
+    set_tests_properties("small: ${chapter} draws its picture"
+                         PROPERTIES LABELS small TIMEOUT 60 FIXTURES_REQUIRED "small_${chapter}")
+  endforeach()
+endif()

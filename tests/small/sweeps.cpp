@@ -1,0 +1,153 @@
+/// The small programs of chapters 6 to 8, which sweep over velocities, beside the library.
+
+#include "tests/small/alone.hpp"
+
+#include "chapters/06_sequential_impulse/impulse_solver.hpp"
+#include "chapters/07_baumgarte/correction.hpp"
+#include "chapters/08_warm_starting/warm_start.hpp"
+#include "tests/small/library_run.hpp"
+
+#define main small_main
+namespace small04_again {
+#include "chapters/04_pgs/small.cpp"
+}
+namespace small06 {
+#include "chapters/06_sequential_impulse/small.cpp"
+}
+namespace small07 {
+#include "chapters/07_baumgarte/small.cpp"
+}
+namespace small08 {
+#include "chapters/08_warm_starting/small.cpp"
+}
+#undef main
+
+using namespace rigid;
+
+namespace {
+
+/// The sweeps of the library, as often as the small programs sweep: until no row is off by more than 1e-6 m/s.
+struct QuietSweeps : ImpulseSolver<2> {
+    int most = 100000;
+    int made = 0;  ///< in the last step
+
+    void solve(Bodies<2>& bodies, StepData<2>& now)
+    {
+        bodies.u = now.u_star;
+        prepare<2>(now.rows, {}, now.solution.lambda, memory.rows);
+        for (std::size_t i = 0; i < now.rows.size(); ++i)
+            now.rows[i].apply(now.solution.lambda[static_cast<Index>(i)], bodies.u);
+        int off = 1;
+        for (made = 0; off > 0 && made < most; ++made) off = sweep<2>(memory.rows, bodies.u, 1e-6);
+        for (std::size_t i = 0; i < now.rows.size(); ++i)
+            now.solution.lambda[static_cast<Index>(i)] = memory.rows[i].lambda;
+    }
+};
+
+template <class Correction, class Start>
+struct QuietMethod {
+    AllPairs contacts;
+    Correction correction;
+    Start start;
+    QuietSweeps solver;
+    StepData<2> now;
+
+    int operator()(DiscScene& scene, Real h = 1.0 / 240)
+    {
+        step(scene, {.h = h}, *this, now);
+        return solver.made;
+    }
+};
+
+QuietMethod<Correction, ColdStart> baumgarte_method(Real beta)
+{
+    QuietMethod<Correction, ColdStart> method;
+    method.correction.method = Stabilizer::baumgarte;
+    method.correction.beta = beta;
+    return method;
+}
+
+QuietMethod<Correction, WarmStart> warm_method(Real beta)
+{
+    QuietMethod<Correction, WarmStart> method;
+    method.correction.method = Stabilizer::baumgarte;
+    method.correction.beta = beta;
+    method.start.from = Start::previous;
+    return method;
+}
+
+}  // namespace
+
+TEST_CASE("the small program of chapter 6 has the numbers of the text and the library's to 1e-12")
+{
+    // By hand, the table of section 6.1.
+    small06::Discs two{VecX::Zero(4), VecX{{0, -1, 0, -1}}, VecX::Ones(4), VecX::Ones(2), 0, {}};
+    small06::Contact rows[]{{-1, 0, {0, 1}, 0, 0}, {0, 1, {0, 1}, 0, 0}};
+    for (const auto& [row, lambda, u1, u2] : {std::tuple{0, 1.0, 0.0, -1.0},
+                                              {1, 0.5, -0.5, -0.5},
+                                              {0, 1.5, 0.0, -0.5},
+                                              {1, 0.75, -0.25, -0.25}}) {
+        small06::visit(rows[row], two);
+        CHECK(rows[row].lambda == lambda);
+        CHECK(two.u == VecX{{0, u1, 0, u2}});
+    }
+
+    QuietMethod<WholeError, ColdStart> method;
+    const Real farthest = farthest_in_a_run(
+        small06::ten_discs(), [](small06::Discs& d) { return small06::step(d, 1.0 / 240); }, method);
+    CHECK(farthest < 1e-12);  // the same visits, whose sums have another order
+}
+
+TEST_CASE("the small programs of chapters 4 and 6 make the same sweeps and the same velocities")
+{
+    small04_again::Discs matrix = small04_again::ten_discs();
+    small06::Discs visits = small06::ten_discs();
+    for (int n = 0; n < 100; ++n) {
+        REQUIRE(small04_again::step(matrix, 1.0 / 240) == small06::step(visits, 1.0 / 240));
+        REQUIRE((matrix.u - visits.u).norm() < 1e-12);  // (6.6): only the rounding differs
+    }
+}
+
+TEST_CASE("the small program of chapter 7 has the numbers of the text and the library's to 1e-12")
+{
+    // By hand, (7.5) and (7.13).
+    small07::Discs two{VecX{{0, 0, 0.11, 0}}, VecX::Zero(4), VecX::Ones(4), VecX::Constant(2, 0.05), 2, {}};
+    for (int n = 0; n < 30; ++n) {
+        CHECK(small07::error(two) == Approx(0.01 * std::pow(0.8, n)).margin(1e-12));
+        small07::step(two, 1.0 / 60, 0.2);
+    }
+    small07::Discs one{VecX{{0, 0}}, VecX::Zero(2), VecX::Ones(2), VecX{{0.1}}, 0, VecX{{0, 1, 0}}};
+    small07::step(one, 1.0 / 60, 0.2);
+    CHECK(one.u[1] == Approx(1.2).epsilon(1e-12));
+
+    for (const Real beta : {0.0, 0.2, 1.0}) {
+        INFO("beta " << beta);
+        QuietMethod method = baumgarte_method(beta);
+        const Real farthest = farthest_in_a_run(
+            small07::ten_discs(), [=](small07::Discs& d) { return small07::step(d, 1.0 / 240, beta); },
+            method);
+        CHECK(farthest < 1e-12);
+    }
+}
+
+TEST_CASE("the small program of chapter 8 has the numbers of the text and the library's to 1e-12")
+{
+    // By hand, section 8.1.
+    small08::Discs two = small08::column(2);
+    CHECK(small08::step(two, 1.0 / 60, 0.2) == 20);
+    CHECK(small08::step(two, 1.0 / 60, 0.2) == 1);
+    two.g *= 1.01;
+    CHECK(small08::step(two, 1.0 / 60, 0.2) == 13);
+    small08::Discs twenty = small08::column(20);
+    for (const int sweeps : {1685, 112, 1, 1, 1, 1})
+        CHECK(small08::step(twenty, 1.0 / 60, 0) == sweeps);  // no error is corrected
+
+    QuietMethod method = warm_method(0.2);
+    const Real farthest = farthest_in_a_run(
+        small08::ten_discs(), [](small08::Discs& d) { return small08::step(d, 1.0 / 240, 0.2); }, method);
+    CHECK(farthest < 1e-12);
+    // Ten sweeps a step hold the column at rest where (8.8) says, 50.8212574362 mm below its place.
+    small08::Discs warm = small08::column(20);
+    for (int n = 0; n < 2000; ++n) small08::step(warm, 1.0 / 60, 0, 10);
+    CHECK(3.9 - warm.x[39] == Approx(0.0508212574362).margin(1e-5));
+}
