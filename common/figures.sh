@@ -6,7 +6,7 @@
 #                                `./book bench N` leaves there (or from a run of its own)
 #
 # Then there are: $program, the chapter's; $here, the folder of draw.sh; $data, a folder that vanishes at the end;
-# run and plot; and, where measured figures are asked for, $table with the benchmark's CSV (else it is empty).
+# run, plot and small; and, where measured figures are asked for, $table with the benchmark's CSV (else it is empty).
 set -eu
 bin=$1
 out=$2
@@ -19,6 +19,10 @@ trap 'rm -rf "$data"' EXIT
 run() { "$program" --headless "$@"; }
 plot() { # FIGURE [SCRIPT [ASSIGNMENTS]]: by FIGURE.gp, or by another script with more variables
     gnuplot -e "folder='$here'; style='$here/style.gp'; data='$data'; out='$out/$1.svg'; ${3:-}" "$here/${2:-$1}.gp"
+}
+
+small() { # FIGURE: the picture that the chapter's small program draws
+    "$here/../../../book" small "$(basename "$program" | cut -c1-2)" "$out/$1.svg" >/dev/null
 }
 
 table=

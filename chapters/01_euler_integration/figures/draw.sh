@@ -49,3 +49,4 @@ for method in explicit_euler symplectic_euler rk4; do
     "$bin/01_euler_integration" --headless --scene kepler --h 0.02 --steps 628 --method $method --csv "$work/$method.csv"
 done
 plot orbits "$work"
+"$folder/../../../book" small 1 "$out/ch01_small.svg" >/dev/null

@@ -44,3 +44,6 @@ plot ch02_order
 # The pull of the pendulum's rod.
 run --scene pendulum --steps 130 --csv "$data/tension.csv"
 plot ch02_tension
+
+# The picture of the small program.
+small ch02_small

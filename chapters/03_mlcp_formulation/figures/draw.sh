@@ -40,3 +40,6 @@ plot ch03_impulses
     >"$data/assembly.csv" 2>/dev/null
 split_table "$data/assembly.csv"
 plot ch03_assembly_work
+
+# The picture of the small program.
+small ch03_small

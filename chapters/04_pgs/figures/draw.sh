@@ -78,3 +78,6 @@ plot ch04_failure
 "${program}_benchmark" --benchmark_filter='^error/' --benchmark_format=csv >"$data/benchmark.csv" 2>/dev/null
 errors "$data/benchmark.csv"
 plot ch04_visits
+
+# The picture of the small program.
+small ch04_small

@@ -64,3 +64,6 @@ for digits in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do
     done | awk -v d=$digits '{ sum += $1 } END { print d, sum }' >>"$data/tie_stacks"
 done
 plot ch05_ties
+
+# The picture of the small program.
+small ch05_small

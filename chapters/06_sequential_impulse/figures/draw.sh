@@ -68,3 +68,6 @@ for method in given alternating shuffled coloured blocks; do
     run --scene one_sweep --set kind=1 size=20 --method $method --steps 1500 --csv "$data/column_$method"
 done
 plot ch06_orders
+
+# The picture of the small program.
+small ch06_small

@@ -90,3 +90,6 @@ plot ch07_recipe
 "${program}_benchmark" --benchmark_format=csv >"$data/benchmark.csv" 2>/dev/null
 errors "$data/benchmark.csv"
 plot ch07_visits errors "column=2; cost='row visits in a step'"
+
+# The picture of the small program.
+small ch07_small

@@ -132,3 +132,6 @@ for k in 1 2 3 4 6 8 12 16 24 32 48 64 96 128; do
     error triangle_substeps --scene triangle --method previous --set max_sweeps=1 substeps=$k repaid_by=4 slop=0.0005
 done
 plot ch08_visits
+
+# The picture of the small program.
+small ch08_small
