@@ -299,8 +299,8 @@ def tokens(paragraph):
 # equation is number zero), `(2.125)` (no chapter has a hundred equations).
 EQUATION = re.compile(r"(?<![\w\])}])\(([1-9]\d?)\.([1-9]\d?)([a-z]?)\)"
                       r"(?!\s*[/^×·]\s*\w|\s*[+-]\s*\d|\s+\*\s|\*\w)")
-FIGURE = re.compile(r"\bFigures?\s+([1-9]\d?)\.([1-9]\d?)\b")
-FIGURE_CAPTION = re.compile(r"^\*\*Figure ([1-9]\d?\.[1-9]\d?)\.\*\*")
+FIGURE = re.compile(r"\bFigures?\s+([1-9]\d?)\.(0|[1-9]\d?)\b")  # N.0: what the small program draws
+FIGURE_CAPTION = re.compile(r"^\*\*Figure ([1-9]\d?\.(?:0|[1-9]\d?))\.\*\*")
 TAG = re.compile(r"\\tag\*?\s*\{([^}]*)\}")
 
 
