@@ -399,8 +399,11 @@ def changed_code(path, name):
     if not folder:
         raise TextError(f"{path.name} does not begin with the chapter that it grew from.")
     before = function_code(folder / path.name, name)[2]
-    changes = list(difflib.ndiff(before, code))
-    return first, last, [c[0] + c[2:] if c[2:] else c[0].strip() for c in changes if not c.startswith("?")]
+    lines = [(c[0] + c[2:]).rstrip() for c in difflib.ndiff(before, code) if not c.startswith("?")]
+    changes = [k for k, l in enumerate(lines) if l[:1] in ("+", "-")]
+    shown = [k == 0 or any(abs(k - c) <= 2 for c in changes) for k in range(len(lines))]
+    # of what stays, two lines beside each change
+    return first, last, [l if shown[k] else " …" for k, l in enumerate(lines) if shown[k] or shown[k - 1]]
 
 
 def snippet_language(source, name):

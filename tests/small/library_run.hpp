@@ -59,4 +59,14 @@ Real farthest_in_a_run(Discs d, const SmallStep& small_step, LibraryStep&& libra
     return farthest;
 }
 
+/// What the 480 steps that the text speaks of take in all.
+template <class Discs, class Start, class Step>
+int work_of_the_text(const Start& start, const Step& step_once)
+{
+    Discs d = start();
+    int work = 0;
+    for (int n = 0; n < 480; ++n) work += step_once(d, 1.0 / 240);
+    return work;
+}
+
 }  // namespace rigid

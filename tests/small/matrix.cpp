@@ -76,7 +76,8 @@ TEST_CASE("the small program of chapter 3 has the numbers of the text and the li
                 return solution.status == Status::solved;
             });
         });
-    CHECK(farthest < 1e-12);  // both are exact
+    CHECK(farthest < 1e-12);                                                              // both are exact
+    CHECK(work_of_the_text<small03::Discs>(small03::ten_discs, small03::step) == 28693);  // section 3.10
 }
 
 TEST_CASE("the small program of chapter 4 has the numbers of the text and the library's to 1e-12")
@@ -106,6 +107,7 @@ TEST_CASE("the small program of chapter 4 has the numbers of the text and the li
             });
         });
     CHECK(farthest < 1e-12);  // the same visits, whose sums have another order
+    CHECK(work_of_the_text<small04::Discs>(small04::ten_discs, small04::step) == 14025);  // section 6.1
 }
 
 TEST_CASE("the small program of chapter 5 has the numbers of the text and the library's to 1e-12")
@@ -119,11 +121,13 @@ TEST_CASE("the small program of chapter 5 has the numbers of the text and the li
     CHECK(small05::lemke(A, q, lo, z) == 3);
     CHECK((z - VecX{{4.0 / 3, 7.0 / 3}}).norm() < 1e-15);
     CHECK((z - lemke(contacts_only(A, q)).lambda).norm() < 1e-15);
-    // (5.11): all ratios tie.
-    const MatX circle{{1, 2, 0}, {0, 1, 2}, {2, 0, 1}};
-    VecX third(3);
-    CHECK(small05::lemke(circle, VecX::Constant(3, -1), VecX::Zero(3), third) == 4);
-    CHECK((third - VecX::Constant(3, 1.0 / 3)).norm() < 1e-15);
+    // (5.11): all ratios tie. Without (5.13) the first row that ties cycles on the one, the last on the other.
+    for (const MatX& circle :
+         {MatX{{1, 2, 0}, {0, 1, 2}, {2, 0, 1}}, MatX{{1, 0, 2}, {2, 1, 0}, {0, 2, 1}}}) {
+        VecX third(3);
+        CHECK(small05::lemke(circle, VecX::Constant(3, -1), VecX::Zero(3), third, 100) <= 6);
+        CHECK((third - VecX::Constant(3, 1.0 / 3)).norm() < 1e-15);
+    }
     // (5.23): exactly 2ⁿ pivots; here n = 2.
     CHECK(small05::lemke(MatX{{1, 2}, {0, 1}}, VecX{{-6, -4}}, lo, z) == 4);
 

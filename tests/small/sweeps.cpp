@@ -96,6 +96,7 @@ TEST_CASE("the small program of chapter 6 has the numbers of the text and the li
     const Real farthest = farthest_in_a_run(
         small06::ten_discs(), [](small06::Discs& d) { return small06::step(d, 1.0 / 240); }, method);
     CHECK(farthest < 1e-12);  // the same visits, whose sums have another order
+    CHECK(work_of_the_text<small06::Discs>(small06::ten_discs, small06::step) == 14025);  // section 6.1
 }
 
 TEST_CASE("the small programs of chapters 4 and 6 make the same sweeps and the same velocities")
@@ -120,12 +121,19 @@ TEST_CASE("the small program of chapter 7 has the numbers of the text and the li
     small07::step(one, 1.0 / 60, 0.2);
     CHECK(one.u[1] == Approx(1.2).epsilon(1e-12));
 
-    for (const Real beta : {0.0, 0.2, 1.0}) {
+    for (const auto& [beta, error] : {std::pair{0.0, 0.0143}, {0.2, 0.0033}, {1.0, 0.0008}}) {
         INFO("beta " << beta);
+        small07::Discs d = small07::ten_discs();
+        Real worst = 0;
+        for (int n = 0; n < 480; ++n) {
+            small07::step(d, 1.0 / 240, beta);
+            worst = std::max(worst, small07::error(d));
+        }
+        CHECK(worst == Approx(error).margin(5e-5));  // section 7.2, rounded to 0.1 mm
         QuietMethod method = baumgarte_method(beta);
         const Real farthest = farthest_in_a_run(
-            small07::ten_discs(), [=](small07::Discs& d) { return small07::step(d, 1.0 / 240, beta); },
-            method);
+            small07::ten_discs(),
+            [beta = beta](small07::Discs& small) { return small07::step(small, 1.0 / 240, beta); }, method);
         CHECK(farthest < 1e-12);
     }
 }
