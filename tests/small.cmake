@@ -15,7 +15,7 @@ if(NOT MSVC)
     add_test(NAME "small: ${chapter} compiles alone without a warning"
              COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -O2 -Wall -Wextra -Werror ${folders} ${program} -o small
              WORKING_DIRECTORY ${place})
-    add_test(NAME "small: ${chapter} draws its picture" COMMAND ./small picture.svg WORKING_DIRECTORY ${place})
+    add_test(NAME "small: ${chapter} draws its picture" COMMAND ${place}/small picture.svg WORKING_DIRECTORY ${place})
     set_tests_properties("small: ${chapter} compiles alone without a warning"
                          PROPERTIES LABELS small TIMEOUT 300 FIXTURES_SETUP "small_${chapter}")
     set_tests_properties("small: ${chapter} draws its picture"
