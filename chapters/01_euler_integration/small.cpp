@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <numbers>
 #include <vector>
 using Eigen::Vector2d;
 using Path = std::pair<const char*, std::vector<Vector2d>>;  // a colour and points
@@ -71,7 +72,7 @@ int main(int count, char** word)
                             energy(body, 1));
         }
         // Four seconds of 1 Hz, 60 steps a second.
-        const double omega = 2 * M_PI;
+        const double omega = 2 * std::numbers::pi;
         Body spring{1, 0};
         for (int n = 0; n < 240; ++n) method.step(spring, 1.0 / 60, omega);
         std::printf("    after 4 s: %.3f of the energy\n",
