@@ -4,8 +4,10 @@
 
 #include "chapters/15_soft_constraints/soft_method.hpp"
 #include "chapters/15_soft_constraints/soft_scenes.hpp"
+#include "common/random.hpp"
 
 #include <cmath>
+#include <map>
 #include <utility>
 
 using namespace rigid;
@@ -266,6 +268,93 @@ TEST_CASE("heavy ends slow rows down and leave bodies alone", "[idea]")
         const Real c = std::cos(pi / 10);
         CHECK(rate_of(40, bodies) == Approx(c * c).epsilon(1e-3));
     }
+}
+
+TEST_CASE("K of every kind of row is the derivative of its J", "[house]")
+{
+    Random random(15);
+    constexpr Real e = 1e-5;
+    // e² of a third derivative of up to 1e2, and rounding 1e-16/e
+    constexpr Real enough = 1e-7;
+    // J_at(x) of one body of a row against the K of it
+    const auto compare = [&](const Mat<3>& K, Index body, VecX x, const auto& J_at) {
+        for (Index j = 0; j < 3; ++j) {
+            Real& place = x[3 * body + j];
+            const Real was = place;
+            place = was + e;
+            const RowVec<3> more = J_at(x);
+            place = was - e;
+            const RowVec<3> less = J_at(x);
+            place = was;
+            CHECK((K.col(j) - (more - less).transpose() / (2 * e)).norm() <= enough);
+        }
+    };
+    const auto number = [&] { return random.uniform(-1, 1); };
+    const auto place = [&] {
+        const Real x = number();
+        return Vec2(x, number());
+    };
+    const auto direction = [&] {
+        const Real angle = 3 * number();
+        return Vec2(std::cos(angle), std::sin(angle));
+    };
+    for (int round = 0; round < 50; ++round) {
+        VecX x(6);
+        for (Index i = 0; i < 6; ++i) x[i] = number();
+        for (int measure = 0; measure <= static_cast<int>(PointJoint::Measure::rack); ++measure) {
+            PointJoint joint;
+            joint.measure = static_cast<PointJoint::Measure>(measure);
+            joint.a = round % 3 == 0 ? world : 0, joint.b = 1;
+            joint.at_a = place(), joint.at_b = place();
+            joint.direction = direction();
+            joint.gear_a = number(), joint.gear_b = number();
+            joint.sense = round % 2 == 0 ? 1 : -1;
+            joint.over_a = place() + Vec2(4, 0), joint.over_b = place() - Vec2(0, 4);
+            if (joint.measure == PointJoint::Measure::distance) joint.at_b += Vec2(4, 4);
+            const RowCurvature K = joint_curvature(x, joint, 1e-6);
+            INFO(measure);
+            compare(K.b, 1, x, [&](const VecX& at) { return joint_constraint(at, joint).Jb; });
+            if (joint.a == world) CHECK(K.a.norm() == 0);
+            else compare(K.a, 0, x, [&](const VecX& at) { return joint_constraint(at, joint).Ja; });
+        }
+    }
+    // contacts of discs and boxes in a heap that moves, with friction and rolling resistance
+    JointedScene scene = stack(3);
+    add_body(scene, disc(0.4), 1, {1.3, 0.4});
+    scene.bodies.x[2] = 0.05;
+    cover(scene, {0.6, 0.1, 0, 0});
+    BodyDescent<Manifolds> method;
+    StepData<3> now;
+    scene.bodies.u << 1, 0, 0.3, -1, 0, 0.2, 0.5, 0, -0.4, -2, 0, 1;
+    step(scene, {.h = 1.0 / 60}, method, now);
+    std::map<std::pair<int, bool>, int> seen;
+    for (std::size_t i = 0; i < now.rows.size(); ++i) {
+        const RowCurvature K = curvature_at(scene, now, i, scene.bodies.x);
+        const Row<3>& row = now.rows[i];
+        ++seen[{now.sources[i].part, row.a == world}];
+        compare(K.b, row.b, scene.bodies.x,
+                [&](const VecX& x) { return constraint_at(scene, now, i, x).Jb; });
+        if (row.a != world)
+            compare(K.a, row.a, scene.bodies.x,
+                    [&](const VecX& x) { return constraint_at(scene, now, i, x).Ja; });
+    }
+    CHECK(seen.size() == 6);  // pushes, drags and rolls, on the floor and on each other
+    // three evaluations of a row in each of ten sweeps, and one for K
+    CHECK(now.visits == 31 * static_cast<std::int64_t>(now.rows.size()));
+}
+
+TEST_CASE("points in one place leave block descent a finite step", "[house]")
+{
+    JointedScene scene;
+    RigidJoint rope;
+    rope.kind = JointKind::distance;
+    rope.length = 0;
+    rope.b = add_body(scene, disc(0.2), 1, {0, 0});
+    add_joint(scene, rope);
+    BodyDescent<AllBodies> method;
+    settle(scene, method, 1.0 / 60, 60);
+    // it hangs where its force is, gh² = 2.7 mm a step and no more
+    CHECK(scene.bodies.x.norm() < 0.0028);
 }
 
 TEST_CASE("block descent holds a thousand times on a stack where ten sweeps do not", "[idea]")

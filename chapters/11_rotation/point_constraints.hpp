@@ -7,7 +7,7 @@
 ///     turning    n turns with a                J_a = (−n, −(r_a + p_b − p_a) × n)
 ///     angle      C = g_a θ_a + g_b θ_b − c     J = (0, 0, g_a), (0, 0, g_b)
 ///     pulley     C = Σ g ‖p − q‖ − c           J = g (n, r × n),  n = (p − q)/‖p − q‖, of either body
-///     rack       C = g_a θ_a + g_b n·p_b − c   J = (0, 0, g_a), g_b (n, r_b × n)
+///     rack       C = g_a (θ_a − θ_b) + g_b n·(p_b − p_a) − c, n turns with b: turning with a and b exchanged
 ///     corner     C = n·p − c − ρ ≥ 0           J = (n, r × n)
 ///     contact    C = gap + n·(p_b − p_a) ≥ 0   (−n, −r_a × n), (n, r_b × n),  p in one place where the gap was found
 ///
@@ -94,11 +94,14 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
         c.Ja = joint.gear_a * point_row(pa - centre(c.a), da.n);
         c.Jb = joint.gear_b * point_row(pb - centre(c.b), db.n);
     } else if (joint.measure == Measure::rack) {
-        const Vec2 pb = point_of(x, c.b, joint.at_b);
-        c.C = joint.gear_a * angle(c.a) + joint.gear_b * joint.direction.dot(pb) -
-              joint.length;
-        c.Ja = {0, 0, joint.gear_a};
-        c.Jb = joint.gear_b * point_row(pb - centre(c.b), joint.direction);
+        const Vec2 pa = point_of(x, c.a, joint.at_a),
+                   pb = point_of(x, c.b, joint.at_b),
+                   n = point_of(x, c.b, joint.direction) - centre(c.b);
+        c.C = joint.gear_a * (angle(c.a) - angle(c.b)) +
+              joint.gear_b * n.dot(pb - pa) - joint.length;
+        c.Ja = -joint.gear_b * point_row(pa - centre(c.a), n);
+        c.Jb = joint.gear_b * point_row(pa - centre(c.b), n);  // n turns with b
+        c.Ja[2] += joint.gear_a, c.Jb[2] -= joint.gear_a;
     } else {
         const Vec2 pa = point_of(x, c.a, joint.at_a),
                    pb = point_of(x, c.b, joint.at_b), d = pb - pa;

@@ -28,7 +28,8 @@ struct PointJoint {
         /// gear_a ‖p_a − q_a‖ + gear_b ‖p_b − q_b‖: a rope over two points of the
         /// world
         pulley,
-        /// gear_a θ_a + gear_b n·p_b, n fixed in the world: a rack on a pinion
+        /// gear_a (θ_a − θ_b) + gear_b n·(p_b − p_a), n fixed in body b and turning
+        /// with it: a rack, b, on a pinion around p_a
         rack,
     };
     Measure measure = Measure::distance;
@@ -37,7 +38,7 @@ struct PointJoint {
          /// the points, from the centroid in the body's own axes; of the world: in
         /// its
         at_b = {0, 0};
-    Vec2 direction = {1, 0};  ///< n, a unit vector, of along and turning
+    Vec2 direction = {1, 0};  ///< n, a unit vector, of along, turning, rack
     /// of angle: pure numbers [C is an angle], or radii [C is an arc]
     Real gear_a = -1, gear_b = 1;
     /// C is zero where what is measured is this [m, rad]

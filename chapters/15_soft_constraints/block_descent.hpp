@@ -13,6 +13,7 @@
 #include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/15_soft_constraints/block_solve.hpp"
 #include "chapters/15_soft_constraints/position_rows.hpp"
+#include "chapters/15_soft_constraints/row_curvature.hpp"
 
 namespace rigid {
 
@@ -88,14 +89,17 @@ struct BlockDescent {
         const auto at = [&](std::size_t i) {
             return constraint_at(scene, now, i, bodies.x);
         };
-        meet.find_curvature<Dof>(scene, now, bodies.x);
+        meet.find_curvature<Dof>(now.rows.size(), [&](std::size_t i) {
+            return curvature_at(scene, now, i, bodies.x);
+        });
         for (int s = 0; s < sweeps; ++s) {
             for (const int k : now.active)
                 if (bodies.can_move(k)) visit(k, h, at, now, bodies);
             for (std::size_t i = 0; i < now.rows.size(); ++i)
                 raise(i, h, at(i), now);  // (15.28)
         }
-        now.visits += 3 * static_cast<std::int64_t>(now.rows.size()) * sweeps;
+        // K once; in each sweep its a, its b, and (15.28)
+        now.visits += static_cast<std::int64_t>(now.rows.size()) * (3 * sweeps + 1);
         for (const int k : now.active)
             bodies.velocity(k) = d.template segment<Dof>(Dof * k) / h;
         for (std::size_t i = 0; i < now.rows.size(); ++i)

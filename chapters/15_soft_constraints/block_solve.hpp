@@ -1,5 +1,5 @@
 /// \file block_solve.hpp
-/// What block descent needs besides its equations: which rows a body has, how its J turns, and a small definite system.
+/// What block descent needs besides its equations: which rows a body has, the D of each, and a small definite system.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
@@ -32,7 +32,7 @@ Vec<N> solve_definite(Mat<N> H, Vec<N> f)
 }
 //! [solve_definite]
 
-/// The rows of each body, and the lengths of the columns of ∂J/∂x.
+/// The rows of each body, and D of each of them.
 class RowsOfBodies {
 public:
     struct Meeting {
@@ -66,31 +66,18 @@ public:
     }
 
     //! [curvature]
-    /// D of (15.27): how fast each column of J changes with its coordinate, by
-    /// differences where the bodies are at the start.
-    /// \param x  positions; as they were when it returns
-    template <int Dof, class Scene>
-    void find_curvature(const Scene& scene, const StepData<Dof>& now, VecX& x)
+    /// D of (15.27): the lengths of the columns of each K = ∂J/∂x.
+    /// \param curvature_of  the K of row i, of its a and of its b
+    template <int Dof, class CurvatureOf>
+    void find_curvature(std::size_t rows, const CurvatureOf& curvature_of)
     {
-        curvature_.setZero(2 * Dof * static_cast<Index>(now.rows.size()));
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
-            for (const bool is_a : {true, false}) {
-                const Index k = is_a ? now.rows[i].a : now.rows[i].b;
-                if (k == world || !scene.bodies.can_move(k)) continue;
-                for (int j = 0; j < Dof; ++j) {
-                    const Real was = x[Dof * k + j],
-                               e = 1e-6 * (j < 2 ? now.length : 1);
-                    const auto J_at = [&](Real place) -> RowVec<Dof> {
-                        x[Dof * k + j] = place;
-                        const Constraint<Dof> c = constraint_at(scene, now, i, x);
-                        return is_a ? c.Ja : c.Jb;
-                    };
-                    const RowVec<Dof> more = J_at(was + e), less = J_at(was - e);
-                    x[Dof * k + j] = was;
-                    curvature_[at<Dof>(static_cast<int>(i), is_a) + j] =
-                        (more - less).norm() / (2 * e);
-                }
-            }
+        curvature_.resize(2 * Dof * static_cast<Index>(rows));
+        for (std::size_t i = 0; i < rows; ++i) {
+            const auto K = curvature_of(i);
+            const int row = static_cast<int>(i);
+            curvature_.segment<Dof>(at<Dof>(row, true)) = K.a.colwise().norm();
+            curvature_.segment<Dof>(at<Dof>(row, false)) = K.b.colwise().norm();
+        }
     }
     //! [curvature]
 

@@ -1,0 +1,143 @@
+/// \file row_curvature.hpp
+/// How the J of a row changes as one of its bodies moves: the second derivatives of block descent, K = ∂J/∂x.
+///
+///     point     C = n·p, n given         K = −(n·r) e eᵀ                    e = (0, 0, 1), r from the centroid to p
+///     distance  C = ‖p − q‖              K = w wᵀ/‖p − q‖ − (n·r) e eᵀ      w = (t, n·r), t = n turned by a quarter
+///     turning   C = n·s, n turns with    K = −t eᵀ − e tᵀ − (n·s) e eᵀ      of the body whose centroid s begins at
+///
+/// (15.27a). A measure that is linear (an angle, a roll) has none. Friction's J = (t, r × t) is the derivative of no C:
+/// its point stays where the body moves away from it, so only the arm changes, and K is not symmetric.
+#pragma once
+
+#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/15_soft_constraints/block_solve.hpp"
+
+namespace rigid {
+
+//! [curvature]
+/// ∂J/∂x of a row, of each of its bodies alone [1/m of the units of J].
+struct RowCurvature {
+    Mat<3> a = Mat<3>::Zero(), b = Mat<3>::Zero();
+};
+
+/// Of n·p (bend = 0), or of ‖p − q‖ with bend = 1/‖p − q‖.
+inline Mat<3> point_curvature(const Vec2& r, const Vec2& n, Real bend)
+{
+    const Vec2 t = perpendicular(n);
+    const Vec<3> w(t.x(), t.y(), n.dot(r));
+    Mat<3> K = bend * w * w.transpose();
+    K(2, 2) -= n.dot(r);
+    return K;
+}
+
+/// Of n·s where n turns with the body and s begins at its centroid.
+inline Mat<3> turning_curvature(const Vec2& s, const Vec2& n)
+{
+    const Vec2 t = perpendicular(n);
+    Mat<3> K = Mat<3>::Zero();
+    K.col(2).head<2>() = -t;
+    K.row(2).head<2>() = -t.transpose();
+    K(2, 2) = -n.dot(s);
+    return K;
+}
+
+/// (15.27a) of a joint's row.
+/// \param nearest  points that are closer than that have no direction to turn: they
+///                 count as so far apart [m]
+inline RowCurvature joint_curvature(const VecX& x, const PointJoint& joint,
+                                    Real nearest)
+{
+    using Measure = PointJoint::Measure;
+    RowCurvature K;
+    const Index a = joint.a, b = joint.b;
+    const auto centre = [&x](Index k) {
+        return k == world ? Vec2(0, 0) : Vec2(x.segment<2>(3 * k));
+    };
+    const Vec2 pa = point_of(x, a, joint.at_a), pb = point_of(x, b, joint.at_b),
+               ra = pa - centre(a), rb = pb - centre(b);
+    const auto bend = [nearest](const Direction& d) {
+        return 1 / std::max(d.length, nearest);
+    };
+    switch (joint.measure) {
+    case Measure::angle:
+        break;
+    case Measure::along:
+        K.a = -point_curvature(ra, joint.direction, 0);
+        K.b = point_curvature(rb, joint.direction, 0);
+        break;
+    case Measure::distance: {
+        const Direction d(pb - pa);
+        K.a = point_curvature(ra, -d.n, bend(d));  // ‖p_a − p_b‖
+        K.b = point_curvature(rb, d.n, bend(d));
+        break;
+    }
+    case Measure::turning: {
+        const Vec2 n = a == world ? joint.direction
+                                  : point_of(x, a, joint.direction) - centre(a);
+        K.a = turning_curvature(pb - centre(a), n);
+        K.b = point_curvature(rb, n, 0);
+        break;
+    }
+    case Measure::pulley: {
+        const Direction da(pa - joint.over_a), db(pb - joint.over_b);
+        K.a = joint.gear_a * point_curvature(ra, da.n, bend(da));
+        K.b = joint.gear_b * point_curvature(rb, db.n, bend(db));
+        break;
+    }
+    case Measure::rack: {
+        // n turns with b, and s leads from p_a to b's centroid
+        const Vec2 n = point_of(x, b, joint.direction) - centre(b);
+        K.a = -joint.gear_b * point_curvature(ra, n, 0);
+        K.b = -joint.gear_b * turning_curvature(pa - centre(b), n);
+        break;
+    }
+    }
+    if (a == world) K.a.setZero();
+    K.a *= joint.sense, K.b *= joint.sense;
+    return K;
+}
+
+/// (15.27a) of a contact: its points turn with their bodies.
+inline RowCurvature contact_curvature(const Contact& contact, const VecX& x_found,
+                                      const VecX& x)
+{
+    const Vec2& n = contact.normal;
+    const auto side = [&](Index k, Real sign, Real core) -> Mat<3> {
+        const Vec2 was = contact.point + sign * core * n - x_found.segment<2>(3 * k);
+        const Real turn = x[3 * k + 2] - x_found[3 * k + 2];
+        const Vec2 r = cos(turn) * was + sin(turn) * perpendicular(was);
+        return sign * point_curvature(r, n, 0);
+    };
+    RowCurvature K;
+    K.b = side(contact.b, 1, contact.core_b);
+    if (contact.a != world) K.a = side(contact.a, -1, contact.core_a);
+    return K;
+}
+
+/// Of friction at a contact: the arm of b ends at a point that does not move with b,
+/// that of a moves with it.
+inline RowCurvature friction_curvature(const Contact& contact)
+{
+    const Vec2& n = contact.normal;
+    RowCurvature K;
+    K.b.row(2).head<2>() = -n.transpose();  // −e × t of x and y, t = n turned
+    return K;
+}
+
+/// (15.27a) of row i of the step at the positions x.
+inline RowCurvature curvature_at(const RigidScene& scene, const StepData<3>& now,
+                                 std::size_t i, const VecX& x)
+{
+    const Source& source = now.sources[i];
+    const auto index = static_cast<std::size_t>(source.index);
+    if (source.of == Source::Of::joint)
+        return joint_curvature(x, scene.joints[index], 1e-6 * now.length);
+    if (source.of != Source::Of::contact || source.part == rolling_part) return {};
+    const Contact& contact = now.contacts[index];
+    return source.part == tangent_part
+               ? friction_curvature(contact)
+               : contact_curvature(contact, now.x_found, x);
+}
+//! [curvature]
+
+}  // namespace rigid
