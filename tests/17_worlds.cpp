@@ -2,6 +2,7 @@
 
 #include "tests/no_allocation.hpp"
 
+#include "chapters/04_pgs/rates.hpp"
 #include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/13_friction/friction_problems.hpp"
 #include "chapters/14_joints/joint_rows.hpp"
@@ -66,12 +67,54 @@ TEST_CASE("the sweeps that an island needs are counted as by hand", "[idea]")
     CHECK(shape_of_tower({1, 2, 4, 8}).sweeps_needed() == Approx(16 * 8).epsilon(1e-12));
 }
 
+TEST_CASE("a heavy end costs its mass ratio times the length and a light one nothing", "[idea]")
+{
+    // (17.1a), beside (4.14)
+    const auto by_hand = [](Real N, Real r) { return 4 * N * N / (pi * pi) + (N - 1) * (r - 1); };
+    const auto needed = [](Index N, Real r) { return -1 / std::log(line_rate(N, r)); };
+    for (const int N : {2, 3, 11, 20, 60})
+        for (const Real r : {1.0, 3.0, 10.0, 100.0, 1000.0}) {
+            INFO(N << " bodies, " << r);
+            CHECK(needed(N, r) <= by_hand(N, r));
+            // the two largest eigenvalues have nearly the same vector, so the bound is nearly met; the rest is 1/2ε for
+            // −1/ln (1 − ε)², a part of a sweep
+            CHECK(needed(N, r) >= 0.96 * by_hand(N, r) - 0.2);
+            // (17.1) is never below it
+            IslandShape shape;
+            shape.length = N, shape.mass_ratio = r;
+            CHECK(shape.sweeps_needed() >= needed(N, r));
+        }
+    CHECK(needed(3, 100) == Approx(201).margin(1));
+    CHECK(needed(11, 1000) == Approx(10'034).margin(1));
+    CHECK(needed(20, 1000) == Approx(19'121).margin(1));
+    // the heavy one next to the ground, and light ones on it: by sweeps over the errors of (4.1)
+    const auto swept = [](const std::vector<Real>& masses) {
+        std::vector<Real> e(masses.size(), 1);
+        Real before = 0, after = 0;
+        for (int k = 0; k < 2000; ++k) {  // until only the slowest error is left
+            before = e.front();
+            for (std::size_t i = 0; i < e.size(); ++i) {
+                const Real above = i > 0 ? e[i - 1] / masses[i - 1] : 0,
+                           below = i + 1 < e.size() ? e[i + 1] / masses[i] : 0;
+                e[i] = (above + below) / ((i > 0 ? 1 / masses[i - 1] : 0) + 1 / masses[i]);
+            }
+            after = e.front();
+        }
+        return -1 / std::log(after / before);
+    };
+    std::vector<Real> masses(20, 1);
+    CHECK(swept(masses) == Approx(needed(20, 1)).epsilon(1e-6));
+    masses.front() = 1000;
+    CHECK(swept(masses) == Approx(146.2).margin(0.1));
+}
+
 TEST_CASE("the two prices of an island are counted as by hand", "[idea]")
 {
     const IslandShape heavy = shape_of_tower({1, 1, 100});
     CHECK(heavy.parts == 3);
     CHECK(heavy.price_of_sweeps() == Approx(8 * 12 * 900).epsilon(1e-12));
     CHECK(heavy.price_of_exact() == Approx(12'000 + 5184 / (3 * std::sqrt(3.0) + 6)).epsilon(1e-12));
+    CHECK(std::round(heavy.price_of_exact()) == 12'463);
     // a pyramid with twenty boxes at its foot, and one with forty
     const auto pyramid = [](int n) {
         IslandShape shape;

@@ -27,6 +27,7 @@ struct BlockDescent {
     Real beta = 1e5;
     /// s of a hard row to begin with, and at most [m/h², m = 1/(J M⁻¹ Jᵀ)]
     Real first = 1, most = 1e9;
+    bool linear_contacts = false;
     bool augmented = true;  ///< false: λ = 0, a spring of stiffness s
 
     // What is kept from step to step.
@@ -87,9 +88,15 @@ struct BlockDescent {
         const Real h = settings.part();
         begin(bodies, h, now);
         const auto at = [&](std::size_t i) {
-            return constraint_at(scene, now, i, bodies.x);
+            if (!linear_contacts || now.sources[i].of != Source::Of::contact)
+                return constraint_at(scene, now, i, bodies.x);
+            Constraint<Dof> c = now.constraints[i];
+            c.C += along(c, d);
+            return c;
         };
         meet.find_curvature<Dof>(now.rows.size(), [&](std::size_t i) {
+            if (linear_contacts && now.sources[i].of == Source::Of::contact)
+                return RowCurvature{};
             return curvature_at(scene, now, i, bodies.x);
         });
         for (int s = 0; s < sweeps; ++s) {
