@@ -322,6 +322,44 @@ TEST_CASE("a pendulum between its limits moves the same to the bit when far limi
     CHECK((swing(true, 400, some) - swing(false, 400, none)).cwiseAbs().maxCoeff() <= 1e-8);
 }
 
+TEST_CASE("a knock counts as its impulse over the sub-step and a load as what it is", "[idea]")
+{
+    // a body that moves at 2 m/s is caught by its pin in one step; then it hangs there
+    for (const int substeps : {1, 2, 8}) {
+        JointedScene scene;
+        add_body(scene, box(1, 1), Mass{3, {0, 0}, 0.5}, {0, 0});
+        add_joint(scene, joint_at(scene, JointKind::revolute, world, 0, {0, 0}));
+        const Vec2 g = scene.gravity;
+        scene.bodies.u[0] = 2;
+        Trees method;
+        StepData<3> now;
+        const Real h = 1.0 / 60 / substeps;
+        step(scene, {.h = h}, method, now);
+        CHECK(reaction(scene, now, 0).force.x() == Approx(-3 * 2 / h).epsilon(1e-12));
+        step(scene, {.h = h}, method, now);
+        CHECK(reaction(scene, now, 0).force.y() == Approx(-3 * g.y()).epsilon(1e-9));  // rounding over h
+    }
+}
+
+TEST_CASE("the bound of a friction joint holds along x and along y each", "[idea]")
+{
+    for (const Vec2& way : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        add_body(scene, box(1, 1), 2, {0, 0});  // 2 kg
+        RigidJoint brake = joint_at(scene, JointKind::friction, world, 0, {0, 0});
+        brake.motor.force = 10;
+        brake.torque = 1;
+        add_joint(scene, brake);
+        scene.bodies.velocity(0) << 5 * way, 0;
+        Trees method;
+        StepData<3> now;
+        step(scene, {.h = 0.01}, method, now);
+        // a solve to rounding over h
+        CHECK((reaction(scene, now, 0).force + 10 * way).norm() <= 1e-9);
+    }
+}
+
 TEST_CASE("a joint that bears too much breaks and its rows are gone", "[house]")
 {
     JointedScene scene;

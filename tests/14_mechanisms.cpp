@@ -72,6 +72,50 @@ TEST_CASE("a gear turns the other wheel back by its ratio", "[idea]")
     CHECK(std::abs(scene.bodies.u[5] + 2) <= 1e-6);
 }
 
+TEST_CASE("a rack follows its pinion on a car that drives and turns", "[idea]")
+{
+    // a pinion on a pin of the car, and under it a rack that slides along the car
+    const auto after_a_second = [](const Vec2& velocity, Real spin, Real motor) {
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        const Real angle = 0.3, r = 0.5;
+        const Vec2 along(std::cos(angle), std::sin(angle));
+        add_body(scene, box(4, 1), Mass{10, {0, 0}, 14}, {0, 0}, angle);
+        add_body(scene, disc(r), Mass{1, {0, 0}, 0.125}, {-0.8, 0.2});
+        const Vec2 under = Vec2(-0.8, 0.2) - r * perpendicular(along);
+        add_body(scene, box(2, 0.2), Mass{1, {0, 0}, 0.3}, under, angle);
+        RigidJoint axle = joint_at(scene, JointKind::revolute, 0, 1, {-0.8, 0.2});
+        if (motor != 0) axle.motor = {motor, 1e3, 0, 0, 0};
+        add_joint(scene, axle);
+        const RigidJoint slide = joint_at(scene, JointKind::prismatic, 0, 2, under);
+        add_joint(scene, slide);
+        RigidJoint rack;
+        rack.kind = JointKind::rack;
+        rack.a = 1, rack.b = 2;
+        rack.ratio = -r;  // what is under the pinion goes along with its lowest point
+        rack.length = r * angle;
+        add_joint(scene, rack);
+        for (Index k = 0; k < 3; ++k) {
+            const Vec2 place = scene.bodies.position(k).head<2>();
+            scene.bodies.velocity(k) << velocity + spin * perpendicular(place), spin;
+        }
+        JointTrees<AllBodies> method;
+        StepData<3> now;
+        for (int i = 0; i < 240; ++i) step(scene, {.h = 1.0 / 240}, method, now);
+        const VecX& x = scene.bodies.x;
+        return std::pair{x[5] - x[2] + angle, coordinate(x, slide)};
+    };
+    // the joints are off by 1e-9 of a metre
+    const auto [still, stays] = after_a_second({3, 1}, 0, 0);
+    CHECK(std::abs(still) < 1e-8);
+    CHECK(std::abs(stays) < 1e-8);
+    for (const Real spin : {0.0, 2.0}) {
+        const auto [turned, slid] = after_a_second({3, 1}, spin, 1.5);
+        CHECK(turned == Approx(1.5).epsilon(0.01));  // a step or two until the motor is at its speed
+        CHECK(slid == Approx(0.5 * turned).margin(1e-7));
+    }
+}
+
 TEST_CASE("the piston of an engine is where its crank says", "[idea]")
 {
     JointedScene scene = engine_scene(10, 1e4);

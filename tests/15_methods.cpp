@@ -164,9 +164,18 @@ TEST_CASE("soft stacks buckle where an elastic rod does", "[idea]")
         return std::pair{later<soon, height_of_top(scene)> boxes - 1.5};
     };
     CHECK(fate(8, 15) == std::pair{true, true});  // it comes back, it stands
+    CHECK(fate(10, 15) == std::pair{false, true});  // leans further and further
     CHECK(fate(12, 15) == std::pair{false, false});
-    CHECK(fate(12, 30) == std::pair{true, true});
+    CHECK(fate(14, 30) == std::pair{true, true});
+    CHECK(fate(15, 30) == std::pair{false, true});
     CHECK(fate(16, 30).first == false);
+    // nine are at the limit: they neither come back nor go on
+    auto method = soft_sweeps(60);
+    method.correction.contacts = {15, 10};
+    JointedScene nine = nudged_stack(9);
+    const Real soon = lean_after(nine, method, 10, 4), later = lean_after(nine, method, 5, 4);
+    CHECK(soon == Approx(0.0273).epsilon(0.01));
+    CHECK(later == Approx(soon).epsilon(0.01));
 }
 
 TEST_CASE("a projection alone lets a stack walk and a preload holds it", "[idea]")
@@ -217,6 +226,50 @@ TEST_CASE("many small steps of one sweep hold what one step of as many sweeps do
     };
     const Real small = sag(16, 1), whole = sag(1, 16);
     CHECK(small < whole / 10);
+}
+
+/// 1 kg and below it R kg on hard rows; cold sweeps, all errors asked back or none of them.
+JointedScene hang_by_sweeps(Real R, int sweeps, int substeps, bool repaid, int steps)
+{
+    JointedScene scene = hanging_masses({1, R}, {1e12, 0});
+    for (PointJoint& joint : scene.joints) joint.kind = ConstraintKind::bilateral;
+    JointSweeps<AllBodies> method;
+    method.start.from = Start::cold;
+    method.solver.sweeps = {sweeps, 0};
+    method.correction.method = repaid ? Stabilizer::baumgarte : Stabilizer::none;
+    method.correction.beta = 1;
+    settle(scene, method, 1.0 / 60, steps, substeps);
+    return scene;
+}
+
+TEST_CASE("two masses on cold sweeps sag by the steady state of the text", "[idea]")
+{
+    for (const Real R : {1.0, 9.0})
+        for (const int n : {1, 4, 16}) {
+            const Real p = 1 / (1 + R), H = 1.0 / 60, left = std::pow(1 - p, n);
+            // (15.18), (15.19); it is reached to (1 − p) to the number of sub-steps
+            const JointedScene small = hang_by_sweeps(R, 1, n, true, 1000), whole = hang_by_sweeps(R, n, 1, true, 1000);
+            CHECK(-1 - small.bodies.x[1] == Approx(9.81 * H * H * (1 - p) / (p * n * n)).epsilon(1e-9));
+            CHECK(-1 - whole.bodies.x[1] == Approx(9.81 * H * H * left / (1 - left)).epsilon(1e-6));  // of 4e-8 m
+        }
+    // where the two are even
+    const auto of_sweeps = [](Real p) { return std::pow(1 - p, 16) / (1 - std::pow(1 - p, 16)); };
+    const auto of_steps = [](Real p) { return (1 - p) / (p * 256); };
+    CHECK(of_sweeps(0.235) > of_steps(0.235));
+    CHECK(of_sweeps(0.245) < of_steps(0.245));
+    const Real stack_of_20 = std::pow(std::sin(pi / 40), 2);
+    CHECK(of_steps(stack_of_20) == Approx(0.63).epsilon(0.01));
+    CHECK(of_sweeps(stack_of_20) == Approx(9.6).epsilon(0.01));
+}
+
+TEST_CASE("without a bias what sweeps leave sinks with one over the number of sub-steps", "[idea]")
+{
+    for (const int n : {1, 4, 16}) {
+        const Real H = 1.0 / 60;
+        // p = ½: the velocity is that of the long run after 50 steps, to 2 to the minus 50
+        const JointedScene before = hang_by_sweeps(1, 1, n, false, 60), after = hang_by_sweeps(1, 1, n, false, 61);
+        CHECK(before.bodies.x[1] - after.bodies.x[1] == Approx(9.81 * H * H / n).epsilon(1e-9));
+    }
 }
 
 // ------------------------------------------------------------------------------------------------ rows against bodies
@@ -341,6 +394,51 @@ TEST_CASE("K of every kind of row is the derivative of its J", "[house]")
     CHECK(seen.size() == 6);  // pushes, drags and rolls, on the floor and on each other
     // three evaluations of a row in each of ten sweeps, and one for K
     CHECK(now.visits == 31 * static_cast<std::int64_t>(now.rows.size()));
+}
+
+TEST_CASE("column lengths bound the curvature but for the square root of three", "[house]")
+{
+    // the largest |Δᵀ K Δ| over Δᵀ D Δ, by power iteration on D^(−1/2) K D^(−1/2)
+    const auto excess = [](const Mat<3>& K) {
+        const Vec<3> D = K.colwise().norm();
+        Mat<3> scaled = Mat<3>::Zero();
+        for (Index i = 0; i < 3; ++i)
+            for (Index j = 0; j < 3; ++j)
+                if (D[i] > 0 && D[j] > 0) scaled(i, j) = K(i, j) / std::sqrt(D[i] * D[j]);
+        Vec<3> v(0.3, 0.5, 0.8);
+        for (int i = 0; i < 200; ++i) v = (scaled * (scaled * v)).normalized();
+        return (scaled * v).norm();
+    };
+    Random random(151);
+    for (int round = 0; round < 300; ++round) {
+        const Real angle = random.uniform(0, 6), x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+        const Vec2 n(std::cos(angle), std::sin(angle)), r(x, y);
+        CHECK(excess(point_curvature(r, n, 1 / random.uniform(0.01, 2))) <= std::sqrt(3.0) + 1e-9);
+        CHECK(excess(turning_curvature(r, n)) <= std::sqrt(3.0) + 1e-9);
+        CHECK(excess(point_curvature(r, n, 0)) <= 1 + 1e-12);  // a pin: one entry
+    }
+    const Vec2 n = Vec2(1, 1).normalized();
+    CHECK(excess(point_curvature(std::sqrt(0.5) * n, n, 1 / 0.01)) > 1.72);
+}
+
+TEST_CASE("soft rows make sweeps over rows faster and never slower", "[idea]")
+{
+    const Real R = 1000, h = 1.0 / 60;
+    Real before = 1;
+    for (const Real k : {1e12, 1e7, 1e5, 1e3}) {
+        const auto rows = [&](int sweeps) {
+            JointedScene scene = hanging_masses({1, R}, {k, 0});
+            JointSweeps<AllBodies> method;
+            method.start.from = Start::cold;
+            method.solver.sweeps = {sweeps, 0};
+            settle(scene, method, h, 1);
+            return scene.bodies.u;
+        };
+        const Real gamma = 1 / (h * h * k), rate = 1 / ((1 + gamma) * (1 + 1 / R + gamma));
+        CHECK(rate_of(3, rows) == Approx(rate).epsilon(1e-6));
+        CHECK(rate < before);
+        before = rate;
+    }
 }
 
 TEST_CASE("points in one place leave block descent a finite step", "[house]")

@@ -149,9 +149,12 @@ void check_bits_of_chapter_6(const std::vector<Row<3>>& rows, Index bodies, cons
 
 // ------------------------------------------------------------------------------------------- bundles and colours
 
-TEST_CASE("four rows between five bodies need two colours and two waits", "[idea]")
+TEST_CASE("four rows between five bodies need two colours and wait once", "[idea]")
 {
     const auto rows = line_rows(5);
+    CHECK(longest_chain(rows, {}, 5) == 4);  // three waits
+    const std::vector<int> coloured = {0, 2, 1, 3};
+    CHECK(longest_chain(rows, std::span<const int>(coloured), 5) == 2);  // one
     Bundles bundles;
     bundle_rows(rows, 5, bundles);
     colour_bundles(rows, 5, bundles);

@@ -1,8 +1,8 @@
 /// \file hand.hpp
 /// A hand that drags any body: a mouse joint, made for what it has to lift.
 ///
-///     k = m ω²,  c = 2 m ω,  |F| ≤ 10 m g         m = all that joints hold together with the body, ω = 2π · 3 Hz,
-///                                                 g at least 1 m/s², so that it pulls without gravity too
+///     k = m ω²,  c = 2 m ω,  |F_x|, |F_y| ≤ 10 m g   m = all that joints hold together with the body, ω = 2π · 3 Hz,
+///                                                    g at least 1 m/s², so that it pulls without gravity too
 ///
 /// A spring and its bound, so it is a row with bounds: whatever else holds the body is held by (14.16), and the hand never
 /// tears a joint open. \cite catto2011

@@ -24,8 +24,9 @@ enum class JointKind : unsigned char {
     weld,       ///< nothing is free
     wheel,      ///< b slides along an axis of a on a spring, and turns
     gear,       ///< θ_a + ratio θ_b stays
-    rack,       ///< radius θ_a + n·p_b stays: b slides along the axis
+    rack,  ///< radius (θ_a − θ_b) + n·d stays: b rolls on the pinion a, n is of b
     pulley,  ///< ‖p_a − q_a‖ + ratio ‖p_b − q_b‖ is never above a length
+    // of these three a force is bounded along x and along y each
     mouse,   ///< a spring of bounded force pulls a point of b to one of a
     friction,  ///< resists all relative motion, with a bounded force and torque
     motor,  ///< drives the pose of b in a to a target, by springs of bounded force
@@ -53,7 +54,7 @@ struct RigidJoint {
     JointKind kind = JointKind::revolute;
     Index a = world, b = 0;
     Vec2 at_a = {0, 0}, at_b = {0, 0};  ///< the points of the frames [m]
-    Vec2 axis = {1, 0};                 ///< unit vector, in the axes of a
+    Vec2 axis = {1, 0};  ///< unit vector, in the axes of a; of a rack, of b
     Real angle = 0;   ///< θ_b − θ_a where the two frames are parallel [rad]
     Real length = 0;  ///< that is kept; of a rack C is zero there [m, rad]
     Real ratio = 1;   ///< of gear and pulley; of a rack the pinion's radius [m]
@@ -61,6 +62,7 @@ struct RigidJoint {
     Real lower = -infinity, upper = infinity;  ///< limits of q; equal = locked
     Drive motor, spring;
     Real torque = 0;  ///< of the kinds friction and motor: at most [N m]
+    /// of the mean over a sub-step: an impulse P counts as P/h [N, N m]
     Real breaking_force = infinity, breaking_torque = infinity;
     bool collide_connected = false;  ///< may its two bodies touch?
 };

@@ -4,11 +4,11 @@
 ///     distance   ‖d‖ − L = 0                          revolute   d_x = 0, d_y = 0
 ///     rope       L − ‖d‖ ≥ 0                          weld       d_x = 0, d_y = 0, θ_b − θ_a = angle
 ///     prismatic  t·d = 0, θ_b − θ_a = angle           wheel      t·d = 0; a spring along n·d
-///     gear       θ_a + ratio θ_b = c                  rack       r θ_a + n·p_b = c
+///     gear       θ_a + ratio θ_b = c                  rack       r (θ_a − θ_b) + n·d = c
 ///     pulley     L − ‖p_a − q_a‖ − ratio ‖p_b − q_b‖ ≥ 0
 ///
-/// with d = p_b − p_a, n the axis of a and t = n turned by a quarter, (14.1). Behind them: two limits q − lower ≥ 0 and
-/// upper − q ≥ 0, a motor dq/dt = speed, and a spring on q − target.
+/// with d = p_b − p_a, n the axis of a (of a rack: of b) and t = n turned by a quarter, (14.1). Behind them: two
+/// limits q − lower ≥ 0 and upper − q ≥ 0, a motor dq/dt = speed, and a spring on q − target.
 #pragma once
 
 #include "chapters/11_rotation/point_constraints.hpp"
