@@ -132,8 +132,8 @@ TEST_CASE("the limits of a spring are a hard row that takes back all and one tha
     const SoftTerms undamped = soft_terms(Softness{10, 0}, A, h);
     const Real turn = 2 * pi * 10 * h;
     const SoftTerms slack = soft_terms(Softness{1e-9, 1}, A, h), loose = soft_terms(Softness{1e-9, 0}, A, h);
-    CHECK(slack.rate == Approx(0).margin(1e-8));      // ω/2ζ
-    CHECK(slack.softness > 1e9);                      // A/(2ζ h ω)
+    CHECK(slack.rate == Approx(0).margin(1e-8));        // ω/2ζ
+    CHECK(slack.softness > 1e9);                        // A/(2ζ h ω)
     CHECK(loose.rate == Approx(1 / h).epsilon(1e-14));  // whatever ω is, if nothing damps
     CHECK(loose.softness > 1e19);
     CHECK(undamped.rate == Approx(1 / h).epsilon(1e-14));

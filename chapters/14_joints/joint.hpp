@@ -27,7 +27,7 @@ enum class JointKind : unsigned char {
     rack,  ///< radius (θ_a − θ_b) + n·d stays: b rolls on the pinion a, n is of b
     pulley,  ///< ‖p_a − q_a‖ + ratio ‖p_b − q_b‖ is never above a length
     // of these three a force is bounded along x and along y each
-    mouse,   ///< a spring of bounded force pulls a point of b to one of a
+    mouse,     ///< a spring of bounded force pulls a point of b to one of a
     friction,  ///< resists all relative motion, with a bounded force and torque
     motor,  ///< drives the pose of b in a to a target, by springs of bounded force
 };
@@ -55,9 +55,9 @@ struct RigidJoint {
     Index a = world, b = 0;
     Vec2 at_a = {0, 0}, at_b = {0, 0};  ///< the points of the frames [m]
     Vec2 axis = {1, 0};  ///< unit vector, in the axes of a; of a rack, of b
-    Real angle = 0;   ///< θ_b − θ_a where the two frames are parallel [rad]
-    Real length = 0;  ///< that is kept; of a rack C is zero there [m, rad]
-    Real ratio = 1;   ///< of gear and pulley; of a rack the pinion's radius [m]
+    Real angle = 0;      ///< θ_b − θ_a where the two frames are parallel [rad]
+    Real length = 0;     ///< that is kept; of a rack C is zero there [m, rad]
+    Real ratio = 1;      ///< of gear and pulley; of a rack the pinion's radius [m]
     Vec2 over_a = {0, 0}, over_b = {0, 0};     ///< of a pulley, in the world
     Real lower = -infinity, upper = infinity;  ///< limits of q; equal = locked
     Drive motor, spring;

@@ -5,15 +5,16 @@
 ///     body    Δx = H⁻¹ f,   f = −M (x − y)/h² + Σ Jᵀ F,   H = M/h² + Σ s JᵀJ + Σ |F| D              (15.26)
 ///     row     F = clamp(λ − s r, lo, hi);   after each sweep λ ← F, s grows with |r| while F is free    (15.28)
 ///
-/// D has the lengths of the columns of ∂J/∂x. A spring has λ = 0 and grows to its own stiffness. Vertex block descent
-/// \cite chen2024 and its augmented form \cite giles2025, from their equations, on the constraints of this book.
+/// D has the lengths of the columns of ∂J/∂x (joint_curvature.hpp). A spring has λ = 0 and grows to its own stiffness.
+/// Contacts are linear over a sub-step, C + J (x − x₀), as their authors have them. Vertex block descent \cite chen2024 and
+/// its augmented form \cite giles2025, from their equations, on the constraints of this book.
 #pragma once
 
 #include "chapters/06_sequential_impulse/restitution.hpp"
 #include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/15_soft_constraints/block_solve.hpp"
+#include "chapters/15_soft_constraints/joint_curvature.hpp"
 #include "chapters/15_soft_constraints/position_rows.hpp"
-#include "chapters/15_soft_constraints/row_curvature.hpp"
 
 namespace rigid {
 
@@ -27,7 +28,6 @@ struct BlockDescent {
     Real beta = 1e5;
     /// s of a hard row to begin with, and at most [m/h², m = 1/(J M⁻¹ Jᵀ)]
     Real first = 1, most = 1e9;
-    bool linear_contacts = false;
     bool augmented = true;  ///< false: λ = 0, a spring of stiffness s
 
     // What is kept from step to step.
@@ -87,26 +87,22 @@ struct BlockDescent {
         auto& bodies = scene.bodies;
         const Real h = settings.part();
         begin(bodies, h, now);
+        // contacts are linear over a sub-step, joints follow their curve
         const auto at = [&](std::size_t i) {
-            if (!linear_contacts || now.sources[i].of != Source::Of::contact)
+            if (now.sources[i].of == Source::Of::joint)
                 return constraint_at(scene, now, i, bodies.x);
             Constraint<Dof> c = now.constraints[i];
             c.C += along(c, d);
             return c;
         };
-        meet.find_curvature<Dof>(now.rows.size(), [&](std::size_t i) {
-            if (linear_contacts && now.sources[i].of == Source::Of::contact)
-                return RowCurvature{};
-            return curvature_at(scene, now, i, bodies.x);
-        });
+        now.visits += find_curvatures(scene, now, meet);
         for (int s = 0; s < sweeps; ++s) {
             for (const int k : now.active)
                 if (bodies.can_move(k)) visit(k, h, at, now, bodies);
             for (std::size_t i = 0; i < now.rows.size(); ++i)
                 raise(i, h, at(i), now);  // (15.28)
         }
-        // K once; in each sweep its a, its b, and (15.28)
-        now.visits += static_cast<std::int64_t>(now.rows.size()) * (3 * sweeps + 1);
+        now.visits += 3 * static_cast<std::int64_t>(now.rows.size()) * sweeps;
         for (const int k : now.active)
             bodies.velocity(k) = d.template segment<Dof>(Dof * k) / h;
         for (std::size_t i = 0; i < now.rows.size(); ++i)

@@ -66,18 +66,18 @@ public:
     }
 
     //! [curvature]
-    /// D of (15.27): the lengths of the columns of each K = ∂J/∂x.
-    /// \param curvature_of  the K of row i, of its a and of its b
-    template <int Dof, class CurvatureOf>
-    void find_curvature(std::size_t rows, const CurvatureOf& curvature_of)
+    /// D of (15.27): the lengths of the columns of each K = ∂J/∂x. Rows begin without.
+    template <int Dof>
+    void no_curvature(std::size_t rows)
     {
-        curvature_.resize(2 * Dof * static_cast<Index>(rows));
-        for (std::size_t i = 0; i < rows; ++i) {
-            const auto K = curvature_of(i);
-            const int row = static_cast<int>(i);
-            curvature_.segment<Dof>(at<Dof>(row, true)) = K.a.colwise().norm();
-            curvature_.segment<Dof>(at<Dof>(row, false)) = K.b.colwise().norm();
-        }
+        curvature_.setZero(2 * Dof * static_cast<Index>(rows));
+    }
+    /// \param a, b  K of the row's a and of its b
+    template <int Dof>
+    void set_curvature(int row, const Mat<Dof>& a, const Mat<Dof>& b)
+    {
+        curvature_.segment<Dof>(at<Dof>(row, true)) = a.colwise().norm();
+        curvature_.segment<Dof>(at<Dof>(row, false)) = b.colwise().norm();
     }
     //! [curvature]
 

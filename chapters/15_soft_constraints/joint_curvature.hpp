@@ -1,21 +1,20 @@
-/// \file row_curvature.hpp
-/// How the J of a row changes as one of its bodies moves: the second derivatives of block descent, K = ∂J/∂x.
+/// \file joint_curvature.hpp
+/// How the J of a joint's row changes as one of its bodies moves: the second derivatives of block descent, K = ∂J/∂x.
 ///
 ///     point     C = n·p, n given         K = −(n·r) e eᵀ                    e = (0, 0, 1), r from the centroid to p
 ///     distance  C = ‖p − q‖              K = w wᵀ/‖p − q‖ − (n·r) e eᵀ      w = (t, n·r), t = n turned by a quarter
 ///     turning   C = n·s, n turns with    K = −t eᵀ − e tᵀ − (n·s) e eᵀ      of the body whose centroid s begins at
 ///
-/// (15.27a). A measure that is linear (an angle, a roll) has none. Friction's J = (t, r × t) is the derivative of no C:
-/// its point stays where the body moves away from it, so only the arm changes, and K is not symmetric.
+/// (15.27a). An angle has none, and neither have the rows of contacts, which are taken as linear over a sub-step.
 #pragma once
 
-#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/11_rotation/point_constraints.hpp"
 #include "chapters/15_soft_constraints/block_solve.hpp"
 
 namespace rigid {
 
 //! [curvature]
-/// ∂J/∂x of a row, of each of its bodies alone [1/m of the units of J].
+/// ∂J/∂x of a row, of each of its bodies alone.
 struct RowCurvature {
     Mat<3> a = Mat<3>::Zero(), b = Mat<3>::Zero();
 };
@@ -96,48 +95,24 @@ inline RowCurvature joint_curvature(const VecX& x, const PointJoint& joint,
     K.a *= joint.sense, K.b *= joint.sense;
     return K;
 }
-
-/// (15.27a) of a contact: its points turn with their bodies.
-inline RowCurvature contact_curvature(const Contact& contact, const VecX& x_found,
-                                      const VecX& x)
-{
-    const Vec2& n = contact.normal;
-    const auto side = [&](Index k, Real sign, Real core) -> Mat<3> {
-        const Vec2 was = contact.point + sign * core * n - x_found.segment<2>(3 * k);
-        const Real turn = x[3 * k + 2] - x_found[3 * k + 2];
-        const Vec2 r = cos(turn) * was + sin(turn) * perpendicular(was);
-        return sign * point_curvature(r, n, 0);
-    };
-    RowCurvature K;
-    K.b = side(contact.b, 1, contact.core_b);
-    if (contact.a != world) K.a = side(contact.a, -1, contact.core_a);
-    return K;
-}
-
-/// Of friction at a contact: the arm of b ends at a point that does not move with b,
-/// that of a moves with it.
-inline RowCurvature friction_curvature(const Contact& contact)
-{
-    const Vec2& n = contact.normal;
-    RowCurvature K;
-    K.b.row(2).head<2>() = -n.transpose();  // −e × t of x and y, t = n turned
-    return K;
-}
-
-/// (15.27a) of row i of the step at the positions x.
-inline RowCurvature curvature_at(const RigidScene& scene, const StepData<3>& now,
-                                 std::size_t i, const VecX& x)
-{
-    const Source& source = now.sources[i];
-    const auto index = static_cast<std::size_t>(source.index);
-    if (source.of == Source::Of::joint)
-        return joint_curvature(x, scene.joints[index], 1e-6 * now.length);
-    if (source.of != Source::Of::contact || source.part == rolling_part) return {};
-    const Contact& contact = now.contacts[index];
-    return source.part == tangent_part
-               ? friction_curvature(contact)
-               : contact_curvature(contact, now.x_found, x);
-}
 //! [curvature]
+
+/// (15.27) of all joints of a step, where the bodies are.
+/// \return  how many rows it has evaluated
+inline std::int64_t find_curvatures(const RigidScene& scene, const StepData<3>& now,
+                                    RowsOfBodies& meet)
+{
+    std::int64_t evaluated = 0;
+    meet.no_curvature<3>(now.rows.size());
+    for (std::size_t i = 0; i < now.sources.size(); ++i) {
+        if (now.sources[i].of != Source::Of::joint) continue;
+        const auto j = static_cast<std::size_t>(now.sources[i].index);
+        const RowCurvature K =
+            joint_curvature(scene.bodies.x, scene.joints[j], 1e-6 * now.length);
+        meet.set_curvature<3>(static_cast<int>(i), K.a, K.b);
+        ++evaluated;
+    }
+    return evaluated;
+}
 
 }  // namespace rigid
