@@ -122,6 +122,8 @@ TEST_CASE("the limits of a spring are a hard row that takes back all and one tha
     const SoftTerms stiff = soft_terms(Softness{infinity, 1}, A, h);
     CHECK(stiff.rate == 1 / h);
     CHECK(stiff.softness == 0);
+    CHECK(implicit_velocity(0.3, -0.7, {infinity, 1}, h) == -0.3 / h);
+    CHECK(implicit_velocity(0.3, -0.7, {1e9, 1}, h) == Approx(-0.3 / h).epsilon(1e-6));  // as below
     const SoftTerms nearly = soft_terms(Softness{1e9, 1}, A, h);
     // 2ζ/ω beside h: 3e-8
     CHECK(nearly.rate == Approx(1 / h).epsilon(1e-6));

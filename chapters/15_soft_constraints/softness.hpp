@@ -107,6 +107,7 @@ inline SoftScales soft_scales(const Softness& how, Real h)
 inline Real implicit_velocity(Real x, Real v, const Softness& how, Real h)
 {
     const Real omega = 2 * pi * how.frequency;
+    if (!(omega < infinity)) return -x / h;  // hard: at rest after the step
     return (v - h * omega * omega * x) /
            (1 + 2 * how.damping_ratio * h * omega + h * h * omega * omega);
 }
