@@ -194,7 +194,8 @@ TEST_CASE("a step by rows and a step by coordinates give the same velocities", "
     }
 }
 
-TEST_CASE("a step in coordinates of joints is explicit under a load and gains energy where it is stiff", "[idea]")
+TEST_CASE("a step in coordinates of joints is explicit under a load and gains energy where it is stiff",
+          "[idea]")
 {
     // eight links of 0.1 kg and 0.1 m over 100 kg, from 20°, one second: what the energy rises by, in M g L
     const auto gain = [](int steps) {
