@@ -300,6 +300,12 @@ void register_beside(const std::string& name, int ratio)
         Box2d3Joints engine(here, static_cast<int>(state.range(0)));
         by_box2d3(state, here, engine);
     });
+    // as stiff as its sub-steps allow: the default is that for four
+    add("box2d3_stiff", [scene](benchmark::State& state) {
+        JointedScene here = scene();
+        Box2d3Joints engine(here, static_cast<int>(state.range(0)), {}, 1e6);
+        by_box2d3(state, here, engine);
+    });
 #endif
 }
 

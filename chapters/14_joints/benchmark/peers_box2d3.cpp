@@ -26,7 +26,7 @@ b2ShapeDef surface_of(int group)
 }  // namespace
 
 Box2d3Joints::Box2d3Joints(const JointedScene& scene, int substeps,
-                           const std::vector<int>& group)
+                           const std::vector<int>& group, Real hertz)
     : world_(std::make_unique<World>())
 {
     b2WorldDef world_def = b2DefaultWorldDef();
@@ -74,6 +74,7 @@ Box2d3Joints::Box2d3Joints(const JointedScene& scene, int substeps,
         def.base.localFrameA.p = vector(joint.at_a);
         def.base.localFrameA.q = b2MakeRot(static_cast<float>(joint.angle));
         def.base.localFrameB.p = vector(joint.at_b);
+        if (hertz > 0) def.base.constraintHertz = static_cast<float>(hertz);
         def.enableLimit = joint.lower > -infinity;
         def.lowerAngle = static_cast<float>(std::max(joint.lower, -0.99 * pi));
         def.upperAngle = static_cast<float>(std::min(joint.upper, 0.99 * pi));

@@ -16,8 +16,10 @@ class Box2d3Joints {
 public:
     /// \param substeps  of a step
     /// \param group     as of Box2dJoints
+    /// \param hertz     of its joints' softness, 0 = its default of 60 [Hz]; it takes
+    ///                  at most a quarter of a turn a sub-step
     Box2d3Joints(const JointedScene& scene, int substeps,
-                 const std::vector<int>& group = {});
+                 const std::vector<int>& group = {}, Real hertz = 0);
     ~Box2d3Joints();
     Box2d3Joints(const Box2d3Joints&) = delete;
     Box2d3Joints& operator=(const Box2d3Joints&) = delete;
