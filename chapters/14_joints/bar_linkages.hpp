@@ -1,5 +1,5 @@
 /// \file bar_linkages.hpp
-/// Mechanisms of bars: an engine, parallel cranks, and a leg that walks, with what is known of them in closed form.
+/// Mechanisms of bars: an engine, parallel cranks, a trebuchet, and a leg that walks, with what is known of them in closed form.
 #pragma once
 
 #include "chapters/11_rotation/mechanisms.hpp"
@@ -72,6 +72,32 @@ inline JointedScene engine_scene(Real speed, Real torque)
     // the velocities that go with the crank's
     scene.bodies.velocity(crank) << 0, 0.1 * speed, speed;
     scene.bodies.velocity(rod) << 0, 0.1 * speed, -0.4 * speed;
+    return scene;
+}
+
+/// A beam of 4 m and 1 m on an axle 2.6 m high, a box on a pin at its short end, a stone of 10 kg on a sling at its long one:
+/// bodies 0, 1 and 2, and joint 2 is the sling. No floor.
+/// \param weight  of the box [kg]
+/// \param sling   rope, or distance: then it is never slack
+inline JointedScene trebuchet_scene(Real weight, JointKind sling)
+{
+    JointedScene scene;
+    const Real angle = -0.55;
+    const Vec2 axle(0, 2.6), along(cos(angle), -sin(angle));
+    const Vec2 tip = axle - 4 * along, end = axle + along;
+    const Index beam = add_bar(scene, tip, end, 60),
+                load = add_body(scene, box(0.8, 0.8), weight / 0.64,
+                                end - Vec2(0, 0.6)),
+                stone = add_body(scene, disc(0.15), Mass{10, {0, 0}, 0.1},
+                                 tip + Vec2(2.6, -0.35));
+    pin(scene, world, beam, axle);
+    pin(scene, beam, load, end);
+    RigidJoint joint;
+    joint.kind = sling;
+    joint.a = beam, joint.b = stone;
+    joint.at_a = local_point(scene, beam, tip);
+    joint.length = (scene.bodies.position(stone).head<2>() - tip).norm();
+    add_joint(scene, joint);
     return scene;
 }
 

@@ -74,26 +74,10 @@ inline Demo trebuchet_demo()
         "trebuchet", "A heavy box falls, a beam turns, a sling lets go",
         {{6, 5}, {14, 8}}, 1.0 / 240, [](const Settings& settings) {
             JointSetup setup;
-            JointedScene& all = setup.scene;
-            all.walls.push_back({{0, 1}, 0});
-            const Real angle = -0.55;
-            const Vec2 axle(0, 2.6), along(cos(angle), sin(angle));
-            const Vec2 tip = axle - 4 * Vec2(along.x(), -along.y()),
-                       end = axle + 1 * Vec2(along.x(), -along.y());
-            const Index beam = add_bar(all, tip, end, 60),
-                        weight =
-                            add_body(all, box(0.8, 0.8), settings["weight"] / 0.64,
-                                     end - Vec2(0, 0.6)),
-                        stone = add_body(all, disc(0.15), Mass{10, {0, 0}, 0.1},
-                                         tip + Vec2(2.6, -0.35));
-            pin(all, world, beam, axle);
-            pin(all, beam, weight, end);
-            RigidJoint sling;
-            sling.kind = JointKind::rope;
-            sling.a = beam, sling.b = stone;
-            sling.at_a = local_point(all, beam, tip);
-            sling.length = (all.bodies.position(stone).head<2>() - tip).norm();
-            const std::size_t rope = add_joint(all, sling);
+            setup.scene = trebuchet_scene(settings["weight"], JointKind::rope);
+            setup.scene.walls.push_back({{0, 1}, 0});
+            const Index stone = 2;
+            const std::size_t rope = 2;
             setup.traced = stone;
             const Real release = settings["release"] * pi / 180;
             setup.change = [rope, stone, release](JointedScene& moved,
