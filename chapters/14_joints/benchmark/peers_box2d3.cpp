@@ -1,6 +1,6 @@
 #include "chapters/14_joints/benchmark/peers_box2d3.hpp"
 
-#include "chapters/14_joints/benchmark/box2d3_shapes.hpp"
+#include "tests/peers/box2d3_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -21,13 +21,13 @@
 #include "chapters/17_engine/moving_worlds.hpp"
 
 #ifdef RIGID_HAS_BOX2D
-#include "chapters/17_engine/benchmark/peer_box2d.hpp"
+#include "tests/peers/box2d_world.hpp"
 #endif
 #ifdef RIGID_HAS_BOX2D3
-#include "chapters/17_engine/benchmark/peer_box2d3.hpp"
+#include "tests/peers/box2d3_world.hpp"
 #endif
 #ifdef RIGID_HAS_CHIPMUNK
-#include "chapters/17_engine/benchmark/peer_chipmunk.hpp"
+#include "tests/peers/chipmunk_world.hpp"
 #endif
 
 #include <benchmark/benchmark.h>

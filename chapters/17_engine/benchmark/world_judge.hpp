@@ -2,8 +2,8 @@
 /// Errors of poses, measured alike for every engine: by the shapes, masses and joints of the world that they began as.
 #pragma once
 
-#include "chapters/17_engine/benchmark/peer_poses.hpp"
 #include "chapters/17_engine/world_scenes.hpp"
+#include "tests/peers/poses.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-/// \file peer_box2d3.hpp
-/// A World's bodies, walls and revolute joints in Box2D 3, where find_package(box2d 3) finds one.
+/// \file box2d3_world.hpp
+/// A World's bodies, walls and joints (revolute, distance, rope, weld) in Box2D 3, where find_package(box2d 3) finds one.
 ///
 /// By its own defaults: softness of contacts and joints, warm starting, continuous collision and sleep on, one thread; its
 /// unit of length is that of the world. Its default are four sub-steps a step. Its headers have names that those of Box2D
-/// 2.4 have too, so they are seen by peer_box2d3.cpp alone. Its numbers are floats.
+/// 2.4 have too, so they are seen by box2d3_world.cpp alone. Its numbers are floats.
 #pragma once
 
-#include "chapters/17_engine/benchmark/peer_poses.hpp"
+#include "tests/peers/poses.hpp"
 
 #include <memory>
 
@@ -21,6 +21,7 @@ public:
 
     void step(Real h);
     void read(Poses& poses) const;
+    void read_velocities(Poses& velocities) const;
     /// \param k  the number of a body, in the order of World::bodies()
     void drive(std::size_t k, const Vec2& velocity, Real spin);
 

@@ -10,10 +10,7 @@
 
 namespace rigid {
 
-inline b2Vec2 vector(const Vec2& v)
-{
-    return {static_cast<float>(v.x()), static_cast<float>(v.y())};
-}
+inline b2Vec2 vector(const Vec2& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
 /// A disc, a capsule or a polygon with a radius.
 inline void add_shape(b2BodyId body, const Polygon& shape, const b2ShapeDef& def)
@@ -28,8 +25,7 @@ inline void add_shape(b2BodyId body, const Polygon& shape, const b2ShapeDef& def
         const b2Capsule capsule{corners[0], corners[1], r};
         b2CreateCapsuleShape(body, &def, &capsule);
     } else {
-        const b2Hull hull =
-            b2ComputeHull(corners.data(), static_cast<int>(corners.size()));
+        const b2Hull hull = b2ComputeHull(corners.data(), static_cast<int>(corners.size()));
         const b2Polygon polygon = b2MakePolygon(&hull, r);
         b2CreatePolygonShape(body, &def, &polygon);
     }
