@@ -8,6 +8,10 @@
 ///                 crept    how far the body that moved most in the second half moved in it [m]
 ///                 sunk     how far the body that moved most is from where it began [m]
 ///                 gained   the largest rise of energy, as a height of all bodies [m]
+///     kept/SCENE/WHO/SUBSTEPS   what has to be kept where things move (kept_scenes.hpp), with 1, 4 and 16 sub-steps; the
+///                 label says what it is:
+///                 right    the value that it must have      kept   what the engine has of it
+///                 error    |kept − right|, and gap and ms_all as above
 ///     asleep_N/book, awake_N/book   what a step costs of N bodies, of which 100 or all are discs that roll,
 ///                 the others sleep in piles:
 ///                 us_step, and the counters awake, contacts, rows, visits and tested of the last step
@@ -17,6 +21,7 @@
 /// no more: that is what sleep is. Where `unsettled` says so, each body begins up to 0.1 mm (of 1 m) beside its place, so
 /// that no engine is at rest to the last bit from the beginning.
 
+#include "chapters/17_engine/benchmark/kept_scenes.hpp"
 #include "chapters/17_engine/benchmark/world_judge.hpp"
 #include "chapters/17_engine/moving_worlds.hpp"
 
@@ -40,7 +45,7 @@ using namespace rigid;
 
 namespace {
 
-constexpr Real frame = 1.0 / 60;
+using kept::frame;
 
 struct Scene {
     std::string name;
@@ -53,16 +58,20 @@ struct Scene {
 /// What an engine is to the judge.
 struct Engine {
     std::function<void()> step;
-    std::function<void(Poses&)> read;
+    std::function<void(Poses&)> read, read_velocities;
     std::function<void(std::size_t, const Vec2&, Real)> drive;
 };
+
+/// Steps an engine that has been given a world, and writes counters.
+using Run = std::function<void(benchmark::State&, World start, const Engine&)>;
 
 /// The same columns for all: a table has one heading.
 void begin_counters(benchmark::State& state)
 {
     for (const char* const name :
          {"steps", "us_step", "us_last", "ms_all", "overlap", "gap", "crept",
-          "sunk", "gained", "awake", "contacts", "rows", "visits", "tested"})
+          "sunk", "gained", "right", "kept", "error", "awake", "contacts", "rows",
+          "visits", "tested"})
         state.counters[name] = 0;
 }
 
@@ -137,70 +146,121 @@ void follow(benchmark::State& state, const World& start, const Scene& scene,
     state.counters["gained"] = gained;
 }
 
-void by_book(benchmark::State& state, const Scene& scene, int substeps,
-             Solving solving)
+/// What is kept of a motion, and the time of its steps.
+void keep(benchmark::State& state, World start, const kept::Scene& scene,
+          const Engine& engine)
 {
-    World world = scene.make();
+    begin_counters(state);
+    const auto steps = static_cast<int>(std::lround(scene.seconds / frame));
+    kept::Motion motion{std::move(start), {}, {}};
+    const auto note = [&] {
+        engine.read(motion.x.emplace_back());
+        engine.read_velocities(motion.u.emplace_back());
+    };
+    note();
+    Real all = 0;
+    for (auto _ : state)
+        for (int n = 1; n <= steps; ++n) {
+            if (scene.driven != 0)
+                engine.drive(0, {scene.driven * n * frame, 0}, 0);
+            const auto begin = std::chrono::steady_clock::now();
+            engine.step();
+            all += since(begin);
+            note();
+        }
+    const WorldJudge judge(motion.start);
+    Real gap = 0;
+    for (const Poses& x : motion.x) gap = std::max(gap, judge.gap(x));
+    const Real value = scene.read(motion), error = std::abs(value - scene.right);
+    state.SetLabel(scene.what);
+    state.counters["steps"] = steps;
+    state.counters["ms_all"] = all / 1000;
+    state.counters["gap"] = gap;
+    state.counters["right"] = scene.right;
+    state.counters["kept"] = value;
+    state.counters["error"] = error <= infinity ? error : infinity;
+}
+
+template <Solving solving>
+void by_book(benchmark::State& state, World world, int substeps, const Run& run)
+{
     WorldSettings settings = world.settings();
     settings.substeps = substeps;
     settings.solving = solving;
     world.change(settings);
-    const World start = World::load(world.save());
+    World start = World::load(world.save());
     const std::vector<BodyId> ids = world.bodies();
-    follow(state, start, scene,
-           {[&] { world.step(frame); },
-            [&](Poses& poses) {
-                poses.clear();
-                for (const BodyId id : ids)
-                    poses.push_back({world.position(id).x(), world.position(id).y(),
-                                     world.angle(id)});
-            },
-            [&](std::size_t k, const Vec2& velocity, Real spin) {
-                world.set_velocity(ids[k], velocity, spin);
-            }});
+    run(state, std::move(start),
+        {[&] { world.step(frame); },
+         [&](Poses& poses) {
+             poses.clear();
+             for (const BodyId id : ids)
+                 poses.push_back({world.position(id).x(), world.position(id).y(),
+                                  world.angle(id)});
+         },
+         [&](Poses& velocities) {
+             velocities.clear();
+             for (const BodyId id : ids)
+                 velocities.push_back({world.velocity(id).x(),
+                                       world.velocity(id).y(), world.spin(id)});
+         },
+         [&](std::size_t k, const Vec2& velocity, Real spin) {
+             world.set_velocity(ids[k], velocity, spin);
+         }});
 }
 
 template <class Peer>
-void by_peer(benchmark::State& state, const Scene& scene, int substeps)
+void by_peer(benchmark::State& state, World start, int substeps, const Run& run)
 {
-    const World start = scene.make();
     Peer peer(start, true, substeps);
-    follow(state, start, scene,
-           {[&] { peer.step(frame); }, [&](Poses& poses) { peer.read(poses); },
-            [&](std::size_t k, const Vec2& velocity, Real spin) {
-                peer.drive(k, velocity, spin);
-            }});
+    run(state, std::move(start),
+        {[&] { peer.step(frame); }, [&](Poses& poses) { peer.read(poses); },
+         [&](Poses& velocities) { peer.read_velocities(velocities); },
+         [&](std::size_t k, const Vec2& velocity, Real spin) {
+             peer.drive(k, velocity, spin);
+         }});
+}
+
+/// The same run by every engine that is there, each by its own defaults.
+void by_all(const std::string& name, const std::string& behind,
+            const std::function<World()>& make, int substeps, const Run& run)
+{
+    const auto add = [&](const std::string& who, const auto& by) {
+        benchmark::RegisterBenchmark(
+            (name + "/" + who + behind).c_str(),
+            [=](benchmark::State& state) { by(state, make(), substeps, run); })
+            ->Iterations(1);
+    };
+    add("book", by_book<Solving::by_island>);
+    add("book_sweeps", by_book<Solving::sweeps>);
+#ifdef RIGID_HAS_BOX2D
+    add("box2d", by_peer<Box2dWorld>);
+#endif
+#ifdef RIGID_HAS_BOX2D3
+    add("box2d3", by_peer<Box2d3World>);
+#endif
+#ifdef RIGID_HAS_CHIPMUNK
+    add("chipmunk", by_peer<ChipmunkWorld>);
+#endif
 }
 
 void measure(const Scene& scene)
 {
-    const auto add = [&](const std::string& who,
-                         const std::function<void(benchmark::State&)>& run) {
-        benchmark::RegisterBenchmark((scene.name + "/" + who).c_str(), run)
-            ->Iterations(1);
-    };
-    for (const int substeps : {1, 4}) {
-        const std::string behind = substeps == 1 ? "" : "/4";
-        add("book" + behind, [=](benchmark::State& s) {
-            by_book(s, scene, substeps, Solving::by_island);
-        });
-        add("book_sweeps" + behind, [=](benchmark::State& s) {
-            by_book(s, scene, substeps, Solving::sweeps);
-        });
-#ifdef RIGID_HAS_BOX2D
-        add("box2d" + behind,
-            [=](benchmark::State& s) { by_peer<Box2dWorld>(s, scene, substeps); });
-#endif
-#ifdef RIGID_HAS_BOX2D3
-        add("box2d3" + behind,
-            [=](benchmark::State& s) { by_peer<Box2d3World>(s, scene, substeps); });
-#endif
-#ifdef RIGID_HAS_CHIPMUNK
-        add("chipmunk" + behind, [=](benchmark::State& s) {
-            by_peer<ChipmunkWorld>(s, scene, substeps);
-        });
-#endif
-    }
+    for (const int substeps : {1, 4})
+        by_all(scene.name, substeps == 1 ? "" : "/4", scene.make, substeps,
+               [=](benchmark::State& state, World start, const Engine& engine) {
+                   follow(state, start, scene, engine);
+               });
+}
+
+void measure(const kept::Scene& scene)
+{
+    for (const int substeps : {1, 4, 16})
+        by_all("kept/" + scene.name, "/" + std::to_string(substeps), scene.make,
+               substeps,
+               [=](benchmark::State& state, World start, const Engine& engine) {
+                   keep(state, std::move(start), scene, engine);
+               });
 }
 
 /// Each body that can move begins a little beside its place.
@@ -270,6 +330,7 @@ const bool registered = [] {
     measure({"piles_1000", [] { return unsettled(piles_world(1000)); }});
     measure({"boxes_1mm", [] { return unsettled(sized_pyramid_world(10, 1e-3)); }});
     measure({"boxes_100m", [] { return unsettled(sized_pyramid_world(10, 100)); }});
+    for (const kept::Scene& scene : kept::scenes()) measure(scene);
     for (const int bodies : {100, 1000, 10000, 100000})
         for (const bool all : {false, true})
             benchmark::RegisterBenchmark(

@@ -57,7 +57,7 @@ public:
         return deepest;
     }
 
-    /// The largest distance of the two points of a joint [m]
+    /// The largest distance of the two points of a joint, of those with a length what it is off by [m]
     Real gap(const Poses& poses) const
     {
         Real largest = 0;
@@ -66,7 +66,9 @@ public:
             const BodyId of = world_->body_a(id);
             const Vec2 a = of ? at(pose_of(poses, of), joint.at_a) : joint.at_a,
                        b = at(pose_of(poses, world_->body_b(id)), joint.at_b);
-            largest = std::max(largest, (b - a).norm());
+            const bool rope = joint.kind == JointKind::rope;
+            const Real off = (b - a).norm() - joint.length;
+            largest = std::max(largest, rope ? off : std::abs(off));
         }
         return largest;
     }
