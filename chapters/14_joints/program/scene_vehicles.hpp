@@ -76,19 +76,17 @@ inline Demo trebuchet_demo()
             JointSetup setup;
             setup.scene = trebuchet_scene(settings["weight"], JointKind::rope);
             setup.scene.walls.push_back({{0, 1}, 0});
-            const Index stone = 2;
-            const std::size_t rope = 2;
+            constexpr Index stone = 2;
+            constexpr std::size_t rope = 2;
             setup.traced = stone;
             const Real release = settings["release"] * pi / 180;
-            setup.change = [rope, stone, release](JointedScene& moved,
-                                                  const Settings&) {
+            setup.change = [release](JointedScene& moved, const Settings&) {
                 const Vec2 v = moved.bodies.velocity(stone).head<2>();
                 // it lets go when the stone flies forward at this angle
                 if (v.norm() > 5 && v.x() > 0 && atan2(v.y(), v.x()) < release)
                     moved.placed[rope].broken = true;
             };
-            setup.measure = [stone,
-                             rope](const JointState& s) -> std::vector<Real> {
+            setup.measure = [](const JointState& s) -> std::vector<Real> {
                 return {s.scene.bodies.x[3 * stone],
                         s.scene.bodies.x[3 * stone + 1],
                         s.scene.bodies.velocity(stone).head<2>().norm(),
