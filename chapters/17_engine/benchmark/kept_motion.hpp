@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chapters/17_engine/world.hpp"
+#include "common/elementary.hpp"
 #include "tests/peers/poses.hpp"
 
 #include <algorithm>
@@ -113,7 +114,7 @@ inline Read farthest_from(Number number, Real right)
 inline Number angle_of(std::size_t k)
 {
     return [=](const Motion& m, std::size_t n) {
-        return std::atan2(m.x[n][k].x(), -m.x[n][k].y());
+        return rigid::atan2(m.x[n][k].x(), -m.x[n][k].y());
     };
 }
 inline Number swing_of(std::size_t k)

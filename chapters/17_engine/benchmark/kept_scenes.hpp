@@ -32,7 +32,7 @@ inline std::vector<Scene> scenes()
     // ---- pendulums (V1, V4)
     all.push_back(
         {"pendulum", "amplitude after a minute [rad]", minute,
-         hang(on_a_pin(disc(0.1), 0.005, {std::sin(0.5), -std::cos(0.5)}, 0)),
+         hang(on_a_pin(disc(0.1), 0.005, {rigid::sin(0.5), -rigid::cos(0.5)}, 0)),
          largest(swing_of(0), minute - 3), 0.5});
     const JointedScene two = rods({right_angle, right_angle}),
                        three = rods({right_angle, right_angle, right_angle});
@@ -100,7 +100,7 @@ inline std::vector<Scene> scenes()
                    2});
     all.push_back({"ball, e = 0.8", "fifth apex [m]", 6,
                    falls({{disc(0.5), 1}}, 2, 0.8), the_peak(height_of(1, 0.5), 5),
-                   2 * std::pow(0.64, 5)});
+                   2 * rigid::pow(0.64, 5)});
     all.push_back({"ball on a ball", "apex of the upper one [m]", 3,
                    falls({{disc(0.5), 100}, {disc(0.1), 1}}, 1, 1),
                    the_peak(height_of(2, 1.1), 1), first_apex(100, 1, 1, 1e-3)});

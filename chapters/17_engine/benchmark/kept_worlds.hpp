@@ -20,7 +20,7 @@ inline JointedScene rods(const std::vector<Real>& angles)
     JointedScene scene;
     Vec2 end(0, 0);
     for (const Real angle : angles) {
-        const Vec2 next = end + Vec2(std::sin(angle), -std::cos(angle));
+        const Vec2 next = end + Vec2(rigid::sin(angle), -rigid::cos(angle));
         const Index k = add_bar(scene, end, next, 1);
         pin(scene, k - 1, k, end);
         end = next;
@@ -89,8 +89,9 @@ inline World cradle_world()
     World made;
     for (int i = 0; i < 5; ++i) {
         const Real x = 0.401 * i, swing = i == 0 ? -0.8 : 0;
-        BodyDefinition ball = body_of(
-            disc(0.2), {x + 1.5 * std::sin(swing), -1.5 * std::cos(swing)}, swing);
+        BodyDefinition ball =
+            body_of(disc(0.2),
+                    {x + 1.5 * rigid::sin(swing), -1.5 * rigid::cos(swing)}, swing);
         ball.mass = Mass{1, {0, 0}, 0.02};
         ball.surface = {0, 1, 0, 0};
         RigidJoint rod;
