@@ -921,7 +921,7 @@ TEST_CASE("rows that part take no part in an impact and impacts in turn end at t
 TEST_CASE("a swinging cradle throws as many balls as fall on it one by one and all of them at once", "[idea]")
 {
     for (const Index lifted : {1, 2}) {
-        for (const ImpactLaw law : {ImpactLaw::sequential, ImpactLaw::simultaneous}) {
+        for (const ImpactOrder law : {ImpactOrder::sequential, ImpactOrder::simultaneous}) {
             DiscScene scene = cradle(5, lifted, 0.5);
             const StepSettings settings{.h = 1.0 / 960};
             ImpactStep now;
@@ -938,7 +938,7 @@ TEST_CASE("a swinging cradle throws as many balls as fall on it one by one and a
             for (Index i = 0; i < 5; ++i) {
                 const bool flies = i >= 5 - lifted;
                 // The rods are not quite parallel at the impact, and they drift by half a millimetre.
-                if (law == ImpactLaw::sequential) CHECK(highest[i] == Approx(flies ? 0.5 : 0).margin(0.01));
+                if (law == ImpactOrder::sequential) CHECK(highest[i] == Approx(flies ? 0.5 : 0).margin(0.01));
                 else if (i > 0 && lifted == 1)
                     CHECK(highest[i] == Approx(2 * std::asin(std::sin(0.25) * 0.4)).margin(0.01));
             }

@@ -38,7 +38,7 @@ int main()
             print(k, now.solution, scene.bodies);
         }
     }
-    for (const ImpactLaw law : {ImpactLaw::simultaneous, ImpactLaw::sequential}) {
+    for (const ImpactOrder law : {ImpactOrder::simultaneous, ImpactOrder::sequential}) {
         DiscScene scene = cradle(5, 1, 0.5);
         const StepSettings settings{.h = 1.0 / 240};
         ImpactStep now;

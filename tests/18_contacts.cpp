@@ -520,7 +520,8 @@ TEST_CASE("without friction sweeps and active sets find the same motion of solid
     };
     TouchingCones sweeps;
     sweeps.solver.sweeps = {20000, 1e-12};
-    CHECK((end_of(sweeps) - end_of(Touching<ExactSolver>{})).norm() < 1e-7);  // roundings, for half a second
+    CHECK((end_of(sweeps) - end_of(TouchingMethod<ExactSolver>{})).norm() <
+          1e-7);  // roundings, for half a second
 }
 
 TEST_CASE("what is no surface and no wall is refused with a sentence", "[house]")

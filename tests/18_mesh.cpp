@@ -78,7 +78,7 @@ Ground bumpy(Random& random, int cells, Real cell, Real high)
 struct OnMesh {
     MeshMemory memory;
     ClipRoom room;
-    Touch touch;
+    SolidTouch touch;
 
     const OnMesh& look(const TriangleMesh& mesh, const PlacedSolid& solid, Real margin, Real slack)
     {
@@ -280,7 +280,7 @@ TEST_CASE("a box that is deeper in a floor than it reaches over an edge has the 
     const SolidForm form = form_of(solid_box({1, 1, 1}));
     PlacedSolid box;
     OnMesh on;
-    Touch touch;
+    SolidTouch touch;
     for (int i = 0; i < 1000; ++i) {
         // up to 5 cm deep, and 0 to 5 cm over the next triangles
         const Real cells_x = std::round(random.uniform(-20, 20)), cells_z = std::round(random.uniform(-3, 3));

@@ -140,7 +140,7 @@ TEST_CASE("a hundred thousand pairs of odd hulls touch in numbers", "[house]")
     Random random(41);
     const std::vector<SolidForm> forms = odd_forms(random, 120);
     ClipRoom room;
-    Touch touch;
+    SolidTouch touch;
     PlacedSolid a, b;
     int touching = 0, wrong = 0;
     for (int n = 0; n < 100000; ++n) {

@@ -26,15 +26,15 @@ PlacedSolid placed(const SolidForm& form, const Vec3& at, const Vec3& theta = {0
     return solid;
 }
 
-Touch touch_of(const PlacedSolid& a, const PlacedSolid& b, Real margin = infinity, Real slack = 0)
+SolidTouch touch_of(const PlacedSolid& a, const PlacedSolid& b, Real margin = infinity, Real slack = 0)
 {
     ClipRoom room;
-    Touch touch;
+    SolidTouch touch;
     collide(a, b, {margin, slack}, room, touch);
     return touch;
 }
 
-Real least_gap(const Touch& touch)
+Real least_gap(const SolidTouch& touch)
 {
     Real least = infinity;
     for (int i = 0; i < touch.count; ++i)
@@ -176,7 +176,7 @@ TEST_CASE("the best axis of two hulls that overlap is the least way that parts t
         ++overlapping;
         // solid_hull() takes 1e-10 of its size for flat
         CHECK(std::abs(-most - depth_by_differences(a, b)) < 1e-9);
-        const Touch touch = touch_of(a, b);
+        const SolidTouch touch = touch_of(a, b);
         REQUIRE(touch.count > 0);
         CHECK(least_gap(touch) == Approx(most).margin(1e-9));
         // moved apart by that much they only touch
@@ -194,7 +194,7 @@ TEST_CASE("round solids touch in the points that are known", "[idea]")
 {
     const SolidForm ball = form_of(solid_ball(0.5)), rod = form_of(solid_capsule(2, 0.25)),
                     box = form_of(solid_box({2, 2, 2}));
-    Touch t = touch_of(placed(ball, {0, 0, 0}), placed(ball, {0.6, 0, 0.8}));
+    SolidTouch t = touch_of(placed(ball, {0, 0, 0}), placed(ball, {0.6, 0, 0.8}));
     CHECK(t.count == 1);
     CHECK((t.normal - Vec3(0.6, 0, 0.8)).norm() < 1e-15);
     CHECK(std::abs(t.points[0].gap) < 1e-15);
@@ -233,7 +233,7 @@ TEST_CASE("solids in one place are parted in some direction", "[idea]")
                                           form_of(solid_box({2, 2, 2})), form_of(solid_box({1, 3, 2}))};
     for (const SolidForm& fa : forms)
         for (const SolidForm& fb : forms) {
-            const Touch t =
+            const SolidTouch t =
                 touch_of(placed(fa, {1, 2, 3}, {0.3, 0.2, 0.1}), placed(fb, {1, 2, 3}, {0.3, 0.2, 0.1}));
             REQUIRE(t.count > 0);
             CHECK(std::abs(t.normal.norm() - 1) < 1e-14);
@@ -250,7 +250,7 @@ TEST_CASE("a box on a box touches at four points that keep their names", "[idea]
     for (int step = 0; step < 50; ++step) {
         // slides and turns by less than the slack, as what rests does
         const Vec3 at(1e-6 * step, 1 - 1e-5, -5e-7 * step), theta(1e-7 * step, 1e-6 * step, -1e-7 * step);
-        const Touch t = touch_of(placed(low, {0, 0, 0}), placed(high, at, theta), 0.02, slack);
+        const SolidTouch t = touch_of(placed(low, {0, 0, 0}), placed(high, at, theta), 0.02, slack);
         REQUIRE(t.count == 4);
         CHECK((t.normal - Vec3(0, 1, 0)).norm() < 1e-4);
         std::vector<int> now;
@@ -259,13 +259,14 @@ TEST_CASE("a box on a box touches at four points that keep their names", "[idea]
         CHECK(now == names);
     }
     // turned by an eighth: an octagon, of which four are kept, with more than half of its area around the middle
-    const Touch t = touch_of(placed(low, {0, 0, 0}), placed(high, {0, 1, 0}, {0, pi / 4, 0}), 0.02, slack);
+    const SolidTouch t =
+        touch_of(placed(low, {0, 0, 0}), placed(high, {0, 1, 0}, {0, pi / 4, 0}), 0.02, slack);
     REQUIRE(t.count == 4);
     Vec3 sum(0, 0, 0);
     for (const TouchPoint& p : t.points) sum += p.on_b / 4;
     CHECK(std::hypot(sum.x(), sum.z()) < 0.2);
     // over an edge: the part that lies on the other
-    const Touch half = touch_of(placed(low, {0, 0, 0}), placed(high, {0.5, 1, 0.25}), 0.02, slack);
+    const SolidTouch half = touch_of(placed(low, {0, 0, 0}), placed(high, {0.5, 1, 0.25}), 0.02, slack);
     REQUIRE(half.count == 4);
     for (const TouchPoint& p : half.points) {
         CHECK(p.on_b.x() > -1e-12);
@@ -280,7 +281,7 @@ TEST_CASE("two edges that cross touch in one point and parallel ones in two", "[
     const Real d = std::sqrt(0.5);
     // one stands on an edge along z, the other hangs by an edge along x
     const PlacedSolid low = placed(box, {0, 0, 0}, {0, 0, pi / 4});
-    Touch t = touch_of(low, placed(box, {0.1, 2 * d - 0.01, 0.2}, {pi / 4, 0, 0}), 0.02, 1e-4);
+    SolidTouch t = touch_of(low, placed(box, {0.1, 2 * d - 0.01, 0.2}, {pi / 4, 0, 0}), 0.02, 1e-4);
     CHECK(t.count == 1);
     CHECK((t.normal - Vec3(0, 1, 0)).norm() < 1e-12);
     CHECK(t.points[0].gap == Approx(-0.01).margin(1e-12));
@@ -309,17 +310,17 @@ TEST_CASE("a touch depends neither on who comes first nor on the axes nor on the
         const SolidForm fa = form_of(ha), fb = form_of(hb);
         const Vec3 xa = any_vector(random, 1), xb = any_vector(random, 1), ta = any_vector(random, 2),
                    tb = any_vector(random, 2), by = any_vector(random, 2);
-        const Touch t = touch_of(placed(fa, xa, ta), placed(fb, xb, tb), 0.3, same);
+        const SolidTouch t = touch_of(placed(fa, xa, ta), placed(fb, xb, tb), 0.3, same);
         if (t.count > 0) ++touching;
-        const Touch swapped = touch_of(placed(fb, xb, tb), placed(fa, xa, ta), 0.3, same);
+        const SolidTouch swapped = touch_of(placed(fb, xb, tb), placed(fa, xa, ta), 0.3, same);
         REQUIRE((swapped.count > 0) == (t.count > 0));
         if (t.count == 0) continue;
         CHECK(std::abs(least_gap(swapped) - least_gap(t)) <= same);
         if (std::abs(least_gap(swapped) - least_gap(t)) < 1e-9)
             CHECK((swapped.normal + t.normal).norm() < 1e-7);
         const Mat3 R = rotation_matrix(by);
-        const Touch turned = touch_of(placed(fa, R * xa, add_rotation(by, ta)),
-                                      placed(fb, R * xb, add_rotation(by, tb)), 0.3, same);
+        const SolidTouch turned = touch_of(placed(fa, R * xa, add_rotation(by, ta)),
+                                           placed(fb, R * xb, add_rotation(by, tb)), 0.3, same);
         REQUIRE(turned.count == t.count);
         // roundings, over a normal from two points that may be near each other
         CHECK((turned.normal - R * t.normal).norm() < 1e-7);
@@ -331,7 +332,7 @@ TEST_CASE("a touch depends neither on who comes first nor on the axes nor on the
                 return form_of(hull);
             };
             const SolidForm ga = grown(ha), gb = grown(hb);
-            const Touch other =
+            const SolidTouch other =
                 touch_of(placed(ga, scale * xa, ta), placed(gb, scale * xb, tb), scale * 0.3, scale * same);
             REQUIRE(other.count == t.count);
             CHECK((other.normal - t.normal).norm() < 1e-7);
@@ -375,7 +376,7 @@ TEST_CASE("however two solids lie their touch is a number and its deepest gap th
             at = e * (e.dot(a.corner(a.support(e))) - e.dot(b0.corner(b0.support(-e))) + near) + aside;
         }
         const PlacedSolid b = placed(fb, at, tb);
-        const Touch t = touch_of(a, b, infinity, slack);
+        const SolidTouch t = touch_of(a, b, infinity, slack);
         REQUIRE(t.count > 0);
         CHECK(std::abs(t.normal.norm() - 1) < 1e-12);
         for (int k = 0; k < t.count; ++k) {
@@ -401,7 +402,7 @@ TEST_CASE("between the points of a touch there is the normal and nothing else", 
         const SolidForm fa = form_of(i % 4 == 0 ? solid_capsule(2, 0.2) : any_hull(random, 8)),
                         fb = form_of(i % 6 == 0 ? solid_ball(0.5) : any_hull(random, 10));
         const Vec3 at = any_vector(random, 1.2), theta = any_vector(random, 2);
-        const Touch t = touch_of(placed(fa, {0, 0, 0}), placed(fb, at, theta), 0.3);
+        const SolidTouch t = touch_of(placed(fa, {0, 0, 0}), placed(fb, at, theta), 0.3);
         const Real radii = fa.hull.radius + fb.hull.radius;
         for (int k = 0; k < t.count; ++k) {
             const TouchPoint& p = t.points[static_cast<std::size_t>(k)];

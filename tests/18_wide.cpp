@@ -107,7 +107,7 @@ TEST_CASE("runs of one level move no body in common and each body meets its rows
         const VisitLevels& levels = solver.lanes.levels;
         std::vector<std::pair<int, int>> last(static_cast<std::size_t>(scene.bodies.count()), {0, -1});
         for (const int r : levels.order) {
-            const RowRun& run = levels.runs[static_cast<std::size_t>(r)];
+            const LevelRun& run = levels.runs[static_cast<std::size_t>(r)];
             const SolverRow<6>& row = solver.rows[static_cast<std::size_t>(run.first)];
             for (const int place : row.a == row.b ? std::vector{row.b} : std::vector{row.a, row.b}) {
                 if (!scene.bodies.can_move(place / 6)) continue;
@@ -117,7 +117,7 @@ TEST_CASE("runs of one level move no body in common and each body meets its rows
                 level = run.level, first = run.first;
             }
         }
-        for (const RowRun& run : levels.runs) wide += run.lane > 0;
+        for (const LevelRun& run : levels.runs) wide += run.lane > 0;
     }
     CHECK(wide > 1000);  // runs that share a packet
 }

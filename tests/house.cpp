@@ -4,9 +4,11 @@
 #include "tests/draws.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -160,6 +162,62 @@ std::string elementary_call(const std::string& object)
                              "pow",  "hypot", "cbrt",   "sinf", "cosf",  "powf", "expf", "logf"})
         if (object.find('\0' + std::string(name) + '\0') != std::string::npos) return name;
     return {};
+}
+
+/// The text without comments, strings, characters and the preprocessor's lines.
+std::string bare(const std::string& text)
+{
+    std::string kept;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text.compare(at, 2, "//") == 0) {
+            at = std::min(text.find('\n', at), text.size());
+        } else if (text.compare(at, 2, "/*") == 0) {
+            at = std::min(text.find("*/", at), text.size() - 2) + 2;
+        } else if (text[at] == '"' || (text[at] == '\'' && (at == 0 || !std::isalnum(text[at - 1])))) {
+            const char quote = text[at++];
+            while (at < text.size() && text[at] != quote) at += text[at] == '\\' ? 2 : 1;
+            ++at;
+        } else if (text[at] == '#') {
+            while (at < text.size() && text[at] != '\n') at += text[at] == '\\' ? 2 : 1;
+        } else {
+            kept += text[at++];
+        }
+    }
+    return kept;
+}
+
+/// The types that a header defines outside of functions and other types, with the namespaces around them; not those that
+/// are specialised from a template.
+std::vector<std::string> defined_types(const std::string& text)
+{
+    static const std::regex space(R"(\bnamespace\s*([\w:]*)\s*$)");
+    static const std::regex type(
+        R"(\b(?:struct|class|union|enum(?:\s+class|\s+struct)?)\s+(?:(?:\[\[[^\]]*\]\]|alignas\s*\([^)]*\))\s*)?)"
+        R"(([\w:]+)\s*(?:final\s*)?(?::[^;]*)?$)");
+    const std::string code = bare(text);
+    std::vector<std::string> around, found;  // "-" for what is no namespace
+    std::size_t last = 0;
+    for (std::size_t at = 0; at < code.size(); ++at) {
+        if (code[at] != '{' && code[at] != '}' && code[at] != ';') continue;
+        std::string head = code.substr(last, at - last);
+        head.erase(head.find_last_not_of(" \n\t") + 1);
+        last = at + 1;
+        std::smatch match;
+        if (code[at] == '}' && !around.empty()) around.pop_back();
+        if (code[at] != '{') continue;
+        if (std::regex_search(head, match, space)) {
+            around.push_back(match[1]);
+            continue;
+        }
+        if (std::find(around.begin(), around.end(), "-") == around.end() &&
+            std::regex_search(head, match, type)) {
+            std::string& name = found.emplace_back();
+            for (const std::string& one : around) name += one + "::";
+            name += match[1];
+        }
+        around.emplace_back("-");
+    }
+    return found;
 }
 
 /// The names of test cases and sections in a test's source; pieces of one string are joined.
@@ -337,6 +395,36 @@ TEST_CASE("the rules of the house notice what they are for")
     CHECK(count("chapters/04_d/small.cpp", "// Chapter 4 in one file: rows.\n") == 1);
     CHECK(count("chapters/04_d/small.cpp", "// Chapter 4 in one file, grown from chapter 5: rows.\n") == 1);
     CHECK(count("chapters/01_d/small.cpp", "// Chapter 1 in one file: springs.\n") == 0);
+}
+
+TEST_CASE("no two headers define a type of one name")
+{
+    // Two types of one name in one program are undefined behaviour that no compiler and no linker reports.
+    std::map<std::string, std::string> homes;
+    for (const Source& source : all_sources()) {
+        if (!source.path.ends_with(".hpp")) continue;
+        for (const std::string& name : defined_types(source.text)) {
+            const auto [home, is_new] = homes.emplace(name, source.path);
+            if (!is_new) FAIL_CHECK(source.path << " defines " << name << ", and so does " << home->second);
+        }
+    }
+    CHECK(homes.size() > 500);
+    CHECK(homes.count("rigid::World") == 1);
+}
+
+TEST_CASE("the types that a header defines are found")
+{
+    using Names = std::vector<std::string>;
+    CHECK(defined_types(
+              "namespace rigid {\nstruct A { struct B { int i; }; };\nclass C final : public A {\n};\n"
+              "enum class D : int { e };\nnamespace own { template <class T = int> struct E { T t; }; }\n}\n"
+              "struct F {};\n") == Names{"rigid::A", "rigid::C", "rigid::D", "rigid::own::E", "F"});
+    CHECK(
+        defined_types(
+            "struct A;\n// struct B {\nclass C* f(struct D d) { struct E { } e; return g(\"struct F {\"); }\n"
+            "#define G struct G {\ntemplate <> struct H<int> { };\nstruct I* i = new J{};\n"
+            "enum K f(char c = '{') { return {}; }\n")
+            .empty());
 }
 
 TEST_CASE("no name of a test holds what makes Catch print without end or choose other tests")

@@ -49,7 +49,7 @@ inline DiscScene cradle(Index count, Index lifted, Real angle)
     return scene;
 }
 
-enum class ImpactLaw { simultaneous, sequential };
+enum class ImpactOrder { simultaneous, sequential };
 
 /// What a step of impacts depends on and what it needs, kept from step to step.
 struct ImpactStep {
@@ -70,7 +70,7 @@ struct ImpactStep {
 /// \param touching  a gap below this counts as none [ℓ]: the simultaneous law
 ///                  depends on which bodies touch
 inline void impact_step(DiscScene& scene, const StepSettings& settings,
-                        ImpactLaw law, ImpactStep& now, Real touching = 1e-4)
+                        ImpactOrder law, ImpactStep& now, Real touching = 1e-4)
 {
     Bodies<2>& bodies = scene.bodies;
     require_step(settings.h);
@@ -82,7 +82,7 @@ inline void impact_step(DiscScene& scene, const StepSettings& settings,
             contact_constraint(contact), bodies.inverse_mass,
             contact.gap > touching * length ? contact.gap / settings.h : 0));
     const Real e = now.restitution;
-    if (law == ImpactLaw::sequential) {
+    if (law == ImpactOrder::sequential) {
         sequential_impacts(now.rows, e, 1e-12, 1000, bodies.u, now.solution);
     } else {
         newton_biases(now.rows, e, bodies.u);

@@ -23,7 +23,7 @@ struct TouchPoint {
 };
 
 /// Where two solids touch: up to four points.
-struct Touch {
+struct SolidTouch {
     Vec3 normal = {0, 1, 0};  ///< unit vector from a to b
     int count = 0;
     std::array<TouchPoint, 4> points;
@@ -127,7 +127,7 @@ std::size_t best_point(const std::vector<TouchPoint>& points, Real least,
 /// the line through both, and the one that adds the largest triangle to these.
 /// \param slack  gaps that differ by less are the same depth [m]
 inline void choose_four(const std::vector<TouchPoint>& points, Real slack,
-                        Touch& touch)
+                        SolidTouch& touch)
 {
     touch.count = 0;
     const auto at = [&](int k) -> const Vec3& {
@@ -167,7 +167,7 @@ inline void choose_four(const std::vector<TouchPoint>& points, Real slack,
 
 /// The same in the order of their names, so that rows keep their places.
 inline void keep_four(const std::vector<TouchPoint>& points, Real slack,
-                      Touch& touch)
+                      SolidTouch& touch)
 {
     choose_four(points, slack, touch);
     std::sort(touch.points.begin(), touch.points.begin() + touch.count,

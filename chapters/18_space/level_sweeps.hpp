@@ -63,9 +63,9 @@ struct LevelSweeps {
         place.resize(from.rows.size());
         packets.clear();
         int row_count = 0, disc_count = 0;
-        const RowRun* last = nullptr;
+        const LevelRun* last = nullptr;
         for (const int r : levels.order) {
-            RowRun& run = levels.runs[static_cast<std::size_t>(r)];
+            LevelRun& run = levels.runs[static_cast<std::size_t>(r)];
             if (!last || packets.back().live == L || run.level != last->level ||
                 run.shape() != last->shape()) {
                 RunPacket<L> packet{run.kind, run.items, row_count, disc_count};
@@ -85,7 +85,7 @@ struct LevelSweeps {
         u.assign(2 * (static_cast<std::size_t>(bodies) + packets.size()), {});
         for (Index i = 0; i < all.u.size(); ++i) number(i) = all.u[i];
         off.assign(levels.first_run.size(), 0);
-        for (const RowRun& run : levels.runs) fill(run, from, all.inverse_mass);
+        for (const LevelRun& run : levels.runs) fill(run, from, all.inverse_mass);
     }
     //! [arrange]
 
@@ -157,7 +157,7 @@ private:
     }
 
     /// The next lane of the last packet is this run's.
-    void take_in(RowRun& run, const SolverRow<6>& row)
+    void take_in(LevelRun& run, const SolverRow<6>& row)
     {
         RunPacket<L>& packet = packets.back();
         run.packet = static_cast<int>(packets.size()) - 1;
@@ -192,7 +192,7 @@ private:
         return discs[disc].friction * at_least(push, V{});
     }
 
-    void fill(const RowRun& run, const ConeRows& from, const VecX& masses)
+    void fill(const LevelRun& run, const ConeRows& from, const VecX& masses)
     {
         const auto first = static_cast<std::size_t>(run.first),
                    p = static_cast<std::size_t>(run.packet);

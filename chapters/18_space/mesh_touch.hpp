@@ -143,7 +143,7 @@ inline int take_names(const TriangleMesh& mesh, const SolidForm& form,
 }
 
 /// Adds the points of a triangle to those of the same normal.
-inline void add_to_manifolds(const Touch& touch, int first_name, Real slack,
+inline void add_to_manifolds(const SolidTouch& touch, int first_name, Real slack,
                              MeshMemory& memory)
 {
     std::size_t m = 0;
@@ -192,7 +192,7 @@ inline void farthest_first(std::vector<TouchPoint>& points)
 /// \param names  of one triangle and this solid: their points are named from this
 ///               times the number of the triangle
 inline void collide(const TriangleMesh& mesh, const PlacedSolid& b, int names,
-                    const TouchSettings& how, ClipRoom& room, Touch& touch,
+                    const TouchSettings& how, ClipRoom& room, SolidTouch& touch,
                     MeshMemory& memory)
 {
     memory.count = 0;

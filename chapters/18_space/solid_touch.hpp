@@ -31,7 +31,7 @@ inline Vec3 crossing_point(const PlacedSolid& a, const PlacedSolid& b, int edge_
 /// Where two solids touch. For b and a it is the same with the normal the other way
 /// round, to within how.slack.
 inline void collide(const PlacedSolid& a, const PlacedSolid& b,
-                    const TouchSettings& how, ClipRoom& room, Touch& touch)
+                    const TouchSettings& how, ClipRoom& room, SolidTouch& touch)
 {
     touch.count = 0;
     const Real radii = a.radius() + b.radius(), reach = radii + how.margin;

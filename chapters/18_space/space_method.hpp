@@ -50,14 +50,14 @@ inline Correction closed_contacts()
 /// Solids that touch. With chapter 6's sweeps the rows of friction are a box, with
 /// ConeSolver a disc.
 template <class Solver, class Contacts = TouchingSolids>
-struct Touching {
+struct TouchingMethod {
     Contacts contacts;
     LoadedSolids correction = closed_contacts();
     WarmStart start;
     Solver solver;
 };
-using TouchingBoxes = Touching<ImpulseSolver<6>>;
-using TouchingCones = Touching<ConeSolver>;
+using TouchingBoxes = TouchingMethod<ImpulseSolver<6>>;
+using TouchingCones = TouchingMethod<ConeSolver>;
 
 /// Islands of up to so many rows solved by Algorithm 18.2, larger ones swept: a factor
 /// of bodies that all hang together grows faster than their number.

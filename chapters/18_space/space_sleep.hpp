@@ -31,8 +31,8 @@ inline Vec<6> measured_velocity(const SpaceScene& scene, Index k, const Vec<6>& 
 using AwakeSolids = AwakeStage<TouchingSolids, SpaceWatch>;
 
 /// Solids that touch, and sleep where they are at rest.
-using SleepingBoxes = Touching<ImpulseSolver<6>, AwakeSolids>;
-using SleepingCones = Touching<ConeSolver, AwakeSolids>;
+using SleepingBoxes = TouchingMethod<ImpulseSolver<6>, AwakeSolids>;
+using SleepingCones = TouchingMethod<ConeSolver, AwakeSolids>;
 //! [sleeping]
 
 }  // namespace rigid

@@ -16,7 +16,7 @@ namespace rigid {
 //! [wall]
 /// The corners of a solid that are near a wall, (18.36); four of them carry it.
 inline void collide(const SolidWall& wall, const PlacedSolid& b,
-                    const TouchSettings& how, ClipRoom& room, Touch& touch)
+                    const TouchSettings& how, ClipRoom& room, SolidTouch& touch)
 {
     room.points.clear();
     touch.normal = wall.normal;
@@ -44,7 +44,7 @@ struct TouchingSolids : SolidPairs {
     // What is kept from step to step.
     AllSolids others;
     ClipRoom room;
-    Touch touch;
+    SolidTouch touch;
     MeshMemory ground;
 
     void require_valid() const

@@ -27,7 +27,7 @@ inline void add_point(const TouchPoint& point, ClipRoom& room)
 }
 
 /// Whether some point is that deep. The deepest may lie beside what was clipped.
-inline bool reaches(const Touch& touch, Real gap)
+inline bool reaches(const SolidTouch& touch, Real gap)
 {
     bool some = false;
     for (int i = 0; i < touch.count; ++i)
@@ -69,7 +69,7 @@ inline void take_incident(const PlacedSolid& q, const Vec3& n, Whose q_is,
 /// Step 4 on a face: the incident polygon over the reference face.
 inline void touch_on_face(const PlacedSolid& a, const PlacedSolid& b,
                           const Axis& axis, const TouchSettings& how,
-                          ClipRoom& room, Touch& touch)
+                          ClipRoom& room, SolidTouch& touch)
 {
     const bool of_b = axis.whose == Whose::b;
     const PlacedSolid &p = of_b ? b : a, &q = of_b ? a : b;
@@ -125,7 +125,7 @@ inline int edge_towards(const PlacedSolid& p, const Vec3& n)
 /// Step 4 along edges: what of b's edge lies beside a's, where they are parallel.
 inline void touch_along_edges(const PlacedSolid& a, const PlacedSolid& b,
                               int edge_a, int edge_b, const TouchSettings& how,
-                              ClipRoom& room, Touch& touch)
+                              ClipRoom& room, SolidTouch& touch)
 {
     const SolidEdge &ea = a.edge(edge_a), &eb = b.edge(edge_b);
     const Vec3 from = a.corner(ea.from), way = a.corner(ea.to) - from;

@@ -25,7 +25,7 @@ enum class RunKind : unsigned char {
 //! [run]
 /// Neighbours among the rows, of one kind and between the same two bodies: their
 /// velocities are read once, and written once.
-struct RowRun {
+struct LevelRun {
     static constexpr int most = 8;  ///< items; few, so that there are few shapes
     RunKind kind = RunKind::plain;
     int items = 0;  ///< rows, or discs
@@ -42,7 +42,7 @@ struct RowRun {
 
 /// The runs of several islands. Memory is kept from step to step.
 struct VisitLevels {
-    std::vector<RowRun> runs;    ///< as the rows come
+    std::vector<LevelRun> runs;  ///< as the rows come
     std::vector<int> first_run;  ///< of each island
     std::vector<int> order;      ///< run numbers, by level and shape
     std::vector<int> level;      ///< K: the highest so far of each body
@@ -66,7 +66,7 @@ struct VisitLevels {
     {
         first_run[static_cast<std::size_t>(island)] = static_cast<int>(runs.size());
         for (std::size_t k = 0; k < rows.rows.size();) {
-            RowRun run = run_at(rows, k);
+            LevelRun run = run_at(rows, k);
             run.island = island;
             run.first = static_cast<int>(first + k);
             for (const int place : {rows.rows[k].a, rows.rows[k].b})
@@ -85,12 +85,13 @@ struct VisitLevels {
     /// By level and shape, by counting.
     void sort()
     {
-        const auto bin = [](const RowRun& run) {
-            return static_cast<std::size_t>(run.level * RowRun::shapes +
+        const auto bin = [](const LevelRun& run) {
+            return static_cast<std::size_t>(run.level * LevelRun::shapes +
                                             run.shape());
         };
-        bins.assign(static_cast<std::size_t>((levels + 1) * RowRun::shapes) + 1, 0);
-        for (const RowRun& run : runs) ++bins[bin(run) + 1];
+        bins.assign(static_cast<std::size_t>((levels + 1) * LevelRun::shapes) + 1,
+                    0);
+        for (const LevelRun& run : runs) ++bins[bin(run) + 1];
         std::partial_sum(bins.begin(), bins.end(), bins.begin());
         order.resize(runs.size());
         for (std::size_t i = 0; i < runs.size(); ++i)
@@ -108,13 +109,13 @@ private:
                                     : RunKind::plain;
     }
 
-    static RowRun run_at(const ConeRows& p, std::size_t k)
+    static LevelRun run_at(const ConeRows& p, std::size_t k)
     {
-        RowRun run;
+        LevelRun run;
         run.kind = kind_at(p, k);
         const std::size_t each = run.kind == RunKind::discs ? 2 : 1;
         for (std::size_t i = k;
-             i < p.rows.size() && run.items < RowRun::most &&
+             i < p.rows.size() && run.items < LevelRun::most &&
              p.rows[i].a == p.rows[k].a && p.rows[i].b == p.rows[k].b &&
              kind_at(p, i) == run.kind;
              i += each)

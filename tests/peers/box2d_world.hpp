@@ -14,9 +14,9 @@
 
 namespace rigid {
 
-class Box2dWorld {
+class Box2dPeer {
 public:
-    explicit Box2dWorld(const World& here, bool sleeps = true, int substeps = 1)
+    explicit Box2dPeer(const World& here, bool sleeps = true, int substeps = 1)
         : world_(vector(here.settings().gravity)), substeps_(substeps)
     {
         world_.SetAllowSleeping(sleeps);

@@ -40,7 +40,7 @@ Real depth(const Placed& a, const Placed& b)
 {
     Real deepest = 0;
     ClipRoom room;
-    Touch touch;
+    SolidTouch touch;
     for (const PlacedSolid& p : a.solids)
         for (const PlacedSolid& q : b.solids) {
             collide(p, q, {0, 0}, room, touch);

@@ -151,7 +151,7 @@ private:
     std::vector<Contact> contacts_;
     std::vector<Row<2>> rows_;
     VecX impulse_, before_;
-    Hand hand_;
+    HeldBody hand_;
     Real left_ = 0;
 };
 

@@ -20,7 +20,7 @@ inline Index nearest_body(const Bodies<2>& bodies, const Vec2& p)
 }
 
 /// Which body the reader's hand holds: the one that was nearest when the button went down.
-class Hand {
+class HeldBody {
 public:
     void pull(Bodies<2>& bodies, const Input& input)
     {

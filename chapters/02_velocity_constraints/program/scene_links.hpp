@@ -101,7 +101,7 @@ private:
     Bodies<2> bodies_;
     std::vector<Row<2>> rows_;
     RowsSolver<2> solver_;
-    Hand hand_;
+    HeldBody hand_;
     Real length_ = 0.1, residual_ = 0;
 };
 

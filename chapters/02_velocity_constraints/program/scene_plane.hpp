@@ -29,9 +29,9 @@ inline std::vector<Vec2> cut(const std::vector<Vec2>& polygon, const Vec2& J,
 }
 
 /// Two beads on one rail. The reader drags the point u* = (u1, u2); the row answers.
-class PlaneRun : public Run {
+class VelocityPlaneRun : public Run {
 public:
-    explicit PlaneRun(const Settings& settings)
+    explicit VelocityPlaneRun(const Settings& settings)
         : bodies_(2), u_star_(settings["u1"], settings["u2"])
     {
         bodies_.x << -0.25, 0.25;
@@ -221,7 +221,7 @@ inline Demo plane_scene()
          Plot::linear},
         {"momentum_change", "N s", "zero: what bead 1 loses, bead 2 gains"}};
     scene.start = [](const Settings& settings) {
-        return std::make_unique<PlaneRun>(settings);
+        return std::make_unique<VelocityPlaneRun>(settings);
     };
     return scene;
 }

@@ -9,9 +9,9 @@
 
 namespace rigid {
 
-class PlaneRun : public Run {
+class ConesRun : public Run {
 public:
-    explicit PlaneRun(const Settings& settings)
+    explicit ConesRun(const Settings& settings)
         : walk_(problem(settings), settings.method), A_(walk_.problem.A),
           q_(walk_.problem.q)
     {
@@ -192,7 +192,7 @@ inline Demo plane_scene()
                       {"q2", "m/s", "velocity of row 2 before any impulse", -6, -8,
                        8, Numbers::real, OnChange::restarts}};
     scene.start = [](const Settings& settings) {
-        return std::make_unique<PlaneRun>(settings);
+        return std::make_unique<ConesRun>(settings);
     };
     return scene;
 }

@@ -29,9 +29,9 @@ public:
         step.hand = input.pointer;
         held_ = held_disc(scene_, input.pressed, step.hand, held_);
         step.pulled = held_;
-        const ImpactLaw law = settings.method == "sequential"
-                                  ? ImpactLaw::sequential
-                                  : ImpactLaw::simultaneous;
+        const ImpactOrder law = settings.method == "sequential"
+                                    ? ImpactOrder::sequential
+                                    : ImpactOrder::simultaneous;
         impact_step(scene_, step, law, now_);
         if (!scene_.bodies.x.allFinite())
             throw StepFailure("a position is not finite");

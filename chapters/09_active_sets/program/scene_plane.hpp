@@ -10,9 +10,9 @@
 
 namespace rigid {
 
-class PlaneRun : public Run {
+class GuessPlaneRun : public Run {
 public:
-    explicit PlaneRun(const Settings& settings)
+    explicit GuessPlaneRun(const Settings& settings)
         : walk_(problem(settings), settings.method,
                 set_of(static_cast<int>(settings["start"])))
     {
@@ -185,7 +185,7 @@ inline Demo plane_scene()
         {"q2", "m/s", "of q, row 2", -1, -6, 6, Numbers::real, OnChange::restarts}};
     scene.columns = GuessWalk::columns();
     scene.start = [](const Settings& settings) {
-        return std::make_unique<PlaneRun>(settings);
+        return std::make_unique<GuessPlaneRun>(settings);
     };
     return scene;
 }

@@ -234,7 +234,7 @@ void by_all(const std::string& name, const std::string& behind,
     add("book", by_book<Solving::by_island>);
     add("book_sweeps", by_book<Solving::sweeps>);
 #ifdef RIGID_HAS_BOX2D
-    add("box2d", by_peer<Box2dWorld>);
+    add("box2d", by_peer<Box2dPeer>);
 #endif
 #ifdef RIGID_HAS_BOX2D3
     add("box2d3", by_peer<Box2d3World>);

@@ -76,7 +76,7 @@ private:
     std::vector<SolidForm> forms_;
     std::vector<PlacedSolid> solids_;
     ClipRoom room_;
-    Touch touch_;
+    SolidTouch touch_;
 };
 
 /// Four seconds at 60 steps a second.
