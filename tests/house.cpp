@@ -135,6 +135,11 @@ std::vector<std::string> broken_rules(const Source& source)
     if (source.path.find("/benchmark/") == std::string::npos && std::regex_search(source.text, call, library))
         broken.push_back(source.path + " calls " + call[0].str() +
                          ") whose last bits no standard fixes; common/elementary.hpp has its own");
+    // Its own comment stands behind a member or above it. With both, the one above is its neighbour's.
+    static const std::regex both(R"(\n *///(?!<)[^\n]*\n *(\w[^\n]*?) *///<)");
+    std::smatch member;
+    if (std::regex_search(source.text, member, both))
+        broken.push_back(source.path + " has a comment above \"" + member[1].str() + "\" and one behind it");
     const auto lines = std::count(source.text.begin(), source.text.end(), '\n');
     const bool narrow = source.path.starts_with("chapters/");  // 84 columns, so a tenth more lines
     if (source.path.ends_with(".hpp") && lines > (narrow ? 245 : 220))
@@ -395,6 +400,8 @@ TEST_CASE("the rules of the house notice what they are for")
     CHECK(count("chapters/04_d/small.cpp", "// Chapter 4 in one file: rows.\n") == 1);
     CHECK(count("chapters/04_d/small.cpp", "// Chapter 4 in one file, grown from chapter 5: rows.\n") == 1);
     CHECK(count("chapters/01_d/small.cpp", "// Chapter 1 in one file: springs.\n") == 0);
+    CHECK(count("common/d.hpp", "{\n    /// of b\n    a,  ///< of a\n    b,\n") == 1);
+    CHECK(count("common/d.hpp", "{\n    a,  ///< of a\n    /// of b\n    b,\n    c  ///< of c\n") == 0);
 }
 
 TEST_CASE("no two headers define a type of one name")

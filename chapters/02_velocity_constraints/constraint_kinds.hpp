@@ -10,10 +10,10 @@ namespace rigid {
 
 /// What the impulse of a constraint may do, and whether C is an error to be corrected.
 enum class ConstraintKind : unsigned char {
-    /// C is to grow at a given speed, as far as a force allows; C itself is no
-    /// error
     bilateral,   ///< pushes and pulls: C = 0, and any other C is an error
     unilateral,  ///< only pushes: C ≥ 0, and C < 0 is an error
+    /// C is to grow at a given speed, as far as a force allows; C itself is no
+    /// error
     motor,
     /// the same, as far as the impulse of another constraint allows (chapter 13)
     friction,

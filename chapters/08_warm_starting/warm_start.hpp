@@ -15,9 +15,9 @@ namespace rigid {
 
 /// Where the sweeps start.
 enum class Start {
-    /// that answer times the multiple that fits this step best (8.14)
     cold,      ///< λ = 0
     previous,  ///< the answer of the step before, or a part of it
+    /// that answer times the multiple that fits this step best (8.14)
     best_multiple,
 };
 

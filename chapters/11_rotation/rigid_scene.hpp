@@ -18,9 +18,9 @@ namespace rigid {
 /// One scalar constraint on points fixed in two bodies, or in the world and a body.
 struct PointJoint {
     enum class Measure : unsigned char {
+        distance,  ///< ‖p_b − p_a‖: a link, a rope
         /// n·(p_b − p_a), n fixed in the world: one half of a pin, a rail, a motor
         /// that pushes
-        distance,  ///< ‖p_b − p_a‖: a link, a rope
         along,
         /// the same, with n fixed in body a and turning with it: a slider on a body
         turning,
