@@ -108,20 +108,88 @@ cp -r "$(dirname "$script")/tests/mine" "$scratch/mine_tool"
 mkdir -p "$book/tests/mine" "$book/build/mine/bin"
 cp "$scratch/mine_tool/mine.py" "$book/tests/mine/"
 printf 'in     chapters/01_one/idea.hpp\nempty  half  return 0;\n' >"$book/tests/mine/01.txt"
-printf 'int half(int x)\n{\n    return x / 2;\n}\n' >"$book/chapters/01_one/idea.hpp"
-printf '#!/bin/sh\necho "tags $1"\necho "test cases:  3 |  2 passed | 1 failed"\nexit 1\n' >"$book/build/mine/bin/test_01_one"
-chmod +x "$book/build/mine/bin/test_01_one"
+printf 'inline int half(int x)\n{\n    return x / 2;\n}\n' >"$book/chapters/01_one/idea.hpp"
+cat >"$book/tests/01_one.cpp" <<'END'
+#include "chapters/01_one/idea.hpp"
+#include <cstdio>
+int again(int x);
+int main(int, char** arguments)
+{
+    std::printf("tags %s\n", arguments[1]);
+    const bool right = half(4) == 2 && again(4) == 2;
+    std::puts(right ? "All tests passed (3 assertions in 3 test cases)" : "test cases:  3 |  2 passed | 1 failed");
+    return right ? 0 : 1;
+}
+END
+printf '#include "chapters/01_one/idea.hpp"\nint again(int x) { return half(x); }\n' >"$book/tests/again.cpp"
+cat >"$book/build/mine/build.ninja" <<END
+rule compile
+  command = g++ -MD -MF \$out.d -I\$book/mine -I\$book -c \$in -o \$out
+  depfile = \$out.d
+  deps = gcc
+rule link
+  command = g++ \$in -o \$out
+build one.o: compile $book/tests/01_one.cpp
+  book = $book
+build again.o: compile ../../tests/again.cpp
+  book = ../..
+build bin/test_01_one: link one.o again.o
+END
+printf '#!/bin/sh\ncase "$*" in "--build --preset mine"*) exec ninja -C "%s" ;; esac\n' "$book/build/mine" >"$scratch/tools/cmake"
 said=$("$book/book" test 1 --mine 2>&1) && wants "test 1 --mine" "code 0" "a refusal"
 wants "test 1 --mine before it is begun" "$said" "begin with ./book mine 1"
 said=$("$book/book" test 2 --mine 2>&1) && wants "test 2 --mine" "code 0" "a refusal"
 wants "test 2 --mine" "$said" "chapter 2 has no header to write yourself"
+# Headers that come to be after a build.
+"$scratch/tools/cmake" --build --preset mine >/dev/null
+wants "the book's own" "$("$book/build/mine/bin/test_01_one" "[idea]")" "All tests passed"
 wants "mine 1" "$("$book/book" mine 1)" "write half()"
 wants "the emptied header" "$(cat "$book/mine/chapters/01_one/idea.hpp")" "return 0;"
 said=$("$book/book" test 1 --mine 2>&1) && wants "test 1 --mine" "code 0" "code 1"
 wants "test 1 --mine" "$said" "tags [idea]"
 wants "test 1 --mine" "$said" "chapter 1: 2 of 3 idea tests pass"
 wants "mine" "$("$book/book" mine)" "0 of 1 functions begun; 2 of 3 idea tests pass"
+cp "$book/chapters/01_one/idea.hpp" "$book/mine/chapters/01_one/idea.hpp"
+said=$("$book/book" test 1 --mine 2>&1) || wants "the reader's own" "code $? $said" "code 0"
+wants "the reader's own" "$said" "chapter 1: 3 of 3 idea tests pass"
+said=$("$book/book" test 1 --mine 2>&1)
+wants "nothing is new" "$said" "no work to do"
+rm "$book/mine/chapters/01_one/idea.hpp"
+"$book/book" mine 1 >/dev/null
+said=$("$book/book" test 1 --mine 2>&1) && wants "begun again" "code 0" "code 1"
+wants "begun again" "$said" "chapter 1: 2 of 3 idea tests pass"
 said=$("$book/book" test 1 2 --mine 2>&1) && wants "test 1 2 --mine" "code 0" "a refusal"
 wants "test 1 2 --mine" "$said" "takes the number of one chapter"
+
+# The stability matrix: each kind has a table, and each has a short one, in whatever order the reader says it.
+cat >"$book/build/release/bin/stress" <<'END'
+#!/bin/sh
+file= last=
+for word in "$@"; do
+    [ "$last" != --csv ] || file=$word
+    last=$word
+done
+echo "stress $*" | tee "$file"
+END
+chmod +x "$book/build/release/bin/stress"
+table_of() { # OPTIONS: the tables that are written
+    rm -rf "$book/build/stress"
+    # shellcheck disable=SC2086
+    "$book/book" stress $1 >/dev/null 2>&1
+    # shellcheck disable=SC2046
+    echo $(ls "$book/build/stress"), and no more
+}
+for kind in turning joints space; do
+    for options in "--$kind --quick" "--quick --$kind" "--$kind --only x --quick" "--quick --only x --$kind"; do
+        wants "stress $options" "tables: $(table_of "$options")" "tables: ${kind}_quick.csv, and no more"
+        wants "stress $options" "$(cat "$book/build/stress/${kind}_quick.csv" 2>&1)" "$options"
+    done
+    wants "stress --$kind" "tables: $(table_of "--$kind")" "tables: $kind.csv, and no more"
+done
+wants "stress" "tables: $(table_of "")" "tables: matrix.csv, and no more"
+wants "stress --quick --only x" "tables: $(table_of "--quick --only x")" "tables: quick.csv, and no more"
+wants "stress --quick" "$(table_of --quick)" "joints_quick.csv quick.csv space_quick.csv turning_quick.csv, and no more"
+said=$("$book/book" stress --joints --space 2>&1) && wants "stress --joints --space" "code 0" "a refusal"
+wants "stress --joints --space" "$said" "--joints and --space are two matrices"
 
 [ $faults = 0 ] && echo "book: all is well"
