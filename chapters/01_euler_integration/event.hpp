@@ -34,23 +34,20 @@ void go_back_to_event(Adaptive<N>& run, Real open, Real closed, const A& a,
     const Real beside = 1e-6 * closed;
     const Real slope = (gap_at(closed + beside) - gap_at(closed - beside)) /
                        (2 * beside * whole.h);
-    Real h = closed * whole.h, left = infinity;
+    Real h = closed * whole.h;
     for (int i = 0;; ++i) {
         const PairStep<N> step = dormand_prince_step(whole.s0, whole.a0, h, a);
         run.evaluations += 6;
-        const Real gap_now = gap(step.s);
-        if (!(std::abs(gap_now) < left)) break;  // as good as it gets
-        left = std::abs(gap_now);
         run.s = step.s;
         run.a = step.a;
         run.last = {whole.s0, step.s, whole.a0, step.a, h};
-        const Real next = std::clamp(h - gap_now / slope, h / 2, whole.h);
+        const Real next = std::clamp(h - gap(step.s) / slope, h / 2, whole.h);
         const bool close = !(std::abs(next - h) >
                              4 * std::numeric_limits<Real>::epsilon() * run.t);
         if (close || i == 9) break;
         h = next;
     }
-    run.t += run.last.h - whole.h;
+    run.t += h - whole.h;
 }
 //! [polish]
 
