@@ -103,6 +103,35 @@ TEST_CASE("the two contacts of the text take two guesses", "[house]")
     CHECK(memory.cases == std::vector<BoundState>{BoundState::between, BoundState::at_lo});
 }
 
+TEST_CASE("the way down is halved no more often than rounding can see", "[house]")
+{
+    struct Counted : DenseLlt {
+        mutable int products = 0;
+        void multiply(const Mlcp& mlcp, const VecX& lambda, VecX& w) const
+        {
+            ++products;
+            DenseLlt::multiply(mlcp, lambda, w);
+        }
+    };
+    const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
+    // From 1e-247 the bounds leave 1e-247 of the way; with 1e200 φ itself is too large for a double; and no number is lower than NaN.
+    for (const Real size : {1.0, 1e200})
+        for (const Real start : {1.0, 1e-247, 1e300, std::nan("")}) {
+            Mlcp scaled = problem;
+            scaled.q *= size;
+            Counted factor;
+            factor.load(scaled);
+            Guess guess;
+            guess.cases.assign(3, BoundState::between);
+            guess.w = guess.step = VecX::Zero(3);
+            guess.lambda = VecX::Constant(3, start);
+            ActiveSetWork work;
+            CHECK(descend(guessed(scaled), factor, 0, 5, guess, work) != GuessEnd::singular);
+            // of a guess at most 53 halvings, and three looks
+            CHECK(factor.products <= 56 * work.guesses);
+        }
+}
+
 TEST_CASE("flipping all wrong rows cycles in the example of the text and the fallback ends it", "[house]")
 {
     const Mlcp problem = plain_lcp(matrix3({8, -4, 6, -4, 3, -2, 6, -2, 6}), vector({5, -4, 1}));
@@ -1070,6 +1099,10 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
         const std::vector<FrictionBox> boxes{{2, 0, 0.5}};
         CHECK(sentence_of([&] { active_sets(problem, boxes); }) ==
               "a friction box for row 2 by row 0 with mu = 0.5; rows go from 0 to 1, mu is at least 0");
+        problem.hi.resize(1);
+        CHECK(sentence_of([&] {
+                  active_sets(problem, std::vector<FrictionBox>{{1, 0, 0.5}});
+              }) == "lo has 2 and hi 1 entries; q has 2");
     }
 }
 

@@ -189,6 +189,7 @@ TEST_CASE("the point two thirds from the struck end stays where it is at first a
     CHECK(velocity_at(scene.bodies, 0, {-1.0 / 6, 0}).norm() <= 1e-12);
     CHECK(std::abs(velocity_at(scene.bodies, 0, {-0.5, 0}).y() + 2) <= 1e-12);  // the far end moves backwards
     CHECK(std::abs(velocity_at(scene.bodies, 0, {0.5, 0}).y() - 4) <= 1e-12);
+    CHECK(velocity_at(scene.bodies, world, {0.5, 0}).isZero(0));  // the world stands still
 }
 
 TEST_CASE("a pin feels nothing when its rod is struck at two thirds", "[idea]")

@@ -75,6 +75,14 @@ Solved solve_exactly(const FrictionRows& problem, FrictionMemory& memory, const 
     return solved;
 }
 
+/// What exact friction says of these rows and boxes.
+std::string words_on(Mlcp mlcp, const std::vector<FrictionBox>& boxes)
+{
+    FrictionMemory memory;
+    Solution solution;
+    return sentence_of([&] { friction_active_sets(mlcp, boxes, {}, memory, solution); });
+}
+
 /// The rows of a rod whose end touches the floor, sliding at v_t to the right and approaching at 1 m/s.
 FrictionRows touching_rod(Real angle, Real v_t, Real mu)
 {
@@ -112,6 +120,33 @@ TEST_CASE(
         CHECK(std::abs(down_the_slope(scene) - 0.1 * left) <= 1e-12);
         CHECK(now.solution.status == Status::solved);
     }
+}
+
+TEST_CASE("a friction box that names no row is refused before anything is written", "[house]")
+{
+    const auto box = [](Index row, Index normal, Real mu) {
+        return "a friction box for row " + std::to_string(row) + " by row " + std::to_string(normal) +
+               " with mu = " + shortest(mu) + "; rows go from 0 to 1, mu is at least 0";
+    };
+    Mlcp rows{MatX::Identity(2, 2).sparseView(), VecX::Constant(2, -1), VecX::Zero(2),
+              VecX::Constant(2, infinity)};
+    rows.lo[1] = std::nan("");  // of a friction row: becomes the answer's
+    CHECK(words_on(rows, {{1, 0, 0.5}}) == "accepted");
+    for (const Index none : {Index{2}, Index{1'000'000}, Index{-1}}) {
+        CHECK(words_on(rows, {{none, 0, 0.5}}) == box(none, 0, 0.5));
+        CHECK(words_on(rows, {{1, none, 0.5}}) == box(1, none, 0.5));
+        CHECK(sentence_of([&] {
+                  stewart_trinkle(rows, std::vector<FrictionBox>{{none, 0, 0.5}});
+              }) == box(none, 0, 0.5));
+    }
+    CHECK(words_on(rows, {{1, 0, -1}}) == box(1, 0, -1));
+    Mlcp pulls = rows;
+    pulls.lo[0] = -1;
+    CHECK(words_on(pulls, {{1, 0, 0.5}}) ==
+          "row 0, which bounds row 1, has lo = -1; a row that bounds friction only pushes (lo at least 0)");
+    Mlcp few = rows;
+    few.hi.resize(1);
+    CHECK(words_on(few, {{1, 0, 0.5}}) == "lo has 2 and hi 1 entries; q has 2");
 }
 
 TEST_CASE("exact friction and Lemke and sweeps give blocks and discs on slopes the same motion", "[idea]")

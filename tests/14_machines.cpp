@@ -42,6 +42,10 @@ TEST_CASE("a hand carries what hangs together and lets the joints be", "[idea]")
     JointedScene scene;
     const Index first = add_ragdoll(scene, {0, 0});
     CHECK(std::abs(held_mass(scene, first + 3) - 70) <= 1e-12);
+    CHECK_THROWS_WITH(hand_joint(scene, world, {0, 0}),
+                      "a hand holds body -1; it must be one of the 10 bodies, from 0 on");
+    CHECK_THROWS_WITH(hand_joint(scene, 10, {0, 0}),
+                      "a hand holds body 10; it must be one of the 10 bodies, from 0 on");
     const Vec2 wrist = scene.bodies.position(first + 3).head<2>();
     const std::size_t number = add_joint(scene, hand_joint(scene, first + 3, wrist));
     JointTrees<AllBodies> method;

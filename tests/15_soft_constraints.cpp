@@ -128,6 +128,22 @@ TEST_CASE("the limits of a spring are a hard row that takes back all and one tha
     // 2ζ/ω beside h: 3e-8
     CHECK(nearly.rate == Approx(1 / h).epsilon(1e-6));
     CHECK(nearly.softness == Approx(0).margin(1e-12));
+    // Hard is hard by whichever name, damped or not.
+    for (const Real zeta : {0.0, 1.0, 10.0}) {
+        const Softness hard{infinity, zeta};
+        const SpringConstants spring = spring_of(hard, A);
+        CHECK(spring.stiffness == infinity);
+        CHECK(soft_terms(hard, A, h).rate == 1 / h);
+        CHECK(soft_terms(spring, h).rate == 1 / h);
+        CHECK(soft_terms(spring, h).softness == 0);
+        CHECK(soft_terms(SpringConstants{infinity, infinity}, h).rate == 1 / h);
+        CHECK(softness_of(spring, A).frequency == infinity);
+        CHECK(std::isfinite(softness_of(spring, A).damping_ratio));
+        CHECK(implicit_velocity(0.3, 0.7, hard, h) == -0.3 / h);
+        CHECK(soft_scales(hard, h).mass == 1);
+        CHECK(soft_scales(hard, h).impulse == 0);
+        CHECK(implicit_velocity(0.3, 0.7, {1e12, zeta}, h) == Approx(-0.3 / h).epsilon(1e-6));
+    }
     const SoftTerms thick = soft_terms(Softness{10, 1e12}, A, h);
     CHECK(thick.rate == Approx(0).margin(1e-10));
     CHECK(thick.softness == Approx(0).margin(1e-9));

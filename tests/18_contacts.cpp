@@ -323,6 +323,7 @@ TEST_CASE("a ball that slides ends up rolling at five sevenths of its speed", "[
     go_on(scene, method, now, 1.0 / 240, 240);  // it rolls after 2 v / (7 μ g) = 0.68 s
     CHECK(scene.bodies.u[0] == Approx(5).epsilon(1e-9));
     CHECK(world_spin(scene.bodies, 0).z() == Approx(-10).epsilon(1e-9));
+    CHECK(world_spin(scene.bodies, world).isZero(0));  // the world stands still
     const Real rolled = scene.bodies.x[0];
     go_on(scene, method, now, 1.0 / 240, 240);
     CHECK(scene.bodies.x[0] - rolled == Approx(5).epsilon(1e-9));  // rolling loses nothing

@@ -105,6 +105,21 @@ inline bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     return true;
 }
 
+/// Throws std::invalid_argument unless each row has its bounds and each box names two rows that there are, with μ ≥ 0.
+inline void require_valid(const Mlcp& mlcp, std::span<const FrictionBox> boxes)
+{
+    const Index n = mlcp.size();
+    if (mlcp.lo.size() != n || mlcp.hi.size() != n) require_valid(mlcp);  // says so
+    for (const FrictionBox& box : boxes)
+        if (box.row < 0 || box.row >= n || box.normal < 0 || box.normal >= n ||
+            box.row == box.normal || !(box.mu >= 0) || !std::isfinite(box.mu))
+            throw std::invalid_argument(
+                "a friction box for row " + std::to_string(box.row) + " by row " +
+                std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
+                "; rows go from 0 to " + std::to_string(n - 1) +
+                ", mu is at least 0");
+}
+
 //! [boxes]
 /// Solves a problem with friction boxes; the bounds that mlcp gives for their rows
 /// are not looked at. `iterations` counts the guesses of all rounds.
@@ -114,15 +129,8 @@ inline void active_sets(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
                         const ActiveSetSettings& settings, ActiveSetMemory& memory,
                         Solution& solution)
 {
+    require_valid(mlcp, boxes);
     const Index n = mlcp.size();
-    for (const FrictionBox& box : boxes)
-        if (box.row < 0 || box.row >= n || box.normal < 0 || box.normal >= n ||
-            box.row == box.normal || !(box.mu >= 0) || !std::isfinite(box.mu))
-            throw std::invalid_argument(
-                "a friction box for row " + std::to_string(box.row) + " by row " +
-                std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
-                "; rows go from 0 to " + std::to_string(n - 1) +
-                ", mu is at least 0");
     Mlcp fixed = mlcp;
     solution.lambda.setZero(n);
     bound_by(boxes, solution.lambda, fixed);  // first without friction

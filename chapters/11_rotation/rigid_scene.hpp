@@ -98,9 +98,10 @@ inline Vec2 point_of(const VecX& x, Index k, const Vec2& at)
 }
 
 //! [point_velocity]
-/// (11.3): v + ω × r, the velocity of the point p of body k.
+/// (11.3): v + ω × r, the velocity of the point p of body k; the world has none.
 inline Vec2 velocity_at(const Bodies<3>& bodies, Index k, const Vec2& p)
 {
+    if (k == world) return {0, 0};
     const Vec<3> motion = bodies.velocity(k);
     const Vec2 r = p - bodies.position(k).head<2>();
     return motion.head<2>() + motion[2] * perpendicular(r);

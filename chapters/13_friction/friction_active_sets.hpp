@@ -138,9 +138,10 @@ inline void friction_active_sets(Mlcp& mlcp, std::span<const FrictionBox> boxes,
                                  const FrictionSettings& settings,
                                  FrictionMemory& memory, Solution& solution)
 {
+    require_valid(mlcp, boxes);
     for (const FrictionBox& box : boxes) mlcp.lo[box.row] = mlcp.hi[box.row] = 0;
     require_valid(mlcp);
-    require_valid(mlcp, boxes);
+    require_pushing(mlcp, boxes);
     require_valid(settings);
     const Index n = mlcp.size();
     FrictionProblem& problem = memory.problem;

@@ -74,21 +74,16 @@ inline void require_valid(const FrictionSettings& settings)
             ": the tolerance must be positive, the others not negative");
 }
 
-/// Throws std::invalid_argument unless each box names two rows that there are, with μ ≥ 0, and its normal only pushes.
-inline void require_valid(const Mlcp& mlcp, std::span<const FrictionBox> boxes)
+/// Throws std::invalid_argument unless the normal of each box only pushes.
+inline void require_pushing(const Mlcp& mlcp, std::span<const FrictionBox> boxes)
 {
-    for (const FrictionBox& box : boxes) {
-        const bool there = box.row >= 0 && box.row < mlcp.size() &&
-                           box.normal >= 0 && box.normal < mlcp.size() &&
-                           box.row != box.normal;
-        if (!there || !(box.mu >= 0) || !std::isfinite(box.mu) ||
-            !(mlcp.lo[box.normal] >= 0))
+    for (const FrictionBox& box : boxes)
+        if (!(mlcp.lo[box.normal] >= 0))
             throw std::invalid_argument(
-                "a friction box for row " + std::to_string(box.row) + " by row " +
-                std::to_string(box.normal) + " with mu = " + shortest(box.mu) +
-                "; rows go from 0 to " + std::to_string(mlcp.size() - 1) +
-                ", mu is at least 0, and the row that bounds only pushes");
-    }
+                "row " + std::to_string(box.normal) + ", which bounds row " +
+                std::to_string(box.row) +
+                ", has lo = " + shortest(mlcp.lo[box.normal]) +
+                "; a row that bounds friction only pushes (lo at least 0)");
 }
 
 /// The bounds of a row under the present λ, (13.6).

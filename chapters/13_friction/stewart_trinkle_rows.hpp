@@ -14,8 +14,10 @@ namespace rigid {
 
 //! [stewart_trinkle]
 /// (5.22) of any rows: an MLCP of n + 2m rows for n rows of which m are friction.
+/// \throws std::invalid_argument  for a malformed box
 inline Mlcp stewart_trinkle(const Mlcp& rows, std::span<const FrictionBox> boxes)
 {
+    require_valid(rows, boxes);
     const auto n = static_cast<int>(rows.size()),
                m = static_cast<int>(boxes.size());
     std::vector<int> box_of(static_cast<std::size_t>(n), -1);

@@ -16,8 +16,13 @@
 namespace rigid {
 
 /// Mass of all bodies that joints hold together with body k [kg].
+/// Throws std::invalid_argument unless there is such a body; nobody holds the world.
 inline Real held_mass(const JointedScene& scene, Index k)
 {
+    if (k < 0 || k >= scene.bodies.count())
+        throw std::invalid_argument(
+            "a hand holds body " + std::to_string(k) + "; it must be one of the " +
+            std::to_string(scene.bodies.count()) + " bodies, from 0 on");
     std::vector<int> lowest(static_cast<std::size_t>(scene.bodies.count()));
     std::iota(lowest.begin(), lowest.end(), 0);
     for (const PlacedJoint& placed : scene.placed)

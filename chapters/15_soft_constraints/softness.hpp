@@ -64,9 +64,11 @@ struct SpringConstants {
     Real stiffness = 0, damping = 0;
 };
 
-/// (15.2): k = m ω², c = 2 ζ m ω with the effective mass m = 1/A of its row.
+/// (15.2): k = m ω², c = 2 ζ m ω with the effective mass m = 1/A of its row. A hard
+/// row is a spring of k = ∞; what damps it makes no difference.
 inline SpringConstants spring_of(const Softness& how, Real A)
 {
+    if (how.frequency == infinity) return {infinity, 0};
     const Real omega = 2 * pi * how.frequency;
     return {omega * omega / A, 2 * how.damping_ratio * omega / A};
 }
@@ -74,13 +76,16 @@ inline SpringConstants spring_of(const Softness& how, Real A)
 /// The other way round: what a spring of k > 0 and c is to its row.
 inline Softness softness_of(const SpringConstants& spring, Real A)
 {
+    if (spring.stiffness == infinity) return {};
     const Real omega = std::sqrt(spring.stiffness * A);
     return {omega / (2 * pi), spring.damping * A / (2 * omega)};
 }
 
-/// (15.6): the terms of a spring by k and c, in which no mass occurs.
+/// (15.6): the terms of a spring by k and c, in which no mass occurs; for k → ∞ those
+/// of a hard row.
 inline SoftTerms soft_terms(const SpringConstants& spring, Real h)
 {
+    if (spring.stiffness == infinity) return {1 / h, 0};
     const Real whole = h * spring.stiffness + spring.damping;
     return {spring.stiffness / whole, 1 / (h * whole)};
 }
@@ -101,11 +106,13 @@ inline SoftScales soft_scales(const Softness& how, Real h)
 //! [scales]
 
 //! [oscillator]
-/// (15.4): one implicit step of a single mass on a spring.
+/// (15.4): one implicit step of a single mass on a spring; for ω → ∞ it goes to the
+/// rest.
 /// \param x  out of its rest [m]
 /// \return   its velocity after the step [m/s]; then x grows by h times that
 inline Real implicit_velocity(Real x, Real v, const Softness& how, Real h)
 {
+    if (how.frequency == infinity) return -x / h;
     const Real omega = 2 * pi * how.frequency;
     if (!(omega < infinity)) return -x / h;  // hard: at rest after the step
     return (v - h * omega * omega * x) /

@@ -68,9 +68,10 @@ inline Mat3 world_inertia(const Bodies<6>& bodies, Index k)
 }
 //! [world_inertia]
 
-/// The angular velocity of body k in the world's axes [rad/s].
+/// The angular velocity of body k in the world's axes [rad/s]; the world has none.
 inline Vec3 world_spin(const Bodies<6>& bodies, Index k)
 {
+    if (k == world) return {0, 0, 0};
     return rotation_of(bodies.x, k) * bodies.u.segment<3>(6 * k + 3);
 }
 
