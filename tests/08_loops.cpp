@@ -248,34 +248,72 @@ DiscScene groove(Real degrees, Real above)
     return scene;
 }
 
-TEST_CASE("a disc that falls into a groove without restitution hardly rises again", "[idea]")
+/// How far a disc rises that has fallen into a groove, and how fast: both as parts of the fall.
+struct Rise {
+    Real height = 0, energy = 0;
+};
+Rise rise_from_groove(Real degrees, Real fall, const SmallStepSettings& settings)
+{
+    DiscScene scene = groove(degrees, fall);
+    const Real rest = groove(degrees, 0).bodies.position(0).y(), speed = std::sqrt(2 * 9.81 * fall);
+    SmallStep now;
+    Rise rise;
+    bool falling = false, arrived = false;
+    for (int n = 0; n < 200; ++n) {
+        small_steps(scene, settings, now);
+        if (arrived) {
+            rise.height = std::max(rise.height, (scene.bodies.position(0).y() - rest) / fall);
+            rise.energy = std::max(rise.energy, std::max(Real{0}, scene.bodies.u[1]) / speed);
+        }
+        falling = falling || scene.bodies.u[1] < -0.9 * speed;
+        arrived = arrived || (falling && scene.bodies.u[1] > -0.9 * speed);
+    }
+    CHECK(arrived);
+    rise.energy *= rise.energy;
+    return rise;
+}
+
+TEST_CASE("a disc that falls into a groove without restitution rises by what one sweep leaves", "[idea]")
+{
+    // The fall is varied so that the impact comes at any part of a substep.
+    for (const Real degrees : {1, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85, 89})
+        for (const bool careful : {false, true}) {
+            SmallStepSettings settings = careful ? careful_steps() : quick_steps();
+            CAPTURE(degrees, careful);
+            const Real a = degrees * pi / 180, left = std::sin(a) * std::cos(2 * a);
+            const Real one_sweep = degrees < 45 ? left * left : 0;  // (8.17)
+            Rise most;
+            for (int phase = 0; phase < 8; ++phase) {
+                const Rise rise = rise_from_groove(degrees, 1 + 0.01 * phase, settings);
+                most.height = std::max(most.height, rise.height);
+                most.energy = std::max(most.energy, rise.energy);
+            }
+            // What was remembered adds up to 1.6 % of the fall (steep grooves; up to twice the best multiple may be
+            // taken, which keeps what energy is left), 2 % of the energy. The whole impulse gave back 35 %.
+            CHECK(most.height < one_sweep + 0.02);
+            CHECK(most.energy < one_sweep + 0.025);
+            // and (8.17) is what there is, where the impact comes within a substep: no bound out of reach
+            if (degrees > 5 && degrees < 35) CHECK(most.height > 0.9 * one_sweep);
+            settings.sweeps = 10;
+            if (degrees < 45) CHECK(rise_from_groove(degrees, 1, settings).height < 0.01);
+        }
+}
+
+TEST_CASE("a disc that arrives in a groove with its first step does not leave it", "[idea]")
 {
     // Remembered as a load, the impulse of the impact threw it back at up to 3.2 times its speed.
     for (const Real degrees : {60, 70, 80, 85})
         for (const SmallStepSettings& settings : {quick_steps(), careful_steps()}) {
             CAPTURE(degrees, settings.substeps);
-            for (const bool falls : {true, false}) {
-                DiscScene scene = groove(degrees, falls ? 1 : 0);
-                if (!falls) scene.bodies.velocity(0) << 0, -1;
-                const Real rest = groove(degrees, 0).bodies.position(0).y();
-                SmallStep now;
-                Real fastest = 0, highest = 0;
-                bool falling = false, arrived = !falls;
-                for (int n = 0; n < 300; ++n) {
-                    small_steps(scene, settings, now);
-                    const Real above = scene.bodies.position(0).y() - rest;
-                    if (arrived) {
-                        fastest = std::max(fastest, scene.bodies.u[1]);
-                        highest = std::max(highest, above);
-                    }
-                    falling = falling || scene.bodies.u[1] < -4;  // 1 m is a fall of 4.43 m/s
-                    arrived = arrived || (falling && scene.bodies.u[1] > -4);
-                }
-                CHECK(arrived);
-                // Up to twice the best multiple may be taken, which keeps what energy is left: 4 % of the speed was
-                // seen (0.2 % of the energy), where the whole impulse gave back 14 to 310 %.
-                CHECK(fastest < 0.25);
-                CHECK(highest < 0.015);
+            DiscScene scene = groove(degrees, 0);
+            scene.bodies.velocity(0) << 0, -1;
+            const Real rest = scene.bodies.position(0).y();
+            SmallStep now;
+            for (int n = 0; n < 300; ++n) {
+                small_steps(scene, settings, now);
+                // 4 % of the speed was seen (0.2 % of the energy), where the whole impulse gave back 14 to 310 %
+                REQUIRE(scene.bodies.u[1] < 0.25);
+                REQUIRE(scene.bodies.position(0).y() - rest < 0.015);
             }
         }
 }

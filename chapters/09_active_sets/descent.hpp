@@ -56,8 +56,8 @@ GuessEnd descend(const GuessedProblem& problem, Factor& factor, int visits,
                 else if (way[i] > 0)
                     free_way = std::min(free_way, (mlcp.hi[i] - here[i]) / way[i]);
             arrived = free_way >= 1;
-            // more than that, pressed into the bounds, if it is lower; a share that only
-            // rounding can see is none
+            // more than that, pressed into the bounds, if it is lower; a share that
+            // only rounding can see is none
             constexpr Real least = std::numeric_limits<Real>::epsilon();
             for (Real share = 1;; share *= 0.5) {
                 const bool last = share <= std::max(free_way, least);

@@ -39,12 +39,13 @@ struct SkippingSettings {
     Vec2 hand = {0, 0};    ///< where to [m]
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps;
-    StabilizerSettings stabilizer;  ///< what becomes of position errors
+    /// what becomes of position errors; for rods in loops not `baumgarte`, see start
+    StabilizerSettings stabilizer;
     Restitution bounce;
-    Start start = Start::
-        /// where the sweeps start; the only warm start that is safe whatever the
-        /// scene
-        best_multiple;
+    /// where the sweeps start. The best multiple adds no energy whatever the scene
+    /// if errors are corrected outside of the impulses, (8.16): `split_impulse`,
+    /// `projection` or `none`. With a bias, as of `baumgarte`, nothing bounds it.
+    Start start = Start::best_multiple;
     RestSettings rest;
     /// of the rows in their island: given or coloured
     Order order = Order::coloured;
