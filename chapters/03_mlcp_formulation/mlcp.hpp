@@ -58,7 +58,8 @@ constexpr std::string_view to_string(Status status)
     return "unknown";
 }
 
-/// How many answers there are. Only a solver that examined all of them can report it.
+/// How many answers there are. Only a solver that examined all of them can report it. Two λ are one answer if they
+/// differ by rounding alone in the units √A_ii λ_i of their rows, [√J].
 enum class Uniqueness {
     not_examined,
     unique,    ///< one λ

@@ -144,6 +144,67 @@ TEST_CASE("the family of a singular set is seen where its equations are all roun
     check_verdicts(mlcp, whole);
 }
 
+TEST_CASE("no scale of the rows makes the number of answers a false one")
+{
+    // Of whole numbers, so how many answers there are is known; scaled by powers of two, so that it stays so.
+    const auto scaled = [](const Mlcp& mlcp, const VecX& d) {
+        Mlcp other = mlcp;
+        other.A = MatX(d.asDiagonal() * MatX(mlcp.A) * d.asDiagonal()).sparseView();
+        other.q = mlcp.q.cwiseProduct(d);
+        other.lo = mlcp.lo.cwiseQuotient(d);
+        other.hi = mlcp.hi.cwiseQuotient(d);
+        return other;
+    };
+    Random random(11);
+    int counted = 0, problems = 0;
+    for (int k = 0; k < 1000; ++k) {
+        const Index n = 1 + random.index(4), rank = 1 + random.index(n);
+        MatX G(n, rank);
+        for (Index i = 0; i < n; ++i)
+            for (Index j = 0; j < rank; ++j) G(i, j) = static_cast<Real>(random.index(7)) - 3;
+        Mlcp mlcp = plain_lcp(MatX(G * G.transpose()), VecX::Zero(n));
+        VecX planted(n), d(n);
+        const bool bilateral = random.index(3) == 0;
+        for (Index i = 0; i < n; ++i) {
+            planted[i] = static_cast<Real>(random.index(5)) - 2;
+            const Index bounds = bilateral ? 0 : random.index(3);
+            mlcp.lo[i] = bounds == 0 ? -infinity : bounds == 1 ? 0 : -1;
+            mlcp.hi[i] = bounds < 2 ? infinity : 2;
+            d[i] = std::ldexp(1.0, static_cast<int>(random.index(997)) - 498);  // 10^±150
+        }
+        mlcp.q = -(mlcp.A * planted);
+        const auto all = all_answers(mlcp);
+        if (!all) continue;
+        ++problems;
+        const Mlcp other = scaled(mlcp, d);
+        if (!other.A.coeffs().allFinite() || !other.q.allFinite()) continue;
+        std::vector<Solution> solutions = {schur(other), enumerate(other)};
+        if (bilateral) solutions.push_back(direct(other));
+        for (const Solution& solution : solutions) {
+            INFO("problem " << k);
+            if (solution.uniqueness == Uniqueness::not_examined) continue;
+            ++counted;
+            REQUIRE(to_string(solution.uniqueness) == to_string(all->uniqueness()));
+        }
+    }
+    CHECK(problems > 900);
+    CHECK(counted > 500);
+
+    // A regular matrix: exactly one λ, (0, −1). At (1, −1) both w are zero to 1e-63 of the numbers in their rows, but not
+    // zero, and in the units of the rows it is the same λ to 1e-63.
+    const Real inf = infinity;
+    const Mlcp far_apart = problem_of(
+        {5.430362962610135e-95, 6.474176736915196e-32, 6.474176736915196e-32, 5.884697823303651e+32},
+        {6.474176736915196e-32, 5.884697823303651e+32}, {-inf, -inf}, {inf, inf});
+    for (const Solution& solution : {direct(far_apart), schur(far_apart), enumerate(far_apart)}) {
+        CHECK(solution.status == Status::solved);
+        CHECK(solution.uniqueness == Uniqueness::unique);
+        CHECK(std::abs(solution.lambda[1] + 1) <= 1e-15);
+        // its unit is √(5.9e32 / 5.4e-95) = 3.3e63 times that of λ_2
+        CHECK(std::abs(solution.lambda[0]) <= 1e-15 * 3.3e63);
+    }
+}
+
 // ---- solved, and it was no answer -----------------------------------------------------------------------
 
 TEST_CASE("conflicting rods without bounds are not solved by impulses of 1e31")
