@@ -18,6 +18,7 @@ enum class ConstraintKind : unsigned char {
     /// the same, as far as the impulse of another constraint allows (chapter 13)
     friction,
     spring,  ///< pulls C back by itself, the more the larger C is (chapter 15)
+    inerter,  ///< resists a change of J u, as a mass between its two would (chapter 14)
 };
 
 /// Whether C is an error that a method may correct. What a motor, friction or a spring does about C is its own affair.
@@ -39,7 +40,7 @@ struct Constraint {
     ConstraintKind kind = ConstraintKind::bilateral;
     /// a contact: its bodies may part faster than they need to (chapter 6)
     bool bounces = false;
-    Real speed = 0;  ///< of a motor or friction: the wanted J u [m/s]
+    Real speed = 0;  ///< of a motor, friction, an inerter: the wanted J u [m/s]
     /// of a motor: at most this, to either side; of a spring: the same, 0 = as much
     /// as it takes [N]
     Real force = 0;
@@ -49,6 +50,7 @@ struct Constraint {
     Real weakening = 0;  ///< of friction: how much less μ is while it slides
     Real stiffness = 0;  ///< of a spring [N/m]
     Real damping = 0;    ///< of a spring [N s/m]
+    Real inertance = 0;  ///< of an inerter [kg]
 };
 
 /// b of a constraint without an error to correct [m/s]: minus the wanted speed; of a spring k C / (h k + c), with which

@@ -122,6 +122,9 @@ Row<Dof> row_of(const Constraint<Dof>& constraint, const VecX& inverse_mass,
         row.hi = h * constraint.force;
         row.lo = -h * constraint.force;
         break;
+    case ConstraintKind::inerter:
+        row.softness = 1 / constraint.inertance;
+        break;
     }
     return row;
 }

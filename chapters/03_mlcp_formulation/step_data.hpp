@@ -85,6 +85,10 @@ struct StepData {
     bool second_half = false;
     /// velocities after the forces, before the impulses [m/s]
     VecX u_star;
+    /// e of each row, for solvers that let impacts come first (chapter 14); empty =
+    /// none bounces
+    std::vector<Real> restitution;
+    Real slowest_bounce = 0;  ///< an approach that is slower does not bounce [m/s]
     Solution solution;        ///< of the last sub-step
     std::int64_t visits = 0;  ///< rows visited in this step, whatever for
 };

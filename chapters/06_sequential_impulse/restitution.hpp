@@ -29,6 +29,13 @@ inline void require_valid(const Restitution& settings)
                                     "; it must be zero or positive");
 }
 
+/// e of a contact of discs, besides that of the method: discs have none of their own. Each kind of scene has such a
+/// function; one without it is a fault that the compiler finds.
+inline Real own_restitution(const DiscScene&, const StepData<2>&, std::size_t)
+{
+    return 0;
+}
+
 //! [restitution]
 /// Contacts that bounce, (6.17): a bounce that is faster than what the row has as
 /// its bias takes the bias' place.
@@ -36,15 +43,16 @@ template <class Scene>
 void add_bounces(const Scene& scene, const Restitution& bounce,
                  const StepSettings& settings, StepData<Scene::dof>& now)
 {
-    if (!(bounce.restitution > 0)) return;
     const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
     for (std::size_t i = 0; i < now.constraints.size(); ++i) {
         if (!now.constraints[i].bounces) continue;
+        const Real e = std::max(bounce.restitution, own_restitution(scene, now, i));
+        if (!(e > 0)) continue;
         auto& row = now.rows[i];
         const Real correcting = std::exchange(row.bias, 0);
-        const Real b = contact_bias(
-            now.constraints[i].C, row.velocity(scene.bodies.u),
-            row.velocity(now.u_star), bounce.restitution, slowest, settings.part());
+        const Real b =
+            contact_bias(now.constraints[i].C, row.velocity(scene.bodies.u),
+                         row.velocity(now.u_star), e, slowest, settings.part());
         row.bias = b < 0 ? std::min(b, correcting) : correcting;
     }
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -52,9 +53,9 @@ inline ImpulseKey link_key(std::size_t joint, int row = 0)
     return {ImpulseKey::of_a_joint, static_cast<std::int32_t>(joint), row, 0};
 }
 
-inline ImpulseKey joint_key(std::size_t machine)
+inline ImpulseKey joint_key(std::size_t machine, int part = 0)
 {
-    return {ImpulseKey::of_a_machine, static_cast<std::int32_t>(machine), 0, 0};
+    return {ImpulseKey::of_a_machine, static_cast<std::int32_t>(machine), 0, part};
 }
 
 inline ImpulseKey contact_key(const Contact& contact, int part = 0)
@@ -169,6 +170,18 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h,
     }
 }
 //! [load]
+
+/// The impulse of one row in the step before, for a step of h [N s], if it was there.
+inline std::optional<Real> remembered(const ImpulseCache& cache,
+                                      const ImpulseKey& key, Real h)
+{
+    const auto at =
+        std::lower_bound(cache.entries.begin(), cache.entries.end(), key,
+                         [](const ImpulseCache::Entry& entry,
+                            const ImpulseKey& it) { return entry.key < it; });
+    if (at == cache.entries.end() || at->key != key || !(cache.h > 0)) return {};
+    return h / cache.h * at->lambda;
+}
 
 //! [store]
 /// Remembers the answer of a step, and for `cache.keep` more steps the impulses of

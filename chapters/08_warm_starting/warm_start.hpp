@@ -44,7 +44,7 @@ ImpulseKey key_of(const Source& source, const std::vector<AnyContact>& contacts)
     return source.of == Source::Of::link ? link_key(index)
            : source.of == Source::Of::contact
                ? contact_key(contacts[index], source.part)
-               : joint_key(index);
+               : joint_key(index, source.part);
 }
 
 //! [warm_start]

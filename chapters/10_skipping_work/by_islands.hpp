@@ -117,6 +117,9 @@ struct IslandSolver {
         }
         for (const int k : now.active) v.template segment<Dof>(Dof * k).setZero();
         sweep_each(second, v, now);
+        second.solution.lambda.setZero(static_cast<Index>(now.rows.size()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            second.solution.lambda[islands.rows[k]] = rows[k].lambda;
     }
 
 private:

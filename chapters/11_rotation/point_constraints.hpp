@@ -121,6 +121,30 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
 }
 //! [joint]
 
+//! [across]
+/// The motion across a line from point to point, as a row without an error: J as of
+/// a distance, with n at right angles to the line (chapter 14 has the use).
+/// \param part  of a pulley 1: from q_a to p_a, 2: from q_b to p_b; else 1
+inline Constraint<3> across_line(const VecX& x, const PointJoint& joint, int part)
+{
+    PointJoint line = joint;
+    if (joint.measure == PointJoint::Measure::pulley) {
+        line.a = world;
+        line.at_a = part == 1 ? joint.over_a : joint.over_b;
+        line.b = part == 1 ? joint.a : joint.b;
+        line.at_b = part == 1 ? joint.at_a : joint.at_b;
+    }
+    const Vec2 d = point_of(x, line.b, line.at_b) - point_of(x, line.a, line.at_a);
+    line.measure = PointJoint::Measure::along;
+    line.direction = perpendicular(Direction(d).n);
+    line.sense = 1;
+    Constraint<3> c = joint_constraint(x, line);
+    c.kind = ConstraintKind::inerter;
+    c.C = 0;
+    return c;
+}
+//! [across]
+
 //! [corner]
 /// (11.14): vertex `corner` of body b over a wall.
 inline Constraint<3> corner_constraint(const RigidScene& scene, const VecX& x,

@@ -38,7 +38,9 @@ inline Constraint<3> constraint_at(const RigidScene& scene, const StepData<3>& n
 {
     const auto index = static_cast<std::size_t>(now.sources[i].index);
     if (now.sources[i].of == Source::Of::joint)
-        return joint_constraint(x, scene.joints[index]);
+        return now.sources[i].part == 0
+                   ? joint_constraint(x, scene.joints[index])
+                   : across_line(x, scene.joints[index], now.sources[i].part);
     return contact_constraint(now.contacts[index], now.x_found, x);
 }
 
@@ -87,6 +89,12 @@ inline void require_valid(const RigidScene& scene)
                                         ": " + fault.what());
         }
     (void)typical_length(scene);
+}
+
+/// e of a contact, besides that of the method (chapter 6): a smooth scene has none of its own.
+inline Real own_restitution(const RigidScene&, const StepData<3>&, std::size_t)
+{
+    return 0;
 }
 
 //! [all_bodies]

@@ -146,7 +146,8 @@ inline Constraint<3> constraint_at(const RoughScene& scene, const StepData<3>& n
     if (source.of == Source::Of::body)
         return cloth_constraint(scene, now, source.index, source.part);
     const auto& smooth = static_cast<const RigidScene&>(scene);
-    if (source.part == normal_part) return constraint_at(smooth, now, i, x);
+    if (source.of == Source::Of::joint || source.part == normal_part)
+        return constraint_at(smooth, now, i, x);
     const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
     return drag_constraint(
         scene, now, source,
@@ -182,36 +183,28 @@ inline void evaluate_constraints(const RoughScene& scene, StepData<3>& now)
     }
 }
 
-/// Chapter 6's bounces, with the e of each pair of surfaces where it is more than that of the method.
-inline void add_bounces(const RoughScene& scene, const Restitution& bounce,
-                        const StepSettings& settings, StepData<3>& now)
+//! [own_restitution]
+/// e of the surfaces of a contact, for chapter 6's bounces.
+inline Real own_restitution(const RoughScene& scene, const StepData<3>& now,
+                            std::size_t i)
 {
-    const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
+    const auto& contact =
+        now.contacts[static_cast<std::size_t>(now.sources[i].index)];
     const auto bounces = [](const Surface& s) { return s.restitution > 0; };
-    const auto may_bounce = [&](Index k) {
-        return k != world && bounces(scene.surfaces[static_cast<std::size_t>(k)]);
+    const auto body_bounces = [&](Index k) {
+        return k != world && !scene.surfaces.empty() &&
+               bounces(scene.surfaces[static_cast<std::size_t>(k)]);
     };
-    const bool any = bounce.restitution > 0 ||
-                     std::any_of(scene.wall_surfaces.begin(),
-                                 scene.wall_surfaces.end(), bounces),
-               none = !any && scene.surfaces.empty();
-    if (none) return;
-    for (std::size_t i = 0; i < now.constraints.size(); ++i) {
-        if (!now.constraints[i].bounces) continue;
-        const auto& contact =
-            now.contacts[static_cast<std::size_t>(now.sources[i].index)];
-        // whose wall it is takes longer to find
-        if (!any && !may_bounce(contact.a) && !may_bounce(contact.b)) continue;
-        const Real e =
-            std::max(bounce.restitution, surface_of(scene, contact).restitution);
-        if (!(e > 0)) continue;
-        Row<3>& row = now.rows[i];
-        const Real correcting = std::exchange(row.bias, 0);
-        const Real b =
-            contact_bias(now.constraints[i].C, row.velocity(scene.bodies.u),
-                         row.velocity(now.u_star), e, slowest, settings.part());
-        row.bias = b < 0 ? std::min(b, correcting) : correcting;
-    }
+    const auto wall_may = [&] {
+        return contact.a == world &&
+               std::any_of(scene.wall_surfaces.begin(), scene.wall_surfaces.end(),
+                           bounces);
+    };
+    // which wall it is takes longer to find
+    if (!body_bounces(contact.b) && !body_bounces(contact.a) && !wall_may())
+        return 0;
+    return surface_of(scene, contact).restitution;
 }
+//! [own_restitution]
 
 }  // namespace rigid

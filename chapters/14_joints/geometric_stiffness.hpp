@@ -1,17 +1,29 @@
 /// \file geometric_stiffness.hpp
-/// A loaded joint is stiff across its load: that stiffness, taken at the end of the step.
+/// A loaded joint is stiff across its load: that stiffness, taken only as far as a step cannot carry it.
 ///
-///     κ = Σ r·F ≥ 0,    (I + h² κ) ω' = I ω + h τ + …      F on the body at the arm r, of the step before
+///     κ = Σ r·F,   k = T/L          a body that F pulls at the arm r turns back; a line under the pull T swings back      (14.18)
+///     (I + i) (ω' − ω) = h τ + …    i = β (h² κ − s I)        ≥ 0                                                        (14.18a)
+///     w = J⊥ (u − u_old) + λ/i      i = β (h² k − s m⊥)       ≥ 0, a row across the line                                 (14.18b)
 ///
-/// (14.18). A pull F at the arm r turns the body back by the torque −κ φ when it has turned by φ. Rows along J of the start of
-/// the step leave that out, as an explicit spring would, and a light link under a large load then shakes itself apart when
-/// h √(κ/I) is above 2. An implicit spring is stable at any step; it damps. \cite tournier2015
+/// Rows along J of the start of a step leave this stiffness to the next step, as an explicit spring does: stable while
+/// h √(κ/I) < 2. An inertia that is larger by h² κ/4 for the change of a velocity, and for that alone, is stable at any step and
+/// damps nothing: Newmark's method with β = 1/4 \cite newmark1959. What I carries by itself, half of s = 1 for each
+/// end, is left alone, so a pendulum is what it is. Only what turns by more than a twentieth of a radian in a step under such a load is damped, as
+/// an implicit spring damps \cite tournier2015: no step can tell where it is going.
 #pragma once
 
+#include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/14_joints/joint_rows.hpp"
 #include "chapters/14_joints/newton_positions.hpp"
 
 namespace rigid {
+
+namespace loaded {
+constexpr Real beta = 0.25;  ///< of Newmark's method: the least that is stable
+constexpr Real carried =
+    0.5;  ///< s, of h² κ/I: 4 would be the limit for one spring
+constexpr Real most_turn = 0.05;  ///< of a body in a sub-step [rad]
+}  // namespace loaded
 
 //! [stiffness]
 /// h κ of each body [N m s], from the impulses in now.solution.lambda and the
@@ -20,6 +32,7 @@ namespace rigid {
 inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
                               VecX& kappa)
 {
+    using Measure = PointJoint::Measure;
     if (kappa.size() != scene.bodies.count()) kappa.setZero(scene.bodies.count());
     for (const int k : now.active) kappa[k] = 0;
     for (std::size_t i = 0; i < now.sources.size(); ++i) {
@@ -27,7 +40,7 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
         const Constraint<3>& c = now.constraints[i];
         const PointJoint& joint =
             scene.joints[static_cast<std::size_t>(now.sources[i].index)];
-        if (joint.measure == PointJoint::Measure::angle) continue;
+        if (joint.measure == Measure::angle || now.sources[i].part > 0) continue;
         const Real lambda = now.solution.lambda[static_cast<Index>(i)];
         const auto add = [&](Index k, const Vec2& at, const RowVec<3>& J) {
             if (!scene.bodies.can_move(k)) return;
@@ -42,27 +55,107 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
 }
 //! [stiffness]
 
+//! [inertance]
+/// How many lines a row of a joint has: one from point to point, a pulley two.
+inline int lines_of(const PointJoint& joint)
+{
+    using Measure = PointJoint::Measure;
+    return joint.measure == Measure::distance ? 1
+           : joint.measure == Measure::pulley ? 2
+                                              : 0;
+}
+
+/// How long one of them is [m]
+inline Real line_length(const RigidScene& scene, std::size_t j, int part)
+{
+    const PointJoint& joint = scene.joints[j];
+    const VecX& x = scene.bodies.x;
+    const Vec2 pa = point_of(x, joint.a, joint.at_a),
+               pb = point_of(x, joint.b, joint.at_b);
+    if (joint.measure != PointJoint::Measure::pulley) return (pb - pa).norm();
+    return part == 1 ? (pa - joint.over_a).norm() : (pb - joint.over_b).norm();
+}
+
+/// i of (14.18b) [kg], of a line that is pulled so.
+/// \param across  the row across it
+/// \param pull    h T [N s]
+inline Real inertance_under(const RigidScene& scene, std::size_t j, int part,
+                            const Constraint<3>& across, Real pull, Real h)
+{
+    const Real length = line_length(scene, j, part),
+               mobility = bilateral(across, scene.bodies.inverse_mass)
+                              .inverse_effective_mass();
+    if (!(pull > 0 && length > 0 && mobility > 0)) return 0;
+    const Real more =
+        loaded::beta * (h * pull / length - loaded::carried / mobility);
+    return std::isfinite(more) ? std::max(Real{0}, more) : 0;
+}
+
+/// Whether two rows measure the same line, as two limits of a distance do.
+inline bool are_one_line(const JointedScene& scene, std::size_t i, std::size_t j)
+{
+    if (i == j) return true;
+    const auto owner = [&](std::size_t k) {
+        return k < scene.owner.size() ? scene.owner[k] : -1;
+    };
+    return owner(i) >= 0 && owner(i) == owner(j) &&
+           lines_of(scene.joints[i]) == 1 && lines_of(scene.joints[j]) == 1;
+}
+
+/// The rows that pull a line, and with how much of their impulse.
+template <class Visit>
+void for_each_pull(const JointedScene& scene, std::size_t j, int part,
+                   const Visit& visit)
+{
+    const PointJoint& joint = scene.joints[j];
+    if (joint.measure == PointJoint::Measure::pulley) {
+        visit(j, -joint.sense * (part == 1 ? joint.gear_a : joint.gear_b));
+        return;
+    }
+    std::size_t first = j, last = j;
+    while (first > 0 && are_one_line(scene, j, first - 1)) --first;
+    while (last + 1 < scene.joints.size() && are_one_line(scene, j, last + 1))
+        ++last;
+    for (std::size_t i = first; i <= last; ++i) visit(i, -scene.joints[i].sense);
+}
+
+/// Whether a step needs the row across a line, by the impulses of the step before.
+/// Where it has sub-steps, a load may come in one and be there in the next: so may be
+/// sixteen times what was, and anything where nothing was.
+inline bool needs_inerter(const JointedScene& scene, std::size_t j, int part,
+                          const StepSettings& settings, const ImpulseCache& before)
+{
+    Real pull = 0;
+    bool known = false;
+    for_each_pull(scene, j, part, [&](std::size_t i, Real sense) {
+        const auto impulse = remembered(before, joint_key(i), settings.part());
+        pull += sense * impulse.value_or(0);
+        known = known || impulse.has_value();
+    });
+    const bool grows = settings.substeps > 1;
+    if (grows && !known) return true;
+    const Constraint<3> across = across_line(scene.bodies.x, scene.joints[j], part);
+    return inertance_under(scene, j, part, across, (grows ? 16 : 1) * pull,
+                           settings.part()) > 0;
+}
+//! [inertance]
+
 //! [loaded]
-/// Newton's method on positions, and bodies that turn as stiffly as their joints are
-/// loaded: in the rows of a step I + h² κ stands for I.
+/// Newton's method on positions, and bodies that turn as their joints are loaded: for
+/// the change of a velocity I + i stands for I.
 struct LoadedJoints : NewtonPositions {
     bool stiff = true;
 
     template <class Scene>
     void rows(Scene& scene, const StepSettings& settings, StepData<3>& now)
     {
-        Bodies<3>& bodies = scene.bodies;
         if (stiff) {
             turning_stiffness(scene, now, kappa_);
             inverse_inertia_.clear();
-            for (const int k : now.active) {
-                inverse_inertia_.push_back(bodies.inverse_mass[3 * k + 2]);
-                Real& inverse_inertia = bodies.inverse_mass[3 * k + 2];
-                const Real less =
-                    1 / (1 + settings.part() * kappa_[k] * inverse_inertia);
-                inverse_inertia *= less;
-                now.u_star[3 * k + 2] *= less;
-            }
+            for (const int k : now.active)
+                inverse_inertia_.push_back(
+                    resist(scene.bodies, k, settings.part(), now));
+            resist_across(scene, settings.part(), now);
         }
         NewtonPositions::rows(scene, settings, now);
     }
@@ -71,15 +164,69 @@ struct LoadedJoints : NewtonPositions {
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<3>& now)
     {
+        NewtonPositions::move(scene, settings, solver, now);
         for (std::size_t i = 0; stiff && i < now.active.size(); ++i)
             scene.bodies.inverse_mass[3 * now.active[i] + 2] = inverse_inertia_[i];
-        NewtonPositions::move(scene, settings, solver, now);
     }
     //! [loaded]
 
 private:
+    //! [resist]
+    /// (14.18a), of a body.
+    /// \return  its own inverse inertia
+    Real resist(Bodies<3>& bodies, int k, Real h, StepData<3>& now) const
+    {
+        Real& inverse = bodies.inverse_mass[3 * k + 2];
+        const Real own = inverse, spin = bodies.u[3 * k + 2];
+        const Real load = h * kappa_[k] * own;  // h² κ/I
+        if (!(load > loaded::carried)) return own;
+        const bool turns = h * std::abs(spin) > loaded::most_turn;
+        const Real less =
+            1 / (1 + (turns ? load : loaded::beta * (load - loaded::carried)));
+        inverse *= less;
+        Real& free = now.u_star[3 * k + 2];
+        free = turns ? less * free : spin + less * (free - spin);
+        return own;
+    }
+    //! [resist]
+
+    /// (14.18b), of the lines that have a row across them.
+    void resist_across(const JointedScene& scene, Real h, StepData<3>& now)
+    {
+        const auto any = std::any_of(
+            now.constraints.begin(), now.constraints.end(),
+            [](const auto& c) { return c.kind == ConstraintKind::inerter; });
+        if (!any) return;
+        row_of_.assign(scene.joints.size(), -1);
+        for (std::size_t i = 0; i < now.sources.size(); ++i)
+            if (now.sources[i].of == Source::Of::joint && now.sources[i].part == 0)
+                row_of_[static_cast<std::size_t>(now.sources[i].index)] =
+                    static_cast<int>(i);
+        for (std::size_t i = 0; i < now.sources.size(); ++i) {
+            Constraint<3>& c = now.constraints[i];
+            if (c.kind != ConstraintKind::inerter) continue;
+            const auto j = static_cast<std::size_t>(now.sources[i].index);
+            const int part = now.sources[i].part;
+            Real pull = 0;
+            for_each_pull(scene, j, part, [&](std::size_t k, Real sense) {
+                if (row_of_[k] >= 0)
+                    pull += sense * now.solution.lambda[row_of_[k]];
+            });
+            const Row<3> row = bilateral(c, scene.bodies.inverse_mass);
+            const Real mobility = row.inverse_effective_mass();
+            c.speed = row.velocity(scene.bodies.u);
+            c.inertance = inertance_under(scene, j, part, c, pull, h);
+            if (h * std::abs(c.speed) >
+                loaded::most_turn * line_length(scene, j, part))
+                c.speed = 0, c.inertance /= loaded::beta;
+            // a line that went slack in this step has next to none
+            c.inertance = std::max(c.inertance, 1e-9 / mobility);
+        }
+    }
+
     VecX kappa_;
     std::vector<Real> inverse_inertia_;  ///< of the active bodies, their own
+    std::vector<int> row_of_;            ///< of each of scene.joints; −1 = none
 };
 
 }  // namespace rigid

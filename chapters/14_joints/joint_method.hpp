@@ -22,7 +22,8 @@ struct JointSweeps {
 
 template <class Contacts>
 struct JointTrees {
-    WithJoints<WithFriction<Contacts>> contacts;
+    WithJoints<WithFriction<Contacts>> contacts =
+        with_inerters<WithFriction<Contacts>>();
     LoadedJoints correction;
     WarmStart start = last_impulses();
     TreeSolver solver;

@@ -4,7 +4,9 @@
 ///     x ← x + v h,   J v = −C(x)/h     again and again, with C where the bodies are now; J of the step's start,
 ///                              or of now where that is no longer good enough
 ///
-/// (14.17). No velocity is touched. Joints give back the whole of C; contacts and limits nothing up to the slop s, and
+/// (14.17). First what the step itself bends away, the arcs, and there velocities get the same as positions (14.17b): x moves
+/// by h u, J u = 0 where it began, and a body on a rod is a chord of its circle too far. That is SHAKE \cite ryckaert1977, and
+/// keeps the energy as RATTLE does. Then errors, and no velocity is touched. Joints give back the whole of C; contacts and limits nothing up to the slop s, and
 /// beyond it the part β of what is missing to half of it:
 ///
 ///     J v = −β (C + s/2)/h     where C < −s                                                               (14.17a)
@@ -14,11 +16,24 @@
 
 #include "chapters/06_sequential_impulse/restitution.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/14_joints/reflections.hpp"
+
+#include <span>
 
 namespace rigid {
 
+/// A solver that has the rows of a step as problems of their own, islands: it calls visit(rows, bodies, apart) for each of
+/// them, where apart.solve_apart() solves other biases on these rows alone. What has none is one problem.
+template <class Solver>
+concept SolvesProblems = requires(Solver solver, const StepData<3>& now)
+{
+    solver.for_each_problem(
+        now, [](std::span<const int>, std::span<const int>, auto&) {});
+};
+
 struct NewtonSettings {
-    int most = 8;  ///< iterations a sub-step
+    int most = 8;          ///< iterations a sub-step, for errors
+    int most_follow = 20;  ///< and for the arcs; each halves what is left
     /// they end when no joint is off by more than this [ℓ]
     Real tolerance = 1e-9;
     Real beta = 0.2;       ///< part of an overlap that a sub-step takes back
@@ -65,105 +80,197 @@ struct NewtonPositions : NewtonSettings, Restitution {
             if (!has_error(c.kind)) return own_bias(c, h);
             return c.kind == ConstraintKind::unilateral && c.C > 0 ? c.C / h : 0;
         });
-        add_bounces(scene, *this, settings, now);
+        note_bounces(scene, *this, settings, now);
     }
 
-    //! [newton]
+    //! [move]
+    /// x ← x + h u, then each problem of the step by itself: the arcs, then errors.
     template <class Scene, class Solver>
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<3>& now)
     {
-        auto& bodies = scene.bodies;
-        const Real h = settings.part();
-        advance_positions(bodies, h, now);
+        advance_positions(scene.bodies, settings.part(), now);
         const std::size_t m = now.rows.size();
         second.bias.assign(m, 0);
         second.left_out.assign(m, 0);
+        second.tolerance = tolerance * now.length / settings.part() / 10;
         deep_.assign(m, 0);
-        second.tolerance = tolerance * now.length / h / 10;
-        if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
-        renewals = 0;
-        gave_up_pushing = false;
+        goal_.resize(m);
+        gained_.resize(scene.bodies.u.size());
+        impulse_.resize(static_cast<Index>(m));
+        second.solution.lambda.resize(static_cast<Index>(m));
+        if (v.size() != scene.bodies.u.size()) v.setZero(scene.bodies.u.size());
+        iterations = renewals = 0;
+        left = 0;
+        gave_up_pushing = joints_alone = false;
+        const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
+                             auto& apart) {
+            follow(scene, settings.part(), rows, bodies, apart, now);
+            correct(scene, settings.part(), rows, bodies, apart, now);
+        };
+        if constexpr (SolvesProblems<Solver>) solver.for_each_problem(now, one);
+        else {
+            all_.resize(m);
+            std::iota(all_.begin(), all_.end(), 0);
+            one(all_, now.active, solver);
+        }
+    }
+    //! [move]
+
+    //! [follow]
+    /// (14.17b): C is to be what it was before x moved. Velocities get what positions
+    /// get, along the J of the step's start, so nothing of the motion is lost. Where
+    /// that J is too old to get there, neither gets anything.
+    template <class Scene, class Apart>
+    void follow(Scene& scene, Real h, std::span<const int> rows,
+                std::span<const int> members, Apart& apart, StepData<3>& now)
+    {
+        Bodies<3>& bodies = scene.bodies;
+        bool joined = false;
+        for (const int i : rows) {
+            const Constraint<3>& c = at(now.constraints, i);
+            at(second.left_out, i) =
+                !has_error(c.kind) && c.kind != ConstraintKind::inerter;
+            at(second.bias, i) = 0;
+            at(goal_, i) =
+                c.kind == ConstraintKind::bilateral ? c.C : std::min(Real{0}, c.C);
+            joined = joined || (has_error(c.kind) && is_of_joint(now, i));
+        }
+        if (!joined) return;
+        keep(bodies, members);
+        for (const int k : members) gained_.segment<3>(3 * k).setZero();
+        for (const int i : rows) impulse_[i] = 0;
+        second.max_sweeps = sweeps;
+        Real before = infinity;
+        for (int n = 0;; ++n) {
+            Real off = 0;
+            for (const int i : rows) {
+                if (at(second.left_out, i)) continue;
+                const Constraint<3>& old = at(now.constraints, i);
+                if (old.kind == ConstraintKind::inerter) continue;
+                const Constraint<3> c = constraint_at(
+                    scene, now, static_cast<std::size_t>(i), bodies.x);
+                if (!is_of_joint(now, i)) {
+                    at(second.bias, i) = std::max(Real{0}, c.C) / h;
+                    continue;
+                }
+                const Real error = c.C - at(goal_, i);
+                at(second.bias, i) = error / h;
+                const bool pulls = c.kind == ConstraintKind::bilateral;
+                off = std::max(off, (pulls ? std::abs(error) : -error) *
+                                        (is_angle(c) ? now.length : 1));
+            }
+            if (off <= tolerance * now.length) break;
+            if (n == most_follow || !(off < before / 2)) {
+                put_back(bodies, members);
+                return;
+            }
+            before = off;
+            apart.solve_apart(second, v, now);
+            go(bodies, members, h);
+            for (const int k : members)
+                gained_.segment<3>(3 * k) += v.segment<3>(3 * k);
+            for (const int i : rows) impulse_[i] += second.solution.lambda[i];
+        }
+        for (const int k : members) bodies.velocity(k) += gained_.segment<3>(3 * k);
+        for (const int i : rows) now.solution.lambda[i] += impulse_[i];
+    }
+    //! [follow]
+
+    //! [newton]
+    /// What is an error, by positions alone.
+    template <class Scene, class Apart>
+    void correct(Scene& scene, Real h, std::span<const int> rows,
+                 std::span<const int> members, Apart& apart, StepData<3>& now)
+    {
+        Bodies<3>& bodies = scene.bodies;
         Real pushed = 0;  // the largest part of an overlap that is to come out
-        Real best = 0, part = 1;
+        Real off = 0, best = 0, part = 1;
         bool fresh = false;  // J is that of the best positions so far
-        joints_alone = false;
-        for (iterations = 0;; ++iterations) {
-            const Real before = left;
-            left = 0;
+        bool renewed = false, alone = false, gave_up = false;
+        int n = 0;
+        for (;; ++n) {
+            const Real before = off;
+            off = 0;
             bool wanted = false, touching = false, joined = false;
-            for (std::size_t i = 0; i < m; ++i) {
-                Constraint<3>& c = now.constraints[i];
+            for (const int i : rows) {
+                Constraint<3>& c = at(now.constraints, i);
                 const bool bounded = c.kind == ConstraintKind::unilateral;
-                second.left_out[i] =
-                    !has_error(c.kind) || (bounded && joints_alone);
-                if (second.left_out[i]) continue;
-                c = constraint_at(scene, now, i, bodies.x);
+                at(second.left_out, i) = !has_error(c.kind) || (bounded && alone);
+                if (at(second.left_out, i)) continue;
+                c = constraint_at(scene, now, static_cast<std::size_t>(i),
+                                  bodies.x);
                 touching = touching || bounded;
                 // metres of a C: an angle counts as so much at the length ℓ
                 const Real unit = is_angle(c) ? now.length : 1;
                 if (c.kind == ConstraintKind::bilateral) {
                     joined = true;
-                    second.bias[i] = c.C / h;
-                    left = std::max(left, std::abs(c.C) * unit);
+                    at(second.bias, i) = c.C / h;
+                    off = std::max(off, std::abs(c.C) * unit);
                 } else {
                     // (14.17a): what lies too deep comes out once, by the part β
                     const Real s = slop_of(c, now.length) / unit;
-                    second.bias[i] = std::max(Real{0}, c.C) / h;
-                    if (c.C < -s && iterations == 0) {
+                    at(second.bias, i) = std::max(Real{0}, c.C) / h;
+                    if (c.C < -s && n == 0) {
                         const Real over = beta * (c.C + s / 2);
-                        second.bias[i] = over / h;
+                        at(second.bias, i) = over / h;
                         pushed = std::max(pushed, -over * unit);
-                        deep_[i] = 1;
+                        at(deep_, i) = 1;
                         wanted = true;
                     }
                 }
             }
             const Real allowed = std::max({best, pushed, tolerance * now.length});
-            const bool worse = iterations > 0 && !(left <= allowed);
+            const bool worse = n > 0 && !(off <= allowed);
             if (worse) {
-                put_back(bodies, now);
-                left = best;
-            } else if (left <= tolerance * now.length && !wanted) break;
+                put_back(bodies, members);
+                off = best;
+            } else if (off <= tolerance * now.length && !wanted) break;
             // no answer to both: the joints, and the rest in the next step
             const bool give_up =
-                touching && (iterations >= most ||
-                             (worse && second.solution.status != Status::solved));
+                touching &&
+                (n >= most || (worse && second.solution.status != Status::solved));
             if (give_up) {
-                joints_alone = true;
+                alone = true;
                 continue;
             }
-            if (iterations >= (joints_alone ? 2 * most : most)) break;
+            if (n >= (alone ? 2 * most : most)) break;
             if (worse) {
                 if (!fresh) continue;  // with the J of here; then half as far
                 part /= 2;
-                go(bodies, part * h, now);
+                go(bodies, members, part * h);
                 continue;
             }
-            keep(bodies, now);
-            best = left;
+            keep(bodies, members);
+            best = off;
             part = 1;
             // the old J is good enough while it takes nine tenths of the error
-            fresh = iterations > 0 && left > before / 10;
-            if (fresh) renew(scene, solver, now);
+            fresh = n > 0 && off > before / 10;
+            if (fresh) renewed = renew(scene, rows, apart, now, renewed);
             second.max_sweeps = wanted ? push_sweeps : sweeps;
-            solver.solve_apart(second, v, now);
-            if (wanted && goes_far(now, h, std::max(pushed, left))) {
+            apart.solve_apart(second, v, now);
+            if (wanted && goes_far(members, now.length, h, std::max(pushed, off))) {
                 // overlaps that work against each other: they stay
-                gave_up_pushing = true;
-                deep_.assign(m, 0);
-                for (std::size_t i = 0; i < m; ++i)
-                    if (now.constraints[i].kind == ConstraintKind::unilateral)
-                        second.bias[i] = std::max(Real{0}, second.bias[i]);
-                solver.solve_apart(second, v, now);
+                gave_up = true;
+                for (const int i : rows) {
+                    at(deep_, i) = 0;
+                    if (at(now.constraints, i).kind == ConstraintKind::unilateral)
+                        at(second.bias, i) = std::max(Real{0}, at(second.bias, i));
+                }
+                apart.solve_apart(second, v, now);
             }
-            go(bodies, h, now);
+            go(bodies, members, h);
             if (!joined) {  // overlaps come out once
-                ++iterations;
+                ++n;
                 break;
             }
         }
-        if (renewals > 0) now.rows.swap(rows_);  // those that λ belongs to
+        if (renewed)  // those that λ belongs to
+            for (const int i : rows) std::swap(at(now.rows, i), at(rows_, i));
+        iterations = std::max(iterations, n);
+        left = std::max(left, off);
+        joints_alone = joints_alone || alone;
+        gave_up_pushing = gave_up_pushing || gave_up;
     }
     //! [newton]
 
@@ -171,18 +278,27 @@ struct NewtonPositions : NewtonSettings, Restitution {
     bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
 
 private:
-    void go(Bodies<3>& bodies, Real h, const StepData<3>& now) const
+    template <class List>
+    static auto& at(List& list, int i)
     {
-        for (const int k : now.active) bodies.integrate(k, v.segment<3>(3 * k), h);
+        return list[static_cast<std::size_t>(i)];
     }
-    void keep(const Bodies<3>& bodies, const StepData<3>& now)
+    static bool is_of_joint(const StepData<3>& now, int row)
+    {
+        return at(now.sources, row).of == Source::Of::joint;
+    }
+    void go(Bodies<3>& bodies, std::span<const int> members, Real h) const
+    {
+        for (const int k : members) bodies.integrate(k, v.segment<3>(3 * k), h);
+    }
+    void keep(const Bodies<3>& bodies, std::span<const int> members)
     {
         kept_.resize(bodies.x.size());
-        for (const int k : now.active) kept_.segment<3>(3 * k) = bodies.position(k);
+        for (const int k : members) kept_.segment<3>(3 * k) = bodies.position(k);
     }
-    void put_back(Bodies<3>& bodies, const StepData<3>& now) const
+    void put_back(Bodies<3>& bodies, std::span<const int> members) const
     {
-        for (const int k : now.active) bodies.position(k) = kept_.segment<3>(3 * k);
+        for (const int k : members) bodies.position(k) = kept_.segment<3>(3 * k);
     }
 
     Real slop_of(const Constraint<3>& c, Real length) const
@@ -203,35 +319,49 @@ private:
     }
 
     /// Whether v moves a body much farther than what is to be corrected, and by more than a twentieth of ℓ.
-    bool goes_far(const StepData<3>& now, Real h, Real wanted) const
+    bool goes_far(std::span<const int> members, Real length, Real h,
+                  Real wanted) const
     {
         Real farthest = 0;
-        for (const int k : now.active)
+        for (const int k : members)
             farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
-        return !(farthest <= std::max(8 * wanted, now.length / 20));
+        return !(farthest <= std::max(8 * wanted, length / 20));
     }
 
-    /// J where the bodies are now, for solvers that have a factor of it.
-    template <class Scene, class Solver>
-    void renew(const Scene& scene, Solver& solver, StepData<3>& now)
+    /// J where the bodies are now.
+    /// \param again  whether the rows of the step are kept already
+    template <class Scene, class Apart>
+    bool renew(const Scene& scene, std::span<const int> rows, Apart& apart,
+               StepData<3>& now, bool again)
     {
         const Bodies<3>& bodies = scene.bodies;
-        if constexpr (requires { solver.factor_again(bodies, now); }) {
-            if (renewals++ == 0) rows_ = now.rows;
-            for (std::size_t i = 0; i < now.rows.size(); ++i) {
-                if (second.left_out[i])  // not looked at yet
-                    now.constraints[i] = constraint_at(scene, now, i, bodies.x);
-                const Row<3> row =
-                    bilateral(now.constraints[i], bodies.inverse_mass);
-                now.rows[i].Ja = row.Ja, now.rows[i].Jb = row.Jb;
-                now.rows[i].Wa = row.Wa, now.rows[i].Wb = row.Wb;
+        // a solver that has no factor of J has nothing to renew
+        if constexpr (!requires { apart.factor_again(bodies, now); }) return false;
+        else {
+            ++renewals;
+            rows_.resize(now.rows.size());
+            for (const int i : rows) {
+                Row<3>& row = at(now.rows, i);
+                if (!again) at(rows_, i) = row;
+                Constraint<3>& c = at(now.constraints, i);
+                if (at(second.left_out, i))  // not looked at yet
+                    c = constraint_at(scene, now, static_cast<std::size_t>(i),
+                                      bodies.x);
+                const Row<3> fresh = bilateral(c, bodies.inverse_mass);
+                row.Ja = fresh.Ja, row.Jb = fresh.Jb;
+                row.Wa = fresh.Wa, row.Wb = fresh.Wb;
             }
-            solver.factor_again(bodies, now);
+            apart.factor_again(bodies, now);
+            return true;
         }
     }
-    std::vector<Row<3>> rows_;
-    std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid
-    VecX kept_;  ///< positions of the active bodies with the least error so far
+    std::vector<int> all_;      ///< rows
+    std::vector<Row<3>> rows_;  ///< of the step, where J was renewed
+    std::vector<char> deep_;    ///< of each row, 1: its overlap is being repaid
+    std::vector<Real> goal_;    ///< C of each row where the step began [m, rad]
+    VecX kept_;     ///< positions of the bodies with the least error so far
+    VecX gained_;   ///< velocities, by the arcs [m/s]
+    VecX impulse_;  ///< of each row, by the arcs [N s]
 };
 
 }  // namespace rigid

@@ -10,6 +10,7 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/14_joints/bounded_rows.hpp"
 #include "chapters/14_joints/joint_residual.hpp"
+#include "chapters/14_joints/reflections.hpp"
 
 namespace rigid {
 
@@ -27,6 +28,7 @@ struct TreeSolver {
     JointFactor apart;    ///< of solve_apart(), where springs are left out
     BoundedRows bounded;  ///< above the joints
     BoundedRows bounded_apart;
+    Reflections reflections;
     int sweeps_made = 0;  ///< of the last solve
 
     void require_valid() const
@@ -46,8 +48,14 @@ struct TreeSolver {
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
         factor_again(bodies, now);
+        if (!now.restitution.empty()) {  // impacts come first
+            all_.resize(now.rows.size());
+            std::iota(all_.begin(), all_.end(), 0);
+            reflections(all_, now.active, *this, bodies, now);
+        }
         biases_of(now.rows, bias_);
         answer(bodies, now);
+        if (!now.restitution.empty()) reflections.add_impulses(all_, now);
     }
 
     /// Other biases, the same u*.
@@ -240,6 +248,7 @@ private:
     // are factor and A of velocities, of positions, those of the present rows?
     bool listed_ = false, listed_apart_ = false;
     std::vector<char> left_out_;  ///< of the last solve_apart()
+    std::vector<int> all_;        ///< rows
 };
 
 }  // namespace rigid

@@ -1,0 +1,156 @@
+/// \file reflections.hpp
+/// The impacts of a step, before its rows are solved: what approaches bounces, and what it hits by that bounces next.
+///
+///     V = { contacts with J u < −slowest that close within the step }
+///     J_V (u* + v) = v⁺,   M v = J_Vᵀ Λ,   Λ ≥ 0,  joints J v = 0         u ← u + v,  u* ← u* + v,   until V is empty
+///
+/// (14.28). Contacts that do not approach have no part in an impact. So a ball that is hit hits the next one, with 1 mm or
+/// nothing between them: a cradle passes its blow on. Each round keeps the energy where e = 1 and takes some where e < 1.
+/// \cite smith2012
+///
+/// The speed v⁺ of a contact is that with which the fall would end, times e, less what the way back to where it is takes:
+///
+///     v⁺²/2 + a C + a h v⁺/2 = e² (v²/2 + a C + a h v/2),    v = −J u,   a = (J u − J u*)/h ≥ 0                        (14.29)
+///
+/// v²/2 + a C + a h v/2 is what symplectic Euler keeps in a uniform field, so the height of a bounce does not depend on where
+/// in its step it falls.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "chapters/06_sequential_impulse/restitution.hpp"
+
+#include <cmath>
+#include <span>
+
+namespace rigid {
+
+//! [note]
+/// e of each row of the step, and from which approach on; empty if nothing bounces.
+template <class Scene>
+void note_bounces(const Scene& scene, const Restitution& bounce,
+                  const StepSettings& settings, StepData<Scene::dof>& now)
+{
+    now.restitution.clear();
+    now.slowest_bounce = bounce.threshold * scene.gravity.norm() * settings.h;
+    for (std::size_t i = 0; i < now.constraints.size(); ++i) {
+        if (!now.constraints[i].bounces) continue;
+        const Real e = std::max(bounce.restitution, own_restitution(scene, now, i));
+        if (!(e > 0)) continue;
+        now.restitution.resize(now.rows.size(), 0);
+        now.restitution[i] = e;
+    }
+}
+//! [note]
+
+/// (14.29) [m/s]: the speed after a bounce; 0 if it does not carry it off.
+/// \param v    of the approach, positive [m/s]
+/// \param a    by which forces bring it nearer [m/s²]
+/// \param gap  C ≥ 0 [m]
+inline Real bounced_speed(Real e, Real v, Real a, Real gap, Real h)
+{
+    const Real energy = e * e * (v * v / 2 + a * gap + a * h * v / 2) - a * gap,
+               half = a * h / 2;
+    return energy > 0 ? std::sqrt(half * half + 2 * energy) - half : 0;
+}
+
+struct Reflections {
+    int most = 60;   ///< rounds; what approaches then is stopped by its rows
+    int rounds = 0;  ///< of the last call
+    VecX impulse;    ///< of each row, in the last call that had it [N s]
+
+    //! [reflect]
+    /// \param rows, members  of one problem of the step
+    /// \param apart  solves other biases on them: v = M⁻¹ Jᵀ Λ
+    template <class Apart>
+    void operator()(std::span<const int> rows, std::span<const int> members,
+                    Apart& apart, const Bodies<3>& bodies, StepData<3>& now)
+    {
+        begin(rows, members, bodies, now);
+        for (const int i : rows) impulse[i] = 0;
+        for (rounds = 0; rounds < most && find_approaching(rows, now); ++rounds) {
+            apart.solve_apart(second_, v_, now);
+            for (const int k : members) {
+                u_.segment<3>(3 * k) += v_.segment<3>(3 * k);
+                now.u_star.segment<3>(3 * k) += v_.segment<3>(3 * k);
+            }
+            for (const int i : rows) impulse[i] += second_.solution.lambda[i];
+        }
+    }
+
+    /// What the rows of a problem gave in its impacts is theirs, too.
+    void add_impulses(std::span<const int> rows, StepData<3>& now) const
+    {
+        for (const int i : rows) now.solution.lambda[i] += impulse[i];
+    }
+    //! [reflect]
+
+private:
+    template <class List>
+    static auto& at(List& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+
+    void begin(std::span<const int> rows, std::span<const int> members,
+               const Bodies<3>& bodies, const StepData<3>& now)
+    {
+        const std::size_t m = now.rows.size();
+        second_.bias.resize(m);
+        second_.left_out.resize(m);
+        second_.max_sweeps = 100;
+        second_.tolerance = 1e-9 * now.length;
+        second_.solution.lambda.resize(static_cast<Index>(m));
+        impulse.resize(static_cast<Index>(m));
+        if (u_.size() != bodies.u.size()) u_ = bodies.u, v_.setZero(u_.size());
+        for (const int k : members) u_.segment<3>(3 * k) = bodies.velocity(k);
+        for (const int i : rows)  // what cannot move may have a velocity
+            for (const Index k : {at(now.rows, i).a, at(now.rows, i).b})
+                if (k != world) u_.segment<3>(3 * k) = bodies.velocity(k);
+    }
+
+    //! [approaching]
+    /// V, and what its rows ask for; friction of its contacts goes with them.
+    bool find_approaching(std::span<const int> rows, const StepData<3>& now)
+    {
+        bool any = false;
+        for (const int i : rows) {
+            const Row<3>& row = at(now.rows, i);
+            const Constraint<3>& c = at(now.constraints, i);
+            at(second_.left_out, i) = !holds(c.kind);
+            at(second_.bias, i) = 0;
+            if (!(at(now.restitution, i) > 0)) continue;
+            const Real gap = std::max(Real{0}, c.C),
+                       v = row.bias - row.velocity(u_),
+                       after = row.velocity(now.u_star) - row.bias;
+            if (!(v > now.slowest_bounce) || !(gap + now.h * after < 0)) continue;
+            const Real a = std::max(Real{0}, -(v + after) / now.h),
+                       off =
+                           bounced_speed(at(now.restitution, i), v, a, gap, now.h);
+            if (!(off > 0)) continue;
+            at(second_.left_out, i) = 0;
+            at(second_.bias, i) = after - off;
+            any = true;
+        }
+        if (!any) return false;
+        for (const int i : rows) {
+            const Row<3>& row = at(now.rows, i);
+            if (row.bounded_by < 0 || at(second_.left_out, row.bounded_by))
+                continue;
+            at(second_.left_out, i) = 0;
+            at(second_.bias, i) = row.velocity(now.u_star);
+        }
+        return true;
+    }
+    //! [approaching]
+
+    /// What holds during an impact: joints. (A limit or a rope that is struck holds from the step's own rows on.)
+    static bool holds(ConstraintKind kind)
+    {
+        return kind == ConstraintKind::bilateral || kind == ConstraintKind::inerter;
+    }
+
+    SecondProblem second_;
+    VecX u_, v_;
+};
+
+}  // namespace rigid
