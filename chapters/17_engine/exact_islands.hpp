@@ -1,9 +1,9 @@
 /// \file exact_islands.hpp
-/// The islands of a step that are solved exactly, and what they need not be solved for.
+/// An island that is solved exactly, and what it need not be solved for.
 ///
-///     u = u* + M⁻¹ Jᵀ λ_old,     r(λ_old, u) ≤ 5 · 10⁻¹⁰ ℓ/s in each of them     then λ = λ_old
+///     u = u* + M⁻¹ Jᵀ λ_old,     r(λ_old, u) ≤ 5 · 10⁻¹⁰ ℓ/s     then λ = λ_old
 ///
-/// The exact solver takes a λ that is as good as that for an answer, too. Where all rest nothing is eliminated, factored or
+/// The exact solver takes a λ that is as good as that for an answer, too. What rests is neither eliminated, factored nor
 /// guessed.
 #pragma once
 
@@ -11,68 +11,49 @@
 
 namespace rigid {
 
-struct ExactIslands : TreePart {
-    std::vector<int> all;   ///< of the islands of the step
-    bool answered = false;  ///< by their old impulses, in the last sub-step
-
-    void clear()
-    {
-        all.clear();
-        part.clear();
-        answered = false;
-    }
-    void add(const Islands& islands, int island)
-    {
-        all.push_back(island);
-        part.add(islands.rows_of(island), islands.bodies_of(island));
-    }
+struct ExactIsland : TreePart {
+    bool answered = false;  ///< by its old impulses, in the last sub-step
+    Real residual = 0;      ///< then [m/s]
 
     //! [answered]
     /// \param enough  the tolerance to which others settle [m/s]
-    void solve(const Islands& islands, Real enough, Bodies<3>& bodies,
-               StepData<3>& now)
+    void solve(Real enough, Bodies<3>& bodies, StepData<3>& now)
     {
-        const Real good = std::min(solver.tolerance * now.length / 2, enough);
-        residuals_.resize(static_cast<std::size_t>(islands.count()));
-        answered = !all.empty();
-        bodies_ = &bodies;
-        for (const int i : all) {
-            const std::span<const int> rows = islands.rows_of(i);
-            push(now, rows, islands.bodies_of(i), bodies);
-            now.visits += static_cast<std::int64_t>(rows.size());
-            const Real r = natural_residual(now, rows, bodies.u);
-            residuals_[static_cast<std::size_t>(i)] = r;
-            answered = r <= good;
-            if (!answered) break;
-        }
+        std::span<const int> members(bodies_of_island_);
+        push(now, part.rows, members, bodies);
+        now.visits += static_cast<std::int64_t>(part.rows.size());
+        residual = natural_residual(now, part.rows, bodies.u);
+        answered = residual <= std::min(solver.tolerance * now.length / 2, enough);
         is_fresh_ = !answered;
         if (!answered) TreePart::solve(bodies, now);
     }
     //! [answered]
 
-    /// The residual of an island that is answered [m/s]
-    Real residual(int island) const
+    void take(const Islands& islands, int island, const StepData<3>& now,
+              Index count, PartNumbers& numbers)
     {
-        return residuals_[static_cast<std::size_t>(island)];
+        const std::span<const int> members = islands.bodies_of(island);
+        bodies_of_island_.assign(members.begin(), members.end());
+        part.take(islands.rows_of(island), members, now, count, numbers);
+        answered = false;
     }
 
     /// Another problem on the same rows needs their factors.
-    void refresh(const StepData<3>& now)
+    void refresh(const Bodies<3>& bodies, const StepData<3>& now)
     {
-        if (is_fresh_ || !bodies_ || part.empty()) return;
-        part.gather(*bodies_, now);
+        if (is_fresh_) return;
+        part.gather(bodies, now);
         solver.factor_again(part.local, part.now);
         is_fresh_ = true;
     }
     void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
     {
-        refresh(now);
+        refresh(bodies, now);
         TreePart::factor_again(bodies, now);
     }
 
 private:
-    std::vector<Real> residuals_;
-    const Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
+    std::vector<int> bodies_of_island_;  ///< that can move
     bool is_fresh_ = false;              ///< part and factors are of this sub-step
 };
 

@@ -114,7 +114,6 @@ public:
         if (!same) {
             find_islands(bodies, now, {}, islands);
             notes.assign(static_cast<std::size_t>(islands.count()), {});
-            joints_ = {};
             for (std::size_t i = 0; i < notes.size(); ++i)
                 if (!islands.rows_of(static_cast<int>(i)).empty())
                     notes[i] = look_at(static_cast<int>(i), bodies, now, rule,
@@ -160,13 +159,7 @@ private:
         note.joined = shape.has_joints();
         note.large = solving == Solving::by_island && shape.bounded > rule.always;
         note.moves = note.large && moves(island, bodies, now);
-        // a border is one for the loops of all islands
-        IslandShape joints = joints_;
-        joints.rows += shape.rows - shape.bounded;
-        joints.loops += shape.loops;
-        const bool fits =
-            joints.price_of_loops() <= static_cast<Real>(rule.entries);
-        if (fits) joints_ = joints;
+        const bool fits = shape.price_of_loops() <= static_cast<Real>(rule.entries);
         note.place = choose_place(shape, rule, solving, note.moves, fits);
         note.sweeps = note.moves ? sweeps_of_moving(shape, rule, sweeps)
                                  : sweeps_worth(shape, rule, sweeps);
@@ -176,7 +169,6 @@ private:
 
     IslandSurveyor survey_;
     KnownMotion motion_;
-    IslandShape joints_;  ///< of the islands whose joints are solved at once
 };
 
 }  // namespace rigid

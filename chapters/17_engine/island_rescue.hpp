@@ -1,5 +1,5 @@
 /// \file island_rescue.hpp
-/// Islands that are solved exactly after all, from where another solver has left them.
+/// An island that is solved by its joints at once: in the first place, or after all, from where another solver has left it.
 #pragma once
 
 #include "chapters/10_skipping_work/fall_asleep.hpp"
@@ -36,7 +36,7 @@ inline std::int64_t joint_entries(const TreeSolver& solver)
 //! [price]
 
 //! [trees]
-/// The islands that one solver of chapter 14 has.
+/// An island with a solver of chapter 14.
 struct TreePart {
     StepPart part;
     TreeSolver solver;
@@ -55,7 +55,6 @@ struct TreePart {
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
         part.gather(bodies, now);
-        if (part.empty()) return;
         solver.solve(part.local, part.now);
         entries += solver.bounded.entries;
         part.scatter(bodies, now);
@@ -63,40 +62,12 @@ struct TreePart {
     /// The rows have another J.
     void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
     {
-        if (part.empty()) return;
         part.gather_rows(bodies, now);
         solver.factor_again(part.local, part.now);
     }
     std::int64_t all_entries() const { return entries + joint_entries(solver); }
 };
 //! [trees]
-
-//! [rescue]
-struct IslandRescue : TreePart {
-    /// Solves those islands whose residual is above what is good enough for them.
-    /// \param enough  Real(int island) [m/s]; infinite = it is not meant
-    /// \return        how many they were
-    template <class Enough>
-    int operator()(const Islands& islands, Bodies<3>& bodies, StepData<3>& now,
-                   const Enough& enough)
-    {
-        int count = 0;
-        part.clear();
-        for (int i = 0; i < islands.count(); ++i) {
-            const Real most = enough(i);
-            if (most == infinity) continue;
-            const std::span<const int> rows = islands.rows_of(i);
-            if (natural_residual(now, rows, bodies.u) <= most) continue;
-            ++count;
-            part.add(rows, islands.bodies_of(i));
-        }
-        if (count == 0) return 0;
-        part.number(now, bodies.count());
-        solve(bodies, now);
-        return count;
-    }
-};
-//! [rescue]
 
 /// u of these bodies, from u* and the impulses of their rows. What cannot move is not
 /// touched: zero times an impulse that has overflowed is no zero.

@@ -1,8 +1,8 @@
 /// \file step_part.hpp
-/// Some islands of a step as a step of their own: their bodies and rows numbered from 0.
+/// An island of a step as a step of its own: its bodies and rows numbered from 0.
 ///
-/// So a solver of this part costs as much as the part is large, however many bodies sleep beside it, and islands can go
-/// to different solvers. Numbers ascend as they did: the same rows make the same bits.
+/// So its solver costs as much as the island is large, however many bodies sleep beside it, and no bit of the answer depends on
+/// another island. Numbers ascend as they did: the same rows make the same bits.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
@@ -10,6 +10,12 @@
 #include <algorithm>
 
 namespace rigid {
+
+/// Where parts of one step find their own numbers while they are made.
+struct PartNumbers {
+    std::vector<int> of_body;  ///< of each body of the scene: in the part; −1
+    std::vector<int> of_row;   ///< of each row of the step, if it is in the part
+};
 
 //! [part]
 struct StepPart {
@@ -20,26 +26,20 @@ struct StepPart {
     SecondProblem second;
     VecX v;  ///< pseudo-velocities [m/s]
 
-    bool empty() const { return bodies.empty(); }
-    void clear()
-    {
-        rows.clear();
-        bodies.clear();
-    }
-    void add(std::span<const int> more_rows, std::span<const int> more_bodies)
-    {
-        rows.insert(rows.end(), more_rows.begin(), more_rows.end());
-        bodies.insert(bodies.end(), more_bodies.begin(), more_bodies.end());
-    }
     //! [part]
 
-    /// Numbers what is in `rows` and `bodies`, and in the rows beside these bodies.
-    /// \param count  bodies of the scene
-    void number(const StepData<3>& whole, Index count)
+    /// Takes an island in: numbers its rows and bodies, and in its rows what is beside
+    /// these bodies and cannot move.
+    /// \param members  of the island, ascending
+    /// \param count    bodies of the scene
+    void take(std::span<const int> island_rows, std::span<const int> members,
+              const StepData<3>& whole, Index count, PartNumbers& numbers)
     {
+        std::vector<int>& number_ = numbers.of_body;
+        rows.assign(island_rows.begin(), island_rows.end());
+        bodies.assign(members.begin(), members.end());
         number_.resize(static_cast<std::size_t>(count), -1);
-        row_number_.resize(whole.rows.size());
-        std::sort(bodies.begin(), bodies.end());
+        numbers.of_row.resize(whole.rows.size());
         const std::size_t active = bodies.size();
         for (const int k : bodies) at(number_, k) = 0;
         for (const int i : rows)
@@ -58,16 +58,19 @@ struct StepPart {
             number = static_cast<int>(i);
         }
         for (std::size_t i = 0; i < rows.size(); ++i)
-            row_number_[at(rows[i])] = static_cast<int>(i);
+            numbers.of_row[at(rows[i])] = static_cast<int>(i);
         local.resize(static_cast<Index>(bodies.size()));
         v.setZero(3 * static_cast<Index>(bodies.size()));  // of others, before
         now.rows.resize(rows.size());
         local_a_.clear();
         local_b_.clear();
+        local_bound_.clear();
         for (const int i : rows) {
             const Row<3>& row = whole.rows[at(i)];
             local_a_.push_back(row.a == world ? -1 : number_[at(row.a)]);
             local_b_.push_back(number_[at(row.b)]);
+            local_bound_.push_back(
+                row.bounded_by < 0 ? -1 : numbers.of_row[at(row.bounded_by)]);
         }
         for (const int k : bodies) at(number_, k) = -1;  // ready for the next time
     }
@@ -104,8 +107,7 @@ struct StepPart {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             Row<3>& row = now.rows[i] = whole.rows[at(rows[i])];
             row.a = local_a_[i], row.b = local_b_[i];
-            if (row.bounded_by >= 0)
-                row.bounded_by = row_number_[at(row.bounded_by)];
+            row.bounded_by = local_bound_[i];
         }
     }
 
@@ -121,6 +123,21 @@ struct StepPart {
         for (std::size_t i = 0; i < rows.size(); ++i)
             whole.solution.lambda[rows[i]] =
                 now.solution.lambda[static_cast<Index>(i)];
+        whole.visits += now.visits;
+        now.visits = 0;
+    }
+
+    /// Gives back the answer of a second problem.
+    void scatter_apart(SecondProblem& all, VecX& all_v, StepData<3>& whole)
+    {
+        for (const int i : now.active)
+            all_v.segment<3>(3 * bodies[at(i)]) = v.segment<3>(3 * i);
+        const VecX& found = second.solution.lambda;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            all.solution.lambda[rows[i]] =
+                found.size() == static_cast<Index>(rows.size())
+                    ? found[static_cast<Index>(i)]
+                    : 0;
         whole.visits += now.visits;
         now.visits = 0;
     }
@@ -149,9 +166,7 @@ private:
     {
         return list[static_cast<std::size_t>(i)];
     }
-    std::vector<int> number_;      ///< of each body of the scene: here; −1
-    std::vector<int> row_number_;  ///< of each row of the step: here, if it is here
-    std::vector<int> local_a_, local_b_;
+    std::vector<int> local_a_, local_b_, local_bound_;  ///< of each row
 };
 
 }  // namespace rigid

@@ -1,5 +1,5 @@
 /// \file wide_islands.hpp
-/// Large islands, each swept in lanes by chapter 16's solver.
+/// A large island, swept in lanes by chapter 16's solver.
 ///
 ///     it moves                                    as many sweeps as are allowed
 ///     it stands and no exact solve may follow     as many as an exact solve may cost, entries / (8 n) for n rows             (17.4)
@@ -17,62 +17,41 @@ namespace rigid {
 struct WideIsland {
     StepPart part;
     WideSolver<3> solver;
-    int allowed = 0;   ///< sweeps, where it moves
-    int standing = 0;  ///< and where it stands
-    Real enough = 0;   ///< their tolerance, where it moves [ℓ/s]
-};
-
-struct WideIslands {
-    std::vector<WideIsland> all;  ///< memory of those that were, too
-    std::size_t count = 0;
-    int most_sweeps = 0;  ///< of the island that needed the most
-
-    std::span<WideIsland> islands() { return {all.data(), count}; }
+    int standing = 0;  ///< sweeps, where it stands
 
     /// Takes an island in, if chapter 16 can: what bounds a row is in its bundle.
     /// \return  whether it did
-    bool take(const Bodies<3>& bodies, const StepData<3>& now,
-              std::span<const int> rows, std::span<const int> members,
-              const IslandNote& note)
+    bool take(const Islands& islands, int island, const IslandNote& note,
+              const Bodies<3>& bodies, const StepData<3>& now, PartNumbers& numbers)
     {
-        if (count == all.size()) all.emplace_back();
-        WideIsland& one = all[count];
-        one.part.rows.assign(rows.begin(), rows.end());
-        one.part.bodies.assign(members.begin(), members.end());
-        one.part.number(now, bodies.count());
-        one.part.gather_rows(bodies, now);
-        bundle_rows(one.part.now.rows, one.part.local.count(), trial_);
-        if (!holds_bounds(one.part.now.rows, trial_)) return false;
-        one.part.now.same_rows = false;
-        one.allowed = note.sweeps;
-        one.enough = note.until / now.length;
+        const std::span<const int> rows = islands.rows_of(island);
+        part.take(rows, islands.bodies_of(island), now, bodies.count(), numbers);
+        part.gather_rows(bodies, now);
+        bundle_rows(part.now.rows, part.local.count(), trial_);
+        if (!holds_bounds(part.now.rows, trial_)) return false;
+        part.now.same_rows = false;
         const auto visited = static_cast<std::int64_t>(rows.size()) * price::visit;
         // 10⁶ sweeps are more than any island that is large can pay for
-        one.standing = static_cast<int>(
+        standing = static_cast<int>(
             std::min<std::int64_t>(note.to_stand / visited, 1'000'000));
-        ++count;
         return true;
     }
 
     /// \param sweeps  of islands that move
     /// \param enough  the tolerance of those that stand [ℓ/s]
-    void solve(const ImpulseSettings& sweeps, Real enough, Bodies<3>& bodies,
-               StepData<3>& now)
+    void solve(const ImpulseSettings& sweeps, Real enough, const IslandNote& note,
+               Bodies<3>& bodies, StepData<3>& now)
     {
-        if (now.substep == 0) most_sweeps = 0;
-        for (WideIsland& one : islands()) {
-            one.part.gather(bodies, now);
-            const StepData<3>& here = one.part.now;
-            const bool stays =
-                one.standing > one.allowed &&
-                stand(here.active, one.part.local.u, here.u_star, here.length);
-            one.solver.sweeps = sweeps;
-            one.solver.sweeps.max_sweeps = stays ? one.standing : one.allowed;
-            one.solver.sweeps.tolerance = stays ? enough : one.enough;
-            one.solver.solve(one.part.local, one.part.now);
-            most_sweeps = std::max(most_sweeps, one.part.now.solution.iterations);
-            one.part.scatter(bodies, now);
-        }
+        part.gather(bodies, now);
+        const StepData<3>& here = part.now;
+        const bool stays =
+            standing > note.sweeps &&
+            stand(here.active, part.local.u, here.u_star, here.length);
+        solver.sweeps = sweeps;
+        solver.sweeps.max_sweeps = stays ? standing : note.sweeps;
+        solver.sweeps.tolerance = stays ? enough : note.until / now.length;
+        solver.solve(part.local, part.now);
+        part.scatter(bodies, now);
     }
     //! [wide]
 

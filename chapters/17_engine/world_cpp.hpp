@@ -107,11 +107,12 @@ struct World::State : EngineState {
         work.fell_asleep = sleepers.fell_asleep;
         work.tested = std::max<std::int64_t>(0, sleepers.touching.finder.tested);
         if (now.active.empty()) return;
-        const IslandChoice& solver = method.solver;
+        IslandChoice& solver = method.solver;
         work.awake = static_cast<int>(now.active.size());
         work.islands = solver.all.islands.count();
         work.exact = solver.exact_count;
-        work.answered = solver.exactly.answered;
+        work.answered =
+            solver.exact_count > 0 && solver.answered_count == solver.exact_count;
         work.swept = solver.swept_count;
         work.rescued = solver.rescued_count;
         work.unsolved = solver.unsolved;
@@ -119,7 +120,7 @@ struct World::State : EngineState {
         work.rows = static_cast<int>(now.rows.size());
         work.visits = now.visits;
         work.entries = solver.all_entries();
-        work.sweeps = solver.sweeps.most_sweeps;
+        work.sweeps = solver.most_sweeps;
         work.stopped = sleepers.touching.fast.impacts;
         work.residual = now.solution.residual;
         // no residual of numbers that overflowed means anything

@@ -19,7 +19,8 @@ namespace rigid {
 /// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
 /// each island.
 struct EngineMethod {
-    WithJoints<WithFriction<ToldManifolds>> contacts;
+    WithJoints<WithFriction<ToldManifolds>> contacts =
+        with_inerters<WithFriction<ToldManifolds>>();
     HeldBodies correction;
     WarmStart start = last_impulses();
     IslandChoice solver;
@@ -154,14 +155,11 @@ struct EngineState {
         solver.tolerance = settings.tolerance;
         solver.rule.at_most = settings.most_exact;
         solver.rule.always = std::min(ChoiceRule{}.always, settings.most_exact);
-        solver.exactly.solver.most_exact = solver.rescuer.solver.most_exact =
-            settings.most_exact;
-        solver.held.solver.most_exact = std::max(1, solver.rule.always);
-        solver.held.solver.sweeps = solver.rule.held;
+        solver.most_exact = settings.most_exact;
         // noise of sweeps is no reason to stay awake
         solver.slow = settings.sleep ? 10 * settings.rest.speed : 0;
-        solver.sweeps.sweeps.max_sweeps = settings.sweeps;
-        solver.sweeps.sweeps.tolerance = settings.tolerance;
+        solver.sweeps.max_sweeps = settings.sweeps;
+        solver.sweeps.tolerance = settings.tolerance;
         solver.all.anew = true;
         for (std::size_t k = 0; k < notes.size(); ++k)
             list_unstopped(static_cast<Index>(k)), list_slop(static_cast<Index>(k));
