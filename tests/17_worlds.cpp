@@ -254,14 +254,14 @@ TEST_CASE("a large island has the bits of wide sweeps in any number of lanes", "
     IslandChoice choice;
     choice.solving = Solving::sweeps;
     choice.rule.wide = 300;  // it has 324 rows
-    choice.sweeps.sweeps = {.max_sweeps = 30, .tolerance = 1e-4};
+    choice.sweeps = {.max_sweeps = 30, .tolerance = 1e-4};
     Bodies<3> ours = scene.bodies;
     StepData<3> found = now;
     choice.solve(ours, found);
     REQUIRE(now.rows.size() == 324);
     REQUIRE(choice.wide.count == 1);
     const auto check = [&](auto solver) {
-        solver.sweeps = choice.sweeps.sweeps;
+        solver.sweeps = choice.sweeps;
         Bodies<3> theirs = scene.bodies;
         StepData<3> other = now;
         solver.solve(theirs, other);
