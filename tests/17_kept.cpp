@@ -127,7 +127,7 @@ TEST_CASE("each restitution of a surface is seen on walls and bodies and one hit
                 hits += !engine.events().hits.empty();
             }
             INFO("wall " << wall << ", e " << e);
-            CHECK(up == Approx(e * e).margin(1e-9));  // what the step keeps, (14.29)
+            CHECK(up == Approx(e * e).margin(1e-9));  // what the step keeps, (14.33)
             CHECK(hits == 1);
         }
 }
