@@ -953,6 +953,21 @@ TEST_CASE("even with a time of rest of one step nothing that is accelerated slee
     CHECK(up.scene.bodies.u[1] < 0);
 }
 
+TEST_CASE("a disc at the top of its flight does not sleep however weak gravity is", "[idea]")
+{
+    for (const Real g : {0.02, 2e-3, 2e-4, 2e-5}) {
+        DiscScene scene = empty_scene(1);
+        set_disc(scene, 0, {0, 10}, 0.1);
+        scene.gravity = {0, -g};
+        scene.bodies.u[1] = 20 * g;  // at its apex after 20 s
+        SkippingWorld now = world_of(scene);
+        for (int step = 0; step < 30 * 60; ++step) {
+            skipping_step(now, early_out());
+            REQUIRE(now.method.contacts.set.is_awake(0));
+        }
+    }
+}
+
 TEST_CASE("a disc that stands beside the edge of its balance topples and does not fall asleep on the way",
           "[idea]")
 {

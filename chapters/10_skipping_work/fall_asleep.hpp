@@ -35,6 +35,32 @@ inline Vec<2> measured_velocity(const DiscScene&, Index, const Vec<2>& u)
     return u;
 }
 
+/// Whether forces and rows, the sum of their sizes, accelerate body k by at least a [m/s²]. In flight that is its
+/// acceleration; where it stands it is all that is in balance there.
+template <int Dof>
+template <class Scene>
+bool Sleepers<Dof>::acts_on(const Scene& scene, Index k, Real a,
+                            const StepData<Dof>& now)
+{
+    const Bodies<Dof>& bodies = scene.bodies;
+    const auto size = [&](Index body, const Vec<Dof>& of) {
+        return measured_velocity(scene, body, of).norm();
+    };
+    const Real by_forces = size(k, bodies.apply_inverse_mass(k, bodies.force(k)));
+    if (by_forces >= a) return true;  // as nearly always
+    if (!std::exchange(is_summed_, true)) {
+        borne_.setZero(bodies.count());
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+            const Row<Dof>& row = now.rows[i];
+            const Real force =
+                std::abs(now.solution.lambda[static_cast<Index>(i)]) / now.h;
+            if (row.a != world) borne_[row.a] += force * size(row.a, row.Wa);
+            if (row.b != world) borne_[row.b] += force * size(row.b, row.Wb);
+        }
+    }
+    return by_forces + borne_[k] >= a;
+}
+
 /// How long each body that is awake has been at rest.
 template <int Dof>
 template <class Scene>
@@ -43,20 +69,22 @@ void Sleepers<Dof>::watch_rest(const Scene& scene, const StepSettings& settings,
 {
     const RestSettings slow = in_metres(rest, length);
     bool any_kinematic = false;
+    is_summed_ = false;
     for (const int k : set.awake) {
         Rest& so_far = rests[static_cast<std::size_t>(k)];
         const Vec<Dof> u = scene.bodies.velocity(k),
                        before = u_before.template segment<Dof>(Dof * k);
-        so_far = still_at_rest<Dof>(so_far, measured_velocity(scene, k, u),
-                                    measured_velocity(scene, k, before), slow,
-                                    settings.h);
+        so_far = still_at_rest<Dof>(
+            so_far, measured_velocity(scene, k, u),
+            measured_velocity(scene, k, before), slow, settings.h,
+            [&](Real a) { return acts_on(scene, k, a, now); });
         any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
     if (any_kinematic) stay_with_kinematic(scene.bodies, now);
 }
 
 /// The natural residual of some rows of a step at the velocities u [m/s]. A row that only turns, in rad/s, is taken at
-/// the distance ℓ.
+/// the distance ℓ; one that takes its bounds from another is a speed already (13.3).
 template <int Dof>
 Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
                       const VecX& u)
@@ -70,7 +98,7 @@ Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
         Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
         if constexpr (Dof > 2) {
             constexpr int ways = Dof == 3 ? 2 : 3;  // the others are angles
-            if (row.Ja.template head<ways>().isZero(0) &&
+            if (row.bounded_by < 0 && row.Ja.template head<ways>().isZero(0) &&
                 row.Jb.template head<ways>().isZero(0))
                 r *= now.length;
         }

@@ -51,6 +51,7 @@ struct Sleepers {
         rests.emplace_back();
         forces.head.push_back(-1);
         u_before.conservativeResize(bodies.u.size());
+        u_before.template segment<Dof>(Dof * k) = bodies.velocity(k);
         changed = true;
     }
 
@@ -88,7 +89,12 @@ private:
     template <class Scene>
     void watch_rest(const Scene& scene, const StepSettings& settings,
                     const StepData<Dof>& now);
+    template <class Scene>
+    bool acts_on(const Scene& scene, Index k, Real a, const StepData<Dof>& now);
     void stay_with_kinematic(const Bodies<Dof>& bodies, const StepData<Dof>& now);
+
+    VecX borne_;  ///< of each body: by its rows, the sum of sizes [m/s²]
+    bool is_summed_ = false;  ///< in this step
 };
 
 }  // namespace rigid

@@ -1,12 +1,13 @@
 /// \file sleeping.hpp
 /// When an island may sleep: it has been at rest for a time, and at rest means more than slow.
 ///
-///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ a_rest h   for each of its bodies, in each step, for the time t_rest,
+///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ min(a_rest, s a) h   for each of its bodies, in each step, for the time t_rest,
 ///     ‖u‖ ≤ max(½ top_speed, ε)   in the last step, for the greatest speed in that time: the motion dies out,
 ///     and the step's answer was solved
 ///
-/// (10.8). A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g; a disc
-/// that begins to topple has little of either, but more and more. What sleep costs in accuracy: see (10.9).
+/// (10.8). Here a is the acceleration that a body would have if what acts on it had no counterforce, and s a small part of
+/// it. A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g, however small g
+/// is; a disc that begins to topple has little of either, but more and more. What sleep costs in accuracy: see (10.9).
 #pragma once
 
 #include "chapters/08_warm_starting/impulse_cache.hpp"
@@ -57,17 +58,23 @@ struct Rest {
 };
 
 //! [rests]
+/// s: the part of what acts on a body that may be without a counterforce at rest. With
+/// the default a_rest, 9.81 m/s² and ℓ = 1 m the two limits are nearly one.
+constexpr Real unbalanced = 1.0 / 400;
+
 /// (10.8) for one body and one step: is it slow, and is its velocity steady?
 /// \param rest    what was so until now
 /// \param u       velocity after the step [m/s]
 /// \param before  and before it [m/s]
-template <int Dof>
+/// \param acts    bool(Real): whether what acts on it has at least this a [m/s²]
+template <int Dof, class Acts>
 Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before,
-                   const RestSettings& settings, Real h)
+                   const RestSettings& settings, Real h, const Acts& acts)
 {
     const bool slow = u.squaredNorm() <= settings.speed * settings.speed;
-    const Real change = settings.acceleration * h;
-    const bool steady = (u - before).squaredNorm() <= change * change;
+    const Real change = (u - before).norm();
+    const bool steady =
+        change <= settings.acceleration * h && acts(change / (unbalanced * h));
     if (!slow || !steady) return {};
     return {rest.time + h, std::max(rest.top_speed, u.norm())};
 }
