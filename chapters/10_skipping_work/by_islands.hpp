@@ -34,6 +34,10 @@ struct IslandSolver {
     std::vector<int> allowed;
     /// of each row: the tolerance of its island [ℓ/s]; empty = that of the sweeps
     std::vector<Real> enough;
+    /// an island of slower bodies is swept to a hundredth of its tolerance, and of
+    /// what its largest impulse does to its row to 1e-4: what sweeps leave adds up
+    /// along a stack and would keep it awake [ℓ/s]; 0 = none
+    Real slow = 0;
     bool apart = true;  ///< false: all rows are one problem
     Coupled coupled;
 
@@ -193,10 +197,40 @@ private:
         ImpulseSettings how = in_metres;
         if (!allowed.empty()) how.max_sweeps = allowed[row_at(first)];
         if (!enough.empty()) how.tolerance = enough[row_at(first)] * now.length;
+        const Real good = how.tolerance;
+        if (slow > 0 && are_slow(island, u, now.length))
+            how.tolerance =
+                std::min(how.tolerance / 100, 1e-4 * largest_change(island));
         const IslandAnswer answer = sweep_island(island, follows, how, u);
         most_sweeps = std::max(most_sweeps, answer.sweeps);
         now.visits += answer.visits;
-        unsolved += answer.status != Status::solved;
+        unsolved += answer.status != Status::solved && !(answer.residual <= good);
+    }
+
+    /// The most that an impulse changes the velocity of its own row by [m/s]
+    static Real largest_change(std::span<const SolverRow<Dof>> island)
+    {
+        Real most = 0;
+        for (const SolverRow<Dof>& row : island)
+            if (row.mass > 0)
+                most = std::max(most, std::abs(row.lambda) / row.mass);
+        return most;
+    }
+
+    /// Whether each body of these rows is, a spin at the distance ℓ.
+    bool are_slow(std::span<const SolverRow<Dof>> island, const VecX& u,
+                  Real length) const
+    {
+        constexpr int ways = Dof == 6 ? 3 : 2;  // the others are angles
+        const auto speed2 = [&](Index from) {
+            const Vec<Dof> v = u.template segment<Dof>(from);
+            return v.template head<ways>().squaredNorm() +
+                   length * length * v.template tail<Dof - ways>().squaredNorm();
+        };
+        const Real most = slow * length * slow * length;
+        return std::all_of(island.begin(), island.end(), [&](const auto& row) {
+            return speed2(row.a) <= most && speed2(row.b) <= most;
+        });
     }
 };
 
