@@ -111,6 +111,46 @@ TEST_CASE("a step of solids has the bits of one that lets none sleep until the f
     }
 }
 
+TEST_CASE("a ball at the top of its flight does not sleep however weak gravity is", "[idea]")
+{
+    for (const Real g : {0.02, 2e-3, 2e-4}) {
+        SpaceScene scene;
+        scene.gravity = {0, -g, 0};
+        add_body(scene, {solid_ball(0.5)}, 1000.0, {0, 0, 0});
+        scene.bodies.velocity(0)[1] = 10 * g;  // at its apex after 10 s
+        SleepingCones method;
+        StepData<6> now;
+        for (int i = 0; i < 15 * 60; ++i) {
+            step(scene, {.h = sixtieth}, method, now);
+            REQUIRE(method.contacts.set.is_awake(0));
+        }
+    }
+}
+
+TEST_CASE("a ball that rolls stops alike in a scene a thousand times as large", "[idea]")
+{
+    const auto rolled = [](Real L) {
+        SpaceScene scene;
+        scene.length = L;
+        scene.gravity = {0, -9.81 * L, 0};
+        for (int i = 0; i < 4; ++i) {
+            add_body(scene, {solid_ball(0.5 * L)}, 1000 / (L * L * L), {1.01 * i * L, 0.5 * L, 0});
+            scene.bodies.velocity(i)[0] = (2 - 0.3 * i) * L;
+        }
+        add_floor(scene, 0.5);
+        scene.rolling.assign(4, 0.02 * L), scene.spinning.assign(4, 0.01 * L);
+        SleepingCones method;
+        StepData<6> now;
+        for (int i = 0; i < 120; ++i) step(scene, {.h = sixtieth}, method, now);
+        VecX x(12);
+        for (Index k = 0; k < 4; ++k) x.segment<3>(3 * k) = centre_of(scene.bodies.x, k) / L;
+        return x;
+    };
+    const VecX one = rolled(1);
+    CHECK(same_bits(rolled(1024), one));
+    CHECK(same_bits(rolled(1.0 / 1024), one));
+}
+
 TEST_CASE("what is hit wakes with all that it hangs together with and nothing else wakes", "[house]")
 {
     SpaceScene scene = two_stacks(3);

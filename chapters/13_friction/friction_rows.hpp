@@ -3,10 +3,11 @@
 ///
 ///     normal    J = (−n, −r_a × n),  (n, r_b × n)      0 ≤ λ_n ⟂ w_n ≥ 0
 ///     tangent   J = (−t, −r_a × t),  (t, r_b × t)      |λ_t| ≤ μ λ_n,   t = n turned by a quarter, b = −belt
-///     rolling   J = (0, 0, −1),      (0, 0, 1)         |λ_r| ≤ c λ_n
+///     rolling   J = (0, 0, −ℓ),      (0, 0, ℓ)         |λ_r| ≤ c/ℓ λ_n
 ///     cloth     J = (d, 0), (0, 0, 1), d along u*      |λ| ≤ h μ m g,   |λ| ≤ h c μ m g
 ///
-/// (13.3). The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
+/// (13.3). Solvers compare the w of all rows, so that of rolling is a speed as well, at the distance ℓ of the scene: in
+/// rad/s it would be another one of a hundred in a scene a hundred times as large. The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
 #pragma once
 
 #include "chapters/06_sequential_impulse/restitution.hpp"
@@ -73,16 +74,17 @@ inline Constraint<3> friction_constraint(const Constraint<3>& normal, int number
 //! [tangent]
 
 /// Rolling resistance: a moment between the two bodies, bounded by the same λ_n.
+/// \param length  ℓ [m]
 inline Constraint<3> rolling_constraint(const Constraint<3>& normal, int number,
-                                        const Surface& surface)
+                                        const Surface& surface, Real length)
 {
     Constraint<3> c;
     c.a = normal.a, c.b = normal.b;
-    if (c.a != world) c.Ja = {0, 0, -1};
-    c.Jb = {0, 0, 1};
+    if (c.a != world) c.Ja = {0, 0, -length};
+    c.Jb = {0, 0, length};
     c.kind = ConstraintKind::friction;
     c.bounded_by = number;
-    c.friction = surface.rolling;
+    c.friction = surface.rolling / length;
     return c;
 }
 
@@ -123,7 +125,7 @@ inline Constraint<3> drag_constraint(const RoughScene& scene,
     const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
     const int number = static_cast<int>(normal_of(now, source.index));
     if (source.part == rolling_part)
-        return rolling_constraint(normal, number, touched.surface);
+        return rolling_constraint(normal, number, touched.surface, now.length);
     // the point moves with a
     Vec2 arm_a(0, 0), point = contact.point;
     if (contact.a != world) {

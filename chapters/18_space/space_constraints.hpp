@@ -57,8 +57,9 @@ inline Constraint<6> contact_constraint(const StepData<6>& now,
     if (source.part == push_part) return push_constraint(contact, place);
     const auto part = static_cast<SpacePart>(source.part);
     const auto number = static_cast<int>(normal_of(now, source.index));
-    return part <= second_tangent ? drag_constraint(contact, place, part, number)
-                                  : turn_constraint(contact, place, part, number);
+    return part <= second_tangent
+               ? drag_constraint(contact, place, part, number)
+               : turn_constraint(contact, place, part, number, now.length);
 }
 
 /// Constraint i of the step at any positions x.

@@ -3,7 +3,7 @@
 ///
 ///     normal    C = n·(p_b − p_a) − ρ_a − ρ_b,   J = (−n, −R_aᵀ(r_a × n)),  (n, R_bᵀ(r_b × n))             (18.34)
 ///     tangent   the same J with t₁ and t₂ across n, and both arms to the point between the surfaces       (18.35)
-///     turn      J = (0, −R_aᵀe),  (0, R_bᵀe) with e = t₁ and t₂, which rolling is about, and e = n        (18.43)
+///     turn      J = (0, −ℓ R_aᵀe),  (0, ℓ R_bᵀe) with e = t₁ and t₂, which rolling is about, and e = n        (18.43)
 ///
 /// The points are fixed in the bodies, where the cores touch. So a ball's is its centre: it may roll, and the gap stays.
 #pragma once
@@ -101,10 +101,12 @@ inline Constraint<6> drag_constraint(const SpaceContact& contact,
 //! [drag]
 
 //! [turn]
-/// (18.43): a moment against rolling, about t₁ or t₂, or against spinning about n.
+/// (18.43): a moment against rolling, about t₁ or t₂, or against spinning about n. Its
+/// w is a speed like that of the other rows, at the distance ℓ.
+/// \param length  ℓ [m]
 inline Constraint<6> turn_constraint(const SpaceContact& contact,
                                      const ContactPlace& p, SpacePart part,
-                                     int number)
+                                     int number, Real length)
 {
     const Vec3& n = contact.normal;
     const Vec3 t1 = across(n);
@@ -113,11 +115,13 @@ inline Constraint<6> turn_constraint(const SpaceContact& contact,
                                            : Vec3(cross(n, t1));
     Constraint<6> c;
     c.a = contact.a, c.b = contact.b;
-    c.Jb << 0, 0, 0, (p.Rb.transpose() * axis).transpose();
-    if (c.a != world) c.Ja << 0, 0, 0, -(p.Ra.transpose() * axis).transpose();
+    const Vec3 turn = length * axis;
+    c.Jb << 0, 0, 0, (p.Rb.transpose() * turn).transpose();
+    if (c.a != world) c.Ja << 0, 0, 0, -(p.Ra.transpose() * turn).transpose();
     c.kind = ConstraintKind::friction;
     c.bounded_by = number;
-    c.friction = part == spin_part ? contact.grip.spinning : contact.grip.rolling;
+    const Grip& grip = contact.grip;
+    c.friction = (part == spin_part ? grip.spinning : grip.rolling) / length;
     return c;
 }
 //! [turn]
