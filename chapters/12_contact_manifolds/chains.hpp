@@ -149,6 +149,13 @@ inline Manifold points_over_edge(const Placed& a, const Placed& b, bool of_b,
 }
 //! [over_edge]
 
+/// Whether a point is behind an edge, by more than rounding: what has no radius lies on it with its centroid.
+inline bool is_behind(const Placed& edge, const Vec2& point)
+{
+    const Vec2 out = point - edge.vertex(0), e = edge.vertex(1) - edge.vertex(0);
+    return edge.normal(0).dot(out) < -1e-9 * e.norm();
+}
+
 //! [collide_with_edge]
 /// The manifold of a shape and an edge of a chain. None, if the shape's centroid is
 /// behind the edge.
@@ -160,7 +167,7 @@ inline Manifold collide_with_edge(const Placed& a, const Placed& b, bool of_b,
 {
     const Placed& edge = of_b ? b : a;
     const Vec2& n = edge.normal(0);
-    if (n.dot(centroid - edge.vertex(0)) < 0) return {};
+    if (is_behind(edge, centroid)) return {};
     const Manifold m = collide(a, b, how);
     if (m.count == 0) return m;
     const Vec2 push = of_b ? Vec2(-m.normal) : m.normal;

@@ -5,12 +5,16 @@
 /// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way to
 /// its first impact (time_of_impact.hpp). It loses the rest of the step's time, and what its weight did in it (12.6a); the
 /// next step finds the contact. Of two that are close already, the contact has its row; they are only stopped when one gets
-/// half its inner radius deep into the other, or by an eighth deeper than it was. What stops early stands in the way of
-/// others: fast bodies are looked at in pairs again until none of them stops any earlier.
+/// half its inner radius deep into the other, or by an eighth deeper than it was. A thin body whose foot stands there and
+/// turns goes deeper, as a step is straight: the foot of a rod of length L by L (ωh)²/4. If it were stopped, it would lose
+/// time in each step. Nothing comes out behind a half-space, nor behind an edge of a chain while its centroid is in front,
+/// so there it may go in by half the margin and is held by its row (in a half-space: where rows look ahead). What stops early
+/// stands in the way of others: fast bodies are looked at in pairs again until none of them stops any earlier.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/12_contact_manifolds/chains.hpp"
+#include "chapters/12_contact_manifolds/flush_faces.hpp"
 #include "chapters/12_contact_manifolds/time_of_impact.hpp"
 #include "common/elementary.hpp"
 
@@ -20,6 +24,9 @@ struct FastBodies {
     bool stop = true;  ///< false: nothing is looked for
     /// of each body, 1: it is never stopped; empty = all may be
     std::vector<char> goes_on;
+    /// what comes near to a half-space in the step has its row (look_ahead.hpp)
+    bool have_rows = false;
+    bool seams = false;  ///< nothing catches on flush faces (flush_faces.hpp)
     // What the last step found.
     std::vector<int> bodies;  ///< that were fast
     int impacts = 0;          ///< of those, stopped on their way
@@ -32,16 +39,6 @@ struct FastBodies {
     std::vector<std::pair<int, int>> pairs;  ///< of fast bodies that may meet
     ImpactMemory memory;
 };
-
-/// From the centroid to the nearest side [m].
-inline Real inner_radius(const Placed& shape, const Vec2& centroid)
-{
-    Real nearest = shape.edges() > 0 ? infinity : 0;
-    for (int i = 0; i < shape.edges(); ++i)
-        nearest =
-            std::min(nearest, shape.normal(i).dot(shape.vertex(i) - centroid));
-    return nearest + shape.radius;
-}
 
 //! [each_other]
 /// Of two fast bodies: both move until one of them stops, then the other alone.
@@ -207,21 +204,69 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         Impact impact = time_of_impact(
             other, moving, target, edge ? -target / 4 : margin / 4, fast.memory);
         fast.rounds += impact.rounds;
-        if (impact.close && inner > 0) {
-            const Real deep = std::min(-inner / 2, impact.start - inner / 8);
-            impact = time_of_impact(other, moving, deep, inner / 16, fast.memory);
-            fast.rounds += impact.rounds;
-        }
+        if (!impact.close) return impact;
+        // what has no inside must not get past the middle of its way to the other
+        const Real start = impact.start,
+                   deep = inner > 0 ? std::min(-inner / 2, start - inner / 8)
+                                    : start / 2;
+        impact = time_of_impact(other, moving, deep,
+                                inner > 0 ? inner / 16 : std::abs(start) / 8,
+                                fast.memory);
+        fast.rounds += impact.rounds;
+        return impact;
+    };
+    // a half-space: its rows hold what comes, and nothing is behind it
+    const auto impact_on_wall = [&](const HalfSpace& wall,
+                                    const MovingShape& moving, Real inner) {
+        if (!fast.have_rows) return first_impact(wall, moving, inner);
+        const Real deep = std::max(inner, margin) / 2;
+        Impact impact = time_of_impact(wall, moving, -deep, deep / 8, fast.memory);
+        fast.rounds += impact.rounds;
+        if (!impact.close) return impact;
+        impact = time_of_impact(wall, moving, impact.start - deep / 4, deep / 8,
+                                fast.memory);
+        fast.rounds += impact.rounds;
         return impact;
     };
     // what slides over a chain is close to its next edge when it gets there
     const auto starts_before = [&](const MovingShape& moving, const Placed& edge) {
-        return edge.normal(0).dot(moving.from.head<2>() - edge.vertex(0)) >= 0;
+        return !is_behind(edge, moving.from.head<2>());
+    };
+    // how deep a body may be in an edge: its centroid must stay in front of it
+    const auto inner_at_edge = [&](const MovingShape& moving, const Placed& edge,
+                                   Real inner) {
+        Real front = margin;
+        for (const Vec<3>& x : {moving.from, moving.to})
+            front = std::min(front,
+                             edge.normal(0).dot(x.head<2>() - edge.vertex(0)) / 2);
+        return std::max(inner, front > margin / 100 ? front : 0);
     };
     const auto may_meet = [&](int a, int b) {
         return overlap(fast.swept[static_cast<std::size_t>(a)],
                        fast.swept[static_cast<std::size_t>(b)]) &&
                may_touch(a, b);
+    };
+    // what slides over a seam does not catch on it, (12.13)
+    const auto is_hidden = [&](const MovingShape& moving, Real inner, int b,
+                               Real part) {
+        if (!fast.seams || !stands(scene, b)) return false;
+        fast.memory.b.move(*moving.shape, moving.at(part));
+        const Placed shape = placed.of(b);
+        const Manifold m = collide(shape, fast.memory.b.view(), {margin});
+        const Box box = grown(box_of(shape), margin);
+        const Real flush = flush_within(margin, inner);
+        return all_hidden(m, false, [&](const Vec2& p, const Vec2& n) {
+            for (const HalfSpace& wall : scene.walls)
+                if (hides(wall, shape, p, n, flush)) return true;
+            for (int c = 0; c < K; ++c)
+                if (c != b && !edges.has(c) && stands(scene, c) &&
+                    may_touch(static_cast<int>(moving.shape - &scene.shapes[0]),
+                              c) &&
+                    overlap(box, box_of(placed.of(c))) &&
+                    hides(placed.of(c), shape, p, n, flush))
+                    return true;
+            return false;
+        });
     };
     for (const int a : fast.bodies) {
         const MovingShape moving = motion(a);
@@ -231,11 +276,21 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                 continue;
             const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
             if (edges.has(b) && !starts_before(moving, placed.of(b))) continue;
-            hold(a, first_impact(motion(b), moving, std::max(inner_a, inner_b),
-                                 edges.has(b) && inner_a > 0));
+            const bool edge = edges.has(b);
+            const Real inner = edge ? inner_at_edge(moving, placed.of(b), inner_a)
+                                    : std::max(inner_a, inner_b);
+            Impact impact =
+                first_impact(motion(b), moving, inner, edge && inner > 0);
+            if (impact.hit && !edges.has(b) &&
+                is_hidden(moving, inner_a, b, impact.part)) {
+                impact = time_of_impact(motion(b), moving, -inner / 2, inner / 16,
+                                        fast.memory);
+                fast.rounds += impact.rounds;
+            }
+            hold(a, impact);
         }
         for (const HalfSpace& wall : scene.walls)
-            hold(a, first_impact(wall, moving, inner_a));
+            hold(a, impact_on_wall(wall, moving, inner_a));
     }
     stop_each_other(motion, may_meet, first_impact, fast);
     put_back(scene.bodies, settings.h, now.rows, motion, fast);

@@ -5,7 +5,8 @@
 ///
 /// A row with a gap lets the two come as near as the gap, and no nearer. Without it they overlap by what they move in a step,
 /// before anybody has looked. It is about a line, not a shape, and is false beside a corner: hence the second bound. What
-/// goes farther is stopped on its way (fast_bodies.hpp).
+/// goes farther is stopped on its way (fast_bodies.hpp). A half-space has no corner: against it the whole way counts, and
+/// so it does for the other end of an edge one end of which has a row.
 #pragma once
 
 #include "chapters/12_contact_manifolds/fast_bodies.hpp"
@@ -22,13 +23,17 @@ struct LookAhead {
 /// (12.6c) of some bodies; others do not look.
 /// \param before  those that looked in the step before
 /// \param reach   of all bodies [m]
+/// \param ways    of all bodies, without the second bound [m]
 inline void look_ahead(const RigidScene& scene, const PlacedShapes& placed,
                        const LookAhead& how, std::span<const int> before,
-                       std::span<const int> bodies, std::vector<Real>& reach)
+                       std::span<const int> bodies, std::vector<Real>& reach,
+                       std::vector<Real>& ways)
 {
-    reach.resize(static_cast<std::size_t>(scene.bodies.count()), 0);
-    for (const int k : before)
-        if (k < scene.bodies.count()) reach[static_cast<std::size_t>(k)] = 0;
+    for (std::vector<Real>* const far : {&reach, &ways}) {
+        far->resize(static_cast<std::size_t>(scene.bodies.count()), 0);
+        for (const int k : before)
+            if (k < scene.bodies.count()) (*far)[static_cast<std::size_t>(k)] = 0;
+    }
     const Real fall = scene.gravity.norm() * how.h;
     for (const int k : bodies) {
         const auto at = static_cast<std::size_t>(k);
@@ -38,9 +43,8 @@ inline void look_ahead(const RigidScene& scene, const PlacedShapes& placed,
                    way = how.h * (u.head<2>().norm() + falls + turns),
                    inner = inner_radius(placed.of(k),
                                         scene.bodies.position(k).head<2>());
-        reach[at] = way > how.margin / 2
-                        ? std::min(way, how.most * std::max(Real{0}, inner))
-                        : 0;
+        ways[at] = way > how.margin / 2 ? way : 0;
+        reach[at] = std::min(ways[at], how.most * std::max(Real{0}, inner));
     }
 }
 //! [ahead]

@@ -9,6 +9,7 @@
 
 #include "chapters/11_rotation/rigid_constraints.hpp"
 #include "chapters/12_contact_manifolds/chains.hpp"
+#include "chapters/12_contact_manifolds/flush_faces.hpp"
 #include "chapters/12_contact_manifolds/look_ahead.hpp"
 #include "chapters/12_contact_manifolds/manifold.hpp"
 #include "chapters/12_contact_manifolds/pair_finder.hpp"
@@ -36,6 +37,8 @@ struct Manifolds {
     // What is kept from step to step.
     PlacedShapes placed;
     ChainEdges edges;
+    Seams seams;
+    std::vector<Real> ways;  ///< of each body that looks ahead, in this step [m]
     std::vector<TouchingPair> touching, before;  ///< ascending
     /// of bodies that are not looked at: as they were last
     std::vector<TouchingPair> resting;
@@ -52,7 +55,7 @@ struct Manifolds {
         placed.move(scene);
         if (ahead > 0)
             look_ahead(scene, placed, {margin, ahead, settings.h}, finder.asked,
-                       now.active, finder.reach);
+                       now.active, finder.reach, ways);
         finder.find(scene, placed, margin);
         now.x_found = scene.bodies.x;
         list_rows(scene, margin, now);
@@ -67,7 +70,7 @@ struct Manifolds {
         placed.move(scene, bodies);
         if (ahead > 0)
             look_ahead(scene, placed, {margin, ahead, h}, finder.asked, bodies,
-                       finder.reach);
+                       finder.reach, ways);
         finder.find(scene, placed, margin, bodies);
         const VecX& x = scene.bodies.x;
         if (now.x_found.size() != x.size()) now.x_found = x;
@@ -94,6 +97,8 @@ struct Manifolds {
     void end(RigidScene& scene, const StepSettings& settings, Method&,
              const StepData<3>& now)
     {
+        fast.have_rows = ahead > 0;
+        fast.seams = seams.look;
         if (fast.stop)
             stop_fast_bodies(
                 scene, settings, now, placed, edges,
@@ -141,8 +146,12 @@ struct Manifolds {
     }
 
     /// A blow turns a body within the step: where one end of an edge is looked for
-    /// ahead, so is the other, four times as far.
-    static Real second_within(Real reach) { return 4 * reach; }
+    /// ahead, so is the other, four times as far; of a thin one as far as it goes.
+    static Real second_within(Real reach, Real way)
+    {
+        return std::max(4 * reach, way);
+    }
+    Real way_of(std::size_t k) const { return k < ways.size() ? ways[k] : 0; }
 
     void wall_contacts(const RigidScene& scene, Real margin, StepData<3>& now) const
     {
@@ -154,13 +163,14 @@ struct Manifolds {
             const Placed shape = placed.of(b);
             for (std::size_t w = 0; w < scene.walls.size(); ++w) {
                 const HalfSpace& wall = scene.walls[w];
-                const Real reach = finder.reach_of(static_cast<std::size_t>(b)),
-                           near = margin + reach;
+                const Real way = way_of(static_cast<std::size_t>(b)),
+                           reach = finder.reach_of(static_cast<std::size_t>(b)),
+                           near = margin + way;
                 if (wall.normal.dot(middle) - wall.normal.cwiseAbs().dot(half) >
                     wall.offset + near)
                     continue;
                 add(scene, world, b,
-                    collide(wall, shape, near, second_within(reach)),
+                    collide(wall, shape, near, second_within(reach, way)),
                     static_cast<int>(w) * shape.size(), now);
             }
         }
@@ -183,16 +193,20 @@ struct Manifolds {
             const Manifold* const last = known ? &old->manifold : at_rest(pair);
             const Real reach = finder.reach_of(static_cast<std::size_t>(a)) +
                                finder.reach_of(static_cast<std::size_t>(b));
+            const Real way = way_of(static_cast<std::size_t>(a)) +
+                             way_of(static_cast<std::size_t>(b));
             const ManifoldSettings how{margin + reach, stay * margin, last,
-                                       second_within(reach)};
+                                       second_within(reach, way)};
             const Manifold m =
                 edges.has(a) || edges.has(b)
                     ? collide_in_chain(placed, edges, scene.bodies.x, a, b, how)
                     : collide(placed.of(a), placed.of(b), how);
             if (m.count == 0) continue;
             touching.push_back({a, b, m});
-            add(scene, a, b, m, 0, now);
         }
+        seams.leave_out(scene, placed, edges, margin, touching);
+        for (const TouchingPair& pair : touching)
+            add(scene, pair.a, pair.b, pair.manifold, 0, now);
         if (woke_)
             std::erase_if(resting, [this](const auto& pair) { return asks(pair); });
     }

@@ -43,6 +43,17 @@ inline Box box_of(const Placed& shape)
     return grown(box, shape.radius);
 }
 
+/// From the centroid to the nearest side [m]. The centroid of a segment is on it, whatever rounding says.
+inline Real inner_radius(const Placed& shape, const Vec2& centroid)
+{
+    if (shape.size() == 2) return shape.radius;
+    Real nearest = shape.edges() > 0 ? infinity : 0;
+    for (int i = 0; i < shape.edges(); ++i)
+        nearest =
+            std::min(nearest, shape.normal(i).dot(shape.vertex(i) - centroid));
+    return nearest + shape.radius;
+}
+
 /// Writes the vertices and normals of a shape at a pose (x, y, θ) behind those that are there.
 inline void place(const Polygon& shape, const Vec<3>& pose,
                   std::vector<Vec2>& vertices, std::vector<Vec2>& normals)
