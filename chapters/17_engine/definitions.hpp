@@ -60,10 +60,10 @@ struct BodyDefinition {
     /// [kg/m²]; 0: nothing pushes it, and a velocity that it has it keeps
     Real density = 1;
     /// in place of a density: mass and inertia, about this centroid of the shape
-    std::optional<Mass> mass;
+    std::optional<Mass> mass = {};
     /// friction μ, restitution e, belt speed, rolling arm: see surfaces.hpp
     Surface surface{0.6, 0, 0, 0};
-    Filter filter;
+    Filter filter = {};
     /// pushes nothing and reports what overlaps it; its density must be 0
     bool sensor = false;
     /// stopped where it first touches, however fast, though it hangs on joints or
@@ -99,7 +99,7 @@ struct WorldSettings {
     Real margin = 0.02;
     Real slop = 0.005;  ///< an overlap that is left alone [ℓ]
     bool sleep = true;
-    RestSettings rest;  ///< when bodies fall asleep
+    RestSettings rest = {};  ///< when bodies fall asleep
     Solving solving = Solving::by_island;
     int sweeps = 60;        ///< over an island, at most
     Real tolerance = 1e-4;  ///< sweeps end at this residual [ℓ/s]

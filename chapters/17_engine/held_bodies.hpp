@@ -10,6 +10,7 @@
 #pragma once
 
 #include "chapters/14_joints/geometric_stiffness.hpp"
+#include "chapters/17_engine/driven_bodies.hpp"
 
 #include <algorithm>
 
@@ -18,6 +19,7 @@ namespace rigid {
 //! [held]
 struct HeldBodies : LoadedJoints {
     std::vector<int> held;  ///< in the last step, ascending
+    DrivenBodies driven;    ///< of the next step
 
     template <class Scene>
     void rows(Scene& scene, const StepSettings& settings, StepData<3>& now)
@@ -26,6 +28,7 @@ struct HeldBodies : LoadedJoints {
         before_.resize(scene.bodies.x.size());
         for (const int k : now.active)
             before_.segment<3>(3 * k) = scene.bodies.position(k);
+        driven.drive(scene.bodies, settings.substeps, now);
         LoadedJoints::rows(scene, settings, now);
     }
 

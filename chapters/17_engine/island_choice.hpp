@@ -294,6 +294,8 @@ private:
             some->solver.sweeps = sweeps;
             some->solver.sweeps.max_sweeps = note.sweeps;
             some->solver.sweeps.tolerance = note.until / now.length;
+            // where nothing is solved to the end, what comes to rest is swept on
+            some->solver.slow = solving == Solving::sweeps ? slow : 0;
             some->solver.solve(some->part.local, some->part.now);
             some->part.scatter(bodies, now);
             most_sweeps = std::max(most_sweeps, some->solver.most_sweeps);

@@ -110,9 +110,11 @@ void World::step(Real h, const StageListener& listener)
                                .hand = s.pulled_to};
         sleepers.touching.finder.tested = -1;  // not looked for yet
         s.method.correction.held.clear();
+        s.list_driven();
         ToldStages told{s.method, listener};
         rigid::step(s.scene, how, told, s.now);
         s.changed = false;
+        s.end_driven();
         told.tell(Stage::report);
         s.report();
     }

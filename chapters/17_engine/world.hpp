@@ -82,6 +82,8 @@ public:
 
     /// Whatever is changed wakes, and what touches it.
     void move(BodyId body, const Vec2& position, Real angle);
+    /// Of a body that nothing pushes it changes in equal parts over the sub-steps of
+    /// the next step.
     void set_velocity(BodyId body, const Vec2& velocity, Real spin);
     void set_surface(BodyId body, const Surface& surface);
     void set_filter(BodyId body, const Filter& filter);

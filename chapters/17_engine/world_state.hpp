@@ -108,6 +108,47 @@ struct EngineState {
     }
     //! [disturb]
 
+    /// Body k had no velocity in the step before: it was not there.
+    void forget_motion(Index k)
+    {
+        if (VecX& u = awake().u_before; 3 * k < u.size())
+            u.segment<3>(3 * k).setConstant(std::numeric_limits<Real>::quiet_NaN());
+    }
+
+    //! [list_driven]
+    /// Which bodies a caller has driven since the last step, and with what velocity
+    /// they were in it.
+    void list_driven()
+    {
+        ToldManifolds& sleepers = awake();
+        driven_ = sleepers.watch.told;
+        std::sort(driven_.begin(), driven_.end());
+        driven_.erase(std::unique(driven_.begin(), driven_.end()), driven_.end());
+        std::vector<DrivenBody>& list = method.correction.driven.list;
+        list.clear();
+        for (const int k : driven_) {
+            if (scene.bodies.can_move(k)) continue;
+            auto u = scene.bodies.velocity(k);
+            list.push_back({k, sleepers.u_before.segment<3>(3 * k), u});
+            DrivenBody& it = list.back();
+            if (settings.substeps == 1 || !it.then.allFinite()) it.then = it.now;
+            // it stands from the end of this step on
+            if (it.now.isZero(0)) u = it.then;
+        }
+    }
+    /// What stands from now on is told to the next step.
+    void end_driven()
+    {
+        for (const DrivenBody& it : method.correction.driven.list) {
+            const bool stops = it.now.isZero(0) && !it.then.isZero(0);
+            if (stops) scene.bodies.velocity(it.body).setZero();
+            awake().u_before.segment<3>(3 * it.body) =
+                scene.bodies.velocity(it.body);
+            if (stops) disturb(it.body);
+        }
+    }
+    //! [list_driven]
+
     /// Body k is elsewhere than the shapes have it.
     void displace(int k)
     {
@@ -128,14 +169,16 @@ struct EngineState {
 
     //! [slop]
     /// What is thin is not left to overlap by what suits a box: at most by a tenth of
-    /// its inner radius. (The edges of a chain have none.)
+    /// its inner radius: what has no inside not at all. (A line that stands, as an edge
+    /// of a chain, leaves it to what touches it.)
     void list_slop(Index k)
     {
         std::vector<Real>& slops = method.correction.slops;
         slops.resize(notes.size(), infinity);
         const Real inner = inner_radius(
             PlacedShape(shape(k), Vec<3>::Zero()).view(), Vec2::Zero());
-        slops[static_cast<std::size_t>(k)] = inner > 0 ? inner / 200 : infinity;
+        slops[static_cast<std::size_t>(k)] =
+            inner > 0 || scene.bodies.can_move(k) ? inner / 200 : infinity;
     }
     //! [slop]
 
@@ -148,6 +191,7 @@ struct EngineState {
         sleepers.sleep = settings.sleep;
         sleepers.rest = settings.rest;
         sleepers.touching.ahead = 1;
+        sleepers.touching.seams.look = true;
         method.correction.slop = settings.slop;
         method.correction.push_sweeps = settings.sweeps;
         IslandChoice& solver = method.solver;
@@ -164,6 +208,9 @@ struct EngineState {
         for (std::size_t k = 0; k < notes.size(); ++k)
             list_unstopped(static_cast<Index>(k)), list_slop(static_cast<Index>(k));
     }
+
+private:
+    std::vector<int> driven_;  ///< bodies that were told, ascending
 };
 
 }  // namespace rigid

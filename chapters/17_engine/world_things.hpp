@@ -59,6 +59,7 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
         state.filter().group[static_cast<std::size_t>(k)] = group;
     }
     scene.bodies.velocity(k) << body.velocity, body.spin;
+    state.forget_motion(k);
     state.note(k) = {body.filter, body.user, body.sensor, body.bullet, -1, 0};
     state.sensors += body.sensor;
     write_surface(state, k, body.surface);
@@ -85,6 +86,7 @@ inline void take_out_body(EngineState& state, Index k)
     Bodies<3>& bodies = state.scene.bodies;
     bodies.inverse_mass.segment<3>(3 * k).setZero();
     bodies.velocity(k).setZero();
+    state.forget_motion(k);
     state.scene.shapes[static_cast<std::size_t>(k)] = disc(0);
     std::uint8_t& group = state.filter().group[static_cast<std::size_t>(k)];
     state.classes.leave(group);
