@@ -1,6 +1,7 @@
 /// Chapter 17: what moves and what is carried: weak gravity, sub-steps, platforms, thin bodies, scaled worlds, far rays.
 
 #include "chapters/17_engine/world.hpp"
+#include "common/random.hpp"
 
 #include "tests/catch.hpp"
 
@@ -350,4 +351,40 @@ TEST_CASE("a jaw of bounded force stalls on boxes that have no room and throws n
         CHECK(engine.position(jaw).x() == Approx(4.1).margin(0.02));
         CHECK(engine.work().unsolved == 0);
     }
+}
+
+TEST_CASE("thin rods and boards that fall anyhow gain no energy and go into nothing", "[idea]")
+{
+    for (const MovingGround ground : {MovingGround::wall, MovingGround::slab, MovingGround::chain})
+        for (const bool board : {false, true})
+            for (const int substeps : {1, 4}) {
+                Random random(7);
+                Real gain = 0, deep = 0;
+                for (int i = 0; i < 20; ++i) {
+                    const Real r = std::pow(10, random.uniform(-4, -2)), angle = random.uniform(-pi, pi);
+                    const Real drop = random.uniform(0, 1);
+                    World engine({.substeps = substeps});
+                    add_moving_ground(engine, ground);
+                    BodyDefinition rod = leaning_rod(pi / 2 - angle, r);
+                    if (board) rod.shape = box(2, 2 * r);
+                    rod.position = {0, std::abs(std::sin(angle)) + r + drop};
+                    rod.velocity = {random.uniform(-2, 2), 0};
+                    rod.spin = random.uniform(-3, 3);
+                    rod.surface.friction = random.uniform(0, 1);
+                    const BodyId body = engine.add_body(rod);
+                    Real least = energy_of_rod(engine, body);
+                    for (int n = 0; n < 150; ++n) {
+                        engine.step(moving_frame);
+                        const Real now = energy_of_rod(engine, body);
+                        gain = std::max(gain, now - least);
+                        least = std::min(least, now);
+                        for (const Real end : {-1.0, 1.0})
+                            deep = std::max(deep, -engine.point_of(body, {end, 0}).y() + (board ? 0 : r));
+                    }
+                }
+                INFO("ground " << static_cast<int>(ground) << ", board " << board << ", " << substeps);
+                // of up to 20 J: what an overlap of the slop gives back, m g s/2
+                CHECK(gain < 0.025);
+                CHECK(deep < 0.006);
+            }
 }

@@ -241,6 +241,17 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                              edge.normal(0).dot(x.head<2>() - edge.vertex(0)) / 2);
         return std::max(inner, front > margin / 100 ? front : 0);
     };
+    const auto impact_on_edge = [&](const MovingShape& other,
+                                    const MovingShape& moving, const Placed& edge,
+                                    Real inner) {
+        const Impact near =
+            time_of_impact(other, moving, margin / 4, margin / 4, fast.memory);
+        fast.rounds += near.rounds;
+        if (!near.hit && !near.close) return near;
+        // what is close has its row
+        if (near.close) inner = inner_at_edge(moving, edge, inner);
+        return first_impact(other, moving, inner, inner > 0);
+    };
     const auto may_meet = [&](int a, int b) {
         return overlap(fast.swept[static_cast<std::size_t>(a)],
                        fast.swept[static_cast<std::size_t>(b)]) &&
@@ -276,13 +287,13 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                 continue;
             const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
             if (edges.has(b) && !starts_before(moving, placed.of(b))) continue;
-            const bool edge = edges.has(b);
-            const Real inner = edge ? inner_at_edge(moving, placed.of(b), inner_a)
-                                    : std::max(inner_a, inner_b);
-            Impact impact =
-                first_impact(motion(b), moving, inner, edge && inner > 0);
-            if (impact.hit && !edges.has(b) &&
-                is_hidden(moving, inner_a, b, impact.part)) {
+            if (edges.has(b)) {
+                hold(a, impact_on_edge(motion(b), moving, placed.of(b), inner_a));
+                continue;
+            }
+            const Real inner = std::max(inner_a, inner_b);
+            Impact impact = first_impact(motion(b), moving, inner);
+            if (impact.hit && is_hidden(moving, inner_a, b, impact.part)) {
                 impact = time_of_impact(motion(b), moving, -inner / 2, inner / 16,
                                         fast.memory);
                 fast.rounds += impact.rounds;

@@ -9,7 +9,8 @@ namespace rigid {
 
 //! [wall]
 /// Along the outline of a convex shape the height over a wall falls to its lowest
-/// vertex and rises behind it, so the second lowest is beside the lowest.
+/// vertex and rises behind it, so the second lowest is beside the lowest. But of a thin
+/// shape that lies the two ends are what it stands on, not the two corners of one end.
 /// \param margin  a vertex whose gap is not below it is left out [m] …
 /// \param second  … unless the other's is below it, and its own below this [m]
 /// \return        normal out of the wall; features are numbers of vertices
@@ -25,7 +26,13 @@ inline Manifold collide(const HalfSpace& wall, const Placed& shape, Real margin,
     for (int i = 1; i < shape.size(); ++i)
         if (height(i) < height(lowest)) lowest = i;
     const int before = shape.before(lowest), next = shape.next(lowest);
-    const int other = height(before) < height(next) ? before : next;
+    int other = height(before) < height(next) ? before : next;
+    const int far = other == before ? next : before;
+    const auto side2 = [&](int i) {
+        return (shape.vertex(i) - shape.vertex(lowest)).squaredNorm();
+    };
+    if (height(far) < std::max(margin, second) && 64 * side2(other) < side2(far))
+        other = far;
     const auto add = [&](int i) {
         const Real gap = height(i);
         if (gap < std::max(margin, second))
