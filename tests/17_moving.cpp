@@ -385,6 +385,7 @@ TEST_CASE("thin rods and boards that fall anyhow gain no energy and go into noth
                 INFO("ground " << static_cast<int>(ground) << ", board " << board << ", " << substeps);
                 // of up to 20 J: what an overlap of the slop gives back, m g s/2
                 CHECK(gain < 0.025);
-                CHECK(deep < 0.006);
+                // the slop, and what a blow at one end adds to the way of the other within the step
+                CHECK(deep < 0.015);
             }
 }

@@ -13,15 +13,10 @@
 #include "chapters/12_contact_manifolds/look_ahead.hpp"
 #include "chapters/12_contact_manifolds/manifold.hpp"
 #include "chapters/12_contact_manifolds/pair_finder.hpp"
+#include "chapters/12_contact_manifolds/touching_pair.hpp"
 #include "chapters/12_contact_manifolds/wall_manifold.hpp"
 
 namespace rigid {
-
-/// Two bodies and where they touch.
-struct TouchingPair {
-    int a = 0, b = 0;  ///< a < b
-    Manifold manifold;
-};
 
 //! [stage]
 struct Manifolds {
@@ -121,23 +116,6 @@ struct Manifolds {
                                         " margins; it must be zero or positive");
     }
 
-    static void add(const RigidScene& scene, Index a, Index b, const Manifold& m,
-                    int first_feature, StepData<3>& now)
-    {
-        const auto radius = [&scene](Index k) {
-            return k == world ? 0
-                              : scene.shapes[static_cast<std::size_t>(k)].radius;
-        };
-        for (int i = 0; i < m.count; ++i) {
-            const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
-            now.sources.push_back(
-                {Source::Of::contact, static_cast<int>(now.contacts.size())});
-            now.contacts.push_back({a, b, m.normal, p.gap,
-                                    first_feature + p.feature, p.point,
-                                    radius(a) + p.gap / 2, radius(b) + p.gap / 2});
-        }
-    }
-
     /// Its joints make rows: it moves, and this step looks at it.
     bool is_looked_at(Index k) const
     {
@@ -169,9 +147,9 @@ struct Manifolds {
                 if (wall.normal.dot(middle) - wall.normal.cwiseAbs().dot(half) >
                     wall.offset + near)
                     continue;
-                add(scene, world, b,
-                    collide(wall, shape, near, second_within(reach, way)),
-                    static_cast<int>(w) * shape.size(), now);
+                add_contacts(scene, world, b,
+                             collide(wall, shape, near, second_within(reach, way)),
+                             static_cast<int>(w) * shape.size(), now);
             }
         }
     }
@@ -206,7 +184,7 @@ struct Manifolds {
         }
         seams.leave_out(scene, placed, edges, margin, touching);
         for (const TouchingPair& pair : touching)
-            add(scene, pair.a, pair.b, pair.manifold, 0, now);
+            add_contacts(scene, pair.a, pair.b, pair.manifold, 0, now);
         if (woke_)
             std::erase_if(resting, [this](const auto& pair) { return asks(pair); });
     }

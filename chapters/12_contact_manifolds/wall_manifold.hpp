@@ -10,7 +10,8 @@ namespace rigid {
 //! [wall]
 /// Along the outline of a convex shape the height over a wall falls to its lowest
 /// vertex and rises behind it, so the second lowest is beside the lowest. But of a thin
-/// shape that lies the two ends are what it stands on, not the two corners of one end.
+/// shape that lies the two ends are what it stands on, not the two corners of one end
+/// (where a distance is asked for, with an infinite margin, the two lowest).
 /// \param margin  a vertex whose gap is not below it is left out [m] …
 /// \param second  … unless the other's is below it, and its own below this [m]
 /// \return        normal out of the wall; features are numbers of vertices
@@ -31,7 +32,8 @@ inline Manifold collide(const HalfSpace& wall, const Placed& shape, Real margin,
     const auto side2 = [&](int i) {
         return (shape.vertex(i) - shape.vertex(lowest)).squaredNorm();
     };
-    if (height(far) < std::max(margin, second) && 64 * side2(other) < side2(far))
+    const bool stands_on = height(far) < std::max(margin, second);
+    if (margin < infinity && stands_on && 64 * side2(other) < side2(far))
         other = far;
     const auto add = [&](int i) {
         const Real gap = height(i);

@@ -52,8 +52,7 @@ inline Constraint<6> contact_constraint(const StepData<6>& now,
                                         const Source& source,
                                         const ContactPlace& place)
 {
-    const SpaceContact& contact =
-        now.contacts[static_cast<std::size_t>(source.index)];
+    const auto& contact = now.contacts[static_cast<std::size_t>(source.index)];
     if (source.part == push_part) return push_constraint(contact, place);
     const auto part = static_cast<SpacePart>(source.part);
     const auto number = static_cast<int>(normal_of(now, source.index));
