@@ -327,7 +327,7 @@ TEST_CASE("the tangent row is the sliding speed of the two points that touch", "
         CHECK(c.bounded_by == 2);
         CHECK(c.speed == 0.5);  // two belts of a quarter
         CHECK(now.constraints[1].bounded_by == 2);
-        CHECK(now.constraints[1].Jb == RowVec<3>(0, 0, 1));
+        CHECK(now.constraints[1].Jb == RowVec<3>(0, 0, now.length));  // a speed, at the distance ℓ
     }
 }
 
