@@ -154,6 +154,19 @@ void limit_followed(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
 }
 //! [followed]
 
+//! [bounded]
+/// What is over a bound of its own is cut off there, and the others are not: the
+/// merit is that of sλ only as long as sλ is within all bounds.
+/// \param impulse  within the bounds of its row [N s]
+template <int Dof>
+void limit_bounded(const Row<Dof>& row, Real impulse, Real& most)
+{
+    if (row.bounded_by >= 0 || impulse == 0) return;
+    const Real bound = impulse > 0 ? row.hi : row.lo;
+    most = std::min(most, std::max(Real{1}, bound / impulse));
+}
+//! [bounded]
+
 //! [best_multiple]
 /// (8.14): scales the impulses of each group by the multiple that lowers the merit
 /// most, at least zero.
@@ -175,6 +188,7 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
     limit_followed(rows, inverse_mass, u_star, groups, scratch, lambda);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Real impulse = lambda[static_cast<Index>(i)];
+        limit_bounded(rows[i], impulse, scratch.most[groups.of_row[i]]);
         rows[i].apply(impulse, scratch.change);
         scratch.slope[groups.of_row[i]] += rows[i].velocity(u_star) * impulse;
         scratch.apart[groups.of_row[i]] += rows[i].diagonal() * impulse * impulse;
