@@ -23,13 +23,37 @@ inline Vec3 explicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 //! [explicit]
 
 //! [implicit]
-/// (18.18) by one Newton step from ω₀, (18.19). \cite catto2015
+/// (18.18), solved: one root x of (18.19), which is between −‖L₀‖ and ‖L₀‖, by
+/// Newton's method; where a step does not halve g, the bracket is halved instead.
+/// \param inertia  positive and finite, in any order
 inline Vec3 implicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 {
-    const Vec3 L = inertia.cwiseProduct(omega);
-    const Mat3 I = inertia.asDiagonal();
-    const Mat3 J = I + h * (cross_matrix(omega) * I - cross_matrix(L));
-    return omega - solve3(J, h * cross(omega, L));
+    const Vec3 L0 = inertia.cwiseProduct(omega);
+    Index i = 0;
+    inertia.minCoeff(&i);
+    const Index j = (i + 1) % 3, k = (i + 2) % 3;
+    const Vec3 less = h * inertia.cwiseInverse();
+    const Real ai = less[j] - less[k], aj = less[k] - less[i],
+               ak = less[i] - less[j];
+    Real lo = -L0.norm(), hi = -lo, x = L0[i], last = infinity;
+    Vec3 L = L0;
+    for (int round = 0; round < 200; ++round) {
+        const Real det = 1 - aj * ak * x * x;  // at least 1
+        L[i] = x;
+        L[j] = (L0[j] - aj * x * L0[k]) / det;
+        L[k] = (L0[k] - ak * x * L0[j]) / det;
+        const Real g = x + ai * L[j] * L[k] - L0[i];
+        const Real slope_j = (2 * aj * ak * x * L[j] - aj * L0[k]) / det,
+                   slope_k = (2 * aj * ak * x * L[k] - ak * L0[j]) / det;
+        const Real slope = 1 + ai * (slope_j * L[k] + L[j] * slope_k);
+        (g < 0 ? lo : hi) = x;
+        Real next = x - g / slope;
+        if (!(next >= lo && next <= hi) || !(std::abs(g) <= last / 2))
+            next = lo + (hi - lo) / 2;
+        if (g == 0 || !(std::abs(next - x) > 1e-16 * L0.norm())) break;
+        last = std::abs(g), x = next;
+    }
+    return L.cwiseQuotient(inertia);
 }
 //! [implicit]
 
