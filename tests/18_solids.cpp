@@ -101,11 +101,10 @@ TEST_CASE("joints start where they are and lock what their names say", "[idea]")
     Random random(8);
     SpaceScene scene = two_boxes(random);
     const Vec3 p(0.1, 0.2, 0.3), axis(1, 2, -2);
-    const std::vector<std::pair<SpaceJoint, int>> joints = {{ball_joint(scene, 0, 1, p), 3},
-                                                            {hinge(scene, 0, 1, p, axis), 5},
-                                                            {slider(scene, 0, 1, p, axis), 5},
-                                                            {universal(scene, 0, 1, p, axis), 4},
-                                                            {fixed_joint(scene, 0, 1, p), 6}};
+    const std::vector<std::pair<SpaceJoint, int>> joints = {
+        {ball_joint(scene, 0, 1, p), 3},      {hinge(scene, 0, 1, p, axis), 5},
+        {slider(scene, 0, 1, p, axis), 5},    {constant_velocity(scene, 0, 1, p, axis), 4},
+        {universal(scene, 0, 1, p, axis), 4}, {fixed_joint(scene, 0, 1, p), 6}};
     for (const auto& [joint, rows] : joints) {
         const JointFrames f = frames_of(scene.bodies.x, joint);
         int count = 0;
@@ -115,6 +114,48 @@ TEST_CASE("joints start where they are and lock what their names say", "[idea]")
         });
         CHECK(count == rows);
     }
+}
+
+TEST_CASE("a universal joint hands a spin on unevenly as (18.27b) says and a constant-velocity joint evenly",
+          "[idea]")
+{
+    // A shaft along x on a motor, a second one that leans by b and turns in a bearing, and the joint between them.
+    const Real b = 0.6, speed = 2, h = 1.0 / 2000;
+    const Vec3 lean(std::cos(b), std::sin(b), 0);
+    const auto shafts = [&](auto&& make) {
+        SpaceScene scene;
+        scene.gravity.setZero();
+        add_body(scene, {solid_box({1, 0.2, 0.2})}, 1.0, {-0.5, 0, 0});
+        add_body(scene, {solid_box({1, 0.2, 0.2})}, 1.0, 0.5 * lean, {0, 0, b});
+        SpaceJoint driven = hinge(scene, world, 0, {-1, 0, 0}, {1, 0, 0});
+        driven.motor = twist, driven.speed = speed, driven.force = 100;
+        SpaceJoint between = make(scene, 0, 1, Vec3(0, 0, 0), Vec3(1, 0, 0));
+        between.frame_b = make(scene, 0, 1, Vec3(0, 0, 0), lean).frame_b;
+        SpaceJoint bearing = joint_at(scene, world, 1, lean, lean);  // the other end is held by the joint
+        bearing.lock({swing_y, swing_z});
+        scene.joints = {driven, between, bearing};
+        return scene;
+    };
+    SpaceScene uneven = shafts(universal), even = shafts(constant_velocity);
+    uneven.bodies.velocity(0)[3] = even.bodies.velocity(0)[3] = speed;
+    uneven.bodies.velocity(1)[3] = speed * std::cos(b), even.bodies.velocity(1)[3] = speed;
+    SpaceExact method = exact_method(), other = exact_method();
+    StepData<6> now, now_of_other;
+    Real worst = 0, most = 0, least = infinity, uneven_most = 0;
+    for (int i = 0; i < 7000; ++i) {  // a turn
+        step(uneven, {.h = h}, method, now);
+        step(even, {.h = h}, other, now_of_other);
+        // the pin z of A, and how far it is from the plane of the shafts
+        const Real cosine = rotation_of(uneven.bodies.x, 0)(1, 2);
+        const Real here = speed * std::cos(b) / (1 - std::pow(std::sin(b) * cosine, 2));
+        worst = std::max(worst, std::abs(uneven.bodies.u[9] - here));
+        most = std::max(most, uneven.bodies.u[9]), least = std::min(least, uneven.bodies.u[9]);
+        uneven_most = std::max(uneven_most, std::abs(even.bodies.u[9] - speed));
+    }
+    CHECK(most == Approx(speed / std::cos(b)).epsilon(2e-3));
+    CHECK(least == Approx(speed * std::cos(b)).epsilon(2e-3));
+    CHECK(worst < 2e-3);  // of first order in h
+    CHECK(uneven_most < 2e-3);
 }
 
 TEST_CASE("what joints do between bodies changes neither momentum nor angular momentum", "[idea]")

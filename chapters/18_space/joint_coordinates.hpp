@@ -1,5 +1,5 @@
 /// \file joint_coordinates.hpp
-/// Joints in their own coordinates: one frame in either body, seven numbers that say how they lie to each other, and
+/// Joints in their own coordinates: one frame in either body, eight numbers that say how they lie to each other, and
 /// the row of each of them.
 ///
 ///     d = R_Aᵀ (p_b − p_a)          q = q_A⁻¹ q_B                 the frames A of body a and B of body b
@@ -54,6 +54,10 @@ inline Turn turn_of(Coordinate which, const Quaternion& q)
 {
     if (which == swing_y) return {2 * q.v[1], 0, {0, 2, 0}};
     if (which == swing_z) return {2 * q.v[2], 0, {0, 0, 2}};
+    if (which == pins)
+        return {2 * (q.w * q.v[0] + q.v[1] * q.v[2]),
+                2 * q.v[0],
+                {2 * q.w, 2 * q.v[2], 2 * q.v[1]}};
     const Real along = q.w * q.w + q.v[0] * q.v[0],
                across = q.v[1] * q.v[1] + q.v[2] * q.v[2];
     if (which == twist) {
@@ -98,7 +102,7 @@ inline Constraint<6> coordinate_of(const JointFrames& f, const SpaceJoint& joint
 //! [coordinate]
 
 /// The rows of a joint are numbered: two for each coordinate, the motor's last.
-inline constexpr int motor_slot = 2 * coordinates, joint_slots = 16;
+inline constexpr int motor_slot = 2 * coordinates, joint_slots = motor_slot + 1;
 
 //! [slot]
 /// The constraint of one slot of a joint: locked or kept above its least value (2c),

@@ -76,12 +76,21 @@ inline SpaceJoint slider(const SpaceScene& scene, Index a, Index b,
     joint.lock({along_y, along_z, twist, swing_y, swing_z});
     return joint;
 }
-/// A shaft that bends in any direction and hands its twist on.
+/// A shaft that bends in any direction and hands its spin on as it is.
+inline SpaceJoint constant_velocity(const SpaceScene& scene, Index a, Index b,
+                                    const Vec3& point, const Vec3& axis)
+{
+    SpaceJoint joint = ball_joint(scene, a, b, point, axis);
+    joint.lock({twist});
+    return joint;
+}
+/// Hooke's joint: a cross that turns about z of A and about y of B. It hands a spin
+/// on unevenly, (18.27b).
 inline SpaceJoint universal(const SpaceScene& scene, Index a, Index b,
                             const Vec3& point, const Vec3& axis)
 {
     SpaceJoint joint = ball_joint(scene, a, b, point, axis);
-    joint.lock({twist});
+    joint.lock({pins});
     return joint;
 }
 inline SpaceJoint fixed_joint(const SpaceScene& scene, Index a, Index b,

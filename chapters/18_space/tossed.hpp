@@ -119,7 +119,7 @@ inline SpaceScene spinning_top(const TopShape& top)
 }
 //! [top]
 
-/// Rods of 1 m, end to end, from a point: ball joints and universal joints by turns, the first rod level.
+/// Rods of 1 m, end to end, from a point: ball joints and constant-velocity joints by turns, the first rod level.
 inline SpaceScene rod_chain(int rods)
 {
     SpaceScene scene;
@@ -128,9 +128,9 @@ inline SpaceScene rod_chain(int rods)
         const Index k =
             add_body(scene, {solid_capsule(0.8, 0.1)}, 30.0, end + Vec3(0.5, 0, 0));
         const Index before = i == 0 ? world : k - 1;
-        scene.joints.push_back(i % 2 == 0
-                                   ? ball_joint(scene, before, k, end)
-                                   : universal(scene, before, k, end, {1, 0, 0}));
+        scene.joints.push_back(
+            i % 2 == 0 ? ball_joint(scene, before, k, end)
+                       : constant_velocity(scene, before, k, end, {1, 0, 0}));
     }
     // a push to the side, so that it leaves the plane
     scene.bodies.velocity(rods - 1).head<3>() = Vec3(0, 0, 2);
