@@ -214,3 +214,54 @@ TEST_CASE("how the axes of the world lie makes no difference to a loaded chain",
         // of ten metres, after a second, rounding that the chain amplifies: 1e-10 was measured
         CHECK((R * centre_of(straight.bodies.x, k) - centre_of(turned.bodies.x, k)).norm() < 1e-9);
 }
+
+TEST_CASE("what turns as stiffly as its load loses the angular momentum of (18.92a)", "[ch18][load][idea]")
+{
+    // Two rods, end to end, that whirl about their joint: 3 h² ω² = 3 times their inertia.
+    SpaceScene scene;
+    scene.gravity.setZero();
+    for (const Real side : {-0.5, 0.5}) {
+        const Index k = add_body(scene, {solid_box({1, 0.1, 0.1})}, 10.0, {side, 0, 0});
+        scene.bodies.velocity(k) << 0, 60 * side, 0, 0, 0, 60;
+    }
+    scene.joints.push_back(ball_joint(scene, 0, 1, {0, 0, 0}));
+    TouchingCones method = exact_cones();
+    method.correction.method = Stabilizer::none;  // what moves bodies beside their velocities moves x × P
+    StepData<6> now;
+    step(scene, {.h = sixtieth}, method, now);
+    const Real whole = momenta(scene.bodies).tail<3>().norm();
+    Real lost = 0;
+    for (int n = 0; n < 20; ++n) {
+        std::array<Vec3, 2> harder;
+        std::array<Mat3, 2> R;
+        for (Index k = 0; k < 2; ++k) {
+            Mat3 K = Mat3::Zero();  // times h: of impulses
+            R[static_cast<std::size_t>(k)] = rotation_of(scene.bodies.x, k);
+            for (std::size_t i = 0; i < now.constraints.size(); ++i) {
+                const Constraint<6>& c = now.constraints[i];
+                const Vec3 f = R[static_cast<std::size_t>(k)].transpose() *
+                               (now.solution.lambda[static_cast<Index>(i)] *
+                                (k == 0 ? c.Ja : c.Jb).head<3>().transpose());
+                K += turning_stiffness(f, k == 0 ? scene.joints[0].at_a : scene.joints[0].at_b);
+            }
+            harder[static_cast<std::size_t>(k)] =
+                (sixtieth * at_least(K).cwiseProduct(scene.bodies.inverse_mass.segment<3>(6 * k + 3)))
+                    .cwiseMax(1.0);
+        }
+        const Vec3 before = momenta(scene.bodies).tail<3>();
+        step(scene, {.h = sixtieth}, method, now);
+        Vec3 said(0, 0, 0);
+        for (Index k = 0; k < 2; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            const Vec3 I = scene.bodies.inverse_mass.segment<3>(6 * k + 3).cwiseInverse();
+            // R I ω stays while the axes turn: so I ω′ in the axes of the start
+            const Vec3 L = R[i].transpose() * (rotation_of(scene.bodies.x, k) *
+                                               I.cwiseProduct(scene.bodies.u.segment<3>(6 * k + 3)));
+            said += R[i] * (harder[i] - Vec3(1, 1, 1)).cwiseProduct(L);
+        }
+        const Vec3 change = momenta(scene.bodies).tail<3>() - before;
+        CHECK((change + said).norm() < 1e-12 * whole);
+        lost += said.norm();
+    }
+    CHECK(lost > 0.1 * whole);
+}

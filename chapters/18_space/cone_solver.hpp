@@ -15,7 +15,11 @@ namespace rigid {
 struct ConeSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps{50, 1e-6};
-    int corners = 0;  ///< of the pyramid that friction is in; 0: a disc
+    /// what would go wrong by more than a margin in this step is swept on, to so many
+    /// times as many sweeps, (18.54a); 1: it is not
+    int patience = 20;
+    Real margin = 0.01;  ///< how far that is [ℓ]
+    int corners = 0;     ///< of the pyramid that friction is in; 0: a disc
     /// islands of up to so many rows are solved by Algorithm 18.2, and swept where that
     /// finds no answer; 0: all are swept
     int exact_rows = 0;
@@ -47,6 +51,11 @@ struct ConeSolver {
                 "islands of up to " + std::to_string(exact_rows) +
                 " rows are to be solved exactly; it must be "
                 "zero or more");
+        if (patience < 1 || !(margin >= 0))
+            throw std::invalid_argument(
+                "the patience of sweeps is " + std::to_string(patience) +
+                " and their margin " + shortest(margin) +
+                "; they must be 1 or more, and zero or positive");
         if (corners != 0 && corners < 3)
             throw std::invalid_argument(
                 "a pyramid of friction has " + std::to_string(corners) +
@@ -153,6 +162,19 @@ private:
         }
     }
 
+    //! [is_last]
+    /// Whether n sweeps are all that an island gets, (18.54a): bodies that are wrong by
+    /// r move by h r where they should not, and beyond a margin they meet others than
+    /// those that were looked at.
+    bool is_last(int n, Real residual, const StepData<6>& now) const
+    {
+        if (n < sweeps.max_sweeps) return false;
+        const bool harm =
+            sweeps.tolerance > 0 && residual * now.h > margin * now.length;
+        return !harm || n >= patience * sweeps.max_sweeps;
+    }
+    //! [is_last]
+
     //! [solve_island]
     void solve_island(int island, VecX& u, StepData<6>& now)
     {
@@ -173,7 +195,7 @@ private:
         }
         Real residual = infinity;
         int n = 0;
-        for (bool off = true; n < sweeps.max_sweeps && off; ++n) {
+        for (bool off = true; off && !is_last(n, residual, now); ++n) {
             off = sweep_cones(problem, tolerance, u);
             now.visits += static_cast<std::int64_t>(count);
             // a small change is no small residual (chapter 4): look
@@ -218,15 +240,16 @@ private:
     {
         const auto [first, count] = rows_of(island);
         const Real tolerance = sweeps.tolerance * now.length;
-        const bool last = n == sweeps.max_sweeps;
         now.visits += static_cast<std::int64_t>(count);
-        if (!last && lanes.off[static_cast<std::size_t>(island)]) return false;
+        if (n < sweeps.max_sweeps && lanes.off[static_cast<std::size_t>(island)])
+            return false;
         for (const int k : islands.bodies_of(island))
             for (Index i = 6 * k; i < 6 * k + 6; ++i) u[i] = lanes.number(i);
         for (std::size_t k = first; k < first + count; ++k)
             rows[k].lambda = lanes.lambda(k);
         Real residual = infinity;
         if (tolerance > 0) residual = residual_of(problem_of(island), u);
+        const bool last = is_last(n, residual, now);
         if (!last && tolerance > 0 && !(residual <= tolerance)) return false;
         lanes.leave(island);
         note(n, residual, now);

@@ -25,7 +25,7 @@ inline Vec2 onto_disc(const Vec2& lambda, Real radius)
 
 //! [pyramid]
 /// The nearest point of the polygon whose corners lie on the disc's rim, the first
-/// along t₁, (18.42).
+/// along t₁, (18.47).
 /// \param corners  three or more; 0: all of the disc
 inline Vec2 onto_pyramid(const Vec2& lambda, Real radius, int corners)
 {
