@@ -237,12 +237,14 @@ TEST_CASE("grips of any size and mass and force hold what they hold", "[ch18][gr
     CHECK(unsolved > 0);
 }
 
-TEST_CASE("a patience below one and a negative margin of sweeps are refused", "[ch18][grip][house]")
+TEST_CASE("sweeps that may go on fewer times than once and a negative margin are refused",
+          "[ch18][grip][house]")
 {
     ConeSolver solver;
-    solver.patience = 0;
+    solver.patience.times = 0;
     CHECK(sentence_of([&] { solver.require_valid(); }) ==
-          "the patience of sweeps is 0 and their margin 0.01; they must be 1 or more, and zero or positive");
+          "sweeps may go on to 0 times as many, beyond a margin of 0.01; these must be 1 or more, and zero "
+          "or positive");
 }
 
 TEST_CASE("a loop of rods on hinges in space moves as on pins in the plane", "[ch18][loop][idea]")

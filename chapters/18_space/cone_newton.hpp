@@ -49,8 +49,6 @@ struct ConeNewton {
         best = guess.lambda;
         if (accept(p, enough, u))
             return true;  // last step's answer may be this one's
-        if (residual <= 1e3 * enough && stay(p, enough, u))
-            return true;  // or nearly: guesses might find another
         factor.analyse(static_cast<int>(p.bodies.size()), guess.pairs);
         bool found = guess_on(p, enough, enough, settings.first_guesses, u);
         for (int time = 0, sweeps = 10; time < settings.retreats && !found;
@@ -109,25 +107,6 @@ private:
         }
     }
 
-    /// Ten sweeps from the best λ: the answer next to it, of many.
-    bool stay(const ConeRows& p, Real enough, VecX& u)
-    {
-        bool found = false;
-        for (int n = 0; n < 10 && !found; ++n) {
-            sweep_cones(p, 0, u);
-            take_rows(p);
-            found = accept(p, enough, u);
-        }
-        give_back(p, u);
-        return found;
-    }
-
-    void take_rows(const ConeRows& p)
-    {
-        for (std::size_t k = 0; k < p.rows.size(); ++k)
-            guess.lambda[static_cast<Index>(k)] = p.rows[k].lambda;
-    }
-
     //! [guess_on]
     /// Guesses from guess.lambda on, until the problem of this ε is right to within
     /// `inner`, or one of them is the answer to the problem itself.
@@ -179,7 +158,8 @@ private:
     {
         give_back(p, u);
         for (int n = 0; n < sweeps; ++n) sweep_cones(p, 0, u);
-        take_rows(p);
+        for (std::size_t k = 0; k < p.rows.size(); ++k)
+            guess.lambda[static_cast<Index>(k)] = p.rows[k].lambda;
         return accept(p, enough, u) ||
                guess_on(p, enough, enough, settings.guesses, u);
     }

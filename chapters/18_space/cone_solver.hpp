@@ -8,6 +8,7 @@
 #include "chapters/18_space/cone_newton.hpp"
 #include "chapters/18_space/level_sweeps.hpp"
 #include "chapters/18_space/space_contact.hpp"
+#include "chapters/18_space/sweep_patience.hpp"
 
 namespace rigid {
 
@@ -15,11 +16,8 @@ namespace rigid {
 struct ConeSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps{50, 1e-6};
-    /// what would go wrong by more than a margin in this step is swept on, to so many
-    /// times as many sweeps, (18.54a); 1: it is not
-    int patience = 20;
-    Real margin = 0.01;  ///< how far that is [ℓ]
-    int corners = 0;     ///< of the pyramid that friction is in; 0: a disc
+    SweepPatience patience;  ///< with what they leave
+    int corners = 0;         ///< of the pyramid that friction is in; 0: a disc
     /// islands of up to so many rows are solved by Algorithm 18.2, and swept where that
     /// finds no answer; 0: all are swept
     int exact_rows = 0;
@@ -39,23 +37,16 @@ struct ConeSolver {
     std::vector<int> swept;             ///< islands that are not done
     std::vector<SolverRow<6>> pushing;  ///< in the second problem
     int most_sweeps = 0, unsolved = 0;  ///< of the last step
-    int guesses = 0;                    ///< of Algorithm 18.2, in the last step
-    int unanswered = 0;  ///< islands of the last step that it left to sweeps
+    int guesses = 0, unanswered = 0;    ///< of Algorithm 18.2; islands that it left
 
     void require_valid() const
     {
-        rigid::require_valid(sweeps);
+        rigid::require_valid(sweeps), patience.require_valid();
         newton.settings.require_valid();
         if (exact_rows < 0)
             throw std::invalid_argument(
                 "islands of up to " + std::to_string(exact_rows) +
-                " rows are to be solved exactly; it must be "
-                "zero or more");
-        if (patience < 1 || !(margin >= 0))
-            throw std::invalid_argument(
-                "the patience of sweeps is " + std::to_string(patience) +
-                " and their margin " + shortest(margin) +
-                "; they must be 1 or more, and zero or positive");
+                " rows are to be solved exactly; it must be zero or more");
         if (corners != 0 && corners < 3)
             throw std::invalid_argument(
                 "a pyramid of friction has " + std::to_string(corners) +
@@ -162,19 +153,6 @@ private:
         }
     }
 
-    //! [is_last]
-    /// Whether n sweeps are all that an island gets, (18.54a): bodies that are wrong by
-    /// r move by h r where they should not, and beyond a margin they meet others than
-    /// those that were looked at.
-    bool is_last(int n, Real residual, const StepData<6>& now) const
-    {
-        if (n < sweeps.max_sweeps) return false;
-        const bool harm =
-            sweeps.tolerance > 0 && residual * now.h > margin * now.length;
-        return !harm || n >= patience * sweeps.max_sweeps;
-    }
-    //! [is_last]
-
     //! [solve_island]
     void solve_island(int island, VecX& u, StepData<6>& now)
     {
@@ -195,7 +173,8 @@ private:
         }
         Real residual = infinity;
         int n = 0;
-        for (bool off = true; off && !is_last(n, residual, now); ++n) {
+        for (bool off = true; off && !patience.is_last(n, sweeps, residual, now);
+             ++n) {
             off = sweep_cones(problem, tolerance, u);
             now.visits += static_cast<std::int64_t>(count);
             // a small change is no small residual (chapter 4): look
@@ -210,7 +189,6 @@ private:
         note(n, residual, now);
     }
     //! [solve_island]
-
     //! [together]
     /// The same, side by side: each island ends by itself, and leaves its lanes.
     void solve_together(Bodies<6>& bodies, StepData<6>& now)
@@ -249,14 +227,13 @@ private:
             rows[k].lambda = lanes.lambda(k);
         Real residual = infinity;
         if (tolerance > 0) residual = residual_of(problem_of(island), u);
-        const bool last = is_last(n, residual, now);
+        const bool last = patience.is_last(n, sweeps, residual, now);
         if (!last && tolerance > 0 && !(residual <= tolerance)) return false;
         lanes.leave(island);
         note(n, residual, now);
         return true;
     }
     //! [together]
-
     void note(int sweep_count, Real residual, StepData<6>& now)
     {
         most_sweeps = std::max(most_sweeps, sweep_count);
