@@ -1,7 +1,7 @@
 /// \file sweep_patience.hpp
 /// How many sweeps an island gets: as many as are set, and more where the rest of them would do harm.
 ///
-///     swept on while  h r > 0.01 ℓ  after the sweeps that are set                                              (18.54a)
+///     swept on while  h r > 0.05 ℓ  after the sweeps that are set                                              (18.54a)
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
@@ -19,7 +19,7 @@ namespace rigid {
 /// solved.
 struct SweepPatience {
     int times = 20;  ///< as many sweeps as are set, at most; 1: no more than those
-    Real margin = 0.01;  ///< [ℓ]
+    Real margin = 0.05;  ///< [ℓ]
 
     /// Whether n sweeps are all that an island gets.
     /// \param residual  r of the island now [m/s]
