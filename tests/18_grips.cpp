@@ -115,7 +115,7 @@ RigidScene in_plane(const Loop& loop)
     RigidScene scene;
     for (std::size_t i = 0; i < loop.rods(); ++i) {
         const Real l = loop.length(i);
-        const Index rod = add_body(scene, box(l, 0.01), 10 * l, loop.middle(i));
+        const Index rod = add_body(scene, box(l, 0.01), Real{1000}, loop.middle(i));
         scene.bodies.x[3 * rod + 2] = loop.angle(i);
         scene.bodies.inverse_mass[3 * rod + 2] = 12 / (10 * l * l * l);
     }

@@ -239,6 +239,7 @@ TEST_CASE("what turns as stiffly as its load loses the angular momentum of (18.9
             R[static_cast<std::size_t>(k)] = rotation_of(scene.bodies.x, k);
             for (std::size_t i = 0; i < now.constraints.size(); ++i) {
                 const Constraint<6>& c = now.constraints[i];
+                if (now.sources[i].of != Source::Of::joint) continue;
                 const Vec3 f = R[static_cast<std::size_t>(k)].transpose() *
                                (now.solution.lambda[static_cast<Index>(i)] *
                                 (k == 0 ? c.Ja : c.Jb).head<3>().transpose());
@@ -263,5 +264,5 @@ TEST_CASE("what turns as stiffly as its load loses the angular momentum of (18.9
         CHECK((change + said).norm() < 1e-12 * whole);
         lost += said.norm();
     }
-    CHECK(lost > 0.1 * whole);
+    CHECK(lost > 0.02 * whole);
 }
