@@ -669,7 +669,7 @@ TEST_CASE("of 810 stacks under a heavy top each walk solves as many as the text 
     CHECK(all == 810);
     CHECK(light == 405);
     const auto number = [&](Status status) { return std::to_string(others[status]); };
-    CHECK(says("chapters/05_lemke/README.md",
+    CHECK(says("chapters/05_lemke/in_depth.md",
                "walk solves " + std::to_string(first) + " and the second " + std::to_string(second) +
                    " more, among them all with 1000 kg. Of the other " +
                    std::to_string(all - first - second) + ", " + number(Status::ray_termination) +

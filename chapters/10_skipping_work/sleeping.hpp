@@ -58,8 +58,8 @@ struct Rest {
 };
 
 //! [rests]
-/// s: the part of what acts on a body that may be without a counterforce at rest. With
-/// the default a_rest, 9.81 m/s² and ℓ = 1 m the two limits are nearly one.
+/// s: the part of what acts on a body that may be without a counterforce at rest.
+/// With the default a_rest, 9.81 m/s² and ℓ = 1 m the two limits are nearly one.
 constexpr Real unbalanced = 1.0 / 400;
 
 /// (10.8) for one body and one step: is it slow, and is its velocity steady?

@@ -55,8 +55,8 @@ inline RayHit cast(const Ray& ray, const Placed& shape)
         const Vec2 &n = shape.normal(i), &v = shape.vertex(i);
         const Real closing = -n.dot(ray.way);
         if (!(closing > 0)) continue;
-        // a corner is on one side of the ray for both of its edges: a ray through it
-        // meets one of them, whatever rounding says
+        // a corner is on one side of the ray for both of its edges: a ray through
+        // it meets one of them, whatever rounding says
         const auto side = [&](const Vec2& corner) {
             return cross2(ray.way, Vec2(corner + rho * n - ray.from));
         };

@@ -9,9 +9,10 @@ namespace rigid {
 
 //! [wall]
 /// Along the outline of a convex shape the height over a wall falls to its lowest
-/// vertex and rises behind it, so the second lowest is beside the lowest. But of a thin
-/// shape that lies the two ends are what it stands on, not the two corners of one end
-/// (where a distance is asked for, with an infinite margin, the two lowest).
+/// vertex and rises behind it, so the second lowest is beside the lowest. But of a
+/// thin shape that lies the two ends are what it stands on, not the two corners of
+/// one end (where a distance is asked for, with an infinite margin, the two
+/// lowest).
 /// \param margin  a vertex whose gap is not below it is left out [m] …
 /// \param second  … unless the other's is below it, and its own below this [m]
 /// \return        normal out of the wall; features are numbers of vertices

@@ -101,8 +101,8 @@ inline Constraint<6> drag_constraint(const SpaceContact& contact,
 //! [drag]
 
 //! [turn]
-/// (18.43): a moment against rolling, about t₁ or t₂, or against spinning about n. Its
-/// w is a speed like that of the other rows, at the distance ℓ.
+/// (18.43): a moment against rolling, about t₁ or t₂, or against spinning about n.
+/// Its w is a speed like that of the other rows, at the distance ℓ.
 /// \param length  ℓ [m]
 inline Constraint<6> turn_constraint(const SpaceContact& contact,
                                      const ContactPlace& p, SpacePart part,
