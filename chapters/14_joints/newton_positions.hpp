@@ -43,6 +43,14 @@ struct NewtonSettings {
 };
 
 struct NewtonPositions : NewtonSettings, Restitution {
+private:
+    template <class List>
+    static auto& at(List& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+
+public:
     // Of the last step.
     int iterations = 0;
     Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
@@ -278,11 +286,6 @@ struct NewtonPositions : NewtonSettings, Restitution {
     bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
 
 private:
-    template <class List>
-    static auto& at(List& list, int i)
-    {
-        return list[static_cast<std::size_t>(i)];
-    }
     static bool is_of_joint(const StepData<3>& now, int row)
     {
         return at(now.sources, row).of == Source::Of::joint;

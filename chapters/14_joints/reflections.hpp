@@ -54,6 +54,14 @@ inline Real bounced_speed(Real e, Real v, Real a, Real gap, Real h)
 }
 
 struct Reflections {
+private:
+    template <class List>
+    static auto& at(List& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+
+public:
     int most = 60;   ///< rounds; what approaches then is stopped by its rows
     int rounds = 0;  ///< of the last call
     VecX impulse;    ///< of each row, in the last call that had it [N s]
@@ -85,12 +93,6 @@ struct Reflections {
     //! [reflect]
 
 private:
-    template <class List>
-    static auto& at(List& list, int i)
-    {
-        return list[static_cast<std::size_t>(i)];
-    }
-
     void begin(std::span<const int> rows, std::span<const int> members,
                const Bodies<3>& bodies, const StepData<3>& now)
     {

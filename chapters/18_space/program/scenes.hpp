@@ -154,7 +154,8 @@ inline Demo top_scene()
 inline Demo chain_scene()
 {
     return hung_demo(
-        "chain", "Rods on ball joints and constant-velocity joints swing out of the plane",
+        "chain",
+        "Rods on ball joints and constant-velocity joints swing out of the plane",
         {{0, -1.6}, {4.6, 3.2}},
         [](const Settings& settings) {
             SpaceSetup setup;
