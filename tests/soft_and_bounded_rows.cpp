@@ -153,6 +153,8 @@ struct SlopeScene {
     Vec2 along() const { return {std::cos(angle), -std::sin(angle)}; }
 };
 
+Real own_restitution(const SlopeScene&, const StepData<2>&, std::size_t) { return 0; }
+
 void free_velocities(SlopeScene& scene, const StepSettings& settings, StepData<2>& now)
 {
     now.u_star = scene.bodies.u + settings.part() * scene.gravity;

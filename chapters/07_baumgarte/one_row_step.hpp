@@ -17,6 +17,14 @@ struct OneRowScene {
     ConstraintAt at;
 };
 
+/// e of its row, besides that of the method (chapter 6): none.
+template <class ConstraintAt>
+Real own_restitution(const OneRowScene<ConstraintAt>&, const StepData<2>&,
+                     std::size_t)
+{
+    return 0;
+}
+
 template <class ConstraintAt>
 void free_velocities(OneRowScene<ConstraintAt>& scene, const StepSettings& settings,
                      StepData<2>& now)
