@@ -119,6 +119,7 @@ TEST_CASE("conjugate gradients find the impulses of the tree in about as many st
     for (const Real ratio : {1.0, 1000.0}) {
         JointedScene scene = chain_scene({20, 0.1, 0.1, ratio, 0.3});
         Trees method;
+        method.correction.most_follow = 0;  // the impulses of the rows alone
         StepData<3> now;
         step(scene, {}, method, now);
         const Solution found = conjugate_gradients(assemble(now.rows, now.u_star), 1e-9);
@@ -324,6 +325,7 @@ TEST_CASE("a body that hangs on two platforms follows each of them", "[idea]")
         add_joint(scene, rod);
     }
     Trees method;
+    method.correction.most_follow = 0;  // what the rows say, without the arcs
     StepData<3> now;
     step(scene, {}, method, now);
     CHECK(now.solution.status == Status::solved);
@@ -375,6 +377,7 @@ TEST_CASE("the impulses of a chain with a load of a million links are those of i
     for (const bool rails : {false, true}) {
         JointedScene scene = rails ? with_rails(on_pins) : on_pins;
         Trees method;
+        method.correction.most_follow = 0;  // the impulses of the rows alone
         StepData<3> now;
         for (int n = 0; n < 30; ++n) {
             step(scene, {}, method, now);

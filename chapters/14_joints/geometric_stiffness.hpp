@@ -8,8 +8,9 @@
 /// Rows along J of the start of a step leave this stiffness to the next step, as an explicit spring does: stable while
 /// h √(κ/I) < 2. An inertia that is larger by h² κ/4 for the change of a velocity, and for that alone, is stable at any step and
 /// damps nothing: Newmark's method with β = 1/4 \cite newmark1959. What I carries by itself, half of s = 1 for each
-/// end, is left alone, so a pendulum is what it is. Only what turns by more than a twentieth of a radian in a step under such a load is damped, as
-/// an implicit spring damps \cite tournier2015: no step can tell where it is going.
+/// end, is left alone, so a pendulum is what it is. What is whipped,
+/// h |ω| √(h² κ/I) above a tenth of a radian, is damped as an implicit spring damps \cite tournier2015: no step can tell where
+/// it is going.
 #pragma once
 
 #include "chapters/08_warm_starting/warm_start.hpp"
@@ -22,7 +23,8 @@ namespace loaded {
 constexpr Real beta = 0.25;  ///< of Newmark's method: the least that is stable
 constexpr Real carried =
     0.5;  ///< s, of h² κ/I: 4 would be the limit for one spring
-constexpr Real most_turn = 0.05;  ///< of a body in a sub-step [rad]
+/// h ω √(h² κ/I), of a body in a sub-step [rad]: what turns faster is damped
+constexpr Real most_turn = 0.1;
 }  // namespace loaded
 
 //! [stiffness]
@@ -180,7 +182,7 @@ private:
         const Real own = inverse, spin = bodies.u[3 * k + 2];
         const Real load = h * kappa_[k] * own;  // h² κ/I
         if (!(load > loaded::carried)) return own;
-        const bool turns = h * std::abs(spin) > loaded::most_turn;
+        const bool turns = h * std::abs(spin) * std::sqrt(load) > loaded::most_turn;
         const Real less =
             1 / (1 + (turns ? load : loaded::beta * (load - loaded::carried)));
         inverse *= less;
@@ -216,7 +218,9 @@ private:
             const Real mobility = row.inverse_effective_mass();
             c.speed = row.velocity(scene.bodies.u);
             c.inertance = inertance_under(scene, j, part, c, pull, h);
-            if (h * std::abs(c.speed) >
+            const Real load =
+                c.inertance / loaded::beta * mobility + loaded::carried;
+            if (h * std::abs(c.speed) * std::sqrt(load) >
                 loaded::most_turn * line_length(scene, j, part))
                 c.speed = 0, c.inertance /= loaded::beta;
             // a line that went slack in this step has next to none

@@ -80,7 +80,9 @@ struct WithJoints {
                 return far;
             });
         } while (wake_the_joined(scene, now));
-        if (inerters) add_inerters(scene, settings, method.start.cache, now);
+        // a start that keeps no impulses knows of no load
+        if constexpr (requires { method.start.cache; })
+            if (inerters) add_inerters(scene, settings, method.start.cache, now);
     }
     template <class Method>
     void end(JointedScene& scene, const StepSettings& settings, Method& method,

@@ -137,8 +137,7 @@ public:
         bool joined = false;
         for (const int i : rows) {
             const Constraint<3>& c = at(now.constraints, i);
-            at(second.left_out, i) =
-                !has_error(c.kind) && c.kind != ConstraintKind::inerter;
+            at(second.left_out, i) = !has_error(c.kind) && !holds_speed(c, now, i);
             at(second.bias, i) = 0;
             at(goal_, i) =
                 c.kind == ConstraintKind::bilateral ? c.C : std::min(Real{0}, c.C);
@@ -155,7 +154,7 @@ public:
             for (const int i : rows) {
                 if (at(second.left_out, i)) continue;
                 const Constraint<3>& old = at(now.constraints, i);
-                if (old.kind == ConstraintKind::inerter) continue;
+                if (!has_error(old.kind)) continue;
                 const Constraint<3> c = constraint_at(
                     scene, now, static_cast<std::size_t>(i), bodies.x);
                 if (!is_of_joint(now, i)) {
@@ -286,6 +285,15 @@ public:
     bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
 
 private:
+    /// Whether the arcs are to leave J u as it is: of an inerter, and of a motor that has its speed.
+    static bool holds_speed(const Constraint<3>& c, const StepData<3>& now, int i)
+    {
+        if (c.kind == ConstraintKind::inerter) return true;
+        const Row<3>& row = at(now.rows, i);
+        const Real lambda = now.solution.lambda[i];
+        return c.kind == ConstraintKind::motor && is_of_joint(now, i) &&
+               lambda > row.lo && lambda < row.hi;
+    }
     static bool is_of_joint(const StepData<3>& now, int row)
     {
         return at(now.sources, row).of == Source::Of::joint;
