@@ -9,6 +9,8 @@
 
 using namespace rigid;
 
+namespace each_field {  // sources of one target are compiled together
+
 namespace {
 
 constexpr Real frame = 1.0 / 60;
@@ -361,3 +363,5 @@ TEST_CASE("each field of a joint does what it says", "[idea]")
     CHECK(geared(1) == Approx(-1).margin(1e-6));
     CHECK(geared(2) == Approx(-2).margin(1e-6));
 }
+
+}  // namespace each_field

@@ -10,6 +10,8 @@
 
 using namespace rigid;
 
+namespace what_is_kept {  // sources of one target are compiled together
+
 namespace {
 
 constexpr Real frame = 1.0 / 60;
@@ -482,3 +484,5 @@ TEST_CASE("a world that was loaded goes on to the same bits whatever comes next"
         }
     }
 }
+
+}  // namespace what_is_kept

@@ -139,8 +139,13 @@ public:
             const Constraint<3>& c = at(now.constraints, i);
             at(second.left_out, i) = !has_error(c.kind) && !holds_speed(c, now, i);
             at(second.bias, i) = 0;
-            at(goal_, i) =
-                c.kind == ConstraintKind::bilateral ? c.C : std::min(Real{0}, c.C);
+            // what Newton's method left is no error of its own
+            const bool met = std::abs(c.C) * (is_angle(c) ? now.length : 1) <=
+                             10 * tolerance * now.length;
+            at(goal_, i) = c.kind != ConstraintKind::bilateral
+                               ? std::min(Real{0}, c.C)
+                           : met ? 0
+                                 : c.C;
             joined = joined || (has_error(c.kind) && is_of_joint(now, i));
         }
         if (!joined) return;
