@@ -97,6 +97,9 @@ struct StepData {
 struct SecondProblem {
     std::vector<Real> bias;      ///< b of each row [m/s]
     std::vector<char> left_out;  ///< 1: the row gets no impulse in this problem
+    /// what it gives is a part of the motion, no error (chapter 14): solvers that
+    /// remember keep the two kinds apart
+    bool arcs = false;
     int max_sweeps = 10;         ///< of solvers that sweep
     /// their sweeps end when none changes a row by more than this [m/s]
     Real tolerance = 1e-9;

@@ -178,7 +178,9 @@ public:
                 return;
             }
             before = off;
+            second.arcs = true;
             apart.solve_apart(second, v, now);
+            second.arcs = false;
             go(bodies, members, h);
             for (const int k : members)
                 gained_.segment<3>(3 * k) += v.segment<3>(3 * k);

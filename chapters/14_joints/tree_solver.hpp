@@ -12,6 +12,8 @@
 #include "chapters/14_joints/joint_residual.hpp"
 #include "chapters/14_joints/reflections.hpp"
 
+#include <array>
+
 namespace rigid {
 
 //! [tree_solver]
@@ -27,7 +29,13 @@ struct TreeSolver {
     JointFactor joints;
     JointFactor apart;    ///< of solve_apart(), where springs are left out
     BoundedRows bounded;  ///< above the joints
-    BoundedRows bounded_apart;
+    /// the same of other problems: errors, and arcs
+    struct Apart {
+        BoundedRows bounded;
+        bool listed = false;         ///< A is that of these rows and joints
+        std::vector<char> left_out;  ///< of the last one
+    };
+    std::array<Apart, 2> others;
     Reflections reflections;
     int sweeps_made = 0;  ///< of the last solve
 
@@ -70,7 +78,7 @@ struct TreeSolver {
     {
         inverse_mass_ = bodies.inverse_mass;
         joints.factor(now.rows, inverse_mass_);
-        listed_ = listed_apart_ = false;
+        listed_ = others[0].listed = others[1].listed = false;
         enough_ = std::max(std::max(tolerance, 1e-9) * now.length,
                            noise_of_corners(bodies, now));
     }
@@ -87,17 +95,20 @@ struct TreeSolver {
             same = same && !(second.left_out[i] && JointTree::takes(now.rows[i]));
             if (second.left_out[i]) lambda[static_cast<Index>(i)] = 0;
         }
-        if (!listed_apart_ || second.left_out != left_out_) {
-            if (!same) apart.factor(now.rows, inverse_mass_, second.left_out);
-            left_out_ = second.left_out;
-            listed_apart_ = false;
+        Apart& other = others[second.arcs];
+        if (!other.listed || second.left_out != other.left_out) {
+            other.left_out = second.left_out;
+            other.listed = false;
+            if (!same) others[!second.arcs].listed = false;  // they share a factor
         }
+        if (!same && !other.listed)
+            apart.factor(now.rows, inverse_mass_, second.left_out);
         const auto from_rest = [&] {
             for (const int k : now.active) v.segment<3>(3 * k).setZero();
         };
-        const bool done = run(same ? joints : apart, bounded_apart, listed_apart_,
-                              second.left_out, second.max_sweeps, second.tolerance,
-                              from_rest, v, lambda, now);
+        const bool done =
+            run(same ? joints : apart, other.bounded, other.listed, second.left_out,
+                second.max_sweeps, second.tolerance, from_rest, v, lambda, now);
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
     //! [tree_solver]
@@ -245,10 +256,9 @@ private:
     VecX said_;        ///< velocities before they were refined
     Real unlike_ = 0;  ///< what λ makes of u, where it is something else
     Real enough_ = 0;  ///< a residual below this is none [m/s]
-    // are factor and A of velocities, of positions, those of the present rows?
-    bool listed_ = false, listed_apart_ = false;
-    std::vector<char> left_out_;  ///< of the last solve_apart()
-    std::vector<int> all_;        ///< rows
+    // is A that of the present rows?
+    bool listed_ = false;
+    std::vector<int> all_;  ///< rows
 };
 
 }  // namespace rigid

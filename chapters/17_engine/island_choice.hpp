@@ -172,7 +172,8 @@ private:
             for (TreePart* one :
                  {static_cast<TreePart*>(choice.exactly.find(island)),
                   choice.held.find(island)})
-                if (one) one->entries += one->solver.bounded_apart.entries;
+                if (one)
+                    one->entries += one->solver.others[second.arcs].bounded.entries;
         }
         /// The rows have another J.
         void factor_again(const Bodies<3>& bodies, const StepData<3>& now)

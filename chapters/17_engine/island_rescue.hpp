@@ -48,7 +48,7 @@ struct TreePart {
     void forget()
     {
         solver.bounded.forget();
-        solver.bounded_apart.forget();
+        for (TreeSolver::Apart& other : solver.others) other.bounded.forget();
         part.second.solution.lambda.setZero();
         entries = -joint_entries(solver);
     }

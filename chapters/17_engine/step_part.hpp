@@ -146,6 +146,7 @@ struct StepPart {
     void gather(const SecondProblem& all)
     {
         second.max_sweeps = all.max_sweeps;
+        second.arcs = all.arcs;
         second.tolerance = all.tolerance;
         second.bias.resize(rows.size());
         second.left_out.resize(rows.size());
