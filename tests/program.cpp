@@ -177,6 +177,8 @@ TEST_CASE("options that lack something or contradict each other are refused")
     require_refused({"--scene"}, {"--scene", "has no value"});
     require_refused({"--steps", "1", "--steps", "2"}, {"--steps", "once"});
     require_refused({"--every", "5"}, {"--every", "--record"});
+    require_refused({"--headless", "--dark", "--svg", "a.svg"}, {"--dark", "--png or --record"});
+    require_refused({"--problem", "x.mlcp", "--dark"}, {"--dark", "--problem"});
     require_refused({"--method", "explicit,explicit"}, {"\"explicit\" twice"});
     require_refused({"--csv", ""}, {"--csv", "file name"});
     require_refused({"--problem", ""}, {"--problem", "file name"});
@@ -330,8 +332,8 @@ TEST_CASE("help and the list of scenes name everything there is")
     const Said help = run({"--help"});
     CHECK(help.code == 0);
     CHECK(help.err.empty());
-    for (const char* word : {"--scene", "--set", "--method", "--headless", "--record", "--problem", "fall",
-                             "steered", "g=8 m/s²", "Gravity; between 0 and 16 m/s²", "beads=1",
+    for (const char* word : {"--scene", "--set", "--method", "--headless", "--record", "--dark", "--problem",
+                             "fall", "steered", "g=8 m/s²", "Gravity; between 0 and 16 m/s²", "beads=1",
                              "symplectic, explicit", "height [m]", "enumerate, schur"}) {
         CAPTURE(word);
         CHECK(contains(help.out, word));
@@ -636,6 +638,24 @@ TEST_CASE("frames are recorded at the start and every so many steps")
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     CHECK(names == std::vector<std::string>{"frame_000000", "frame_000001", "frame_000002"});
+}
+
+TEST_CASE("a dark picture is another one than the light one and a drawing of lines is the same")
+{
+    const Folder folder;
+    const auto picture = [](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"--headless", "--steps", "2", "--png", name + ".png", "--svg", name + ".svg"});
+        return run(more);
+    };
+    const Said light = picture("light", {});
+    if (contains(light.err, "needs OpenGL without a window")) return;
+    REQUIRE(light.code == 0);
+    REQUIRE(picture("again", {}).code == 0);
+    REQUIRE(picture("dark", {"--dark"}).code == 0);
+    CHECK(content("again.png") == content("light.png"));
+    CHECK(content("dark.png") != content("light.png"));
+    CHECK(content("dark.svg") == content("light.svg"));
 }
 
 // ---- the pointer ------------------------------------------------------------------------------

@@ -294,6 +294,7 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
         app.add_option("--record", options.record, "Write numbered pictures into this folder")
             ->type_name("DIR");
         app.add_option("--every", every_text, "Steps between two recorded pictures (1)")->type_name("N");
+        app.add_flag("--dark", options.dark, "Dark colours in the window, in --png and in --record");
     }
     if (program.solve_problem)
         app.add_option("--problem", options.problem,
@@ -325,7 +326,8 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
                                           {"--svg", !options.svg.empty()},
                                           {"--png", !options.png.empty()},
                                           {"--record", !options.record.empty()},
-                                          {"--every", !every_text.empty()}})
+                                          {"--every", !every_text.empty()},
+                                          {"--dark", options.dark}})
             if (given) refuse(std::string(name) + " is for scenes; with --problem only --method can stand");
         const std::vector<std::string> words = split_methods(methods);
         if (words.size() > 1)
@@ -368,6 +370,9 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
                    " but --record is missing; it must say the folder");
         options.every = static_cast<long>(whole("--every", every_text, 1, 1'000'000'000));
     }
+    if (options.dark && options.headless && app.count("--png") + app.count("--record") == 0)
+        refuse("--dark is for a window, --png or --record; with --headless one of those two must be there "
+               "(an --svg reads on light and on dark)");
     for (const char* name : {"--csv", "--svg", "--png", "--record"})
         if (app.count(name) > 0 && app.get_option(name)->results().front().empty())
             refuse(std::string(name) + " is \"\"; it must be a file name");

@@ -19,6 +19,7 @@ struct Options {
     bool methods_given = false;        ///< by --method
     std::optional<long> steps;
     bool headless = false;
+    bool dark = false;          ///< the colours of window, png and record
     std::string csv, svg, png;  ///< files; csv may be "-"
     std::string record;         ///< a folder
     long every = 1;             ///< steps between two recorded frames

@@ -30,7 +30,7 @@ int run_headless(const Program& program, const Options& options)
     std::unique_ptr<PicturePainter> painter;
     if (!options.png.empty() || !options.record.empty()) {
         std::string reason;
-        painter = make_offscreen_painter(reason);
+        painter = make_offscreen_painter(options.dark, reason);
         if (!painter && !options.png.empty())
             throw std::invalid_argument("--png " + options.png + " needs OpenGL without a window, and " +
                                         reason + "; --svg needs nothing");

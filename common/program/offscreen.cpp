@@ -20,7 +20,7 @@ namespace {
 /// A context that has no window, and the framebuffer that stands for one.
 class OffscreenPainter : public PicturePainter {
 public:
-    OffscreenPainter() { begin(); }
+    explicit OffscreenPainter(bool dark) : theme_{dark} { begin(); }
     ~OffscreenPainter() override { end(); }
     OffscreenPainter(const OffscreenPainter&) = delete;
     OffscreenPainter& operator=(const OffscreenPainter&) = delete;
@@ -46,9 +46,8 @@ public:
         ImGui_ImplOpenGL3_NewFrame();
         ImGui::NewFrame();
         ImDrawList& list = *ImGui::GetBackgroundDrawList();
-        const Theme theme;
-        list.AddRectFilled({0, 0}, io.DisplaySize, theme.card());
-        paint_picture(list, panes, layout, theme, *fonts_);
+        list.AddRectFilled({0, 0}, io.DisplaySize, theme_.card());
+        paint_picture(list, panes, layout, theme_, *fonts_);
         ImGui::Render();
         glViewport(0, 0, width, height);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -135,6 +134,7 @@ private:
                                      std::to_string(height) + " pixels");
     }
 
+    Theme theme_;
     std::string reason_;
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
@@ -146,9 +146,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<PicturePainter> make_offscreen_painter(std::string& reason)
+std::unique_ptr<PicturePainter> make_offscreen_painter(bool dark, std::string& reason)
 {
-    auto painter = std::make_unique<OffscreenPainter>();
+    auto painter = std::make_unique<OffscreenPainter>(dark);
     reason = painter->reason();
     if (!reason.empty()) return nullptr;
     return painter;

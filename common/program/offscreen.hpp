@@ -17,7 +17,8 @@ public:
     virtual void write_png(const std::string& file, const std::vector<Pane>& panes) = 0;
 };
 
-/// Null, with the reason, where there is no OpenGL to be had. Never touches GLFW.
-std::unique_ptr<PicturePainter> make_offscreen_painter(std::string& reason);
+/// Paints in the colours of a dark room or of a light one. Null, with the reason, where there is no OpenGL
+/// to be had. Never touches GLFW.
+std::unique_ptr<PicturePainter> make_offscreen_painter(bool dark, std::string& reason);
 
 }  // namespace rigid

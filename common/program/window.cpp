@@ -122,6 +122,7 @@ public:
     {
         InterruptGuard guard;
         state_.watch = &watch_;
+        state_.dark = options_.dark;
         auto before = std::chrono::steady_clock::now();
         while (true) {
             const bool last = glfwWindowShouldClose(window_) || InterruptGuard::interrupted() ||
