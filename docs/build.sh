@@ -5,6 +5,7 @@
 #     docs/build.sh check    only check the texts (needs nothing but python3)
 #     docs/build.sh sync     fill the quoted code in from the sources
 #     docs/build.sh test     test these tools themselves
+#     docs/build.sh site ADDRESS    where the site is published: the front page's link to play; `none` for nowhere
 #
 # DOXYGEN_AWESOME=FOLDER names another place of doxygen-awesome-css.
 set -eu
@@ -37,8 +38,9 @@ case "${1:-build}" in
 check) check_texts; say "the texts are in order"; exit 0 ;;
 sync) exec python3 docs/tools/sync_snippets.py ;;
 test) exec python3 docs/tools/test_tools.py ;;
+site) shift && exec python3 docs/tools/site_address.py "$@" ;;
 build) ;;
-*) fail "knows build, check, sync and test, not '$1'" ;;
+*) fail "knows build, check, sync, test and site, not '$1'" ;;
 esac
 
 need doxygen "it writes the site" doxygen

@@ -36,6 +36,7 @@ if(WAY STREQUAL "an installed copy" AND NOT warns EQUAL -1)
   list(APPEND asked "-Wconversion for the program")
 endif()
 run("the program" ${folder}/build/my_program)
+run("the program with a stack" ${folder}/build/my_stack)
 run("the program with a world" ${folder}/build/my_world)
 
 # An instruction set for the program alone would make Eigen free what it did not allocate: refused with a sentence.

@@ -234,7 +234,8 @@ class Token:
 
 
 TOKEN = re.compile(
-    r"(?P<mathtick>(?<![\w$\\])\$`(?P<mt>[^`]+)`\$)"
+    r"(?P<rooms><picture>.*?</picture>)"
+    r"|(?P<mathtick>(?<![\w$\\])\$`(?P<mt>[^`]+)`\$)"
     r"|(?P<code>(?<!`)(?P<ticks>`+)(?!`)(?P<inside>.*?)(?<!`)(?P=ticks)(?!`))"
     r"|(?P<escape>\\[\\`*_{}\[\]()#+\-.!$<>|~])"
     r"|(?P<math>(?<![\w$\\])\$(?![\s$])(?P<m>(?:\\.|[^$\n\\])*?(?:\\.|[^$\s\\]))\$(?![\w$]))"
@@ -250,6 +251,15 @@ TOKEN = re.compile(
 def attribute(tag, name):
     found = re.search(rf"\b{name}\s*=\s*\"([^\"]*)\"", tag)
     return found.group(1) if found else None
+
+
+def picture_of_rooms(markup):
+    """A <picture>: what a light page shows (its <img>), a dark one, and a reader who wants nothing to move."""
+    images = {kind: attribute(tag, "srcset") for tag in re.findall(r"<source\b[^>]*>", markup)
+              for kind in ("dark", "reduce") if f": {kind})" in (attribute(tag, "media") or "")}
+    tag = (re.findall(r"<img\b[^>]*>", markup) or [""])[0]
+    return {"alt": attribute(tag, "alt") or "", "src": attribute(tag, "src") or "", "width": attribute(tag, "width"),
+            "dark": images.get("dark") or "", "still": images.get("reduce") or ""}
 
 
 def tokens(paragraph):
@@ -276,6 +286,8 @@ def tokens(paragraph):
                 "alt": m.group("lalt"), "src": m.group("lsrc"), "target": m.group("ltarget")}))
         elif m.group("image"):
             out.append(Token("image", text, at, {"alt": m.group("alt"), "src": m.group("src")}))
+        elif m.group("rooms"):
+            out.append(Token("image", text, at, picture_of_rooms(text)))
         elif m.group("img"):
             out.append(Token("image", text, at, {
                 "alt": attribute(text, "alt") or "", "src": attribute(text, "src") or "",
@@ -290,6 +302,14 @@ def tokens(paragraph):
         last = m.end()
     words(len(paragraph))
     return out
+
+
+def lone_picture(block):
+    """What is known of the picture that a paragraph is, or None: `![…](…)` on one line, or a <picture>."""
+    if block.kind != "paragraph" or len(block.lines) != 1 and not block.lines[0].startswith("<picture>"):
+        return None
+    found = [t for t in tokens(block.text.strip()) if t.text.strip()]
+    return found[0].info if len(found) == 1 and found[0].kind == "image" else None
 
 
 # ----------------------------------------------------- equations, figures, keys

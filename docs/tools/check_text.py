@@ -37,7 +37,7 @@ import urllib.parse
 
 from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
-                      figure_captions, markdown_files, snippet_language, source_files, run_tool, test_names, tokens)
+                      figure_captions, lone_picture, markdown_files, snippet_language, source_files, run_tool, test_names, tokens)
 from demos import demo_of, own_program
 
 WIDEST_CODE = 84
@@ -155,6 +155,11 @@ class Checker:
             self.shown.add((chapter_of(self.root, path), found))
         if "target" in info:
             self.link(path, line, info["target"])
+        for room, what in (("dark", "(prefers-color-scheme: dark)"), ("still", "(prefers-reduced-motion: reduce)")):
+            if room in info and not info[room]:
+                self.fault(path, line, f'a <picture> has a <source media="{what}" srcset="…">.')
+            elif room in info:
+                self.picture(path, line, {"alt": info["alt"], "src": info[room]})
 
     # -- maths
 
@@ -406,9 +411,9 @@ class Checker:
             return
         if FIGURE_CAPTION.match(block.lines[0]):
             before = [b for b in parts[:k] if b.kind not in ("blank", "comment")]
-            if not before or not is_picture(before[-1]):
+            if not before or not lone_picture(before[-1]):
                 self.fault(path, block.line, "this caption does not stand below a picture.")
-        elif is_picture(block) and chapter_of(self.root, path):
+        elif lone_picture(block) and chapter_of(self.root, path):
             behind = [b for b in parts[k + 1:] if b.kind not in ("blank", "comment")]
             if not behind or behind[0].kind != "paragraph" or not FIGURE_CAPTION.match(behind[0].lines[0]):
                 self.fault(path, block.line, "a picture of a chapter has a caption '**Figure N.M.** …' below it.")
@@ -523,13 +528,6 @@ def least_width(table):
             wide = sum(parts(cell, True)) if k == 0 else max(parts(cell, False), default=0)
             columns[column] = max(columns.get(column, 0), wide)
     return round(sum(7.2 * characters + 22 for characters in columns.values()))
-
-
-def is_picture(block):
-    if block.kind != "paragraph" or len(block.lines) != 1:
-        return False
-    found = [t for t in tokens(block.lines[0].strip()) if t.text.strip()]
-    return len(found) == 1 and found[0].kind == "image"
 
 
 def shorten(tex):

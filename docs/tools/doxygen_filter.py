@@ -16,7 +16,7 @@ import re
 import sys
 
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
-                      blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, page_id, run_tool, slug,
+                      blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, lone_picture, page_id, run_tool, slug,
                       snippet_code, snippet_language, test_names, tokens)
 from demos import demo_of, own_program
 
@@ -142,6 +142,12 @@ class Page:
         width = f' width="{html.escape(info["width"])}"' if info.get("width") else ""
         alt = html.escape(re.sub(r"\s+", " ", info["alt"]))
         tag = f'<img src="pictures/{html.escape(source)}" alt="{alt}"{width}/>'
+        if "dark" in info:  # the site's switch decides, not the system's; what is not shown is not loaded
+            def of(room, name):
+                here, still = (html.escape(self.relative((self.path.parent / info[one]).resolve())) for one in (room, "still"))
+                return (f'<picture class="room-{name}"><source media="(prefers-reduced-motion: reduce)" srcset="pictures/{still}"/>'
+                        f'<img src="pictures/{here}" alt="{alt}"{width} loading="lazy"/></picture>')
+            tag = of("src", "light") + of("dark", "dark")
         return self.anchor_tag(tag, info["target"]) if "target" in info else tag
 
     def code(self, text):
@@ -295,12 +301,6 @@ class Page:
         parts = [b for b in blocks(source, str(self.path))]
         out, seen, k = [], {}, 0
         before = None  # the comment in front of a picture
-
-        def lone_picture(block):
-            if block.kind != "paragraph" or len(block.lines) != 1:
-                return None
-            found = [t for t in tokens(block.lines[0].strip()) if t.text.strip()]
-            return found[0].info if len(found) == 1 and found[0].kind == "image" else None
 
         while k < len(parts):
             block = parts[k]

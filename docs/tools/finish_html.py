@@ -125,7 +125,7 @@ def finish(folder, tag_file, root):
             new = re.sub(r'<a href="#nested-classes">[^<]*</a>(?:\s*&#124;\s*)?', "", new)
         if page.name == "index.html":
             new = thumbnails(new, root)
-        pictures.update(html.unescape(p) for p in re.findall(r'src="pictures/([^"]+)"', new))
+        pictures.update(html.unescape(p) for p in re.findall(r'src(?:set)?="pictures/([^"]+)"', new))
         if new != old:
             page.write_text(new, encoding="utf-8")
     sidebar = folder / "navtreedata.js"

@@ -19,6 +19,7 @@ import demos  # noqa: E402
 import finish_html  # noqa: E402
 import search_texts  # noqa: E402
 from finish_html import finish  # noqa: E402
+import site_address  # noqa: E402
 import sync_snippets  # noqa: E402
 from booktext import TextError, blocks, comments, slug, test_names, tokens  # noqa: E402
 from doxygen_filter import Book, Page, source_text, test_text, unpacked  # noqa: E402
@@ -176,6 +177,33 @@ class Text(Folder):
     def test_a_picture_from_elsewhere(self):
         self.change("README.md", "[One]", "![x](https://example.org/x.png) [One]")
         self.fails("fetched from elsewhere")
+
+    ROOMS = """<picture>
+  <source media="(prefers-reduced-motion: reduce)" srcset="docs/still.svg">
+  <source media="(prefers-color-scheme: dark)" srcset="docs/dark.gif">
+  <img alt="A spring that moves" src="docs/light.gif" width="640">
+</picture>"""
+
+    def test_a_picture_for_light_and_dark_rooms(self):
+        for file in ("still.svg", "dark.gif", "light.gif"):
+            self.write(f"docs/{file}", "")
+        self.add(self.ROOMS, "README.md")
+        self.assertEqual(self.faults(), [])
+        for file in ("still.svg", "dark.gif", "light.gif"):
+            self.change("README.md", file, f"gone_{file}")
+            self.fails(f"the picture docs/gone_{file} leads to nothing")
+            self.change("README.md", f"gone_{file}", file)
+        self.change("README.md", "(prefers-reduced-motion: reduce)", "(print)")
+        self.fails('<source media="(prefers-reduced-motion: reduce)"')
+
+    def test_a_picture_for_rooms_has_two_images_on_the_site_and_the_switch_chooses(self):
+        self.add(self.ROOMS, "README.md")
+        page = unpacked(Page(Book(self.root), self.root / "README.md").text())
+        for name in ("light", "dark"):
+            self.assertIn(f'<picture class="room-{name}"><source media="(prefers-reduced-motion: reduce)" '
+                          'srcset="pictures/docs/still.svg"/>'
+                          f'<img src="pictures/docs/{name}.gif" alt="A spring that moves" width="640" loading="lazy"/></picture>', page)
+        self.assertIn('<div class="figure"><picture', page)
 
     def test_an_orphan_figure(self):
         self.write("chapters/02_constraints/figures/ch02_alone.svg", "<svg/>")
@@ -517,10 +545,12 @@ class Finish(Folder):
             '<a class="el" href="book:LICENSE">MIT<!--/book--></a> '
             '<span class="comment">// (1.1): and f(1.1)</span> '
             '<img src="pictures/chapters/01_euler/figures/ch01_spring.svg" alt="x"/> \\(x\\), '
+            '<picture><source srcset="pictures/docs/still.svg"/></picture>'
             '<a href="citelist.html#CITEREF_known2000">[12]</a>')
         (self.root / "tag").write_text(
             "<tagfile><compound kind='file'><name>step.hpp</name>"
             f"<path>{self.root}/chapters/01_euler/</path><filename>step_8hpp.html</filename></compound></tagfile>")
+        self.write("docs/still.svg", "<svg></svg>")
         finish(html, self.root / "tag", self.root)
         text = (html / "index.html").read_text()
         self.assertIn('<a class="el" href="step_8hpp_source.html#l00007">line</a> MIT', text)
@@ -528,6 +558,7 @@ class Finish(Folder):
         self.assertIn('<span class="nobreak">\\(x\\),</span>', text)
         self.assertIn("[known2000]</a>", text)
         self.assertTrue((html / "pictures/chapters/01_euler/figures/ch01_spring.svg").is_file())
+        self.assertTrue((html / "pictures/docs/still.svg").is_file())
 
 
 class Site(unittest.TestCase):
@@ -792,6 +823,20 @@ class OddCalls(Folder):
         code, said = self.called(tool, *arguments, **more)
         self.assertNotEqual(code, 0, (tool, arguments))
         self.assertNotEqual(said.strip(), "", (tool, arguments))
+
+    def test_the_address_of_the_site(self):
+        place = "# Book\n\n<!-- play -->\n%s\n<!-- /play -->\n\n[One](chapters/01_euler/README.md)\n\n## Put it on the web\n"
+        self.write("README.md", place % "x")
+        self.assertEqual(self.called("site_address.py", "https://a.org/b/", "--root", str(self.root))[0], 0)
+        self.assertIn("\n**[Play](https://a.org/b/)**", self.read("README.md"))
+        self.assertEqual(self.faults(), [])
+        self.assertEqual(self.called("site_address.py", "none", "--root", str(self.root))[0], 0)
+        self.assertEqual(self.read("README.md"), place % site_address.NOWHERE)
+        self.assertEqual(self.faults(), [])
+        for wrong in ("a.org", "https://a.org/(b)", "https://a org", ""):
+            self.refused("site_address.py", wrong, "--root", str(self.root))
+        self.write("README.md", "# Book\n")
+        self.refused("site_address.py", "none", "--root", str(self.root))
 
     def test_a_root_that_is_missing_or_no_book(self):
         self.write("empty/file", "")
