@@ -320,7 +320,7 @@ def faults(root, debian, listing=False):
     book = (root / "book").read_text(encoding="utf-8")
     functions = functions_of(book)
     for command, text in branches(book).items():
-        if command in ("setup", "help"):
+        if command in ("setup", "doctor", "help"):
             continue
         installed = debian.closure(packages(book, text, functions))
         for program, callers in sorted(calls_of(root, book, command, text).items()):

@@ -102,6 +102,7 @@ wants "small 9" "$said" "there are: 1 2"
 printf '#!/bin/sh\nexit 1\n' >"$scratch/tools/g++"
 said=$("$book/book" small 2 2>&1) && wants "small 2 that is wrong" "code 0" "a refusal"
 wants "small 2 that is wrong" "$said" "chapters/02_two/small.cpp does not compile"
+rm "$scratch/tools/g++" "$scratch/tools/pkg-config" # the real ones, for what follows
 
 # The reader's own headers: a list of one chapter, a program of tests that fails one of three.
 cp -r "$(dirname "$script")/tests/mine" "$scratch/mine_tool"
@@ -191,5 +192,28 @@ wants "stress --quick --only x" "tables: $(table_of "--quick --only x")" "tables
 wants "stress --quick" "$(table_of --quick)" "joints_quick.csv quick.csv space_quick.csv turning_quick.csv, and no more"
 said=$("$book/book" stress --joints --space 2>&1) && wants "stress --joints --space" "code 0" "a refusal"
 wants "stress --joints --space" "$said" "--joints and --space are two matrices"
+
+# What the doctor says with two packages missing, and on a system whose packages the script doesn't know. Nothing is installed.
+printf '#!/bin/sh\nfor name; do :; done\ncase $name in libglfw3-dev | catch2) exit 1 ;; esac\necho "install ok installed"\n' >"$scratch/tools/dpkg-query"
+printf '#!/bin/sh\necho called >"%s/apt"\n' "$scratch" >"$scratch/tools/apt-get"
+chmod +x "$scratch/tools/dpkg-query" "$scratch/tools/apt-get"
+printf 'ID=debian\n' >"$scratch/release"
+said=$(BOOK_NO_INSTALL=0 BOOK_OS_RELEASE=$scratch/release "$book/book" doctor 2>&1) || wants "doctor" "code $?" "code 0"
+wants "doctor" "$said" "docs    ready
+        needs: python3 doxygen graphviz"
+wants "doctor" "$said" "run     missing: libglfw3-dev
+        ./book setup run installs it
+        needs: cmake"
+wants "doctor" "$said" "test    missing: libglfw3-dev catch2
+        ./book setup test installs it
+        needs: cmake"
+printf 'ID=another\n' >"$scratch/release"
+printf '#!/bin/sh\n' >"$scratch/tools/ninja"
+chmod +x "$scratch/tools/ninja"
+said=$(BOOK_NO_INSTALL=0 BOOK_OS_RELEASE=$scratch/release "$book/book" doctor 2>&1) || wants "doctor elsewhere" "code $?" "code 0"
+wants "doctor elsewhere" "$said" "cmake   $scratch/tools/cmake"
+wants "doctor elsewhere" "$said" "ninja   $scratch/tools/ninja"
+wants "doctor elsewhere" "$said" "test    on Debian 12: cmake"
+[ ! -e "$scratch/apt" ] || wants "doctor" "apt-get was called" "nothing installed"
 
 [ $faults = 0 ] && echo "book: all is well"
