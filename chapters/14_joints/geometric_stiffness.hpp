@@ -9,7 +9,7 @@
 /// h √(κ/I) < 2. An inertia that is larger by h² κ/4 for the change of a velocity, and for that alone, is stable at any step and
 /// damps nothing: Newmark's method with β = 1/4 \cite newmark1959. What I carries by itself, half of s = 1 for each
 /// end, is left alone, so a pendulum is what it is. What is whipped,
-/// h |ω| √(h² κ/I) above a tenth of a radian, is damped as an implicit spring damps \cite tournier2015: no step can tell where
+/// h |ω| √(h² κ/I) above a twentieth of a radian, is damped as an implicit spring damps \cite tournier2015: no step can tell where
 /// it is going.
 #pragma once
 
@@ -23,20 +23,23 @@ namespace loaded {
 constexpr Real beta = 0.25;  ///< of Newmark's method: the least that is stable
 constexpr Real carried =
     0.5;  ///< s, of h² κ/I: 4 would be the limit for one spring
-/// h ω √(h² κ/I), of a body in a sub-step [rad]: what turns faster is damped
-constexpr Real most_turn = 0.1;
+/// h ω √(h² κ/I), I about the nearest joint, of a body in a sub-step [rad]: what turns
+/// faster is damped
+constexpr Real most_turn = 0.05;
 }  // namespace loaded
 
 //! [stiffness]
 /// h κ of each body [N m s], from the impulses in now.solution.lambda and the
 /// positions of the scene; never below zero. Of a body that the step does not look
 /// at it is what it was.
+/// \param arm  of each body: the square of its shortest arm to a joint [m²]
 inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
-                              VecX& kappa)
+                              VecX& kappa, VecX& arm)
 {
     using Measure = PointJoint::Measure;
     if (kappa.size() != scene.bodies.count()) kappa.setZero(scene.bodies.count());
-    for (const int k : now.active) kappa[k] = 0;
+    if (arm.size() != kappa.size()) arm.setZero(kappa.size());
+    for (const int k : now.active) kappa[k] = 0, arm[k] = infinity;
     for (std::size_t i = 0; i < now.sources.size(); ++i) {
         if (now.sources[i].of != Source::Of::joint) continue;
         const Constraint<3>& c = now.constraints[i];
@@ -49,6 +52,7 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
             const Vec2 r = point_of(scene.bodies.x, k, at) -
                            scene.bodies.position(k).head<2>();
             kappa[k] += lambda * r.dot(J.head<2>().transpose());
+            arm[k] = std::min(arm[k], r.squaredNorm());
         };
         add(c.a, joint.at_a, c.Ja);
         add(c.b, joint.at_b, c.Jb);
@@ -152,7 +156,7 @@ struct LoadedJoints : NewtonPositions {
     void rows(Scene& scene, const StepSettings& settings, StepData<3>& now)
     {
         if (stiff) {
-            turning_stiffness(scene, now, kappa_);
+            turning_stiffness(scene, now, kappa_, arm_);
             inverse_inertia_.clear();
             for (const int k : now.active)
                 inverse_inertia_.push_back(
@@ -182,7 +186,10 @@ private:
         const Real own = inverse, spin = bodies.u[3 * k + 2];
         const Real load = h * kappa_[k] * own;  // h² κ/I
         if (!(load > loaded::carried)) return own;
-        const bool turns = h * std::abs(spin) * std::sqrt(load) > loaded::most_turn;
+        // about its nearest joint it has more inertia than about its centroid
+        const Real about = load / (1 + arm_[k] * own / bodies.inverse_mass[3 * k]);
+        const bool turns =
+            h * std::abs(spin) * std::sqrt(about) > loaded::most_turn;
         const Real less =
             1 / (1 + (turns ? load : loaded::beta * (load - loaded::carried)));
         inverse *= less;
@@ -228,7 +235,7 @@ private:
         }
     }
 
-    VecX kappa_;
+    VecX kappa_, arm_;
     std::vector<Real> inverse_inertia_;  ///< of the active bodies, their own
     std::vector<int> row_of_;            ///< of each of scene.joints; −1 = none
 };

@@ -22,13 +22,14 @@
 
 namespace rigid {
 
-/// A solver that has the rows of a step as problems of their own, islands: it calls visit(rows, bodies, apart) for each of
-/// them, where apart.solve_apart() solves other biases on these rows alone. What has none is one problem.
+/// A solver that has the rows of a step as problems of their own, islands: it calls visit(rows, bodies, apart, at_once) for
+/// each of them, where apart.solve_apart() solves other biases on these rows alone, and at_once says that its joints are then
+/// met, not swept. What has none is one problem.
 template <class Solver>
 concept SolvesProblems = requires(Solver solver, const StepData<3>& now)
 {
     solver.for_each_problem(
-        now, [](std::span<const int>, std::span<const int>, auto&) {});
+        now, [](std::span<const int>, std::span<const int>, auto&, bool) {});
 };
 
 struct NewtonSettings {
@@ -106,21 +107,21 @@ public:
         goal_.resize(m);
         gained_.resize(scene.bodies.u.size());
         impulse_.resize(static_cast<Index>(m));
-        second.solution.lambda.resize(static_cast<Index>(m));
+        second.solution.lambda.setZero(static_cast<Index>(m));
         if (v.size() != scene.bodies.u.size()) v.setZero(scene.bodies.u.size());
         iterations = renewals = 0;
         left = 0;
         gave_up_pushing = joints_alone = false;
         const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
-                             auto& apart) {
-            follow(scene, settings.part(), rows, bodies, apart, now);
+                             auto& apart, bool at_once) {
+            if (at_once) follow(scene, settings.part(), rows, bodies, apart, now);
             correct(scene, settings.part(), rows, bodies, apart, now);
         };
         if constexpr (SolvesProblems<Solver>) solver.for_each_problem(now, one);
         else {
             all_.resize(m);
             std::iota(all_.begin(), all_.end(), 0);
-            one(all_, now.active, solver);
+            one(all_, now.active, solver, true);
         }
     }
     //! [move]
@@ -214,7 +215,8 @@ public:
                 if (at(second.left_out, i)) continue;
                 c = constraint_at(scene, now, static_cast<std::size_t>(i),
                                   bodies.x);
-                touching = touching || bounded;
+                touching = touching ||
+                           (bounded && n > 0 && second.solution.lambda[i] != 0);
                 // metres of a C: an angle counts as so much at the length ℓ
                 const Real unit = is_angle(c) ? now.length : 1;
                 if (c.kind == ConstraintKind::bilateral) {
@@ -292,14 +294,11 @@ public:
     bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
 
 private:
-    /// Whether the arcs are to leave J u as it is: of an inerter, and of a motor that has its speed.
+    /// Whether the arcs are to leave J u as it is: of an inerter, and of a joint's motor as far as it can.
     static bool holds_speed(const Constraint<3>& c, const StepData<3>& now, int i)
     {
-        if (c.kind == ConstraintKind::inerter) return true;
-        const Row<3>& row = at(now.rows, i);
-        const Real lambda = now.solution.lambda[i];
-        return c.kind == ConstraintKind::motor && is_of_joint(now, i) &&
-               lambda > row.lo && lambda < row.hi;
+        return c.kind == ConstraintKind::inerter ||
+               (c.kind == ConstraintKind::motor && is_of_joint(now, i));
     }
     static bool is_of_joint(const StepData<3>& now, int row)
     {

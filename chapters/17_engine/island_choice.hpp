@@ -134,13 +134,14 @@ struct IslandChoice {
     //! [choice]
 
     /// Each island is a problem by itself.
-    /// \param visit  (rows, bodies, what solves them apart)
+    /// \param visit  (rows, bodies, what solves them apart, whether joints are met)
     template <class Visit>
     void for_each_problem(const StepData<3>&, const Visit& visit)
     {
         for (int i = 0; i < all.islands.count(); ++i) {
             Apart apart{*this, i};
-            visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart);
+            visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart,
+                  exactly.find(i) != nullptr || held.find(i) != nullptr);
         }
     }
 
