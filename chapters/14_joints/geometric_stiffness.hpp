@@ -23,7 +23,7 @@ namespace loaded {
 constexpr Real beta = 0.25;  ///< of Newmark's method: the least that is stable
 constexpr Real carried =
     0.5;  ///< s, of h² κ/I: 4 would be the limit for one spring
-/// h ω √(h² κ/I), I about the nearest joint, of a body in a sub-step [rad]: what turns
+/// h ω √(h² κ/I), I about the farthest joint, of a body in a sub-step [rad]: what turns
 /// faster is damped
 constexpr Real most_turn = 0.05;
 }  // namespace loaded
@@ -32,14 +32,14 @@ constexpr Real most_turn = 0.05;
 /// h κ of each body [N m s], from the impulses in now.solution.lambda and the
 /// positions of the scene; never below zero. Of a body that the step does not look
 /// at it is what it was.
-/// \param arm  of each body: the square of its shortest arm to a joint [m²]
+/// \param arm  of each body: the square of its longest arm to a joint [m²]
 inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
                               VecX& kappa, VecX& arm)
 {
     using Measure = PointJoint::Measure;
     if (kappa.size() != scene.bodies.count()) kappa.setZero(scene.bodies.count());
     if (arm.size() != kappa.size()) arm.setZero(kappa.size());
-    for (const int k : now.active) kappa[k] = 0, arm[k] = infinity;
+    for (const int k : now.active) kappa[k] = 0, arm[k] = 0;
     for (std::size_t i = 0; i < now.sources.size(); ++i) {
         if (now.sources[i].of != Source::Of::joint) continue;
         const Constraint<3>& c = now.constraints[i];
@@ -52,7 +52,7 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
             const Vec2 r = point_of(scene.bodies.x, k, at) -
                            scene.bodies.position(k).head<2>();
             kappa[k] += lambda * r.dot(J.head<2>().transpose());
-            arm[k] = std::min(arm[k], r.squaredNorm());
+            arm[k] = std::max(arm[k], r.squaredNorm());
         };
         add(c.a, joint.at_a, c.Ja);
         add(c.b, joint.at_b, c.Jb);
@@ -186,7 +186,7 @@ private:
         const Real own = inverse, spin = bodies.u[3 * k + 2];
         const Real load = h * kappa_[k] * own;  // h² κ/I
         if (!(load > loaded::carried)) return own;
-        // about its nearest joint it has more inertia than about its centroid
+        // about its farthest joint it has more inertia than about its centroid
         const Real about = load / (1 + arm_[k] * own / bodies.inverse_mass[3 * k]);
         const bool turns =
             h * std::abs(spin) * std::sqrt(about) > loaded::most_turn;

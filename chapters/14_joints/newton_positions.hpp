@@ -174,6 +174,9 @@ public:
                                         (is_angle(c) ? now.length : 1));
             }
             if (off <= tolerance * now.length) break;
+            // solves are right to 1e-9 ℓ/s where rows have bounds
+            const bool near = off <= 1e-8 * h * now.length;
+            if (near && !(off < before / 2)) break;
             if (n == most_follow || !(off < before / 2)) {
                 put_back(bodies, members);
                 return;
