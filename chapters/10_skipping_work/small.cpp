@@ -142,7 +142,6 @@ void step(Discs& d, double h, int skip, int most = 100000, double enough = 1e-6)
     for (const Contact& old : d.contacts)  // sleepers remember
         if (d.asleep[old.b] >= 0) contacts.push_back(old);
     d.contacts = contacts;
-
     std::vector<bool> restless(K);  // (10.8), for half a second, of a whole island
     for (int k = 0; k < K; ++k) {
         if (d.asleep[k] >= 0) continue;

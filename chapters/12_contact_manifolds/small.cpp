@@ -1,8 +1,7 @@
 // Chapter 12 in one file, grown from chapter 11: bodies touch at two points, which
 // have names, so that each finds its impulse again. The floor is a body too.
 //
-//     J = (-n, -r_a × n, n, r_b × n),   w = J u + b,   u ← u + M⁻¹ Jᵀ Δλ
-//     contact: λ ≥ 0, w ≥ 0, λ w = 0
+//     J = (-n, -r_a × n, n, r_b × n),   w = J u + b,   λ ≥ 0, w ≥ 0, λ w = 0
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
@@ -42,52 +41,44 @@ Eigen::RowVector3d row(const Vector2d& r, const Vector2d& n)
     return {n.x(), n.y(), r.x() * n.y() - r.y() * n.x()};
 }
 
-// Outward, of the edge from corner i to the next.
-Vector2d normal(const Polygon& p, int i)
+// Outward normals; edge i leads from corner i to the next.
+Polygon normals(const Polygon& p)
 {
-    const Vector2d edge = p.col((i + 1) % p.cols()) - p.col(i);
-    return Vector2d(edge.y(), -edge.x()).normalized();
+    Polygon next(2, p.cols()), n(2, p.cols());
+    next << p.rightCols(p.cols() - 1), p.col(0);
+    n << (next - p).row(1), (p - next).row(0);
+    return n.colwise().normalized();
 }
 
-// (12.1): the largest separation of a face of p from q, and that face.
-std::pair<double, int> reference_face(const Polygon& p, const Polygon& q)
+// (12.1): the separations s_i = min_j n_i·(w_j − v_i) of p's edges from q's corners.
+Vec separations(const Polygon& p, const Polygon& q)
 {
-    std::pair<double, int> best{-INFINITY, 0};
-    for (int i = 0; i < p.cols(); ++i) {
-        const Vector2d n = normal(p, i);
-        const double s = (n.transpose() * q).minCoeff() - n.dot(p.col(i));
-        if (s > best.first) best = {s, i};
-    }
-    return best;
-}
-
-// The edge whose normal is most along n.
-int facing(const Polygon& p, const Vector2d& n)
-{
-    int best = 0;
-    for (int i = 1; i < p.cols(); ++i)
-        if (normal(p, i).dot(n) > normal(p, best).dot(n)) best = i;
-    return best;
+    const Polygon n = normals(p);
+    const Vec own = n.cwiseProduct(p).colwise().sum();
+    return (n.transpose() * q).rowwise().minCoeff() - own;
 }
 
 // Two faces have an interval in common along t = n⊥, (12.3). Its ends are the points;
 // each is called by the corner that ends there. A millimetre decides, not rounding.
-std::vector<Contact> collide(const Bodies& d, int a, int b)
+void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
 {
     const Polygon P = placed(d, a), Q = placed(d, b);
-    const auto [sa, fa] = reference_face(P, Q);
-    const auto [sb, fb] = reference_face(Q, P);
-    if (std::max(sa, sb) >= 0.02) return {};
-    const Vector2d n = sb > sa + 1e-3 ? -normal(Q, fb) : normal(P, fa);
+    int i, j;
+    const double sa = separations(P, Q).maxCoeff(&i);
+    const double sb = separations(Q, P).maxCoeff(&j);
+    if (std::max(sa, sb) >= 0.02) return;
+    Vector2d n = normals(P).col(i);
+    if (sb > sa + 1e-3) n = -normals(Q).col(j);
     const Vector2d t(-n.y(), n.x());
-    const int i = facing(P, n), i2 = (i + 1) % P.cols();
-    const int j = facing(Q, -n), j2 = (j + 1) % Q.cols();
+    (n.transpose() * normals(P)).maxCoeff(&i);  // the edges that face each other
+    (-n.transpose() * normals(Q)).maxCoeff(&j);
+    const int i2 = (i + 1) % P.cols(), j2 = (j + 1) % Q.cols();
     const auto at = [&](const Vector2d& v, const Vector2d& w, double tau) {
         return Vector2d(v + (tau - t.dot(v)) / t.dot(w - v) * (w - v));
     };
     const double low = std::max(t.dot(P.col(i)), t.dot(Q.col(j2)));
     const double high = std::min(t.dot(P.col(i2)), t.dot(Q.col(j)));
-    std::vector<Contact> found;
+    const std::size_t before = found.size();
     for (const auto& [tau, of_a, of_b] : {std::tuple{low, i, j2}, {high, i2, j}}) {
         const Vector2d pa = at(P.col(i), P.col(i2), tau);
         const Vector2d pb = at(Q.col(j), Q.col(j2), tau), p = (pa + pb) / 2;
@@ -98,17 +89,15 @@ std::vector<Contact> collide(const Bodies& d, int a, int b)
                              -row(p - d.x.segment<2>(3 * a), n),
                              row(p - d.x.segment<2>(3 * b), n), C});
     }
-    if (int(found.size()) > d.points) found = {found[found[1].C < found[0].C]};
-    return found;
+    if (found.size() > before + d.points)  // the deeper one alone
+        found.erase(found.end() - 1 - (found.back().C < found[before].C));
 }
 
 std::vector<Contact> find_contacts(const Bodies& d)
 {
     std::vector<Contact> found;
     for (int b = 1; b < int(d.corners.size()); ++b)
-        for (int a = 0; a < b; ++a)
-            if (d.inverse_mass[3 * a] + d.inverse_mass[3 * b] > 0)
-                for (const Contact& c : collide(d, a, b)) found.push_back(c);
+        for (int a = 0; a < b; ++a) collide(d, a, b, found);
     return found;
 }
 
@@ -155,13 +144,11 @@ int step(Bodies& d, double h, double beta, int most = 100000)
     return sweeps;
 }
 
-// A uniform box at (x, y, angle); with the mass INFINITY it cannot move.
-void add_box(Bodies& d, double width, double height, double mass,
-             const Vector3d& at)
+// A uniform box of half sizes w and h at (x, y, angle); of mass INFINITY it is fixed.
+void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
 {
-    const int n = d.x.size();
-    const double w = width / 2, h = height / 2;
-    for (Vec* v : {&d.x, &d.u, &d.inverse_mass}) v->conservativeResize(n + 3);
+    for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
+        v->conservativeResize(3 * d.corners.size() + 3);
     d.x.tail<3>() = at, d.u.tail<3>().setZero();
     d.inverse_mass.tail<3>() = Vector3d(1, 1, 3 / (w * w + h * h)) / mass;
     d.corners.push_back(Polygon{{-w, w, w, -w}, {-h, -h, h, h}});
@@ -171,8 +158,8 @@ int main(int count, char** word)
 {
     // By hand, section 12.1: a box lies over the end of a fixed one.
     Bodies across{{}, {}, {}, {}, 10};
-    add_box(across, 4, 2, INFINITY, {0, 0, 0});
-    add_box(across, 2, 1, 3, {1.5, 1.49, 0});
+    add_box(across, 2, 1, INFINITY, {0, 0, 0});
+    add_box(across, 1, 0.5, 3, {1.5, 1.49, 0});
     step(across, 0.1, 0);
     for (const Contact& c : across.contacts)
         std::printf("point %d: gap %g m, lambda %g N s\n", c.name, c.C, c.lambda);
@@ -184,8 +171,8 @@ int main(int count, char** word)
     for (const int points : {2, 1}) {
         Bodies d;
         d.points = points;
-        add_box(d, 100, 1, INFINITY, {0, -0.5, 0});
-        for (int k = 0; k < 6; ++k) add_box(d, 1, 1, 1, {0, 0.5 + k, 0});
+        add_box(d, 50, 0.5, INFINITY, {0, -0.5, 0});
+        for (int k = 0; k < 6; ++k) add_box(d, 0.5, 0.5, 1, {0, 0.5 + k, 0});
         for (int n = 0; n < 240; ++n) step(d, 1.0 / 60, 0.2, 10);
         std::printf("points: %d, the top at %.4f m\n", points, d.x[19]);
         for (int b = 1; b < 7; ++b) {
