@@ -3,7 +3,6 @@
 //
 //     normal: λ ≥ 0, w ≥ 0, λ w = 0      tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
