@@ -1,5 +1,6 @@
 # The small programs (./book small N): each compiled alone as a reader does, without a warning, and held to the library.
-add_catch_tests(small small FILES tests/small/bodies.cpp tests/small/matrix.cpp tests/small/sweeps.cpp)
+add_catch_tests(small small FILES tests/small/bodies.cpp tests/small/matrix.cpp tests/small/sweeps.cpp
+                             tests/small/skipping.cpp tests/small/turning.cpp tests/small/jointed.cpp)
 set_target_properties(test_small PROPERTIES UNITY_BUILD OFF)   # each has names of its own
 
 if(NOT MSVC AND NOT CMAKE_CROSSCOMPILING)
@@ -22,3 +23,7 @@ if(NOT MSVC AND NOT CMAKE_CROSSCOMPILING)
                          PROPERTIES LABELS small TIMEOUT 60 FIXTURES_REQUIRED "small_${chapter}")
   endforeach()
 endif()
+
+# What the library buys: the table of the reader's guide.
+add_executable(small_table EXCLUDE_FROM_ALL tests/small/table.cpp)
+target_link_libraries(small_table PRIVATE rigid_physics)

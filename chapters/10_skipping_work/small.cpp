@@ -179,7 +179,7 @@ int main(int count, char** word)
     std::printf("\n");
 
     Discs all = columns(), some = all, asleep = all;
-    for (int n = 0; n < 300; ++n) {
+    for (int n = 0; n < 150; ++n) {
         step(all, 1.0 / 60, 0, 10, 0);
         step(some, 1.0 / 60, 1, 10, 0);
         step(asleep, 1.0 / 60, 2, 10);

@@ -1,4 +1,4 @@
-// Chapter 11 in one file, grown from chapter 8: bodies turn, and J has a third column.
+// Chapter 11 in one file, grown from chapter 8: bodies turn; J has a third column.
 //
 //     J = (n, r × n),   w = J u + b,   u ← u + M⁻¹ Jᵀ Δλ
 //     corner on a wall: λ ≥ 0, w ≥ 0, λ w = 0

@@ -50,7 +50,7 @@ Polygon normals(const Polygon& p)
     return n.colwise().normalized();
 }
 
-// (12.1): the separations s_i = min_j n_i·(w_j − v_i) of p's edges from q's corners.
+// (12.1): the separations s_i = min_j n_i·(w_j − v_i) of p's edges from q.
 Vec separations(const Polygon& p, const Polygon& q)
 {
     const Polygon n = normals(p);
@@ -58,8 +58,8 @@ Vec separations(const Polygon& p, const Polygon& q)
     return (n.transpose() * q).rowwise().minCoeff() - own;
 }
 
-// Two faces have an interval in common along t = n⊥, (12.3). Its ends are the points;
-// each is called by the corner that ends there. A millimetre decides, not rounding.
+// Two faces have an interval in common along t = n⊥, (12.3). Its ends are the
+// points, each called by the corner that ends there: by b's, unless 2 mm decide.
 void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
 {
     const Polygon P = placed(d, a), Q = placed(d, b);
@@ -68,7 +68,7 @@ void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
     const double sb = separations(Q, P).maxCoeff(&j);
     if (std::max(sa, sb) >= 0.02) return;
     Vector2d n = normals(P).col(i);
-    if (sb > sa + 1e-3) n = -normals(Q).col(j);
+    if (sb > sa + 2e-3) n = -normals(Q).col(j);
     const Vector2d t(-n.y(), n.x());
     (n.transpose() * normals(P)).maxCoeff(&i);  // the edges that face each other
     (-n.transpose() * normals(Q)).maxCoeff(&j);
@@ -79,11 +79,11 @@ void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
     const double low = std::max(t.dot(P.col(i)), t.dot(Q.col(j2)));
     const double high = std::min(t.dot(P.col(i2)), t.dot(Q.col(j)));
     const std::size_t before = found.size();
-    for (const auto& [tau, of_a, of_b] : {std::tuple{low, i, j2}, {high, i2, j}}) {
+    for (const auto& [tau, of_a, of_b] : {std::tuple{high, i2, j}, {low, i, j2}}) {
         const Vector2d pa = at(P.col(i), P.col(i2), tau);
         const Vector2d pb = at(Q.col(j), Q.col(j2), tau), p = (pa + pb) / 2;
         const double C = n.dot(pb - pa);
-        const bool ends_b = std::abs(tau - t.dot(Q.col(of_b))) < 1e-3;
+        const bool ends_b = std::abs(tau - t.dot(Q.col(of_b))) < 2e-3;
         if (low <= high && C < 0.02)
             found.push_back({a, b, ends_b ? int(P.cols()) + of_b : of_a, p,
                              -row(p - d.x.segment<2>(3 * a), n),
@@ -144,7 +144,7 @@ int step(Bodies& d, double h, double beta, int most = 100000)
     return sweeps;
 }
 
-// A uniform box of half sizes w and h at (x, y, angle); of mass INFINITY it is fixed.
+// A uniform box of half sizes w, h at (x, y, angle); of mass INFINITY it is fixed.
 void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
 {
     for (Vec* v : {&d.x, &d.u, &d.inverse_mass})

@@ -1,7 +1,7 @@
-// Chapter 13 in one file, grown from chapter 12: contacts have friction, a second row
-// whose bound is the impulse of the first.
+// Chapter 13 in one file, grown from chapter 12: contacts have friction, a second
+// row whose bound is the impulse of the first.
 //
-//     normal: λ ≥ 0, w ≥ 0, λ w = 0      tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
+//     normal: λ ≥ 0, w ≥ 0, λ w = 0     tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
@@ -49,7 +49,7 @@ Polygon normals(const Polygon& p)
     return n.colwise().normalized();
 }
 
-// (12.1): the separations s_i = min_j n_i·(w_j − v_i) of p's edges from q's corners.
+// (12.1): the separations s_i = min_j n_i·(w_j − v_i) of p's edges from q.
 Vec separations(const Polygon& p, const Polygon& q)
 {
     const Polygon n = normals(p);
@@ -57,8 +57,8 @@ Vec separations(const Polygon& p, const Polygon& q)
     return (n.transpose() * q).rowwise().minCoeff() - own;
 }
 
-// Two faces have an interval in common along t = n⊥, (12.3). Its ends are the points;
-// each is called by the corner that ends there. A millimetre decides, not rounding.
+// Two faces have an interval in common along t = n⊥, (12.3). Its ends are the
+// points, each called by the corner that ends there: by b's, unless 2 mm decide.
 void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
 {
     const Polygon P = placed(d, a), Q = placed(d, b);
@@ -67,7 +67,7 @@ void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
     const double sb = separations(Q, P).maxCoeff(&j);
     if (std::max(sa, sb) >= 0.02) return;
     Vector2d n = normals(P).col(i);
-    if (sb > sa + 1e-3) n = -normals(Q).col(j);
+    if (sb > sa + 2e-3) n = -normals(Q).col(j);
     const Vector2d t(-n.y(), n.x());
     (n.transpose() * normals(P)).maxCoeff(&i);  // the edges that face each other
     (-n.transpose() * normals(Q)).maxCoeff(&j);
@@ -77,11 +77,11 @@ void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
     };
     const double low = std::max(t.dot(P.col(i)), t.dot(Q.col(j2)));
     const double high = std::min(t.dot(P.col(i2)), t.dot(Q.col(j)));
-    for (const auto& [tau, of_a, of_b] : {std::tuple{low, i, j2}, {high, i2, j}}) {
+    for (const auto& [tau, of_a, of_b] : {std::tuple{high, i2, j}, {low, i, j2}}) {
         const Vector2d pa = at(P.col(i), P.col(i2), tau);
         const Vector2d pb = at(Q.col(j), Q.col(j2), tau), p = (pa + pb) / 2;
         const double C = n.dot(pb - pa);
-        const bool ends_b = std::abs(tau - t.dot(Q.col(of_b))) < 1e-3;
+        const bool ends_b = std::abs(tau - t.dot(Q.col(of_b))) < 2e-3;
         if (low <= high && C < 0.02)
             found.push_back({a, b, ends_b ? int(P.cols()) + of_b : of_a, p,
                              -row(p - d.x.segment<2>(3 * a), n),
@@ -147,7 +147,7 @@ void step(Bodies& d, double h, int sweeps)
     d.contacts = contacts;
 }
 
-// A uniform box of half sizes w and h at (x, y, angle); of mass INFINITY it is fixed.
+// A uniform box of half sizes w, h at (x, y, angle); of mass INFINITY it is fixed.
 void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
 {
     for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
@@ -173,7 +173,7 @@ int main(int count, char** word)
     std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='400' "
            "stroke-width='0.03' viewBox='-1.2 -1.5 4.4 3.5'>\n";
-    // By hand, section 13.1: a block on a slope of 3 in 4. Red: how the slope pushes.
+    // By hand, section 13.1: a block on a slope of 3 in 4. Red: its push.
     for (const double mu : {0.9, 0.5}) {
         Bodies d = boxes(1, std::atan(0.75), mu, 10);
         step(d, 0.1, 100);

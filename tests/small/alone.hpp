@@ -8,14 +8,18 @@
 ///     }
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 

@@ -2,10 +2,8 @@
 
 #include "tests/small/alone.hpp"
 
-#include "chapters/06_sequential_impulse/impulse_solver.hpp"
-#include "chapters/07_baumgarte/correction.hpp"
-#include "chapters/08_warm_starting/warm_start.hpp"
 #include "tests/small/library_run.hpp"
+#include "tests/small/quiet_sweeps.hpp"
 
 #define main small_main
 namespace small04_again {
@@ -26,50 +24,17 @@ using namespace rigid;
 
 namespace {
 
-/// The sweeps of the library, as often as the small programs sweep: until no row is off by more than 1e-6 m/s.
-struct QuietSweeps : ImpulseSolver<2> {
-    int most = 100000;
-    int made = 0;  ///< in the last step
-
-    void solve(Bodies<2>& bodies, StepData<2>& now)
-    {
-        bodies.u = now.u_star;
-        prepare<2>(now.rows, {}, now.solution.lambda, memory.rows);
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
-            now.rows[i].apply(now.solution.lambda[static_cast<Index>(i)], bodies.u);
-        int off = 1;
-        for (made = 0; off > 0 && made < most; ++made) off = sweep<2>(memory.rows, bodies.u, 1e-6);
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
-            now.solution.lambda[static_cast<Index>(i)] = memory.rows[i].lambda;
-    }
-};
-
-template <class Correction, class Start>
-struct QuietMethod {
-    AllPairs contacts;
-    Correction correction;
-    Start start;
-    QuietSweeps solver;
-    StepData<2> now;
-
-    int operator()(DiscScene& scene, Real h = 1.0 / 240)
-    {
-        step(scene, {.h = h}, *this, now);
-        return solver.made;
-    }
-};
-
-QuietMethod<Correction, ColdStart> baumgarte_method(Real beta)
+QuietMethod<2, AllPairs, Correction, ColdStart> baumgarte_method(Real beta)
 {
-    QuietMethod<Correction, ColdStart> method;
+    QuietMethod<2, AllPairs, Correction, ColdStart> method;
     method.correction.method = Stabilizer::baumgarte;
     method.correction.beta = beta;
     return method;
 }
 
-QuietMethod<Correction, WarmStart> warm_method(Real beta)
+QuietMethod<2, AllPairs, Correction, WarmStart> warm_method(Real beta)
 {
-    QuietMethod<Correction, WarmStart> method;
+    QuietMethod<2, AllPairs, Correction, WarmStart> method;
     method.correction.method = Stabilizer::baumgarte;
     method.correction.beta = beta;
     method.start.from = Start::previous;
@@ -92,7 +57,7 @@ TEST_CASE("the small program of chapter 6 has the numbers of the text and the li
         CHECK(two.u == VecX{{0, u1, 0, u2}});
     }
 
-    QuietMethod<WholeError, ColdStart> method;
+    QuietMethod<2, AllPairs, WholeError, ColdStart> method;
     const Real farthest = farthest_in_a_run(
         small06::ten_discs(), [](small06::Discs& d) { return small06::step(d, 1.0 / 240); }, method);
     CHECK(farthest < 1e-12);  // the same visits, whose sums have another order

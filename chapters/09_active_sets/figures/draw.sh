@@ -70,3 +70,6 @@ for sweeps in 10 40 160; do
     run --scene long_chain --method gauss_seidel --set max_sweeps=$sweeps --steps 2400 --csv "$data/stretch_$sweeps"
 done
 plot ch09_stretch
+
+# The picture of the small program.
+small ch09_small

@@ -43,3 +43,6 @@ for skin in 0 0.001 0.002 0.005 0.01 0.02 0.05 0.1 0.2; do
     awk -F, -v s=$skin 'NR > 1 { t += $9; a += $10 } END { print s, t / 1200, a / 1200 }' "$data/run.csv" >>"$data/skin"
 done
 plot ch10_skin
+
+# The picture of the small program.
+small ch10_small

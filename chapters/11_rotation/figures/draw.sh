@@ -22,3 +22,6 @@ for parts in 1 2 4 8 16 32; do
     awk -F, -v n=$parts 'END { print 1 / (60 * n), $5, $7 }' "$data/run" >>"$data/parts"
 done
 plot ch11_order
+
+# The picture of the small program.
+small ch11_small

@@ -13,3 +13,6 @@ run --scene pile --steps 300 --svg "$out/ch12_pile.svg"
 # Angular velocity of a rocking block.
 run --scene rocking --steps 1440 --csv "$data/rocking"
 plot ch12_rocking
+
+# The picture of the small program.
+small ch12_small

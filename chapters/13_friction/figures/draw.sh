@@ -19,3 +19,6 @@ plot ch13_dominoes
 run --scene stick_slip --steps 3000 --csv "$data/two"
 run --scene stick_slip --set mu_k=0.6 --steps 3000 --csv "$data/one"
 plot ch13_stick_slip
+
+# The picture of the small program.
+small ch13_small

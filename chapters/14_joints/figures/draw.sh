@@ -9,3 +9,6 @@ run --scene bridge --method trees --steps 120 --svg "$out/ch14_bridge.svg"
 run --scene dolls --steps 110 --svg "$out/ch14_dolls.svg"
 run --scene walkers --method trees --steps 60 --svg "$out/ch14_walkers.svg"
 run --scene excavator --method trees --steps 120 --svg "$out/ch14_excavator.svg"
+
+# The picture of the small program.
+small ch14_small
