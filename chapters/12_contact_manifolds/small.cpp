@@ -167,7 +167,7 @@ int main(int count, char** word)
     std::ofstream out(count < 2 ? ""
                                 : word[1]);  // an SVG picture; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.05' viewBox='-1.7 -6.8 7 7'>\n";
+           "width='400' stroke-width='0.05' viewBox='-1.2 -6.3 14 6.5'>\n";
     for (const int points : {2, 1}) {
         Bodies d;
         d.points = points;
@@ -177,7 +177,7 @@ int main(int count, char** word)
         std::printf("points: %d, the top at %.4f m\n", points, d.x[19]);
         for (int b = 1; b < 7; ++b) {
             const Polygon box =
-                placed(d, b).colwise() + Vector2d(6 - 3 * points, 0);
+                placed(d, b).colwise() + Vector2d(14 - 7 * points, 0);
             out << "<polygon stroke='#4477AA' points='";
             for (const auto& p : box.colwise())
                 out << p.x() << ',' << -p.y() << ' ';

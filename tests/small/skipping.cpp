@@ -125,6 +125,6 @@ TEST_CASE("the small program of chapter 10 lets columns sleep and wakes them whe
     CHECK(sleepers() > 20);
     CHECK(sleepers() < 95);
     CHECK(2 * d.moved < awake.moved);
-    for (int k = 95; k < 100; ++k)  // the last column stands where it stood
-        CHECK((d.x - small10::columns().x).segment<2>(2 * k).norm() < 1e-12);
+    for (int k = 95; k < 100; ++k)  // the last column stands where ten sweeps from zero have left it
+        CHECK((d.x - small10::columns().x).segment<2>(2 * k).norm() < 1e-6);
 }

@@ -108,12 +108,16 @@ void discs(const char* name, int count, int high)
         name, "chapter 8, quick small steps", [&] { return Small{library_scene(begin)}; },
         [&](Small& world) {
             small_steps(world.scene, {.h = h}, world.now);
-            return static_cast<long>(world.now.visits);
+            return static_cast<long>(world.now.rows.size()) * quick_steps().substeps;  // one sweep each
         },
         [&](const Small& world) { return lowest(world.scene.bodies.x); });
     line(
         name, "chapter 10, exact islands and sleep",
-        [&] { return World<SkippingMethod, DiscScene>{library_scene(begin)}; },
+        [&] {
+            World<SkippingMethod, DiscScene> world{library_scene(begin)};
+            world.method.contacts.reset(world.scene, filter_of(world.scene));
+            return world;
+        },
         [](auto& world) { return world.take(); },
         [&](const auto& world) { return lowest(world.scene.bodies.x); });
 }
