@@ -10,6 +10,12 @@
 
 namespace rigid {
 
+/// e of a contact, besides that of the method (chapter 6): surfaces in space have none of their own.
+inline Real own_restitution(const SpaceScene&, const StepData<6>&, std::size_t)
+{
+    return 0;
+}
+
 /// Throws std::invalid_argument, naming the setting, unless the settings of a step make sense in space.
 inline void require_valid(const StepSettings& settings, const Vec3& gravity,
                           Index bodies)

@@ -114,12 +114,6 @@ struct SpaceScene {
     Real length = 0;
 };
 
-/// e of a contact, besides that of the method (chapter 6): surfaces in space have none of their own.
-inline Real own_restitution(const SpaceScene&, const StepData<6>&, std::size_t)
-{
-    return 0;
-}
-
 /// Throws std::invalid_argument unless each mesh is one, and no ellipsoid could fall through it.
 inline void require_meshes(const SpaceScene& scene)
 {
