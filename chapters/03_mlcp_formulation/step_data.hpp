@@ -90,6 +90,9 @@ struct StepData {
     std::vector<Real> restitution;
     Real slowest_bounce = 0;  ///< an approach that is slower does not bounce [m/s]
     Solution solution;        ///< of the last sub-step
+    /// what λ has besides the answer of the rows: arcs and impacts (chapter 14) [N s];
+    /// empty = nothing
+    VecX besides;
     std::int64_t visits = 0;  ///< rows visited in this step, whatever for
 };
 
@@ -100,7 +103,7 @@ struct SecondProblem {
     /// what it gives is a part of the motion, no error (chapter 14): solvers that
     /// remember keep the two kinds apart
     bool arcs = false;
-    int max_sweeps = 10;         ///< of solvers that sweep
+    int max_sweeps = 10;  ///< of solvers that sweep
     /// their sweeps end when none changes a row by more than this [m/s]
     Real tolerance = 1e-9;
     Solution solution;  ///< of this problem, by those that answer it apart

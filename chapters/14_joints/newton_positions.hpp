@@ -90,6 +90,7 @@ public:
             return c.kind == ConstraintKind::unilateral && c.C > 0 ? c.C / h : 0;
         });
         note_bounces(scene, *this, settings, now);
+        now.besides.setZero(static_cast<Index>(now.rows.size()));
     }
 
     //! [move]
@@ -191,7 +192,10 @@ public:
             for (const int i : rows) impulse_[i] += second.solution.lambda[i];
         }
         for (const int k : members) bodies.velocity(k) += gained_.segment<3>(3 * k);
-        for (const int i : rows) now.solution.lambda[i] += impulse_[i];
+        for (const int i : rows) {
+            now.solution.lambda[i] += impulse_[i];
+            now.besides[i] += impulse_[i];
+        }
     }
     //! [follow]
 

@@ -88,7 +88,10 @@ public:
     /// What the rows of a problem gave in its impacts is theirs, too.
     void add_impulses(std::span<const int> rows, StepData<3>& now) const
     {
-        for (const int i : rows) now.solution.lambda[i] += impulse[i];
+        for (const int i : rows) {
+            now.solution.lambda[i] += impulse[i];
+            now.besides[i] += impulse[i];
+        }
     }
     //! [reflect]
 
