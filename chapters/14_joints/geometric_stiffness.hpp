@@ -62,10 +62,12 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
 //! [stiffness]
 
 //! [inertance]
-/// How many lines a row of a joint has: one from point to point, a pulley two.
+/// How many lines a row of a joint has: one from point to point, a pulley two. What
+/// has no length has no direction, and is none.
 inline int lines_of(const PointJoint& joint)
 {
     using Measure = PointJoint::Measure;
+    if (joint.length == 0) return 0;
     return joint.measure == Measure::distance ? 1
            : joint.measure == Measure::pulley ? 2
                                               : 0;

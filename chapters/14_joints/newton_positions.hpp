@@ -16,6 +16,7 @@
 
 #include "chapters/06_sequential_impulse/restitution.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/11_rotation/rigid_scene.hpp"
 #include "chapters/14_joints/reflections.hpp"
 
 #include <span>
@@ -148,6 +149,8 @@ public:
                                ? std::min(Real{0}, c.C)
                            : met ? 0
                                  : c.C;
+            if (is_of_joint(now, i) && has_no_direction(scene, at(now.sources, i)))
+                return;
             joined = joined || (has_error(c.kind) && is_of_joint(now, i));
         }
         if (!joined) return;
@@ -306,6 +309,14 @@ private:
     {
         return c.kind == ConstraintKind::inerter ||
                (c.kind == ConstraintKind::motor && is_of_joint(now, i));
+    }
+    /// A distance of zero: J of the step's start says nothing of its end.
+    template <class Scene>
+    static bool has_no_direction(const Scene& scene, const Source& source)
+    {
+        const PointJoint& joint =
+            scene.joints[static_cast<std::size_t>(source.index)];
+        return joint.measure == PointJoint::Measure::distance && joint.length == 0;
     }
     static bool is_of_joint(const StepData<3>& now, int row)
     {
