@@ -1,5 +1,5 @@
-// Chapter 9 in one file, grown from chapter 8: guess which rows are active, solve
-// one linear system for them, and correct the guess.
+// Chapter 9 in one file, grown from chapter 8: rows are guessed and solved at once.
+// One linear system for those that are active; a wrong guess is corrected.
 //
 //     w = A λ + q,   A = J M⁻¹ Jᵀ,   q = J u* + b
 //     contact: λ ≥ 0, w ≥ 0, λ w = 0         link: w = 0

@@ -1,5 +1,5 @@
-// Chapter 12 in one file, grown from chapter 11: bodies touch at two points, which
-// have names, so that each finds its impulse again. The floor is a body too.
+// Chapter 12 in one file, grown from chapter 11: bodies touch at two points.
+// Points have names, so that each finds its impulse again. The floor is a body too.
 //
 //     J = (-n, -r_a × n, n, r_b × n),   w = J u + b,   λ ≥ 0, w ≥ 0, λ w = 0
 #include <Eigen/Geometry>

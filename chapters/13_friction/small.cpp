@@ -1,5 +1,5 @@
-// Chapter 13 in one file, grown from chapter 12: contacts have friction, a second
-// row whose bound is the impulse of the first.
+// Chapter 13 in one file, grown from chapter 12: contacts have friction.
+// It is a second row, whose bound is the impulse of the first.
 //
 //     normal: λ ≥ 0, w ≥ 0, λ w = 0     tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
 #include <Eigen/Geometry>

@@ -9,7 +9,7 @@
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/14_joints/bounded_rows.hpp"
-#include "chapters/14_joints/joint_residual.hpp"
+#include "chapters/14_joints/joint_answer.hpp"
 #include "chapters/14_joints/reflections.hpp"
 
 #include <array>
@@ -143,11 +143,11 @@ private:
              const Begin& begin, VecX& u, VecX& lambda, StepData<3>& now)
     {
         const bool any = clamp_start(now.rows, left_out, lambda);
-        unlike_ = 0;
+        answer_.unlike = 0;
         begin();
         bool found = !any;
         if (any && most_exact > 0) {
-            solve_joints(factor, u, lambda, now);  // û
+            answer_.solve(factor, now.rows, bias_, u, lambda);  // û
             if (!listed) above.eliminate(factor, now.rows, left_out, u.size() / 3);
             now.visits += above.islands.listed;
             above.solve(now.rows, u, bias_, exact, most_exact, most, enough_ / 2,
@@ -160,40 +160,15 @@ private:
             if (JointTree::takes(now.rows[i])) here = 0;
             else now.rows[i].apply(here, u);
         }
-        solve_joints(factor, u, lambda, now);
+        answer_.solve(factor, now.rows, bias_, u, lambda);
         if (factor.tree.carried > much_carried)
-            refine(factor, begin, u, lambda, now);
+            answer_.refine(factor, now.rows, bias_, enough_ / 2, begin, u, lambda);
         listed = true;
         sweeps_made = any && most_exact > 0 ? above.sweeps_made : 0;
         if (found || most_exact > 0) return found;
         return sweep_on(factor, left_out, most, small, u, lambda, now);
     }
     //! [run]
-
-    //! [refine]
-    /// times its own mass: the rounding of (14.9), ε (S/M)², is 2 · 10⁻⁸ then
-    static constexpr Real much_carried = 1e4;
-
-    /// (14.27): u from λ, and what is missing then once more. Where that does not
-    /// help, u stays what the tree said, and is not called solved.
-    template <class Begin>
-    void refine(JointFactor& factor, const Begin& begin, VecX& u, VecX& lambda,
-                StepData<3>& now)
-    {
-        said_ = u;
-        for (Real before = infinity;;) {
-            begin();
-            apply_all(now.rows, lambda, u);
-            const Real left = joint_residual(now.rows, bias_, lambda, u);
-            if (left <= enough_ / 2) return;
-            if (!(left < before / 2)) break;
-            before = left;
-            solve_joints(factor, u, lambda, now);
-        }
-        unlike_ = (u - said_).norm();
-        u.swap(said_);
-    }
-    //! [refine]
 
     //! [sweep_on]
     /// (14.15), from the present λ and u on.
@@ -220,31 +195,18 @@ private:
                 row.apply(change, u);
                 changed += !(std::abs(change) * A <= small);
             }
-            if (changed > 0) solve_joints(factor, u, lambda, now);
+            if (changed > 0) answer_.solve(factor, now.rows, bias_, u, lambda);
         }
         return changed == 0;
     }
     //! [sweep_on]
-
-    /// What is missing to J u + γ λ + b = 0 in each row of the joints.
-    void solve_joints(JointFactor& factor, VecX& u, VecX& lambda,
-                      const StepData<3>& now)
-    {
-        missing_ = bias_;
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
-            missing_[static_cast<Index>(i)] +=
-                now.rows[i].softness * lambda[static_cast<Index>(i)];
-        change_.setZero(lambda.size());
-        factor.solve(now.rows, missing_, u, change_);
-        lambda += change_;
-    }
 
     /// `solved` if the natural residual of λ, of the velocities, is below the tolerance, and not all is noise.
     void judge(const VecX& u, const VecX& lambda, const StepData<3>& now,
                Solution& solution) const
     {
         const Real left = natural_residual(now.rows, bias_, lambda, u);
-        const Real residual = solution.residual = std::max(left, unlike_);
+        const Real residual = solution.residual = std::max(left, answer_.unlike);
         solution.iterations = sweeps_made;
         solution.status = residual <= enough_ && enough_ < infinity ? Status::solved
                           : joints.tree.dependent > 0 || !std::isfinite(residual)
@@ -252,9 +214,8 @@ private:
                               : Status::iteration_limit;
     }
 
-    VecX bias_, missing_, change_, inverse_mass_;
-    VecX said_;        ///< velocities before they were refined
-    Real unlike_ = 0;  ///< what λ makes of u, where it is something else
+    VecX bias_, inverse_mass_;
+    JointAnswer answer_;
     Real enough_ = 0;  ///< a residual below this is none [m/s]
     // is A that of the present rows?
     bool listed_ = false;

@@ -15,73 +15,12 @@
 
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/14_joints/newton_positions.hpp"
-#include "chapters/17_engine/exact_islands.hpp"
-#include "chapters/17_engine/island_places.hpp"
-#include "chapters/17_engine/wide_islands.hpp"
-
-#include <deque>
+#include "chapters/17_engine/island_solvers.hpp"
 
 namespace rigid {
 
-/// Islands that one kind of solver has in a step; keeps the memory of those that were.
-template <class Island>
-struct IslandPool {
-    std::deque<Island> all;
-    int count = 0;
-    std::vector<int> place;  ///< of each island of the step here; −1
-
-    void clear(int islands)
-    {
-        count = 0;
-        place.assign(static_cast<std::size_t>(islands), -1);
-    }
-    Island& take(int island)
-    {
-        if (count == static_cast<int>(all.size())) all.emplace_back();
-        place[static_cast<std::size_t>(island)] = count;
-        return all[static_cast<std::size_t>(count++)];
-    }
-    /// The one that was taken last is none after all.
-    void give_back(int island)
-    {
-        --count;
-        place[static_cast<std::size_t>(island)] = -1;
-    }
-    Island* find(int island)
-    {
-        const int at = place[static_cast<std::size_t>(island)];
-        return at < 0 ? nullptr : &all[static_cast<std::size_t>(at)];
-    }
-    template <class Visit>
-    void for_each(const Visit& visit)
-    {
-        for (int i = 0; i < count; ++i) visit(all[static_cast<std::size_t>(i)]);
-    }
-};
-
-struct SweptIsland {
-    StepPart part;
-    IslandSolver<3> solver;
-};
-
-/// Another problem on the rows of a part, by the solver of the part.
-template <class Part>
-struct PartApart {
-    Part& one;
-
-    void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
-    {
-        StepPart& part = one.part;
-        part.gather(second);
-        part.second.solution.status = Status::solved;
-        one.solver.solve_apart(part.second, part.v, part.now);
-        second.solution.status = part.second.solution.status;
-        part.scatter_apart(second, v, now);
-    }
-};
-
 //! [choice]
-struct IslandChoice {
+struct IslandChoice : IslandSolvers {
     Solving solving = Solving::by_island;
     ChoiceRule rule;
     Real tolerance = 1e-4;  ///< a residual below this is none [ℓ/s]
@@ -90,17 +29,10 @@ struct IslandChoice {
     /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
     Real slow = 0;
 
-    IslandPlaces all;  ///< of the step
-    IslandPool<ExactIsland> exactly;
-    IslandPool<TreePart> held;
-    IslandPool<SweptIsland> swept;
-    IslandPool<WideIsland> wide;
-    IslandPool<TreePart> rescuers;
-    IslandPool<TreePart> struck;  ///< what bounces
     Reflections reflections;
 
     // Of the last step.
-    int exact_count = 0, swept_count = 0, rescued_count = 0, unsolved = 0;
+    int rescued_count = 0, unsolved = 0;
     int answered_count = 0;  ///< of the exact ones, by their old impulses
     int most_sweeps = 0;     ///< of the island that needed the most
 
@@ -115,7 +47,11 @@ struct IslandChoice {
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
-        if (now.substep == 0) begin(bodies, now);
+        if (now.substep == 0) {
+            begin(bodies, now, rule, solving, sweeps.max_sweeps,
+                  tolerance * now.length);
+            most_sweeps = 0;
+        }
         bodies_ = &bodies;
         answered_count = rescued_count = unsolved = 0;
         now.solution.residual = 0;
@@ -139,113 +75,13 @@ struct IslandChoice {
     void for_each_problem(const StepData<3>&, const Visit& visit)
     {
         for (int i = 0; i < all.islands.count(); ++i) {
-            Apart apart{*this, i};
+            Apart apart{*this, i, *bodies_};
             visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart,
                   exactly.find(i) != nullptr || held.find(i) != nullptr);
         }
     }
 
-    /// All that exact solves of this step have looked at.
-    std::int64_t all_entries()
-    {
-        std::int64_t sum = 0;
-        const auto add = [&sum](TreePart& one) { sum += one.all_entries(); };
-        exactly.for_each(add), held.for_each(add), rescuers.for_each(add);
-        return sum;
-    }
-
 private:
-    //! [apart]
-    /// Other problems on the rows of one island.
-    struct Apart {
-        IslandChoice& choice;
-        int island;
-
-        /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
-        void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
-        {
-            if (ExactIsland* one = choice.exactly.find(island))
-                one->refresh(*choice.bodies_, now);
-            choice.with_solver(island, [&](auto& one) {
-                PartApart<std::remove_reference_t<decltype(one)>>{one}.solve_apart(
-                    second, v, now);
-            });
-            for (TreePart* one :
-                 {static_cast<TreePart*>(choice.exactly.find(island)),
-                  choice.held.find(island)})
-                if (one)
-                    one->entries += one->solver.others[second.arcs].bounded.entries;
-        }
-        /// The rows have another J.
-        void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
-        {
-            if (ExactIsland* one = choice.exactly.find(island))
-                one->factor_again(bodies, now);
-            if (TreePart* one = choice.held.find(island))
-                one->factor_again(bodies, now);
-        }
-    };
-    //! [apart]
-
-    /// The island as it has a solver.
-    template <class Visit>
-    void with_solver(int island, const Visit& visit)
-    {
-        if (ExactIsland* one = exactly.find(island)) visit(*one);
-        else if (TreePart* tree = held.find(island)) visit(*tree);
-        else if (WideIsland* lanes = wide.find(island)) visit(*lanes);
-        else if (SweptIsland* some = swept.find(island)) visit(*some);
-    }
-
-    //! [split]
-    /// Which islands there are, and to each the solver that it has.
-    void begin(const Bodies<3>& bodies, const StepData<3>& now)
-    {
-        const bool same = all.look(bodies, now, rule, solving, sweeps.max_sweeps,
-                                   tolerance * now.length);
-        const int count = all.islands.count();
-        most_sweeps = 0;
-        if (!same) {
-            exactly.clear(count), held.clear(count);
-            swept.clear(count), wide.clear(count);
-            exact_count = swept_count = 0;
-            for (int i = 0; i < count; ++i) place(i, bodies, now);
-        }
-        // guesses and old factors do not outlive a step
-        rescuers.clear(count), struck.clear(count);
-        const auto forget = [](TreePart& one) { one.forget(); };
-        exactly.for_each(forget), held.for_each(forget);
-        swept.for_each([&](SweptIsland& one) {
-            one.part.now.same_rows = one.part.now.same_bodies = same;
-        });
-        wide.for_each([&](WideIsland& one) { one.part.now.same_rows = same; });
-    }
-
-    void place(int i, const Bodies<3>& bodies, const StepData<3>& now)
-    {
-        const IslandNote& note = all.note(i);
-        const std::span<const int> rows = all.islands.rows_of(i),
-                                   members = all.islands.bodies_of(i);
-        const Index count = bodies.count();
-        swept_count += note.place != IslandPlace::exact && !rows.empty();
-        if (note.place == IslandPlace::exact) {
-            ++exact_count;
-            exactly.take(i).take(all.islands, i, now, count, numbers_);
-            return;
-        }
-        if (note.place == IslandPlace::held) {
-            held.take(i).part.take(rows, members, now, count, numbers_);
-            return;
-        }
-        if (static_cast<int>(rows.size()) >= rule.wide) {
-            if (wide.take(i).take(all.islands, i, note, bodies, now, numbers_))
-                return;
-            wide.give_back(i);
-        }
-        swept.take(i).part.take(rows, members, now, count, numbers_);
-    }
-    //! [split]
-
     //! [reflect]
     /// Impacts come first, and their joints and contacts are solved exactly.
     void reflect(int i, const Bodies<3>& bodies, StepData<3>& now)
@@ -256,17 +92,11 @@ private:
             return now.restitution[static_cast<std::size_t>(row)] > 0;
         };
         if (std::none_of(rows.begin(), rows.end(), bounces)) return;
-        TreePart* one = struck.find(i);
-        if (!one) {
-            one = &struck.take(i);
-            one->part.take(rows, all.islands.bodies_of(i), now, bodies.count(),
-                           numbers_);
-            one->forget();
-        }
-        prepare(*one, tolerance * now.length / 2, rule.entries, most_exact);
-        one->part.gather(bodies, now);
-        one->solver.factor_again(one->part.local, one->part.now);
-        PartApart<TreePart> apart{*one};
+        TreePart& one = tree_of(struck, i, bodies, now);
+        prepare(one, tolerance * now.length / 2, rule.entries, most_exact);
+        one.part.gather(bodies, now);
+        one.solver.factor_again(one.part.local, one.part.now);
+        PartApart<TreePart> apart{one};
         reflections(rows, all.islands.bodies_of(i), apart, bodies, now);
     }
     //! [reflect]
@@ -345,15 +175,9 @@ private:
     void solve_after_all(int i, Real late, std::int64_t entries, Bodies<3>& bodies,
                          StepData<3>& now)
     {
-        TreePart* one = rescuers.find(i);
-        if (!one) {
-            one = &rescuers.take(i);
-            one->part.take(all.islands.rows_of(i), all.islands.bodies_of(i), now,
-                           bodies.count(), numbers_);
-            one->forget();
-        }
-        prepare(*one, late, entries, most_exact);
-        one->solve(bodies, now);
+        TreePart& one = tree_of(rescuers, i, bodies, now);
+        prepare(one, late, entries, most_exact);
+        one.solve(bodies, now);
     }
     //! [rescue]
 
@@ -380,7 +204,6 @@ private:
         if (!(r <= largest || std::isnan(largest))) largest = r;
     }
 
-    PartNumbers numbers_;
     const Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
     VecX zeros_;                         ///< of the length of u
 };

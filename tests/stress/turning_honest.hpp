@@ -5,6 +5,9 @@
 #include "chapters/13_friction/friction_solver.hpp"
 #include "tests/stress/columns.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rigid::stress {
 
 /// The rows of the last sub-step with their answer, the bounds of friction set by it: one step of sixteen.
@@ -22,10 +25,25 @@ struct HonestTurning {
         if (!lambda_is_of_these_rows || now.solution.status != Status::solved || steps++ % 16 != 0) return;
         assemble(now.rows, now.u_star, scratch, mlcp);
         boxes_of(now.rows, boxes);
-        answer = now.solution;  // of the rows: arcs and impacts are besides
-        if (now.besides.size() == answer.lambda.size()) answer.lambda -= now.besides;
+        answer = now.solution;
+        if (now.besides.size() == answer.lambda.size()) take_rows_answer(now.besides);
         bound_by(boxes, answer.lambda, mlcp);
         require_honest(mlcp, answer);
+    }
+
+private:
+    /// Arcs and impacts are besides the answer of the rows. What is left lies within its bounds, but for the rounding of the
+    /// sum that λ was.
+    void take_rows_answer(const VecX& besides)
+    {
+        const VecX sum = answer.lambda;
+        answer.lambda -= besides;
+        bound_by(boxes, answer.lambda, mlcp);
+        for (Index i = 0; i < sum.size(); ++i) {
+            const Real rounding = 4e-16 * (std::abs(sum[i]) + std::abs(besides[i]));
+            const Real within = std::clamp(answer.lambda[i], mlcp.lo[i], mlcp.hi[i]);
+            if (std::abs(answer.lambda[i] - within) <= rounding) answer.lambda[i] = within;
+        }
     }
 };
 

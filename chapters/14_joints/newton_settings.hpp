@@ -1,0 +1,71 @@
+/// \file newton_settings.hpp
+/// What Newton's method on C asks for, and the small things that its two parts share.
+#pragma once
+
+#include "chapters/03_mlcp_formulation/step_data.hpp"
+
+#include <span>
+
+namespace rigid {
+
+struct NewtonSettings {
+    int most = 8;          ///< iterations a sub-step, for errors
+    int most_follow = 20;  ///< and for the arcs; each halves what is left
+    /// they end when no joint is off by more than this [ℓ]
+    Real tolerance = 1e-9;
+    Real beta = 0.2;       ///< part of an overlap that a sub-step takes back
+    Real slop = 5e-3;      ///< s, an overlap of up to this much is left alone [ℓ]
+    int sweeps = 10;       ///< of solvers that sweep, in an iteration
+    int push_sweeps = 10;  ///< the same where overlaps are to come out
+};
+
+inline void require_valid(const NewtonSettings& settings)
+{
+    if (settings.most < 0 || settings.sweeps < 0 || settings.push_sweeps < 0)
+        throw std::invalid_argument(
+            "Newton's method has " + std::to_string(settings.most) +
+            " iterations of " +
+            std::to_string(std::min(settings.sweeps, settings.push_sweeps)) +
+            " sweeps; both must be zero or positive");
+    if (settings.most_follow < 0)
+        throw std::invalid_argument("Newton's method follows arcs in " +
+                                    std::to_string(settings.most_follow) +
+                                    " iterations; it must be zero or positive");
+    if (!(settings.tolerance >= 0) || !(settings.slop >= 0) ||
+        !(settings.beta >= 0 && settings.beta <= 1))
+        throw std::invalid_argument(
+            "Newton's method has the tolerance " + shortest(settings.tolerance) +
+            ", the slop " + shortest(settings.slop) + " and beta " +
+            shortest(settings.beta) +
+            "; they must be zero or positive, and beta at most 1");
+}
+
+/// Whether C is in radians: its row moves no centroid.
+inline bool is_angle(const Constraint<3>& c)
+{
+    return c.Jb.head<2>().isZero(0) && (c.a == world || c.Ja.head<2>().isZero(0));
+}
+
+/// x ← x + h v, of some bodies.
+inline void move_by(const VecX& v, Real h, Bodies<3>& bodies,
+                    std::span<const int> members)
+{
+    for (const int k : members) bodies.integrate(k, v.segment<3>(3 * k), h);
+}
+
+/// Where some bodies were.
+struct PlacesBefore {
+    VecX x;
+
+    void keep(const Bodies<3>& bodies, std::span<const int> members)
+    {
+        x.resize(bodies.x.size());
+        for (const int k : members) x.segment<3>(3 * k) = bodies.position(k);
+    }
+    void put_back(Bodies<3>& bodies, std::span<const int> members) const
+    {
+        for (const int k : members) bodies.position(k) = x.segment<3>(3 * k);
+    }
+};
+
+}  // namespace rigid
