@@ -1,5 +1,5 @@
 // Chapter 10 in one file, grown from chapter 8: skips what cannot matter.
-// Pairs far apart, rows of islands that are solved, and bodies at rest cost nothing.
+// Pairs far apart, rows of solved islands and bodies at rest cost nothing.
 //
 //     A = diag(A₁, A₂, …): no impulse of one island moves a body of another, (10.5)
 #include <Eigen/Core>

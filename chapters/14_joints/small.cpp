@@ -1,4 +1,4 @@
-// Chapter 14 in one file, grown from chapter 11: pins and limits, and trees of pins.
+// Chapter 14 in one file, grown from chapter 11: pins, limits, and trees of pins.
 // A tree is solved from the leaves to the root and back.
 //
 //     pin: J u + J_p u_p + b = 0, (14.6)        limit: λ ≥ 0, w ≥ 0, λ w = 0
