@@ -65,6 +65,8 @@ public:
     int most = 60;   ///< rounds; what approaches then is stopped by its rows
     int rounds = 0;  ///< of the last call
     VecX impulse;    ///< of each row, in the last call that had it [N s]
+    /// 1: a row that bounced in one of the sub-steps so far; empty = none did
+    std::vector<char> bounced;
 
     //! [reflect]
     /// \param rows, members  of one problem of the step
@@ -86,11 +88,14 @@ public:
     }
 
     /// What the rows of a problem gave in its impacts is theirs, too.
-    void add_impulses(std::span<const int> rows, StepData<3>& now) const
+    void add_impulses(std::span<const int> rows, StepData<3>& now)
     {
+        if (bounced.empty()) bounced.resize(now.rows.size(), 0);
         for (const int i : rows) {
             now.solution.lambda[i] += impulse[i];
             now.besides[i] += impulse[i];
+            if (impulse[i] > 0 && at(now.restitution, i) > 0)
+                bounced[static_cast<std::size_t>(i)] = 1;
         }
     }
     //! [reflect]

@@ -56,6 +56,7 @@ struct TreeSolver {
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
         factor_again(bodies, now);
+        if (now.substep == 0) reflections.bounced.clear();
         if (!now.restitution.empty()) {  // impacts come first
             all_.resize(now.rows.size());
             std::iota(all_.begin(), all_.end(), 0);

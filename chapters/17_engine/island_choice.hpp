@@ -51,6 +51,7 @@ struct IslandChoice : IslandSolvers {
             begin(bodies, now, rule, solving, sweeps.max_sweeps,
                   tolerance * now.length);
             most_sweeps = 0;
+            reflections.bounced.clear();
         }
         bodies_ = &bodies;
         answered_count = rescued_count = unsolved = 0;

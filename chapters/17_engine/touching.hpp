@@ -1,7 +1,7 @@
 /// \file touching.hpp
 /// Which bodies touch, from step to step: what began, what ended, and how hard it began.
 ///
-///     begins   a point of the pair bears an impulse, or overlaps
+///     begins   a point of the pair bears an impulse, bounced in a sub-step, or overlaps
 ///     ends     no point bears one, and each gap is above a tenth of the margin
 ///
 /// Between the two a touch stays what it is: a box at rest on three points, of which one bears nothing now and then, does
@@ -45,23 +45,24 @@ struct Touching {
 
     /// Takes in the contacts of a step.
     /// \param now        as it was taken
+    /// \param bounced    1: a row that did so in one of its sub-steps
     /// \param looking    the bodies that are looked at
     /// \param looked_at  bool(int): its contacts were looked for in this step
     /// \param before     Vec<3>(Index): the velocity of a body before the step
     /// \param name       Touch(const TouchKey&)
     /// \param slowest    slower ones are no hits [m/s]
     template <class LookedAt, class Before, class Name>
-    void update(const RigidScene& scene, const StepData<3>& now, Real margin,
-                Real slowest, const std::vector<int>& looking,
-                const LookedAt& looked_at, const Before& before, const Name& name,
-                Events& events)
+    void update(const RigidScene& scene, const StepData<3>& now,
+                const std::vector<char>& bounced, Real margin, Real slowest,
+                const std::vector<int>& looking, const LookedAt& looked_at,
+                const Before& before, const Name& name, Events& events)
     {
         const auto seen = [&](const HeldTouch& it) {
             return looked_at(it.key.b) || (it.key.a >= 0 && looked_at(it.key.a));
         };
         walked = static_cast<std::int64_t>(held.size());
         if (looking != looking_) sort_out(looking, seen);
-        list_pairs(scene, now, margin);
+        list_pairs(scene, now, bounced, margin);
         next_.clear();
         auto found = pairs_.begin();
         for (const HeldTouch& old : held) {
@@ -127,7 +128,8 @@ private:
         bool near = false;     ///< it would not end now
     };
 
-    void list_pairs(const RigidScene& scene, const StepData<3>& now, Real margin)
+    void list_pairs(const RigidScene& scene, const StepData<3>& now,
+                    const std::vector<char>& bounced, Real margin)
     {
         pairs_.clear();
         for (std::size_t i = 0; i < now.sources.size(); ++i) {
@@ -146,7 +148,8 @@ private:
             if (contact.gap <
                 now.contacts[static_cast<std::size_t>(pair.contact)].gap)
                 pair.contact = source.index;
-            const bool bears = now.solution.lambda[static_cast<Index>(i)] > 0;
+            const bool bears = now.solution.lambda[static_cast<Index>(i)] > 0 ||
+                               (!bounced.empty() && bounced[i] != 0);
             pair.touches = pair.touches || bears || contact.gap <= 0;
             pair.near = pair.near || bears || contact.gap <= margin / 10;
         }

@@ -66,7 +66,8 @@ struct World::State : EngineState {
         }
         if (looked)
             touching.update(
-                scene, now, metres(settings.margin), metres(settings.hit_speed),
+                scene, now, method.solver.reflections.bounced,
+                metres(settings.margin), metres(settings.hit_speed),
                 stage.finder.asked,
                 [&](int k) {
                     return stage.finder.asks[static_cast<std::size_t>(k)] != 0;

@@ -238,6 +238,46 @@ JointedStress thrown_doll()
                      });
 }
 
+/// What is to move for ever, in steps of these lengths.
+JointedStress swings_on()
+{
+    const Values per_second = {480, 240, 120, 60, 30};
+    JointedStress stress =
+        stress_of("pendulum for a minute",
+                  "a disc on a pin, let go at 0.5 rad: a minute in steps of h, no energy is gained or lost",
+                  per_second, "", [](Real rate) {
+                      Case now{{}, moving()};
+                      add_body(now.scene, disc(0.05), Mass{1, {0, 0}, 1e-3}, {sin(0.5), -cos(0.5)}, 0.5);
+                      add_joint(now.scene, pin(world, {0, 0}, 0, {0, 1}));
+                      now.task.h = 1 / rate;
+                      now.task.steps = std::lround(60 * rate);
+                      now.task.conserves = true;
+                      now.task.energy = 9.81 * (1 - cos(0.5));
+                      return now;
+                  });
+    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
+    return stress;
+}
+
+JointedStress light_bead()
+{
+    return stress_of("load on a light bead",
+                     "0.1 kg and this load below it on two links of 0.5 m, nearly upright: five seconds",
+                     {1, 1e2, 1e3, 1e4, 1e5}, "kg", [](Real load) {
+                         Case now{{}, moving(0.5)};
+                         add_body(now.scene, disc(0.05), Mass{0.1, {0, 0}, 1e-4}, {0.01, -0.5});
+                         add_body(now.scene, disc(0.05), Mass{load, {0, 0}, load * 1e-3}, {0.02, -1});
+                         for (const Index k : {0, 1}) {
+                             RigidJoint link = pin(k - 1, {0, 0}, k, {0, 0});
+                             link.kind = JointKind::distance;
+                             link.length = Vec2(0.01, 0.5).norm();
+                             add_joint(now.scene, link);
+                         }
+                         now.task.steps = 300;
+                         return now;
+                     });
+}
+
 JointedStress any_size()
 {
     return stress_of("any size",
@@ -307,10 +347,9 @@ JointedStress bad_joints()
 
 std::vector<JointedStress> jointed_stresses()
 {
-    return {loops(),          redundant(),   contradictory(), fighting_motors(),
-            crossed_limits(), zero_length(), long_chain(),    loaded_chain(),
-            beam(),           thrown_doll(), any_size(),      stiff_spring(),
-            bad_joints()};
+    return {loops(),      redundant(),    contradictory(), fighting_motors(), crossed_limits(), zero_length(),
+            long_chain(), loaded_chain(), beam(),          thrown_doll(),     swings_on(),      light_bead(),
+            any_size(),   stiff_spring(), bad_joints()};
 }
 
 }  // namespace rigid::stress

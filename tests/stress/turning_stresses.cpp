@@ -174,6 +174,27 @@ TurningStress spinning_rod()
                      });
 }
 
+TurningStress bouncing_ball()
+{
+    const Values per_second = {480, 240, 120, 60, 30};
+    TurningStress stress = stress_of(
+        "ball that bounces", "a ball with e = 1 falls by 2 m: ten seconds in steps of h, no energy is lost",
+        per_second, "", {false, true}, [](Real rate) {
+            Case now{{}, moving()};
+            now.scene.walls.push_back({{0, 1}, 0});
+            add_body(now.scene, disc(0.1), Mass{1, {0, 0}, 5e-3}, {0, 2.1});
+            now.scene.surfaces.assign(1, {0, 1});
+            now.scene.wall_surfaces.assign(1, {0, 1});
+            now.task.h = 1 / rate;
+            now.task.steps = std::lround(10 * rate);
+            now.task.conserves = true;
+            now.task.energy = 2 * 9.81;
+            return now;
+        });
+    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
+    return stress;
+}
+
 TurningStress double_rod()
 {
     const Values per_second = {960, 480, 240, 120, 60};
@@ -372,10 +393,11 @@ TurningStress long_run()
 
 std::vector<TurningStress> turning_stresses()
 {
-    return {heavy_top(),    tall_stack(),   pushed_stack(), steep_slope(),       leaning_plates(),
-            spinning_box(), spinning_rod(), double_rod(),   slender_rods(),      any_size(),
-            deep_overlap(), thin_walls(),   poured(),       long_chain(),        loaded_chain(),
-            redundant(),    time_step(),    far_away(),     turning_bad_input(), long_run()};
+    return {heavy_top(),    tall_stack(),   pushed_stack(),  steep_slope(), leaning_plates(),
+            spinning_box(), spinning_rod(), bouncing_ball(), double_rod(),  slender_rods(),
+            any_size(),     deep_overlap(), thin_walls(),    poured(),      long_chain(),
+            loaded_chain(), redundant(),    time_step(),     far_away(),    turning_bad_input(),
+            long_run()};
 }
 
 }  // namespace rigid::stress
