@@ -169,6 +169,7 @@ JointedStress zero_length()
             link.kind = JointKind::distance;
             link.length = length;
             add_joint(now.scene, link);
+            now.task.conserves = true;
             return now;
         });
 }

@@ -117,21 +117,24 @@ Real largest_speed(const SpaceScene& scene, Real size);
 Real speed_of_rest(const SpaceScene& scene, const Task& task);
 void watch(const SpaceScene& scene, const VecX& start, const Task& task, Verdict& verdict);
 
-/// The energy after a step, or half a step before, whichever is nearer to that of the start. The velocity of symplectic Euler
-/// is that of the middle of its step, and what swings looks there as if it gained and lost g h v/2 in turn; who gains does so
-/// in both places.
+/// The change of the energy by a step, gained and lost: the smaller one of the end of the step and of its middle. The velocity
+/// of symplectic Euler is that of the middle, and what swings looks at the end as if it gained and lost g h v/2 in turn; who
+/// gains does so in both places.
+struct EnergyChange {
+    Real gain = 0, loss = 0;  ///< [J]
+};
 template <class Scene>
-Real energy_near(const Scene& scene, Real h, Real start, Real little)
+EnergyChange energy_change(const Scene& scene, Real h, Real start, Real little)
 {
-    const Real energy = total_energy(scene);
+    const Real end = total_energy(scene) - start;
+    Real middle = end;
     if constexpr (Scene::dof < 6)
-        if (!(std::abs(energy - start) <= little)) {
-            Scene middle = scene;
-            middle.bodies.x -= h / 2 * scene.bodies.u;
-            const Real there = total_energy(middle);
-            if (std::abs(there - start) < std::abs(energy - start)) return there;
+        if (!(std::abs(end) <= little)) {
+            Scene there = scene;
+            there.bodies.x -= h / 2 * scene.bodies.u;
+            middle = total_energy(there) - start;
         }
-    return energy;
+    return {std::min(end, middle), -std::max(end, middle)};
 }
 
 /// Runs a method on a scene. The second half of the run is what is judged; finiteness and energy, all of it.
@@ -155,10 +158,10 @@ Verdict judge(Scene scene, const Task& task, const StepOf<std::type_identity_t<S
             return {lost, "not finite", infinity};
         }
         if (!scene.bodies.x.allFinite() || !scene.bodies.u.allFinite()) return {lost, "not finite", infinity};
-        const Real energy = energy_near(scene, task.h, start, accurate_energy * scale);
-        verdict.gain = std::max(verdict.gain, (energy - start) / scale);
-        verdict.loss = std::max(verdict.loss, (start - energy) / scale);
-        if (!(energy - start <= most_gain * scale))
+        const EnergyChange change = energy_change(scene, task.h, start, accurate_energy * scale);
+        verdict.gain = std::max(verdict.gain, change.gain / scale);
+        verdict.loss = std::max(verdict.loss, change.loss / scale);
+        if (!(change.gain <= most_gain * scale))
             return {lost, "energy", infinity, verdict.gain, verdict.loss};
         if (static_cast<Real>(n) < task.from * static_cast<Real>(task.steps)) continue;
         speed = std::max(speed, largest_speed(scene, task.size));

@@ -5,7 +5,6 @@
 #include "chapters/13_friction/friction_solver.hpp"
 #include "tests/stress/columns.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rigid::stress {
@@ -32,8 +31,8 @@ struct HonestTurning {
     }
 
 private:
-    /// Arcs and impacts are besides the answer of the rows. What is left lies within its bounds, but for the rounding of the
-    /// sum that λ was.
+    /// Arcs and impacts are besides the answer of the rows. What is left is at its bound where only the rounding of the sum
+    /// that λ was lies between.
     void take_rows_answer(const VecX& besides)
     {
         const VecX sum = answer.lambda;
@@ -41,8 +40,8 @@ private:
         bound_by(boxes, answer.lambda, mlcp);
         for (Index i = 0; i < sum.size(); ++i) {
             const Real rounding = 4e-16 * (std::abs(sum[i]) + std::abs(besides[i]));
-            const Real within = std::clamp(answer.lambda[i], mlcp.lo[i], mlcp.hi[i]);
-            if (std::abs(answer.lambda[i] - within) <= rounding) answer.lambda[i] = within;
+            for (const Real bound : {mlcp.lo[i], mlcp.hi[i]})
+                if (std::abs(answer.lambda[i] - bound) <= rounding) answer.lambda[i] = bound;
         }
     }
 };
