@@ -20,7 +20,7 @@ BOLD = re.compile(r"\*\*(.+?)\*\*", re.S)
 MOST = 10  # a word in more titles than these leads nowhere: "row"
 HEAD = """# Index of terms
 
-[Contents](../README.md) · [Back: I want to](i_want_to.md) · [Next: Notation](notation.md)
+[Contents](../README.md) · [Back: I want …](i_want_to.md) · [Next: Notation](notation.md)
 
 Where each term is explained, and the sections that are about it. Letters are in the [notation](notation.md). `docs/tools/make_index.py`
 makes this page from the chapters; other names of a thing are in `docs/index/terms.txt`.
