@@ -3,7 +3,7 @@
 #
 #     docs/build.sh          check the texts, build the site, check the site
 #     docs/build.sh check    only check the texts (needs nothing but python3)
-#     docs/build.sh sync     fill the quoted code in from the sources
+#     docs/build.sh sync     fill the quoted code in from the sources, make the index of terms and the drawing of the architecture
 #     docs/build.sh test     test these tools themselves
 #     docs/build.sh site ADDRESS    where the site is published: the front page's link to play; `none` for nowhere
 #
@@ -22,6 +22,9 @@ export PYTHONDONTWRITEBYTECODE
 check_texts() {
     faulty=0
     python3 docs/tools/sync_snippets.py --check || faulty=1
+    python3 docs/tools/make_index.py --check || faulty=1
+    python3 docs/architecture/draw.py --check docs/architecture/figures/architecture.svg || faulty=1
+    python3 docs/tools/check_version.py || faulty=1
     python3 docs/tools/check_text.py || faulty=1
     return $faulty
 }
@@ -36,7 +39,11 @@ find_theme() {
 need python3 "it runs the checks" python3
 case "${1:-build}" in
 check) check_texts; say "the texts are in order"; exit 0 ;;
-sync) exec python3 docs/tools/sync_snippets.py ;;
+sync)
+    python3 docs/tools/sync_snippets.py
+    python3 docs/tools/make_index.py
+    exec python3 docs/architecture/draw.py docs/architecture/figures/architecture.svg
+    ;;
 test) exec python3 docs/tools/test_tools.py ;;
 site) shift && exec python3 docs/tools/site_address.py "$@" ;;
 build) ;;

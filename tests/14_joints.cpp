@@ -18,8 +18,6 @@ namespace {
 
 using Trees = JointTrees<AllBodies>;
 
-constexpr int kinds = 12;
-
 /// Two bodies somewhere, and a joint of this kind with all that it may have.
 JointedScene random_joint(Random& random, JointKind kind, bool on_world)
 {
@@ -107,7 +105,7 @@ TEST_CASE("J of every kind of joint is the derivative of its C", "[idea]")
     Random random(14);
     std::set<std::pair<int, int>> seen;
     for (int round = 0; round < 100; ++round)
-        for (int kind = 0; kind < kinds; ++kind) {
+        for (int kind = 0; kind < joint_kind_count; ++kind) {
             const JointedScene scene = random_joint(random, static_cast<JointKind>(kind), round % 3 == 0);
             const VecX& x = scene.bodies.x;
             REQUIRE_FALSE(scene.joints.empty());

@@ -24,6 +24,17 @@ if(NOT MSVC AND NOT CMAKE_CROSSCOMPILING)
   endforeach()
 endif()
 
+# ./book small N --holes. Compiled as it is handed out, so with this compiler and the same options as by hand.
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(Python3_FOUND)
+  if(NOT MSVC AND NOT CMAKE_CROSSCOMPILING)
+    set(compiled_by ${CMAKE_CXX_COMPILER} ${folders})
+  endif()
+  add_test(NAME "small: the hand-outs compile and the small programs fit their holes"
+           COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/tests/small/test_holes.py ${compiled_by})
+  set_tests_properties("small: the hand-outs compile and the small programs fit their holes" PROPERTIES LABELS small TIMEOUT 300)
+endif()
+
 # What the library buys: the table of the reader's guide.
 add_executable(small_table EXCLUDE_FROM_ALL tests/small/table.cpp)
 target_link_libraries(small_table PRIVATE rigid_physics)

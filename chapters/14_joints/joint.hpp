@@ -10,6 +10,7 @@
 #include "chapters/13_friction/surfaces.hpp"
 #include "common/text.hpp"
 
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,11 +33,15 @@ enum class JointKind : unsigned char {
     motor,  ///< drives the pose of b in a to a target, by springs of bounded force
 };
 
+/// How many kinds there are; a new one stands before `mouse`.
+constexpr int joint_kind_count = static_cast<int>(JointKind::motor) + 1;
+
 constexpr std::string_view to_string(JointKind kind)
 {
     constexpr std::string_view names[] = {
         "distance", "rope", "revolute", "prismatic", "weld",     "wheel",
         "gear",     "rack", "pulley",   "mouse",     "friction", "motor"};
+    static_assert(std::size(names) == joint_kind_count, "each kind has a name");
     return names[static_cast<std::size_t>(kind)];
 }
 

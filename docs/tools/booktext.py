@@ -68,7 +68,7 @@ def chapter_texts(folder):
 
 def markdown_files(root):
     """All texts of the book, chapters in order."""
-    files = [root / "README.md", root / "CONTRIBUTING.md"]
+    files = [root / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CODE_OF_CONDUCT.md")]
     for folder in chapters(root).values():
         files += chapter_texts(folder)
     files += sorted((root / "docs").glob("*.md"))

@@ -15,8 +15,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import check_commands  # noqa: E402
 import check_html  # noqa: E402
 import check_text  # noqa: E402
+import check_version  # noqa: E402
 import demos  # noqa: E402
 import finish_html  # noqa: E402
+import make_index  # noqa: E402
 import search_texts  # noqa: E402
 from finish_html import finish  # noqa: E402
 import site_address  # noqa: E402
@@ -416,6 +418,87 @@ class Map(unittest.TestCase):
         drawn = subprocess.run([sys.executable, "-B", folder / "draw.py", "--check", folder / "figures" / "map_methods.svg"],
                                capture_output=True, text=True, check=False)
         self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+
+
+class Architecture(unittest.TestCase):
+    folder = pathlib.Path(__file__).resolve().parents[1] / "architecture"
+
+    def drawn(self, file):
+        return subprocess.run([sys.executable, "-B", self.folder / "draw.py", "--check", file], capture_output=True, text=True, check=False)
+
+    def test_the_drawing_is_that_of_the_includes(self):
+        drawn = self.drawn(self.folder / "figures" / "architecture.svg")
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+
+    def test_an_arc_that_no_include_has_is_noticed(self):
+        text = (self.folder / "figures" / "architecture.svg").read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "architecture.svg"
+            file.write_text(text.replace("</svg>", '<path d="M0 0C1 1 2 2 3 3"/>\n</svg>'), encoding="utf-8")
+            self.assertEqual(self.drawn(file).returncode, 1)
+
+    def test_sources_belong_to_their_parts(self):
+        sys.path.insert(0, str(self.folder))
+        import draw
+        sys.path.remove(str(self.folder))
+        for path, part in (("chapters/04_pgs/pgs.hpp", 4), ("chapters/04_pgs/program/main.cpp", "program"), ("common/bodies.hpp", "common"),
+                           ("chapters/04_pgs/benchmark/benchmark.cpp", "benchmark"), ("common/program/window.hpp", "program"),
+                           ("common/svg_canvas.hpp", "program"), ("tests/stress/judge.hpp", "tests"), ("docs/race/race.cpp", "docs")):
+            self.assertEqual(draw.part(path), part)
+
+
+class Version(Folder):
+    def all_of(self, version):
+        self.write("CMakeLists.txt", f"project(rigid VERSION {version} LANGUAGES CXX)\n")
+        self.write("CITATION.cff", f"cff-version: 1.2.0\nversion: {version}\n")
+        self.write("vcpkg.json", f'{{"version-string": "{version}"}}\n')
+        self.write("cmake/vcpkg/rigid/vcpkg.json", f'{{"version": "{version}"}}\n')
+        self.write("CHANGELOG.md", f"# Changelog\n\n## {version} (2026-11-26)\n\n## 0.1.0\n")
+        for name in ("docs/use_it.md", "docs/use_it/CMakeLists.txt"):
+            self.write(name, f"find_package(rigid {version.rpartition('.')[0]} CONFIG REQUIRED)\n")
+
+    def test_each_place_that_has_another_version_is_named(self):
+        self.all_of("1.20.3")
+        self.assertEqual(list(check_version.faults(self.root)), [])
+        for name in check_version.PLACES:
+            self.all_of("1.20.3")
+            self.change(name, "1.20", "1.19")
+            self.assertEqual(len(list(check_version.faults(self.root))), 1, name)
+
+    def test_a_version_that_is_not_there(self):
+        self.all_of("1.20.3")
+        self.write("CITATION.cff", "title: none\n")
+        self.assertEqual(list(check_version.faults(self.root)), ["CITATION.cff has the version (none); CMakeLists.txt has 1.20.3."])
+        self.write("CMakeLists.txt", "project(rigid)\n")
+        with self.assertRaises(TextError):
+            list(check_version.faults(self.root))
+
+
+class Index(Folder):
+    def terms(self):
+        return [line[2:] for line in make_index.page(self.root).splitlines() if line.startswith("- ")]
+
+    def test_terms_in_bold_type_sections_and_other_words(self):
+        self.add("**Not this one.** A line of numbers, a **long row**, and **Jacobian**. **At the start** of a **sentence with more than four words**, "
+                 "**a stop.** and **the last of**.")
+        self.write("docs/index/terms.txt", "# comment\nname Jacobian\nnot the last of\nterm step | 01_euler | From Newton's law to a step\nsee stride | step\n")
+        self.assertEqual([t.split("]")[0] for t in self.terms()],
+                         ["Jacobian: [1.2", "long row: [1.2", "step: [1.1", "stride: see *step*, [1.1"])
+        self.assertIn("(../chapters/01_euler/README.md#11-from-newtons-law-to-a-step)", self.terms()[2])
+
+    def test_a_section_that_is_not_there_and_a_line_that_is_none(self):
+        for line in ("term step | 01_euler | Gone", "term step", "see stride | nothing", "word"):
+            self.write("docs/index/terms.txt", line + "\n")
+            with self.assertRaises(TextError):
+                make_index.page(self.root)
+
+    def test_a_page_that_is_stale(self):
+        tool = pathlib.Path(make_index.__file__)
+        run = lambda *words: subprocess.run([sys.executable, "-B", tool, "--root", self.root, *words], capture_output=True, text=True, check=False)
+        self.assertEqual(run().returncode, 0)
+        self.assertEqual(run("--check").returncode, 0)
+        self.add("A **new term**.")
+        self.assertIn("docs/index_of_terms.md is not what the chapters give", run("--check").stderr)
 
 
 class Snippets(Folder):

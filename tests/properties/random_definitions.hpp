@@ -172,7 +172,7 @@ protected:
             body.filter = {1u << random_.index(3), 7, static_cast<std::int32_t>(random_.index(3)) - 1};
         return body;
     }
-    JointKind some_joint_kind() { return static_cast<JointKind>(random_.index(12)); }
+    JointKind some_joint_kind() { return static_cast<JointKind>(random_.index(joint_kind_count)); }
     /// The rest of a joint that has its kind and its points.
     void fill_in(RigidJoint& joint)
     {
