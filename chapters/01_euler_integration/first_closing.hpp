@@ -71,7 +71,8 @@ std::optional<ThetaRange> first_closing(const GapAt& gap_at)
     std::array<ThetaRange, 64> left{
         {{0, 1}}};  // each halving leaves one part for later
     for (std::size_t n = 1; n > 0;) {
-        const auto [from, to] = left[--n];
+        const ThetaRange part = left[--n];
+        const Real from = part.from, to = part.to;
         const auto gap_within = [&](Real s) {
             const Real gap = gap_at(from + s * (to - from));
             if (!std::isfinite(gap))
