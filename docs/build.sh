@@ -76,6 +76,11 @@ BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >build/docs/doxygen.log 2>&1 || 
 }
 python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
 python3 docs/tools/search_texts.py build/docs/html build/docs/book.tag
+# Numbers that can be dragged: the models that the pages name.
+cp docs/web/sentence.js docs/web/sentence.css build/docs/html/
+for name in $(grep -oh 'src="sentence_[^"]*' build/docs/html/*.html | sort -u | sed 's/.*sentence_\(.*\)\.js/\1/'); do
+    cp "chapters/$name/sentence.js" "build/docs/html/sentence_$name.js"
+done
 if [ -d build/docs/demos ]; then
     mkdir -p build/docs/html/demos
     for script in unpack join machine painter demo; do cp docs/web/$script.js build/docs/html/; done
