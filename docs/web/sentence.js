@@ -84,7 +84,6 @@
         constructor(place) {
             const {model, sliders, shows} = JSON.parse(place.dataset.sentence);
             this.model = models[model];
-            this.shows = shows;
             this.numbers = {};
             this.outs = [...place.querySelectorAll('span[data-value]')].map(span => {
                 const [name, how = ''] = span.dataset.value.split(' '), out = document.createElement('output');
@@ -98,7 +97,11 @@
             below.className = 'sentence-below';
             const hands = document.createElement('div');
             hands.className = 'sentence-hands';
-            hands.append(...this.rows.map(row => row.all));
+            const caption = document.createElement('p');
+            caption.className = 'sentence-caption';
+            caption.textContent = shows[0].toUpperCase() + shows.slice(1) + '.';
+            this.figure.setAttribute('aria-label', caption.textContent);
+            hands.append(...this.rows.map(row => row.all), caption);
             below.append(hands, this.figure);
             place.append(below);
             this.show();
@@ -106,17 +109,19 @@
 
         // A number: dragged in the sentence, or by its slider below, which keys and screen readers reach.
         row({name, says, from, to, by, unit}, span) {
-            const range = document.createElement('input'), label = document.createElement('label'), words = document.createElement('span');
+            const range = document.createElement('input'), label = document.createElement('label'), words = document.createElement('span'), now = document.createElement('b');
             const start = Number(span.textContent.replace('−', '-').replaceAll(',', ''));
             Object.assign(range, {type: 'range', min: from, max: to, step: by, value: start});
             words.textContent = says;
-            label.append(words, range);
+            now.setAttribute('aria-hidden', 'true');
+            label.append(words, now, range);
             span.className = 'sentence-number';
             span.title = `Drag: ${says}, from ${from} to ${to}${unit && ' ' + unit}`;
             const row = {name, all: label, show: () => {
                 const shown = written(Number(range.value), '.' + decimals(by));
                 this.numbers[name] = Number(range.value);
                 span.textContent = shown;
+                now.textContent = shown + (unit && ' ' + unit);
                 range.setAttribute('aria-valuetext', shown + (unit && ' ' + unit));
             }};
             const set = value => { range.value = value; this.show(); };
@@ -142,7 +147,6 @@
                 if (out.textContent !== words) out.textContent = words;
             }
             paint(this.figure, this.model.picture(this.numbers, values));
-            this.figure.setAttribute('aria-label', `The figure shows ${this.shows}.`);
         }
     }
 
