@@ -253,7 +253,7 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"column", {column, 1e-12}},
         {"cones", {cones, 1e-12}},
         {"visits", {visits, 1e-12}},
-        // the row is solved to 1e-6 m/s, a sixtieth of a second long, in each of twenty steps, in millimetres
+        // the row is solved to 1e-6 m/s, a sixtieth of a second long, in each of twenty steps, in millimetres: 3.3e-4
         {"link", {long_link, 1e-3}},
         {"two_discs", {two_discs, 0}},
         {"guess", {guess, 1e-12}},
