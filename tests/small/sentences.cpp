@@ -4,6 +4,9 @@
 #include "tests/small/alone.hpp"
 
 #include "chapters/15_soft_constraints/softness.hpp"
+#include "chapters/16_wide_sweeps/waits.hpp"
+#include "chapters/17_engine/island_shape.hpp"
+#include "chapters/18_space/tumbling.hpp"
 #include "tests/catch.hpp"
 
 #include <set>
@@ -237,6 +240,43 @@ Numbers oscillator(Numbers in)
     return out;
 }
 
+Numbers line(Numbers in)
+{
+    const int bodies = static_cast<int>(in["bodies"]);
+    std::vector<rigid::Row<2>> rows(static_cast<std::size_t>(bodies - 1));
+    std::vector<int> coloured;
+    for (int i = 0; i < bodies - 1; ++i) {
+        rigid::Row<2>& row = rows[static_cast<std::size_t>(i)];
+        row.a = i;
+        row.b = i + 1;
+        row.Wa.setOnes();
+        row.Wb.setOnes();
+    }
+    for (const int first : {0, 1})
+        for (int i = first; i < bodies - 1; i += 2) coloured.push_back(i);
+    return {{"rows", rows.size()},
+            {"chain", rigid::longest_chain(rows, {}, bodies)},
+            {"coloured", rigid::longest_chain<2>(rows, coloured, bodies)}};
+}
+
+Numbers tower(Numbers in)
+{
+    const int boxes = static_cast<int>(in["boxes"]);
+    const rigid::IslandShape shape{boxes, 4 * boxes, 4 * boxes, 0, boxes, boxes, in["ratio"]};
+    return {{"sweeps", shape.price_of_sweeps()}, {"exact", shape.price_of_exact()}};
+}
+
+Numbers book(Numbers in)
+{
+    const auto moment = [](double b, double c) { return 0.7 / 12 * (b * b + c * c); };
+    const rigid::Vec3 inertia(moment(0.24, 0.04), moment(0.16, 0.04), moment(0.16, 0.24));
+    rigid::Vec3 theta(0, 0, 0), omega(1, in["wobble"] / 100, in["wobble"] / 100);
+    int n = 0;
+    for (; omega[0] > 0 && n < 20000; ++n)
+        rigid::tumble(rigid::Tumbling::middle, inertia, 0.001, theta, omega);
+    return {{"turns", n * 0.001 / (2 * std::numbers::pi)}};
+}
+
 }  // namespace
 
 TEST_CASE("what can be dragged in a sentence follows as the small programs compute it")
@@ -261,7 +301,10 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"across", {across, 1e-5}},  // sweeps to 1e-6 m/s on 3 kg
         {"slope", {slope, 1e-9}},    // a thousand sweeps
         {"two_rods", {two_rods, 1e-9}},
-        {"oscillator", {oscillator, 1e-12}}};
+        {"oscillator", {oscillator, 1e-12}},
+        {"line", {line, 0}},
+        {"tower", {tower, 1e-12}},
+        {"book", {book, 3e-4}}};  // whole steps of a thousandth of a second, which is 1.6e-4 turns
     std::ifstream table(std::string(RIGID_SOURCE_DIR) + "/tests/small/sentences.csv");
     REQUIRE(table);
     std::set<std::string> seen;
