@@ -5,6 +5,8 @@
 #     docs/build.sh check    only check the texts (needs nothing but python3)
 #     docs/build.sh sync     fill the quoted code in from the sources, make the index of terms and the drawing of the architecture
 #     docs/build.sh test     test these tools themselves
+#     docs/build.sh sentences    the table of what can be dragged in the texts, tests/small/sentences.csv (needs node)
+#     docs/build.sh pdf [N]      print the site that is built, or chapter N of it: build/docs/book.pdf, build/docs/chapter_N.pdf
 #     docs/build.sh site ADDRESS    where the site is published: the front page's link to play; `none` for nowhere
 #
 # DOXYGEN_AWESOME=FOLDER names another place of doxygen-awesome-css.
@@ -19,6 +21,22 @@ need() { command -v "$1" >/dev/null 2>&1 || fail "$1 is missing ($2); on Debian:
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
 
+# What a text says, and what its page would write, is the same.
+sentences() { python3 docs/tools/sentences.py | node docs/web/test/sentences.mjs "$@"; }
+
+# Print pages of the site: all, or those of one chapter.
+print_site() {
+    need node "it drives the browser" nodejs
+    command -v "${CHROMIUM:-chromium}" >/dev/null 2>&1 || fail "chromium is missing (it prints); on Debian: apt-get install chromium"
+    [ -f build/docs/html/index.html ] || fail "there is no site to print; ./book docs builds it"
+    pdf=build/docs/${1:+chapter_}${1:-book}.pdf
+    cp docs/theme/print.css build/docs/html/
+    python3 docs/tools/print_pages.py build/docs/html ${1:+"$1"}
+    [ -n "${1:-}" ] || say "printing the whole book: some minutes"
+    node docs/web/print.mjs build/docs/html "$pdf"
+    rm -f build/docs/html/print.html build/docs/html/print.css
+}
+
 check_texts() {
     faulty=0
     python3 docs/tools/sync_snippets.py --check || faulty=1
@@ -26,6 +44,7 @@ check_texts() {
     python3 docs/architecture/draw.py --check docs/architecture/figures/architecture.svg || faulty=1
     python3 docs/tools/check_version.py || faulty=1
     python3 docs/tools/check_text.py || faulty=1
+    ! command -v node >/dev/null 2>&1 || sentences || faulty=1
     return $faulty
 }
 
@@ -45,9 +64,11 @@ sync)
     exec python3 docs/architecture/draw.py docs/architecture/figures/architecture.svg
     ;;
 test) exec python3 docs/tools/test_tools.py ;;
+sentences) sentences --write; exit ;;
+pdf) shift && print_site "$@"; exit ;;
 site) shift && exec python3 docs/tools/site_address.py "$@" ;;
 build) ;;
-*) fail "knows build, check, sync, test and site, not '$1'" ;;
+*) fail "knows build, check, sync, test, sentences, pdf and site, not '$1'" ;;
 esac
 
 need doxygen "it writes the site" doxygen
@@ -83,9 +104,14 @@ BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >build/docs/doxygen.log 2>&1 || 
 }
 python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
 python3 docs/tools/search_texts.py build/docs/html build/docs/book.tag
+# Numbers that can be dragged: the models that the pages name.
+cp docs/web/sentence.js docs/web/sentence.css build/docs/html/
+for name in $(grep -oh 'src="sentence_[^"]*' build/docs/html/*.html | sort -u | sed 's/.*sentence_\(.*\)\.js/\1/'); do
+    cp "chapters/$name/sentence.js" "build/docs/html/sentence_$name.js"
+done
 if [ -d build/docs/demos ]; then
     mkdir -p build/docs/html/demos
-    for script in unpack join machine painter demo; do cp docs/web/$script.js build/docs/html/; done
+    for script in unpack join machine painter demo cards; do cp docs/web/$script.js build/docs/html/; done
     cp docs/web/demo.css build/docs/html/
     # Only what a page shows.
     for name in $(grep -oh 'src="demos/[^"]*"' build/docs/html/*.html | sort -u | cut -d'"' -f2); do

@@ -227,14 +227,18 @@ def anchors(text, name="text"):
 
 @dataclass
 class Token:
-    kind: str       # code, math, image, cite, link, html, words
+    kind: str       # code, math, image, cite, link, span, html, words
     text: str       # as written
     offset: int     # in the paragraph
     info: dict = field(default_factory=dict)
 
 
+# A number of a sentence that can be dragged, or that follows (sentences.py).
+SPAN = re.compile(r'<span data-(slide|value)="([^"<>]*)">([^<]*)</span>')
+
 TOKEN = re.compile(
-    r"(?P<rooms><picture>.*?</picture>)"
+    r"(?P<span>" + SPAN.pattern.replace("(", "(?:") + r")"
+    r"|(?P<rooms><picture>.*?</picture>)"
     r"|(?P<mathtick>(?<![\w$\\])\$`(?P<mt>[^`]+)`\$)"
     r"|(?P<code>(?<!`)(?P<ticks>`+)(?!`)(?P<inside>.*?)(?<!`)(?P=ticks)(?!`))"
     r"|(?P<escape>\\[\\`*_{}\[\]()#+\-.!$<>|~])"
@@ -297,6 +301,8 @@ def tokens(paragraph):
         elif m.group("link"):
             out.append(Token("link", text, at, {
                 "label": m.group("label"), "target": m.group("target")}))
+        elif m.group("span"):
+            out.append(Token("span", text, at))
         elif m.group("html"):
             out.append(Token("html", text, at))
         last = m.end()

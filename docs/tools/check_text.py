@@ -15,6 +15,7 @@ What is checked
   maths      what GitHub and MathJax would not render as meant
   width      code that is quoted or typed has at most 84 columns
   demos      <!-- demo: … --> is one that docs/tools/demos.py reads, and its program is there
+  sentences  <!-- sentence: … --> is one that docs/tools/sentences.py reads, and its model is there
   notation   a name in the column `code` of docs/notation.md occurs in the sources of the chapters or of common/
              a table can be set in 1,000 pixels, by the estimate of `least_width()`
   length     the README.md of a chapter has at most 6,000 words (`words_of()` says what is counted)
@@ -35,10 +36,11 @@ import re
 import sys
 import urllib.parse
 
-from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, TABLE_LINE, TextError, anchors, book_folder,
+from booktext import (CPP, EQUATION, FIGURE, FIGURE_CAPTION, HEADING, ROOT, SPAN, TABLE_LINE, TextError, anchors, book_folder,
                       bib_keys, blocks, chapter_of, chapters, comments, equation_tags,
                       figure_captions, lone_picture, markdown_files, snippet_language, source_files, run_tool, test_names, tokens)
 from demos import demo_of, own_program
+from sentences import sentence_of
 
 WIDEST_CODE = 84
 MOST_WORDS = 6000
@@ -249,6 +251,7 @@ class Checker:
                 self.details(path, parts, k)
             elif block.kind == "comment":
                 self.demo(path, block)
+                self.sentence(path, block, (parts[k + 1:] or [None])[0])
             elif block.kind in ("paragraph", "table", "heading"):
                 self.running_text(path, block)
                 self.figure_layout(path, parts, k)
@@ -261,6 +264,16 @@ class Checker:
             return
         if demo and not (self.root / "chapters" / demo["program"] / "program/main.cpp").is_file():
             self.fault(path, block.line, f"there is no program {demo['program']}.")
+
+    def sentence(self, path, block, after):
+        try:
+            sentence = sentence_of(block, after, "")
+        except TextError as fault:
+            self.fault(path, block.line, str(fault).lstrip(": "))
+            return
+        models = path.parent / "sentence.js"
+        if sentence and (not models.is_file() or f"rigid_sentence('{sentence['model']}'" not in models.read_text(encoding="utf-8")):
+            self.fault(path, block.line, f"{models.relative_to(self.root)} has no model {sentence['model']}.")
 
     def code_width(self, path, block):
         """Code that a reader reads or types fits the page; what a program prints may be as wide as it is."""
@@ -503,7 +516,7 @@ def context(text, token):
 def words_of(parts):
     """The length of a main road: the words (between blanks) of headings, paragraphs and tables, with captions,
     alternative texts, exercises and folded solutions. Code, displayed maths and quoted sources do not count."""
-    return sum(len(b.text.split()) for b in parts if b.kind in ("heading", "paragraph", "table"))
+    return sum(len(SPAN.sub(r"\3", b.text).split()) for b in parts if b.kind in ("heading", "paragraph", "table"))
 
 
 def least_width(table):

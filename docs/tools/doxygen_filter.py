@@ -19,6 +19,7 @@ from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextE
                       blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, lone_picture, page_id, run_tool, slug,
                       snippet_code, snippet_language, test_names, tokens)
 from demos import demo_of, own_program
+from sentences import place, sentence_of
 
 
 def label(text):
@@ -94,7 +95,7 @@ class Page:
     def __init__(self, book, path):
         self.book, self.path, self.root = book, path.resolve(), book.root
         self.id = page_id(self.root, self.path)
-        self.has_demo = False
+        self.has_demo = self.has_sentence = False
 
     # -- links
 
@@ -189,6 +190,8 @@ class Page:
                 out.append(packed(f'<a class="el" href="citelist.html#CITEREF_{key}">[{key}]</a>'))
             elif token.kind == "link":
                 out.append(packed(self.anchor_tag(self.markup(info["label"]), info["target"])))
+            elif token.kind == "span":
+                out.append(packed(token.text))
             elif token.kind == "words":
                 out.append(self.words(token.text))
             else:
@@ -296,6 +299,16 @@ class Page:
                 '<button type="button" class="demo-start" aria-label="Run the race">&#9654;&#65038; Run it</button>'
                 "<span>The same scene on both sides, at the same time</span></div></div>")
 
+    def sentence(self, block, paragraph):
+        """A paragraph with numbers that can be dragged, or None: sentence.js puts its small figure below it."""
+        sentence = sentence_of(block, paragraph, f"{self.relative(self.path)}:{block.line}")
+        if not sentence:
+            return None
+        head = "" if self.has_sentence else loading("sentence.css", "sentence", f"sentence_{self.path.parent.name}")
+        self.has_sentence = True
+        return [f"\\htmlonly[block]{head}{place(sentence)}\\endhtmlonly", "", *self.paragraph(paragraph.lines), "",
+                "\\htmlonly[block]</div>\\endhtmlonly", ""]
+
     def text(self):
         source = self.path.read_text(encoding="utf-8")
         parts = [b for b in blocks(source, str(self.path))]
@@ -314,6 +327,9 @@ class Page:
                 out += self.snippet(block)
             elif block.kind == "html":  # Doxygen 1.9.4 closes <details> at a blank line
                 out += [f"\\htmlonly[block]{block.lines[0].strip()}\\endhtmlonly", ""]
+            elif block.kind == "comment" and (shown := self.sentence(block, parts[k + 1] if k + 1 < len(parts) else None)):
+                out += shown
+                k += 1
             elif block.kind == "comment":
                 after = next((one for one in parts[k + 1:] if one.kind != "blank"), None)
                 if after and lone_picture(after):

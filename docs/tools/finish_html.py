@@ -9,7 +9,10 @@
   pictures/chapters/…         are copied from the book
   [1] for a citation          becomes its key, as in the texts
   packed words of the filter  are unpacked; a formula and its comma stay on one line
-  chapters on the front page  show the first frame of their first demo, where the demos were built
+  chapters on the front page  are cards; they show the first frame of their first demo, where the demos were built, and
+                              run it under the pointer (docs/web/cards.js)
+  Play, Read and Use          are three doors beside each other
+  the links to the neighbours are bars above and below a chapter
   the sidebar                 has each chapter before what goes deeper
   Doxygen 1.9.4's own faults  a link #nested-classes without the part it names; a script
                               whose variable starts with a digit, as 01_euler_integration.cpp does
@@ -90,6 +93,65 @@ def thumbnails(page, root):
     return re.sub(r'<img src="pictures/chapters/([\w-]+)/figures/[^"]*" alt="[^"]*"', frame, page)
 
 
+ROW = re.compile(r'<tr class="markdownTableRow[^>]*>\s*<td[^>]*>(<img\b[^>]*>)\s*</td><td[^>]*>(<a\b[^>]*>.*?</a>)\s*</td><td[^>]*>(.*?)</td>\s*</tr>', re.S)
+
+
+def cards(page, root):
+    """The front page with the tables of the chapters as cards."""
+    moves = False
+
+    def card(m):
+        nonlocal moves
+        picture, link, words = m.groups()
+        still, data = re.search(r'src="demos/([^"]*)"', picture), ""
+        text = root / "chapters" / re.search(r'href="ch([\w-]+)\.html', link)[1] / "README.md"
+        demo = still and next((one for one in demos_of(root, text) if one["still"] == still[1]), None)
+        if demo:
+            moves = True
+            settings = " ".join(f"{name}={value:.17g}" for name, value in demo["settings"].items())
+            data = "".join(f' data-{name}="{html.escape(value)}"' for name, value in (
+                ("program", demo["program"]), ("scene", demo["scene"]), ("methods", " ".join(demo["methods"])), ("settings", settings)))
+        return f'<li class="card"{data}><div class="card-picture">{picture}</div>{link}<p>{words.strip()}</p></li>'
+
+    def table(m):
+        rows = ROW.findall(m.group(0))
+        return f'<ul class="cards">{"".join(card(one) for one in ROW.finditer(m.group(0)))}</ul>' if rows else m.group(0)
+
+    page = re.sub(r'<table class="markdownTable">.*?</table>', table, page, flags=re.S)
+    return page.replace("</head>", '<script src="cards.js" defer="defer"></script>\n</head>', 1) if moves else page
+
+
+DOORS = re.compile(r'((?:<p\s*><b><a class="el" href="[^"]*">(?:Play|Read|Use)</a></b>:.*?</p>\s*){3})', re.S)
+
+
+def doors(page):
+    """Play, Read and Use beside each other. Whoever is on the site plays here: at the film, where the demos were built."""
+    def three(m):
+        ways = m.group(1)
+        if 'class="demo"' in page[:m.start()]:
+            ways = re.sub(r'<a class="el" href="[^"]*">Play</a></b>:.*?</p>',
+                          '<a class="el" href="ch01_euler_integration.html">Play</a></b>: Pull at the film above. '
+                          "Each chapter's programs run in its page, with sliders and something to pull at.</p>", ways, count=1, flags=re.S)
+        # as headings: without the colon of a sentence
+        ways = re.sub(r"</b>: (\w)", lambda letter: f"</b> {letter.group(1).upper()}", ways)
+        return f'<div class="doors">{ways}</div>'
+
+    return DOORS.sub(three, page, count=1)
+
+
+WAYS_ON = re.compile(r'<p\s*>((?:<a class="anchor" id="[^"]*"></a>)?)\s*(<a class="el" href="index\.html">Contents</a>(?: · <a\b[^>]*>[^<]*</a>)+)</p>')
+
+
+def ways_on(page):
+    """The line of links to the neighbours as a bar."""
+    def bar(m):
+        links = m.group(2).replace(" · ", "")
+        for word, rel in (("Back: ", "prev"), ("Next: ", "next")):
+            links = re.sub(rf'<a class="el"([^>]*)>{word}', rf'<a class="el" rel="{rel}"\1>', links)
+        return f'{m.group(1)}<nav class="ways-on" aria-label="Chapters">{links}</nav>'
+    return WAYS_ON.sub(bar, page)
+
+
 def finish(folder, tag_file, root):
     pages, equations = addresses(tag_file, root), equation_pages(root)
     pictures = set()
@@ -124,7 +186,8 @@ def finish(folder, tag_file, root):
         if 'id="nested-classes"' not in new and 'name="nested-classes"' not in new:
             new = re.sub(r'<a href="#nested-classes">[^<]*</a>(?:\s*&#124;\s*)?', "", new)
         if page.name == "index.html":
-            new = thumbnails(new, root)
+            new = doors(cards(thumbnails(new, root), root))
+        new = ways_on(new)
         pictures.update(html.unescape(p) for p in re.findall(r'src(?:set)?="pictures/([^"]+)"', new))
         if new != old:
             page.write_text(new, encoding="utf-8")

@@ -19,7 +19,9 @@ import check_version  # noqa: E402
 import demos  # noqa: E402
 import finish_html  # noqa: E402
 import make_index  # noqa: E402
+import print_pages  # noqa: E402
 import search_texts  # noqa: E402
+import sentences  # noqa: E402
 from finish_html import finish  # noqa: E402
 import site_address  # noqa: E402
 import sync_snippets  # noqa: E402
@@ -889,6 +891,124 @@ class Demos(Folder):
         self.assertEqual([words for _, _, words in demo],
                          [["--scene", "springs", "--headless", "--method", "explicit", "--set", "k=2"],
                           ["--scene", "springs", "--headless", "--method", "explicit", "--set", "k=2", "--h", "0.5"]])
+
+
+class Sentences(Folder):
+    """Sentences whose numbers can be dragged: how a text has them, and what becomes of them on the site."""
+
+    COMMENT = "<!-- sentence: spring; h, the time step, from 0.1 to 2 by 0.1 s; shows a spring -->"
+    WORDS = 'A step of <span data-slide="h">0.5</span> s gives <span data-value="energy 3">1.25</span> times $E$.'
+
+    def place(self, comment=COMMENT, words=WORDS, models="rigid_sentence('spring', {});\n"):
+        self.write("chapters/01_euler/sentence.js", models)
+        self.change("chapters/01_euler/README.md", "## 1.1 From", f"{comment}\n{words}\n\n## 1.1 From")
+
+    def test_a_sentence_without_fault(self):
+        self.place()
+        self.assertEqual(self.faults(), [])
+        one, = sentences.sentences_of(self.root, self.root / "chapters/01_euler/README.md")
+        self.assertEqual((one["model"], one["shows"], one["slides"], one["values"]), ("spring", "a spring", {"h": "0.5"}, [["energy 3", "1.25"]]))
+        self.assertEqual(one["sliders"], [{"name": "h", "says": "the time step", "from": 0.1, "to": 2.0, "by": 0.1, "unit": "s", "value": 0.5}])
+
+    def test_a_minus_and_thousands_are_numbers(self):
+        self.assertEqual([sentences.number(one) for one in ("−1.5", "1,000", "7")], [-1.5, 1000, 7])
+
+    def test_a_sentence_without_a_figure(self):
+        self.place(comment="<!-- sentence: spring; h, the time step, from 0.1 to 2 by 0.1 s -->")
+        self.fails("last what its figure 'shows")
+
+    def test_a_range_that_is_none(self):
+        self.place(comment="<!-- sentence: spring; h, the time step, from one to 2 by 0.1 s; shows a spring -->")
+        self.fails("is a number to drag, not 'h, the time step, from one")
+
+    def test_a_number_out_of_its_range_or_between_its_steps(self):
+        for number in ("0.05", "2.5", "0.55"):
+            with self.assertRaisesRegex(TextError, "not in its range"):
+                comment, words = blocks(f"{self.COMMENT}\n{self.WORDS.replace('>0.5<', f'>{number}<')}")
+                sentences.sentence_of(comment, words, "a:1")
+
+    def test_a_number_that_is_not_dragged(self):
+        self.place(words=self.WORDS.replace('"h"', '"k"'))
+        self.fails("the paragraph drags ['k'], its comment ['h']")
+
+    def test_a_comment_away_from_its_paragraph(self):
+        self.place(comment=self.COMMENT + "\n")
+        self.fails("right above its paragraph")
+
+    def test_a_model_that_is_not_there(self):
+        self.place(models="rigid_sentence('pendulum', {});\n")
+        self.fails("sentence.js has no model spring")
+
+    def test_other_html_is_still_a_fault(self):
+        self.place(words=self.WORDS + ' <hr class="x"/>')
+        self.fails("no HTML in the text: <hr")
+
+    def test_its_words_are_counted_as_they_are_read(self):
+        count = check_text.words_of(blocks(self.WORDS))
+        self.assertEqual(count, len("A step of 0.5 s gives 1.25 times $E$.".split()))
+
+    def test_the_site_gets_numbers_a_place_and_the_model(self):
+        self.place()
+        page = unpacked(Page(Book(self.root), self.root / "chapters/01_euler/README.md").text())
+        for part in ('<script src="sentence_01_euler.js" defer="defer">', '<div class="sentence" data-sentence="{&quot;model&quot;: &quot;spring&quot;',
+                     'A step of <span data-slide="h">0.5</span> s gives <span data-value="energy 3">1.25</span> times'):
+            self.assertIn(part, page)
+
+
+class Front(Folder):
+    """The front page and the links to the neighbours, as the site shows them."""
+
+    TABLE = ('<table class="markdownTable"><tr class="markdownTableHead"><th></th></tr><tr class="markdownTableRowOdd"><td class="x">'
+             '<img src="{}" alt="A spring"/> </td><td class="x"><a class="el" href="ch01_euler.html">1. Euler</a> </td>'
+             '<td class="x">Small <em>steps</em>. </td></tr></table>')
+
+    def test_chapters_are_cards(self):
+        page = "<head></head>" + self.TABLE.format("pictures/a.svg")
+        self.assertEqual(finish_html.cards(page, self.root),
+                         '<head></head><ul class="cards"><li class="card"><div class="card-picture"><img src="pictures/a.svg" alt="A spring"/></div>'
+                         '<a class="el" href="ch01_euler.html">1. Euler</a><p>Small <em>steps</em>.</p></li></ul>')
+
+    def test_a_card_knows_the_demo_whose_still_it_shows(self):
+        self.write("chapters/01_euler/program/main.cpp", "int main() {}\n")
+        self.change("chapters/01_euler/README.md", "![A picture", "<!-- demo: springs, explicit, h=0.1 -->\n![A picture")
+        still = demos.demos_of(self.root, self.root / "chapters/01_euler/README.md")[0]["still"]
+        page = finish_html.cards("<head></head>" + self.TABLE.format(f"demos/{still}"), self.root)
+        self.assertIn('<li class="card" data-program="01_euler" data-scene="springs" data-methods="explicit" data-settings="h=0.1', page)
+        self.assertIn('<script src="cards.js"', page)
+
+    def test_other_tables_stay(self):
+        table = '<table class="markdownTable"><tr class="markdownTableRowOdd"><td>a</td><td>b</td></tr></table>'
+        self.assertEqual(finish_html.cards(table, self.root), table)
+
+    def test_three_doors_and_play_leads_to_the_film_where_it_can_be_played(self):
+        ways = "".join(f'<p ><b><a class="el" href="{one}.html">{one}</a></b>: so.</p>\n' for one in ("Play", "Read", "Use"))
+        self.assertEqual(finish_html.doors(ways), f'<div class="doors">{ways.replace(": so", " So")}</div>')
+        self.assertIn("Pull at the film above", finish_html.doors('<div class="demo"></div>' + ways))
+
+    def test_the_neighbours_are_a_bar(self):
+        line = '<p ><a class="anchor" id="md_a"></a> <a class="el" href="index.html">Contents</a> · <a class="el" href="b.html">Next: Rows</a></p>'
+        self.assertEqual(finish_html.ways_on(line), '<a class="anchor" id="md_a"></a><nav class="ways-on" aria-label="Chapters">'
+                         '<a class="el" href="index.html">Contents</a><a class="el" rel="next" href="b.html">Rows</a></nav>')
+        other = '<p ><a class="el" href="index.html">Contents</a> of a box</p>'
+        self.assertEqual(finish_html.ways_on(other), other)
+
+
+class Paper(unittest.TestCase):
+    PAGE = ('<div class="title">Chapter 1. Euler </div><div class="contents"><div class="textblock"><link href="demo.css" rel="stylesheet"/>'
+            '<script src="demo.js"></script><nav class="ways-on"><a href="index.html">Contents</a></nav><h1><a class="anchor" id="s11"></a>\n1.1 Two</h1>'
+            '<div class="demo"><div class="figure"><img src="a.svg"/></div><div class="demo-begin"><button>Run</button></div></div>'
+            '<a class="el" href="ch02.html#eq_2_1">(2.1)</a> <a class="el" href="#s11">here</a> <a class="el" href="ch02.html">two</a> '
+            '<a class="el" href="row_8hpp.html"><code>row.hpp</code></a> <a href="https://example.org">out</a>'
+            "<details><summary>S</summary>1</details></div></div><!-- contents -->")
+
+    def test_a_page_on_paper(self):
+        title, content, sections = print_pages.inside("ch01", self.PAGE, {"ch01", "ch02"})
+        self.assertEqual((title, sections), ("Chapter 1. Euler", [("s11", "1.1 Two")]))
+        for part in ("<h2><a", '<a class="el" href="#eq_2_1">(2.1)</a>', '<a class="el" href="#s11">here</a>', '<a class="el" href="#page_ch02">two</a>',
+                     " <code>row.hpp</code> ", '<a href="https://example.org">out</a>', '<details open="open">', '<img src="a.svg"/>'):
+            self.assertIn(part, content)
+        for part in ("<script", "<link", "<nav", "<button", "demo-begin"):
+            self.assertNotIn(part, content)
 
 
 class OddCalls(Folder):

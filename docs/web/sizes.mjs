@@ -25,7 +25,7 @@ for (const folder of process.argv.slice(2)) for (const name of readdirSync(folde
     ++faults;
     console.error(`${name} has ${found[1]} bytes in gzip; a program for a page has ${most} at most`);
 }
-for (const name of ['unpack.js', 'join.js', 'machine.js', 'painter.js', 'demo.js', 'demo.css', '../race/race.js', '../race/box2d.js', '../race/race.css']) {
+for (const name of ['unpack.js', 'join.js', 'machine.js', 'painter.js', 'demo.js', 'cards.js', 'sentence.js', 'demo.css', 'sentence.css', '../race/race.js', '../race/box2d.js', '../race/race.css']) {
     const found = sizes(join(own, name));
     row(name.split('/').pop(), found);
     all += found[1];

@@ -213,6 +213,28 @@ try {
         fault ? ++failed : ++passed;
     }
     await reader.close();
+    // The cards of the chapters run under the pointer, and only there.
+    const front = await browser.page();
+    await front.open(pathToFileURL(join(folder, 'index.html')).href, {width: 1280});
+    const count = await front.value(`document.querySelectorAll('.card[data-program]').length`);
+    for (let i = 0; i < count; ++i) {
+        const card = `document.querySelectorAll('.card[data-program]')[${i}]`;
+        let fault = '';
+        try {
+            await front.value(`${card}.scrollIntoView({block: 'center', behavior: 'instant'})`);
+            const box = await box_of(front, card);
+            await front.mouse('mouseMoved', box.x + box.width / 2, box.y + 60);
+            await front.until(`Number(${card}.dataset.steps) > 5`, 20, 'it does not move under the pointer');
+            await front.mouse('mouseMoved', 2, 2);
+            await front.until(`!document.querySelector('.card canvas')`, 5, 'it still moves when the pointer has left');
+            if (front.complaints.length) fault = front.complaints[0];
+        } catch (error) {
+            fault = error.message;
+        }
+        console.log(`${fault ? 'FAULT ' : 'ok    '} index.html: card ${i + 1} of ${count}${fault ? ': ' + fault : ''}`);
+        fault ? ++failed : ++passed;
+    }
+    await front.close();
     // With reduced motion nothing moves without a click.
     const page = await browser.page();
     await page.open(pathToFileURL(join(folder, 'index.html')).href, {width: 1280, still: true});

@@ -13,6 +13,7 @@ export class Browser {
                                        '--user-data-dir=' + this.folder],
                              {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
         this.next = 0;
+        this.patience = 60;  // seconds that an answer may take
         this.waiting = new Map();
         this.listeners = [];
         let rest = '';
@@ -39,7 +40,7 @@ export class Browser {
     send(method, params = {}, sessionId) {
         const id = ++this.next;
         return new Promise((done, fail) => {
-            const late = setTimeout(() => { this.waiting.delete(id); fail(new Error(`${method} took more than 60 s`)); }, 60000);
+            const late = setTimeout(() => { this.waiting.delete(id); fail(new Error(`${method} took more than ${this.patience} s`)); }, 1000 * this.patience);
             this.waiting.set(id, {done: value => { clearTimeout(late); done(value); }, fail: error => { clearTimeout(late); fail(error); }});
             this.process.stdio[3].write(JSON.stringify({id, method, params, sessionId}) + '\0');
         });
