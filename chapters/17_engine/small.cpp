@@ -209,7 +209,7 @@ void add_box(Bodies& d, double w, double h, double mass, double x, double y)
 int main(int count, char** word)
 {
     // By hand, section 17.1: one box; 100 kg on two; a tower of twenty.
-    Bodies d;
+    Bodies d, drawn;
     add_box(d, 50, 0.5, INFINITY, 0, -0.5);
     add_box(d, 0.5, 0.5, 1, -14, 0.5);
     for (int k = 0; k < 3; ++k) add_box(d, 0.5, 0.5, k < 2 ? 1 : 100, -10, 0.5 + k);
@@ -220,6 +220,7 @@ int main(int count, char** word)
     for (int n = 1; n <= 1200; ++n) {
         if (n == 121) add_box(d, 0.5, 0.5, 3, -10, 12), d.u[3 * 25] = 15;
         step(d, 1.0 / 120);
+        if (n == 660) drawn = d;
         if (n % 120 > 0) continue;
         std::printf("%d s: islands %d exact, %d swept, %d asleep\n", n / 120,
                     d.exact, d.swept, d.slept);
@@ -227,11 +228,12 @@ int main(int count, char** word)
     }
     std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='720' "
-           "stroke-width='0.08' viewBox='-16 -21 36 22'>\n";
-    for (int b = 0; b < int(d.rest.size()); ++b) {
+           "stroke-width='0.08' viewBox='-16 -6 36 6.6'>\n";
+    for (int b = 0; b < int(drawn.rest.size()); ++b) {
         out << "<polygon stroke='"
-            << (b > 0 && d.rest[b] < 0.5 ? "#CC3311" : "#808080") << "' points='";
-        const Box box = placed(d, b);
+            << (b > 0 && drawn.rest[b] < 0.5 ? "#CC3311" : "#808080")
+            << "' points='";
+        const Box box = placed(drawn, b);
         for (const auto& p : box.colwise()) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }

@@ -83,8 +83,7 @@ TEST_CASE("the small program of chapter 17 counts what its islands need as the l
     }
 }
 
-TEST_CASE(
-    "the small program of chapter 17 solves what stands to the library's residual and sweeps as it does")
+TEST_CASE("the small program of chapter 17 solves what stands exactly and sweeps as the library does")
 {
     small17::Bodies d = three();
     for (const std::size_t n : {1u, 2u}) {
