@@ -34,3 +34,6 @@ for method in soft preloaded; do
     done >"$data/floor_$method"
 done
 plot ch15_floor
+
+# The picture of the small program.
+small ch15_small

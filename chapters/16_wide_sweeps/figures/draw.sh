@@ -19,3 +19,6 @@ fi
 
 run --scene pyramid --method given,wide --steps 30 --svg "$out/ch16_pyramid.svg"
 run --scene pyramid --method given,wide --set colours=0 --steps 40 --svg "$out/ch16_careless.svg"
+
+# The picture of the small program.
+small ch16_small

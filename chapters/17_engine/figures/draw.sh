@@ -6,3 +6,6 @@
 # Pictures of scenes.
 run --scene poured --set bodies=60 --steps 600 --svg "$out/ch17_poured.svg"
 run --scene dolls --steps 100 --svg "$out/ch17_dolls.svg"
+
+# The picture of the small program.
+small ch17_small

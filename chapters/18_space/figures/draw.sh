@@ -44,3 +44,6 @@ for h in 0.002 0.0005; do
     awk -F, -v h=$h 'NR > 1 && (NR - 2) % int(0.02 / h + 0.5) == 0 { print $2, $3, $4 }' "$data/run" >"$data/rattle_$h"
 done
 plot ch18_rattleback
+
+# The picture of the small program.
+small ch18_small
