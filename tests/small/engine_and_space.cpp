@@ -106,7 +106,7 @@ TEST_CASE("the small program of chapter 17 solves what stands exactly and sweeps
     }
 }
 
-TEST_CASE("the small program of chapter 17 stands still, falls asleep, wakes what is struck and sleeps again")
+TEST_CASE("the small program of chapter 17 stands still and falls asleep and wakes what is struck")
 {
     small17::Bodies d = three();
     const VecX start = d.x;
