@@ -2199,12 +2199,12 @@ TEST_CASE("a world of trusses gains energy from a bias alone", "[idea]")
             settings.start = start;
             settings.stabilizer.method = stabilizer;
             const DiscScene scene = looped_truss(random);
-            SkippingWorld world = make_world(scene, filter_of(scene));
-            const Real began = kinetic_energy(world.scene.bodies);
+            SkippingWorld now = make_world(scene, filter_of(scene));
+            const Real began = kinetic_energy(now.scene.bodies);
             Real least = began;
             for (int n = 0; n < 300; ++n) {
-                skipping_step(world, settings);
-                const Real energy = kinetic_energy(world.scene.bodies);
+                skipping_step(now, settings);
+                const Real energy = kinetic_energy(now.scene.bodies);
                 most = std::max(most, (energy - least) / began);
                 least = std::min(least, energy);
             }
