@@ -106,7 +106,7 @@ python3 docs/tools/finish_html.py build/docs/html build/docs/book.tag
 python3 docs/tools/search_texts.py build/docs/html build/docs/book.tag
 # Numbers that can be dragged: the models that the pages name.
 cp docs/web/sentence.js docs/web/sentence.css build/docs/html/
-for name in $(grep -oh 'src="sentence_[^"]*' build/docs/html/*.html | sort -u | sed 's/.*sentence_\(.*\)\.js/\1/'); do
+for name in $(grep -oh 'src="sentence_[^"]*[.]js' build/docs/html/*.html | sort -u | sed 's/.*sentence_\(.*\)\.js/\1/'); do
     cp "chapters/$name/sentence.js" "build/docs/html/sentence_$name.js"
 done
 if [ -d build/docs/demos ]; then
