@@ -351,6 +351,19 @@ TEST_CASE("a pulley and a line at its limit bear a load too", "[house]")
     }
 }
 
+TEST_CASE("a rope over a pulley may be tied to the world", "[house]")
+{
+    for (const int substeps : {1, 4}) {
+        World engine({.substeps = substeps});
+        const BodyId load = engine.add_body(point_mass({1, -1}, 1));
+        RigidJoint pulley{.kind = JointKind::pulley, .at_a = {-1, -1}, .length = 2};
+        pulley.over_a = {-1, 0}, pulley.over_b = {1, 0};
+        engine.add_joint({}, load, pulley);
+        for (int n = 0; n < 60; ++n) engine.step(frame);
+        CHECK(std::abs(engine.position(load).y() + 1) < 1e-6);
+    }
+}
+
 TEST_CASE("what spins free on a joint keeps its momentum and its spin", "[idea]")
 {
     for (const JointKind kind : {JointKind::weld, JointKind::revolute})

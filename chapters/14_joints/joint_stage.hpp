@@ -120,8 +120,10 @@ struct WithJoints {
                 now.sources[i + 1].of == Source::Of::joint &&
                 are_one_line(scene, j,
                              static_cast<std::size_t>(now.sources[i + 1].index));
-            for (int part = 1; !goes_on && part <= lines_of(scene.joints[j]);
-                 ++part)
+            const int lines = lines_of(scene.joints[j]);
+            // the end of a pulley's rope that is tied to the world is no line
+            const int first = lines == 2 && scene.joints[j].a == world ? 2 : 1;
+            for (int part = first; !goes_on && part <= lines; ++part)
                 if (needs_inerter(scene, j, part, settings, before))
                     with_inerters_.push_back(
                         {Source::Of::joint, source.index, part});
