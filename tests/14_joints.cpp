@@ -225,6 +225,28 @@ TEST_CASE("an Atwood machine whose pulley turns starts with the acceleration and
     CHECK(std::abs(reaction(scene, now, 1).force.y() - 12.61285714285714) <= 1e-11);
 }
 
+TEST_CASE("a rope over a pulley that is tied to the world has one line and holds", "[house]")
+{
+    for (const int substeps : {1, 4}) {
+        JointedScene scene;
+        add_body(scene, disc(0.05), Mass{1, {0, 0}, 0.01}, {1, -1});
+        RigidJoint pulley;
+        pulley.kind = JointKind::pulley;
+        pulley.a = world, pulley.b = 0;
+        pulley.at_a = {-1, -1};
+        pulley.over_a = {-1, 0}, pulley.over_b = {1, 0};
+        pulley.length = 2;
+        add_joint(scene, pulley);
+        JointTrees<AllBodies> method;
+        StepData<3> now;
+        for (int n = 0; n < 60; ++n) {
+            step(scene, {.substeps = substeps}, method, now);
+            for (const Source& source : now.sources) REQUIRE(source.part != 1);  // the end that is tied
+        }
+        CHECK(std::abs(scene.bodies.x[1] + 1) < 1e-6);
+    }
+}
+
 TEST_CASE("a pulley of two to one holds twice the weight and moves what is not in balance by hand", "[idea]")
 {
     // ‖p_a − q_a‖ + 2 ‖p_b − q_b‖ stays: T pulls at a, 2T at b. With m_a = 1 kg and a_a = −2 a_b (downwards) that is

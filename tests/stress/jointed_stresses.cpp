@@ -256,7 +256,7 @@ JointedStress swings_on()
                       now.task.energy = 9.81 * (1 - cos(0.5));
                       return now;
                   });
-    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
+    stress.values = steps_of(per_second);
     return stress;
 }
 

@@ -118,8 +118,8 @@ Real speed_of_rest(const SpaceScene& scene, const Task& task);
 void watch(const SpaceScene& scene, const VecX& start, const Task& task, Verdict& verdict);
 
 /// The change of the energy by a step, gained and lost: the smaller one of the end of the step and of its middle. The velocity
-/// of symplectic Euler is that of the middle, and what swings looks at the end as if it gained and lost g h v/2 in turn; who
-/// gains does so in both places.
+/// of symplectic Euler is that of the middle, and a pendulum looks at the end as if it gained and lost g h v/2 in turn; a
+/// method that gains does so in both places.
 struct EnergyChange {
     Real gain = 0, loss = 0;  ///< [J]
 };

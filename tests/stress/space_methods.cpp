@@ -153,7 +153,7 @@ SpaceMethod cones_with_bias()
 SpaceMethod cones_exact(const std::string& name, int substeps)
 {
     SpaceMethod method = in_space(name, exactly(substeps), exact_cones(), substeps);
-    method.most_rows = 720;  // a heap in motion has its directions of sliding to find anew in each step
+    method.most_rows = 720;  // in each step of a heap in motion the directions of sliding are found again
     return method;
 }
 

@@ -52,11 +52,6 @@ SpaceStress stress_of(const std::string& name, const std::string& what, const Va
         });
 }
 
-void in_seconds(SpaceStress& stress, const Values& per_second)
-{
-    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
-}
-
 constexpr Real mu = 0.5;
 
 /// Cubes of this side and 1 kg, one on another, each turned a little against the one below.
@@ -255,7 +250,7 @@ SpaceStress time_step()
             return now;
         },
         {2, 2, 2, 2, 2});
-    in_seconds(stress, per_second);
+    stress.values = steps_of(per_second);
     stress.quick = false;
     return stress;
 }

@@ -149,11 +149,10 @@ Stress loaded_chain()
 Stress energy_of(std::size_t which)
 {
     const Values per_second = {960, 480, 240, 120, 60};
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = "1/" + readable(per_second[i]) + " s";
     const Conserving one = conserving_scenes(1).at(which);
     Stress stress{
-        one.name, one.what + ": ten seconds in steps of h, and no energy is gained or lost", words,
+        one.name, one.what + ": ten seconds in steps of h, and no energy is gained or lost",
+        steps_of(per_second),
         [=](const Method& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
             Conserving now = conserving_scenes(1 / per_second[static_cast<std::size_t>(level)]).at(which);
             vary_masses(now.scene, seed);
@@ -166,9 +165,7 @@ Stress energy_of(std::size_t which)
 Stress time_step()
 {
     const Values per_second = {960, 240, 60, 30, 10};
-    std::array<std::string, levels> words;
-    for (std::size_t i = 0; i < levels; ++i) words[i] = "1/" + readable(per_second[i]) + " s";
-    return {"long step", "the ten discs fall in their box, two seconds with steps of h", words,
+    return {"long step", "the ten discs fall in their box, two seconds with steps of h", steps_of(per_second),
             [per_second](const Method& method, int level, std::uint64_t seed) {
                 Task task;
                 task.h = 1 / per_second[static_cast<std::size_t>(level)];

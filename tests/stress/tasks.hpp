@@ -16,6 +16,13 @@ inline std::array<std::string, levels> with_units(const Values& values, const st
     for (std::size_t i = 0; i < levels; ++i) words[i] = with_unit(readable(values[i]), unit);
     return words;
 }
+/// The steps that are taken so often in a second.
+inline std::array<std::string, levels> steps_of(const Values& per_second)
+{
+    std::array<std::string, levels> words;
+    for (std::size_t i = 0; i < levels; ++i) words[i] = "1/" + readable(per_second[i]) + " s";
+    return words;
+}
 
 /// A stress that builds its scene from the value of a level.
 /// \param run  std::optional<Verdict>(const MethodOf<Scene>&, Real value, std::uint64_t seed)

@@ -191,7 +191,7 @@ TurningStress bouncing_ball()
             now.task.energy = 2 * 9.81;
             return now;
         });
-    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
+    stress.values = steps_of(per_second);
     return stress;
 }
 
@@ -214,7 +214,7 @@ TurningStress double_rod()
             return now;
         },
         {2, 2, 2, 2, 2});
-    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
+    stress.values = steps_of(per_second);
     return stress;
 }
 
@@ -358,7 +358,7 @@ TurningStress time_step()
             now.task.size = 0.5;
             return now;
         });
-    for (std::size_t i = 0; i < levels; ++i) stress.values[i] = "1/" + readable(per_second[i]) + " s";
+    stress.values = steps_of(per_second);
     return stress;
 }
 
