@@ -297,6 +297,38 @@ TEST_CASE("a chain of twenty swings for a minute and a loaded one hangs together
     }
 }
 
+TEST_CASE("what turns about a pin or in one piece is no whip and keeps its spin", "[idea]")
+{
+    for (const Real spin : {10.0, 20.0, 30.0, 40.0})  // up to h ω = 2/3
+        for (const Real inertia : {1.0 / 12, 0.005})
+            for (const bool pinned : {true, false}) {
+                World engine({.gravity = {0, 0}});
+                BodyDefinition half;
+                half.shape = disc(0.1);
+                half.mass = Mass{1, {0, 0}, inertia};
+                half.filter.group = -1;
+                half.spin = spin;
+                half.position = {0.5, 0};
+                half.velocity = {0, 0.5 * spin};
+                const BodyId first = engine.add_body(half);
+                if (pinned)
+                    engine.add_joint({}, first, engine.joint_at(JointKind::revolute, {}, first, {0, 0}));
+                else {
+                    half.position = {-0.5, 0};
+                    half.velocity = {0, -0.5 * spin};
+                    const BodyId other = engine.add_body(half);
+                    engine.add_joint(first, other, engine.joint_at(JointKind::weld, first, other, {0, 0}));
+                }
+                engine.step(frame);  // from the chord of the first step on it is the same motion
+                const Real begin = engine.spin(first);
+                CHECK(begin == Approx(spin).epsilon(std::pow(frame * spin, 2) / 4));
+                for (int n = 1; n < 300; ++n) engine.step(frame);
+                INFO(spin << " rad/s, inertia " << inertia << (pinned ? ", pinned" : ", welded"));
+                CHECK(engine.spin(first) ==
+                      Approx(begin).epsilon(1e-6));  // 300 steps whose joints are met to 1e-9 m
+            }
+}
+
 TEST_CASE("light beads on lines and rods bear loads far beyond what a step could", "[idea]")
 {
     for (const int substeps : {1, 4})

@@ -8,25 +8,15 @@
 /// Rows along J of the start of a step leave this stiffness to the next step, as an explicit spring does: stable while
 /// h √(κ/I) < 2. An inertia that is larger by h² κ/4 for the change of a velocity, and for that alone, is stable at any step and
 /// damps nothing: Newmark's method with β = 1/4 \cite newmark1959. What I carries by itself, half of s = 1 for each
-/// end, is left alone, so a pendulum is what it is. What is whipped,
-/// h |ω| √(h² κ/I) above a twentieth of a radian, is damped as an implicit spring damps \cite tournier2015: no step can tell where
-/// it is going.
+/// end, is left alone, so a pendulum is what it is. What others whip, h |ω| √(h² κ/I) above a twentieth of a radian without
+/// the share (h ω)² that its own turning asks for, no step can tell where it is going: what is beyond that bound is
+/// damped, at most as an implicit spring damps \cite tournier2015.
 #pragma once
 
-#include "chapters/08_warm_starting/warm_start.hpp"
-#include "chapters/14_joints/joint_rows.hpp"
+#include "chapters/14_joints/line_inertance.hpp"
 #include "chapters/14_joints/newton_positions.hpp"
 
 namespace rigid {
-
-namespace loaded {
-constexpr Real beta = 0.25;  ///< of Newmark's method: the least that is stable
-constexpr Real carried =
-    0.5;  ///< s, of h² κ/I: 4 would be the limit for one spring
-/// h ω √(h² κ/I), I about the farthest joint, of a body in a sub-step [rad]: what turns
-/// faster is damped
-constexpr Real most_turn = 0.05;
-}  // namespace loaded
 
 //! [stiffness]
 /// h κ of each body [N m s], from the impulses in now.solution.lambda and the
@@ -60,93 +50,6 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
     for (const int k : now.active) kappa[k] = std::max(kappa[k], Real{0});
 }
 //! [stiffness]
-
-//! [inertance]
-/// How many lines a row of a joint has: one from point to point, a pulley two. What
-/// has no length has no direction, and is none.
-inline int lines_of(const PointJoint& joint)
-{
-    using Measure = PointJoint::Measure;
-    if (joint.length == 0) return 0;
-    return joint.measure == Measure::distance ? 1
-           : joint.measure == Measure::pulley ? 2
-                                              : 0;
-}
-
-/// How long one of them is [m]
-inline Real line_length(const RigidScene& scene, std::size_t j, int part)
-{
-    const PointJoint& joint = scene.joints[j];
-    const VecX& x = scene.bodies.x;
-    const Vec2 pa = point_of(x, joint.a, joint.at_a),
-               pb = point_of(x, joint.b, joint.at_b);
-    if (joint.measure != PointJoint::Measure::pulley) return (pb - pa).norm();
-    return part == 1 ? (pa - joint.over_a).norm() : (pb - joint.over_b).norm();
-}
-
-/// i of (14.18b) [kg], of a line that is pulled so.
-/// \param across  the row across it
-/// \param pull    h T [N s]
-inline Real inertance_under(const RigidScene& scene, std::size_t j, int part,
-                            const Constraint<3>& across, Real pull, Real h)
-{
-    const Real length = line_length(scene, j, part),
-               mobility = bilateral(across, scene.bodies.inverse_mass)
-                              .inverse_effective_mass();
-    if (!(pull > 0 && length > 0 && mobility > 0)) return 0;
-    const Real more =
-        loaded::beta * (h * pull / length - loaded::carried / mobility);
-    return std::isfinite(more) ? std::max(Real{0}, more) : 0;
-}
-
-/// Whether two rows measure the same line, as two limits of a distance do.
-inline bool are_one_line(const JointedScene& scene, std::size_t i, std::size_t j)
-{
-    if (i == j) return true;
-    const auto owner = [&](std::size_t k) {
-        return k < scene.owner.size() ? scene.owner[k] : -1;
-    };
-    return owner(i) >= 0 && owner(i) == owner(j) &&
-           lines_of(scene.joints[i]) == 1 && lines_of(scene.joints[j]) == 1;
-}
-
-/// The rows that pull a line, and with how much of their impulse.
-template <class Visit>
-void for_each_pull(const JointedScene& scene, std::size_t j, int part,
-                   const Visit& visit)
-{
-    const PointJoint& joint = scene.joints[j];
-    if (joint.measure == PointJoint::Measure::pulley) {
-        visit(j, -joint.sense * (part == 1 ? joint.gear_a : joint.gear_b));
-        return;
-    }
-    std::size_t first = j, last = j;
-    while (first > 0 && are_one_line(scene, j, first - 1)) --first;
-    while (last + 1 < scene.joints.size() && are_one_line(scene, j, last + 1))
-        ++last;
-    for (std::size_t i = first; i <= last; ++i) visit(i, -scene.joints[i].sense);
-}
-
-/// Whether a step needs the row across a line, by the impulses of the step before.
-/// Where it has sub-steps, a load may come in one and be there in the next: so may be
-/// sixteen times what was, and anything where nothing was.
-inline bool needs_inerter(const JointedScene& scene, std::size_t j, int part,
-                          const StepSettings& settings, const ImpulseCache& before)
-{
-    Real pull = 0;
-    bool known = false;
-    for_each_pull(scene, j, part, [&](std::size_t i, Real sense) {
-        const auto impulse = remembered(before, joint_key(i), settings.part());
-        pull += sense * impulse.value_or(0);
-        known = known || impulse.has_value();
-    });
-    const bool grows = settings.substeps > 1;
-    if (grows && !known) return true;
-    const Constraint<3> across = across_line(scene.bodies.x, scene.joints[j], part);
-    return inertance_under(scene, j, part, across, (grows ? 16 : 1) * pull,
-                           settings.part()) > 0;
-}
-//! [inertance]
 
 //! [loaded]
 /// Newton's method on positions, and bodies that turn as their joints are loaded: for
@@ -190,13 +93,13 @@ private:
         if (!(load > loaded::carried)) return own;
         // about its farthest joint it has more inertia than about its centroid
         const Real about = load / (1 + arm_[k] * own / bodies.inverse_mass[3 * k]);
-        const bool turns =
-            h * std::abs(spin) * std::sqrt(about) > loaded::most_turn;
-        const Real less =
-            1 / (1 + (turns ? load : loaded::beta * (load - loaded::carried)));
+        const Real drag = loaded::drag(h * spin, about, load),
+                   firm = loaded::beta * (load - loaded::carried),
+                   less = 1 / (1 + firm + drag);
         inverse *= less;
+        const Real toward = spin * (firm / (firm + drag));
         Real& free = now.u_star[3 * k + 2];
-        free = turns ? less * free : spin + less * (free - spin);
+        free = toward + less * (free - toward);
         return own;
     }
     //! [resist]
@@ -227,11 +130,13 @@ private:
             const Real mobility = row.inverse_effective_mass();
             c.speed = row.velocity(scene.bodies.u);
             c.inertance = inertance_under(scene, j, part, c, pull, h);
-            const Real load =
-                c.inertance / loaded::beta * mobility + loaded::carried;
-            if (h * std::abs(c.speed) * std::sqrt(load) >
-                loaded::most_turn * line_length(scene, j, part))
-                c.speed = 0, c.inertance /= loaded::beta;
+            if (const Real firm = c.inertance * mobility; firm > 0) {
+                const Real load = firm / loaded::beta + loaded::carried,
+                           turn = h * c.speed / line_length(scene, j, part),
+                           drag = loaded::drag(turn, load, load);
+                c.inertance += drag / mobility;
+                c.speed *= firm / (firm + drag);
+            }
             // a line that went slack in this step has next to none
             c.inertance = std::max(c.inertance, 1e-9 / mobility);
         }
