@@ -72,19 +72,23 @@ struct WideSolver {
 
     void require_valid() const;
 
+    /// The rows into their places, unless they are there.
+    void begin(const Bodies<Dof>& bodies, const StepData<Dof>& now)
+    {
+        if (wide.place.size() == now.rows.size() &&
+            (now.substep > 0 || (now.same_rows && same_movers(now.rows, bundles))))
+            return;
+        require_bodies<Dof>(now.rows, bodies.count());
+        bundle_rows(now.rows, bodies.count(), bundles);
+        colour_bundles(now.rows, bodies.count(), bundles);
+        if (careless) forget_colours(bundles);
+        arrange(now.rows, bodies.count(), bundles, wide);
+    }
+
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
+        begin(bodies, now);
         VecX& lambda = now.solution.lambda;
-        const bool arranged =
-            wide.place.size() == now.rows.size() &&
-            (now.substep > 0 || (now.same_rows && same_movers(now.rows, bundles)));
-        if (!arranged) {
-            require_bodies<Dof>(now.rows, bodies.count());
-            bundle_rows(now.rows, bodies.count(), bundles);
-            colour_bundles(now.rows, bodies.count(), bundles);
-            if (careless) forget_colours(bundles);
-            arrange(now.rows, bodies.count(), bundles, wide);
-        }
         for (const int k : now.active)
             bodies.velocity(k) = now.u_star.template segment<Dof>(Dof * k);
         const auto m = static_cast<Index>(now.rows.size());

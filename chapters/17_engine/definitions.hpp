@@ -125,8 +125,12 @@ struct StepWork {
     int swept = 0;    ///< islands that have rows and were swept
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
-    /// islands whose residual is above the tolerance; of those with more than 64 rows
-    /// with bounds that move, above a thirtieth of what gravity gives a body in the step
+    /// heaps that moved, by small steps of their own: what is left of their residual is
+    /// in `residual`, and is no failure
+    int stepped = 0;
+    /// other islands whose residual is above the tolerance; of those with more than 64
+    /// rows with bounds that move, above a thirtieth of what gravity gives a body in the
+    /// step
     int unsolved = 0;
     /// bodies whose numbers overflowed and that were put back, at rest
     int held = 0;

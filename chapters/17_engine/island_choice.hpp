@@ -28,11 +28,13 @@ struct IslandChoice : IslandSolvers {
     int most_exact = 600;  ///< rows with bounds of an island that is solved exactly
     /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
     Real slow = 0;
+    HeapSteps heaps;  ///< of heaps that move
 
     Reflections reflections;
 
     // Of the last step.
     int rescued_count = 0, unsolved = 0;
+    int stepped_count = 0;   ///< heaps that went by small steps
     int answered_count = 0;  ///< of the exact ones, by their old impulses
     int most_sweeps = 0;     ///< of the island that needed the most
 
@@ -54,7 +56,7 @@ struct IslandChoice : IslandSolvers {
             reflections.bounced.clear();
         }
         bodies_ = &bodies;
-        answered_count = rescued_count = unsolved = 0;
+        answered_count = rescued_count = stepped_count = unsolved = 0;
         now.solution.residual = 0;
         for (int i = 0; i < all.islands.count(); ++i) {
             lessen_start(i, now);
@@ -76,6 +78,10 @@ struct IslandChoice : IslandSolvers {
     void for_each_problem(const StepData<3>&, const Visit& visit)
     {
         for (int i = 0; i < all.islands.count(); ++i) {
+            if (const WideIsland* lanes = wide.find(i); lanes && lanes->stepped) {
+                lanes->heap.move(lanes->part, *bodies_);  // it is there already
+                continue;
+            }
             Apart apart{*this, i, *bodies_};
             visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart,
                   exactly.find(i) != nullptr || held.find(i) != nullptr);
@@ -83,16 +89,20 @@ struct IslandChoice : IslandSolvers {
     }
 
 private:
+    static bool bounces(std::span<const int> rows, const StepData<3>& now)
+    {
+        return !now.restitution.empty() &&
+               std::any_of(rows.begin(), rows.end(), [&](int row) {
+                   return now.restitution[static_cast<std::size_t>(row)] > 0;
+               });
+    }
+
     //! [reflect]
     /// Impacts come first, and their joints and contacts are solved exactly.
     void reflect(int i, const Bodies<3>& bodies, StepData<3>& now)
     {
-        if (now.restitution.empty()) return;
         const std::span<const int> rows = all.islands.rows_of(i);
-        const auto bounces = [&](int row) {
-            return now.restitution[static_cast<std::size_t>(row)] > 0;
-        };
-        if (std::none_of(rows.begin(), rows.end(), bounces)) return;
+        if (!bounces(rows, now)) return;
         TreePart& one = tree_of(struck, i, bodies, now);
         prepare(one, tolerance * now.length / 2, rule.entries, most_exact);
         one.part.gather(bodies, now);
@@ -108,6 +118,11 @@ private:
         const IslandNote& note = all.note(i);
         // as good as sweeps leave it; half of that, for joints add their rounding
         const Real late = tolerance * now.length / 2;
+        WideIsland* lanes = wide.find(i);
+        if (lanes && is_heap(i, now) && !bounces(all.islands.rows_of(i), now)) {
+            lanes->small_steps(heaps, bodies, now);
+            return;
+        }
         if (ExactIsland* one = exactly.find(i)) {
             prepare(*one, late, rule.entries, most_exact);
             one->solve(tolerance * now.length / 1000, bodies, now);
@@ -116,7 +131,7 @@ private:
             prepare(*tree, late, rule.entries, std::max(1, rule.always));
             tree->solver.sweeps = rule.held;
             tree->solve(bodies, now);
-        } else if (WideIsland* lanes = wide.find(i)) {
+        } else if (lanes) {
             // noise of sweeps is no reason to stay awake
             lanes->solve(sweeps, slow > 0 ? tolerance / 10 : tolerance, note,
                          bodies, now);
@@ -196,16 +211,19 @@ private:
     void judge(int i, const Bodies<3>& bodies, StepData<3>& now)
     {
         const ExactIsland* one = exactly.find(i);
+        const WideIsland* lanes = wide.find(i);
         const Real r =
-            one && one->answered
-                ? one->residual
-                : natural_residual(now, all.islands.rows_of(i), bodies.u);
-        unsolved += !(r <= all.note(i).enough);
+            one && one->answered      ? one->residual
+            : lanes && lanes->stepped ? lanes->heap.residual
+                                      : natural_residual(now, all.islands.rows_of(i),
+                                                         bodies.u);
+        if (lanes && lanes->stepped) ++stepped_count;
+        else unsolved += !(r <= all.note(i).enough);
         Real& largest = now.solution.residual;
         if (!(r <= largest || std::isnan(largest))) largest = r;
     }
 
-    const Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
+    Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
     VecX zeros_;                         ///< of the length of u
 };
 static_assert(SolvesProblems<IslandChoice>);

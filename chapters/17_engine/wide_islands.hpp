@@ -1,13 +1,15 @@
 /// \file wide_islands.hpp
 /// A large island, swept in lanes by chapter 16's solver.
 ///
-///     it moves                                    as many sweeps as are allowed
+///     it moves, a heap                            small steps of its own (heap_steps.hpp)
+///     it moves, and something bounces             as many sweeps as are allowed
 ///     it stands and no exact solve may follow     as many as an exact solve may cost, entries / (8 n) for n rows             (17.4)
 ///
 /// What stands begins its next step with this λ, so these sweeps are made once. What moves would have to make them in each step.
 #pragma once
 
 #include "chapters/16_wide_sweeps/wide_solver.hpp"
+#include "chapters/17_engine/heap_steps.hpp"
 #include "chapters/17_engine/island_places.hpp"
 
 namespace rigid {
@@ -18,6 +20,8 @@ struct WideIsland {
     StepPart part;
     WideSolver<3> solver;
     int standing = 0;  ///< sweeps, where it stands
+    HeapInLanes heap;
+    bool stepped = false;  ///< by small steps, in this sub-step
 
     /// Takes an island in, if chapter 16 can: what bounds a row is in its bundle.
     /// \return  whether it did
@@ -42,6 +46,7 @@ struct WideIsland {
     void solve(const ImpulseSettings& sweeps, Real enough, const IslandNote& note,
                Bodies<3>& bodies, StepData<3>& now)
     {
+        stepped = false;
         part.gather(bodies, now);
         const StepData<3>& here = part.now;
         const bool stays =
@@ -54,6 +59,15 @@ struct WideIsland {
         part.scatter(bodies, now);
     }
     //! [wide]
+
+    void small_steps(const HeapSteps& how, Bodies<3>& bodies, StepData<3>& now)
+    {
+        part.gather(bodies, now);
+        solver.begin(part.local, part.now);
+        heap(how, now.constraints, part, solver.bundles, solver.wide);
+        part.scatter(bodies, now);
+        stepped = true;
+    }
 
 private:
     Bundles trial_;

@@ -116,6 +116,7 @@ struct World::State : EngineState {
             solver.exact_count > 0 && solver.answered_count == solver.exact_count;
         work.swept = solver.swept_count;
         work.rescued = solver.rescued_count;
+        work.stepped = solver.stepped_count;
         work.unsolved = solver.unsolved;
         work.contacts = static_cast<int>(now.contacts.size());
         work.rows = static_cast<int>(now.rows.size());

@@ -173,12 +173,14 @@ struct EngineState {
     /// of a chain, leaves it to what touches it.)
     void list_slop(Index k)
     {
-        std::vector<Real>& slops = method.correction.slops;
-        slops.resize(notes.size(), infinity);
         const Real inner = inner_radius(
             PlacedShape(shape(k), Vec<3>::Zero()).view(), Vec2::Zero());
-        slops[static_cast<std::size_t>(k)] =
-            inner > 0 || scene.bodies.can_move(k) ? inner / 200 : infinity;
+        for (std::vector<Real>* slops :
+             {&method.correction.slops, &method.solver.heaps.slops}) {
+            slops->resize(notes.size(), infinity);
+            (*slops)[static_cast<std::size_t>(k)] =
+                inner > 0 || scene.bodies.can_move(k) ? inner / 200 : infinity;
+        }
     }
     //! [slop]
 
@@ -195,6 +197,10 @@ struct EngineState {
         method.correction.slop = settings.slop;
         method.correction.push_sweeps = settings.sweeps;
         IslandChoice& solver = method.solver;
+        // four small steps a step, two where it has as many sub-steps
+        solver.heaps.count =
+            std::max(2, HeapSteps{}.count / settings.substeps);
+        solver.heaps.slop = settings.slop;
         solver.solving = settings.solving;
         solver.tolerance = settings.tolerance;
         solver.rule.at_most = settings.most_exact;
