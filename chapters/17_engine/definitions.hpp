@@ -126,7 +126,9 @@ struct StepWork {
     /// of those, solved exactly after all, because sweeps did not get there
     int rescued = 0;
     /// islands whose residual is above the tolerance; of those with more than 64 rows
-    /// with bounds that move, above a thirtieth of what gravity gives a body in the step
+    /// with bounds that move, above a thirtieth of what gravity gives a body in the
+    /// step. At least as many as have joints that cannot all be met: one of them is
+    /// open by more than the slop
     int unsolved = 0;
     /// bodies whose numbers overflowed and that were put back, at rest
     int held = 0;

@@ -53,6 +53,7 @@ struct IslandChoice : IslandSolvers {
             most_sweeps = 0;
             reflections.bounced.clear();
         }
+        late_.clear();
         bodies_ = &bodies;
         answered_count = rescued_count = unsolved = 0;
         now.solution.residual = 0;
@@ -69,6 +70,16 @@ struct IslandChoice : IslandSolvers {
             unsolved == 0 ? Status::solved : Status::iteration_limit;
     }
     //! [choice]
+
+    /// What bounces at the end of a sub-step, after the positions.
+    void bounce_late(Bodies<3>& bodies, StepData<3>& now)
+    {
+        for (const int i : late_) {
+            PartApart<TreePart> apart{*struck.find(i)};
+            reflections.at_the_end(all.islands.rows_of(i), all.islands.bodies_of(i),
+                                   apart, bodies, now);
+        }
+    }
 
     /// Each island is a problem by itself.
     /// \param visit  (rows, bodies, what solves them apart, whether joints are met)
@@ -99,6 +110,7 @@ private:
         one.solver.factor_again(one.part.local, one.part.now);
         PartApart<TreePart> apart{one};
         reflections(rows, all.islands.bodies_of(i), apart, bodies, now);
+        if (reflections.any_late) late_.push_back(i);
     }
     //! [reflect]
 
@@ -207,6 +219,7 @@ private:
 
     const Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
     VecX zeros_;                         ///< of the length of u
+    std::vector<int> late_;              ///< islands with bounces at the end
 };
 static_assert(SolvesProblems<IslandChoice>);
 
