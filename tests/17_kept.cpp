@@ -688,6 +688,42 @@ TEST_CASE("a box that stays inside another one is not called solved", "[idea]")
         }
 }
 
+TEST_CASE("a spring that a step resolves keeps its swing and what damps it is its own", "[idea]")
+{
+    const auto amplitude = [](JointKind kind, int substeps, Real omega, Real zeta, Real from) {
+        World engine({.gravity = {0, 0}, .substeps = substeps});
+        const bool rod = kind == JointKind::distance;
+        const BodyId it = engine.add_body(point_mass({rod ? 1.2 : 0.2, 0}, 1));
+        RigidJoint joint{.kind = kind};
+        joint.spring = {0, 0, omega * omega, 2 * zeta * omega, rod ? 1.0 : 0.0};
+        if (kind == JointKind::wheel) joint.lower = -10, joint.upper = 10;
+        engine.add_joint({}, it, joint);
+        Real top = 0;
+        for (int n = 0; n < static_cast<int>((from + 1) * 60); ++n) {
+            engine.step(frame);
+            const Real out = std::abs(engine.position(it).x() - (rod ? 1 : 0));
+            if (n > from * 60) top = std::max(top, out);
+        }
+        return top;
+    };
+    for (const int substeps : {1, 4, 16}) {
+        const Real h = frame / substeps;
+        for (const JointKind kind : {JointKind::distance, JointKind::mouse, JointKind::wheel}) {
+            INFO(to_string(kind) << ", sub-steps " << substeps);
+            // it starts with its velocity half a step late, and is seen every 1/60 s: ω² h²/8 of it each
+            const Real close = 0.2 * (100 * h * h / 8 + 100 * frame * frame / 8);
+            CHECK(amplitude(kind, substeps, 10, 0, 4) == Approx(0.2).margin(close));
+            CHECK(amplitude(kind, substeps, 10, 0, 59) == Approx(0.2).margin(close));
+        }
+        // after 10 radians with ζ = 0.1 a part e^(−1) is left, to the O(h) of the damper
+        const Real left = amplitude(JointKind::mouse, substeps, 10, 0.1, 1) / (0.2 * std::exp(-1.0));
+        CHECK(left < 1.05);
+        CHECK(left > 0.75);
+        // a swing of less than six steps is damped, and stands after a minute
+        CHECK(amplitude(JointKind::mouse, substeps, 2 / h, 0, 59) < 1e-9);
+    }
+}
+
 /// A pendulum, a ball that bounces and a block that slides, in a frame of axes along ex and ey.
 World in_axes(const Vec2& ex, const Vec2& ey)
 {
