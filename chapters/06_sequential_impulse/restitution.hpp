@@ -43,7 +43,7 @@ template <class Scene>
 void add_bounces(const Scene& scene, const Restitution& bounce,
                  const StepSettings& settings, StepData<Scene::dof>& now)
 {
-    const Real slowest = bounce.threshold * scene.gravity.norm() * settings.h;
+    const Real slowest = bounce.threshold * scene.gravity.norm() * settings.part();
     for (std::size_t i = 0; i < now.constraints.size(); ++i) {
         if (!now.constraints[i].bounces) continue;
         const Real e = std::max(bounce.restitution, own_restitution(scene, now, i));

@@ -86,7 +86,7 @@ struct Rattle : RattleSettings, Restitution {
         // The second half, (9.25): no row but those that touch.
         free_velocities(scene, settings, now);
         half_of_the_forces(bodies, now);
-        const Real slowest = threshold * scene.gravity.norm() * settings.h;
+        const Real slowest = threshold * scene.gravity.norm() * settings.part();
         for (std::size_t i = 0; i < now.rows.size(); ++i) {
             const Constraint<Dof> c = now.constraints[i] =
                 constraint_at(scene, now, i, bodies.x);

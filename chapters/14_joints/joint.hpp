@@ -27,7 +27,7 @@ enum class JointKind : unsigned char {
     gear,       ///< θ_a + ratio θ_b stays
     rack,  ///< radius (θ_a − θ_b) + n·d stays: b rolls on the pinion a, n is of b
     pulley,  ///< ‖p_a − q_a‖ + ratio ‖p_b − q_b‖ is never above a length
-    // of these three a force is bounded along x and along y each
+    // of these three a force is bounded along each axis of a
     mouse,     ///< a spring of bounded force pulls a point of b to one of a
     friction,  ///< resists all relative motion, with a bounded force and torque
     motor,  ///< drives the pose of b in a to a target, by springs of bounded force
@@ -46,7 +46,8 @@ constexpr std::string_view to_string(JointKind kind)
 }
 
 //! [joint]
-/// A force along q that has a bound: a motor has a speed, a spring a target.
+/// A force along q that has a bound: a motor has a speed, a spring a target. The
+/// motor of a wheel turns it.
 struct Drive {
     Real speed = 0;      ///< of a motor: the wanted dq/dt [m/s, rad/s]
     Real force = 0;      ///< at most; of a motor 0 = none, of a spring 0 = any

@@ -6,9 +6,16 @@
 ///     prismatic  t·d = 0, θ_b − θ_a = angle           wheel      t·d = 0; a spring along n·d
 ///     gear       θ_a + ratio θ_b = c                  rack       r (θ_a − θ_b) + n·d = c
 ///     pulley     L − ‖p_a − q_a‖ − ratio ‖p_b − q_b‖ ≥ 0
+///     mouse      springs on e₁·d and e₂·d              motor      those, and on θ_b − θ_a
+///     friction   motors of speed 0 on these three
 ///
-/// with d = p_b − p_a, n the axis of a (of a rack: of b) and t = n turned by a quarter, (14.1). Behind them: two
-/// limits q − lower ≥ 0 and upper − q ≥ 0, a motor dq/dt = speed, and a spring on q − target.
+/// with d = p_b − p_a, e₁ and e₂ the axes of a, n the axis of a (of a rack: of b) and t = n turned by a quarter, (14.1).
+/// Behind them: two limits q − lower ≥ 0 and upper − q ≥ 0, a motor dq/dt = speed (of a wheel dθ/dt), and a spring on
+/// q − target.
+///
+/// The last three kinds may have their points apart. Two opposite forces at p_a and p_b would then be a couple out of nothing,
+/// unless they are along d. As e₁ and e₂ turn with a, the true derivative of e·d is the velocity of b at p_b against that of a
+/// carried on to the same place: both forces act at p_b, and momentum is kept whatever bounds and damping do.
 #pragma once
 
 #include "chapters/11_rotation/point_constraints.hpp"
@@ -48,6 +55,11 @@ inline void add_frame_rows(const RigidJoint& joint, std::vector<PointJoint>& row
     const auto add_pin_rows = [&] {
         add(Measure::along, {1, 0}, 0);
         add(Measure::along, {0, 1}, 0);
+    };
+    // of two points that may be apart: both bodies are pushed at p_b
+    const auto add_place_rows = [&] {
+        add(Measure::turning, {1, 0}, 0);
+        add(Measure::turning, {0, 1}, 0);
     };
     const auto add_angle = [&] { add(Measure::angle, {1, 0}, joint.angle); };
 
@@ -99,7 +111,7 @@ inline void add_frame_rows(const RigidJoint& joint, std::vector<PointJoint>& row
         row.stiffness = joint.spring.stiffness;
         row.damping = joint.spring.damping;
         row.force = joint.spring.force;
-        add_pin_rows();
+        add_place_rows();
         if (joint.kind == JointKind::mouse) break;
         row.force = joint.torque;
         add_angle();
@@ -107,7 +119,7 @@ inline void add_frame_rows(const RigidJoint& joint, std::vector<PointJoint>& row
     case JointKind::friction:
         row.kind = ConstraintKind::motor;
         row.force = joint.motor.force;
-        add_pin_rows();
+        add_place_rows();
         row.force = joint.torque;
         add_angle();
         break;
@@ -116,14 +128,26 @@ inline void add_frame_rows(const RigidJoint& joint, std::vector<PointJoint>& row
 }
 
 //! [drives]
-/// The limits, the motor and the spring of a joint's coordinate q.
+/// The limits, the motor and the spring of a joint's coordinate q; the motor of a
+/// wheel turns it.
 inline void add_drive_rows(const RigidJoint& joint, std::vector<PointJoint>& rows)
 {
     if (!has_coordinate(joint.kind)) return;
     const PointJoint q = coordinate_row(joint);
+    const auto add_motor = [&] {
+        if (!(joint.motor.force > 0)) return;
+        rows.push_back(q);
+        // a wheel's motor turns it: its q is the way of its spring
+        if (joint.kind == JointKind::wheel)
+            rows.back().measure = PointJoint::Measure::angle;
+        rows.back().kind = ConstraintKind::motor;
+        rows.back().speed = joint.motor.speed;
+        rows.back().force = joint.motor.force;
+    };
     if (joint.lower == joint.upper) {  // locked: one row, both ways
         rows.push_back(q);
         rows.back().length += joint.lower;
+        if (joint.kind == JointKind::wheel) add_motor();
         return;
     }
     for (const Real sense : {1.0, -1.0}) {  // q − lower ≥ 0, upper − q ≥ 0
@@ -134,12 +158,7 @@ inline void add_drive_rows(const RigidJoint& joint, std::vector<PointJoint>& row
         rows.back().sense = sense;
         rows.back().length += limit;
     }
-    if (joint.motor.force > 0) {
-        rows.push_back(q);
-        rows.back().kind = ConstraintKind::motor;
-        rows.back().speed = joint.motor.speed;
-        rows.back().force = joint.motor.force;
-    }
+    add_motor();
     if (joint.spring.stiffness + joint.spring.damping > 0) {
         rows.push_back(q);
         rows.back().kind = ConstraintKind::spring;

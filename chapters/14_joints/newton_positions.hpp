@@ -46,16 +46,16 @@ public:
     // Of the last step.
     int iterations = 0;
     Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
+    /// problems with a joint open by more than s, or an overlap > ℓ/20 given up
+    int unmet = 0;
     bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
     bool joints_alone = false;     ///< what overlaps gave way, in the last sub-step
 
     /// of each body: a contact's overlap that is left alone, at most [m]; empty = slop
     std::vector<Real> slops;
-
     SecondProblem second;
     VecX v;            ///< pseudo-velocities [m/s]
     int renewals = 0;  ///< of J, in the last sub-step
-
     void require_valid() const
     {
         rigid::require_valid(static_cast<const Restitution&>(*this));
@@ -89,8 +89,7 @@ public:
         deep_.assign(m, 0);
         second.solution.lambda.setZero(static_cast<Index>(m));
         if (v.size() != scene.bodies.u.size()) v.setZero(scene.bodies.u.size());
-        iterations = renewals = 0;
-        left = 0;
+        iterations = renewals = unmet = 0, left = 0;
         gave_up_pushing = joints_alone = false;
         const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
                              auto& apart, bool at_once) {
@@ -105,6 +104,8 @@ public:
             std::iota(all_.begin(), all_.end(), 0);
             one(all_, now.active, solver, true);
         }
+        if constexpr (requires { solver.bounce_late(scene.bodies, now); })
+            solver.bounce_late(scene.bodies, now);
     }
     //! [move]
 
@@ -116,9 +117,9 @@ public:
     {
         Bodies<3>& bodies = scene.bodies;
         Real pushed = 0;  // the largest part of an overlap that is to come out
-        Real off = 0, best = 0, part = 1;
+        Real off = 0, best = 0, part = 1, deepest = 0;
         bool fresh = false;  // J is that of the best positions so far
-        bool alone = false, gave_up = false;
+        bool alone = false, gave_up = false, jointed = false;
         int n = 0;
         for (;; ++n) {
             const Real before = off;
@@ -136,7 +137,7 @@ public:
                 // metres of a C: an angle counts as so much at the length ℓ
                 const Real unit = is_angle(c) ? now.length : 1;
                 if (c.kind == ConstraintKind::bilateral) {
-                    joined = true;
+                    joined = jointed = true;
                     at(second.bias, i) = c.C / h;
                     off = std::max(off, std::abs(c.C) * unit);
                 } else {
@@ -147,6 +148,7 @@ public:
                         const Real over = beta * (c.C + s / 2);
                         at(second.bias, i) = over / h;
                         pushed = std::max(pushed, -over * unit);
+                        deepest = std::max(deepest, -c.C * unit);
                         at(deep_, i) = 1;
                         wanted = true;
                     }
@@ -202,6 +204,8 @@ public:
         renewed_.put_back(rows, now);
         iterations = std::max(iterations, n);
         left = std::max(left, off);
+        unmet += (jointed && !(off <= slop * now.length)) ||
+                 (gave_up && deepest > now.length / 20);
         joints_alone = joints_alone || alone;
         gave_up_pushing = gave_up_pushing || gave_up;
     }

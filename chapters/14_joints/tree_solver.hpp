@@ -67,6 +67,14 @@ struct TreeSolver {
         if (!now.restitution.empty()) reflections.add_impulses(all_, now);
     }
 
+    /// What bounces at the end of a sub-step, after the positions.
+    void bounce_late(Bodies<3>& bodies, StepData<3>& now)
+    {
+        if (now.restitution.empty() || !reflections.any_late) return;
+        factor_again(bodies, now);  // J is that of the rows again
+        reflections.at_the_end(all_, now.active, *this, bodies, now);
+    }
+
     /// Other biases, the same u*.
     void solve_again(SecondProblem& second, Bodies<3>& bodies, StepData<3>& now)
     {

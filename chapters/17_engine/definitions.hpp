@@ -130,7 +130,8 @@ struct StepWork {
     int stepped = 0;
     /// other islands whose residual is above the tolerance; of those with more than 64
     /// rows with bounds that move, above a thirtieth of what gravity gives a body in the
-    /// step
+    /// step. At least as many as have joints that cannot all be met: one of them is
+    /// open by more than the slop
     int unsolved = 0;
     /// bodies whose numbers overflowed and that were put back, at rest
     int held = 0;

@@ -17,12 +17,13 @@ struct Touch {
     auto operator<=>(const Touch&) const = default;
 };
 
-/// A touch that began with a blow.
+/// A touch that began with a blow, or a bounce of two that touch already: of each
+/// pair the fastest of the step.
 struct Hit {
     Touch touch;
     Vec2 point = {0, 0};   ///< [m]
     Vec2 normal = {0, 1};  ///< from a to b
-    Real speed = 0;        ///< of approach, before the step [m/s]
+    Real speed = 0;        ///< of approach, before the blow [m/s]
 };
 
 /// A body that is in a sensor.

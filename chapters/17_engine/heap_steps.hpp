@@ -17,8 +17,7 @@ namespace rigid {
 //! [settings]
 struct HeapSteps {
     int count = 4;     ///< K, in each sub-step of the world
-    Real beta = 0.2;   ///< part of an overlap that a small step takes back
-    Real fastest = 3;  ///< and the speed of it, at most [ℓ/s]
+    Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
     Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
     /// of each body: the same, at most [m]; empty = slop
     std::vector<Real> slops;
@@ -38,10 +37,10 @@ struct HeapSteps {
 /// What a small step asks of a row besides J u: C of a contact, and what it gives back.
 template <class V>
 struct LaneError {
-    V C{};      ///< [m]
-    V slop{};   ///< s/2 [m]
-    V is_gap{}; ///< 1: of a contact's normal; 0: of friction
-    V rate{};   ///< J u of what nothing moves, and b of friction [m/s]
+    V C{};       ///< [m]
+    V slop{};    ///< s/2 [m]
+    V is_gap{};  ///< 1: of a contact's normal; 0: of friction
+    V rate{};    ///< J u of what nothing moves, and b of friction [m/s]
 };
 
 /// The small steps of one heap whose rows are in lanes.
@@ -78,14 +77,14 @@ public:
                 for (int d = 0; d < 3; ++d)
                     of(wide.u, k).u[d] +=
                         (now.u_star[3 * k + d] - part.local.u[3 * k + d]) / count;
-            set_biases(how.beta / h, how.fastest * now.length, h, wide);
+            set_biases(how.fastest * now.length, h, wide);
             apply_impulses(wide);
             wide_sweep(wide, Real{0}, 1);
             for (const int k : now.active)
                 for (int d = 0; d < 3; ++d)
                     of(moved_, k).u[d] += h * of(wide.u, k).u[d];
             follow(h, wide);
-            set_biases(0, 0, h, wide);
+            set_biases(0, h, wide);
             wide_sweep(wide, Real{0}, 1);
         }
         now.visits += 2 * count * static_cast<std::int64_t>(now.rows.size());
@@ -110,8 +109,7 @@ private:
     {
         StepData<3>& now = part.now;
         for (std::size_t i = 0; i < now.rows.size(); ++i)
-            if (has_error(of(constraints, part.rows[i]).kind))
-                now.rows[i].bias = 0;
+            if (has_error(of(constraints, part.rows[i]).kind)) now.rows[i].bias = 0;
         fill(WideProblem<3>{now.rows}, bundles, now.solution.lambda, part.local.u,
              wide);
         errors_.assign(wide.rows.size(), {});
@@ -129,17 +127,17 @@ private:
     }
 
     //! [biases]
-    /// b = C/h where there is a gap; an overlap is pushed out by so much a second.
-    void set_biases(Real per_second, Real fastest, Real h, Wide& wide) const
+    /// (17.5b): a gap may close, an overlap goes out, but no faster than this.
+    void set_biases(Real fastest, Real h, Wide& wide) const
     {
-        const V none{};
+        const V none{}, step = none + h, most = none - fastest;
         for (std::size_t i = 0; i < errors_.size(); ++i) {
             const LaneError<V>& error = errors_[i];
-            const V open = at_least(error.C, none) / (none + h),
-                    deep = at_least(-error.C - error.slop, none) *
-                           (none + per_second),
-                    push = -at_least(-deep, none - fastest);
-            wide.rows[i].bias = error.rate + error.is_gap * (open - push);
+            const V open = at_least(error.C, none),
+                    deep = at_most(error.C + error.slop, none);
+            wide.rows[i].bias =
+                error.rate +
+                error.is_gap * (open / step + at_least(deep / step, most));
         }
     }
     /// C ← C + h J u
@@ -169,7 +167,8 @@ private:
         for (std::size_t i = 0; i < now.rows.size(); ++i) {
             const auto [row, lane_of] = wide.place[i];
             if (row < 0) continue;
-            lambda[static_cast<Index>(i)] = lane(of(wide.rows, row).lambda, lane_of);
+            lambda[static_cast<Index>(i)] =
+                lane(of(wide.rows, row).lambda, lane_of);
             if (lane(of(errors_, row).is_gap, lane_of) > 0)
                 now.rows[i].bias =
                     std::max(Real{0}, lane(of(errors_, row).C, lane_of)) / h;
@@ -178,8 +177,8 @@ private:
         lambda *= count;
     }
 
-    std::vector<LaneError<V>> errors_;    ///< of each row of the lanes
-    std::vector<Slot<3, Real>> moved_;    ///< x − x of the beginning, of each body
+    std::vector<LaneError<V>> errors_;  ///< of each row of the lanes
+    std::vector<Slot<3, Real>> moved_;  ///< x − x of the beginning, of each body
 };
 
 }  // namespace rigid

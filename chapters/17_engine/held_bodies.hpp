@@ -11,6 +11,7 @@
 
 #include "chapters/14_joints/geometric_stiffness.hpp"
 #include "chapters/17_engine/driven_bodies.hpp"
+#include "chapters/17_engine/kept_springs.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ struct HeldBodies : LoadedJoints {
             before_.segment<3>(3 * k) = scene.bodies.position(k);
         driven.drive(scene.bodies, settings.substeps, now);
         LoadedJoints::rows(scene, settings, now);
+        keep_springs(scene.bodies, settings.part(), now);
     }
 
     template <class Scene, class Solver>

@@ -55,6 +55,7 @@ struct IslandChoice : IslandSolvers {
             most_sweeps = 0;
             reflections.bounced.clear();
         }
+        late_.clear();
         bodies_ = &bodies;
         answered_count = rescued_count = stepped_count = unsolved = 0;
         now.solution.residual = 0;
@@ -71,6 +72,16 @@ struct IslandChoice : IslandSolvers {
             unsolved == 0 ? Status::solved : Status::iteration_limit;
     }
     //! [choice]
+
+    /// What bounces at the end of a sub-step, after the positions.
+    void bounce_late(Bodies<3>& bodies, StepData<3>& now)
+    {
+        for (const int i : late_) {
+            PartApart<TreePart> apart{*struck.find(i)};
+            reflections.at_the_end(all.islands.rows_of(i), all.islands.bodies_of(i),
+                                   apart, bodies, now);
+        }
+    }
 
     /// Each island is a problem by itself.
     /// \param visit  (rows, bodies, what solves them apart, whether joints are met)
@@ -109,6 +120,7 @@ private:
         one.solver.factor_again(one.part.local, one.part.now);
         PartApart<TreePart> apart{one};
         reflections(rows, all.islands.bodies_of(i), apart, bodies, now);
+        if (reflections.any_late) late_.push_back(i);
     }
     //! [reflect]
 
@@ -213,10 +225,10 @@ private:
         const ExactIsland* one = exactly.find(i);
         const WideIsland* lanes = wide.find(i);
         const Real r =
-            one && one->answered      ? one->residual
-            : lanes && lanes->stepped ? lanes->heap.residual
-                                      : natural_residual(now, all.islands.rows_of(i),
-                                                         bodies.u);
+            one && one->answered ? one->residual
+            : lanes && lanes->stepped
+                ? lanes->heap.residual
+                : natural_residual(now, all.islands.rows_of(i), bodies.u);
         if (lanes && lanes->stepped) ++stepped_count;
         else unsolved += !(r <= all.note(i).enough);
         Real& largest = now.solution.residual;
@@ -224,7 +236,8 @@ private:
     }
 
     Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
-    VecX zeros_;                         ///< of the length of u
+    VecX zeros_;                   ///< of the length of u
+    std::vector<int> late_;        ///< islands with bounces at the end
 };
 static_assert(SolvesProblems<IslandChoice>);
 

@@ -45,7 +45,7 @@ struct Touching {
 
     /// Takes in the contacts of a step.
     /// \param now        as it was taken
-    /// \param bounced    1: a row that did so in one of its sub-steps
+    /// \param bounced    of each row: how fast it approached before it bounced [m/s]
     /// \param looking    the bodies that are looked at
     /// \param looked_at  bool(int): its contacts were looked for in this step
     /// \param before     Vec<3>(Index): the velocity of a body before the step
@@ -53,7 +53,7 @@ struct Touching {
     /// \param slowest    slower ones are no hits [m/s]
     template <class LookedAt, class Before, class Name>
     void update(const RigidScene& scene, const StepData<3>& now,
-                const std::vector<char>& bounced, Real margin, Real slowest,
+                const std::vector<Real>& bounced, Real margin, Real slowest,
                 const std::vector<int>& looking, const LookedAt& looked_at,
                 const Before& before, const Name& name, Events& events)
     {
@@ -69,8 +69,11 @@ struct Touching {
             for (; found != pairs_.end() && found->key < old.key; ++found)
                 begin(*found, now, slowest, before, name, events);
             const bool there = found != pairs_.end() && found->key == old.key;
-            if (there && found->near) next_.push_back(old);
-            else events.ended.push_back(old.touch);
+            if (there && found->near) {
+                next_.push_back(old);
+                if (found->struck > 0)
+                    hit(*found, found->struck, now, slowest, events);
+            } else events.ended.push_back(old.touch);
             found += there;
         }
         for (; found != pairs_.end(); ++found)
@@ -126,10 +129,11 @@ private:
         int contact = 0;       ///< the deepest
         bool touches = false;  ///< it would begin now
         bool near = false;     ///< it would not end now
+        Real struck = 0;       ///< the fastest approach that bounced [m/s]
     };
 
     void list_pairs(const RigidScene& scene, const StepData<3>& now,
-                    const std::vector<char>& bounced, Real margin)
+                    const std::vector<Real>& bounced, Real margin)
     {
         pairs_.clear();
         for (std::size_t i = 0; i < now.sources.size(); ++i) {
@@ -148,8 +152,10 @@ private:
             if (contact.gap <
                 now.contacts[static_cast<std::size_t>(pair.contact)].gap)
                 pair.contact = source.index;
-            const bool bears = now.solution.lambda[static_cast<Index>(i)] > 0 ||
-                               (!bounced.empty() && bounced[i] != 0);
+            const Real struck = bounced.empty() ? 0 : bounced[i];
+            const bool bears =
+                now.solution.lambda[static_cast<Index>(i)] > 0 || struck > 0;
+            pair.struck = std::max(pair.struck, struck);
             pair.touches = pair.touches || bears || contact.gap <= 0;
             pair.near = pair.near || bears || contact.gap <= margin / 10;
         }
@@ -175,8 +181,18 @@ private:
             const Vec2 r = contact.point - now.x_found.segment<2>(3 * k);
             return Vec2(u.head<2>() + u[2] * perpendicular(r));
         };
-        const Real speed =
-            contact.normal.dot(velocity(contact.a) - velocity(contact.b));
+        hit(pair,
+            std::max(pair.struck,
+                     contact.normal.dot(velocity(contact.a) - velocity(contact.b))),
+            now, slowest, events);
+    }
+
+    /// Of the touch that was taken last, if it is fast enough.
+    void hit(const Pair& pair, Real speed, const StepData<3>& now, Real slowest,
+             Events& events) const
+    {
+        const Contact& contact =
+            now.contacts[static_cast<std::size_t>(pair.contact)];
         if (speed >= slowest)
             events.hits.push_back(
                 {next_.back().touch, contact.point, contact.normal, speed});

@@ -124,6 +124,7 @@ struct World::State : EngineState {
         work.entries = solver.all_entries();
         work.sweeps = solver.most_sweeps;
         work.stopped = sleepers.touching.fast.impacts;
+        work.unsolved = std::max(work.unsolved, method.correction.unmet);
         work.residual = now.solution.residual;
         // no residual of numbers that overflowed means anything
         work.held = static_cast<int>(method.correction.held.size());

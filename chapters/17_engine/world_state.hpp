@@ -198,8 +198,7 @@ struct EngineState {
         method.correction.push_sweeps = settings.sweeps;
         IslandChoice& solver = method.solver;
         // four small steps a step, two where it has as many sub-steps
-        solver.heaps.count =
-            std::max(2, HeapSteps{}.count / settings.substeps);
+        solver.heaps.count = std::max(2, HeapSteps{}.count / settings.substeps);
         solver.heaps.slop = settings.slop;
         solver.solving = settings.solving;
         solver.tolerance = settings.tolerance;
