@@ -788,9 +788,9 @@ TEST_CASE("a large heap that is poured costs no exact solves while it moves and 
         before = now;
         price += engine.work().price();
     }
-    // of 4000 J: 0.005; 0.25 where sweeps begin with all of the old impulses
-    CHECK(gained < 0.1);
-    CHECK(price < 600'000'000);  // 3e8; 1.8e9 where each step is solved to the tolerance
+    // of 4000 J: 0.4, and 0.001 where no overlap is pushed out: that lifts what lies above it
+    CHECK(gained < 1e-3 * 4000);
+    CHECK(price < 60'000'000);  // 2.7e7; 1.8e9 where each step is solved to the tolerance
 }
 
 TEST_CASE("a small heap that moves is swept and overlaps no more than one that is solved exactly", "[idea]")
@@ -1350,7 +1350,7 @@ TEST_CASE("boxes that a plate presses to the floor cost no more than their numbe
         for (int i = 0; i < 30; ++i) {
             engine.step(frame);
             const StepWork& work = engine.work();
-            unsolved += work.unsolved > 0;
+            unsolved += work.unsolved + work.stepped > 0;
             // velocities and positions; without (17.7) it is 5 to 7 times as much
             const std::int64_t rows = work.rows;
             CHECK(work.entries <= 2 * ChoiceRule{}.pair_entries * rows * rows);

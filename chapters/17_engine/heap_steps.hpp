@@ -2,7 +2,7 @@
 /// A heap that moves, in small steps of its own: chapter 8's idea on chapter 16's lanes.
 ///
 ///     once:   rows into lanes, C of each contact
-///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  a visit of each row;  x += k u, C += k J u;  a visit without what pushes out       (17.5a)
+///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (17.5a)
 ///
 /// with k = h/K. J and M⁻¹ Jᵀ are those of the beginning, and C goes on along J: what is left out is how normals turn and
 /// points go along their faces, of second order in how far a pair moves in the step. What moves has another λ in each step; a
@@ -16,7 +16,9 @@ namespace rigid {
 
 //! [settings]
 struct HeapSteps {
-    int count = 4;     ///< K, in each sub-step of the world
+    int count = 8;     ///< K, in each sub-step of the world
+    int visits = 2;    ///< of each row in a small step, before bodies move
+    Real beta = 0.4;   ///< part of an overlap that a small step takes back
     Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
     Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
     /// of each body: the same, at most [m]; empty = slop
@@ -77,17 +79,18 @@ public:
                 for (int d = 0; d < 3; ++d)
                     of(wide.u, k).u[d] +=
                         (now.u_star[3 * k + d] - part.local.u[3 * k + d]) / count;
-            set_biases(how.fastest * now.length, h, wide);
+            set_biases(how.beta / h, how.fastest * now.length, h, wide);
             apply_impulses(wide);
-            wide_sweep(wide, Real{0}, 1);
+            for (int v = 0; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
             for (const int k : now.active)
                 for (int d = 0; d < 3; ++d)
                     of(moved_, k).u[d] += h * of(wide.u, k).u[d];
             follow(h, wide);
-            set_biases(0, h, wide);
+            set_biases(0, 0, h, wide);
             wide_sweep(wide, Real{0}, 1);
         }
-        now.visits += 2 * count * static_cast<std::int64_t>(now.rows.size());
+        now.visits +=
+            (how.visits + 1) * count * static_cast<std::int64_t>(now.rows.size());
         take_out(h, count, part, wide);
     }
     //! [small_steps]
@@ -127,17 +130,19 @@ private:
     }
 
     //! [biases]
-    /// (17.5b): a gap may close, an overlap goes out, but no faster than this.
-    void set_biases(Real fastest, Real h, Wide& wide) const
+    /// (17.5b): a gap may close; of an overlap so much goes out a second, no faster
+    /// than this.
+    void set_biases(Real per_second, Real fastest, Real h, Wide& wide) const
     {
-        const V none{}, step = none + h, most = none - fastest;
+        const V none{}, step = none + h, part = none + per_second,
+                        most = none - fastest;
         for (std::size_t i = 0; i < errors_.size(); ++i) {
             const LaneError<V>& error = errors_[i];
             const V open = at_least(error.C, none),
                     deep = at_most(error.C + error.slop, none);
             wide.rows[i].bias =
                 error.rate +
-                error.is_gap * (open / step + at_least(deep / step, most));
+                error.is_gap * (open / step + at_least(part * deep, most));
         }
     }
     /// C ← C + h J u
