@@ -50,8 +50,19 @@ endif()
 target_compile_definitions(rigid_options INTERFACE ${rigid_sums})
 
 # ---- the library ------------------------------------------------------------------------------------
+# The chapters' own sources, compiled once, for every program: a chapter's are compiled in one go, since they share their
+# headers. The tests have them a second time, where Eigen counts what it allocates (cmake/tests.cmake), and the traces a third.
+file(GLOB rigid_chapters CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/*.cpp)
+list(FILTER rigid_chapters EXCLUDE REGEX "/(17_engine/[^/]*|small\\.cpp|team\\.cpp)$")
+foreach(source ${rigid_chapters})
+  string(REGEX MATCH "/([0-9][0-9])_[^/]*/[^/]*$" place ${source})
+  set_source_files_properties(${source} PROPERTIES UNITY_GROUP chapter_${CMAKE_MATCH_1})
+  if(RIGID_RESULTS_OPTIONS)   # the counted work of a build without optimisation would wait for them
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
+  endif()
+endforeach()
 add_library(rigid_physics STATIC common/contact.cpp common/eigen_instances.cpp common/elementary.cpp common/measure.cpp
-            common/scenes.cpp)
+            common/scenes.cpp ${rigid_chapters})
 # Each part of the world reads the whole engine, so they are compiled together: the tests that build the library take
 # 94 s of processor in place of 250.
 foreach(part world world_bodies world_changes world_kept world_questions world_walls_joints)
