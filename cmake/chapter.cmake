@@ -28,7 +28,7 @@ function(add_chapter chapter)
 
   if(benchmark_FOUND AND EXISTS ${folder}/benchmark/benchmark.cpp)
     add_executable(${chapter}_benchmark EXCLUDE_FROM_ALL ${folder}/benchmark/benchmark.cpp)
-    target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
+    target_link_libraries(${chapter}_benchmark PRIVATE rigid_program benchmark::benchmark)
     precompile(${chapter}_benchmark)
     add_dependencies(benchmarks ${chapter}_benchmark)
     if(EXISTS ${folder}/benchmark/peers.cmake)   # the programs that it measures beside the book

@@ -19,8 +19,9 @@ add_library(rigid_test_main STATIC tests/test_main.cpp)
 target_link_libraries(rigid_test_main PUBLIC Catch2::Catch2 rigid_common rigid_test_options)
 target_compile_definitions(rigid_test_main PUBLIC RIGID_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 set_source_files_properties(tests/test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)   # it makes Catch2's own code
-# In the tests Eigen counts what it allocates: its instances and the chapters' own sources are others, too.
-target_sources(rigid_test_main PRIVATE cmake/precompiled/tests_eigen_instances.cpp ${rigid_chapters})
+# In the tests Eigen counts what it allocates: its instances and the chapters' own sources are others, too. Some tests look at
+# the scenes of a program.
+target_sources(rigid_test_main PRIVATE cmake/precompiled/tests_eigen_instances.cpp common/program/program.cpp ${rigid_chapters})
 if(RIGID_TOGETHER)
   set_target_properties(rigid_test_main PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endif()
@@ -80,8 +81,8 @@ function(add_same_bits_test label chapter name)
   set_tests_properties("${label}: ${name}" PROPERTIES LABELS ${label} TIMEOUT 300)
 endfunction()
 
-# What the traces of all chapters share at one level: the objects of the physics below the engine and a precompiled header. rigid_common gives the
-# flags; of its archive nothing is needed where the objects stand before it.
+# What the traces of all chapters share at one level: the objects of the physics below the engine and a precompiled header.
+# rigid_common gives the flags; of its archive nothing is needed where the objects stand before it.
 function(add_traced_library level option)
   add_library(rigid_traced_${level} OBJECT EXCLUDE_FROM_ALL common/contact.cpp common/eigen_instances.cpp
               common/elementary.cpp common/measure.cpp common/scenes.cpp ${rigid_chapters})

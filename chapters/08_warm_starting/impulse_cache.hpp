@@ -95,6 +95,10 @@ struct ImpulseCache {
     int searched = 0;
 };
 
+// Compiled once, in impulse_cache.cpp.
+extern template void sort_by_key(std::vector<ImpulseCache::Entry>&,
+                                 SortScratch<ImpulseCache::Entry>&);
+
 /// The first entry that is not below a key. Rows seldom change places by much: a few
 /// entries about the place where the key was expected are looked at first.
 inline std::vector<ImpulseCache::Entry>::iterator

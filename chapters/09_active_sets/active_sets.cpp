@@ -5,6 +5,20 @@
 
 namespace rigid {
 
+ActiveSetMemory::ActiveSetMemory() = default;
+ActiveSetMemory::ActiveSetMemory(const ActiveSetMemory&) = default;
+ActiveSetMemory::ActiveSetMemory(ActiveSetMemory&&) noexcept = default;
+ActiveSetMemory& ActiveSetMemory::operator=(const ActiveSetMemory&) = default;
+ActiveSetMemory& ActiveSetMemory::operator=(ActiveSetMemory&&) noexcept = default;
+ActiveSetMemory::~ActiveSetMemory() = default;
+
+template bool settle(const Mlcp&, const ActiveSetSettings&, DenseLlt&,
+                     ActiveSetMemory&, Solution&);
+template bool settle(const Mlcp&, const ActiveSetSettings&, SparseLdlt&,
+                     ActiveSetMemory&, Solution&);
+template GuessEnd correct_guess(const GuessedProblem&, GeneralLu&, int, int, bool,
+                                Guess&, ActiveSetWork&);
+
 void walk(const Mlcp& mlcp, const ActiveSetSettings& settings,
           ActiveSetMemory& memory, Solution& solution)
 {

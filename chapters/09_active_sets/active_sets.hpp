@@ -37,6 +37,14 @@ struct ActiveSetMemory {
     Guess guess;
     ProximalMemory proximal;
     std::vector<int> cursor;
+
+    // Many solvers keep one: what it takes to copy it is compiled once, in active_sets.cpp.
+    ActiveSetMemory();
+    ActiveSetMemory(const ActiveSetMemory&);
+    ActiveSetMemory(ActiveSetMemory&&) noexcept;
+    ActiveSetMemory& operator=(const ActiveSetMemory&);
+    ActiveSetMemory& operator=(ActiveSetMemory&&) noexcept;
+    ~ActiveSetMemory();
 };
 
 inline int guess_limit(const Mlcp& mlcp, const ActiveSetSettings& settings)
@@ -87,6 +95,14 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor,
     return end == ProximalEnd::infeasible;
 }
 //! [guesses]
+
+// Compiled once, in active_sets.cpp.
+extern template bool settle(const Mlcp&, const ActiveSetSettings&, DenseLlt&,
+                            ActiveSetMemory&, Solution&);
+extern template bool settle(const Mlcp&, const ActiveSetSettings&, SparseLdlt&,
+                            ActiveSetMemory&, Solution&);
+extern template GuessEnd correct_guess(const GuessedProblem&, GeneralLu&, int, int,
+                                       bool, Guess&, ActiveSetWork&);
 
 /// Asks Lemke's algorithm (chapter 5), and takes over its answer if it has one.
 void walk(const Mlcp& mlcp, const ActiveSetSettings& settings,

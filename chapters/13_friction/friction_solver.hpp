@@ -32,20 +32,7 @@ struct FindFriction {
 /// Lemke's algorithm on Stewart's and Trinkle's problem as a finder.
 struct FindByStewartTrinkle {
     void operator()(Mlcp& mlcp, std::span<const FrictionBox> boxes, Real enough,
-                    Solution& solution) const
-    {
-        for (const FrictionBox& box : boxes)
-            mlcp.lo[box.row] = mlcp.hi[box.row] = 0;
-        LemkeSettings settings;
-        settings.enough = enough;
-        const Solution found = stewart_trinkle_by_lemke(mlcp, boxes, settings);
-        VecX lambda = found.lambda;
-        solution = found;
-        solution.residual = infinity;
-        if (!accept_coulomb(mlcp, boxes, {1e-10, enough}, lambda, solution) &&
-            found.status == Status::solved)
-            solution.status = Status::singular;
-    }
+                    Solution& solution) const;
 };
 
 /// What rounding makes of the gap of two corners: four times that of two positions,
