@@ -8,4 +8,11 @@ namespace rigid {
 template void sort_by_key(std::vector<ImpulseCache::Entry>&,
                           SortScratch<ImpulseCache::Entry>&);
 
+std::string to_string(const ImpulseKey& key)
+{
+    return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " +
+           std::to_string(key.feature) +
+           (key.part > 0 ? ", " + std::to_string(key.part) : "");
+}
+
 }  // namespace rigid

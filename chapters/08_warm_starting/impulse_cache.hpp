@@ -66,12 +66,7 @@ inline ImpulseKey contact_key(const Contact& contact, int part = 0)
 }
 //! [key]
 
-inline std::string to_string(const ImpulseKey& key)
-{
-    return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " +
-           std::to_string(key.feature) +
-           (key.part > 0 ? ", " + std::to_string(key.part) : "");
-}
+std::string to_string(const ImpulseKey& key);
 
 /// What was remembered, in ascending order of the keys. All memory is kept from step to step.
 struct ImpulseCache {
