@@ -21,4 +21,17 @@ void FindByStewartTrinkle::operator()(Mlcp& mlcp,
         solution.status = Status::singular;
 }
 
+template void step(RoughScene&, const StepSettings&, FrictionSweeps<AllBodies>&,
+                   StepData<3>&);
+template void step(RoughScene&, const StepSettings&, FrictionSweeps<Manifolds>&,
+                   StepData<3>&);
+template void step(RoughScene&, const StepSettings&, ExactFriction<AllBodies>&,
+                   StepData<3>&);
+template void step(RoughScene&, const StepSettings&, ExactFriction<Manifolds>&,
+                   StepData<3>&);
+template void step(RoughScene&, const StepSettings&, LemkeFriction<AllBodies>&,
+                   StepData<3>&);
+template void step(RoughScene&, const StepSettings&, SkippingFriction&,
+                   StepData<3>&);
+
 }  // namespace rigid

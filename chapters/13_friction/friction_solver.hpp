@@ -5,6 +5,7 @@
 /// the bounds of a row from the present impulse of its normal.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/09_active_sets/exact_method.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/11_rotation/rigid_method.hpp"
@@ -197,5 +198,19 @@ struct LemkeFriction {
     HoldOrSlide<CoulombSolver<FindByStewartTrinkle>> solver;
 };
 //! [method]
+
+// Compiled once, in friction_solver.cpp.
+extern template void step(RoughScene&, const StepSettings&,
+                          FrictionSweeps<AllBodies>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          FrictionSweeps<Manifolds>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          ExactFriction<AllBodies>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          ExactFriction<Manifolds>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          LemkeFriction<AllBodies>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&, SkippingFriction&,
+                          StepData<3>&);
 
 }  // namespace rigid
