@@ -19,7 +19,7 @@ function(add_chapter chapter)
   endif()
 
   add_executable(${chapter} ${folder}/program/main.cpp)
-  target_link_libraries(${chapter} PRIVATE rigid_program)
+  target_link_libraries(${chapter} PRIVATE rigid_program ${rigid_chapter_up_to_${number}} rigid_common)
   precompile(${chapter})
   # The same objects for the time of a step alone (docs/web/test/step_times.mjs).
   add_executable(${chapter}_steps EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/docs/web/test/steps_alone.cpp $<TARGET_OBJECTS:${chapter}>)
@@ -28,7 +28,8 @@ function(add_chapter chapter)
 
   if(benchmark_FOUND AND EXISTS ${folder}/benchmark/benchmark.cpp)
     add_executable(${chapter}_benchmark EXCLUDE_FROM_ALL ${folder}/benchmark/benchmark.cpp)
-    target_link_libraries(${chapter}_benchmark PRIVATE rigid_common benchmark::benchmark)
+    target_link_libraries(${chapter}_benchmark PRIVATE rigid_program ${rigid_chapter_up_to_${number}} rigid_common
+                          benchmark::benchmark)
     precompile(${chapter}_benchmark)
     add_dependencies(benchmarks ${chapter}_benchmark)
     if(EXISTS ${folder}/benchmark/peers.cmake)   # the programs that it measures beside the book

@@ -103,7 +103,7 @@ macro(measure_beside_box2d3 target source)
   if(TARGET box2d::box2d)
     enable_language(C)   # its C library may want -lm and threads of it
     add_library(${target}_box2d3 STATIC EXCLUDE_FROM_ALL ${source})
-    target_link_libraries(${target}_box2d3 PRIVATE rigid_common box2d::box2d)
+    target_link_libraries(${target}_box2d3 PRIVATE rigid_common rigid_physics box2d::box2d)
     target_link_libraries(${target} PRIVATE ${target}_box2d3)
     target_compile_definitions(${target} PRIVATE RIGID_HAS_BOX2D3)
   endif()

@@ -49,28 +49,72 @@ if(EMSCRIPTEN)   # what Eigen takes by itself where it sees x86-64
 endif()
 target_compile_definitions(rigid_options INTERFACE ${rigid_sums})
 
-# ---- the library ------------------------------------------------------------------------------------
-add_library(rigid_physics STATIC common/contact.cpp common/eigen_instances.cpp common/elementary.cpp common/measure.cpp
-            common/scenes.cpp)
-# Each part of the world reads the whole engine, so they are compiled together: the tests that build the library take
-# 94 s of processor in place of 250.
-foreach(part world world_bodies world_changes world_kept world_questions world_walls_joints)
-  target_sources(rigid_physics PRIVATE chapters/17_engine/${part}.cpp)
-  set_source_files_properties(chapters/17_engine/${part}.cpp PROPERTIES UNITY_GROUP world)
-endforeach()
-if(RIGID_TOGETHER)
-  set_target_properties(rigid_physics PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-endif()
-# all pairs of discs: the counted work of a build without optimisation would wait for them
-set_source_files_properties(common/contact.cpp common/measure.cpp PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
-add_library(rigid::physics ALIAS rigid_physics)
-set_target_properties(rigid_physics PROPERTIES EXPORT_NAME physics POSITION_INDEPENDENT_CODE ON)
-target_compile_features(rigid_physics PUBLIC cxx_std_20)
+# ---- the library, chapter by chapter ------------------------------------------------------------------
 # A program that defines eigen_assert in its own way, as the tests do, brings its own copies of inline functions, and the
 # linker may choose them. g++ must not count on the registers that the library's copies leave alone: under Windows, where
 # code is not independent of its position, it did.
 set(rigid_replaceable $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-ra>)
-target_compile_options(rigid_physics PRIVATE ${rigid_replaceable})
+
+set(rigid_base_sources common/contact.cpp common/eigen_instances.cpp common/elementary.cpp common/measure.cpp common/scenes.cpp)
+# all pairs of discs: the counted work of a build without optimisation would wait for them
+set_source_files_properties(common/contact.cpp common/measure.cpp PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
+add_library(rigid_base STATIC ${rigid_base_sources})
+target_link_libraries(rigid_base PUBLIC rigid_options)
+
+# add_chapter_libraries(PREFIX BASE): PREFIX_NN has the sources of chapter NN and stands on those of the chapters before, the
+# first of them on BASE. RESULT_NN is the library that has all that chapter NN may use. What a chapter does is so compiled
+# once, and for chapter 4 nothing of chapter 5 is. The sources of a chapter are compiled in one go: they share their headers.
+# The engine (17) is no chapter that a later one uses; it is only in the library's own, because it is in no test's memory.
+function(add_chapter_libraries prefix base)
+  set(last ${base})
+  foreach(number RANGE 1 18)
+    if(number LESS 10)
+      set(number 0${number})
+    endif()
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${number}_*/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/(small|team)\\.cpp$")
+    if(sources AND NOT number EQUAL 17)
+      add_library(${prefix}_${number} STATIC EXCLUDE_FROM_ALL ${sources})
+      target_link_libraries(${prefix}_${number} PUBLIC ${last})
+      set_source_files_properties(${sources} PROPERTIES UNITY_GROUP chapter)
+      if(RIGID_RESULTS_OPTIONS)   # the counted work of a build without optimisation would wait for them
+        set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
+      endif()
+      if(RIGID_TOGETHER)
+        set_target_properties(${prefix}_${number} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+      endif()
+      set(last ${prefix}_${number})
+      list(APPEND libraries ${last})
+    endif()
+    set(${prefix}_up_to_${number} ${last} PARENT_SCOPE)
+  endforeach()
+  set(${prefix}_libraries ${libraries} PARENT_SCOPE)
+endfunction()
+add_chapter_libraries(rigid_chapter rigid_base)
+
+# Each part of the world reads the whole engine, so they are compiled together: 94 s of processor in place of 250.
+file(GLOB world CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/17_engine/world*.cpp)
+add_library(rigid_chapter_17 STATIC EXCLUDE_FROM_ALL ${world})
+target_link_libraries(rigid_chapter_17 PUBLIC ${rigid_chapter_up_to_16})
+set_source_files_properties(${world} PROPERTIES UNITY_GROUP world)
+if(RIGID_TOGETHER)
+  set_target_properties(rigid_chapter_17 PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endif()
+set(rigid_chapter_up_to_17 rigid_chapter_17)
+
+set(rigid_parts rigid_base ${rigid_chapter_libraries} rigid_chapter_17)
+set_target_properties(${rigid_parts} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+foreach(part ${rigid_parts})
+  target_compile_options(${part} PRIVATE ${rigid_replaceable})
+  list(APPEND objects $<TARGET_OBJECTS:${part}>)
+endforeach()
+
+# ---- the library, whole --------------------------------------------------------------------------------
+add_library(rigid_physics STATIC ${objects})
+set_target_properties(rigid_physics PROPERTIES LINKER_LANGUAGE CXX)
+add_library(rigid::physics ALIAS rigid_physics)
+set_target_properties(rigid_physics PROPERTIES EXPORT_NAME physics)
+target_compile_features(rigid_physics PUBLIC cxx_std_20)
 target_include_directories(rigid_physics PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/rigid>)
 target_link_libraries(rigid_physics PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:rigid_flags>)
 # Most of the physics is in headers: the bits are the same only if the program that includes them rounds so, too.
@@ -78,6 +122,7 @@ target_compile_options(rigid_physics PUBLIC ${rigid_rounding})
 target_compile_definitions(rigid_physics PUBLIC ${rigid_sums})
 if(MSVC)
   target_compile_definitions(rigid_physics PUBLIC _USE_MATH_DEFINES)
+  target_compile_definitions(rigid_options INTERFACE _USE_MATH_DEFINES)
 endif()
 
 # How Eigen aligns its memory depends on the instruction set. A program that is compiled with -march=native against a
@@ -98,15 +143,17 @@ foreach(bytes 16 32 64 0)
     int main() {}" RIGID_ALIGNS_TO_${bytes}_${flags})
   if(RIGID_ALIGNS_TO_${bytes}_${flags})
     target_compile_definitions(rigid_physics PUBLIC RIGID_ALIGN_BYTES=${bytes})
+    target_compile_definitions(rigid_options INTERFACE RIGID_ALIGN_BYTES=${bytes})
     break()
   endif()
 endforeach()
 unset(CMAKE_REQUIRED_FLAGS)
 unset(CMAKE_REQUIRED_INCLUDES)
 
-# What nearly every target of the book stands on: the library, and our flags.
+# What nearly every target of the book stands on: our flags, and what no chapter is about. A target that needs more links the
+# library of a chapter, or rigid_physics.
 add_library(rigid_common INTERFACE)
-target_link_libraries(rigid_common INTERFACE rigid_physics rigid_options)
+target_link_libraries(rigid_common INTERFACE rigid_base rigid_options)
 
 # ---- cmake --install, find_package(rigid CONFIG) ----------------------------------------------------
 if(RIGID_INSTALL)

@@ -3,7 +3,7 @@
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Nothing is loaded by address at run time: position-independent code would look every constant up in a table.
-set_target_properties(rigid_physics PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+set_target_properties(${rigid_parts} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 
 add_library(rigid_web STATIC
   common/draw_list.cpp
@@ -14,7 +14,7 @@ add_library(rigid_web STATIC
   common/program/show.cpp
   common/program/web_description.cpp
   common/program/web_show.cpp)
-target_link_libraries(rigid_web PUBLIC rigid_common)
+target_link_libraries(rigid_web PUBLIC rigid_common rigid_physics)
 # What a frame needs once may be small; the steps are in the programs. (Emscripten 3.1's -Os inlines nothing: it is 20 times
 # slower and no smaller.)
 set(small -O2 "SHELL:-mllvm -inline-threshold=50")
@@ -30,7 +30,9 @@ target_compile_options(rigid_web_program PRIVATE ${small})
 # The preset leaves pairs of single numbers (-vectorize-slp=false) to Eigen as well, and makes its own way of writing one number
 # into both halves of a pair (cmake/web/splat.hpp): Emscripten 3.1.6 reads such a number too late.
 set(fast -fno-vectorize "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")
-target_compile_options(rigid_physics PRIVATE ${fast})
+foreach(part ${rigid_parts})
+  target_compile_options(${part} PRIVATE ${fast})
+endforeach()
 
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/program/main.cpp)
 foreach(main ${mains})

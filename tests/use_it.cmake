@@ -7,5 +7,5 @@ foreach(way "an installed copy" "a subdirectory")
                    -DCOMPILER=${CMAKE_CXX_COMPILER} -DPROCESSOR=${CMAKE_SYSTEM_PROCESSOR} -DCONFIG=$<CONFIG>
                    -DSANITIZE=${RIGID_SANITIZE} "-DEIGEN=${Eigen3_DIR}" -DGENERATOR=${CMAKE_GENERATOR}
                    -P ${PROJECT_SOURCE_DIR}/tests/use_it_run.cmake)
-  set_tests_properties(${name} PROPERTIES LABELS use_it TIMEOUT 300 COST 1000)   # the longest: begun first
+  set_tests_properties(${name} PROPERTIES LABELS use_it TIMEOUT 900 COST 1000)   # the longest, it compiles all of the physics: begun first
 endforeach()

@@ -6,6 +6,7 @@
 #include "common/text.hpp"
 
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -84,5 +85,15 @@ void require_bounds(const std::vector<Row<Dof>>& rows)
             refuse(", which may pull; a row that bounds others must only push");
     }
 }
+
+// Compiled once, in row_checks.cpp.
+#define RIGID_ROW_CHECKS(TEMPLATE, Dof)                                            \
+    TEMPLATE void require_bodies<Dof>(const std::vector<Row<Dof>>&, Index);        \
+    TEMPLATE void require_bodies<Dof>(const std::span<const Row<Dof>>&, Index);    \
+    TEMPLATE void require_valid(const Row<Dof>&, const std::string&, Index);       \
+    TEMPLATE void require_bounds(const std::vector<Row<Dof>>&);
+RIGID_ROW_CHECKS(extern template, 2)
+RIGID_ROW_CHECKS(extern template, 3)
+RIGID_ROW_CHECKS(extern template, 6)
 
 }  // namespace rigid

@@ -147,4 +147,13 @@ Mlcp assemble(const std::vector<Row<Dof>>& rows, const VecX& u_star)
     return mlcp;
 }
 
+// Compiled once, in assembly.cpp.
+#define RIGID_ASSEMBLY(TEMPLATE, Dof)                                              \
+    TEMPLATE void assemble(const std::vector<Row<Dof>>&, const VecX&,              \
+                           AssemblyScratch&, Mlcp&);                               \
+    TEMPLATE Mlcp assemble(const std::vector<Row<Dof>>&, const VecX&);
+RIGID_ASSEMBLY(extern template, 2)
+RIGID_ASSEMBLY(extern template, 3)
+RIGID_ASSEMBLY(extern template, 6)
+
 }  // namespace rigid

@@ -35,21 +35,7 @@ struct StepSettings {
 
 /// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
 /// \param bodies  K
-inline void require_valid(const StepSettings& settings, const Vec2& gravity,
-                          Index bodies)
-{
-    require_step(settings.h);
-    require_forces(gravity, settings.stiffness, settings.damping, settings.hand);
-    require_margin(settings.margin);
-    if (settings.substeps < 1)
-        throw std::invalid_argument("substeps is " +
-                                    std::to_string(settings.substeps) +
-                                    "; it must be 1 or more");
-    if (settings.pulled < world || settings.pulled >= bodies)
-        throw std::invalid_argument("the hand pulls disc " +
-                                    std::to_string(settings.pulled) + " among " +
-                                    std::to_string(bodies));
-}
+void require_valid(const StepSettings& settings, const Vec2& gravity, Index bodies);
 
 /// Where a constraint of a step comes from.
 struct Source {

@@ -48,33 +48,9 @@ inline void cold_start(const Mlcp& mlcp, VecX& lambda)
 }
 
 /// True if some row has w = q whatever λ is, and only an infinite λ would make that right.
-inline bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep,
-                             Real tolerance)
-{
-    // by the entries as they were given: scaled ones may vanish
-    const auto moves_it = [&mlcp](Index i) {
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry)
-            if (entry.value() < 0 || entry.value() > 0) return true;
-        return false;
-    };
-    for (std::size_t k = 0; k < sweep.rows.size(); ++k) {
-        const SweepRow& row = sweep.rows[k];
-        if (is_empty(sweep, k) && row.lo < row.hi &&
-            std::abs(mlcp.q[sweep.row_at[k]]) > tolerance &&
-            !moves_it(sweep.row_at[k]))
-            return true;
-    }
-    return false;
-}
+bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tolerance);
 
-inline void require_valid(const PgsSettings& settings)
-{
-    if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) +
-                                    " m/s and limit of " +
-                                    std::to_string(settings.max_sweeps) +
-                                    " sweeps: neither may be negative");
-}
+void require_valid(const PgsSettings& settings);
 
 /// Sweeps from `solution.lambda` on; solution.iterations counts the sweeps.
 ///

@@ -16,39 +16,12 @@ namespace rigid {
 /// (4.8): N rows in a line, a column of touching discs at rest on a floor. All have 1 kg but one.
 /// \param end_mass  mass of the uppermost, or of the lowest, which rests on the floor [kg]
 /// \param impulse   what gravity adds to each kilogram in the step, g h [N s/kg]
-inline Mlcp line_problem(Index count, Real end_mass, Real impulse,
-                         bool heavy_at_the_floor = false)
-{
-    VecX inverse_mass = VecX::Ones(count);
-    inverse_mass[heavy_at_the_floor ? 0 : count - 1] = 1 / end_mass;
-    Mlcp mlcp;
-    mlcp.A.resize(count, count);
-    mlcp.A.reserve(Eigen::VectorXi::Constant(count, 3));
-    for (Index k = 0; k < count; ++k) {
-        if (k > 0) mlcp.A.insert(k, k - 1) = -inverse_mass[k - 1];
-        mlcp.A.insert(k, k) = inverse_mass[k] + (k > 0 ? inverse_mass[k - 1] : 0);
-        if (k + 1 < count) mlcp.A.insert(k, k + 1) = -inverse_mass[k];
-    }
-    mlcp.A.makeCompressed();
-    mlcp.q = VecX::Zero(count);
-    mlcp.q[0] = -impulse;
-    mlcp.lo = VecX::Zero(count);
-    mlcp.hi = VecX::Constant(count, infinity);
-    return mlcp;
-}
+Mlcp line_problem(Index count, Real end_mass, Real impulse,
+                  bool heavy_at_the_floor = false);
 
 /// (4.9): its answer. Row k carries all that is above it.
-inline VecX line_answer(Index count, Real end_mass, Real impulse,
-                        bool heavy_at_the_floor = false)
-{
-    VecX lambda(count);
-    Real above = 0;
-    for (Index k = count; k-- > 0;) {
-        above += k == (heavy_at_the_floor ? 0 : count - 1) ? end_mass : 1;
-        lambda[k] = impulse * above;
-    }
-    return lambda;
-}
+VecX line_answer(Index count, Real end_mass, Real impulse,
+                 bool heavy_at_the_floor = false);
 
 /// (4.10a): the matrix G that one sweep multiplies the error of λ by, rows visited from first to last, none clamped.
 inline MatX gauss_seidel_matrix(const MatX& A)
@@ -58,22 +31,10 @@ inline MatX gauss_seidel_matrix(const MatX& A)
            lower.triangularView<Eigen::Lower>().solve(A);
 }
 
-//! [theta]
 /// The smallest angle θ of (4.14): tan θ tan (N−1)θ = 1/R, by bisection.
 /// \param count  N ≥ 2 rows
 /// \param ratio  R > 0: mass of the end / mass of one of the others
-inline Real line_angle(Index count, Real ratio)
-{
-    // The left side rises from 0 to infinity between 0 and π / 2(N−1).
-    Real low = 0, high = pi / (2 * static_cast<Real>(count - 1));
-    for (int halving = 0; halving < 100; ++halving) {
-        const Real theta = (low + high) / 2;
-        const Real side = tan(theta) * tan(static_cast<Real>(count - 1) * theta);
-        (side < 1 / ratio ? low : high) = theta;
-    }
-    return (low + high) / 2;
-}
-//! [theta]
+Real line_angle(Index count, Real ratio);
 
 /// The rate of Gauss-Seidel for N rows in a line with end mass R: cos²θ; 0 for a single row.
 inline Real line_rate(Index count, Real ratio)
@@ -93,19 +54,7 @@ inline Real slowest_weight(Index count)
 }
 
 /// (4.17): Jacobi lowers the merit of a symmetric problem for every ω below this.
-inline Real safe_jacobi_omega(const Mlcp& mlcp)
-{
-    Real largest = 1;
-    for (Index i = 0; i < mlcp.size(); ++i) {
-        Real sum = 0, diagonal = 0;
-        for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
-            sum += std::abs(entry.value());
-            if (entry.col() == i) diagonal = entry.value();
-        }
-        if (diagonal > 0) largest = std::max(largest, sum / diagonal);
-    }
-    return 2 / largest;
-}
+Real safe_jacobi_omega(const Mlcp& mlcp);
 
 //! [young]
 /// (4.20): the relaxation with the smallest rate, from the rate ρ of Gauss-Seidel.

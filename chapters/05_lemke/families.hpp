@@ -10,15 +10,7 @@
 namespace rigid {
 
 /// 0 ≤ z ⟂ A z + q ≥ 0.
-inline Mlcp plain_lcp(const MatX& A, const VecX& q)
-{
-    Mlcp lcp;
-    lcp.A = A.sparseView();
-    lcp.q = q;
-    lcp.lo = VecX::Zero(q.size());
-    lcp.hi = VecX::Constant(q.size(), infinity);
-    return lcp;
-}
+Mlcp plain_lcp(const MatX& A, const VecX& q);
 
 /// U: ones on the diagonal, twos above it.
 inline MatX murty_matrix(Index n)
@@ -31,14 +23,7 @@ inline MatX murty_matrix(Index n)
 
 /// U with q_i = -(2ⁿ⁺¹ - 2ⁱ), i = 1 … n: the walk visits all 2ⁿ vertices that it can (5.23).
 /// \cite murty1997, §6.2
-inline Mlcp murty(Index n)
-{
-    VecX q(n);
-    for (Index i = 0; i < n; ++i)
-        q[i] = -(std::ldexp(1, static_cast<int>(n) + 1) -
-                 std::ldexp(1, static_cast<int>(i) + 1));
-    return plain_lcp(murty_matrix(n), q);
-}
+Mlcp murty(Index n);
 
 /// Uᵀ with q = -1: nothing but ties, and all depends on how they are broken. The answer is z = e₁.
 inline Mlcp murty_transposed(Index n)
@@ -54,15 +39,7 @@ inline Mlcp murty_equal(Index n)
 
 /// a_ii = 4i - 3, a_ij = 4 min(i, j) - 2, q = -1: symmetric positive definite, and no better. The answer is
 /// z = e₁. \cite fathi1979
-inline Mlcp fathi(Index n)
-{
-    MatX A(n, n);
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j)
-            A(i, j) =
-                static_cast<Real>(i == j ? 4 * i + 1 : 4 * std::min(i, j) + 2);
-    return plain_lcp(A, -VecX::Ones(n));
-}
+Mlcp fathi(Index n);
 
 /// Two on the diagonal, -1 beside it: a column of equal discs hit by q. No entry off the diagonal is positive
 /// (a Z-matrix), and then a variable that has entered never leaves.
@@ -82,16 +59,6 @@ inline Mlcp circulant(Index n)
 }
 
 /// A = G Gᵀ/n + 0.01 I with normal entries of G, and normal q: about half of the rows are active.
-inline Mlcp random_spd(Index n, Random& random)
-{
-    MatX G(n, n);
-    VecX q(n);
-    for (Real& entry : G.reshaped()) entry = random.normal();
-    for (Real& entry : q) entry = random.normal();
-    MatX A = G * G.transpose() / static_cast<Real>(n);
-    A.diagonal().array() += 0.01;
-    A = ((A + A.transpose()) / 2).eval();
-    return plain_lcp(A, q);
-}
+Mlcp random_spd(Index n, Random& random);
 
 }  // namespace rigid

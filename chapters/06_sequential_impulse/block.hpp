@@ -168,4 +168,16 @@ void block_impulse(const std::vector<Row<Dof>>& rows, std::span<const int> order
     end_sweeps(order, memory, u, solution);
 }
 
+// Compiled once, in block.cpp.
+#define RIGID_BLOCK(TEMPLATE, Dof)                                                 \
+    TEMPLATE void pair_rows(const std::vector<SolverRow<Dof>>&,                    \
+                            std::vector<Block>&);                                  \
+    TEMPLATE void block_impulse(const std::vector<Row<Dof>>&,                      \
+                                std::span<const int>, const ImpulseSettings&,      \
+                                ImpulseMemory<Dof>&, std::vector<Block>&, VecX&,   \
+                                Solution&);
+RIGID_BLOCK(extern template, 2)
+RIGID_BLOCK(extern template, 3)
+RIGID_BLOCK(extern template, 6)
+
 }  // namespace rigid

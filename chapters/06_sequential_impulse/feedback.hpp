@@ -111,4 +111,15 @@ int sweep(std::span<SolverRow<Dof>> rows, std::span<const Feedback> feedback,
     return changed;
 }
 
+// Compiled once, in feedback.cpp.
+#define RIGID_FEEDBACK(TEMPLATE, Dof)                                              \
+    TEMPLATE void prepare_feedback(                                                \
+        const std::vector<Row<Dof>>&, std::span<const int>,                        \
+        std::vector<SolverRow<Dof>>&, std::vector<int>&, std::vector<Feedback>&);  \
+    TEMPLATE int sweep(std::span<SolverRow<Dof>>, std::span<const Feedback>,       \
+                       VecX&, Real, bool);
+RIGID_FEEDBACK(extern template, 2)
+RIGID_FEEDBACK(extern template, 3)
+RIGID_FEEDBACK(extern template, 6)
+
 }  // namespace rigid

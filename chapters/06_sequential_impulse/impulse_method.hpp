@@ -17,4 +17,8 @@ struct ImpulseMethod {
 };
 //! [method]
 
+// Compiled once, in impulse_method.cpp.
+extern template void step(DiscScene&, const StepSettings&, ImpulseMethod&,
+                          StepData<2>&);
+
 }  // namespace rigid

@@ -115,4 +115,12 @@ struct ImpulseSolver {
     }
 };
 
+// Compiled once, in impulse_solver.cpp.
+#define RIGID_IMPULSE_SOLVER(TEMPLATE, Dof)                                        \
+    TEMPLATE std::int64_t sweep_on(std::span<SolverRow<Dof>>,                      \
+                                   std::span<const Feedback>, int, Real, VecX&);
+RIGID_IMPULSE_SOLVER(extern template, 2)
+RIGID_IMPULSE_SOLVER(extern template, 3)
+RIGID_IMPULSE_SOLVER(extern template, 6)
+
 }  // namespace rigid

@@ -53,19 +53,7 @@ struct Colouring {
 
 /// The first colour that neither of two bodies has; then both have it.
 /// \param a, b  their used colours; null = the body cannot move
-inline int take_colour(std::uint64_t* a, std::uint64_t* b)
-{
-    constexpr std::uint64_t last = std::uint64_t{1} << (Colouring::most - 1);
-    //! [greedy]
-    // the last colour is never full
-    const std::uint64_t taken = ((a ? *a : 0) | (b ? *b : 0)) & ~last;
-    const int colour = std::countr_one(taken);
-    const std::uint64_t bit = std::uint64_t{1} << colour;
-    if (a) *a |= bit;
-    if (b) *b |= bit;
-    //! [greedy]
-    return colour;
-}
+int take_colour(std::uint64_t* a, std::uint64_t* b);
 
 //! [colour]
 /// Greedy colouring: each row takes the first colour that neither of its bodies has
@@ -116,14 +104,7 @@ void colour_rows(const std::vector<Row<Dof>>& rows, Index bodies, Colouring& mem
 }
 
 /// A random permutation of 0 … count − 1.
-inline void shuffle_rows(std::size_t count, Random& random, std::vector<int>& order)
-{
-    order.resize(count);
-    std::iota(order.begin(), order.end(), 0);
-    for (std::size_t k = count; k-- > 1;)
-        std::swap(order[k], order[static_cast<std::size_t>(
-                                random.index(static_cast<Index>(k) + 1))]);
-}
+void shuffle_rows(std::size_t count, Random& random, std::vector<int>& order);
 
 /// Fills `order` for a sweep over these rows; empty = as they are (also for `alternating`, which is a setting of
 /// the sweeps). Does not allocate once it has seen a scene of this size.
@@ -137,5 +118,15 @@ void order_rows(const std::vector<Row<Dof>>& rows, Index bodies, Order kind,
     if (kind == Order::coloured) colour_rows(rows, bodies, memory, order);
     if (kind == Order::shuffled) shuffle_rows(rows.size(), random, order);
 }
+
+// Compiled once, in row_order.cpp.
+#define RIGID_ROW_ORDER(TEMPLATE, Dof)                                             \
+    TEMPLATE void colour_unused(const std::vector<Row<Dof>>&, Colouring&,          \
+                                std::vector<int>&);                                \
+    TEMPLATE void colour_rows(const std::vector<Row<Dof>>&, Index, Colouring&,     \
+                              std::vector<int>&);
+RIGID_ROW_ORDER(extern template, 2)
+RIGID_ROW_ORDER(extern template, 3)
+RIGID_ROW_ORDER(extern template, 6)
 
 }  // namespace rigid

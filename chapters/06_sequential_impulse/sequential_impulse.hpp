@@ -196,4 +196,22 @@ void sequential_impulse(const std::vector<Row<Dof>>& rows,
     end_sweeps(order, memory, u, solution);
 }
 
+// Compiled once, in sequential_impulse.cpp.
+#define RIGID_SEQUENTIAL_IMPULSE(TEMPLATE, Dof)                                    \
+    TEMPLATE Real natural_residual<Dof>(std::span<const SolverRow<Dof>>,           \
+                                        const VecX&);                              \
+    TEMPLATE bool settle_rows_that_nothing_moves(std::vector<SolverRow<Dof>>&,     \
+                                                 const VecX&, Real);               \
+    TEMPLATE void clamp_start(const std::vector<Row<Dof>>&, VecX&);                \
+    TEMPLATE bool begin_sweeps(const std::vector<Row<Dof>>&, std::span<const int>, \
+                               Real, ImpulseMemory<Dof>&, const VecX&, Solution&); \
+    TEMPLATE void end_sweeps(std::span<const int>, const ImpulseMemory<Dof>&,      \
+                             VecX&, Solution&);                                    \
+    TEMPLATE void sequential_impulse(const std::vector<Row<Dof>>&,                 \
+                                     std::span<const int>, const ImpulseSettings&, \
+                                     ImpulseMemory<Dof>&, VecX&, Solution&);
+RIGID_SEQUENTIAL_IMPULSE(extern template, 2)
+RIGID_SEQUENTIAL_IMPULSE(extern template, 3)
+RIGID_SEQUENTIAL_IMPULSE(extern template, 6)
+
 }  // namespace rigid

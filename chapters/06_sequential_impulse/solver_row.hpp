@@ -76,24 +76,8 @@ void prepare(const std::vector<Row<Dof>>& rows, std::span<const int> order,
 
 /// Throws std::invalid_argument unless the order is empty or names each of m rows once.
 /// \param seen  memory
-inline void require_order(std::span<const int> order, std::size_t m,
-                          std::vector<char>& seen)
-{
-    if (order.empty()) return;
-    if (order.size() != m)
-        throw std::invalid_argument("the order names " +
-                                    std::to_string(order.size()) +
-                                    " rows; there are " + std::to_string(m));
-    seen.assign(m, 0);
-    for (const int i : order) {
-        if (i < 0 || static_cast<std::size_t>(i) >= m ||
-            seen[static_cast<std::size_t>(i)])
-            throw std::invalid_argument(
-                "the order names row " + std::to_string(i) +
-                " twice or out of range; it must name each row once");
-        seen[static_cast<std::size_t>(i)] = 1;
-    }
-}
+void require_order(std::span<const int> order, std::size_t m,
+                   std::vector<char>& seen);
 
 /// \f$J u + b\f$ [m/s]. The sums of both bodies are made side by side.
 template <int Dof>
@@ -149,5 +133,14 @@ int sweep(std::span<SolverRow<Dof>> rows, VecX& u, Real tolerance,
     return changed;
 }
 //! [sweep]
+
+// Compiled once, in solver_row.cpp.
+#define RIGID_SOLVER_ROW(TEMPLATE, Dof)                                            \
+    TEMPLATE void prepare(const std::vector<Row<Dof>>&, std::span<const int>,      \
+                          const VecX&, std::vector<SolverRow<Dof>>&);              \
+    TEMPLATE int sweep(std::span<SolverRow<Dof>>, VecX&, Real, bool);
+RIGID_SOLVER_ROW(extern template, 2)
+RIGID_SOLVER_ROW(extern template, 3)
+RIGID_SOLVER_ROW(extern template, 6)
 
 }  // namespace rigid

@@ -17,4 +17,8 @@ struct CorrectedMethod {
 };
 //! [method]
 
+// Compiled once, in corrected_method.cpp.
+extern template void step(DiscScene&, const StepSettings&, CorrectedMethod&,
+                          StepData<2>&);
+
 }  // namespace rigid

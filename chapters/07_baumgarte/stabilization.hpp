@@ -39,14 +39,7 @@ struct StabilizerSettings {
 };
 
 /// What a step does with settings that are measured in the length ℓ of its scene [m]: all functions below take metres.
-inline StabilizerSettings in_metres(StabilizerSettings settings, Real length)
-{
-    settings.slop *= length;
-    settings.bilateral_slop *= length;
-    settings.max_correction_speed *= length;
-    settings.tolerance *= length;
-    return settings;
-}
+StabilizerSettings in_metres(StabilizerSettings settings, Real length);
 
 constexpr std::string_view to_string(Stabilizer method)
 {
@@ -67,29 +60,7 @@ constexpr std::string_view to_string(Stabilizer method)
 
 /// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense. A β of 2 or
 /// more is let through: it is unstable, and seeing that is part of the chapter.
-inline void require_valid(const StabilizerSettings& settings)
-{
-    const auto refuse = [](Real value, const char* name, const char* wanted) {
-        throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
-                                    "; it must be " + wanted);
-    };
-    const auto finite = [&](Real value, const char* name) {
-        if (!(value >= 0 && std::isfinite(value)))
-            refuse(value, name, "zero or positive and finite");
-    };
-    const auto at_least_zero = [&](Real value, const char* name) {
-        if (!(value >= 0)) refuse(value, name, "zero or positive");
-    };
-    finite(settings.beta, "beta");
-    finite(settings.slop, "slop");
-    finite(settings.bilateral_slop, "bilateral_slop");
-    at_least_zero(settings.max_correction_speed, "max_correction_speed");
-    at_least_zero(settings.tolerance, "the tolerance of the repaying sweeps");
-    if (settings.correction_sweeps < 0)
-        throw std::invalid_argument("correction_sweeps is " +
-                                    std::to_string(settings.correction_sweeps) +
-                                    "; it must be zero or positive");
-}
+void require_valid(const StabilizerSettings& settings);
 
 //! [error]
 /// (7.16): the part of C that is to be corrected [m]: what lies beyond the slop; of

@@ -47,15 +47,7 @@ inline Real multiple_of(Real slope, Real curvature, const MultipleRule& rule,
 //! [rule]
 
 /// Throws std::invalid_argument, naming the number, unless the rule makes sense.
-inline void require_valid(const MultipleRule& rule)
-{
-    if (!(rule.near_one >= 0))
-        throw std::invalid_argument("near_one is " + shortest(rule.near_one) +
-                                    "; it must be zero or positive");
-    if (!(rule.most >= 1))
-        throw std::invalid_argument("the greatest multiple is " +
-                                    shortest(rule.most) + "; it must be 1 or more");
-}
+void require_valid(const MultipleRule& rule);
 
 /// Numbers of each group, memory that is kept from step to step. Only entries of bodies that rows name are written.
 struct MultipleScratch {
@@ -215,5 +207,18 @@ void best_multiple(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
         lambda[static_cast<Index>(i)] *= scratch.multiple[groups.of_row[i]];
 }
 //! [best_multiple]
+
+// Compiled once, in best_multiple.cpp.
+#define RIGID_BEST_MULTIPLE(TEMPLATE, Dof)                                         \
+    TEMPLATE void begin_multiples<Dof>(const BodyGroups&, MultipleScratch&);       \
+    TEMPLATE void limit_followed(std::span<const Row<Dof>>, const VecX&,           \
+                                 const VecX&, const BodyGroups&, MultipleScratch&, \
+                                 const VecX&);                                     \
+    TEMPLATE void best_multiple(std::span<const Row<Dof>>, const VecX&,            \
+                                const VecX&, const BodyGroups&, MultipleScratch&,  \
+                                VecX&, const MultipleRule&);
+RIGID_BEST_MULTIPLE(extern template, 2)
+RIGID_BEST_MULTIPLE(extern template, 3)
+RIGID_BEST_MULTIPLE(extern template, 6)
 
 }  // namespace rigid

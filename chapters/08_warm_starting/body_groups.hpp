@@ -65,4 +65,11 @@ void find_groups(std::span<const Row<Dof>> rows, const VecX& inverse_mass,
 }
 //! [groups]
 
+// Compiled once, in body_groups.cpp.
+#define RIGID_BODY_GROUPS(TEMPLATE, Dof)                                           \
+    TEMPLATE void find_groups(std::span<const Row<Dof>>, const VecX&, BodyGroups&);
+RIGID_BODY_GROUPS(extern template, 2)
+RIGID_BODY_GROUPS(extern template, 3)
+RIGID_BODY_GROUPS(extern template, 6)
+
 }  // namespace rigid

@@ -66,12 +66,7 @@ inline ImpulseKey contact_key(const Contact& contact, int part = 0)
 }
 //! [key]
 
-inline std::string to_string(const ImpulseKey& key)
-{
-    return std::to_string(key.first) + ", " + std::to_string(key.second) + ", " +
-           std::to_string(key.feature) +
-           (key.part > 0 ? ", " + std::to_string(key.part) : "");
-}
+std::string to_string(const ImpulseKey& key);
 
 /// What was remembered, in ascending order of the keys. All memory is kept from step to step.
 struct ImpulseCache {
@@ -94,6 +89,10 @@ struct ImpulseCache {
     /// rows that it had to search for, because they were not the next in line
     int searched = 0;
 };
+
+// Compiled once, in impulse_cache.cpp.
+extern template void sort_by_key(std::vector<ImpulseCache::Entry>&,
+                                 SortScratch<ImpulseCache::Entry>&);
 
 /// The first entry that is not below a key. Rows seldom change places by much: a few
 /// entries about the place where the key was expected are looked at first.

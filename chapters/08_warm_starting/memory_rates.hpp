@@ -36,7 +36,6 @@ Real spectral_radius(Matrix power)
     return exp(logarithm);
 }
 
-//! [step_rate]
 /// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a
 /// step, in the long run.
 /// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an
@@ -45,16 +44,7 @@ Real spectral_radius(Matrix power)
 /// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid
 ///               outside of the velocities. Then (8.10) has a factor z − 1, the
 ///               error that stays; the two other roots are meant
-inline Real step_rate(Real gamma, Real share, Real beta)
-{
-    // the matrix whose characteristic polynomial is (8.10)
-    Eigen::Matrix<Real, 3, 3> companion;
-    companion << 1 - beta + gamma * (1 + share + beta), -gamma * (1 + 2 * share),
-        gamma * share, 1, 0, 0, 0, 1, 0;
-    if (beta == 0) companion.row(0) << gamma * (1 + share), -gamma * share, 0;
-    return spectral_radius(companion);
-}
-//! [step_rate]
+Real step_rate(Real gamma, Real share, Real beta);
 
 //! [settles]
 /// (8.7a): do steps that start from all of the remembered impulses settle? b = 0,

@@ -20,4 +20,8 @@ struct WarmMethod {
 };
 //! [method]
 
+// Compiled once, in warm_method.cpp.
+extern template void step(DiscScene&, const StepSettings&, WarmMethod&,
+                          StepData<2>&);
+
 }  // namespace rigid

@@ -103,17 +103,7 @@ struct WarmStart {
     //! [warm_start]
 
     /// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.
-    void require_valid() const
-    {
-        if (!(factor >= 0 && factor <= 1))
-            throw std::invalid_argument("the warm start factor is " +
-                                        shortest(factor) +
-                                        "; it must be from 0 to 1");
-        rigid::require_valid(rule);
-        if (keep < 0)
-            throw std::invalid_argument("keep is " + std::to_string(keep) +
-                                        "; it must be zero or positive");
-    }
+    void require_valid() const;
 };
 
 }  // namespace rigid

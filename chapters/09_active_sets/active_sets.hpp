@@ -37,6 +37,14 @@ struct ActiveSetMemory {
     Guess guess;
     ProximalMemory proximal;
     std::vector<int> cursor;
+
+    // Many solvers keep one: what it takes to copy it is compiled once, in active_sets.cpp.
+    ActiveSetMemory();
+    ActiveSetMemory(const ActiveSetMemory&);
+    ActiveSetMemory(ActiveSetMemory&&) noexcept;
+    ActiveSetMemory& operator=(const ActiveSetMemory&);
+    ActiveSetMemory& operator=(ActiveSetMemory&&) noexcept;
+    ~ActiveSetMemory();
 };
 
 inline int guess_limit(const Mlcp& mlcp, const ActiveSetSettings& settings)
@@ -88,53 +96,23 @@ bool settle(const Mlcp& mlcp, const ActiveSetSettings& settings, Factor& factor,
 }
 //! [guesses]
 
+// Compiled once, in active_sets.cpp.
+extern template bool settle(const Mlcp&, const ActiveSetSettings&, DenseLlt&,
+                            ActiveSetMemory&, Solution&);
+extern template bool settle(const Mlcp&, const ActiveSetSettings&, SparseLdlt&,
+                            ActiveSetMemory&, Solution&);
+extern template GuessEnd correct_guess(const GuessedProblem&, GeneralLu&, int, int,
+                                       bool, Guess&, ActiveSetWork&);
+
 /// Asks Lemke's algorithm (chapter 5), and takes over its answer if it has one.
-inline void walk(const Mlcp& mlcp, const ActiveSetSettings& settings,
-                 ActiveSetMemory& memory, Solution& solution)
-{
-    LemkeSettings lemke_settings;
-    lemke_settings.tolerance = settings.tolerance;
-    lemke_settings.enough = settings.enough;
-    ++memory.work.walks;
-    const Solution walked = lemke(mlcp, lemke_settings);
-    if (walked.status != Status::solved && walked.status != Status::infeasible &&
-        solution.residual <= walked.residual)
-        return;  // the last guess is as good, and its status says what is wrong
-    solution = walked;
-    for (Index i = 0; i < mlcp.size(); ++i)
-        memory.guess.cases[static_cast<std::size_t>(i)] =
-            walked.lambda[i] <= mlcp.lo[i]   ? BoundState::at_lo
-            : walked.lambda[i] >= mlcp.hi[i] ? BoundState::at_hi
-                                             : BoundState::between;
-}
+void walk(const Mlcp& mlcp, const ActiveSetSettings& settings,
+          ActiveSetMemory& memory, Solution& solution);
 
 /// What is no answer shall at least do no harm: of the last guess, where it began,
 /// and the point of the bounds nearest to zero the one with the lowest φ (9.7). So an
 /// impulse that comes out without an answer leaves no more energy than none at all.
-inline void keep_lowest(const Mlcp& mlcp, const ActiveSetSettings& settings,
-                        ActiveSetMemory& memory, Solution& solution)
-{
-    VecX &trial = memory.guess.trial, &w = memory.guess.way;
-    const auto height = [&](const VecX& lambda) {
-        w.noalias() = mlcp.A * lambda;
-        return lambda.dot(0.5 * w + mlcp.q);
-    };
-    const Status status = solution.status;
-    Real least = height(solution.lambda);
-    for (const bool nothing : {false, true}) {
-        if (nothing) trial.setZero(mlcp.size());
-        else if (memory.guess.start.size() == mlcp.size())
-            trial = memory.guess.start;
-        else continue;
-        clamp_into_bounds(mlcp, trial);
-        const Real there = height(trial);
-        if (!(there < least) && std::isfinite(least)) continue;
-        least = there;
-        verify_guess(mlcp, settings, trial, solution);
-        if (solution.status == Status::solved) return;
-        solution.status = status;
-    }
-}
+void keep_lowest(const Mlcp& mlcp, const ActiveSetSettings& settings,
+                 ActiveSetMemory& memory, Solution& solution);
 
 //! [active_sets]
 /// Solves an MLCP. `iterations` counts guesses. Begins with the cases in memory if

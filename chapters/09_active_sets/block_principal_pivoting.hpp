@@ -49,28 +49,8 @@ struct GuessedProblem {
 };
 
 /// The problem itself, without a term.
-inline void set_up(const Mlcp& mlcp, const Acceptance& acceptance,
-                   GuessedProblem& problem)
-{
-    const Index n = mlcp.size();
-    problem.mlcp = &mlcp;
-    problem.acceptance = acceptance;
-    problem.shifted = false;
-    problem.q = mlcp.q;
-    problem.diagonal.resize(n);
-    problem.unit.resize(n);
-    Real largest = 0;
-    for (Index i = 0; i < n; ++i) {
-        const Real a = mlcp.A.coeff(i, i);
-        problem.diagonal[i] = a > 0 ? a : 1;
-        problem.unit[i] = std::sqrt(problem.diagonal[i]);
-        largest = std::max(largest, std::abs(mlcp.q[i]) / problem.unit[i]);
-    }
-    problem.tolerance = 0.01 * acceptance.tolerance * largest;
-    problem.ceiling =
-        n > 0 ? 0.01 * acceptance.tolerance * mlcp.q.lpNorm<Eigen::Infinity>() : 0;
-    problem.enough = 0.5 * acceptance.enough;
-}
+void set_up(const Mlcp& mlcp, const Acceptance& acceptance,
+            GuessedProblem& problem);
 
 /// Which rows are active, the λ that follows, and its w.
 struct Guess {
@@ -116,15 +96,7 @@ void velocities(const GuessedProblem& problem, const Factor& factor,
 }
 
 /// The largest w of the active rows in their units, which should be zero.
-inline Real active_residual(const GuessedProblem& problem, const Guess& guess)
-{
-    Real largest = 0;
-    for (Index i = 0; i < guess.w.size(); ++i)
-        if (guess.cases[static_cast<std::size_t>(i)] == BoundState::between &&
-            !(std::abs(guess.w[i]) <= largest * problem.unit[i]))
-            largest = std::abs(guess.w[i]) / problem.unit[i];
-    return largest;
-}
+Real active_residual(const GuessedProblem& problem, const Guess& guess);
 
 /// One correction of the active λ by what is left of their w: A_FF Δ = −w_F.
 template <class Factor>
@@ -142,26 +114,7 @@ void improve(const GuessedProblem& problem, const Factor& factor, Guess& guess)
 
 /// The rows that are wrong, into guess.wrong. What rounding alone can do to a w does not count.
 /// \param hidden  what is left of the active rows' w, in their units: a row that is wrong by less may yet be right
-inline void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess)
-{
-    const Index n = guess.w.size();
-    const Real largest =
-        n > 0 ? guess.lambda.cwiseProduct(problem.unit).lpNorm<Eigen::Infinity>()
-              : 0;
-    const Real rounding =
-        std::max(10 * hidden, 4 * std::numeric_limits<Real>::epsilon() * largest);
-    guess.wrong.clear();
-    for (Index i = 0; i < n; ++i) {
-        const BoundState now = guess.cases[static_cast<std::size_t>(i)];
-        const Real unit = problem.unit[i];
-        const Real tolerance = std::max(
-            {rounding * unit, std::min(problem.tolerance * unit, problem.ceiling),
-             problem.enough});
-        if (corrected(problem, i, now, guess.lambda[i], guess.w[i], tolerance) !=
-            now)
-            guess.wrong.push_back(i);
-    }
-}
+void find_wrong(const GuessedProblem& problem, Real hidden, Guess& guess);
 
 //! [solve]
 /// (9.2): λ and w of the guess, and which rows they show to be wrong. The factor

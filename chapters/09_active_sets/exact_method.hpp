@@ -94,4 +94,8 @@ inline Correction exact_correction()
     return correction;
 }
 
+// Compiled once, in exact_method.cpp.
+extern template void step(DiscScene&, const StepSettings&, ExactMethod&,
+                          StepData<2>&);
+
 }  // namespace rigid

@@ -39,19 +39,8 @@ struct AwakeSet {
         return activity[static_cast<std::size_t>(k)] == Activity::asleep;
     }
 
-    //! [wake]
     /// Wakes body k and its whole island; nothing if it is not asleep.
-    void wake(Index k)
-    {
-        while (is_asleep(k)) {
-            const auto i = static_cast<std::size_t>(k);
-            activity[i] = Activity::awake;
-            awake.push_back(static_cast<int>(k));
-            woken.push_back(static_cast<int>(k));
-            k = std::exchange(ring[i], static_cast<int>(k));
-        }
-    }
-    //! [wake]
+    void wake(Index k);
 
     /// A new last body k = K − 1: awake if it can move, or does.
     template <int Dof>
@@ -71,25 +60,10 @@ struct AwakeSet {
     }
 
     /// These bodies fall asleep together. Call tidy() after the last of such calls.
-    void sleep(std::span<const int> members)
-    {
-        for (std::size_t i = 0; i < members.size(); ++i) {
-            const auto k = static_cast<std::size_t>(members[i]);
-            activity[k] = Activity::asleep;
-            ring[k] = members[(i + 1) % members.size()];
-        }
-    }
+    void sleep(std::span<const int> members);
 
     /// Makes the lists right again: only bodies that are awake, ascending, none twice. Linear where that is nearly so.
-    void tidy()
-    {
-        std::erase_if(awake, [this](int k) { return !is_awake(k); });
-        for (std::vector<int>* const list : {&awake, &woken}) {
-            if (!std::is_sorted(list->begin(), list->end()))
-                std::sort(list->begin(), list->end());
-            list->erase(std::unique(list->begin(), list->end()), list->end());
-        }
-    }
+    void tidy();
 };
 
 /// All that can move, or do, are awake.

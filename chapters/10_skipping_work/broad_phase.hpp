@@ -38,30 +38,10 @@ struct BroadPhase {
     Real reach_of(Real radius) const { return radius + margin + 2 * skin; }
 
     /// \param scene  its discs are put in; its table of linked pairs is not looked at, see filter_of()
-    void reset(const DiscScene& scene, CollisionFilter by)
-    {
-        filter = std::move(by);
-        const Index K = scene.bodies.count();
-        grid.reset(K, margin + 2 * skin);
-        for (Index k = 0; k < K; ++k)
-            grid.insert(static_cast<int>(k), scene.bodies.position(k),
-                        scene.radius[k], filter.group_of(k));
-        pairs.clear();
-        is_stale.assign(static_cast<std::size_t>(K), 1);  // no disc has queried yet
-        stale.clear();
-        for (int k = 0; k < static_cast<int>(K); ++k) stale.push_back(k);
-    }
+    void reset(const DiscScene& scene, CollisionFilter by);
 
     /// Disc k = K − 1 is new; it is stale once it is called woken.
-    void add(const DiscScene& scene, Index k)
-    {
-        if (!filter.group.empty()) filter.group.push_back(0);
-        if (!filter.first.empty()) filter.first.push_back(filter.first.back());
-        grid.grow(k + 1);
-        grid.insert(static_cast<int>(k), scene.bodies.position(k), scene.radius[k],
-                    filter.group_of(k));
-        is_stale.push_back(0);
-    }
+    void add(const DiscScene& scene, Index k);
 };
 
 inline std::uint64_t pair_code(int a, int b)
@@ -200,20 +180,7 @@ inline void update_pairs(const DiscScene& scene, AwakeSet& set, BroadPhase& broa
 
 /// The contacts of awake discs, with each other, with what is fixed and with the walls: what
 /// find_contacts() says of them, in the same order.
-inline void awake_contacts(const DiscScene& scene, const AwakeSet& set,
-                           BroadPhase& broad, std::vector<Contact>& contacts)
-{
-    contacts.clear();
-    Contact contact;
-    broad.tested += static_cast<std::int64_t>(broad.pairs.size());
-    for (const std::uint64_t pair : broad.pairs)
-        if (touches(scene, first_of(pair), second_of(pair), broad.margin, contact))
-            contacts.push_back(contact);
-    for (const int b : set.awake) {
-        if (!scene.bodies.can_move(b)) continue;
-        for_each_wall(scene, b, broad.margin,
-                      [&](const Contact& wall) { contacts.push_back(wall); });
-    }
-}
+void awake_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhase& broad,
+                    std::vector<Contact>& contacts);
 
 }  // namespace rigid

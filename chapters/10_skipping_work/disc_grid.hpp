@@ -26,51 +26,15 @@ public:
 
     /// Empties the grid and makes room for discs 0 … count − 1.
     /// \param extra  how far beyond its own radius a disc will usually look [m]
-    void reset(Index count, Real extra)
-    {
-        extra_ = extra;
-        std::size_t size = 16;
-        while (size < 2 * static_cast<std::size_t>(count)) size *= 2;
-        buckets_.assign(size, nobody);
-        places_.assign(static_cast<std::size_t>(count), {});
-        layers_.clear();
-    }
+    void reset(Index count, Real extra);
 
     /// Makes room for discs up to count − 1. The table grows when it has become too short, and all are entered again.
-    void grow(Index count)
-    {
-        places_.resize(static_cast<std::size_t>(count));
-        if (buckets_.size() >= 2 * static_cast<std::size_t>(count)) return;
-        buckets_.assign(2 * buckets_.size(), nobody);
-        for (const Layer& layer : layers_)
-            for (const int k : layer.members) enter(k, at(k).column, at(k).line);
-    }
+    void grow(Index count);
 
     /// \param group  discs of different groups stand in different layers
-    void insert(int k, const Vec2& x, Real radius, int group)
-    {
-        Place& place = at(k);
-        place.layer = layer_of(group, radius);
-        place.radius = radius;
-        Layer& layer = layers_[static_cast<std::size_t>(place.layer)];
-        layer.largest = std::max(layer.largest, radius);
-        place.member = static_cast<int>(layer.members.size());
-        layer.members.push_back(k);
-        place.x = x;
-        enter(k, cell(x.x(), layer), cell(x.y(), layer));
-    }
+    void insert(int k, const Vec2& x, Real radius, int group);
 
-    void remove(int k)
-    {
-        leave(k);
-        Place& place = at(k);
-        std::vector<int>& members =
-            layers_[static_cast<std::size_t>(place.layer)].members;
-        at(members.back()).member = place.member;
-        members[static_cast<std::size_t>(place.member)] = members.back();
-        members.pop_back();
-        place.layer = nobody;
-    }
+    void remove(int k);
 
     bool contains(int k) const
     {
@@ -169,39 +133,11 @@ private:
     }
 
     /// Cells that are side by side are side by side in the table, too.
-    std::size_t bucket(int layer, int column, int line) const
-    {
-        const std::uint64_t mixed =
-            (static_cast<std::uint64_t>(line) * 0x9E3779B97F4A7C15u) >> 20;
-        const std::uint64_t place = mixed + static_cast<std::uint64_t>(column) +
-                                    static_cast<std::uint64_t>(layer) * 0x85EBCA6Bu;
-        return place & (buckets_.size() - 1);
-    }
+    std::size_t bucket(int layer, int column, int line) const;
 
-    int layer_of(int group, Real radius)
-    {
-        int level = 0;
-        // = fraction · 2^level, ½ ≤ fraction < 1
-        const Real fraction = std::frexp(2 * radius + extra_, &level);
-        if (fraction == 0.5) --level;
-        for (std::size_t l = 0; l < layers_.size(); ++l)
-            if (layers_[l].group == group && layers_[l].level == level)
-                return static_cast<int>(l);
-        layers_.push_back({group, level, std::ldexp(1.0, -level), 0, {}});
-        return static_cast<int>(layers_.size()) - 1;
-    }
+    int layer_of(int group, Real radius);
 
-    void enter(int k, int column, int line)
-    {
-        Place& place = at(k);
-        place.column = column;
-        place.line = line;
-        int& head = buckets_[bucket(place.layer, column, line)];
-        place.before = nobody;
-        place.next = head;
-        if (head != nobody) at(head).before = k;
-        head = k;
-    }
+    void enter(int k, int column, int line);
 
     void leave(int k)
     {

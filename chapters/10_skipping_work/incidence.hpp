@@ -45,15 +45,7 @@ Incidence incidence(std::size_t bodies, std::size_t items, const ForEach& for_ea
 }
 
 /// The items of these bodies, ascending, none twice. Memory is kept.
-inline void collect(const Incidence& on, std::span<const int> bodies,
-                    std::vector<int>& items)
-{
-    items.clear();
-    for (const int k : bodies)
-        for (const int i : on.of(k)) items.push_back(i);
-    if (!std::is_sorted(items.begin(), items.end()))
-        std::sort(items.begin(), items.end());
-    items.erase(std::unique(items.begin(), items.end()), items.end());
-}
+void collect(const Incidence& on, std::span<const int> bodies,
+             std::vector<int>& items);
 
 }  // namespace rigid

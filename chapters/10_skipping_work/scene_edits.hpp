@@ -14,17 +14,7 @@
 namespace rigid {
 
 /// Throws std::invalid_argument unless there is a disc k, and still is.
-inline void require_disc(const SkippingWorld& now, Index k)
-{
-    if (k < 0 || k >= now.scene.bodies.count())
-        throw std::invalid_argument("there is no disc " + std::to_string(k) +
-                                    " among " +
-                                    std::to_string(now.scene.bodies.count()));
-    if (now.method.contacts.set.activity[static_cast<std::size_t>(k)] ==
-        Activity::gone)
-        throw std::invalid_argument("disc " + std::to_string(k) +
-                                    " was taken away");
-}
+void require_disc(const SkippingWorld& now, Index k);
 
 //! [scene_edits]
 /// Disc k wakes, and all discs within its margin, and those that a link or a bend

@@ -181,4 +181,8 @@ inline void skipping_step(SkippingWorld& now, const SkippingSettings& settings)
     now.counters = counters_of(now.method, now.found);
 }
 
+// Compiled once, in skipping_world.cpp.
+extern template void step(DiscScene&, const StepSettings&, SkippingMethod&,
+                          StepData<2>&);
+
 }  // namespace rigid

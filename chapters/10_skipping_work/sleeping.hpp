@@ -37,19 +37,7 @@ inline RestSettings in_metres(RestSettings rest, Real length)
     return rest;
 }
 
-inline void require_valid(const RestSettings& rest)
-{
-    const auto refuse = [](const char* name, Real value) {
-        throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
-                                    "; it must be positive and finite");
-    };
-    if (!(rest.speed > 0) || !std::isfinite(rest.speed))
-        refuse("the speed of rest", rest.speed);
-    if (!(rest.acceleration > 0) || !std::isfinite(rest.acceleration))
-        refuse("the acceleration of rest", rest.acceleration);
-    if (!(rest.time > 0) || !std::isfinite(rest.time))
-        refuse("the time of rest", rest.time);
-}
+void require_valid(const RestSettings& rest);
 
 /// How long a body has been at rest without a break, and its greatest speed in that time.
 struct Rest {
@@ -104,19 +92,7 @@ struct SleepingForces {
     std::vector<int> head;
     int free = -1;
 
-    void put(int body, const ImpulseKey& key, Real force)
-    {
-        int place = free;
-        if (place < 0) {
-            place = static_cast<int>(entries.size());
-            entries.emplace_back();
-        } else {
-            free = entries[static_cast<std::size_t>(place)].next;
-        }
-        int& first = head[static_cast<std::size_t>(body)];
-        entries[static_cast<std::size_t>(place)] = {key, force, first};
-        first = place;
-    }
+    void put(int body, const ImpulseKey& key, Real force);
 
     /// Calls take(key, force) for what was put there, and forgets it.
     template <class Take>
@@ -134,17 +110,7 @@ struct SleepingForces {
 };
 
 /// The impulses of woken bodies go back to the cache from which the next sweeps start.
-inline void remember_woken(SleepingForces& forces, std::span<const int> woken,
-                           ImpulseCache& cache)
-{
-    const std::size_t before = cache.entries.size();
-    for (const int k : woken)
-        forces.take_all(k, [&cache](const ImpulseKey& key, Real force) {
-            cache.entries.push_back({key, 0, force * cache.h});
-        });
-    if (cache.entries.size() > before)
-        std::sort(cache.entries.begin(), cache.entries.end(),
-                  [](const auto& a, const auto& b) { return a.key < b.key; });
-}
+void remember_woken(SleepingForces& forces, std::span<const int> woken,
+                    ImpulseCache& cache);
 
 }  // namespace rigid

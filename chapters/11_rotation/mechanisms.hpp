@@ -11,15 +11,7 @@ namespace rigid {
 
 /// A thin rod of 1 m and 1 kg, its lower left end on the floor, falling at 1 m/s without turning; no gravity.
 /// \param angle  to the floor [rad], more than 0 and at most π/2
-inline RigidScene struck_rod(Real angle)
-{
-    RigidScene scene;
-    scene.gravity = {0, 0};
-    scene.walls.push_back({{0, 1}, 0});
-    add_body(scene, capsule(1, 0), thin_rod(1, 1), {0, sin(angle) / 2}, angle);
-    scene.bodies.u[1] = -1;
-    return scene;
-}
+RigidScene struck_rod(Real angle);
 
 /// λ, v′ and ω′ of that impact by hand, (11.8).
 inline Vec<3> struck_rod_by_hand(Real angle, Real e)
@@ -30,19 +22,7 @@ inline Vec<3> struck_rod_by_hand(Real angle, Real e)
 
 /// Rods of 1 m and 1 kg in a row, pinned to the origin and to each other, at rest.
 /// \param angles  of each from straight down [rad]
-inline RigidScene rod_pendulum(std::span<const Real> angles)
-{
-    RigidScene scene;
-    Vec2 end(0, 0);
-    for (const Real angle : angles) {
-        const Vec2 along(sin(angle), -cos(angle));
-        const Index k = add_body(scene, capsule(1, 0), thin_rod(1, 1),
-                                 end + along / 2, angle - pi / 2);
-        add_pin(scene, k - 1, k == 0 ? Vec2(0, 0) : Vec2(0.5, 0), k, {-0.5, 0});
-        end += along;
-    }
-    return scene;
-}
+RigidScene rod_pendulum(std::span<const Real> angles);
 
 /// The angle of rod k of such a row from straight down [rad].
 inline Real rod_angle(const RigidScene& scene, Index k)
@@ -52,35 +32,10 @@ inline Real rod_angle(const RigidScene& scene, Index k)
 
 /// A ladder of 2 m and 10 kg between a wall and a floor, both without friction, at rest.
 /// \param angle  from the wall [rad]
-inline RigidScene ladder(Real angle)
-{
-    RigidScene scene;
-    scene.walls = {{{0, 1}, 0}, {{1, 0}, 0}};
-    add_body(scene, capsule(2, 0), thin_rod(2, 10), Vec2(sin(angle), cos(angle)),
-             angle + pi / 2);
-    return scene;
-}
+RigidScene ladder(Real angle);
 
 /// A plank of 4 m and 20 kg pinned in its middle, and two weights on ropes of 0.5 m from its ends.
-inline RigidScene seesaw(Real left, Real right)
-{
-    RigidScene scene;
-    add_body(scene, box(4, 0.1), 20 / 0.4, {0, 0});
-    add_pin(scene, world, {0, 0}, 0, {0, 0});
-    for (const Real side : {-1.0, 1.0}) {
-        const Real mass = side < 0 ? left : right;
-        const Index k =
-            add_body(scene, box(0.4, 0.4), mass / 0.16, {2 * side, -0.7});
-        PointJoint rope;
-        rope.a = 0, rope.b = k;
-        rope.at_a = {2 * side, 0}, rope.at_b = {0, 0.2};
-        rope.length = 0.5;
-        rope.sense = -1;
-        rope.kind = ConstraintKind::unilateral;
-        scene.joints.push_back(rope);
-    }
-    return scene;
-}
+RigidScene seesaw(Real left, Real right);
 
 /// The angular acceleration of that plank where it lies level, by hand [rad/s²].
 inline Real seesaw_by_hand(Real left, Real right)
@@ -90,20 +45,7 @@ inline Real seesaw_by_hand(Real left, Real right)
 }
 
 /// Wheels in a row on pins, each meshing with the next; a motor turns the first. Discs of 10 kg/m².
-inline RigidScene gear_train(std::span<const Real> radii, Real speed, Real torque)
-{
-    RigidScene scene;
-    scene.gravity = {0, 0};
-    Real at = 0;
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-        if (i > 0) at += radii[i - 1] + radii[i];
-        const Index k = add_body(scene, disc(radii[i]), 10, {at, 0});
-        add_pin(scene, world, {at, 0}, k, {0, 0});
-        if (k > 0) add_gears(scene, k - 1, radii[i - 1], k, radii[i]);
-    }
-    add_turning_motor(scene, world, 0, speed, torque);
-    return scene;
-}
+RigidScene gear_train(std::span<const Real> radii, Real speed, Real torque);
 
 /// What the first wheel feels of all of them, (11.15): Σ I (r₁/r)² [kg m²].
 inline Real gear_inertia(std::span<const Real> radii)
@@ -115,22 +57,7 @@ inline Real gear_inertia(std::span<const Real> radii)
 }
 
 /// A crank of 0.2 m that turns at 10 rad/s whatever happens, a rod of 0.5 m and 1 kg, and a slider on the x axis.
-inline RigidScene slider_crank()
-{
-    RigidScene scene;
-    add_body(scene, capsule(0.2, 0), Mass{}, {0, 0});
-    scene.bodies.u[2] = 10;
-    add_body(scene, capsule(0.5, 0), thin_rod(0.5, 1), {0.45, 0});
-    scene.bodies.u.tail<3>() << 0, 1, -4;
-    add_pin(scene, 0, {0.2, 0}, 1, {-0.25, 0});
-    PointJoint rail;
-    rail.measure = PointJoint::Measure::along;
-    rail.b = 1;
-    rail.at_b = {0.25, 0};
-    rail.direction = {0, 1};
-    scene.joints.push_back(rail);
-    return scene;
-}
+RigidScene slider_crank();
 
 /// x = r cos θ + √(l² − r² sin² θ)
 inline Real slider_by_hand(Real theta)

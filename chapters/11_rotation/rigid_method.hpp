@@ -2,6 +2,7 @@
 /// Methods of this chapter: the stages of Part I, with 3 in place of 2.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/06_sequential_impulse/impulse_solver.hpp"
 #include "chapters/08_warm_starting/warm_start.hpp"
 #include "chapters/09_active_sets/rattle.hpp"
@@ -81,5 +82,13 @@ inline Real largest_joint_error(const RigidScene& scene)
                                std::abs(joint_constraint(scene.bodies.x, joint).C));
     return largest;
 }
+
+// Compiled once, in rigid_method.cpp.
+extern template void step(RigidScene&, const StepSettings&, RigidSweeps&,
+                          StepData<3>&);
+extern template void step(RigidScene&, const StepSettings&, RigidExact&,
+                          StepData<3>&);
+extern template void step(RigidScene&, const StepSettings&, RigidRattle&,
+                          StepData<3>&);
 
 }  // namespace rigid

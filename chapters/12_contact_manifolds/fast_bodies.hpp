@@ -18,6 +18,8 @@
 #include "chapters/12_contact_manifolds/stop_each_other.hpp"
 #include "common/elementary.hpp"
 
+#include <functional>
+
 namespace rigid {
 
 struct FastBodies {
@@ -79,167 +81,16 @@ void put_back(Bodies<3>& bodies, Real h, const std::vector<Row<3>>& rows,
 }
 //! [lost_time]
 
-//! [fast]
 /// \param now        of the step that has just been taken
 /// \param settings   of it: bodies are stopped at a quarter to a half of the margin
 /// \param placed     the shapes at now.x_found
 /// \param edges      of chains: what slides over them is close to the next one when
 ///                   it gets there, and goes on until it is too deep
-/// \param may_touch  bool(int, int)
-template <class MayTouch>
+/// \param may_touch  whether two bodies may
 void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                       const StepData<3>& now, const PlacedShapes& placed,
-                      const ChainEdges& edges, const MayTouch& may_touch,
-                      FastBodies& fast)
-{
-    const VecX& x_found = now.x_found;
-    const Real margin = settings.margin * now.length;
-    const int K = static_cast<int>(scene.bodies.count());
-    const auto motion = [&](Index k) {
-        return MovingShape{&scene.shapes[static_cast<std::size_t>(k)],
-                           x_found.segment<3>(3 * k), scene.bodies.position(k)};
-    };
-    const auto inner_of = [&](int k) {
-        return inner_radius(placed.of(k), x_found.segment<2>(3 * k));
-    };
-    fast.bodies.clear();
-    fast.impacts = fast.rounds = 0;
-    for (const int k : now.active) {
-        const MovingShape m = motion(k);
-        const Vec<3> way = m.way();
-        const Real far =
-            hypot(way[0], way[1]) + std::abs(way[2]) * turning_radius(*m.shape);
-        const auto at = static_cast<std::size_t>(k);
-        const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
-        if (far > 0.5 * inner_of(k) && !goes_on) fast.bodies.push_back(k);
-    }
-    if (fast.bodies.empty()) return;
-    fast.is_fast.assign(static_cast<std::size_t>(K), 0);
-    for (const int k : fast.bodies) fast.is_fast[static_cast<std::size_t>(k)] = 1;
-
-    // all that a body can reach on its way, however it turns
-    fast.inner.clear();
-    fast.swept.clear();
-    for (int k = 0; k < K; ++k) {
-        fast.inner.push_back(inner_of(k));
-        const MovingShape m = motion(k);
-        const Vec2 from = m.from.head<2>(), to = m.to.head<2>();
-        fast.swept.push_back(
-            grown(Box{from.cwiseMin(to), from.cwiseMax(to)},
-                  turning_radius(*m.shape) + m.shape->radius + margin));
-    }
-    fast.part.assign(static_cast<std::size_t>(K), 1);
-    const auto hold = [&](int k, const Impact& impact) {
-        Real& part = fast.part[static_cast<std::size_t>(k)];
-        if (impact.hit) part = std::min(part, impact.part);
-    };
-    // of what is close already, only that it gets deeper than half its inner radius,
-    // or than it is by an eighth
-    const auto first_impact = [&](const auto& other, const MovingShape& moving,
-                                  Real inner, bool edge = false) {
-        const Real target = edge ? -std::min(inner, margin) / 2 : margin / 4;
-        Impact impact = time_of_impact(
-            other, moving, target, edge ? -target / 4 : margin / 4, fast.memory);
-        fast.rounds += impact.rounds;
-        if (!impact.close) return impact;
-        // what has no inside must not get past the middle of its way to the other
-        const Real start = impact.start,
-                   deep = inner > 0 ? std::min(-inner / 2, start - inner / 8)
-                                    : start / 2;
-        impact = time_of_impact(other, moving, deep,
-                                inner > 0 ? inner / 16 : std::abs(start) / 8,
-                                fast.memory);
-        fast.rounds += impact.rounds;
-        return impact;
-    };
-    // a half-space: its rows hold what comes, and nothing is behind it
-    const auto impact_on_wall = [&](const HalfSpace& wall,
-                                    const MovingShape& moving, Real inner) {
-        if (!fast.have_rows) return first_impact(wall, moving, inner);
-        const Real deep = std::max(inner, margin) / 2;
-        Impact impact = time_of_impact(wall, moving, -deep, deep / 8, fast.memory);
-        fast.rounds += impact.rounds;
-        if (!impact.close) return impact;
-        impact = time_of_impact(wall, moving, impact.start - deep / 4, deep / 8,
-                                fast.memory);
-        fast.rounds += impact.rounds;
-        return impact;
-    };
-    // how deep a body may be in an edge: its centroid must stay in front of it
-    const auto inner_at_edge = [&](const MovingShape& moving, const Placed& edge,
-                                   Real inner) {
-        Real front = margin;
-        for (const Vec<3>& x : {moving.from, moving.to})
-            front = std::min(front,
-                             edge.normal(0).dot(x.head<2>() - edge.vertex(0)) / 2);
-        return std::max(inner, front > margin / 100 ? front : 0);
-    };
-    const auto impact_on_edge = [&](const MovingShape& other,
-                                    const MovingShape& moving, const Placed& edge,
-                                    Real inner) {
-        const Impact near =
-            time_of_impact(other, moving, margin / 4, margin / 4, fast.memory);
-        fast.rounds += near.rounds;
-        if (!near.hit && !near.close) return near;
-        // what is close has its row
-        if (near.close) inner = inner_at_edge(moving, edge, inner);
-        return first_impact(other, moving, inner, inner > 0);
-    };
-    const auto may_meet = [&](int a, int b) {
-        return overlap(fast.swept[static_cast<std::size_t>(a)],
-                       fast.swept[static_cast<std::size_t>(b)]) &&
-               may_touch(a, b);
-    };
-    // what slides over a seam does not catch on it, (12.13)
-    const auto is_hidden = [&](const MovingShape& moving, Real inner, int b,
-                               Real part) {
-        if (!fast.seams || !stands(scene, b)) return false;
-        fast.memory.b.move(*moving.shape, moving.at(part));
-        const Placed shape = placed.of(b);
-        const Manifold m = collide(shape, fast.memory.b.view(), {margin});
-        const Box box = grown(box_of(shape), margin);
-        const Real flush = flush_within(margin, inner);
-        return all_hidden(m, false, [&](const Vec2& p, const Vec2& n) {
-            for (const HalfSpace& wall : scene.walls)
-                if (hides(wall, shape, p, n, flush)) return true;
-            for (int c = 0; c < K; ++c)
-                if (c != b && !edges.has(c) && stands(scene, c) &&
-                    may_touch(static_cast<int>(moving.shape - &scene.shapes[0]),
-                              c) &&
-                    overlap(box, box_of(placed.of(c))) &&
-                    hides(placed.of(c), shape, p, n, flush))
-                    return true;
-            return false;
-        });
-    };
-    for (const int a : fast.bodies) {
-        const MovingShape moving = motion(a);
-        const Real inner_a = fast.inner[static_cast<std::size_t>(a)];
-        for (int b = 0; b < K; ++b) {
-            if (fast.is_fast[static_cast<std::size_t>(b)] || !may_meet(a, b))
-                continue;
-            const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
-            if (edges.has(b)) {  // only what comes from before it
-                if (!is_behind(placed.of(b), moving.from.head<2>()))
-                    hold(a,
-                         impact_on_edge(motion(b), moving, placed.of(b), inner_a));
-                continue;
-            }
-            const Real inner = std::max(inner_a, inner_b);
-            Impact impact = first_impact(motion(b), moving, inner);
-            if (impact.hit && is_hidden(moving, inner_a, b, impact.part)) {
-                impact = time_of_impact(motion(b), moving, -inner / 2, inner / 16,
-                                        fast.memory);
-                fast.rounds += impact.rounds;
-            }
-            hold(a, impact);
-        }
-        for (const HalfSpace& wall : scene.walls)
-            hold(a, impact_on_wall(wall, moving, inner_a));
-    }
-    stop_each_other(motion, may_meet, first_impact, fast);
-    put_back(scene.bodies, settings.h, now.rows, motion, fast);
-}
-//! [fast]
+                      const ChainEdges& edges,
+                      const std::function<bool(int, int)>& may_touch,
+                      FastBodies& fast);
 
 }  // namespace rigid

@@ -44,15 +44,7 @@ inline Box box_of(const Placed& shape)
 }
 
 /// From the centroid to the nearest side [m]. The centroid of a segment is on it, whatever rounding says.
-inline Real inner_radius(const Placed& shape, const Vec2& centroid)
-{
-    if (shape.size() == 2) return shape.radius;
-    Real nearest = shape.edges() > 0 ? infinity : 0;
-    for (int i = 0; i < shape.edges(); ++i)
-        nearest =
-            std::min(nearest, shape.normal(i).dot(shape.vertex(i) - centroid));
-    return nearest + shape.radius;
-}
+Real inner_radius(const Placed& shape, const Vec2& centroid);
 
 /// Writes the vertices and normals of a shape at a pose (x, y, θ) behind those that are there.
 inline void place(const Polygon& shape, const Vec<3>& pose,
@@ -144,14 +136,7 @@ struct PlacedShapes {
         }
     }
 
-    Placed of(Index body) const
-    {
-        const auto k = static_cast<std::size_t>(body);
-        const std::size_t v = first_vertex[k], n = first_normal[k];
-        return {{vertices.data() + v, first_vertex[k + 1] - v},
-                {normals.data() + n, first_normal[k + 1] - n},
-                radius[k]};
-    }
+    Placed of(Index body) const;
 
 private:
     PlacedShape moved_;

@@ -55,15 +55,7 @@ struct Surroundings {
         chains = scene.chains;
     }
 
-    bool differ(const RigidScene& scene) const
-    {
-        const auto same = [](const HalfSpace& a, const HalfSpace& b) {
-            return a.normal == b.normal && a.offset == b.offset;
-        };
-        return scene.gravity != gravity || scene.chains != chains ||
-               !std::equal(walls.begin(), walls.end(), scene.walls.begin(),
-                           scene.walls.end(), same);
-    }
+    bool differ(const RigidScene& scene) const;
 };
 
 struct SceneWatch {
@@ -79,16 +71,7 @@ struct SceneWatch {
     bool is_new() const { return x.size() == 0; }
     static void require(const RigidScene& scene) { require_bodies(scene); }
 
-    void remember(const RigidScene& scene)
-    {
-        x = scene.bodies.x;
-        u = scene.bodies.u;
-        if (!std::exchange(stale, false)) return;
-        inverse_mass = scene.bodies.inverse_mass;
-        around.remember(scene);
-        joints = scene.joints;
-        shapes = scene.shapes;
-    }
+    void remember(const RigidScene& scene);
 
     //! [watch]
     /// What is there for all bodies is another than it was: gravity, a wall.

@@ -68,18 +68,7 @@ struct ExactFrictionIslands {
     //! [friction_islands]
 
 private:
-    Room& room_of(Index n)
-    {
-        const auto number = static_cast<std::size_t>(n);
-        if (rooms.size() <= number) rooms.resize(number + 1);
-        Room& room = rooms[number];
-        if (room.mlcp.size() != n) {
-            room.mlcp.A = MatX::Ones(n, n).sparseView();
-            room.mlcp.q = room.mlcp.lo = room.mlcp.hi = VecX::Zero(n);
-            room.solution.lambda = VecX::Zero(n);
-        }
-        return room;
-    }
+    Room& room_of(Index n);
 
     /// A, q, bounds, boxes, and the λ to start from.
     template <int Dof>

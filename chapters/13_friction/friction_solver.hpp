@@ -5,6 +5,7 @@
 /// the bounds of a row from the present impulse of its normal.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/09_active_sets/exact_method.hpp"
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/11_rotation/rigid_method.hpp"
@@ -32,20 +33,7 @@ struct FindFriction {
 /// Lemke's algorithm on Stewart's and Trinkle's problem as a finder.
 struct FindByStewartTrinkle {
     void operator()(Mlcp& mlcp, std::span<const FrictionBox> boxes, Real enough,
-                    Solution& solution) const
-    {
-        for (const FrictionBox& box : boxes)
-            mlcp.lo[box.row] = mlcp.hi[box.row] = 0;
-        LemkeSettings settings;
-        settings.enough = enough;
-        const Solution found = stewart_trinkle_by_lemke(mlcp, boxes, settings);
-        VecX lambda = found.lambda;
-        solution = found;
-        solution.residual = infinity;
-        if (!accept_coulomb(mlcp, boxes, {1e-10, enough}, lambda, solution) &&
-            found.status == Status::solved)
-            solution.status = Status::singular;
-    }
+                    Solution& solution) const;
 };
 
 /// What rounding makes of the gap of two corners: four times that of two positions,
@@ -210,5 +198,19 @@ struct LemkeFriction {
     HoldOrSlide<CoulombSolver<FindByStewartTrinkle>> solver;
 };
 //! [method]
+
+// Compiled once, in friction_solver.cpp.
+extern template void step(RoughScene&, const StepSettings&,
+                          FrictionSweeps<AllBodies>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          FrictionSweeps<Manifolds>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          ExactFriction<AllBodies>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          ExactFriction<Manifolds>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&,
+                          LemkeFriction<AllBodies>&, StepData<3>&);
+extern template void step(RoughScene&, const StepSettings&, SkippingFriction&,
+                          StepData<3>&);
 
 }  // namespace rigid

@@ -10,16 +10,7 @@ namespace rigid {
 /// A body on a slope that falls to the right, its lowest side or rim on it, at rest; its centroid is over the origin.
 /// \param shape    in its own axes; `below` is the distance of its centroid to the slope [m]
 /// \param degrees  of the slope
-inline RoughScene on_a_slope(const Polygon& shape, Real below, Real degrees,
-                             Real mu)
-{
-    const Real a = degrees * pi / 180;
-    RoughScene scene;
-    scene.walls.push_back({{sin(a), cos(a)}, 0});
-    add_body(scene, shape, 1.0, Vec2(sin(a), cos(a)) * below, -a);
-    cover(scene, {mu, 0, 0, 0});
-    return scene;
-}
+RoughScene on_a_slope(const Polygon& shape, Real below, Real degrees, Real mu);
 
 /// How far the centroid of body 0 has moved down the slope [m].
 inline Real down_the_slope(const RoughScene& scene)
@@ -57,27 +48,10 @@ inline RollingStart rolling_start(Real v0, Real mu, Real kappa, Real g = 9.81)
 //! [by_hand]
 
 /// A disc of 0.5 m on a floor, at the speed v₀ without spin.
-inline RoughScene thrown_disc(Real v0, Real mu)
-{
-    RoughScene scene;
-    scene.walls.push_back({{0, 1}, 0});
-    add_body(scene, disc(0.5), 1.0, {0, 0.5});
-    scene.bodies.u[0] = v0;
-    cover(scene, {mu, 0, 0, 0});
-    return scene;
-}
+RoughScene thrown_disc(Real v0, Real mu);
 
 /// A thin rod of 1 m and 1 kg, its lower left end on the floor, without gravity.
 /// \param angle  to the floor [rad]
-inline RoughScene rod_on_end(Real angle, const Vec2& velocity, Real spin, Real mu)
-{
-    RoughScene scene;
-    scene.gravity = {0, 0};
-    scene.walls.push_back({{0, 1}, 0});
-    add_body(scene, capsule(1, 0), thin_rod(1, 1), {0, sin(angle) / 2}, angle);
-    scene.bodies.u << velocity, spin;
-    cover(scene, {mu, 0, 0, 0});
-    return scene;
-}
+RoughScene rod_on_end(Real angle, const Vec2& velocity, Real spin, Real mu);
 
 }  // namespace rigid

@@ -2,6 +2,7 @@
 /// Methods of this chapter: the stages of Parts I and II, and the trees for a solver.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/12_contact_manifolds/manifold_method.hpp"
 #include "chapters/13_friction/friction_solver.hpp"
 #include "chapters/14_joints/geometric_stiffness.hpp"
@@ -50,5 +51,19 @@ inline void never_stop(Manifolds& contacts)
     contacts.ahead = 1;
 }
 //! [never_stop]
+
+// Compiled once, in joint_method.cpp.
+extern template void step(JointedScene&, const StepSettings&,
+                          JointSweeps<AllBodies>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          JointSweeps<Manifolds>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          JointTrees<AllBodies>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          JointTrees<Manifolds>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&, SkippingJoints&,
+                          StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          JointRattle<Manifolds>&, StepData<3>&);
 
 }  // namespace rigid

@@ -26,51 +26,15 @@ inline void apply_all(const std::vector<Row<3>>& rows, const VecX& lambda, VecX&
 
 /// The natural residual of all rows [m/s], (3.15), with the bounds that λ sets; infinite if one is not finite.
 /// \param b  of each row, in place of its own bias
-inline Real natural_residual(const std::vector<Row<3>>& rows, const VecX& b,
-                             const VecX& lambda, const VecX& u)
-{
-    Real residual = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row<3>& row = rows[i];
-        const auto k = static_cast<Index>(i);
-        const Real w = row.velocity(u) - row.bias + b[k] + row.softness * lambda[k];
-        const auto [lo, hi] = bounds_of(row, lambda);
-        const Real r = natural_residual_row(row.diagonal(), lambda[k], w, lo, hi);
-        if (!(r <= residual)) residual = std::isfinite(r) ? r : infinity;
-    }
-    return residual;
-}
+Real natural_residual(const std::vector<Row<3>>& rows, const VecX& b,
+                      const VecX& lambda, const VecX& u);
 
 /// The largest |J u + γ λ + b| of the rows of joints [m/s]; infinite if one is not finite.
-inline Real joint_residual(const std::vector<Row<3>>& rows, const VecX& b,
-                           const VecX& lambda, const VecX& u)
-{
-    Real residual = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (!JointTree::takes(rows[i])) continue;
-        const auto k = static_cast<Index>(i);
-        const Real w = std::abs(rows[i].velocity(u) - rows[i].bias + b[k] +
-                                rows[i].softness * lambda[k]);
-        if (!(w <= residual)) residual = std::isfinite(w) ? w : infinity;
-    }
-    return residual;
-}
+Real joint_residual(const std::vector<Row<3>>& rows, const VecX& b,
+                    const VecX& lambda, const VecX& u);
 
 /// λ of joints is zero, of others within its bounds. Returns whether there are others.
-inline bool clamp_start(const std::vector<Row<3>>& rows,
-                        const std::vector<char>& left_out, VecX& lambda)
-{
-    bool any = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        Real& start = lambda[static_cast<Index>(i)];
-        const bool out = !left_out.empty() && left_out[i];
-        if (JointTree::takes(rows[i]) || out || !std::isfinite(start)) start = 0;
-        if (JointTree::takes(rows[i]) || out) continue;
-        any = true;
-        const auto [lo, hi] = bounds_of(rows[i], lambda);
-        start = std::clamp(start, lo, hi);
-    }
-    return any;
-}
+bool clamp_start(const std::vector<Row<3>>& rows, const std::vector<char>& left_out,
+                 VecX& lambda);
 
 }  // namespace rigid

@@ -32,14 +32,7 @@ struct RenewedRows {
         }
     }
     /// The rows of the step again: those that λ belongs to.
-    void put_back(std::span<const int> rows, StepData<3>& now)
-    {
-        if (!renewed_) return;
-        for (const int i : rows)
-            std::swap(now.rows[static_cast<std::size_t>(i)],
-                      before_[static_cast<std::size_t>(i)]);
-        renewed_ = false;
-    }
+    void put_back(std::span<const int> rows, StepData<3>& now);
 
 private:
     std::vector<Row<3>> before_;

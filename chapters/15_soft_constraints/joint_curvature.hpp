@@ -99,20 +99,7 @@ inline RowCurvature joint_curvature(const VecX& x, const PointJoint& joint,
 
 /// (15.27) of all joints of a step, where the bodies are.
 /// \return  how many rows it has evaluated
-inline std::int64_t find_curvatures(const RigidScene& scene, const StepData<3>& now,
-                                    RowsOfBodies& meet)
-{
-    std::int64_t evaluated = 0;
-    meet.no_curvature<3>(now.rows.size());
-    for (std::size_t i = 0; i < now.sources.size(); ++i) {
-        if (now.sources[i].of != Source::Of::joint) continue;
-        const auto j = static_cast<std::size_t>(now.sources[i].index);
-        const RowCurvature K =
-            joint_curvature(scene.bodies.x, scene.joints[j], 1e-6 * now.length);
-        meet.set_curvature<3>(static_cast<int>(i), K.a, K.b);
-        ++evaluated;
-    }
-    return evaluated;
-}
+std::int64_t find_curvatures(const RigidScene& scene, const StepData<3>& now,
+                             RowsOfBodies& meet);
 
 }  // namespace rigid

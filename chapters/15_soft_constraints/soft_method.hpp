@@ -3,6 +3,7 @@
 /// of rows.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/14_joints/joint_method.hpp"
 #include "chapters/15_soft_constraints/block_descent.hpp"
 #include "chapters/15_soft_constraints/soft_correction.hpp"
@@ -54,5 +55,15 @@ struct HardExact {
     CoulombSolver<FindFriction> solver;
 };
 //! [method]
+
+// Compiled once, in soft_method.cpp.
+extern template void step(JointedScene&, const StepSettings&,
+                          SoftSweeps<Manifolds>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          PositionSweeps<Manifolds>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          BodyDescent<Manifolds>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&, HardExact<Manifolds>&,
+                          StepData<3>&);
 
 }  // namespace rigid

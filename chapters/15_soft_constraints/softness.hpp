@@ -46,17 +46,7 @@ inline SoftTerms soft_terms(const Softness& how, Real A, Real h)
 
 /// Throws std::invalid_argument, naming the value, unless it makes sense.
 /// \param name  of what is soft: "contacts"
-inline void require_valid(const Softness& how, std::string_view name)
-{
-    if (!(how.frequency > 0))
-        throw std::invalid_argument("the frequency of " + std::string(name) +
-                                    " is " + shortest(how.frequency) +
-                                    " Hz; it must be positive (infinite: hard)");
-    if (!(how.damping_ratio >= 0) || !std::isfinite(how.damping_ratio))
-        throw std::invalid_argument("the damping ratio of " + std::string(name) +
-                                    " is " + shortest(how.damping_ratio) +
-                                    "; it must be zero or positive and finite");
-}
+void require_valid(const Softness& how, std::string_view name);
 
 //! [spring]
 /// The same spring by its stiffness k [N/m] and damping c [N s/m].

@@ -61,14 +61,7 @@ struct LineModes {
 //! [modes]
 
 /// One sweep over the errors of a line: rows as they come, or every second one and then the others.
-inline VecX line_sweep(VecX e, bool coloured)
-{
-    const Index N = e.size();
-    for (Index first = 0; first < (coloured ? 2 : 1); ++first)
-        for (Index i = first; i < N; i += coloured ? 2 : 1)
-            e[i] = ((i > 0 ? e[i - 1] : 0) + (i + 1 < N ? e[i + 1] : 0)) / 2;
-    return e;
-}
+VecX line_sweep(VecX e, bool coloured);
 
 /// A e.
 inline VecX line_residual(const VecX& e)

@@ -2,6 +2,7 @@
 /// The method of this chapter: chapter 13's sweeps with one stage replaced, the solver.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/14_joints/joint_method.hpp"
 #include "chapters/16_wide_sweeps/wide_solver.hpp"
 
@@ -17,5 +18,11 @@ struct WideSweeps {
     WideSolver<3, T, L> solver;
 };
 //! [method]
+
+// Compiled once, in wide_method.cpp.
+extern template void step(JointedScene&, const StepSettings&,
+                          WideSweeps<Manifolds>&, StepData<3>&);
+extern template void step(JointedScene&, const StepSettings&,
+                          WideSweeps<Manifolds, float>&, StepData<3>&);
 
 }  // namespace rigid

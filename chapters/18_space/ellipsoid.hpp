@@ -20,18 +20,8 @@ inline Vec3 lowest_point(const SolidEllipsoid& e, const Vec3& n)
 //! [lowest]
 
 /// Its contact with a wall: a point on the wall and a point of the body, with no radius.
-inline SpaceContact touch_of(const SolidWall& wall, const SolidEllipsoid& e,
-                             const VecX& x)
-{
-    SpaceContact contact;
-    contact.b = e.body;
-    contact.normal = wall.normal;
-    contact.at_b =
-        lowest_point(e, rotation_of(x, e.body).transpose() * wall.normal);
-    const Vec3 p = point_of_solid(x, e.body, contact.at_b);
-    contact.at_a = p - (wall.normal.dot(p) - wall.offset) * wall.normal;
-    return contact;
-}
+SpaceContact touch_of(const SolidWall& wall, const SolidEllipsoid& e,
+                      const VecX& x);
 
 /// All contacts of ellipsoids with walls. Their names are below zero: corners have the
 /// others.

@@ -19,17 +19,7 @@
 namespace rigid {
 
 /// sn, cn and dn of u for the modulus k, 0 ≤ k < 1. \cite abramowitz1964, §16.4
-inline Vec3 jacobi_functions(Real u, Real k)
-{
-    const GeometricMean steps(asin(k));
-    Real phase = std::ldexp(steps.mean() * u, steps.last);
-    for (int n = steps.last; n > 0; --n) {
-        const auto i = static_cast<std::size_t>(n);
-        phase = (phase + asin(steps.c[i] / steps.a[i] * sin(phase))) / 2;
-    }
-    const Real sn = sin(phase);
-    return {sn, cos(phase), std::sqrt(1 - k * k * sn * sn)};
-}
+Vec3 jacobi_functions(Real u, Real k);
 
 //! [exact]
 /// What the energy and the length of the angular momentum say of a free spin; the

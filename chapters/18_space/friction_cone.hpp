@@ -23,22 +23,10 @@ inline Vec2 onto_disc(const Vec2& lambda, Real radius)
 }
 //! [project]
 
-//! [pyramid]
 /// The nearest point of the polygon whose corners lie on the disc's rim, the first
 /// along t₁, (18.47).
 /// \param corners  three or more; 0: all of the disc
-inline Vec2 onto_pyramid(const Vec2& lambda, Real radius, int corners)
-{
-    if (corners == 0) return onto_disc(lambda, radius);
-    const Real half = pi / corners;
-    const Real side = std::floor(atan2(lambda.y(), lambda.x()) / (2 * half));
-    const Real angle = (2 * side + 1) * half;  // to the middle of the nearest side
-    const Vec2 out(cos(angle), sin(angle)), along(-out.y(), out.x());
-    const Real height = radius * cos(half), width = radius * sin(half);
-    if (!(out.dot(lambda) > height)) return lambda;
-    return height * out + std::clamp(along.dot(lambda), -width, width) * along;
-}
-//! [pyramid]
+Vec2 onto_pyramid(const Vec2& lambda, Real radius, int corners);
 
 /// Two rows of one contact, one after the other, that share a disc.
 struct DiscOfRows {

@@ -15,41 +15,12 @@ inline Vec3 frame_along(const Vec3& axis)
     return q.w > 1e-8 ? rotation_vector(q) : Vec3(0, pi, 0);
 }
 
-//! [joint_at]
 /// A joint whose frames lie in one place now: at a point of the world, x along an
 /// axis. All of its coordinates are free.
 /// Throws std::invalid_argument for bodies that are not there, an axis without
 /// direction, a point that is not finite.
-inline SpaceJoint joint_at(const SpaceScene& scene, Index a, Index b,
-                           const Vec3& point, const Vec3& axis = {1, 0, 0})
-{
-    const Index count = scene.bodies.count();
-    if (a < world || a >= count || b < 0 || b >= count || a == b)
-        throw std::invalid_argument(
-            "a joint joins bodies " + std::to_string(a) + " and " +
-            std::to_string(b) + " among " + std::to_string(count) +
-            "; they must be two, and only a may be the world (-1)");
-    if (!point.allFinite() || !axis.allFinite() || !(axis.norm() > 0))
-        throw std::invalid_argument(
-            "the joint of bodies " + std::to_string(a) + " and " +
-            std::to_string(b) +
-            " has a point that is not finite, or an axis without direction");
-    const VecX& x = scene.bodies.x;
-    SpaceJoint joint;
-    joint.a = a, joint.b = b;
-    const Quaternion frame = quaternion_of(frame_along(axis));
-    const auto seen_from = [&](Index k, Vec3& at, Vec3& theta) {
-        const Quaternion q = k == world
-                                 ? Quaternion{}
-                                 : quaternion_of(Vec3(x.segment<3>(6 * k + 3)));
-        at = rotation_matrix(q).transpose() * (point - centre_of(x, k));
-        theta = rotation_vector(Quaternion{q.w, -q.v} * frame);
-    };
-    seen_from(a, joint.at_a, joint.frame_a);
-    seen_from(b, joint.at_b, joint.frame_b);
-    return joint;
-}
-//! [joint_at]
+SpaceJoint joint_at(const SpaceScene& scene, Index a, Index b, const Vec3& point,
+                    const Vec3& axis = {1, 0, 0});
 
 //! [makers]
 /// Two points in one place; every rotation is free.

@@ -2,6 +2,7 @@
 /// Methods of this chapter: the stages of Part I, with 6 in place of 2.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/06_sequential_impulse/impulse_solver.hpp"
 #include "chapters/07_baumgarte/correction.hpp"
 #include "chapters/08_warm_starting/warm_start.hpp"
@@ -69,5 +70,17 @@ inline TouchingCones exact_cones(int rows = 1000)
     return method;
 }
 //! [touching]
+
+// Compiled once, in space_method.cpp.
+extern template void step(SpaceScene&, const StepSettings&, SpaceSweeps&,
+                          StepData<6>&);
+extern template void step(SpaceScene&, const StepSettings&, SpaceExact&,
+                          StepData<6>&);
+extern template void step(SpaceScene&, const StepSettings&, SpaceIslands&,
+                          StepData<6>&);
+extern template void step(SpaceScene&, const StepSettings&, TouchingBoxes&,
+                          StepData<6>&);
+extern template void step(SpaceScene&, const StepSettings&, TouchingCones&,
+                          StepData<6>&);
 
 }  // namespace rigid

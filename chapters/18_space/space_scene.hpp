@@ -115,29 +115,10 @@ struct SpaceScene {
 };
 
 /// Throws std::invalid_argument unless each mesh is one, and no ellipsoid could fall through it.
-inline void require_meshes(const SpaceScene& scene)
-{
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-        if (!scene.meshes[i])
-            throw std::invalid_argument("mesh " + std::to_string(i) +
-                                        " of the scene is none; make it by "
-                                        "triangle_mesh()");
-    if (!scene.meshes.empty() && !scene.ellipsoids.empty())
-        throw std::invalid_argument(
-            "the scene has " + std::to_string(scene.ellipsoids.size()) +
-            " ellipsoids and " + std::to_string(scene.meshes.size()) +
-            " meshes; an ellipsoid touches walls alone");
-}
+void require_meshes(const SpaceScene& scene);
 
 /// From the centroid of a body to the farthest point of its hulls [m].
-inline Real reach_of(const std::vector<Hull>& shape)
-{
-    Real farthest = 0;
-    for (const Hull& hull : shape)
-        for (const Vec3& vertex : hull.vertices)
-            farthest = std::max(farthest, vertex.norm() + hull.radius);
-    return farthest;
-}
+Real reach_of(const std::vector<Hull>& shape);
 
 /// ℓ, as in the plane (chapter 11).
 inline Real typical_length(const SpaceScene& scene)
@@ -147,7 +128,6 @@ inline Real typical_length(const SpaceScene& scene)
     });
 }
 
-//! [add_body]
 /// Adds a body. Its shape is moved and turned into its centroid and its principal
 /// axes, its rotation so that it lies as it was given.
 /// \param solid  mass, centroid and inertia in the axes of the shape; the mass zero
@@ -156,40 +136,8 @@ inline Real typical_length(const SpaceScene& scene)
 /// \param theta  rotation vector of the shape's axes
 /// \return       its number
 /// Throws std::invalid_argument for a mass or an inertia that no body has.
-inline Index add_body(SpaceScene& scene, std::vector<Hull> shape,
-                      const SolidMass& solid, const Vec3& at,
-                      const Vec3& theta = {0, 0, 0})
-{
-    if (!(solid.mass >= 0) || !std::isfinite(solid.mass))
-        throw std::invalid_argument(
-            "a body has the mass " + shortest(solid.mass) +
-            " kg; it must be positive, or zero (it cannot move)");
-    if (!at.allFinite() || !theta.allFinite() || !solid.centroid.allFinite())
-        throw std::invalid_argument("a body has a position, a rotation or a "
-                                    "centroid that is not finite");
-    const bool moves = solid.mass > 0;
-    PrincipalAxes principal;
-    if (moves) {
-        principal = principal_axes(solid.inertia);
-        require_moments(principal.moments);
-    }
-    for (Hull& hull : shape)
-        for (Vec3& vertex : hull.vertices)
-            vertex = principal.axes.transpose() * (vertex - solid.centroid);
-    const Index k = scene.bodies.count();
-    scene.bodies.resize(k + 1);
-    scene.bodies.position(k) << at + rotation_matrix(theta) * solid.centroid,
-        add_rotation(theta, rotation_vector(principal.axes));
-    auto inverse = scene.bodies.inverse_mass.segment<6>(6 * k);
-    inverse.setZero();
-    if (moves) {
-        inverse.head<3>().setConstant(1 / solid.mass);
-        inverse.tail<3>() = principal.moments.cwiseInverse();
-    }
-    scene.shapes.push_back(std::move(shape));
-    return k;
-}
-//! [add_body]
+Index add_body(SpaceScene& scene, std::vector<Hull> shape, const SolidMass& solid,
+               const Vec3& at, const Vec3& theta = {0, 0, 0});
 
 /// Adds a uniform body of the given density [kg/m³].
 inline Index add_body(SpaceScene& scene, const std::vector<Hull>& shape,
@@ -199,14 +147,6 @@ inline Index add_body(SpaceScene& scene, const std::vector<Hull>& shape,
 }
 
 /// Kinetic and potential energy of the bodies that can move [J].
-inline Real energy(const SpaceScene& scene)
-{
-    Real sum = kinetic_energy(scene.bodies);
-    for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.can_move(k))
-            sum -= scene.gravity.dot(centre_of(scene.bodies.x, k)) /
-                   scene.bodies.inverse_mass[6 * k];
-    return sum;
-}
+Real energy(const SpaceScene& scene);
 
 }  // namespace rigid

@@ -8,20 +8,9 @@
 
 namespace rigid {
 
-//! [table]
 /// The top of section 18.A without its joint: the tip is a point that stands on a
 /// floor, and friction holds it.
-inline SpaceScene top_on_table(const TopShape& top, Real mu)
-{
-    SpaceScene scene = spinning_top(top);
-    scene.joints.clear();
-    // the pin as a line: it ends in the tip, and not in a ball around it
-    scene.shapes[0][0].radius = 0;
-    scene.length = 0.1;
-    add_floor(scene, mu);
-    return scene;
-}
-//! [table]
+SpaceScene top_on_table(const TopShape& top, Real mu);
 
 //! [low_ball]
 /// A ball whose centroid is below its centre, and which spins about the vertical.

@@ -94,32 +94,7 @@ inline Vec3 spin_in_turned_axes(const Vec3& inertia, const Vec3& omega,
 /// The three ways, and the first of them with the angular momentum put right afterwards.
 enum class Tumbling { explicit_term, implicit_term, momentum_kept, middle };
 
-//! [tumble]
 /// One step of a free body: its rotation θ, and ω in its axes.
-inline void tumble(Tumbling way, const Vec3& inertia, Real h, Vec3& theta,
-                   Vec3& omega)
-{
-    Vec3 turn;
-    switch (way) {
-    case Tumbling::explicit_term:
-        omega = explicit_spin(inertia, omega, h);
-        turn = h * omega;
-        break;
-    case Tumbling::implicit_term:
-        omega = implicit_spin(inertia, omega, h);
-        turn = h * omega;
-        break;
-    case Tumbling::momentum_kept:
-        turn = h * omega;
-        omega = spin_in_turned_axes(inertia, omega, turn);
-        break;
-    case Tumbling::middle:
-        turn = turn_through_the_middle(inertia, omega, h);
-        omega = spin_in_turned_axes(inertia, omega, turn);
-        break;
-    }
-    theta = add_rotation(theta, turn);
-}
-//! [tumble]
+void tumble(Tumbling way, const Vec3& inertia, Real h, Vec3& theta, Vec3& omega);
 
 }  // namespace rigid

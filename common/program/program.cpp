@@ -3,7 +3,18 @@
 #include <new>
 #include <stdexcept>
 
+template class std::vector<rigid::Tunable>;
+template class std::vector<rigid::Column>;
+template class std::vector<rigid::Demo>;
+
 namespace rigid {
+
+Demo::Demo() = default;
+Demo::Demo(const Demo&) = default;
+Demo::Demo(Demo&&) noexcept = default;
+Demo& Demo::operator=(const Demo&) = default;
+Demo& Demo::operator=(Demo&&) noexcept = default;
+Demo::~Demo() = default;
 
 Settings default_settings(const Demo& scene)
 {

@@ -123,6 +123,14 @@ struct Demo {
     std::vector<std::string> side_by_side;
     /// Throws std::invalid_argument with a sentence for settings that make no sense.
     std::function<std::unique_ptr<Run>(const Settings&)> start;
+
+    // Scenes are made and handed on in each program: what that takes is compiled once, in program.cpp.
+    Demo();
+    Demo(const Demo&);
+    Demo(Demo&&) noexcept;
+    Demo& operator=(const Demo&);
+    Demo& operator=(Demo&&) noexcept;
+    ~Demo();
 };
 
 inline constexpr std::size_t most_panes = 4;  ///< methods side by side in a window
@@ -136,6 +144,14 @@ struct Program {
     std::function<int(const std::string& file, const std::string& method)> solve_problem;
     std::vector<std::string> problem_methods;
 };
+
+}  // namespace rigid
+
+extern template class std::vector<rigid::Tunable>;
+extern template class std::vector<rigid::Column>;
+extern template class std::vector<rigid::Demo>;
+
+namespace rigid {
 
 /// The whole of main(): returns the exit code (0 well, 2 bad input, 3 a run that couldn't go on, or an output that
 /// couldn't be written). The program is made inside, so that what is thrown on the way becomes a sentence too.

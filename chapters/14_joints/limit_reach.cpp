@@ -1,0 +1,91 @@
+// The functions of limit_reach.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/14_joints/limit_reach.hpp"
+
+namespace rigid {
+
+void LimitReach::look(const JointedScene& scene, const StepSettings& settings,
+                      const StepData<3>& now)
+{
+    h_ = settings.h;
+    margin_ = settings.margin;
+    length_ = now.length;
+    fall_ = settings.h * scene.gravity.norm();
+    const bool any = std::any_of(
+        now.sources.begin(), now.sources.end(), [&](const Source& source) {
+            return source.of == Source::Of::joint &&
+                   is_limit(scene.joints[static_cast<std::size_t>(source.index)]);
+        });
+    if (any) find_fastest(scene, now);
+}
+
+//! [far]
+bool LimitReach::is_far(const JointedScene& scene, std::size_t j)
+{
+    const PointJoint& joint = scene.joints[j];
+    if (!is_limit(joint)) return false;
+    const Constraint<3> c = joint_constraint(scene.bodies.x, joint);
+    const Row<3> row = unilateral(c, scene.bodies.inverse_mass);
+    const bool turns = is_of_angles(joint);
+    const Real lever = turns ? shorter_lever(scene, joint) : 1,
+               margin = margin_ * (turns ? 1 : length_),
+               own = std::abs(row.velocity(scene.bodies.u)),
+               blow = (fastest(joint) + fall_) / lever;
+    return c.C > margin + 2 * h_ * (own + blow);
+}
+//! [far]
+
+Real LimitReach::shorter_lever(const RigidScene& scene,
+                               const PointJoint& joint) const
+{
+    Real least = infinity;
+    for (const Index k : {joint.a, joint.b})
+        if (k != world)
+            if (const Real R = farthest_point(scene, k); R > 0)
+                least = std::min(least, R);
+    return std::isfinite(least) ? least : length_;
+}
+
+//! [fastest]
+void LimitReach::find_fastest(const JointedScene& scene, const StepData<3>& now)
+{
+    const Bodies<3>& bodies = scene.bodies;
+    above_.resize(static_cast<std::size_t>(bodies.count()));
+    speed_.resize(above_.size());
+    const auto for_each_pair = [&](const auto& visit) {
+        for (const Source& source : now.sources) {
+            const auto i = static_cast<std::size_t>(source.index);
+            if (source.of == Source::Of::contact)
+                visit(now.contacts[i].a, now.contacts[i].b);
+            if (source.of == Source::Of::joint)
+                visit(scene.joints[i].a, scene.joints[i].b);
+        }
+    };
+    for_each_pair([&](Index a, Index b) {
+        for (const Index k : {a, b})
+            if (k != world) at(above_, k) = static_cast<int>(k), at(speed_, k) = 0;
+    });
+    for_each_pair([&](Index a, Index b) {
+        if (bodies.can_move(a) && bodies.can_move(b))
+            unite(above_, static_cast<int>(a), static_cast<int>(b));
+    });
+    for_each_pair([&](Index a, Index b) {
+        Real faster = 0;
+        for (const Index k : {a, b})
+            if (k != world) {
+                const Vec<3> u = bodies.velocity(k);
+                faster =
+                    std::max(faster, u.head<2>().norm() +
+                                         std::abs(u[2]) * farthest_point(scene, k));
+            }
+        for (const Index k : {a, b})
+            if (k != world) {
+                Real& V = of_island(k);
+                V = std::max(V, faster);
+            }
+    });
+}
+//! [fastest]
+
+}  // namespace rigid
