@@ -1,7 +1,7 @@
 /// Chapter 17: heaps that move, by small steps of their own.
 
-#include "chapters/13_friction/friction_method.hpp"
-#include "chapters/13_friction/rough_scenes.hpp"
+#include "chapters/12_contact_manifolds/stacks.hpp"
+#include "chapters/13_friction/friction_problems.hpp"
 #include "chapters/17_engine/island_choice.hpp"
 #include "chapters/17_engine/moving_worlds.hpp"
 #include "chapters/17_engine/world.hpp"
@@ -69,8 +69,8 @@ TEST_CASE("two heaps that meet in the air keep their momentum and gain no energy
         Random random(3);
         for (const Real side : {-1.0, 1.0})
             for (int i = 0; i < 36; ++i) {
-                BodyDefinition body =
-                    body_of(i % 2 ? disc(0.4) : box(0.8, 0.8), {side * (2.5 + 0.85 * (i / 6)), 0.85 * (i % 6)});
+                BodyDefinition body = body_of(i % 2 ? disc(0.4) : box(0.8, 0.8),
+                                              {side * (2.5 + 0.85 * (i / 6)), 0.85 * (i % 6)});
                 body.velocity = {-3 * side, random.uniform(-0.1, 0.1)};
                 engine.add_body(body);
             }
@@ -108,8 +108,7 @@ TEST_CASE("a heap on a belt is taken along by small steps too", "[idea]")
         stepped += engine.work().stepped;
     }
     CHECK(stepped > 60);
-    for (const BodyId id : boxes)
-        CHECK(std::abs(engine.velocity(id).x()) == Approx(1).margin(1e-3));
+    for (const BodyId id : boxes) CHECK(std::abs(engine.velocity(id).x()) == Approx(1).margin(1e-3));
 }
 
 TEST_CASE("small steps in lanes are those of one row after the other", "[house]")
@@ -157,7 +156,8 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
                                          -how.fastest * now.length);
             }
             const auto [lo, hi] = bounds_of(row, lambda);
-            const Real next = std::clamp(lambda[i] - row.velocity(theirs.u) / row.inverse_effective_mass(), lo, hi);
+            const Real next =
+                std::clamp(lambda[i] - row.velocity(theirs.u) / row.inverse_effective_mass(), lo, hi);
             row.apply(next - lambda[i], theirs.u);
             lambda[i] = next;
         }

@@ -118,6 +118,7 @@ std::string sentence(const RowsAnswer& answer)
            " m/s";
 }
 
+template class RowsSolver<1>;
 template class RowsSolver<2>;
 template class RowsSolver<3>;
 template class RowsSolver<6>;

@@ -85,6 +85,7 @@ private:
 };
 
 // Compiled once, in solve_rows.cpp.
+extern template class RowsSolver<1>;
 extern template class RowsSolver<2>;
 extern template class RowsSolver<3>;
 extern template class RowsSolver<6>;

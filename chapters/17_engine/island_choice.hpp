@@ -4,6 +4,7 @@
 ///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
 ///                          │      └─ as it was?              the impulses of the step before
 ///                          ├─ joints that sweeps would lose  trees of joints, and sweeps above them        (chapter 14)
+///                          ├─ a heap that moves               small steps of its own, in lanes              (chapters 8, 16)
 ///                          ├─ many rows                       sweeps in lanes until the residual is small   (chapter 16)
 ///                          └─ all others                      sweeps until the residual is small            (chapter 10)
 ///                                 └─ not small enough?        exact, if it may be                           (the rescue)

@@ -3,7 +3,8 @@
 ///
 ///     it stands, or has few rows         exactly, or by sweeps until r ≤ tolerance ℓ
 ///     it moves, with joints              by up to a thousand sweeps, until r ≤ tolerance ℓ
-///     it moves, a heap                   roughly:  r ≤ g h / 30,  g h the most that this step's forces give one of its bodies     (17.5)
+///     it moves, a heap                   by small steps of its own; where something bounces, roughly:  r ≤ g h / 30        (17.5)
+///                                        g h the most that this step's forces give one of its bodies
 ///
 /// What moves has another λ in each step, and an error of one step is no error of the next; but a limit that is missed bends a
 /// knee. Joints that sweeps would lose are held exactly all the same: they cost O(n), but for the loops that they close.
