@@ -20,6 +20,7 @@ import demos  # noqa: E402
 import finish_html  # noqa: E402
 import make_index  # noqa: E402
 import print_pages  # noqa: E402
+import put_table  # noqa: E402
 import search_texts  # noqa: E402
 import sentences  # noqa: E402
 from finish_html import finish  # noqa: E402
@@ -565,6 +566,47 @@ class Snippets(Folder):
         self.assertIn("small.cpp has no functions 'two()' to quote", self.stale())
         self.change("chapters/01_euler/README.md", "small.cpp two()", "small.cpp changed:one()")
         self.assertIn("does not begin with the chapter that it grew from", self.stale())
+
+
+class Tables(Folder):
+    """Measured tables stand where their mark or their caption is."""
+
+    PAGE = "chapters/02_constraints/README.md"
+    MARK = "<!-- table: benchmark/times.csv ms -->"
+    NEW = ["| world | ms |", "|---|---|", "| pile | 4.1 |"]
+
+    def setUp(self):
+        super().setUp()
+        self.page = self.root / self.PAGE
+        self.add(f"{self.MARK}\n\n| old |\n|---|\n| 1 |\n\n<!-- /table -->\n\n| old |\n|---|\n| 2 |\n\n**Table 2.1.** Two.", self.PAGE)
+
+    def test_a_table_is_put_between_its_marks_or_above_its_caption(self):
+        tables = {self.MARK: self.NEW, "**Table 2.1.**": self.NEW}
+        self.assertEqual(put_table.stale(self.page, tables), list(tables))
+        put_table.put_all(self.page, tables)
+        self.assertEqual(put_table.stale(self.page, tables), [])
+        self.assertEqual(self.read(self.PAGE).count("\n".join(["", "", *self.NEW, "", ""])), 2)
+        self.assertNotIn("old", self.read(self.PAGE))
+
+    def test_a_number_that_is_typed_is_stale(self):
+        put_table.put_all(self.page, {self.MARK: self.NEW})
+        self.change(self.PAGE, "4.1", "4.0")
+        self.assertEqual(put_table.stale(self.page, {self.MARK: self.NEW}), [self.MARK])
+
+    def test_a_mark_that_is_missing_twice_there_or_without_end(self):
+        for old, new, words in ((self.MARK, "", "stands 0 times"), (self.MARK, f"{self.MARK}\n{self.MARK}", "stands 2 times"),
+                                ("<!-- /table -->", "", "has no end"), ("<!-- /table -->", "<!-- table: a b -->", "has no end")):
+            text = self.read(self.PAGE)
+            self.change(self.PAGE, old, new)
+            with self.assertRaisesRegex(SystemExit, words):
+                put_table.put_all(self.page, {self.MARK: self.NEW})
+            self.write(self.PAGE, text)
+
+    def test_a_file_of_a_benchmark_begins_with_the_machine(self):
+        self.write("run.csv", '2026\nRun on (2 X)\nname,iterations,"ms_all"\n"pile/book",1,4.1\n')
+        self.assertEqual(put_table.benchmark_rows(self.root / "run.csv"), [{"name": "pile/book", "iterations": "1", "ms_all": "4.1"}])
+        with self.assertRaisesRegex(SystemExit, "is no CSV of Google Benchmark"):
+            put_table.benchmark_rows(self.root / "chapters/01_euler/step.hpp")
 
 
 class Filter(Folder):

@@ -8,14 +8,13 @@ error of a length or a gap, the same in the second half of the steps, the drift 
 What is right to 0.001 mm counts as right: floats of metres hold no more.
 """
 
-import csv
 import math
 import pathlib
 import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "docs" / "tools"))
-from put_table import put_all  # noqa: E402
+from put_table import benchmark_rows, put_all  # noqa: E402
 
 PEERS = ("box2d", "chipmunk")
 #              what both sides have, ours from fast to slow, the end of the engines' names
@@ -38,10 +37,7 @@ class Run:
 def read(file):
     """scene → who → run, in the order of the file."""
     scenes = {}
-    with open(file, newline="", encoding="utf-8") as stream:
-        lines = list(stream)
-    first = next(i for i, line in enumerate(lines) if line.startswith("name,"))
-    for row in csv.DictReader(lines[first:]):
+    for row in benchmark_rows(file):
         part = row["name"].split("/")
         if part[0] == "engines":
             scenes.setdefault(part[1], {})[part[2]] = Run(row)

@@ -4,12 +4,11 @@
     make_table.py CSV README     puts it where it stands in the text
 """
 
-import csv
 import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "docs" / "tools"))
-from put_table import put_all  # noqa: E402
+from put_table import benchmark_rows, put_all  # noqa: E402
 
 WHO = {"ours": "this chapter", "box2d": "Box2D 2.4", "box2d_small": "8 small steps", "chipmunk": "Chipmunk 7",
        "chipmunk_small": "8 small steps"}
@@ -18,11 +17,8 @@ MS = {"us": 1e-3, "ms": 1, "ns": 1e-6}
 
 def read(file):
     """(kind, who, discs) → its row with the least time [ms]."""
-    with open(file, newline="", encoding="utf-8") as stream:
-        lines = list(stream)
-    first = next(i for i, line in enumerate(lines) if line.startswith("name,"))
     found = {}
-    for row in csv.DictReader(lines[first:]):
+    for row in benchmark_rows(file):
         part = row["name"].split("/")
         if part[0] not in ("pile", "rain") or part[-1].endswith(("_mean", "_median", "_stddev", "_cv")):
             continue
