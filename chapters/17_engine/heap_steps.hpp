@@ -16,13 +16,23 @@ namespace rigid {
 
 //! [settings]
 struct HeapSteps {
-    int count = 8;     ///< K, in each sub-step of the world
+    int least = 8;     ///< K, in a step of the world, at least
     int visits = 2;    ///< of each row in a small step, before bodies move
+    int substeps = 1;  ///< of the world
     Real beta = 0.4;   ///< part of an overlap that a small step takes back
     Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
     Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
     /// of each body: the same, at most [m]; empty = slop
     std::vector<Real> slops;
+
+    /// K in a sub-step: so many that in a step of the world an impulse gets from the
+    /// ground to the farthest body.
+    /// \param length  N, of the island
+    int count(int length) const
+    {
+        const int needed = (length + visits) / (visits + 1);
+        return 1 + (std::max(least, needed) - 1) / substeps;
+    }
 
     /// s/2 of a contact [m]
     Real left_alone(const Constraint<3>& c, Real length) const
@@ -62,13 +72,13 @@ public:
 
     //! [small_steps]
     /// A sub-step of the world; u and λ of the part are changed.
+    /// \param count        K
     /// \param constraints  of the step; those of the part are all of contacts
-    void operator()(const HeapSteps& how,
+    void operator()(const HeapSteps& how, int count,
                     const std::vector<Constraint<3>>& constraints, StepPart& part,
                     const Bundles& bundles, Wide& wide)
     {
         StepData<3>& now = part.now;
-        const int count = how.count;
         const Real h = now.h / count;
         now.solution.lambda /= count;
         clamp_start(now.rows, now.solution.lambda);

@@ -133,7 +133,7 @@ private:
         const Real late = tolerance * now.length / 2;
         WideIsland* lanes = wide.find(i);
         if (lanes && is_heap(i, now) && !bounces(all.islands.rows_of(i), now)) {
-            lanes->small_steps(heaps, bodies, now);
+            lanes->small_steps(heaps, note, bodies, now);
             return;
         }
         if (ExactIsland* one = exactly.find(i)) {

@@ -77,6 +77,7 @@ struct IslandNote {
     bool joined = false;        ///< by joints
     bool large = false;         ///< where it moves it is not like what stands
     bool moves = false;         ///< it is large, and does not stand
+    int length = 0;             ///< N
     int sweeps = 0;             ///< where it is swept, at most
     std::int64_t to_stand = 0;  ///< entries that sweeps may cost where it stands
     Real enough = 0;            ///< a residual below this is none [m/s]
@@ -158,6 +159,7 @@ private:
         const IslandShape shape = survey_(bodies, now.rows, islands.rows_of(island),
                                           islands.bodies_of(island));
         note.joined = shape.has_joints();
+        note.length = shape.length;
         note.large = solving == Solving::by_island && shape.bounded > rule.always;
         note.moves = note.large && moves(island, bodies, now);
         const bool fits = shape.price_of_loops() <= static_cast<Real>(rule.entries);

@@ -60,11 +60,13 @@ struct WideIsland {
     }
     //! [wide]
 
-    void small_steps(const HeapSteps& how, Bodies<3>& bodies, StepData<3>& now)
+    void small_steps(const HeapSteps& how, const IslandNote& note,
+                     Bodies<3>& bodies, StepData<3>& now)
     {
         part.gather(bodies, now);
         solver.begin(part.local, part.now);
-        heap(how, now.constraints, part, solver.bundles, solver.wide);
+        heap(how, how.count(note.length), now.constraints, part, solver.bundles,
+             solver.wide);
         part.scatter(bodies, now);
         stepped = true;
     }

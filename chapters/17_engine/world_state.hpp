@@ -197,8 +197,7 @@ struct EngineState {
         method.correction.slop = settings.slop;
         method.correction.push_sweeps = settings.sweeps;
         IslandChoice& solver = method.solver;
-        // eight small steps a step of the world, however many sub-steps it has
-        solver.heaps.count = 1 + (HeapSteps{}.count - 1) / settings.substeps;
+        solver.heaps.substeps = settings.substeps;
         solver.heaps.slop = settings.slop;
         solver.solving = settings.solving;
         solver.tolerance = settings.tolerance;
