@@ -65,7 +65,9 @@ struct Hung {
         rod = engine.add_body(body);
         RigidJoint how = engine.joint_at(kind, {}, rod, {0, 0});
         if (kind == JointKind::distance || kind == JointKind::rope) {
-            how = RigidJoint{.kind = kind, .length = 0.5};
+            how = RigidJoint{};
+            how.kind = kind;
+            how.length = 0.5;
         }
         turn(how);
         joint = engine.add_joint({}, rod, how);

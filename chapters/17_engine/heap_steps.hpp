@@ -37,11 +37,11 @@ struct HeapSteps {
     /// s/2 of a contact [m]
     Real left_alone(const Constraint<3>& c, Real length) const
     {
-        Real least = slop * length;
+        Real left = slop * length;
         for (const Index k : {c.a, c.b})
             if (k != world && k < static_cast<Index>(slops.size()))
-                least = std::min(least, slops[static_cast<std::size_t>(k)]);
-        return least / 2;
+                left = std::min(left, slops[static_cast<std::size_t>(k)]);
+        return left / 2;
     }
 };
 //! [settings]
