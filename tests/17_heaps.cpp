@@ -139,6 +139,8 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
     now.same_rows = now.same_bodies = false;
     now.u_star = scene.bodies.u;
     for (const int k : now.active) now.u_star[3 * k + 1] -= 9.81 * frame;
+    for (std::size_t i = 0; i < now.constraints.size(); ++i)  // some gaps, some overlaps that are pushed out
+        if (has_error(now.constraints[i].kind)) now.constraints[i].C += i % 8 < 4 ? -0.02 : 0.005;
     IslandChoice choice;
     Bodies<3> ours = scene.bodies;
     StepData<3> found = now;
