@@ -44,7 +44,11 @@ if(PROCESSOR MATCHES "^(x86_64|AMD64)$")
   # not optimised: whether it builds is all that is asked
   execute_process(COMMAND ${configure} "-DCMAKE_CXX_FLAGS=-mavx" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=
                           -B ${folder}/avx OUTPUT_QUIET ERROR_QUIET)
-  execute_process(COMMAND ${CMAKE_COMMAND} --build ${folder}/avx RESULT_VARIABLE code OUTPUT_VARIABLE refusal
+  set(what)
+  if(WAY STREQUAL "a subdirectory" AND GENERATOR STREQUAL Ninja)   # the program's objects: the physics has been compiled
+    set(what --target CMakeFiles/my_program.dir/main.cpp.o CMakeFiles/my_world.dir/world.cpp.o rigid_base)
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${folder}/avx ${what} RESULT_VARIABLE code OUTPUT_VARIABLE refusal
                   ERROR_VARIABLE refusal)
   if(WAY STREQUAL "an installed copy")
     string(REGEX MATCH "compile both for the same instruction set" sentence "${refusal}")
