@@ -3,13 +3,15 @@
 
 #include "chapters/12_contact_manifolds/fast_bodies.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 namespace rigid {
 
 //! [fast]
 void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                       const StepData<3>& now, const PlacedShapes& placed,
-                      const ChainEdges& edges,
-                      const std::function<bool(int, int)>& may_touch,
+                      const ChainEdges& edges, const PairFinder& finder,
                       FastBodies& fast)
 {
     const VecX& x_found = now.x_found;
@@ -22,33 +24,41 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     const auto inner_of = [&](int k) {
         return inner_radius(placed.of(k), x_found.segment<2>(3 * k));
     };
+    const auto how_far = [](const MovingShape& m) {
+        const Vec<3> way = m.way();
+        if (way.isZero(0)) return Real{0};
+        return hypot(way[0], way[1]) + std::abs(way[2]) * turning_radius(*m.shape);
+    };
     fast.bodies.clear();
     fast.impacts = fast.rounds = 0;
     for (const int k : now.active) {
-        const MovingShape m = motion(k);
-        const Vec<3> way = m.way();
-        const Real far =
-            hypot(way[0], way[1]) + std::abs(way[2]) * turning_radius(*m.shape);
         const auto at = static_cast<std::size_t>(k);
         const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
-        if (far > 0.5 * inner_of(k) && !goes_on) fast.bodies.push_back(k);
+        if (how_far(motion(k)) > 0.5 * inner_of(k) && !goes_on)
+            fast.bodies.push_back(k);
     }
     if (fast.bodies.empty()) return;
     fast.is_fast.assign(static_cast<std::size_t>(K), 0);
     for (const int k : fast.bodies) fast.is_fast[static_cast<std::size_t>(k)] = 1;
 
     // all that a body can reach on its way, however it turns
-    fast.inner.clear();
-    fast.swept.clear();
-    for (int k = 0; k < K; ++k) {
-        fast.inner.push_back(inner_of(k));
+    const auto reached = [&](int k) {
         const MovingShape m = motion(k);
         const Vec2 from = m.from.head<2>(), to = m.to.head<2>();
-        fast.swept.push_back(
-            grown(Box{from.cwiseMin(to), from.cwiseMax(to)},
-                  turning_radius(*m.shape) + m.shape->radius + margin));
-    }
+        return grown(Box{from.cwiseMin(to), from.cwiseMax(to)},
+                     turning_radius(*m.shape) + m.shape->radius + margin);
+    };
+    Real others_move = 0;  // at most [m]
+    for (int k = 0; k < K; ++k)
+        if (!fast.is_fast[static_cast<std::size_t>(k)])
+            others_move = std::max(others_move, how_far(motion(k)));
+    fast.inner.assign(static_cast<std::size_t>(K), 0);
     fast.part.assign(static_cast<std::size_t>(K), 1);
+    fast.swept.clear();
+    for (const int k : fast.bodies) {
+        fast.inner[static_cast<std::size_t>(k)] = inner_of(k);
+        fast.swept.push_back(reached(k));
+    }
     const auto hold = [&](int k, const Impact& impact) {
         Real& part = fast.part[static_cast<std::size_t>(k)];
         if (impact.hit) part = std::min(part, impact.part);
@@ -105,11 +115,6 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         if (near.close) inner = inner_at_edge(moving, edge, inner);
         return first_impact(other, moving, inner, inner > 0);
     };
-    const auto may_meet = [&](int a, int b) {
-        return overlap(fast.swept[static_cast<std::size_t>(a)],
-                       fast.swept[static_cast<std::size_t>(b)]) &&
-               may_touch(a, b);
-    };
     // what slides over a seam does not catch on it, (12.13)
     const auto is_hidden = [&](const MovingShape& moving, Real inner, int b,
                                Real part) {
@@ -122,30 +127,34 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         return all_hidden(m, false, [&](const Vec2& p, const Vec2& n) {
             for (const HalfSpace& wall : scene.walls)
                 if (hides(wall, shape, p, n, flush)) return true;
-            for (int c = 0; c < K; ++c)
-                if (c != b && !edges.has(c) && stands(scene, c) &&
-                    may_touch(static_cast<int>(moving.shape - &scene.shapes[0]),
-                              c) &&
-                    overlap(box, box_of(placed.of(c))) &&
-                    hides(placed.of(c), shape, p, n, flush))
-                    return true;
-            return false;
+            bool hidden = false;
+            finder.near(box, [&](int c) {
+                hidden =
+                    hidden ||
+                    (c != b && !edges.has(c) && stands(scene, c) &&
+                     finder.may_touch(
+                         static_cast<int>(moving.shape - &scene.shapes[0]), c) &&
+                     overlap(box, box_of(placed.of(c))) &&
+                     hides(placed.of(c), shape, p, n, flush));
+            });
+            return hidden;
         });
     };
-    for (const int a : fast.bodies) {
+    for (std::size_t i = 0; i < fast.bodies.size(); ++i) {
+        const int a = fast.bodies[i];
         const MovingShape moving = motion(a);
         const Real inner_a = fast.inner[static_cast<std::size_t>(a)];
-        for (int b = 0; b < K; ++b) {
-            if (fast.is_fast[static_cast<std::size_t>(b)] || !may_meet(a, b))
-                continue;
-            const Real inner_b = fast.inner[static_cast<std::size_t>(b)];
+        finder.near(grown(fast.swept[i], others_move), [&](int b) {
+            if (fast.is_fast[static_cast<std::size_t>(b)] ||
+                !overlap(fast.swept[i], reached(b)) || !finder.may_touch(a, b))
+                return;
             if (edges.has(b)) {  // only what comes from before it
                 if (!is_behind(placed.of(b), moving.from.head<2>()))
                     hold(a,
                          impact_on_edge(motion(b), moving, placed.of(b), inner_a));
-                continue;
+                return;
             }
-            const Real inner = std::max(inner_a, inner_b);
+            const Real inner = std::max(inner_a, inner_of(b));
             Impact impact = first_impact(motion(b), moving, inner);
             if (impact.hit && is_hidden(moving, inner_a, b, impact.part)) {
                 impact = time_of_impact(motion(b), moving, -inner / 2, inner / 16,
@@ -153,11 +162,22 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                 fast.rounds += impact.rounds;
             }
             hold(a, impact);
-        }
+        });
         for (const HalfSpace& wall : scene.walls)
             hold(a, impact_on_wall(wall, moving, inner_a));
     }
-    stop_each_other(motion, may_meet, first_impact, fast);
+    fast.pairs.clear();
+    fast.sweep.order.clear();  // of other bodies
+    overlapping_pairs(fast.swept, fast.sweep, [&](int i, int j) {
+        const int a = fast.bodies[static_cast<std::size_t>(i)],
+                  b = fast.bodies[static_cast<std::size_t>(j)];
+        if (finder.may_touch(a, b)) fast.pairs.emplace_back(a, b);
+    });
+    std::sort(fast.pairs.begin(), fast.pairs.end(),
+              [](const auto& p, const auto& q) {
+                  return std::tie(p.second, p.first) < std::tie(q.second, q.first);
+              });
+    stop_each_other(motion, first_impact, fast);
     put_back(scene.bodies, settings.h, now.rows, motion, fast);
 }
 //! [fast]

@@ -15,10 +15,9 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/12_contact_manifolds/chains.hpp"
 #include "chapters/12_contact_manifolds/flush_faces.hpp"
+#include "chapters/12_contact_manifolds/pair_finder.hpp"
 #include "chapters/12_contact_manifolds/stop_each_other.hpp"
 #include "common/elementary.hpp"
-
-#include <functional>
 
 namespace rigid {
 
@@ -34,11 +33,12 @@ struct FastBodies {
     int impacts = 0;          ///< of those, stopped on their way
     int rounds = 0;           ///< distances computed
     std::vector<Real> part;   ///< of the way that each of them goes
-    std::vector<Box> swept;
+    std::vector<Box> swept;   ///< of each of them: all that it can reach
     std::vector<char> is_fast;
     std::vector<char> is_held;  ///< 1: a row of the step acts on the body
-    std::vector<Real> inner;    ///< inner radii [m]
+    std::vector<Real> inner;    ///< their inner radii [m]
     std::vector<std::pair<int, int>> pairs;  ///< of fast bodies that may meet
+    BoxSweep sweep;
     ImpactMemory memory;
 };
 
@@ -86,11 +86,10 @@ void put_back(Bodies<3>& bodies, Real h, const std::vector<Row<3>>& rows,
 /// \param placed     the shapes at now.x_found
 /// \param edges      of chains: what slides over them is close to the next one when
 ///                   it gets there, and goes on until it is too deep
-/// \param may_touch  whether two bodies may
+/// \param finder     of the pairs at now.x_found
 void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                       const StepData<3>& now, const PlacedShapes& placed,
-                      const ChainEdges& edges,
-                      const std::function<bool(int, int)>& may_touch,
+                      const ChainEdges& edges, const PairFinder& finder,
                       FastBodies& fast);
 
 }  // namespace rigid

@@ -95,9 +95,7 @@ struct Manifolds {
         fast.have_rows = ahead > 0;
         fast.seams = seams.look;
         if (fast.stop)
-            stop_fast_bodies(
-                scene, settings, now, placed, edges,
-                [this](int a, int b) { return finder.may_touch(a, b); }, fast);
+            stop_fast_bodies(scene, settings, now, placed, edges, finder, fast);
     }
     //! [stage]
 

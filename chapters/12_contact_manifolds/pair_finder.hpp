@@ -64,6 +64,18 @@ struct PairFinder {
     void find(const RigidScene& scene, const PlacedShapes& placed, Real margin,
               std::span<const int> looking);
 
+    /// Calls visit(k) for each body whose box, as the last call found it, overlaps.
+    template <class Visit>
+    void near(const Box& box, const Visit& visit) const
+    {
+        if (searched_ == PairSearch::tree) {
+            tree.overlapping(box, visit);
+            return;
+        }
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+            if (overlap(box, boxes[k])) visit(static_cast<int>(k));
+    }
+
 private:
     std::vector<int> movers_;
     Real margin_ = 0;  ///< of the boxes [m]

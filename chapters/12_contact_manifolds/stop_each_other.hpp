@@ -30,15 +30,11 @@ Impact impact_of_two(const Moving& a, Real part_a, const Moving& b, Real part_b,
 
 /// Fast bodies in pairs, until none stops any earlier. After 20 rounds all of them
 /// stay where they were: nothing can have gone through anything then.
-template <class Motion, class MayMeet, class FirstImpact, class Fast>
-void stop_each_other(const Motion& motion, const MayMeet& may_meet,
-                     const FirstImpact& first_impact, Fast& fast)
+/// \param fast  with the pairs that may meet
+template <class Motion, class FirstImpact, class Fast>
+void stop_each_other(const Motion& motion, const FirstImpact& first_impact,
+                     Fast& fast)
 {
-    fast.pairs.clear();
-    for (std::size_t i = 0; i < fast.bodies.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (may_meet(fast.bodies[j], fast.bodies[i]))
-                fast.pairs.emplace_back(fast.bodies[j], fast.bodies[i]);
     bool earlier = !fast.pairs.empty();
     for (int round = 0; earlier; ++round) {
         if (round == 20) {

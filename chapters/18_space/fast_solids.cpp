@@ -133,7 +133,12 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
                                       fast));
         }
     }
-    stop_each_other(motion, may_meet, first_impact, fast);
+    fast.pairs.clear();
+    for (std::size_t i = 0; i < fast.bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (may_meet(fast.bodies[j], fast.bodies[i]))
+                fast.pairs.emplace_back(fast.bodies[j], fast.bodies[i]);
+    stop_each_other(motion, first_impact, fast);
     put_back(scene.bodies, settings.h, now.rows, motion, fast);
 }
 //! [stop_fast]
