@@ -77,9 +77,8 @@ function(add_chapter_libraries prefix base)
       add_library(${prefix}_${number} STATIC EXCLUDE_FROM_ALL ${sources})
       target_link_libraries(${prefix}_${number} PUBLIC ${last})
       set_source_files_properties(${sources} PROPERTIES UNITY_GROUP chapter)
-      if(RIGID_RESULTS_OPTIONS)   # the counted work of a build without optimisation would wait for them
-        set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
-      endif()
+      # the counted work of a build without optimisation would wait for them
+      target_compile_options(${prefix}_${number} PRIVATE ${RIGID_RESULTS_OPTIONS})
       if(RIGID_TOGETHER)
         set_target_properties(${prefix}_${number} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
       endif()
