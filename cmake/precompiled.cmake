@@ -12,8 +12,8 @@ if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
 endif()
 
 # compile_together(TARGET): its sources are compiled some at a time, one after the other in one go, so what they share is
-# compiled once for all of them: about half of the time. An author who edits one of them builds with -DRIGID_TOGETHER=OFF,
-# as CI does with clang++: there each source must stand alone.
+# compiled once for all of them: about half of the time. An author who edits one of them builds with -DRIGID_TOGETHER=OFF.
+# Each source must stand alone all the same (.ci/run alone).
 function(compile_together target)
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources number)
