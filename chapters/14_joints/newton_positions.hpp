@@ -34,7 +34,7 @@ concept SolvesProblems = requires(Solver solver, const StepData<3>& now)
         now, [](std::span<const int>, std::span<const int>, auto&, bool) {});
 };
 
-struct NewtonPositions : NewtonSettings, Restitution {
+struct NewtonPositions : NewtonSettings, Restitution, PlainCorrection {
 private:
     template <class List>
     static auto& at(List& list, int i)
@@ -60,6 +60,11 @@ public:
     {
         rigid::require_valid(static_cast<const Restitution&>(*this));
         rigid::require_valid(static_cast<const NewtonSettings&>(*this));
+    }
+    void describe(StabilizerSettings& how) const
+    {
+        how.beta = beta;
+        how.slop = slop;
     }
 
     template <class Scene>

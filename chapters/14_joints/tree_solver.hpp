@@ -17,7 +17,7 @@
 namespace rigid {
 
 //! [tree_solver]
-struct TreeSolver {
+struct TreeSolver : PlainSolver {
     int sweeps = 40;  ///< over the rows with bounds of larger islands
     /// rounds end when none changes a row by more than this [ℓ/s]
     Real tolerance = 1e-9;
@@ -52,6 +52,7 @@ struct TreeSolver {
                    std::to_string(most_exact));
         rigid::require_valid(exact);
     }
+    Real noise() const { return tolerance; }
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
