@@ -19,11 +19,27 @@ namespace {
 using Trees = JointTrees<AllBodies>;
 
 /// The whole problem as one matrix, joints and all, by chapter 13.
+struct MatrixOfAll : CoulombSolver<FindFriction> {
+    std::vector<int> all = {};
+
+    template <class Visit>
+    void for_each_problem(const StepData<3>& now, const Visit& visit)
+    {
+        all.resize(now.rows.size());
+        std::iota(all.begin(), all.end(), 0);
+        visit(all, now.active, *this, true);
+    }
+    void factor_again(const Bodies<3>&, const StepData<3>& now)
+    {
+        assemble(now.rows, now.u_star, scratch, mlcp);
+    }
+    void bounce_late(Bodies<3>&, StepData<3>&) const {}
+};
 struct WholeMatrix {
     WithJoints<WithFriction<AllBodies>> contacts;
     NewtonPositions correction;
     WarmStart start = last_impulses();
-    CoulombSolver<FindFriction> solver;
+    MatrixOfAll solver;
 };
 
 /// Boxes on a tree of pins and rails with motors and limits that are near, some loops, and ropes.
