@@ -30,12 +30,11 @@ namespace rigid {
 ///   these rows alone, apart.factor_again() takes their J from now.rows, and at_once says that its joints are then met, not swept.
 /// - bounce_late(), after the positions: what bounces at the end of a sub-step. It changes u and λ, and no x.
 template <class Solver>
-concept SolvesProblems = requires(Solver solver, Bodies<3>& bodies,
-                                  StepData<3>& now)
+concept SolvesProblems = requires(Solver it, Bodies<3>& bodies, StepData<3>& now)
 {
-    solver.for_each_problem(
+    it.for_each_problem(
         now, [](std::span<const int>, std::span<const int>, auto&, bool) {});
-    solver.bounce_late(bodies, now);
+    it.bounce_late(bodies, now);
 };
 
 struct NewtonPositions : NewtonSettings, Restitution, PlainCorrection {
@@ -65,11 +64,7 @@ public:
         rigid::require_valid(static_cast<const Restitution&>(*this));
         rigid::require_valid(static_cast<const NewtonSettings&>(*this));
     }
-    void describe(StabilizerSettings& how) const
-    {
-        how.beta = beta;
-        how.slop = slop;
-    }
+    void describe(StabilizerSettings& s) const { s.beta = beta, s.slop = slop; }
 
     template <class Scene>
     void rows(const Scene& scene, const StepSettings& settings,

@@ -76,7 +76,6 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     }
     //! [choice]
 
-    /// What bounces at the end of a sub-step, after the positions.
     void bounce_late(Bodies<3>& bodies, StepData<3>& now)
     {
         for (const int i : late_) {
@@ -242,6 +241,5 @@ private:
     VecX zeros_;                   ///< of the length of u
     std::vector<int> late_;        ///< islands with bounces at the end
 };
-static_assert(SolvesProblems<IslandChoice>);
 
 }  // namespace rigid
