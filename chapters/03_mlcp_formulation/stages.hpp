@@ -20,7 +20,6 @@ struct StabilizerSettings;  // chapter 7
 struct ImpulseCache;        // chapter 8
 struct Islands;             // chapter 10
 
-//! [plain]
 /// A contacts stage without settings, for which all bodies are awake.
 struct PlainContacts {
     /// whoever owns the scene has checked it, and reports what he changes
@@ -67,9 +66,7 @@ struct PlainSolver {
     Real noise() const { return 0; }
     const Islands* islands_found() const { return nullptr; }
 };
-//! [plain]
 
-//! [concepts]
 /// Which bodies the step looks at, and where its rows come from.
 ///
 /// - require_valid() throws where settings make no sense, and changes nothing.
@@ -169,6 +166,5 @@ concept StepMethod = ContactsStage<decltype(Method::contacts), Scene, Method> &&
                     decltype(Method::solver)> &&
     StartStage<decltype(Method::start), Scene::dof> &&
     SolverStage<decltype(Method::solver), Scene::dof>;
-//! [concepts]
 
 }  // namespace rigid
