@@ -748,7 +748,7 @@ TEST_CASE("a puck tows two discs and momentum stays what it was", "[idea]")
 
 /// A start stage: each step begins with a part of the impulses of the step before. Where that had another number of
 /// rows, as in the first step, the sweeps begin at zero.
-struct CarryOver {
+struct CarryOver : PlainStart {
     Real part = 0;
     VecX lambda = {};  ///< of the step before [N s]
 

@@ -98,8 +98,8 @@ struct World {
     {
         for (int i = 0; i < steps; ++i) step(scene, {.h = time_step}, method, now);
     }
-    bool asleep(Index k) const { return method.contacts.contacts.set.is_asleep(k); }
-    bool all_asleep() const { return method.contacts.contacts.set.awake.empty(); }
+    bool asleep(Index k) const { return method.contacts.set.is_asleep(k); }
+    bool all_asleep() const { return method.contacts.set.awake.empty(); }
 };
 
 World asleep_towers()
@@ -142,7 +142,7 @@ TEST_CASE("without sleep the stage for shapes finds what the plain one finds to 
     RoughScene scene = rough(pile(60)), twin = scene;
     FrictionSweeps<Manifolds> plain;
     FrictionSweeps<AwakeManifolds> skipping;
-    skipping.contacts.contacts.sleep = false;
+    skipping.contacts.sleep = false;
     StepData<3> now, found;
     for (int i = 0; i < 400; ++i) {
         step(scene, {.h = time_step, .substeps = 2}, plain, now);
@@ -259,8 +259,8 @@ TEST_CASE("sleepers wake with the impulses that they fell asleep with", "[idea]"
         return most;
     };
     World cold = room;
-    cold.method.contacts.contacts.forces = {};
-    cold.method.contacts.contacts.forces.head.assign(10, -1);
+    cold.method.contacts.forces = {};
+    cold.method.contacts.forces.head.assign(10, -1);
     cold.method.start.cache.entries.clear();
     cold.method.solver.sweeps = room.method.solver.sweeps = {.max_sweeps = 4};
     const Real warm_speed = fastest(room, 5), cold_speed = fastest(cold, 5);
@@ -353,7 +353,7 @@ TEST_CASE("a heap that sleeps stays where it is when all are woken and may not s
             if (room.all_asleep()) {
                 ++rests;
                 World woken = room;
-                woken.method.contacts.contacts.sleep = false;
+                woken.method.contacts.sleep = false;
                 woken.run(30);
                 CAPTURE(seed, change);
                 // half a second: what rest allows is v_rest in all of it
@@ -443,6 +443,6 @@ TEST_CASE("steps of boxes that wake and sleep again allocate nothing", "[house]"
 TEST_CASE("settings of rest that make no sense are refused before shapes move", "[house]")
 {
     World room(two_towers());
-    room.method.contacts.contacts.rest.speed = -1;
+    room.method.contacts.rest.speed = -1;
     CHECK(sentence_of([&] { room.run(1); }) == "the speed of rest is -1; it must be positive and finite");
 }

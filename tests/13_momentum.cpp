@@ -69,7 +69,7 @@ TEST_CASE("angular momentum changes by what moves a body otherwise than its velo
         RoughScene scene = two_boxes(20);
         ExactFriction<Manifolds> method;
         method.correction.method = way;
-        method.contacts.contacts.fast.stop = false;
+        method.contacts.fast.stop = false;
         StepData<3> now;
         const Real h = 1.0 / 120, start = momenta(scene.bodies)[2];
         Real most = 0;
@@ -101,7 +101,7 @@ TEST_CASE("in sub-steps angular momentum changes by how far a contact has slid t
             RoughScene scene = two_boxes(20, 1.4 + 0.011 * round);
             WatchedMethod method;
             method.correction.method = Stabilizer::none;
-            method.contacts.contacts.fast.stop = false;
+            method.contacts.fast.stop = false;
             StepData<3> now;
             const Real start = momenta(scene.bodies)[2];
             for (int i = 0; i < 60; ++i) {

@@ -28,8 +28,8 @@ struct Room {
             worst = std::max(worst, largest_joint_error(scene));
         }
     }
-    bool asleep(Index k) const { return method.contacts.contacts.contacts.set.is_asleep(k); }
-    bool all_asleep() const { return method.contacts.contacts.contacts.set.awake.empty(); }
+    bool asleep(Index k) const { return method.contacts.set.is_asleep(k); }
+    bool all_asleep() const { return method.contacts.set.awake.empty(); }
     /// \return  the steps that it took
     int until_asleep(int most)
     {
@@ -56,7 +56,7 @@ Room room_of_dolls(int dolls, int stairs, Real apart)
         forbid_itself(first, [&pairs](Index a, Index b) { pairs.push_back({a, b}); });
     }
     cover(room.scene, {0.6, 0, 0, 0});
-    auto& touching = room.method.contacts.contacts.contacts.touching;
+    auto& touching = room.method.contacts.touching;
     touching.finder.filter = forbid_pairs(room.scene.bodies.count(), pairs);
     never_stop(touching);
     return room;
@@ -195,7 +195,7 @@ TEST_CASE("bodies on joints that sleep stay where they are when all are woken an
     room.until_asleep(1200);
     REQUIRE(room.all_asleep());
     Room woken = room;
-    woken.method.contacts.contacts.contacts.sleep = false;
+    woken.method.contacts.sleep = false;
     woken.run(30);
     // half a second: what rest allows is v_rest in all of it
     CHECK((woken.scene.bodies.x - room.scene.bodies.x).cwiseAbs().maxCoeff() <= 1e-3 * 0.5);

@@ -19,7 +19,7 @@ TEST_CASE("a walker goes a step to the left for each turn of its crank and back"
         const Walker walker = add_walker(scene, 0, 0.01, {speed, 300, 0, 0, 0});
         cover(scene, {1, 0, 0, 0});
         JointTrees<Manifolds> method;
-        auto& touching = method.contacts.contacts.contacts;
+        auto& touching = method.contacts;
         auto& filter = touching.finder.filter;
         filter.group.assign(static_cast<std::size_t>(scene.bodies.count()), 1);
         for (const Index foot : walker.feet) filter.group[static_cast<std::size_t>(foot)] = 0;

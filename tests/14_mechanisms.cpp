@@ -177,8 +177,8 @@ TEST_CASE("dolls on stairs stay together and finite", "[idea]")
         });
     cover(scene, {0.6, 0, 0, 0});
     JointTrees<Manifolds> method;
-    method.contacts.contacts.contacts.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
-    never_stop(method.contacts.contacts.contacts);
+    method.contacts.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
+    never_stop(method.contacts);
     const Real worst = run(scene, method, 1.0 / 60, 600, 2);
     CHECK(worst <= 0.01 * 0.22);  // 1 % of the shortest limb
     CHECK(scene.bodies.x.allFinite());
@@ -196,7 +196,7 @@ TEST_CASE("limbs that are never stopped have their rows before they come", "[ide
         forbid_itself(first, [&pairs](Index a, Index b) { pairs.push_back({a, b}); });
         cover(scene, {0.6, 0, 0, 0});
         JointTrees<Manifolds> method;
-        auto& touching = method.contacts.contacts.contacts;
+        auto& touching = method.contacts;
         touching.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
         never_stop(touching);
         if (ahead == 0) touching.ahead = 0;
@@ -234,7 +234,7 @@ TEST_CASE("a limb that is struck stops at its limit in the very step of the blow
     scene.bodies.velocity(1)[1] = -20;
     cover(scene, {0, 0, 0, 0});
     JointTrees<Manifolds> method;
-    never_stop(method.contacts.contacts.contacts);
+    never_stop(method.contacts);
     StepData<3> now;
     for (int i = 0; i < 30; ++i) {
         step(scene, {}, method, now);

@@ -183,16 +183,12 @@ void evaluate_constraints(const SlopeScene& scene, StepData<2>& now)
         now.constraints.push_back(constraint_at(scene, now, i, scene.bodies.x));
 }
 
-struct TwoRows {
+struct TwoRows : PlainContacts {
     template <class Scene, class Method>
     void begin(const Scene&, const StepSettings&, Method&, StepData<2>& now) const
     {
         now.active = {0};
         now.sources = {{Source::Of::joint, 0}, {Source::Of::joint, 1}};
-    }
-    template <class Scene, class Method>
-    void end(const Scene&, const StepSettings&, Method&, const StepData<2>&) const
-    {
     }
 };
 

@@ -23,15 +23,10 @@ void hand_over(Solve& solve, const Mlcp& mlcp, Solution& solution)
 
 //! [matrix]
 template <class Solve>
-struct MatrixSolver {
+struct MatrixSolver : PlainSolver {
     Solve find;  ///< void(const Mlcp&, Solution&), or Solution(const Mlcp&)
     AssemblyScratch scratch;
     Mlcp mlcp;
-
-    void require_valid() const
-    {
-        if constexpr (requires { find.require_valid(); }) find.require_valid();
-    }
 
     /// The least change of u* that keeps to the rows: w = A λ + q, complementary to
     /// λ (3.12); u = u* + M⁻¹ Jᵀ λ (3.9).

@@ -24,7 +24,7 @@ namespace rigid {
 /// 0, after the step. To first order that is C + h J u, hence the bias b = C/h,
 /// (3.30). It takes back the whole of an error in one step; why that is rash in
 /// general is a later chapter's subject.
-struct WholeError {
+struct WholeError : PlainCorrection {
     template <class Scene>
     void rows(const Scene& scene, const StepSettings& settings,
               StepData<Scene::dof>& now) const
@@ -44,7 +44,7 @@ struct WholeError {
 //! [whole_error]
 
 /// The start stage in its plainest form: nothing is remembered from step to step, λ = 0.
-struct ColdStart {
+struct ColdStart : PlainStart {
     /// part of λ that the next sub-step of the same step starts from, 0 … 1
     /// (chapter 7)
     Real factor = 0;
@@ -73,17 +73,14 @@ struct ColdStart {
     }
 };
 
-/// Asks each stage that has settings of its own whether they make sense, before the step touches anything.
+/// Asks each stage whether its settings make sense, before the step touches anything.
 template <class Method>
 void require_valid_stages(const Method& method)
 {
-    const auto ask = [](const auto& stage) {
-        if constexpr (requires { stage.require_valid(); }) stage.require_valid();
-    };
-    ask(method.contacts);
-    ask(method.correction);
-    ask(method.start);
-    ask(method.solver);
+    method.contacts.require_valid();
+    method.correction.require_valid();
+    method.start.require_valid();
+    method.solver.require_valid();
 }
 
 //! [step]
@@ -93,9 +90,9 @@ void require_valid_stages(const Method& method)
 /// \param scene     what there is; it moves
 /// \param settings  of the step
 /// \param method    four stages with their settings and what they remember:
-///                  contacts, correction, start, solver
+///                  contacts, correction, start, solver (stages.hpp)
 /// \param now       what was found on the way
-template <class Scene, class Method>
+template <class Scene, StepMethod<Scene> Method>
 void step(Scene& scene, const StepSettings& settings, Method&& method,
           StepData<Scene::dof>& now)
 {
@@ -131,8 +128,7 @@ template <class Correction = WholeError>
 void disc_rows(const DiscScene& scene, Real h, const std::vector<Contact>& contacts,
                std::vector<Row<2>>& rows, const Correction& correction = {})
 {
-    if constexpr (requires { correction.require_valid(); })
-        correction.require_valid();
+    correction.require_valid();
     require_bodies(scene);
     StepData<2> now;
     for (std::size_t i = 0; i < scene.links.size(); ++i)
@@ -160,7 +156,7 @@ struct MatrixMethod {
 template <class Solve>
 MatrixMethod<Solve> by_matrix(Solve solve)
 {
-    return {{}, {}, {}, {std::move(solve), {}, {}}};
+    return {{}, {}, {}, {{}, std::move(solve), {}, {}}};
 }
 
 }  // namespace rigid

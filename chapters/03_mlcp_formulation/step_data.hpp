@@ -5,6 +5,7 @@
 
 #include "chapters/02_velocity_constraints/constraints.hpp"
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "chapters/03_mlcp_formulation/stages.hpp"
 #include "common/contact.hpp"
 #include "common/forces.hpp"
 #include "common/scenes.hpp"
@@ -98,7 +99,7 @@ struct SecondProblem {
 //! [all_pairs]
 /// The contacts stage in its plainest form: every body is looked at, and every pair
 /// is tested.
-struct AllPairs {
+struct AllPairs : PlainContacts {
     /// false: nothing in this scene ever touches, and no pair is tested
     bool collides = true;
 
@@ -107,11 +108,6 @@ struct AllPairs {
                StepData<2>& now) const
     {
         find(scene, settings, now);
-    }
-    template <class Method>
-    void end(const DiscScene&, const StepSettings&, Method&,
-             const StepData<2>&) const
-    {
     }
 
     void find(const DiscScene& scene, const StepSettings& settings,

@@ -12,11 +12,14 @@ struct FindBySweeps {
     PgsSettings settings;
     PgsMemory memory;
 
-    void require_valid() const { rigid::require_valid(settings); }
     void operator()(const Mlcp& mlcp, Solution& solution)
     {
         pgs(mlcp, settings, memory, solution);
     }
+};
+
+struct PgsSolver : MatrixSolver<FindBySweeps> {
+    void require_valid() const { rigid::require_valid(find.settings); }
 };
 
 //! [method]
@@ -24,7 +27,7 @@ struct PgsMethod {
     AllPairs contacts;
     WholeError correction;
     ColdStart start;
-    MatrixSolver<FindBySweeps> solver;
+    PgsSolver solver;
 };
 //! [method]
 

@@ -10,8 +10,11 @@ namespace rigid {
 struct FindByLemke {
     LemkeSettings settings;
 
-    void require_valid() const { rigid::require_valid(settings); }
     Solution operator()(const Mlcp& mlcp) const { return lemke(mlcp, settings); }
+};
+
+struct LemkeSolver : MatrixSolver<FindByLemke> {
+    void require_valid() const { rigid::require_valid(find.settings); }
 };
 
 //! [method]
@@ -19,7 +22,7 @@ struct LemkeMethod {
     AllPairs contacts;
     WholeError correction;
     ColdStart start;
-    MatrixSolver<FindByLemke> solver;
+    LemkeSolver solver;
 };
 //! [method]
 

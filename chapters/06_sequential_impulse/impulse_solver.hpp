@@ -43,7 +43,7 @@ inline void require_valid(const ImpulseSettings& sweeps)
 //! [sweeps]
 /// Sweeps on the velocities themselves, (6.5): u is u* + M⁻¹ Jᵀ λ at each moment.
 template <int Dof>
-struct ImpulseSolver {
+struct ImpulseSolver : PlainSolver {
     ImpulseSettings sweeps;
     Order ordering = Order::given;
     bool in_pairs = false;  ///< two rows in one visit, (6.22)
@@ -56,6 +56,7 @@ struct ImpulseSolver {
     std::vector<Block> blocks;
 
     void require_valid() const { rigid::require_valid(sweeps); }
+    Real noise() const { return sweeps.tolerance; }
 
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {

@@ -68,7 +68,7 @@ Real gap_bias(const Constraint<Dof>& c, Real h)
     return c.kind == ConstraintKind::unilateral ? std::max(Real{0}, c.C) / h : 0;
 }
 
-struct LeaveErrors : Restitution {
+struct LeaveErrors : Restitution, PlainCorrection {
     void require_valid() const
     {
         rigid::require_valid(static_cast<const Restitution&>(*this));

@@ -9,7 +9,7 @@
 
 namespace rigid {
 
-struct Correction : StabilizerSettings, Restitution {
+struct Correction : StabilizerSettings, Restitution, PlainCorrection {
     /// projection after the last sub-step only, instead of after each
     bool at_the_end = false;
 
@@ -23,6 +23,7 @@ struct Correction : StabilizerSettings, Restitution {
         rigid::require_valid(static_cast<const Restitution&>(*this));
         rigid::require_valid(static_cast<const StabilizerSettings&>(*this));
     }
+    void describe(StabilizerSettings& how) const { how = *this; }
 
     //! [rows]
     /// b is what the way makes of C, or a bounce.
@@ -40,7 +41,7 @@ struct Correction : StabilizerSettings, Restitution {
 
     //! [move]
     /// The new positions, and what corrects the error outside of b.
-    template <class Scene, class Solver>
+    template <class Scene, SolvesAgain<Scene::dof> Solver>
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<Scene::dof>& now)
     {

@@ -50,16 +50,12 @@ void evaluate_constraints(const OneRowScene<ConstraintAt>& scene, StepData<2>& n
 }
 
 /// The one body is looked at, and nothing touches it.
-struct OneRowContacts {
+struct OneRowContacts : PlainContacts {
     template <class Scene, class Method>
     void begin(const Scene&, const StepSettings&, Method&, StepData<2>& now) const
     {
         now.active = {0};
         now.sources = {{}};
-    }
-    template <class Scene, class Method>
-    void end(const Scene&, const StepSettings&, Method&, const StepData<2>&) const
-    {
     }
 };
 //! [one_row_scene]

@@ -48,7 +48,7 @@ ImpulseKey key_of(const Source& source, const std::vector<AnyContact>& contacts)
 }
 
 //! [warm_start]
-struct WarmStart {
+struct WarmStart : PlainStart {
     Start from = Start::best_multiple;
     /// σ, the part of the previous impulses that the sweeps start from, 0 … 1; see
     /// (8.11)
@@ -100,6 +100,7 @@ struct WarmStart {
         arranged = keys;
         started = from;
     }
+    ImpulseCache* impulses() { return &cache; }
     //! [warm_start]
 
     /// Throws std::invalid_argument, naming the setting and its value, unless all of them make sense.

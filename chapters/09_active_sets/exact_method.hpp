@@ -19,8 +19,6 @@ struct FindActiveSets {
     ActiveSetSettings settings;
     ActiveSetMemory memory;
 
-    void require_valid() const { rigid::require_valid(settings); }
-
     void operator()(const Mlcp& mlcp, Solution& solution)
     {
         active_sets(mlcp, settings, memory, solution);
@@ -31,12 +29,13 @@ struct FindActiveSets {
 /// The solver stage: active sets for the velocities, and, with a memory of their
 /// own, for the position errors.
 struct ExactSolver : MatrixSolver<FindActiveSets> {
+    static constexpr bool is_exact = true;
+
     /// both problems have the same A, and each its own active rows
     FindActiveSets errors;
     /// a residual below this is none [ℓ/s]; never less than what rounding makes,
     /// (9.21a)
     Real enough = 0;
-    int unsolved = 0;  ///< problems of this step that have no exact answer
 
     void require_valid() const
     {
@@ -45,7 +44,7 @@ struct ExactSolver : MatrixSolver<FindActiveSets> {
                 "the residual that is nothing is " + shortest(enough) +
                 " lengths of the scene a second; it must be zero or positive, and "
                 "finite");
-        find.require_valid();
+        rigid::require_valid(find.settings);
     }
 
     template <int Dof>

@@ -16,7 +16,7 @@
 
 namespace rigid {
 
-struct Rattle : RattleSettings, Restitution {
+struct Rattle : RattleSettings, Restitution, PlainCorrection {
     // Of the last step.
     /// of Newton's method, in the sub-step that needed the most
     int iterations = 0;
@@ -33,6 +33,12 @@ struct Rattle : RattleSettings, Restitution {
     VecX v;                      ///< pseudo-velocities of the repair [m/s]
     VecX u_first, lambda_first;  ///< of the first pass; λ of the first half
 
+    void require_valid() const
+    {
+        rigid::require_valid(static_cast<const RattleSettings&>(*this));
+        rigid::require_valid(static_cast<const Restitution&>(*this));
+    }
+
     //! [rattle_rows]
     /// The first half: half of the forces, and rows that hold C where it is,
     /// (9.24). A gap may close.
@@ -40,8 +46,6 @@ struct Rattle : RattleSettings, Restitution {
     void rows(const Scene& scene, const StepSettings& settings,
               StepData<Scene::dof>& now)
     {
-        require_valid(static_cast<const RattleSettings&>(*this));
-        require_valid(static_cast<const Restitution&>(*this));
         now.second_half = false;
         if (now.substep == 0) iterations = not_converged = repairs = 0;
         const Real h = settings.part();
@@ -66,7 +70,7 @@ struct Rattle : RattleSettings, Restitution {
     //! [rattle_rows]
 
     //! [rattle_move]
-    template <class Scene, class Solver>
+    template <class Scene, SolvesAgain<Scene::dof> Solver>
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<Scene::dof>& now)
     {
@@ -203,10 +207,8 @@ private:
         ++repairs;
         if (v.size() != bodies.u.size()) v.setZero(bodies.u.size());
         solver.solve_apart(second, v, now);
-        // a solver that says how the second problem ended
-        if constexpr (requires { solver.errors; })
-            if (second.solution.status != Status::solved)
-                now.solution.status = second.solution.status;
+        if (Solver::is_exact && second.solution.status != Status::solved)
+            now.solution.status = second.solution.status;
         for (const int k : now.active)
             bodies.integrate(k, v.template segment<Dof>(Dof * k), h);
     }

@@ -77,8 +77,7 @@ void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings,
 {
     RestConditions present{
         scene.gravity, settings.stiffness, settings.damping, rest, {}, sleep};
-    if constexpr (requires { method.correction.beta; })
-        present.correction = method.correction;
+    method.correction.describe(present.correction);
     wake_by_changes(scene, settings, present);
     now.active.clear();
     now.length = length;

@@ -23,7 +23,7 @@ struct SweepTheCoupled {
 //! [by_islands]
 /// \tparam Coupled  an exact solver of small islands whose rows follow impulses
 template <int Dof, class Coupled = SweepTheCoupled>
-struct IslandSolver {
+struct IslandSolver : PlainSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps;
     /// of the rows in their island: given or coloured
@@ -53,10 +53,8 @@ struct IslandSolver {
     std::deque<ExactScratch> exact;
 
     // Of the last step.
-    int most_sweeps = 0;  ///< of the island that needed the most
-    int exact_count = 0;  ///< islands that were solved exactly
-    /// islands whose residual did not meet the tolerance
-    int unsolved = 0;
+    int most_sweeps = 0;        ///< of the island that needed the most
+    int exact_count = 0;        ///< islands that were solved exactly
     ImpulseSettings in_metres;  ///< the sweeps, with a tolerance in m/s
 
     void require_valid() const
@@ -70,6 +68,9 @@ struct IslandSolver {
                                         std::string(to_string(ordering)) +
                                         "; this solver has given and coloured");
     }
+
+    Real noise() const { return sweeps.tolerance; }
+    const Islands* islands_found() const { return &islands; }
 
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)

@@ -117,11 +117,7 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
     watch_rest(scene, settings, now);
     if (!sleep) return;
     const RestSettings slow = in_metres(rest, length);
-    Real noise = 0;
-    if constexpr (requires { method.solver.sweeps.tolerance; })
-        noise = method.solver.sweeps.tolerance * length;
-    else if constexpr (requires { method.solver.tolerance; })
-        noise = method.solver.tolerance * length;
+    const Real noise = method.solver.noise() * length;
     const auto restless = [&](int k) {
         const Vec<Dof> u = scene.bodies.velocity(k);
         return !may_sleep(rests[static_cast<std::size_t>(k)],
@@ -129,10 +125,8 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
     };
     if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
 
-    const Islands* known = &islands;
-    if constexpr (requires { method.solver.islands; })
-        known = &method.solver.islands;
-    else find_islands(scene.bodies, now, {}, islands);
+    const Islands* known = method.solver.islands_found();
+    if (!known) find_islands(scene.bodies, now, {}, islands), known = &islands;
     for (int i = 0; i < known->count(); ++i) {
         const std::span<const int> members = known->bodies_of(i),
                                    rows = known->rows_of(i);
@@ -144,11 +138,10 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
             continue;
 
         // Overlaps that are being repaid would stay as they are.
-        if constexpr (requires { method.correction.pushes(0); })
-            if (rests[static_cast<std::size_t>(members[0])].time < 4 * slow.time &&
-                std::any_of(rows.begin(), rows.end(),
-                            [&](int row) { return method.correction.pushes(row); }))
-                continue;
+        if (rests[static_cast<std::size_t>(members[0])].time < 4 * slow.time &&
+            std::any_of(rows.begin(), rows.end(),
+                        [&](int row) { return method.correction.pushes(row); }))
+            continue;
 
         //! [fall_asleep]
         set.sleep(members);

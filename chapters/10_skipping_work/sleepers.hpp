@@ -14,7 +14,7 @@ namespace rigid {
 
 //! [sleepers]
 template <int Dof>
-struct Sleepers {
+struct Sleepers : PlainContacts {
     RestSettings rest;
     bool sleep = true;  ///< false: no body falls asleep
     Real length = 1;    ///< ℓ, of the scene [m]
@@ -44,6 +44,19 @@ struct Sleepers {
         changed = true;
     }
 
+    /// For changes that the stage does not see by itself. Whom it does not know yet
+    /// will be awake.
+    void wake(Index k)
+    {
+        if (k < static_cast<Index>(set.activity.size())) set.wake(k);
+    }
+    void wake_everybody()
+    {
+        for (std::size_t k = 0; k < set.activity.size(); ++k)
+            set.wake(static_cast<Index>(k));
+    }
+    bool is_asleep(Index k) const { return set.is_asleep(k); }
+
     /// Body k = K − 1 is new.
     void add(const Bodies<Dof>& bodies, Index k)
     {
@@ -61,9 +74,8 @@ struct Sleepers {
     {
         set.tidy();
         ImpulseCache nowhere;
-        ImpulseCache* cache = &nowhere;
-        if constexpr (requires { method.start.cache; }) cache = &method.start.cache;
-        remember_woken(forces, set.woken, *cache);
+        ImpulseCache* const kept = method.start.impulses();
+        remember_woken(forces, set.woken, kept ? *kept : nowhere);
         for (const int k : set.woken) rests[static_cast<std::size_t>(k)] = {};
         woken += static_cast<int>(set.woken.size());
         set.woken.clear();

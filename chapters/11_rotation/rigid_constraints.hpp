@@ -48,7 +48,7 @@ inline Real own_restitution(const RigidScene&, const StepData<3>&, std::size_t)
 //! [all_bodies]
 /// The contacts stage: every body is looked at, every joint, and every corner over
 /// every wall. (Where two bodies touch each other is chapter 12's subject.)
-struct AllBodies {
+struct AllBodies : PlainContacts {
     template <class Method>
     void begin(const RigidScene& scene, const StepSettings& settings, Method&,
                StepData<3>& now) const
@@ -83,11 +83,6 @@ struct AllBodies {
             }
         }
         now.x_found = bodies.x;
-    }
-    template <class Method>
-    void end(const RigidScene&, const StepSettings&, Method&,
-             const StepData<3>&) const
-    {
     }
 };
 //! [all_bodies]

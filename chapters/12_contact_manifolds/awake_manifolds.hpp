@@ -27,6 +27,7 @@ template <class Touching, class Watch>
 struct AwakeStage : Sleepers<Watch::Scene::dof> {
     using Scene = typename Watch::Scene;
     static constexpr int dof = Scene::dof;
+    static constexpr bool is_told = Watch::is_told;
     using Base = Sleepers<dof>;
     using Base::rest, Base::sleep, Base::length, Base::set, Base::rests,
         Base::changed, Base::woken, Base::fell_asleep;
@@ -45,21 +46,13 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
         touching.require_valid();
     }
 
-    /// All that can move is awake: for changes that no watch sees.
-    void wake_everybody()
-    {
-        for (std::size_t k = 0; k < set.activity.size(); ++k)
-            set.wake(static_cast<Index>(k));
-    }
-
     //! [awake_begin]
     template <class Method>
     void begin(const Scene& scene, const StepSettings& settings, Method& method,
                StepData<dof>& now)
     {
         watch.require(scene);
-        if constexpr (requires { touching.require_fit(scene, method); })
-            touching.require_fit(scene, method);
+        touching.require_fit(scene, method);
         woken = fell_asleep = 0;
         take_in_changes(scene, settings, method, now);
         now.length = length;
@@ -110,12 +103,7 @@ private:
         RestConditions present{Vec2(0, 0), 0, 0, rest, {}, sleep};
         // in space the watch alone compares it
         if constexpr (dof == 3) present.gravity = scene.gravity;
-        if constexpr (requires { present.correction = method.correction; })
-            present.correction = method.correction;
-        else if constexpr (requires { method.correction.slop; }) {
-            present.correction.beta = method.correction.beta;
-            present.correction.slop = method.correction.slop;
-        }
+        method.correction.describe(present.correction);
         const Real found_within = settings.margin * length_of(scene);
         moved_.clear();
         walked = 0;
@@ -129,7 +117,7 @@ private:
             wake_the_changed(scene);
             if (watch.all_concerned(scene) || !same_rest(present, conditions) ||
                 found_within != margin)
-                wake_everybody();
+                this->wake_everybody();
         }
         while (static_cast<Index>(rests.size()) < scene.bodies.count())
             this->add(scene.bodies, static_cast<Index>(rests.size()));

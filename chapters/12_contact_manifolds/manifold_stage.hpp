@@ -19,7 +19,7 @@
 namespace rigid {
 
 //! [stage]
-struct Manifolds {
+struct Manifolds : PlainContacts {
     PairFinder finder;
     /// what was the reference face or a name stays until another is better by more
     /// than this [margins]

@@ -60,7 +60,8 @@ struct Surroundings {
 
 struct SceneWatch {
     using Scene = RigidScene;
-    VecX x, u, inverse_mass;  ///< as the last step left them
+    static constexpr bool is_told = false;  ///< it compares
+    VecX x, u, inverse_mass;                ///< as the last step left them
     std::vector<Polygon> shapes;
     std::vector<PointJoint> joints;
     Surroundings around;

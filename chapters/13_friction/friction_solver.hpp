@@ -1,7 +1,7 @@
 /// \file friction_solver.hpp
 /// The solver stage of the step with friction: rows become A, q and boxes, and one of the solvers of this chapter finds λ.
 ///
-/// Its methods are chapter 11's with the friction stage around their contacts. Sweeps need nothing else: chapter 6's solver takes
+/// Its methods are chapter 11's with the friction stage on top of their contacts. Sweeps need nothing else: chapter 6's solver takes
 /// the bounds of a row from the present impulse of its normal.
 #pragma once
 
@@ -32,6 +32,7 @@ struct FindFriction {
 
 /// Lemke's algorithm on Stewart's and Trinkle's problem as a finder.
 struct FindByStewartTrinkle {
+    void require_valid() const {}
     void operator()(Mlcp& mlcp, std::span<const FrictionBox> boxes, Real enough,
                     Solution& solution) const;
 };
@@ -67,11 +68,12 @@ Real noise_of_impulses(const Bodies<Dof>& bodies, const Mlcp& mlcp,
 //! [coulomb_solver]
 /// The solver stage: λ of the Coulomb problem, u = u* + M⁻¹ Jᵀ λ (3.9).
 template <class Find>
-struct CoulombSolver {
+struct CoulombSolver : PlainSolver {
+    static constexpr bool is_exact = true;
+
     Find find;
-    Find errors;       ///< the second problem of a step has a memory of its own
-    Real enough = 0;   ///< a residual below this is none [ℓ/s]
-    int unsolved = 0;  ///< problems of this step without an answer
+    Find errors;      ///< the second problem of a step has a memory of its own
+    Real enough = 0;  ///< a residual below this is none [ℓ/s]
 
     AssemblyScratch scratch;
     Mlcp mlcp, second_mlcp;
@@ -84,7 +86,7 @@ struct CoulombSolver {
                 "the residual that is nothing is " + shortest(enough) +
                 " lengths of the scene a second; it must be zero or positive, and "
                 "finite");
-        if constexpr (requires { find.require_valid(); }) find.require_valid();
+        find.require_valid();
     }
 
     template <int Dof>

@@ -1,5 +1,5 @@
 /// \file friction_stage.hpp
-/// The step learns of friction by its rows alone: a stage that wraps another contacts stage adds a source for each row of
+/// The step learns of friction by its rows alone: to the sources of another contacts stage this one adds one for each row of
 /// friction_rows.hpp, all of them before the normals (section 13.5).
 #pragma once
 
@@ -16,38 +16,29 @@ namespace rigid {
 /// its surfaces. A contact without friction gets none. Sweeps visit the normals
 /// last: what is visited last is right.
 template <class Contacts>
-struct WithFriction {
-    Contacts contacts;
+struct WithFriction : Contacts {
     std::vector<Source> all;  ///< memory
     /// of the last step: what rests on other surfaces wakes
     std::vector<Surface> surfaces, walls;
     Cloth cloth;
 
-    void require_valid() const
-    {
-        if constexpr (requires { contacts.require_valid(); })
-            contacts.require_valid();
-    }
     template <class Method>
     void begin(const RoughScene& scene, const StepSettings& settings,
                Method& method, StepData<3>& now)
     {
-        // an owner that reports its changes has checked the surfaces of its bodies
-        constexpr bool is_told = requires { contacts.watch.tell(Index{0}); };
-        if constexpr (!is_told) {
+        constexpr bool is_told = Contacts::is_told;
+        if (!is_told) {
             require_valid_surfaces(scene);
-            if constexpr (!requires { method.solver.creep; })
-                refuse_kinetic_friction(scene);
+            if (!method.solver.knows_sliding) refuse_kinetic_friction(scene);
         }
-        if constexpr (requires { contacts.wake_everybody(); })
-            if (!((is_told || scene.surfaces == surfaces) &&
-                  scene.wall_surfaces == walls && scene.cloth == cloth)) {
-                contacts.wake_everybody();
-                if (!is_told) surfaces = scene.surfaces;
-                walls = scene.wall_surfaces;
-                cloth = scene.cloth;
-            }
-        contacts.begin(scene, settings, method, now);
+        if (!((is_told || scene.surfaces == surfaces) &&
+              scene.wall_surfaces == walls && scene.cloth == cloth)) {
+            this->wake_everybody();
+            if (!is_told) surfaces = scene.surfaces;
+            walls = scene.wall_surfaces;
+            cloth = scene.cloth;
+        }
+        Contacts::begin(scene, settings, method, now);
         if (now.active.empty()) return;  // all sleep
         const auto is_normal = [](const Source& source) {
             return source.of == Source::Of::contact;
@@ -71,12 +62,6 @@ struct WithFriction {
         for (std::size_t i = 0; i < now.contacts.size(); ++i)
             all.push_back({Source::Of::contact, static_cast<int>(i), normal_part});
         now.sources.swap(all);
-    }
-    template <class Method>
-    void end(RoughScene& scene, const StepSettings& settings, Method& method,
-             const StepData<3>& now)
-    {
-        contacts.end(scene, settings, method, now);
     }
 };
 //! [with_friction]

@@ -25,10 +25,11 @@ struct Slider {
 /// A solver stage that chooses between μ_s and μ_k; the rest is left to `Solver`.
 template <class Solver>
 struct HoldOrSlide : Solver {
+    static constexpr bool knows_sliding = true;
+
     /// what is slower than this is at rest [ℓ/s]: exact answers leave 1e-10 of it,
     /// sweeps that are not finished a good deal more
-    Real creep = requires(Solver s) { s.find; }
-    ? 1e-8 : 1e-4;
+    Real creep = Solver::is_exact ? 1e-8 : 1e-4;
 
     std::vector<Slider> sliders, known;  ///< of this step, and of the one before
 
@@ -48,12 +49,13 @@ struct HoldOrSlide : Solver {
         if (now.substep == 0) list_sliders(bodies, now);
         for (Slider& slider : sliders)
             slider.before = now.rows[slider.row].velocity(bodies.u);
-        const int failed = now.substep == 0 ? 0 : failures();
+        // one that is solved again counts once
+        const int failed = now.substep == 0 ? 0 : this->unsolved;
         set_coefficients(now);
         Solver::solve(bodies, now);
         // Each round has one slider less that slides, so this ends.
         while (some_turn_around(bodies, now)) {
-            set_failures(failed);
+            this->unsolved = failed;
             set_coefficients(now);
             Solver::solve(bodies, now);
         }
@@ -127,18 +129,6 @@ private:
             lambda[static_cast<Index>(slider.row)] - (A > 0 ? w / A : 0);
         return std::abs(w) > creep * now.length &&
                std::abs(points) >= bounds_of(row, lambda).second;
-    }
-
-    /// Problems without an answer so far: one that is solved again counts once.
-    int failures() const
-    {
-        if constexpr (requires(const Solver s) { s.unsolved; })
-            return Solver::unsolved;
-        return 0;
-    }
-    void set_failures(int count)
-    {
-        if constexpr (requires(Solver s) { s.unsolved; }) Solver::unsolved = count;
     }
 };
 

@@ -42,8 +42,7 @@ inline Reaction reaction(const JointedScene& scene, const StepData<3>& now,
 /// The contacts stage: whatever another one finds, but for limits that are far and
 /// joints that are broken.
 template <class Contacts>
-struct WithJoints {
-    Contacts contacts;
+struct WithJoints : Contacts {
     /// false: every limit has its rows at all times
     bool skip_far_limits = true;
     /// lines under a load get rows across themselves where a step needs them
@@ -54,18 +53,13 @@ struct WithJoints {
     LimitReach reach;
     std::vector<Source> with_inerters_;  ///< memory
 
-    void require_valid() const
-    {
-        if constexpr (requires { contacts.require_valid(); })
-            contacts.require_valid();
-    }
     template <class Method>
     void begin(const JointedScene& scene, const StepSettings& settings,
                Method& method, StepData<3>& now)
     {
         wake_the_broken(scene);
         do {
-            contacts.begin(scene, settings, method, now);
+            Contacts::begin(scene, settings, method, now);
             limits_skipped = 0;
             if (skip_far_limits) reach.look(scene, settings, now);
             std::erase_if(now.sources, [&](const Source& source) {
@@ -81,14 +75,15 @@ struct WithJoints {
             });
         } while (wake_the_joined(scene, now));
         // a start that keeps no impulses knows of no load
-        if constexpr (requires { method.start.cache; })
-            if (inerters) add_inerters(scene, settings, method.start.cache, now);
+        if (const ImpulseCache* before = method.start.impulses();
+            inerters && before)
+            add_inerters(scene, settings, *before, now);
     }
     template <class Method>
     void end(JointedScene& scene, const StepSettings& settings, Method& method,
              const StepData<3>& now)
     {
-        contacts.end(scene, settings, method, now);
+        Contacts::end(scene, settings, method, now);
         broken = 0;
         for (std::size_t i = 0; i < scene.placed.size(); ++i) {
             PlacedJoint& placed = scene.placed[i];
@@ -135,19 +130,16 @@ struct WithJoints {
     /// A rope that was slack may pull at a sleeper: true if one had to be woken.
     bool wake_the_joined(const JointedScene& scene, const StepData<3>& now)
     {
+        if (now.active.empty()) return false;
         bool woken = false;
-        if constexpr (requires { contacts.contacts.set; }) {
-            auto& set = contacts.contacts.set;
-            if (now.active.empty()) return false;
-            for (const Source& source : now.sources) {
-                if (source.of != Source::Of::joint) continue;
-                const PointJoint& joint =
-                    scene.joints[static_cast<std::size_t>(source.index)];
-                for (const Index k : {joint.a, joint.b}) {
-                    if (k == world || !set.is_asleep(k)) continue;
-                    set.wake(k);
-                    woken = true;
-                }
+        for (const Source& source : now.sources) {
+            if (source.of != Source::Of::joint) continue;
+            const PointJoint& joint =
+                scene.joints[static_cast<std::size_t>(source.index)];
+            for (const Index k : {joint.a, joint.b}) {
+                if (k == world || !this->is_asleep(k)) continue;
+                this->wake(k);
+                woken = true;
             }
         }
         return woken;
@@ -156,17 +148,13 @@ struct WithJoints {
     /// Whatever a joint held wakes when it breaks, or is whole again.
     void wake_the_broken(const JointedScene& scene)
     {
-        if constexpr (requires { contacts.contacts.set; }) {
-            auto& set = contacts.contacts.set;
-            was_broken.resize(scene.placed.size(), 0);
-            for (std::size_t i = 0; i < scene.placed.size(); ++i) {
-                const PlacedJoint& placed = scene.placed[i];
-                if (placed.broken == (was_broken[i] != 0)) continue;
-                was_broken[i] = placed.broken;
-                for (const Index k : {placed.joint.a, placed.joint.b})
-                    if (k != world && k < static_cast<Index>(set.activity.size()))
-                        set.wake(k);
-            }
+        was_broken.resize(scene.placed.size(), 0);
+        for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+            const PlacedJoint& placed = scene.placed[i];
+            if (placed.broken == (was_broken[i] != 0)) continue;
+            was_broken[i] = placed.broken;
+            for (const Index k : {placed.joint.a, placed.joint.b})
+                if (k != world) this->wake(k);
         }
     }
 };

@@ -24,17 +24,20 @@
 
 namespace rigid {
 
-/// A solver that has the rows of a step as problems of their own, islands: it calls visit(rows, bodies, apart, at_once) for
-/// each of them, where apart.solve_apart() solves other biases on these rows alone, and at_once says that its joints are then
-/// met, not swept. What has none is one problem.
+/// A solver whose problems, islands or all rows as one, can have their errors corrected each by itself.
+///
+/// - for_each_problem() calls visit(rows, bodies, apart, at_once) for each of them: apart.solve_apart() solves other biases on
+///   these rows alone, apart.factor_again() takes their J from now.rows, and at_once says that its joints are then met, not swept.
+/// - bounce_late(), after the positions: what bounces at the end of a sub-step. It changes u and λ, and no x.
 template <class Solver>
-concept SolvesProblems = requires(Solver solver, const StepData<3>& now)
+concept SolvesProblems = requires(Solver it, Bodies<3>& bodies, StepData<3>& now)
 {
-    solver.for_each_problem(
+    it.for_each_problem(
         now, [](std::span<const int>, std::span<const int>, auto&, bool) {});
+    it.bounce_late(bodies, now);
 };
 
-struct NewtonPositions : NewtonSettings, Restitution {
+struct NewtonPositions : NewtonSettings, Restitution, PlainCorrection {
 private:
     template <class List>
     static auto& at(List& list, int i)
@@ -61,6 +64,7 @@ public:
         rigid::require_valid(static_cast<const Restitution&>(*this));
         rigid::require_valid(static_cast<const NewtonSettings&>(*this));
     }
+    void describe(StabilizerSettings& s) const { s.beta = beta, s.slop = slop; }
 
     template <class Scene>
     void rows(const Scene& scene, const StepSettings& settings,
@@ -77,7 +81,7 @@ public:
 
     //! [move]
     /// x ← x + h u, then each problem of the step by itself: the arcs, then errors.
-    template <class Scene, class Solver>
+    template <class Scene, SolvesProblems Solver>
     void move(Scene& scene, const StepSettings& settings, Solver& solver,
               StepData<3>& now)
     {
@@ -98,14 +102,8 @@ public:
                              second, v, now);
             correct(scene, settings.part(), rows, bodies, apart, now);
         };
-        if constexpr (SolvesProblems<Solver>) solver.for_each_problem(now, one);
-        else {
-            all_.resize(m);
-            std::iota(all_.begin(), all_.end(), 0);
-            one(all_, now.active, solver, true);
-        }
-        if constexpr (requires { solver.bounce_late(scene.bodies, now); })
-            solver.bounce_late(scene.bodies, now);
+        solver.for_each_problem(now, one);
+        solver.bounce_late(scene.bodies, now);
     }
     //! [move]
 
@@ -180,9 +178,10 @@ public:
             part = 1;
             // the old J is good enough while it takes nine tenths of the error
             fresh = n > 0 && off > before / 10;
-            if (fresh)
-                renewals +=
-                    renewed_.renew(scene, rows, second.left_out, apart, now);
+            if (fresh) {
+                renewed_.renew(scene, rows, second.left_out, apart, now);
+                ++renewals;
+            }
             second.max_sweeps = wanted ? push_sweeps : sweeps;
             apart.solve_apart(second, v, now);
             if (wanted && goes_far(members, now.length, h, std::max(pushed, off))) {
@@ -237,7 +236,6 @@ private:
 
     Arcs arcs_;
     RenewedRows renewed_;
-    std::vector<int> all_;    ///< rows
     PlacesBefore best_;       ///< with the least error so far
     std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid
 };

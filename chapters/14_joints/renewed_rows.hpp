@@ -7,29 +7,25 @@
 namespace rigid {
 
 struct RenewedRows {
-    /// \return  whether J is that of here; a solver that has no factor of J has nothing to renew
     template <class Scene, class Apart>
-    bool renew(const Scene& scene, std::span<const int> rows,
+    void renew(const Scene& scene, std::span<const int> rows,
                const std::vector<char>& left_out, Apart& apart, StepData<3>& now)
     {
         const Bodies<3>& bodies = scene.bodies;
-        if constexpr (!requires { apart.factor_again(bodies, now); }) return false;
-        else {
-            before_.resize(now.rows.size());
-            for (const int i : rows) {
-                const auto at = static_cast<std::size_t>(i);
-                Row<3>& row = now.rows[at];
-                if (!renewed_) before_[at] = row;
-                Constraint<3>& c = now.constraints[at];
-                if (left_out[at])  // not looked at yet
-                    c = constraint_at(scene, now, at, bodies.x);
-                const Row<3> fresh = bilateral(c, bodies.inverse_mass);
-                row.Ja = fresh.Ja, row.Jb = fresh.Jb;
-                row.Wa = fresh.Wa, row.Wb = fresh.Wb;
-            }
-            apart.factor_again(bodies, now);
-            return renewed_ = true;
+        before_.resize(now.rows.size());
+        for (const int i : rows) {
+            const auto at = static_cast<std::size_t>(i);
+            Row<3>& row = now.rows[at];
+            if (!renewed_) before_[at] = row;
+            Constraint<3>& c = now.constraints[at];
+            if (left_out[at])  // not looked at yet
+                c = constraint_at(scene, now, at, bodies.x);
+            const Row<3> fresh = bilateral(c, bodies.inverse_mass);
+            row.Ja = fresh.Ja, row.Jb = fresh.Jb;
+            row.Wa = fresh.Wa, row.Wb = fresh.Wb;
         }
+        apart.factor_again(bodies, now);
+        renewed_ = true;
     }
     /// The rows of the step again: those that λ belongs to.
     void put_back(std::span<const int> rows, StepData<3>& now);

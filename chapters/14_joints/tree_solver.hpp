@@ -17,7 +17,7 @@
 namespace rigid {
 
 //! [tree_solver]
-struct TreeSolver {
+struct TreeSolver : PlainSolver {
     int sweeps = 40;  ///< over the rows with bounds of larger islands
     /// rounds end when none changes a row by more than this [ℓ/s]
     Real tolerance = 1e-9;
@@ -52,19 +52,26 @@ struct TreeSolver {
                    std::to_string(most_exact));
         rigid::require_valid(exact);
     }
+    Real noise() const { return tolerance; }
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
         factor_again(bodies, now);
         if (now.substep == 0) reflections.bounced.clear();
-        if (!now.restitution.empty()) {  // impacts come first
-            all_.resize(now.rows.size());
-            std::iota(all_.begin(), all_.end(), 0);
+        all_.resize(now.rows.size());
+        std::iota(all_.begin(), all_.end(), 0);
+        if (!now.restitution.empty())  // impacts come first
             reflections(all_, now.active, *this, bodies, now);
-        }
         biases_of(now.rows, bias_);
         answer(bodies, now);
         if (!now.restitution.empty()) reflections.add_impulses(all_, now);
+    }
+
+    /// All rows are one problem.
+    template <class Visit>
+    void for_each_problem(const StepData<3>& now, const Visit& visit)
+    {
+        visit(all_, now.active, *this, true);
     }
 
     /// What bounces at the end of a sub-step, after the positions.

@@ -20,7 +20,7 @@ namespace rigid {
 
 //! [settings]
 /// The correction stage; solver stage FreeVelocities, start stage last_impulses().
-struct BlockDescent {
+struct BlockDescent : PlainCorrection {
     int sweeps = 10;
     Real alpha = 0.95;  ///< part of an error at the start that is left alone
     Real gamma = 0.99;  ///< part of λ and s that a step starts from

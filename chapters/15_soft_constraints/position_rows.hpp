@@ -37,7 +37,7 @@ Real along(const Constraint<Dof>& c, const VecX& d)
 }
 
 /// The solver stage of methods that find positions first: u = u*.
-struct FreeVelocities {
+struct FreeVelocities : PlainSolver {
     template <int Dof>
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now) const
     {

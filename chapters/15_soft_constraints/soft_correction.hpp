@@ -23,7 +23,7 @@ enum class SoftFinish : unsigned char {
 };
 
 //! [soft_correction]
-struct SoftCorrection : Restitution {
+struct SoftCorrection : Restitution, PlainCorrection {
     Softness contacts{30, 10}, joints{60, 2};
     /// turns of a spring in a sub-step, at most: sweeps get slower with stiffer rows
     Real most_turn = 0.25;

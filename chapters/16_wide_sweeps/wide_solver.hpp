@@ -58,7 +58,7 @@ bool settle_unmoved(const std::vector<Row<Dof>>& rows, const VecX& u,
 ///            all the same
 /// \tparam L  lanes: bundles side by side
 template <int Dof, class T = Real, int L = full_lanes<T>>
-struct WideSolver {
+struct WideSolver : PlainSolver {
     ImpulseSettings sweeps;
     int threads = 1;  ///< that share a colour
     /// of floats: sweeps from one look with doubles to the next
@@ -71,6 +71,7 @@ struct WideSolver {
     WideRows<Dof, T, L> wide;
 
     void require_valid() const;
+    Real noise() const { return sweeps.tolerance; }
 
     /// The rows into their places, unless they are there.
     void begin(const Bodies<Dof>& bodies, const StepData<Dof>& now)

@@ -21,7 +21,7 @@
 namespace rigid {
 
 //! [choice]
-struct IslandChoice : IslandSolvers {
+struct IslandChoice : IslandSolvers, PlainSolver {
     Solving solving = Solving::by_island;
     ChoiceRule rule;
     Real tolerance = 1e-4;  ///< a residual below this is none [ℓ/s]
@@ -34,7 +34,7 @@ struct IslandChoice : IslandSolvers {
     Reflections reflections;
 
     // Of the last step.
-    int rescued_count = 0, unsolved = 0;
+    int rescued_count = 0;
     int stepped_count = 0;   ///< heaps that went by small steps
     int answered_count = 0;  ///< of the exact ones, by their old impulses
     int most_sweeps = 0;     ///< of the island that needed the most
@@ -47,6 +47,8 @@ struct IslandChoice : IslandSolvers {
                                         "; it must be positive and finite");
         rigid::require_valid(sweeps);
     }
+    Real noise() const { return sweeps.tolerance; }
+    const Islands* islands_found() const { return &all.islands; }
 
     void solve(Bodies<3>& bodies, StepData<3>& now)
     {
@@ -74,7 +76,6 @@ struct IslandChoice : IslandSolvers {
     }
     //! [choice]
 
-    /// What bounces at the end of a sub-step, after the positions.
     void bounce_late(Bodies<3>& bodies, StepData<3>& now)
     {
         for (const int i : late_) {
@@ -240,6 +241,5 @@ private:
     VecX zeros_;                   ///< of the length of u
     std::vector<int> late_;        ///< islands with bounces at the end
 };
-static_assert(SolvesProblems<IslandChoice>);
 
 }  // namespace rigid

@@ -215,7 +215,7 @@ void members(Archive& io, EngineState& it)
     io(stage.touching, stage.resting, stage.finder.filter.group,
        stage.finder.filter.meets);
     // a change of these would wake bodies
-    io(it.method.contacts.was_broken, it.method.contacts.contacts.walls);
+    io(it.method.contacts.was_broken, it.method.contacts.walls);
 }
 //! [members]
 

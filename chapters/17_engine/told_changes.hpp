@@ -13,6 +13,7 @@ namespace rigid {
 //! [told]
 struct ToldChanges {
     using Scene = RigidScene;
+    static constexpr bool is_told = true;
     std::vector<int> told;  ///< bodies, since the last step; may name one twice
     Index known = 0;        ///< bodies in the last step: others are new
     Surroundings around;

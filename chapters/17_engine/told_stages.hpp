@@ -10,7 +10,7 @@ namespace rigid {
 /// The four stages of a method, each told before it begins. Forces and constraints,
 /// which are no stage of a method, are told with its rows.
 struct ToldStages {
-    struct Contacts {
+    struct Contacts : PlainContacts {
         ToldStages& all;
         /// of all stages
         void require_valid() const { require_valid_stages(all.method); }
@@ -29,7 +29,7 @@ struct ToldStages {
             all.method.contacts.end(scene, settings, all.method, now);
         }
     };
-    struct Correction {
+    struct Correction : PlainCorrection {
         ToldStages& all;
         template <class Scene>
         void rows(Scene& scene, const StepSettings& settings, StepData<3>& now)
@@ -45,7 +45,7 @@ struct ToldStages {
             if (now.substep + 1 < settings.substeps) all.tell(Stage::rows);
         }
     };
-    struct Start {
+    struct Start : PlainStart {
         ToldStages& all;
         void recall(const StepSettings& settings, StepData<3>& now)
         {
@@ -63,7 +63,7 @@ struct ToldStages {
             all.method.start.remember(settings, now);
         }
     };
-    struct Solver {
+    struct Solver : PlainSolver {
         ToldStages& all;
         void solve(Bodies<3>& bodies, StepData<3>& now)
         {
@@ -74,10 +74,10 @@ struct ToldStages {
 
     EngineMethod& method;
     const StageListener& listener;
-    Contacts contacts{*this};
-    Correction correction{*this};
-    Start start{*this};
-    Solver solver{*this};
+    Contacts contacts{{}, *this};
+    Correction correction{{}, *this};
+    Start start{{}, *this};
+    Solver solver{{}, *this};
 
     void tell(Stage stage) const
     {

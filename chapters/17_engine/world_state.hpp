@@ -70,8 +70,8 @@ struct EngineState {
     mutable std::vector<char> is_unplaced;  ///< of each body, 1: it is in the list
     //! [state]
 
-    ToldManifolds& awake() { return method.contacts.contacts.contacts; }
-    const ToldManifolds& awake() const { return method.contacts.contacts.contacts; }
+    ToldManifolds& awake() { return method.contacts; }
+    const ToldManifolds& awake() const { return method.contacts; }
     CollisionFilter& filter() { return awake().touching.finder.filter; }
     Real metres(Real lengths) const { return lengths * settings.length; }
 

@@ -17,7 +17,7 @@ void ConeSolver::solve_apart(SecondProblem& second, VecX& v, StepData<6>& now)
     for (const int k : now.active) v.segment<6>(6 * k).setZero();
     for (int i = 0; i < islands.count(); ++i) {
         const auto [first, count] = rows_of(i);
-        if (is_exact(count)) {
+        if (solves_exactly(count)) {
             ConeRows problem = problem_of(i);
             problem.feedback = {};
             if (newton.solve(problem, second.tolerance, v)) continue;
@@ -71,7 +71,7 @@ void ConeSolver::solve_island(int island, VecX& u, StepData<6>& now)
     const std::size_t count = rows_of(island).second;
     const Real tolerance = sweeps.tolerance * now.length;
     const ConeRows problem = problem_of(island);
-    const bool exact = is_exact(count);
+    const bool exact = solves_exactly(count);
     if (exact) {
         const bool found = newton.solve(problem, tolerance, u);
         guesses += newton.guesses;
@@ -108,7 +108,7 @@ void ConeSolver::solve_together(Bodies<6>& bodies, StepData<6>& now)
     lanes.levels.begin(bodies.count(), islands.count());
     for (int i = 0; i < islands.count(); ++i) {
         const auto [first, count] = rows_of(i);
-        if (is_exact(count) || count == 0 || sweeps.max_sweeps == 0) {
+        if (solves_exactly(count) || count == 0 || sweeps.max_sweeps == 0) {
             solve_island(i, bodies.u, now);
             continue;
         }

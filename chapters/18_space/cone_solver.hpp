@@ -14,7 +14,7 @@
 namespace rigid {
 
 //! [cone_solver]
-struct ConeSolver {
+struct ConeSolver : PlainSolver {
     /// of each island; a tolerance of 0 makes all sweeps
     ImpulseSettings sweeps{50, 1e-6};
     SweepPatience patience;  ///< with what they leave
@@ -37,7 +37,7 @@ struct ConeSolver {
     LevelSweeps<std::min(full_lanes<Real>, 4)> lanes;  ///< eight are no faster
     std::vector<int> swept;             ///< islands that are not done
     std::vector<SolverRow<6>> pushing;  ///< in the second problem
-    int most_sweeps = 0, unsolved = 0;  ///< of the last step
+    int most_sweeps = 0;                ///< of the last step
     int guesses = 0, unanswered = 0;    ///< of Algorithm 18.2; islands that it left
 
     void require_valid() const
@@ -53,6 +53,9 @@ struct ConeSolver {
                 "a pyramid of friction has " + std::to_string(corners) +
                 " corners; it must have three or more, or 0: a disc");
     }
+
+    Real noise() const { return sweeps.tolerance; }
+    const Islands* islands_found() const { return &islands; }
 
     /// Each island by itself, from the λ that now.solution holds.
     void solve(Bodies<6>& bodies, StepData<6>& now)
@@ -92,7 +95,7 @@ struct ConeSolver {
 private:
     std::pair<std::size_t, std::size_t> rows_of(int island) const;
 
-    bool is_exact(std::size_t count) const
+    bool solves_exactly(std::size_t count) const
     {
         return corners == 0 && count > 0 &&
                count <= static_cast<std::size_t>(exact_rows);

@@ -63,7 +63,7 @@ void evaluate_constraints(const SpaceScene& scene, StepData<6>& now);
 
 //! [all_solids]
 /// The contacts stage without contacts: every body is looked at, and every joint.
-struct AllSolids {
+struct AllSolids : PlainContacts {
     template <class Method>
     void begin(const SpaceScene& scene, const StepSettings&, Method& method,
                StepData<6>& now) const
@@ -97,22 +97,18 @@ struct AllSolids {
             });
         }
     }
-    template <class Method>
-    void end(const SpaceScene&, const StepSettings&, Method&,
-             const StepData<6>&) const
-    {
-    }
     /// Projection adds to x as if angles were numbers, and relaxation writes ω in
     /// axes that have turned since: neither is made for space.
     template <class Correction>
     static void refuse_unfit(const Correction& correction)
     {
-        if constexpr (requires { correction.method; })
-            if (correction.method == Stabilizer::projection ||
-                correction.method == Stabilizer::relaxation)
-                throw std::invalid_argument(
-                    "bodies in space have no projection and no relaxation; choose "
-                    "none, baumgarte or split_impulse");
+        StabilizerSettings how;
+        correction.describe(how);
+        if (how.method == Stabilizer::projection ||
+            how.method == Stabilizer::relaxation)
+            throw std::invalid_argument(
+                "bodies in space have no projection and no relaxation; choose "
+                "none, baumgarte or split_impulse");
     }
 };
 //! [all_solids]

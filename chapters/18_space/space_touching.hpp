@@ -17,7 +17,7 @@ namespace rigid {
 void collide(const SolidWall& wall, const PlacedSolid& b, const TouchSettings& how,
              ClipRoom& room, SolidTouch& touch);
 
-struct TouchingSolids : SolidPairs {
+struct TouchingSolids : SolidPairs, PlainContacts {
     /// what differs by less than this is the same [margins]
     Real slack = 0.01;
     int points = 4;  ///< of each pair of hulls, at most; 1: the deepest alone

@@ -29,7 +29,8 @@ inline bool operator==(const SolidEllipsoid& p, const SolidEllipsoid& q)
 //! [space_watch]
 struct SpaceWatch {
     using Scene = SpaceScene;
-    VecX x;  ///< as the last step left it
+    static constexpr bool is_told = false;  ///< it compares
+    VecX x;                                 ///< as the last step left it
     std::vector<SpaceJoint> joints;
     SpaceScene seen;            ///< the rest of the scene
     mutable bool stale = true;  ///< something was another than it is here

@@ -10,10 +10,9 @@ namespace {
 template <class Method>
 Method touching(const TurningScene& run, Method method)
 {
-    if constexpr (requires { method.contacts.contacts.contacts.finder; }) {
-        auto& manifolds = method.contacts.contacts.contacts;
-        manifolds.finder.filter = forbid_pairs(run.scene.bodies.count(), run.apart);
-        never_stop(manifolds);
+    if constexpr (std::is_base_of_v<Manifolds, decltype(method.contacts)>) {
+        method.contacts.finder.filter = forbid_pairs(run.scene.bodies.count(), run.apart);
+        never_stop(method.contacts);
     }
     return method;
 }

@@ -14,7 +14,7 @@ auto stepping(const TurningScene& run, int substeps, Method method)
     return [settings = StepSettings{.h = run.h(), .substeps = substeps}, method = std::move(method),
             now = StepData<3>()](JointedScene& scene, std::int64_t& work, bool& solved) mutable {
         rigid::step(static_cast<Scene&>(scene), settings, method, now);
-        if constexpr (requires { method.solver.unsolved; }) {
+        if (method.solver.is_exact) {
             solved = solved && method.solver.unsolved == 0;
             work += settings.substeps;
         } else work += now.visits;

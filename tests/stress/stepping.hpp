@@ -48,10 +48,6 @@ std::vector<Setting> settings_of(Scene& scene, StepSettings& settings, Solving& 
         all.push_back({"stay", &by.contacts.stay});
         all.push_back({"skin", &by.contacts.finder.skin});
     }
-    if constexpr (requires { by.contacts.contacts.stay; }) {
-        all.push_back({"stay", &by.contacts.contacts.stay});
-        all.push_back({"skin", &by.contacts.contacts.finder.skin});
-    }
     return all;
 }
 

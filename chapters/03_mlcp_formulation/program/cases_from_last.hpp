@@ -13,7 +13,7 @@
 
 namespace rigid {
 
-struct CasesFromLast {
+struct CasesFromLast : PlainSolver {
     /// links are cases like contacts, instead of being solved apart (3.23)
     bool links_too = false;
     MatrixSolver<std::function<void(const Mlcp&, Solution&)>> by_matrix;

@@ -147,7 +147,7 @@ void heaps(benchmark::State& state, bool repay, bool stop)
             RoughScene scene = random_heap(random, 9, mu);
             ExactFriction<Manifolds> method;
             if (!repay) method.correction.method = Stabilizer::none;
-            method.contacts.contacts.fast.stop = stop;
+            method.contacts.fast.stop = stop;
             StepData<3> now;
             Real before = energy(scene);
             const Real rounding = 1e-9 * std::abs(before);

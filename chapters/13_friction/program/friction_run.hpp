@@ -114,7 +114,7 @@ public:
                        along = 30 * perpendicular(wall.normal);
             canvas.segment(middle - along, middle + along, paint::wall);
         }
-        const AwakeSet& set = skipping_.contacts.contacts.set;
+        const AwakeSet& set = skipping_.contacts.set;
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             paint_rigid_body(canvas, scene, k);
             if (k < static_cast<Index>(set.activity.size()) && set.is_asleep(k))

@@ -345,7 +345,7 @@ void register_ragdolls(int dolls)
             ->Iterations(1);
     };
     const auto filtered = [](const Ragdolls& all, auto method) {
-        auto& touching = method.contacts.contacts.contacts;
+        auto& touching = method.contacts;
         touching.finder.filter = forbid_pairs(all.scene.bodies.count(), all.apart);
         never_stop(touching);
         return method;
@@ -418,7 +418,7 @@ JointedScene falling_dolls(int dolls, SkippingJoints& method)
                           pairs.push_back({a, b});
                       });
     cover(scene, {0.6, 0, 0, 0});
-    auto& touching = method.contacts.contacts.contacts.touching;
+    auto& touching = method.contacts.touching;
     touching.finder.filter = forbid_pairs(scene.bodies.count(), pairs);
     never_stop(touching);
     return scene;
@@ -428,7 +428,7 @@ void dolls(benchmark::State& state)
 {
     SkippingJoints method;
     JointedScene scene = falling_dolls(static_cast<int>(state.range(0)), method);
-    const auto& awake = method.contacts.contacts.contacts.set.awake;
+    const auto& awake = method.contacts.set.awake;
     StepData<3> now;
     Real gap = 0, time = 0;
     int steps = 0, unsolved = 0, largest = 0;

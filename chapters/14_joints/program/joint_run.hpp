@@ -70,10 +70,8 @@ struct JointMethods {
 
     std::array<Manifolds*, 4> touching()
     {
-        return {&trees.contacts.contacts.contacts,
-                &sleeping.contacts.contacts.contacts.touching,
-                &sweeps.contacts.contacts.contacts,
-                &rattle.contacts.contacts.contacts};
+        return {&trees.contacts, &sleeping.contacts.touching, &sweeps.contacts,
+                &rattle.contacts};
     }
 
     void step(JointState& state, const StepSettings& how, const Settings& settings)
@@ -93,7 +91,7 @@ struct JointMethods {
             rigid::step(state.scene, how, sweeps, state.now);
         } else if (settings.method == "sleeping") {
             by_trees(state, how, settings, sleeping);
-            const auto& set = sleeping.contacts.contacts.contacts.set;
+            const auto& set = sleeping.contacts.set;
             state.asleep = 0;
             for (Index k = 0; k < state.scene.bodies.count(); ++k)
                 state.asleep += state.scene.bodies.can_move(k) && set.is_asleep(k);

@@ -73,7 +73,7 @@ template <class Method>
 Measured measure(Method method, const Given& start, int substeps)
 {
     JointedScene scene = start.scene;
-    Manifolds& touching = method.contacts.contacts.contacts;
+    Manifolds& touching = method.contacts;
     touching.finder.filter = start.filter;
     touching.fast.stop = false;
     StepData<3> now;

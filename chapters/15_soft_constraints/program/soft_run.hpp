@@ -66,7 +66,7 @@ struct SoftMethods {
     void forbid(const CollisionFilter& filter)
     {
         const auto set = [&filter](auto& method) {
-            Manifolds& touching = method.contacts.contacts.contacts;
+            Manifolds& touching = method.contacts;
             touching.finder.filter = filter;
             // a body that is stopped on its way is torn off its joints
             touching.fast.stop = false;
