@@ -15,7 +15,7 @@ using Mat = Eigen::MatrixXd;
 using Path = std::pair<const char*, std::vector<Vector2d>>;  // a colour and points
 
 struct Contact {
-    int a, b, corner;      // body b, one of its corners, and a wall a: -1, -2, …
+    int a, b, name;        // body b, a wall a: -1, -2, …, and which corner of b
     Eigen::RowVector3d J;  // of body b, (11.6)
     double C, lo;          // gap [m]; bound of λ
     double bias = 0, lambda = 0;  // [m/s], [N s]
@@ -83,7 +83,7 @@ int step(Bodies& d, double h, double beta, int most = 100000)
     for (Contact& c : contacts) {
         c.bias = (c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
         for (const Contact& old : d.contacts)  // its key is who touches whom, where
-            if (old.a == c.a && old.b == c.b && old.corner == c.corner)
+            if (old.a == c.a && old.b == c.b && old.name == c.name)
                 push(c, c.lambda = old.lambda, d);
     }
     int sweeps = 0;
@@ -96,23 +96,22 @@ int step(Bodies& d, double h, double beta, int most = 100000)
     return sweeps;
 }
 
-// A uniform box, or a rod of height 0, of 1 kg at (x, y, angle).
-void add_box(Bodies& d, double width, double height, const Vector3d& at)
+// A uniform box of half sizes w, h at (x, y, angle), or a rod, of which h is zero.
+void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
 {
-    const int n = d.x.size();
-    const double w = width / 2, h = height / 2;
-    for (Vec* v : {&d.x, &d.u, &d.inverse_mass}) v->conservativeResize(n + 3);
+    for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
+        v->conservativeResize(3 * d.corners.size() + 3);
     d.x.tail<3>() = at, d.u.tail<3>().setZero();
-    d.inverse_mass.tail<3>() << 1, 1, 3 / (w * w + h * h);
+    d.inverse_mass.tail<3>() = Vector3d(1, 1, 3 / (w * w + h * h)) / mass;
     d.corners.push_back({{-w, -h}, {w, -h}, {w, h}, {-w, h}});
-    if (height == 0) d.corners.back().resize(2);
+    if (h == 0) d.corners.back().resize(2);
 }
 
 int main(int count, char** word)
 {
     // By hand, section 11.1: a rod at 30 degrees falls at 1 m/s and is struck.
     Bodies rod{{}, {}, {}, {}, Vec{{0, 1, 0}}};
-    add_box(rod, 1, 0, {0, 0.25, std::numbers::pi / 6});
+    add_box(rod, 0.5, 0, 1, {0, 0.25, std::numbers::pi / 6});
     rod.u[1] = -1;
     Contact c = find_contacts(rod)[0];
     c.bias = 0.5 * c.J.dot(rod.u);  // e = 1/2
@@ -132,8 +131,8 @@ int main(int count, char** word)
 
     // Under its weight the rod falls flat, and a box beside it.
     Bodies d{{}, {}, {}, {}, Vec{{0, 1, 0}}};
-    add_box(d, 1, 0, {0, 0.3, std::numbers::pi / 6});
-    add_box(d, 0.4, 0.2, {-0.9, 1, 0.5});
+    add_box(d, 0.5, 0, 1, {0, 0.3, std::numbers::pi / 6});
+    add_box(d, 0.2, 0.1, 1, {-0.9, 1, 0.5});
     int sweeps = 0;
     for (int n = 1; n <= 240; ++n) {
         sweeps += step(d, 1.0 / 240, 0.2);

@@ -164,10 +164,10 @@ int main(int count, char** word)
     for (const Contact& c : across.contacts)
         std::printf("point %d: gap %g m, lambda %g N s\n", c.name, c.C, c.lambda);
     // Six boxes on a floor, with two points a pair, and with the deepest alone.
-    std::ofstream out(count < 2 ? ""
-                                : word[1]);  // an SVG picture; y points upwards
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.05' viewBox='-1.2 -6.3 14 6.5'>\n";
+           "width='400' stroke-width='0.05' viewBox='-1.2 -6.3 14 6.5'>\n"
+           "<g transform='scale(1 -1)'>\n";
     for (const int points : {2, 1}) {
         Bodies d;
         d.points = points;
@@ -176,13 +176,10 @@ int main(int count, char** word)
         for (int n = 0; n < 240; ++n) step(d, 1.0 / 60, 0.2, 10);
         std::printf("points: %d, the top at %.4f m\n", points, d.x[19]);
         for (int b = 1; b < 7; ++b) {
-            const Polygon box =
-                placed(d, b).colwise() + Vector2d(14 - 7 * points, 0);
-            out << "<polygon stroke='#4477AA' points='";
-            for (const auto& p : box.colwise())
-                out << p.x() << ',' << -p.y() << ' ';
-            out << "'/>\n";
+            d.x[3 * b] += 14 - 7 * points;
+            out << "<polygon stroke='#4477AA' points='" << placed(d, b).transpose()
+                << "'/>\n";
         }
     }
-    out << "</svg>\n";
+    out << "</g></svg>\n";
 }

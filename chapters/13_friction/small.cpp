@@ -13,17 +13,19 @@ using Vec = Eigen::VectorXd;
 using Polygon = Eigen::Matrix2Xd;  // corners, counterclockwise
 
 struct Contact {
-    int a, b, name;                  // two bodies; which of their points it is
-    Vector2d p;                      // the point
-    Eigen::RowVector3d Ja, Jb;       // (12.4)
-    double C, bias = 0, lambda = 0;  // gap [m]; [m/s], [N s]
-    int normal = -1;                 // of friction: the row that bounds it
+    int a, b, name;               // two bodies; which of their points it is
+    Vector2d p;                   // the point
+    Eigen::RowVector3d Ja, Jb;    // (12.4)
+    double C;                     // gap [m]
+    double bias = 0, lambda = 0;  // [m/s], [N s]
+    int normal = -1;              // of friction: the row that bounds it
 };
 
 struct Bodies {
     Vec x, u, inverse_mass;        // three numbers a body: x, y, angle
     std::vector<Polygon> corners;  // from the centroid, at angle 0
-    double g = 9.81, mu = 0;
+    double g = 9.81;
+    double mu = 0;
     std::vector<Contact> contacts = {};  // of the last step
 };
 
@@ -114,12 +116,12 @@ void push(const Contact& c, double impulse, Bodies& d)
             impulse * d.inverse_mass.segment<3>(k).cwiseProduct(J.transpose());
 }
 
-// One visit: (6.2) to (6.5).
+// One visit: (6.2) to (6.5), (13.6).
 void visit(Contact& c, const std::vector<Contact>& all, Bodies& d)
 {
     const double hi = c.normal < 0 ? INFINITY : d.mu * all[c.normal].lambda;
-    const double lo = c.normal < 0 ? 0 : -hi;  // (13.6)
-    double w = c.bias, A = 0;                  // (11.7)
+    const double lo = c.normal < 0 ? 0 : -hi;
+    double w = c.bias, A = 0;  // (11.7)
     for (const auto& [k, J] : {std::pair{3 * c.a, c.Ja}, {3 * c.b, c.Jb}}) {
         w += J * d.u.segment<3>(k);
         A += J.cwiseAbs2() * d.inverse_mass.segment<3>(k);
@@ -170,24 +172,22 @@ Bodies boxes(int count, double angle, double mu, double g = 9.81)
 
 int main(int count, char** word)
 {
-    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='400' "
-           "stroke-width='0.03' viewBox='-1.2 -1.5 4.4 3.5'>\n";
     // By hand, section 13.1: a block on a slope of 3 in 4. Red: its push.
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
+    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
+           "width='400' stroke-width='0.03' viewBox='-1.2 -1.5 4.4 3.5'>\n"
+           "<g transform='scale(1 -1)'>\n";
     for (const double mu : {0.9, 0.5}) {
         Bodies d = boxes(1, std::atan(0.75), mu, 10);
         step(d, 0.1, 100);
         std::printf("mu = %g: %.3f m/s\n", mu, d.u.segment<2>(3).norm());
         d.x.segment<2>(3) += (0.9 - mu) * Vector2d(5, -3.75);
-        const Polygon block = placed(d, 1);
-        out << "<polygon stroke='#4477AA' points='";
-        for (const auto& p : block.colwise()) out << p.x() << ',' << -p.y() << ' ';
-        out << "'/><path stroke='#808080' d='M-4 -3L4 3'/><path stroke='#CC3311' "
-               "d='M"
-            << d.x[3] << ' ' << -d.x[4] << 'l' << d.u[3] << ' ' << -1 - d.u[4]
-            << "'/>\n";
+        out << "<polygon stroke='#4477AA' points='" << placed(d, 1).transpose()
+            << "'/>\n<path stroke='#808080' d='M-4 3L4-3'/>\n"
+            << "<path stroke='#CC3311' d='M" << d.x[3] << ' ' << d.x[4] << 'l'
+            << d.u[3] << ' ' << 1 + d.u[4] << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "</g></svg>\n";
     // mu = 0.3 holds up to 16.70 degrees; beyond it (13.1).
     for (const double degrees : {16.5, 16.9, 30.0}) {
         Bodies d = boxes(1, degrees * std::acos(-1) / 180, 0.3), start = d;

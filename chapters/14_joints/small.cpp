@@ -16,9 +16,8 @@ using Rows = Eigen::Matrix<double, 2, 3>;  // of a pin: along x and y
 using Path = std::pair<const char*, std::vector<Vector2d>>;  // a colour and points
 
 struct Pin {
-    int parent;  // of the body that it holds; -1: the world
-    Vector2d above,
-        below;  // the point in the parent, or in the world, and in the body
+    int parent;             // of the body that it holds; -1: the world
+    Vector2d above, below;  // the point in the parent, or the world; in the body
     double lower = -INFINITY, upper = INFINITY;  // limits of the angle between both
     Rows J = Rows::Zero(), Jp = Rows::Zero();
     Vector2d C = {0, 0}, lambda = {0, 0}, pushed = {0, 0};  // [m]; [N s], [N m s]
@@ -26,8 +25,7 @@ struct Pin {
 
 struct Bodies {
     Vec x, u, inverse_mass;  // three numbers a body: x, y, angle
-    std::vector<Pin>
-        pins;  // one a body, which holds it; its parent comes before it
+    std::vector<Pin> pins;   // one a body, which holds it; a parent comes first
     double g = 9.81;
 };
 

@@ -132,8 +132,7 @@ int main(int count, char** word)
         std::printf("%s: %.2f m/s, %.4f m\n", xpbd ? "XPBD" : "soft row", d.u[2],
                     d.x[2] - 1);
     }
-    std::ofstream out(count < 2 ? ""
-                                : word[1]);  // an SVG picture; y points upwards
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='720' "
            "stroke-width='0.02' viewBox='-0.5 -3.3 7.3 3.4'>\n";
     for (const double stiffness : {120.0, 1e9})

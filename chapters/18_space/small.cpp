@@ -17,15 +17,14 @@ using Mat = Eigen::MatrixXd;
 using Rows = Eigen::Matrix<double, 3, 6>;  // along t1, t2 and n
 
 struct Contact {
-    int a, b, corner;  // body b, one of its corners, and a wall a: -1, -2, …
-    Rows J;            // of body b, (18.34)
-    double C;          // gap [m]
+    int a, b, name;  // body b, a wall a: -1, -2, …, and which corner of b
+    Rows J;          // of body b, (18.34)
+    double C;        // gap [m]
     Vector3d bias = {0, 0, 0}, lambda = {0, 0, 0};  // [m/s], [N s]
 };
 
 struct Bodies {
-    Vec x, u,
-        inverse_mass;  // six numbers a body: x, rotation vector; v, ω; 1/m, 1/I
+    Vec x, u, inverse_mass;  // six a body: x, rotation vector; v, ω; 1/m, 1/I
     std::vector<Eigen::Matrix3Xd> corners;  // from the centroid, in its own axes
     Mat walls;  // columns n, c: where n·p ≥ c it is free
     double g = 9.81, mu = 0.5;
@@ -63,8 +62,8 @@ std::vector<Contact> find_contacts(const Bodies& d)
     for (int b = 0; b < int(d.corners.size()); ++b)
         for (int k = 0; k < d.corners[b].cols(); ++k)
             for (int i = 0; i < d.walls.cols(); ++i) {
-                const Vector3d n = d.walls.col(i).head<3>(),
-                               r = d.corners[b].col(k);
+                const Vector3d n = d.walls.col(i).head<3>();
+                const Vector3d r = d.corners[b].col(k);
                 const auto R = exp(d.x.segment<3>(6 * b + 3)).toRotationMatrix();
                 const double C =
                     n.dot(d.x.segment<3>(6 * b) + R * r) - d.walls(3, i);
@@ -95,8 +94,8 @@ void visit(Contact& c, Bodies& d)
     const Rows W = c.J * d.inverse_mass.segment<6>(6 * c.b).asDiagonal();
     const Eigen::Matrix3d A = W * c.J.transpose();
     const Eigen::Matrix2d At = A.topLeftCorner<2, 2>();
-    const double half = At.trace() / 2,
-                 L = half + std::sqrt(half * half - At.determinant());
+    const double half = At.trace() / 2;
+    const double L = half + std::sqrt(half * half - At.determinant());
     const double radius = d.mu * c.lambda[2];
     Vector3d w = c.J * u + c.bias, next = c.lambda;
     next.head<2>() -= At.inverse() * w.head<2>();
@@ -118,7 +117,7 @@ void step(Bodies& d, double h, double beta, int sweeps)
     for (Contact& c : contacts) {
         c.bias[2] = (c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
         for (const Contact& old : d.contacts)  // its key is who touches whom, where
-            if (old.a == c.a && old.b == c.b && old.corner == c.corner) {
+            if (old.a == c.a && old.b == c.b && old.name == c.name) {
                 c.lambda = old.lambda;
                 d.u.segment<6>(6 * c.b) +=
                     d.inverse_mass.segment<6>(6 * c.b).cwiseProduct(
@@ -140,8 +139,8 @@ void step(Bodies& d, double h, double beta, int sweeps)
 // A uniform box with the edges e at a place.
 void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
 {
-    const int n = d.x.size();
-    for (Vec* v : {&d.x, &d.u, &d.inverse_mass}) v->conservativeResize(n + 6);
+    for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
+        v->conservativeResize(6 * d.corners.size() + 6);
     d.x.tail<6>() << at, 0, 0, 0;
     d.u.tail<6>().setZero();
     const Vector3d q = e.cwiseAbs2();
@@ -155,11 +154,9 @@ void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
 
 double spin_energy(const Bodies& d)
 {
-    return d.u.segment<3>(3)
-               .cwiseAbs2()
-               .cwiseQuotient(d.inverse_mass.segment<3>(3))
-               .sum() /
-           2;
+    const Vector3d omega = d.u.segment<3>(3);
+    const Vector3d inverse = d.inverse_mass.segment<3>(3);
+    return omega.cwiseAbs2().cwiseQuotient(inverse).sum() / 2;
 }
 
 // A book of 0.7 kg that spins about its middle axis, with a wobble.
@@ -187,10 +184,10 @@ int main(int count, char** word)
     const double E = spin_energy(middle);
     for (int n = 0; n < 1600; ++n) {
         step(middle, 0.005, 0, 0);
-        const Vector3d inverse = first.inverse_mass.tail<3>(),
-                       omega = first.u.tail<3>();
-        first.u.tail<3>() -= 0.005 * inverse.cwiseProduct(omega.cross(
-                                         omega.cwiseQuotient(inverse)));  // (18.17)
+        const Vector3d inverse = first.inverse_mass.tail<3>();
+        const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
+        first.u.tail<3>() -=
+            0.005 * inverse.cwiseProduct(omega.cross(L));  // (18.17)
     }
     std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
                 spin_energy(first) / E);
@@ -206,8 +203,7 @@ int main(int count, char** word)
                     std::atan2(d.x[1], d.x[0]) * 180 / std::numbers::pi);
     }
     // The book falls on a floor.
-    std::ofstream out(
-        count < 2 ? "" : word[1]);  // an SVG picture in parallel projection
+    std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
            "width='300' stroke-width='0.008' viewBox='-0.25 -1.25 0.8 1.4'>\n";
     Bodies d = book(12, 0.1);

@@ -184,7 +184,7 @@ Numbers rod(Numbers in)
 {
     said11::Bodies d{{}, {}, {}, {}, Eigen::VectorXd{{0, 1, 0}}};
     const double angle = in["angle"] * degree;
-    said11::add_box(d, 1, 0, {0, 0.5 * std::sin(angle), angle});
+    said11::add_box(d, 0.5, 0, 1, {0, 0.5 * std::sin(angle), angle});
     d.u[1] = -1;
     said11::Contact c = said11::find_contacts(d).at(0);
     c.bias = in["e"] * c.J.dot(d.u);

@@ -155,8 +155,8 @@ int main()
             },
             [&](const small13::Bodies& d) { return 1000 * (d.x - tower.x).cwiseAbs().maxCoeff(); });
     small17::Bodies stack;
-    small17::add_box(stack, 100, 0.5, INFINITY, 0, -0.5);
-    for (int k = 0; k < 10; ++k) small17::add_box(stack, 0.5, 0.5, 1, 0, 0.5 + k);
+    small17::add_box(stack, 100, 0.5, INFINITY, {0, -0.5, 0});
+    for (int k = 0; k < 10; ++k) small17::add_box(stack, 0.5, 0.5, 1, {0, 0.5 + k, 0});
     line(
         "ten boxes", "small program 17, exact where it stands, and sleep", [&] { return stack; },
         [&](small17::Bodies& d) {

@@ -56,7 +56,7 @@ TEST_CASE("the small program of chapter 11 has the numbers of the text and the l
 {
     // By hand, section 11.1.
     small11::Bodies rod{{}, {}, {}, {}, VecX{{0, 1, 0}}};
-    small11::add_box(rod, 1, 0, {0, 0.25, pi / 6});
+    small11::add_box(rod, 0.5, 0, 1, {0, 0.25, pi / 6});
     rod.u[1] = -1;
     small11::Contact c = small11::find_contacts(rod).at(0);
     c.bias = 0.5 * c.J.dot(rod.u);
@@ -65,8 +65,8 @@ TEST_CASE("the small program of chapter 11 has the numbers of the text and the l
     CHECK((rod.u - VecX{{0, -7.0 / 13, -18 * std::sqrt(3.0) / 13}}).norm() < 1e-14);
 
     small11::Bodies d{{}, {}, {}, {}, VecX{{0, 1, 0}}};
-    small11::add_box(d, 1, 0, {0, 0.3, pi / 6});
-    small11::add_box(d, 0.4, 0.2, {-0.9, 1, 0.5});
+    small11::add_box(d, 0.5, 0, 1, {0, 0.3, pi / 6});
+    small11::add_box(d, 0.2, 0.1, 1, {-0.9, 1, 0.5});
     RigidScene scene;
     scene.walls.push_back({{0, 1}, 0});
     scene.length = 1;
