@@ -43,7 +43,7 @@ Box placed(const Bodies& d, int b)
     return (R * d.corners[b]).colwise() + d.x.segment<2>(3 * b);
 }
 
-// Two faces have an interval in common along t = n⊥, (12.3). Its ends are the points.
+// Two faces have an interval along t = n⊥, (12.3): its ends are the points.
 void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
 {
     const Box P = placed(d, a), Q = placed(d, b);
@@ -102,8 +102,8 @@ std::vector<Island> islands(const Bodies& d)
     return all;
 }
 
-// Exactly: as if friction held, guesses which points push and solves for them, until
-// the guess is right. Then sweeps until nothing changes; returns whether it got there.
+// Exactly: as if friction held, guesses which points push and solves for them until
+// it is right, then sweeps until nothing changes. Returns whether it got there.
 bool solve(const Island& island, Bodies& d, double h, bool exactly, double most)
 {
     const int m = 2 * island.points.size();
