@@ -100,6 +100,7 @@ else
     say "without demos: ./book web builds them"
 fi
 
+python3 docs/tools/doxygen_filter.py --all build/docs/filtered
 # bibtex of a bare texlive-binaries has no configuration: it finds its files by these two.
 BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >build/docs/doxygen.log 2>&1 || {
     cat build/docs/doxygen.log >&2

@@ -208,6 +208,25 @@ TEST_CASE("a body that is stopped gives back what its weight did in the time tha
     CHECK(std::abs(energy(scene) - before + mass * std::pow(9.81 * h, 2) * part * (1 - part / 2)) <= 1e-10);
 }
 
+TEST_CASE("what is fast meets what comes towards it slowly", "[idea]")
+{
+    // The face of a box comes from 2 m to 1.6 m in a step: less than half its inner radius. The front of a disc goes from 0.1 m
+    // to 1.8 m: where they meet, the box was not when pairs were looked for.
+    RigidScene scene;
+    scene.length = 1;
+    scene.gravity = {0, 0};
+    const Index wide = add_body(scene, box(2, 2), 1, {3, 0}), b = add_body(scene, disc(0.1), 1, {0, 0});
+    scene.bodies.velocity(wide) << -24, 0, 0;
+    scene.bodies.velocity(b) << 102, 0, 0;
+    ManifoldExact method = exact();
+    StepData<3> now;
+    step(scene, {.h = 1.0 / 60}, method, now);
+    CHECK(method.contacts.fast.bodies == std::vector<int>{static_cast<int>(b)});
+    CHECK(method.contacts.fast.impacts == 1);
+    // 1.7 τ + 0.1 = 2 − 0.4 τ, and it stops at a gap of at most half a margin
+    CHECK(scene.bodies.x[3 * b] == Approx(1.7 * 1.9 / 2.1).margin(0.01));
+}
+
 TEST_CASE("slender rods that stop each other in every step gain no energy in any step", "[idea]")
 {
     // Ten rods 300 times as long as thick fall into a trough. Errors are left, so that each step obeys (13.19).

@@ -22,7 +22,7 @@ struct Islands;             // chapter 10
 
 /// A contacts stage without settings, for which all bodies are awake.
 struct PlainContacts {
-    /// whoever owns the scene has checked it, and reports what he changes
+    /// the owner of the scene has checked it, and reports what it changes
     static constexpr bool is_told = false;
 
     void require_valid() const {}
@@ -73,7 +73,7 @@ struct PlainSolver {
 /// - begin() fills now.active (ascending), contacts, sources, x_found, length. It moves
 ///   no body. No active body: the step ends there, without end().
 /// - end() may put bodies back to where they touched, and let them fall asleep.
-/// - wake() and wake_everybody() are for those who see what the stage doesn't; called
+/// - wake() and wake_everybody() are for what sees more than the stage does; called
 ///   before begin(), or where its caller calls it again. is_asleep() then says no.
 template <class Stage, class Scene, class Method>
 concept ContactsStage = requires(Stage stage, Scene& scene,
@@ -95,7 +95,7 @@ concept ContactsStage = requires(Stage stage, Scene& scene,
 ///   until move(), but neither x nor u.
 /// - move() brings x to the end of the sub-step; u only as far as the solver's answer
 ///   to a second problem, or the way itself, asks for.
-/// - describe() writes what rests depend on: whoever changes it wakes all.
+/// - describe() writes what rests depend on: a change of it wakes all.
 /// - pushes(i): row i had an overlap moved out in this sub-step.
 template <class Stage, class Scene, class Solver>
 concept CorrectionStage = requires(Stage stage, Scene& scene,
@@ -134,7 +134,7 @@ concept StartStage = requires(Stage stage, const Bodies<Dof>& bodies,
 ///   u = u* + M⁻¹ Jᵀ λ of the active bodies (u* alone where its status says that it has
 ///   no answer). No x changes, and no J.
 /// - noise() [ℓ/s]: it may leave as much in the velocity of what is at rest.
-/// - islands_found(): of the rows of this step; nullptr: whoever needs them finds them.
+/// - islands_found(): of the rows of this step; nullptr: they have not been found.
 template <class Stage, int Dof>
 concept SolverStage = requires(Stage stage, Bodies<Dof>& bodies, StepData<Dof>& now)
 {

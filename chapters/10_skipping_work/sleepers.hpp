@@ -44,7 +44,7 @@ struct Sleepers : PlainContacts {
         changed = true;
     }
 
-    /// For changes that the stage does not see by itself. Whom it does not know yet
+    /// For changes that the stage does not see by itself. What it does not know yet
     /// will be awake.
     void wake(Index k)
     {

@@ -167,7 +167,7 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
             hold(a, impact_on_wall(wall, moving, inner_a));
     }
     fast.pairs.clear();
-    fast.sweep.order.clear();  // of other bodies
+    fast.sweep.order.clear();  // each step has other fast bodies
     overlapping_pairs(fast.swept, fast.sweep, [&](int i, int j) {
         const int a = fast.bodies[static_cast<std::size_t>(i)],
                   b = fast.bodies[static_cast<std::size_t>(j)];

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Write the input that Doxygen reads, from what GitHub and the compiler read.
 
-    docs/tools/doxygen_filter.py FILE      the filtered text on stdout
+    docs/tools/doxygen_filter.py FILE          the filtered text on stdout
+    docs/tools/doxygen_filter.py --all FOLDER  all texts and sources of the book, filtered, in FOLDER
 
-Called by Doxygen for each file (FILTER_PATTERNS). A Markdown text: maths, quoted
+Doxygen asks for some files many times, one process each (FILTER_PATTERNS); so all are filtered once, before
+it begins, and docs/tools/filtered.sh hands them over. A Markdown text: maths, quoted
 code, figures, links and citations become Doxygen's own. A C++ source: an equation
 number in a doc comment becomes a link; the number of lines stays what it is.
 A test: each test becomes a documented function that bears its name.
@@ -16,8 +18,8 @@ import re
 import sys
 
 from booktext import (EQUATION, FIGURE, FIGURE_CAPTION, MARKER, ROOT, TAG, TextError, bib_keys,
-                      blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, lone_picture, page_id, run_tool, slug,
-                      snippet_code, snippet_language, test_names, tokens)
+                      blocks, chapter_texts, chapters, comments, equation_tags, figure_captions, lone_picture, markdown_files, page_id, run_tool,
+                      slug, snippet_code, snippet_language, source_files, test_names, tokens)
 from demos import demo_of, own_program
 from sentences import place, sentence_of
 
@@ -389,21 +391,33 @@ def test_text(book, path, source):
     return title + "\n".join(lines)
 
 
+def filtered(book, path):
+    if path.suffix == ".md":
+        return Page(book, path).text()
+    source = path.read_text(encoding="utf-8")
+    in_tests = path.parent == ROOT / "tests" and path.suffix == ".cpp"
+    return test_text(book, path, source) if in_tests else source_text(book, source)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("file", type=pathlib.Path, help="a text or a source of the book")
-    path = parser.parse_args().file.resolve()
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("file", nargs="?", type=pathlib.Path, help="a text or a source of the book")
+    what.add_argument("--all", metavar="FOLDER", type=pathlib.Path, help="all of them, into this folder")
+    arguments = parser.parse_args()
+    if arguments.all:
+        book = Book(ROOT)
+        for path in markdown_files(ROOT) + source_files(ROOT):
+            here = arguments.all / path.relative_to(ROOT)
+            here.parent.mkdir(parents=True, exist_ok=True)
+            here.write_text(filtered(book, path), encoding="utf-8")
+        return
+    path = arguments.file.resolve()
     if not path.is_file():
         raise TextError(f"{path} is no file")
     if not path.is_relative_to(ROOT):
         raise TextError(f"{path} is not in the book, which is {ROOT}")
-    book = Book(ROOT)
-    if path.suffix == ".md":
-        sys.stdout.write(Page(book, path).text())
-    else:
-        source = path.read_text(encoding="utf-8")
-        in_tests = path.parent == ROOT / "tests" and path.suffix == ".cpp"
-        sys.stdout.write(test_text(book, path, source) if in_tests else source_text(book, source))
+    sys.stdout.write(filtered(Book(ROOT), path))
 
 
 if __name__ == "__main__":
