@@ -26,7 +26,7 @@ target_compile_options(rigid_web_program PRIVATE ${small})
 
 # The preset compiles everything with -msimd128 -msse2: Eigen then adds by the two numbers at once that it has on a PC, in
 # the same order (cmake/physics.cmake). Only Eigen does: loops that the compiler pairs or unrolls by itself are written twice
-# or four times over, with their remainders. Chapter 17 was 25 kB heavier in gzip, and no faster.
+# or four times over, with their remainders. Chapter 19 was 25 kB heavier in gzip, and no faster.
 # The preset leaves pairs of single numbers (-vectorize-slp=false) to Eigen as well, and makes its own way of writing one number
 # into both halves of a pair (cmake/web/splat.hpp): Emscripten 3.1.6 reads such a number too late.
 set(fast -fno-vectorize "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")

@@ -3,7 +3,7 @@
 #
 #     docs/build.sh          check the texts, build the site, check the site
 #     docs/build.sh check    only check the texts (needs nothing but python3)
-#     docs/build.sh sync     fill the quoted code in from the sources, make the index of terms, the tables of chapter 17 and the drawing
+#     docs/build.sh sync     fill the quoted code in from the sources, make the index of terms, the tables of chapter 19 and the drawing
 #                            of the architecture
 #     docs/build.sh test     test these tools themselves
 #     docs/build.sh sentences    the table of what can be dragged in the texts, tests/small/sentences.csv (needs node)
@@ -42,7 +42,7 @@ check_texts() {
     faulty=0
     python3 docs/tools/sync_snippets.py --check || faulty=1
     python3 docs/tools/make_index.py --check || faulty=1
-    python3 chapters/17_engine/benchmark/make_table.py --check || faulty=1
+    python3 chapters/19_engine/benchmark/make_table.py --check || faulty=1
     python3 docs/architecture/draw.py --check docs/architecture/figures/architecture.svg || faulty=1
     python3 docs/tools/check_version.py || faulty=1
     python3 docs/tools/check_text.py || faulty=1
@@ -63,7 +63,7 @@ check) check_texts; say "the texts are in order"; exit 0 ;;
 sync)
     python3 docs/tools/sync_snippets.py
     python3 docs/tools/make_index.py
-    python3 chapters/17_engine/benchmark/make_table.py
+    python3 chapters/19_engine/benchmark/make_table.py
     exec python3 docs/architecture/draw.py docs/architecture/figures/architecture.svg
     ;;
 test) exec python3 docs/tools/test_tools.py ;;

@@ -17,7 +17,7 @@ enum class ConstraintKind : unsigned char {
     motor,
     /// the same, as far as the impulse of another constraint allows (chapter 13)
     friction,
-    spring,  ///< pulls C back by itself, the more the larger C is (chapter 15)
+    spring,  ///< pulls C back by itself, the more the larger C is (chapter 16)
     inerter,  ///< resists a change of J u, as a mass between its two would (chapter 14)
 };
 
@@ -54,7 +54,7 @@ struct Constraint {
 };
 
 /// b of a constraint without an error to correct [m/s]: minus the wanted speed; of a spring k C / (h k + c), with which
-/// and γ = 1 / (h (h k + c)) the row's λ is the spring's own impulse −h (k C + c Ċ) at the end of the step (chapter 15).
+/// and γ = 1 / (h (h k + c)) the row's λ is the spring's own impulse −h (k C + c Ċ) at the end of the step (chapter 16).
 template <int Dof>
 Real own_bias(const Constraint<Dof>& c, Real h)
 {

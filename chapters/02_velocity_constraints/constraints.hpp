@@ -56,7 +56,7 @@ struct Row {
         u.template segment<Dof>(Dof * b) += Wb * lambda;
     }
 
-    // Of rows that follow an impulse (chapters 13 and 15); until then they stay as
+    // Of rows that follow an impulse (chapters 13 and 16); until then they stay as
     // they are here.
     /// γ ≥ 0 [1/kg]: w = J u + b + γ λ, so that the row gives way under its impulse
     Real softness = 0;

@@ -5,7 +5,7 @@
 ///
 /// Before a visit the row takes its bounds from the present λ_n; after it γλ is part of the row's bias, so that `bias`
 /// plus J u is w at each moment and the visit itself contains nothing of either. A scene that has no such row has no
-/// list of them, and pays nothing. Chapter 13 makes friction of the first, chapter 15 springs of the second.
+/// list of them, and pays nothing. Chapter 13 makes friction of the first, chapter 16 springs of the second.
 #pragma once
 
 #include "chapters/06_sequential_impulse/solver_row.hpp"

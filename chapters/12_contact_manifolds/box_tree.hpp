@@ -16,7 +16,7 @@
 
 namespace rigid {
 
-/// \tparam Box  with overlap(), contains(), joined(), grown() and perimeter(): chapter 18 has boxes in space
+/// \tparam Box  with overlap(), contains(), joined(), grown() and perimeter(): chapter 20 has boxes in space
 template <class Box>
 class BoxTreeOf {
 public:

@@ -6,7 +6,7 @@
 /// C is convex: from p to c it is solid, so in front of the face, as near to p as one likes, there is no room for anything. No
 /// outline of B and C together has the normal n at p; what touches there touches C, and the contact with C says how. Where the
 /// face is free beside p, as a floor is beside the foot of a wall, nothing is hidden. The engine looks for hidden faces
-/// (chapter 17); chapter 12 has chains.
+/// (chapter 19); chapter 12 has chains.
 #pragma once
 
 #include "chapters/12_contact_manifolds/casts.hpp"

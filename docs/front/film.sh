@@ -11,8 +11,8 @@ for room in light dark; do
     dark=
     [ $room = light ] || dark=--dark
     # shellcheck disable=SC2086 # six seconds: 60 steps and 30 pictures a second
-    "$programs/17_engine" $scene --steps 359 --record "$frames/$room" --every 2 $dark
+    "$programs/19_engine" $scene --steps 359 --record "$frames/$room" --every 2 $dark
     ../../book film "$frames/$room" $room.gif
 done
 # shellcheck disable=SC2086
-"$programs/17_engine" $scene --steps 76 --svg still.svg
+"$programs/19_engine" $scene --steps 76 --svg still.svg

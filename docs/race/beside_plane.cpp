@@ -1,8 +1,8 @@
 /// \file beside_plane.cpp
-/// Our side of the runs in node (beside.mjs) in the plane: scenes as worlds of chapter 17, the engine on them, and the
-/// judge of both sides, which is that of chapter 17's benchmark.
-#include "chapters/17_engine/benchmark/world_judge.hpp"
-#include "chapters/17_engine/moving_worlds.hpp"
+/// Our side of the runs in node (beside.mjs) in the plane: scenes as worlds of chapter 19, the engine on them, and the
+/// judge of both sides, which is that of chapter 19's benchmark.
+#include "chapters/19_engine/benchmark/world_judge.hpp"
+#include "chapters/19_engine/moving_worlds.hpp"
 #include "docs/race/race_scenes.hpp"
 #include "docs/race/world_text.hpp"
 
@@ -19,7 +19,7 @@ struct WorldRun : Measured {
     Real spin = 0;             ///< of the drum, whose walls are the first four bodies [rad/s]
 };
 
-/// The scenes of the page, and of chapter 17's benchmark what moves. What should rest begins a nanometre beside its place.
+/// The scenes of the page, and of chapter 19's benchmark what moves. What should rest begins a nanometre beside its place.
 std::vector<WorldRun> world_runs()
 {
     std::vector<WorldRun> all;

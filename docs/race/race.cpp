@@ -1,9 +1,9 @@
 /// \file race.cpp
-/// Our side of the race (docs/race.md), for a page: scenes, the engine of chapter 17 on them, and the referee of both sides.
+/// Our side of the race (docs/race.md), for a page: scenes, the engine of chapter 19 on them, and the referee of both sides.
 /// As web_program.cpp: a function that can fail returns 0, or 1 and a sentence in web_sentence().
 #include "docs/race/race_scenes.hpp"
 
-#include "chapters/17_engine/from_scene.hpp"
+#include "chapters/19_engine/from_scene.hpp"
 #include "docs/race/world_text.hpp"
 
 #include <optional>

@@ -11,7 +11,7 @@
 /// A mass of null: nothing pushes the body. Limits of null: there are none. touches: false where no body can meet another one.
 #pragma once
 
-#include "chapters/17_engine/world.hpp"
+#include "chapters/19_engine/world.hpp"
 #include "docs/race/texts.hpp"
 
 #include <stdexcept>

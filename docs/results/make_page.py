@@ -15,7 +15,7 @@ BOOK = tuple("123456789") + ("10", "11", "12", "13", "14", "17")
 CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
             "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
             "9": "09_active_sets", "10": "10_skipping_work",
-            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "17": "17_engine"}
+            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "17": "19_engine"}
 
 
 # ---- numbers and names as a reader wants them ---------------------------------------------------------------------
@@ -270,7 +270,7 @@ GROUPS = [
      "a second are known: metres or radians, in steps of 1/60 s. The book's ways are chapter 13's (of the pendulum, which has nothing that touches, chapter 11's): sweeps with the last impulses, small "
      "steps of one sweep, exact answers in 1, 4 or 16 sub-steps, RATTLE. Boxes of Box2D are made smaller by its polygon's skin, so that they touch where ours do."),
     ("joint_runs", "Seconds of bodies on joints", "Chains of rods at 20° that are let go, their weight's path known from the coordinates of their joints; a bridge that hangs in its closed form under a heavy plank "
-     "and should stay; and a doll on stairs, of which the joints and their limits are looked at. The book's ways are chapter 14's, sweeps and trees, and chapter 17's engine."),
+     "and should stay; and a doll on stairs, of which the joints and their limits are looked at. The book's ways are chapter 14's, sweeps and trees, and chapter 19's engine."),
     ("rubble", "One step: friction", "Random rubble: rows and velocities after gravity are given, impulses are wanted that fit Coulomb's law."),
 ]
 
@@ -352,9 +352,9 @@ def page(table, root):
     chosen = when(table, root)
     # the engine is no curve of this page: it is what chooses among the methods
     chosen.insert(2, "| a program of your own: shapes, friction, joints | | **the engine's own choice**, "
-                  "[chapter 17](../chapters/17_engine/README.md#174-each-island-by-its-own-solver): for each island an exact answer or sweeps, "
-                  "whichever (17.2) and (17.3) find cheaper | | what it costs beside other engines is in "
-                  "[section 17.9](../chapters/17_engine/README.md#179-measure-it); the lines below are single methods |")
+                  "[chapter 19](../chapters/19_engine/README.md#194-each-island-by-its-own-solver): for each island an exact answer or sweeps, "
+                  "whichever (19.2) and (19.3) find cheaper | | what it costs beside other engines is in "
+                  "[section 19.9](../chapters/19_engine/README.md#199-measure-it); the lines below are single methods |")
     lost, compared, lines_lost = losses(table)
     pieces = ["# Run time against error", "", WAYS_ON, "",
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "

@@ -1,9 +1,9 @@
-// Engines step bodies that turn, the book's own of chapter 17 and two others, with what the book's methods have: small steps,
+// Engines step bodies that turn, the book's own of chapter 19 and two others, with what the book's methods have: small steps,
 // sleep or none, friction, the slop.
 #include "docs/results/turning_runs.hpp"
 
 #include "chapters/14_joints/placed_joints.hpp"
-#include "chapters/17_engine/from_scene.hpp"
+#include "chapters/19_engine/from_scene.hpp"
 
 #ifdef RIGID_HAS_BOX2D
 #include <box2d/box2d.h>
@@ -50,7 +50,7 @@ JointedScene with_pins(JointedScene scene)
     return scene;
 }
 
-/// Chapter 17's.
+/// Chapter 19's.
 class TurningWorld {
 public:
     TurningWorld(const TurningScene& run, const EngineSettings& settings)

@@ -99,6 +99,6 @@ void add_joints(Registry& registry);                                     ///< of
 void add_rubble(Registry& registry);                                     ///< one step of heaps with friction
 void add_turning_methods(Registry& registry, const SharedTurning& run);  ///< chapters 11 to 13
 void add_joint_methods(Registry& registry, const SharedTurning& run);    ///< chapter 14
-void add_turning_engines(Registry& registry, const SharedTurning& run);  ///< chapter 17, Box2D, Chipmunk
+void add_turning_engines(Registry& registry, const SharedTurning& run);  ///< chapter 19, Box2D, Chipmunk
 
 }  // namespace rigid::results

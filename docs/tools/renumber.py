@@ -90,7 +90,7 @@ class Renumbering:
             return f'[{self.chapter(text[1:])}'
         if kind == 'anchor':
             old = re.match(r'#(\d\d)(\w+)-', text)
-            # '#174-': section 17.4, but '#11…' of chapter 1 never comes here with a number of two digits that moves
+            # '#174-': section 19.4, but '#11…' of chapter 1 never comes here with a number of two digits that moves
             now = self.label('section', f'{old[1]}.{old[2].upper() if old[2].isalpha() else old[2]}')
             return '#' + now.replace('.', '').lower() + '-'
         if kind == 'chapter':
@@ -105,7 +105,7 @@ class Renumbering:
         return self.pattern.sub(self.replace, old)
 
     def path(self, old):
-        """Of a file below the root: folders, tests/15_name.cpp, figures/ch15_name.svg, tests/mine/15.txt."""
+        """Of a file below the root: folders, tests/15_name.cpp, figures/ch16_name.svg, tests/mine/16.txt."""
         parts = []
         for part in old.parts:
             m = re.match(rf'({number})(_.*|\.txt)$', part)

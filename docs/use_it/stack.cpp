@@ -1,6 +1,6 @@
 //! [stack]
 // A box of 100 kg falls on ten of half a kilogram, and all come to rest.
-#include "chapters/17_engine/world.hpp"
+#include "chapters/19_engine/world.hpp"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 //! [world]
 // A pendulum of three links over a pile of boxes: the engine of this book in a
 // program of its own.
-#include "chapters/17_engine/world.hpp"
+#include "chapters/19_engine/world.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -2,7 +2,7 @@
 /// What the worlds of other engines have in common: a World to begin with, and where its bodies are.
 #pragma once
 
-#include "chapters/17_engine/world.hpp"
+#include "chapters/19_engine/world.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/14_joints/joint_rows.hpp"
-#include "chapters/17_engine/world_scenes.hpp"
+#include "chapters/19_engine/world_scenes.hpp"
 #include "common/random.hpp"
 
 #include <limits>

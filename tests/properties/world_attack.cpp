@@ -1,4 +1,4 @@
-// A random attack on the engine of chapter 17: small worlds with extreme numbers, 200 steps of each.
+// A random attack on the engine of chapter 19: small worlds with extreme numbers, 200 steps of each.
 //
 //     world_attack [--worlds N] [--first K] [--seed S] [--steps N] [--kind K] [--all]
 //

@@ -3,8 +3,8 @@
 ///
 ///     same_bits [STEPS]      10000 steps each, twice at once in two threads where there are any
 
-#include "chapters/17_engine/bytes.hpp"
-#include "chapters/17_engine/moving_worlds.hpp"
+#include "chapters/19_engine/bytes.hpp"
+#include "chapters/19_engine/moving_worlds.hpp"
 #include "common/elementary.hpp"
 #include "common/random.hpp"
 

@@ -1,19 +1,19 @@
-/// The small programs of chapters 17 and 18, an engine of boxes and bodies in space, beside the library.
+/// The small programs of chapters 19 and 20, an engine of boxes and bodies in space, beside the library.
 
 #include "tests/small/alone.hpp"
 
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
-#include "chapters/17_engine/island_shape.hpp"
-#include "chapters/18_space/friction_cone.hpp"
-#include "chapters/18_space/tumbling.hpp"
+#include "chapters/19_engine/island_shape.hpp"
+#include "chapters/20_space/friction_cone.hpp"
+#include "chapters/20_space/tumbling.hpp"
 #include "tests/catch.hpp"
 
 #define main small_main
-namespace small17 {
-#include "chapters/17_engine/small.cpp"
+namespace small19 {
+#include "chapters/19_engine/small.cpp"
 }
-namespace small18 {
-#include "chapters/18_space/small.cpp"
+namespace small20 {
+#include "chapters/20_space/small.cpp"
 }
 #undef main
 
@@ -21,21 +21,21 @@ using namespace rigid;
 
 namespace {
 
-/// Section 17.1: one box, 100 kg on two, a tower of twenty.
-small17::Bodies three()
+/// Section 19.1: one box, 100 kg on two, a tower of twenty.
+small19::Bodies three()
 {
-    small17::Bodies d;
-    small17::add_box(d, 50, 0.5, INFINITY, {0, -0.5, 0});
-    small17::add_box(d, 0.5, 0.5, 1, {-14, 0.5, 0});
-    for (int k = 0; k < 3; ++k) small17::add_box(d, 0.5, 0.5, k < 2 ? 1 : 100, {-10, 0.5 + k, 0});
-    for (int k = 0; k < 20; ++k) small17::add_box(d, 0.5, 0.5, 1, {0, 0.5 + k, 0});
+    small19::Bodies d;
+    small19::add_box(d, 50, 0.5, INFINITY, {0, -0.5, 0});
+    small19::add_box(d, 0.5, 0.5, 1, {-14, 0.5, 0});
+    for (int k = 0; k < 3; ++k) small19::add_box(d, 0.5, 0.5, k < 2 ? 1 : 100, {-10, 0.5 + k, 0});
+    for (int k = 0; k < 20; ++k) small19::add_box(d, 0.5, 0.5, 1, {0, 0.5 + k, 0});
     return d;
 }
 
 Real h = 1.0 / 120;
 
 /// (11.6): the row of a point of body b along an axis.
-RowVec<3> along(const Vec2& axis, const Vec2& point, const small17::Bodies& d, int b)
+RowVec<3> along(const Vec2& axis, const Vec2& point, const small19::Bodies& d, int b)
 {
     const Vec2 r = point - d.x.segment<2>(3 * b);
     return {axis.x(), axis.y(), r.x() * axis.y() - r.y() * axis.x()};
@@ -43,10 +43,10 @@ RowVec<3> along(const Vec2& axis, const Vec2& point, const small17::Bodies& d, i
 
 /// The rows of an island for the library, of each point the friction, then the normal. Overlaps here are below the
 /// 5 mm that may stay.
-std::vector<Row<3>> library_rows(const small17::Island& island, const small17::Bodies& d)
+std::vector<Row<3>> library_rows(const small19::Island& island, const small19::Bodies& d)
 {
     std::vector<Row<3>> rows;
-    for (const small17::Contact& c : island.points)
+    for (const small19::Contact& c : island.points)
         for (const int i : {0, 1}) {
             const Vec2 axis = i == 0 ? Vec2(-c.n.y(), c.n.x()) : c.n;
             Constraint<3> constraint;
@@ -61,10 +61,10 @@ std::vector<Row<3>> library_rows(const small17::Island& island, const small17::B
 }
 
 /// The islands, their velocities after the forces.
-std::vector<small17::Island> begun(small17::Bodies& d)
+std::vector<small19::Island> begun(small19::Bodies& d)
 {
-    std::vector<small17::Island> islands = small17::islands(d);
-    for (small17::Island& i : islands) {
+    std::vector<small19::Island> islands = small19::islands(d);
+    for (small19::Island& i : islands) {
         for (const int k : i.bodies) d.u[3 * k + 1] -= d.g * h;
     }
     return islands;
@@ -72,17 +72,17 @@ std::vector<small17::Island> begun(small17::Bodies& d)
 
 }  // namespace
 
-TEST_CASE("the small program of chapter 17 counts what its islands need as the library does")
+TEST_CASE("the small program of chapter 19 counts what its islands need as the library does")
 {
-    small17::Bodies d = three();
-    std::vector<small17::Island> islands = begun(d);
+    small19::Bodies d = three();
+    std::vector<small19::Island> islands = begun(d);
     REQUIRE(islands.size() == 3);
     IslandSurveyor survey;
     Bodies<3> bodies(d.x.size() / 3);
     bodies.x = d.x;
     bodies.inverse_mass = d.inverse_mass;
-    for (const auto& [n, needed] : {std::pair{0, 1.0}, {1, 900.0}, {2, 400.0}}) {  // section 17.1
-        const small17::Island& i = islands[std::size_t(n)];
+    for (const auto& [n, needed] : {std::pair{0, 1.0}, {1, 900.0}, {2, 400.0}}) {  // section 19.1
+        const small19::Island& i = islands[std::size_t(n)];
         CHECK(i.needed() == Approx(needed).epsilon(1e-14));
         const std::vector<Row<3>> rows = library_rows(i, d);
         std::vector<int> members(rows.size());
@@ -91,20 +91,20 @@ TEST_CASE("the small program of chapter 17 counts what its islands need as the l
     }
 }
 
-TEST_CASE("the small program of chapter 17 solves what stands exactly and sweeps as the library does")
+TEST_CASE("the small program of chapter 19 solves what stands exactly and sweeps as the library does")
 {
-    small17::Bodies d = three();
+    small19::Bodies d = three();
     for (const std::size_t n : {1u, 2u}) {
-        small17::Bodies solved = d;
-        small17::Island island = begun(solved)[n];
+        small19::Bodies solved = d;
+        small19::Island island = begun(solved)[n];
         const std::vector<Row<3>> rows = library_rows(island, solved);
         VecX swept = solved.u, u = solved.u;
-        REQUIRE(small17::solve(island, solved, h, true, 1));  // a sweep changes nothing
+        REQUIRE(small19::solve(island, solved, h, true, 1));  // a sweep changes nothing
         for (const int k : island.bodies) CHECK(solved.u.segment<3>(3 * k).norm() < 1e-10);  // it stands
         // Ten sweeps, of both.
-        small17::Bodies small = d;
-        small17::Island again = begun(small)[n];
-        CHECK(!small17::solve(again, small, h, false, 10));
+        small19::Bodies small = d;
+        small19::Island again = begun(small)[n];
+        CHECK(!small19::solve(again, small, h, false, 10));
         ImpulseMemory<3> memory;
         Solution solution;
         sequential_impulse<3>(rows, {}, {.max_sweeps = 10, .tolerance = 0}, memory, swept, solution);
@@ -113,47 +113,47 @@ TEST_CASE("the small program of chapter 17 solves what stands exactly and sweeps
     }
 }
 
-TEST_CASE("the small program of chapter 17 stands still and falls asleep and wakes what is struck")
+TEST_CASE("the small program of chapter 19 stands still and falls asleep and wakes what is struck")
 {
-    small17::Bodies d = three();
+    small19::Bodies d = three();
     const VecX start = d.x;
-    for (int n = 0; n < 120; ++n) small17::step(d, h);
+    for (int n = 0; n < 120; ++n) small19::step(d, h);
     CHECK(d.exact == 120);  // both high ones for the half second until they sleep
     CHECK(d.swept == 60);
     CHECK(d.slept == 180);
     CHECK((d.x - start).cwiseAbs().maxCoeff() < 1e-5);  // of the box that is swept
     CHECK((d.x - start).tail(60).cwiseAbs().maxCoeff() < 1e-11);
-    small17::add_box(d, 0.5, 0.5, 3, {-10, 12, 0});
+    small19::add_box(d, 0.5, 0.5, 3, {-10, 12, 0});
     d.u[75] = 15;
     const VecX before = d.x;
     bool struck = false;
     for (int n = 0; n < 1080; ++n) {
-        small17::step(d, h);
+        small19::step(d, h);
         struck = struck || d.rest[24] < 0.5;
     }
     CHECK(struck);
     CHECK((d.x - before).segment(15, 60).cwiseAbs().maxCoeff() > 1);
     CHECK((d.x - before).segment(3, 3).norm() == 0);  // what nothing touches sleeps on, to the bit
     CHECK(*std::min_element(d.rest.begin() + 1, d.rest.end()) >= 0.5);
-    for (const small17::Island& i : small17::islands(d))
-        for (const small17::Contact& c : i.points) CHECK(c.C > -0.01);
+    for (const small19::Island& i : small19::islands(d))
+        for (const small19::Contact& c : i.points) CHECK(c.C > -0.01);
 }
 
-TEST_CASE("the small program of chapter 18 has the numbers of the text and the library's to 1e-12")
+TEST_CASE("the small program of chapter 20 has the numbers of the text and the library's to 1e-12")
 {
-    // Section 18.1.
-    small18::Bodies d = small18::book(12, 0.1);
+    // Section 20.1.
+    small20::Bodies d = small20::book(12, 0.1);
     const Vec3 I = d.inverse_mass.tail<3>().cwiseInverse();
     CHECK((I - Vec3(34.5, 15.9, 48.5) * 1e-4).cwiseAbs().maxCoeff() < 0.05e-4);
     for (const auto& [wobble, turns] : {std::pair{0.1, 0.74}, {0.01, 1.38}}) {
-        small18::Bodies slow = small18::book(1, wobble);
+        small20::Bodies slow = small20::book(1, wobble);
         int n = 0;
-        for (; slow.u[3] > 0 && n < 20000; ++n) small18::step(slow, 0.001, 0, 0);
+        for (; slow.u[3] > 0 && n < 20000; ++n) small20::step(slow, 0.001, 0, 0);
         CHECK(n * 0.001 / (2 * pi) == Approx(turns).margin(0.005));
     }
     Vec3 theta(0, 0, 0), omega = d.u.tail<3>();
     for (int n = 0; n < 100; ++n) {
-        small18::step(d, 0.005, 0, 0);
+        small20::step(d, 0.005, 0, 0);
         tumble(Tumbling::middle, I, 0.005, theta, omega);
         REQUIRE((d.u.tail<3>() - omega).norm() < 1e-11);  // 12 rad/s, to 1e-12 of it
         REQUIRE((d.x.tail<3>() - theta).norm() < 1e-12);
@@ -161,16 +161,16 @@ TEST_CASE("the small program of chapter 18 has the numbers of the text and the l
 }
 
 TEST_CASE(
-    "the small program of chapter 18 visits a point as the library does and stops alike in all directions")
+    "the small program of chapter 20 visits a point as the library does and stops alike in all directions")
 {
-    small18::Bodies d{{}, {}, {}, {}, VecX{{0, 0, 1, 0}}};
-    small18::add_box(d, {1, 0.8, 0.2}, 1, {0, 0, 0.1});
+    small20::Bodies d{{}, {}, {}, {}, VecX{{0, 0, 1, 0}}};
+    small20::add_box(d, {1, 0.8, 0.2}, 1, {0, 0, 0.1});
     d.u << 2, 1, -0.3, 0.1, 0.2, 0.5;
-    std::vector<small18::Contact> contacts = small18::find_contacts(d);
+    std::vector<small20::Contact> contacts = small20::find_contacts(d);
     REQUIRE(contacts.size() == 4);
     VecX u = d.u;
     std::vector<Row<6>> rows;
-    for (const small18::Contact& c : contacts)
+    for (const small20::Contact& c : contacts)
         for (const int i : {0, 1, 2}) {
             Constraint<6> constraint;
             constraint.a = world, constraint.b = 0;
@@ -184,16 +184,16 @@ TEST_CASE(
         for (std::size_t k = 0; k < contacts.size(); ++k) {
             visit_disc(disc_of_rows(visited, 3 * k), &visited[3 * k], d.mu * visited[3 * k + 2].lambda, u);
             visit(visited[3 * k + 2], u);
-            small18::visit(contacts[k], d);
+            small20::visit(contacts[k], d);
             REQUIRE((d.u - u).cwiseAbs().maxCoeff() < 1e-12);
         }
     CHECK(contacts[0].lambda.head<2>().norm() > 0);
 
     for (const Real angle : {0.0, pi / 6, pi / 4}) {
-        small18::Bodies block{{}, {}, {}, {}, VecX{{0, 0, 1, 0}}};
-        small18::add_box(block, {1, 1, 0.2}, 1, {0, 0, 0.1});
+        small20::Bodies block{{}, {}, {}, {}, VecX{{0, 0, 1, 0}}};
+        small20::add_box(block, {1, 1, 0.2}, 1, {0, 0, 0.1});
         block.u.head<2>() << 2 * std::cos(angle), 2 * std::sin(angle);
-        for (int n = 0; n < 480; ++n) small18::step(block, 1.0 / 240, 0.2, 20);
+        for (int n = 0; n < 480; ++n) small20::step(block, 1.0 / 240, 0.2, 20);
         // v²/(2 μ g), less half a step's way: symplectic Euler brakes first
         CHECK(block.x.head<2>().norm() == Approx(2 / 9.81 * 2 - 2.0 / 480).margin(2e-4));
         CHECK(std::atan2(block.x[1], block.x[0]) == Approx(angle).margin(2e-3));

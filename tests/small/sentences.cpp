@@ -3,10 +3,10 @@
 
 #include "tests/small/alone.hpp"
 
-#include "chapters/15_soft_constraints/softness.hpp"
-#include "chapters/16_wide_sweeps/waits.hpp"
-#include "chapters/17_engine/island_shape.hpp"
-#include "chapters/18_space/tumbling.hpp"
+#include "chapters/16_soft_constraints/softness.hpp"
+#include "chapters/17_wide_sweeps/waits.hpp"
+#include "chapters/19_engine/island_shape.hpp"
+#include "chapters/20_space/tumbling.hpp"
 #include "tests/catch.hpp"
 
 #include <set>

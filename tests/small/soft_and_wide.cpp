@@ -1,12 +1,12 @@
-/// The small programs of chapters 15 and 16, springs as rows and rows side by side, beside the library.
+/// The small programs of chapters 16 and 17, springs as rows and rows side by side, beside the library.
 
 #include "tests/small/alone.hpp"
 
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
-#include "chapters/15_soft_constraints/softness.hpp"
-#include "chapters/15_soft_constraints/xpbd.hpp"
-#include "chapters/16_wide_sweeps/waits.hpp"
+#include "chapters/16_soft_constraints/softness.hpp"
+#include "chapters/16_soft_constraints/xpbd.hpp"
+#include "chapters/17_wide_sweeps/waits.hpp"
 #include "tests/catch.hpp"
 
 #include <bit>
@@ -16,11 +16,11 @@
 namespace small06_again {
 #include "chapters/06_sequential_impulse/small.cpp"
 }
-namespace small15 {
-#include "chapters/15_soft_constraints/small.cpp"
-}
 namespace small16 {
-#include "chapters/16_wide_sweeps/small.cpp"
+#include "chapters/16_soft_constraints/small.cpp"
+}
+namespace small17 {
+#include "chapters/17_wide_sweeps/small.cpp"
 }
 #undef main
 
@@ -59,21 +59,21 @@ std::vector<Row<2>> library_rows(const std::vector<Contact>& contacts, const Vec
 struct NetScene {
     static constexpr int dof = 2;
     Bodies<2> bodies;
-    small15::Discs discs;
-    std::vector<small15::Contact> contacts;
+    small16::Discs discs;
+    std::vector<small16::Contact> contacts;
 };
 Constraint<2> constraint_at(const NetScene& scene, const StepData<2>&, std::size_t i, const VecX& x)
 {
-    small15::Discs now = scene.discs;
+    small16::Discs now = scene.discs;
     now.x = x;
-    small15::Contact c = scene.contacts[i];
-    small15::measure(c, now);
+    small16::Contact c = scene.contacts[i];
+    small16::measure(c, now);
     return library_constraint(c);
 }
 
-small15::Discs on_a_spring(Real g)
+small16::Discs on_a_spring(Real g)
 {
-    small15::Discs d{VecX{{0, 0, 1.01, 0}}, VecX::Zero(4), VecX{{0, 0, 1, 1}}, VecX::Zero(2), {}, {}, g};
+    small16::Discs d{VecX{{0, 0, 1.01, 0}}, VecX::Zero(4), VecX{{0, 0, 1, 1}}, VecX::Zero(2), {}, {}, g};
     d.springs = {{0, 1, 1, 3600 * pi * pi, -infinity}};
     return d;
 }
@@ -82,47 +82,47 @@ constexpr Real h = 1.0 / 240;
 
 }  // namespace
 
-TEST_CASE("the small program of chapter 15 has the numbers of the text by rows and by positions")
+TEST_CASE("the small program of chapter 16 has the numbers of the text by rows and by positions")
 {
     for (const bool xpbd : {false, true}) {
-        small15::Discs d = on_a_spring(0);
-        small15::step(d, 1.0 / 60, xpbd, 1);
-        CHECK(d.u[2] == Approx(-0.54).margin(0.005));  // section 15.1
+        small16::Discs d = on_a_spring(0);
+        small16::step(d, 1.0 / 60, xpbd, 1);
+        CHECK(d.u[2] == Approx(-0.54).margin(0.005));  // section 16.1
         CHECK(d.u[2] == Approx(implicit_velocity(0.01, 0, {30, 0}, 1.0 / 60)).epsilon(1e-12));
-        // Exercise 15.1: a step keeps the part 1/(1 + h²ω²) of the energy.
+        // Exercise 16.1: a step keeps the part 1/(1 + h²ω²) of the energy.
         const Real k = 3600 * pi * pi, off = d.x[2] - 1;
         CHECK((d.u[2] * d.u[2] + k * off * off) / (k * 1e-4) == Approx(1 / (1 + pi * pi)).epsilon(1e-10));
     }
 }
 
-TEST_CASE("the small program of chapter 15 makes the visits of the library to 1e-12")
+TEST_CASE("the small program of chapter 16 makes the visits of the library to 1e-12")
 {
-    small15::Discs d = small15::net(2000);
+    small16::Discs d = small16::net(2000);
     ImpulseMemory<2> memory;
     Real farthest = 0;
     for (int n = 0; n < 100; ++n) {
-        small15::Discs before = d;
+        small16::Discs before = d;
         for (int k = 1; k < before.u.size(); k += 2) before.u[k] -= before.g * h;
-        const auto contacts = small15::find_contacts(before);
+        const auto contacts = small16::find_contacts(before);
         Solution solution;
         solution.lambda.setZero(Index(contacts.size()));
         for (std::size_t i = 0; i < contacts.size(); ++i)
-            for (const small15::Contact& old : before.contacts)
+            for (const small16::Contact& old : before.contacts)
                 if (old.a == contacts[i].a && old.b == contacts[i].b && old.lo == contacts[i].lo)
                     solution.lambda[Index(i)] = old.lambda;
         VecX u = before.u;
         const std::vector<Row<2>> rows = library_rows(contacts, before.inverse_mass, h);
         sequential_impulse<2>(rows, {}, {.max_sweeps = 10, .tolerance = 0}, memory, u, solution);
-        small15::step(d, h, false, 10);
+        small16::step(d, h, false, 10);
         farthest = std::max(farthest, (d.u - u).cwiseAbs().maxCoeff());
     }
     CHECK(farthest < 1e-12);  // the same visits, whose sums have another order
-    CHECK((d.x - small15::net(2000).x).cwiseAbs().maxCoeff() > 0.5);
+    CHECK((d.x - small16::net(2000).x).cwiseAbs().maxCoeff() > 0.5);
 }
 
-TEST_CASE("the small program of chapter 15 moves positions as the library's XPBD to 1e-12")
+TEST_CASE("the small program of chapter 16 moves positions as the library's XPBD to 1e-12")
 {
-    small15::Discs d = small15::net(1e9);
+    small16::Discs d = small16::net(1e9);
     NetScene scene{Bodies<2>(96), d, {}};
     scene.bodies.inverse_mass = d.inverse_mass;
     Xpbd xpbd;
@@ -135,22 +135,22 @@ TEST_CASE("the small program of chapter 15 moves positions as the library's XPBD
     for (int n = 0; n < 100; ++n) {
         scene.bodies.x = d.x, scene.bodies.u = d.u;
         for (int k = 1; k < d.u.size(); k += 2) scene.bodies.u[k] -= d.g * h;
-        scene.contacts = small15::find_contacts(d);
+        scene.contacts = small16::find_contacts(d);
         now.rows = library_rows(scene.contacts, d.inverse_mass, h);
         now.constraints.resize(now.rows.size());
         xpbd.move(scene, {.h = h}, none, now);
-        small15::step(d, h, true, 10);
+        small16::step(d, h, true, 10);
         farthest = std::max(farthest, (d.x - scene.bodies.x).cwiseAbs().maxCoeff());
     }
     CHECK(farthest < 1e-12);
 }
 
 TEST_CASE(
-    "the small program of chapter 15 holds a stiff net by positions that ten sweeps over velocities lose")
+    "the small program of chapter 16 holds a stiff net by positions that ten sweeps over velocities lose")
 {
     for (const bool xpbd : {false, true}) {
-        small15::Discs d = small15::net(1e9);
-        for (int n = 0; n < 240; ++n) small15::step(d, h, xpbd, 10);
+        small16::Discs d = small16::net(1e9);
+        for (int n = 0; n < 240; ++n) small16::step(d, h, xpbd, 10);
         const auto y = d.x(Eigen::seq(1, Eigen::last, 2));
         const Real high = y.maxCoeff() - y.minCoeff();
         if (xpbd) CHECK(high == Approx(1.75).margin(1e-3));  // seven springs of 0.25 m
@@ -158,45 +158,45 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the small program of chapter 16 has the waits and the colours of the text and of the library")
+TEST_CASE("the small program of chapter 17 has the waits and the colours of the text and of the library")
 {
-    std::vector<small16::Contact> line(4, {0, 0, {1, 0}, 0, 0});
+    std::vector<small17::Contact> line(4, {0, 0, {1, 0}, 0, 0});
     for (int k = 0; k < 4; ++k) line[std::size_t(k)].a = k, line[std::size_t(k)].b = k + 1;
-    CHECK(small16::chain(line, 5) == 4);  // section 16.1
-    small16::sort_by_colour(line, 5);
-    CHECK(small16::chain(line, 5) == 2);
+    CHECK(small17::chain(line, 5) == 4);  // section 17.1
+    small17::sort_by_colour(line, 5);
+    CHECK(small17::chain(line, 5) == 2);
 
-    const small16::Discs d = small16::pyramid(8);
-    std::vector<small16::Contact> given = small16::find_contacts(d), sorted = given;
+    const small17::Discs d = small17::pyramid(8);
+    std::vector<small17::Contact> given = small17::find_contacts(d), sorted = given;
     const std::vector<Row<2>> rows = library_rows(given, d.inverse_mass, h);
     Colouring colouring;
     std::vector<int> order;
     colour_rows(rows, 36, colouring, order);
-    small16::sort_by_colour(sorted, 36);
+    small17::sort_by_colour(sorted, 36);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const small16::Contact& c = given[std::size_t(order[i])];
+        const small17::Contact& c = given[std::size_t(order[i])];
         REQUIRE(sorted[i].a == c.a);
         REQUIRE(sorted[i].b == c.b);
         REQUIRE(sorted[i].colour == colouring.colour[std::size_t(order[i])]);
     }
-    CHECK(small16::chain(given, 36) == longest_chain<2>(rows, {}, 36));
-    CHECK(small16::chain(sorted, 36) == longest_chain<2>(rows, order, 36));
-    CHECK(small16::chain(given, 36) == 38);  // what the text says of its picture
-    CHECK(small16::chain(sorted, 36) == 6);
+    CHECK(small17::chain(given, 36) == longest_chain<2>(rows, {}, 36));
+    CHECK(small17::chain(sorted, 36) == longest_chain<2>(rows, order, 36));
+    CHECK(small17::chain(given, 36) == 38);  // what the text says of its picture
+    CHECK(small17::chain(sorted, 36) == 6);
 }
 
-TEST_CASE("the small program of chapter 16 has every bit of chapter 6's in one lane and in eight")
+TEST_CASE("the small program of chapter 17 has every bit of chapter 6's in one lane and in eight")
 {
     const small06_again::Discs start = small06_again::ten_discs();
     small06_again::Discs six = start;
-    small16::Discs given{start.x, start.u, start.inverse_mass, start.radius, start.chain, start.walls};
-    small16::Discs one = given, eight = given;
+    small17::Discs given{start.x, start.u, start.inverse_mass, start.radius, start.chain, start.walls};
+    small17::Discs one = given, eight = given;
     for (int n = 0; n < 100; ++n) {
         INFO("step " << n);
-        REQUIRE(small16::step<1>(given, h, false) == small06_again::step(six, h));
+        REQUIRE(small17::step<1>(given, h, false) == small06_again::step(six, h));
         REQUIRE(given.x == six.x);
         REQUIRE(given.u == six.u);
-        REQUIRE(small16::step<1>(one, h, true) == small16::step<8>(eight, h, true));
+        REQUIRE(small17::step<1>(one, h, true) == small17::step<8>(eight, h, true));
         REQUIRE(one.x == eight.x);
         REQUIRE(one.u == eight.u);
     }

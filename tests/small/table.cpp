@@ -1,4 +1,4 @@
-/// What the library buys: prints the table of the reader's guide, the small programs of chapters 8, 13 and 17 beside
+/// What the library buys: prints the table of the reader's guide, the small programs of chapters 8, 13 and 19 beside
 /// the library on the same scenes.
 ///
 ///     build/release/bin/small_table
@@ -21,8 +21,8 @@ namespace small08 {
 namespace small13 {
 #include "chapters/13_friction/small.cpp"
 }
-namespace small17 {
-#include "chapters/17_engine/small.cpp"
+namespace small19 {
+#include "chapters/19_engine/small.cpp"
 }
 #undef main
 
@@ -154,16 +154,16 @@ int main()
                 return static_cast<long>(sweeps) * static_cast<long>(d.contacts.size());
             },
             [&](const small13::Bodies& d) { return 1000 * (d.x - tower.x).cwiseAbs().maxCoeff(); });
-    small17::Bodies stack;
-    small17::add_box(stack, 100, 0.5, INFINITY, {0, -0.5, 0});
-    for (int k = 0; k < 10; ++k) small17::add_box(stack, 0.5, 0.5, 1, {0, 0.5 + k, 0});
+    small19::Bodies stack;
+    small19::add_box(stack, 100, 0.5, INFINITY, {0, -0.5, 0});
+    for (int k = 0; k < 10; ++k) small19::add_box(stack, 0.5, 0.5, 1, {0, 0.5 + k, 0});
     line(
-        "ten boxes", "small program 17, exact where it stands, and sleep", [&] { return stack; },
-        [&](small17::Bodies& d) {
-            small17::step(d, h);
+        "ten boxes", "small program 19, exact where it stands, and sleep", [&] { return stack; },
+        [&](small19::Bodies& d) {
+            small19::step(d, h);
             return 0L;  // visits none
         },
-        [&](const small17::Bodies& d) { return 1000 * (d.x - stack.x).cwiseAbs().maxCoeff(); });
+        [&](const small19::Bodies& d) { return 1000 * (d.x - stack.x).cwiseAbs().maxCoeff(); });
     RoughScene scene;
     static_cast<RigidScene&>(scene) = box_stack(10);
     cover(scene, {0.6, 0, 0, 0});

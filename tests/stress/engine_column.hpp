@@ -1,9 +1,9 @@
 /// \file engine_column.hpp
-/// The engine of chapter 17 as a column of the matrices of bodies that turn: its own settings, its own choice of solvers.
+/// The engine of chapter 19 as a column of the matrices of bodies that turn: its own settings, its own choice of solvers.
 #pragma once
 
 #include "chapters/14_joints/placed_joints.hpp"
-#include "chapters/17_engine/from_scene.hpp"
+#include "chapters/19_engine/from_scene.hpp"
 #include "tests/stress/columns.hpp"
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "chapters/15_soft_constraints/soft_method.hpp"
+#include "chapters/16_soft_constraints/soft_method.hpp"
 #include "tests/stress/engine_column.hpp"
 #include "tests/stress/jointed.hpp"
 #include "tests/stress/stepping.hpp"

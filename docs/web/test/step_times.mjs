@@ -24,7 +24,7 @@ const only = option('--only', ''), turns = Number(option('--turns', 7)), most = 
 const [demos, bin] = words;
 
 const moving = {'05_lemke': 'ten_discs', '09_active_sets': 'ten_discs'};
-const awake = {'17_engine': {sleep: 0}}; // asleep a world makes no step
+const awake = {'19_engine': {sleep: 0}}; // asleep a world makes no step
 
 // Time of a processor, not of a clock: other programs may run beside this. {made, time}, in microseconds.
 function native(program, scene, settings, steps, starts) {

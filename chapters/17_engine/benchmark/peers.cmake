@@ -1,3 +1,0 @@
-# Worlds of three engines.
-measure_beside(17_engine_benchmark box2d chipmunk)
-measure_beside_box2d3(17_engine_benchmark ${PROJECT_SOURCE_DIR}/tests/peers/box2d3_world.cpp)

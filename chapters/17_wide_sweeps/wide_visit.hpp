@@ -1,0 +1,69 @@
+/// \file wide_visit.hpp
+/// Chapter 6's visit, written once for a number and for lanes of numbers.
+///
+///     w = J u + b + γ λ,   λ' = clamp(λ − w / A_ii, lo − μ λ_n, hi + μ λ_n),   u ← u + M⁻¹ Jᵀ (λ' − λ)
+///
+/// (17.3). The sums are made in the order of chapter 6, so each lane has its bits.
+#pragma once
+
+#include "chapters/17_wide_sweeps/lanes.hpp"
+
+namespace rigid {
+
+//! [row]
+/// One row of each lane: the numbers of a field lie side by side.
+template <int Dof, class V>
+struct WideRow {
+    V Ja[Dof], Jb[Dof];  ///< blocks of J
+    V Wa[Dof], Wb[Dof];  ///< \f$M^{-1} J^T\f$ [1/kg]
+    V bias;              ///< b [m/s]
+    /// 1 / A_ii [kg]; 0 = no impulse changes this row
+    V mass;
+    V lo, hi;    ///< bounds of λ [N s]; of a row that another one bounds, zero
+    V lambda;    ///< accumulated impulse [N s]
+    V friction;  ///< μ of rows that another one bounds
+    V softness;  ///< γ of rows that give way [1/kg]
+};
+
+/// What is the same in all lanes of a row.
+struct RowShape {
+    /// the row of this packet whose impulse bounds this one; −1 = none
+    int bounding = -1;
+    bool soft = false;  ///< one of the lanes gives way
+};
+//! [row]
+
+//! [visit]
+/// One visit of one row in each lane, (17.3).
+/// \param reach   μ λ_n; zero where no other row bounds this one
+/// \param ua, ub  velocities of the two bodies [m/s]
+/// \return        Δλ [N s]
+template <int Dof, class V>
+V wide_visit(WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
+             V (&ua)[Dof], V (&ub)[Dof])
+{
+    V w = row.Ja[0] * ua[0] + row.Jb[0] * ub[0];
+    for (int d = 1; d < Dof; ++d) {
+        const V more = row.Ja[d] * ua[d] + row.Jb[d] * ub[d];
+        w = w + more;
+    }
+    if (shape.soft) {
+        const V bias = row.bias + row.softness * row.lambda;
+        w = bias + w;
+    } else w = row.bias + w;
+    V lambda = row.lambda - row.mass * w;
+    if (shape.bounding >= 0) {
+        const V lo = row.lo - reach, hi = row.hi + reach;
+        lambda = at_most(at_least(lambda, lo), hi);
+    } else lambda = at_most(at_least(lambda, row.lo), row.hi);
+    const V change = lambda - row.lambda;
+    row.lambda = lambda;
+    for (int d = 0; d < Dof; ++d) {
+        ua[d] = ua[d] + row.Wa[d] * change;
+        ub[d] = ub[d] + row.Wb[d] * change;
+    }
+    return change;
+}
+//! [visit]
+
+}  // namespace rigid

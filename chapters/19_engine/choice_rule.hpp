@@ -1,0 +1,80 @@
+/// \file choice_rule.hpp
+/// From the shape of an island: whether it may be solved exactly, whether it should be, and how many sweeps it is worth.
+#pragma once
+
+#include "chapters/19_engine/island_shape.hpp"
+
+namespace rigid {
+
+//! [rule]
+struct ChoiceRule {
+    /// islands of up to so many bounded rows: a doll, its limits and contacts
+    int always = 64;
+    int at_most = 4000;   ///< bounded rows, whatever the price
+    Real patience = 500;  ///< sweeps; where more are needed they are no way
+    /// islands of so many rows are swept in lanes: eight colours or so, in each 8
+    /// lanes of bundles of four rows, four times over, are 1024
+    int wide = 1000;
+    /// entries of matrices that one solve may look at: some 40 ms
+    std::int64_t entries = 40'000'000;
+    /// and for each pair of its rows with bounds (19.7): what is solved needs half
+    std::int64_t pair_entries = 500;
+    /// proximal steps without a better residual: ε falls to its least in 37
+    int idle_steps = 60;
+    /// a heap that moves, of up to so many bounded rows, is swept with all patience
+    int moving = 300;
+    /// and what moves on joints is solved exactly, where that costs less
+    int moving_joined = 600;
+    /// sweeps over one with joints that moves: with 500 the knees of ten dolls bend
+    /// 0.04 rad too far, with 1000 0.01
+    int joined = 1000;
+    /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
+    /// beyond its limit
+    int held = 100;
+};
+
+/// Whether an island may be solved exactly, and whether it should be.
+inline bool may_be_exact(const IslandShape& shape, const ChoiceRule& rule)
+{
+    return shape.bounded <= rule.at_most &&
+           shape.price_of_exact() <= static_cast<Real>(rule.entries);
+}
+inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
+{
+    if (!may_be_exact(shape, rule)) return false;
+    return shape.bounded + shape.loops <= rule.always ||
+           shape.sweeps_needed() > rule.patience ||
+           shape.price_of_exact() < shape.price_of_sweeps();
+}
+/// Sweeps that may go over an island: as many as it needs, if it may be swept.
+inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)
+{
+    const Real needed = shape.sweeps_needed();
+    if (!(needed <= rule.patience)) return least;
+    return std::max(least, static_cast<int>(1.5 * needed));
+}
+/// Over one that moves: to the end if it has joints, with all patience if it is a
+/// small heap.
+inline int sweeps_of_moving(const IslandShape& shape, const ChoiceRule& rule,
+                            int least)
+{
+    if (shape.has_joints()) return std::max(least, rule.joined);
+    if (shape.bounded > rule.moving) return sweeps_worth(shape, rule, least);
+    return std::max(least, static_cast<int>(rule.patience));
+}
+/// Whether these end, (19.1): it begins near its answer, so a tenth of the count is
+/// enough.
+inline bool may_be_swept(const IslandShape& shape, const ChoiceRule& rule)
+{
+    const Real sweeps = shape.has_joints() ? rule.joined : rule.patience;
+    return shape.sweeps_needed() <= 10 * sweeps;
+}
+/// Of one with joints that moves: whether an exact solve costs less.
+inline bool sweeps_cost_more(const IslandShape& shape, const ChoiceRule& rule)
+{
+    return may_be_exact(shape, rule) && shape.bounded <= rule.moving_joined &&
+           shape.price_of_exact() < price::visit * Real(shape.rows) * rule.joined;
+}
+//! [rule]
+
+}  // namespace rigid

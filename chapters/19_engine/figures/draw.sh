@@ -1,0 +1,11 @@
+#!/bin/sh
+# Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
+. "$(dirname "$0")/../../../common/figures.sh"
+[ -z "$table" ] || exit 0
+
+# Pictures of scenes.
+run --scene poured --set bodies=60 --steps 600 --svg "$out/ch19_poured.svg"
+run --scene dolls --steps 100 --svg "$out/ch19_dolls.svg"
+
+# The picture of the small program.
+small ch19_small

@@ -1,0 +1,245 @@
+/// \file island_choice.hpp
+/// The solver stage of the engine: each island by the solver that suits it.
+///
+///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
+///                          │      └─ as it was?              the impulses of the step before
+///                          ├─ joints that sweeps would lose  trees of joints, and sweeps above them        (chapter 14)
+///                          ├─ a heap that moves               small steps of its own, in lanes              (chapters 8, 17)
+///                          ├─ many rows                       sweeps in lanes until the residual is small   (chapter 17)
+///                          └─ all others                      sweeps until the residual is small            (chapter 10)
+///                                 └─ not small enough?        exact, if it may be                           (the rescue)
+///     what comes to rest                                      exact to the end, if it may be                 (settling)
+///
+/// Islands share no body that can move, so what each solver finds is the answer to the whole, (10.5), and what one of them is
+/// does not change a bit of another. Whatever was done, the natural residual of the rows decides what is called solved.
+#pragma once
+
+#include "chapters/10_skipping_work/by_islands.hpp"
+#include "chapters/14_joints/newton_positions.hpp"
+#include "chapters/19_engine/island_solvers.hpp"
+
+namespace rigid {
+
+//! [choice]
+struct IslandChoice : IslandSolvers, PlainSolver {
+    Solving solving = Solving::by_island;
+    ChoiceRule rule;
+    Real tolerance = 1e-4;  ///< a residual below this is none [ℓ/s]
+    ImpulseSettings sweeps;
+    int most_exact = 600;  ///< rows with bounds of an island that is solved exactly
+    /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
+    Real slow = 0;
+    HeapSteps heaps;  ///< of heaps that move
+
+    Reflections reflections;
+
+    // Of the last step.
+    int rescued_count = 0;
+    int stepped_count = 0;   ///< heaps that went by small steps
+    int answered_count = 0;  ///< of the exact ones, by their old impulses
+    int most_sweeps = 0;     ///< of the island that needed the most
+
+    void require_valid() const
+    {
+        if (!(tolerance > 0) || !std::isfinite(tolerance))
+            throw std::invalid_argument("the tolerance of the islands is " +
+                                        shortest(tolerance) +
+                                        "; it must be positive and finite");
+        rigid::require_valid(sweeps);
+    }
+    Real noise() const { return sweeps.tolerance; }
+    const Islands* islands_found() const { return &all.islands; }
+
+    void solve(Bodies<3>& bodies, StepData<3>& now)
+    {
+        if (now.substep == 0) {
+            begin(bodies, now, rule, solving, sweeps.max_sweeps,
+                  tolerance * now.length);
+            most_sweeps = 0;
+            reflections.bounced.clear();
+        }
+        late_.clear();
+        bodies_ = &bodies;
+        answered_count = rescued_count = stepped_count = unsolved = 0;
+        now.solution.residual = 0;
+        for (int i = 0; i < all.islands.count(); ++i) {
+            lessen_start(i, now);
+            reflect(i, bodies, now);
+            solve_island(i, bodies, now);
+            judge(i, bodies, now);
+            if (struck.find(i))
+                reflections.add_impulses(all.islands.rows_of(i), now);
+        }
+        now.solution.iterations = most_sweeps;
+        now.solution.status =
+            unsolved == 0 ? Status::solved : Status::iteration_limit;
+    }
+    //! [choice]
+
+    void bounce_late(Bodies<3>& bodies, StepData<3>& now)
+    {
+        for (const int i : late_) {
+            PartApart<TreePart> apart{*struck.find(i)};
+            reflections.at_the_end(all.islands.rows_of(i), all.islands.bodies_of(i),
+                                   apart, bodies, now);
+        }
+    }
+
+    /// Each island is a problem by itself.
+    /// \param visit  (rows, bodies, what solves them apart, whether joints are met)
+    template <class Visit>
+    void for_each_problem(const StepData<3>&, const Visit& visit)
+    {
+        for (int i = 0; i < all.islands.count(); ++i) {
+            if (const WideIsland* lanes = wide.find(i); lanes && lanes->stepped) {
+                lanes->heap.move(lanes->part, *bodies_);  // it is there already
+                continue;
+            }
+            Apart apart{*this, i, *bodies_};
+            visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart,
+                  exactly.find(i) != nullptr || held.find(i) != nullptr);
+        }
+    }
+
+private:
+    static bool bounces(std::span<const int> rows, const StepData<3>& now)
+    {
+        return !now.restitution.empty() &&
+               std::any_of(rows.begin(), rows.end(), [&](int row) {
+                   return now.restitution[static_cast<std::size_t>(row)] > 0;
+               });
+    }
+
+    //! [reflect]
+    /// Impacts come first, and their joints and contacts are solved exactly.
+    void reflect(int i, const Bodies<3>& bodies, StepData<3>& now)
+    {
+        const std::span<const int> rows = all.islands.rows_of(i);
+        if (!bounces(rows, now)) return;
+        TreePart& one = tree_of(struck, i, bodies, now);
+        prepare(one, tolerance * now.length / 2, rule.entries, most_exact);
+        one.part.gather(bodies, now);
+        one.solver.factor_again(one.part.local, one.part.now);
+        PartApart<TreePart> apart{one};
+        reflections(rows, all.islands.bodies_of(i), apart, bodies, now);
+        if (reflections.any_late) late_.push_back(i);
+    }
+    //! [reflect]
+
+    //! [solve_island]
+    void solve_island(int i, Bodies<3>& bodies, StepData<3>& now)
+    {
+        const IslandNote& note = all.note(i);
+        // as good as sweeps leave it; half of that, for joints add their rounding
+        const Real late = tolerance * now.length / 2;
+        WideIsland* lanes = wide.find(i);
+        if (lanes && is_heap(i, now) && !bounces(all.islands.rows_of(i), now)) {
+            lanes->small_steps(heaps, note, bodies, now);
+            return;
+        }
+        if (ExactIsland* one = exactly.find(i)) {
+            prepare(*one, late, rule.entries, most_exact);
+            one->solve(tolerance * now.length / 1000, bodies, now);
+            answered_count += one->answered;
+        } else if (TreePart* tree = held.find(i)) {
+            prepare(*tree, late, rule.entries, std::max(1, rule.always));
+            tree->solver.sweeps = rule.held;
+            tree->solve(bodies, now);
+        } else if (lanes) {
+            // noise of sweeps is no reason to stay awake
+            lanes->solve(sweeps, slow > 0 ? tolerance / 10 : tolerance, note,
+                         bodies, now);
+            most_sweeps =
+                std::max(most_sweeps, lanes->part.now.solution.iterations);
+        } else if (SweptIsland* some = swept.find(i)) {
+            some->part.gather(bodies, now);
+            some->solver.sweeps = sweeps;
+            some->solver.sweeps.max_sweeps = note.sweeps;
+            some->solver.sweeps.tolerance = note.until / now.length;
+            // where nothing is solved to the end, what comes to rest is swept on
+            some->solver.slow = solving == Solving::sweeps ? slow : 0;
+            some->solver.solve(some->part.local, some->part.now);
+            some->part.scatter(bodies, now);
+            most_sweeps = std::max(most_sweeps, some->solver.most_sweeps);
+        }
+        rescue(i, bodies, now);
+        settle(i, bodies, now);
+    }
+    //! [solve_island]
+
+    void prepare(TreePart& one, Real late, std::int64_t entries, int most) const
+    {
+        one.solver.most_exact = most;
+        set_price(late, entries, rule, one.solver);
+    }
+
+    //! [rescue]
+    /// What sweeps have left above what is good enough is solved exactly after all,
+    /// where that is possible.
+    void rescue(int i, Bodies<3>& bodies, StepData<3>& now)
+    {
+        const Real most = all.rescued_above(i);
+        if (solving != Solving::by_island || most == infinity ||
+            natural_residual(now, all.islands.rows_of(i), bodies.u) <= most)
+            return;
+        ++rescued_count;
+        solve_after_all(i, tolerance * now.length / 2, rule.entries, bodies, now);
+    }
+
+    /// What comes to rest is solved to the end: sweeps leave it velocities, and so
+    /// does an exact solve that was content with the tolerance.
+    void settle(int i, Bodies<3>& bodies, StepData<3>& now)
+    {
+        if (solving == Solving::sweeps || !(slow > 0)) return;
+        const IslandPlace place = all.place(i);
+        const ExactIsland* one = exactly.find(i);
+        const Real length = now.length;
+        const bool meant =
+            (place == IslandPlace::swept || (one && !one->answered)) &&
+            are_slow(all.islands.bodies_of(i), bodies.u, slow * length, length);
+        if (meant && !(natural_residual(now, all.islands.rows_of(i), bodies.u) <=
+                       tolerance * length / 1000))
+            solve_after_all(i, 0, rule.entries / 10, bodies, now);
+    }
+
+    void solve_after_all(int i, Real late, std::int64_t entries, Bodies<3>& bodies,
+                         StepData<3>& now)
+    {
+        TreePart& one = tree_of(rescuers, i, bodies, now);
+        prepare(one, late, entries, most_exact);
+        one.solve(bodies, now);
+    }
+    //! [rescue]
+
+    /// What moves does not need all of its old impulses.
+    void lessen_start(int i, StepData<3>& now)
+    {
+        if (!all.note(i).moves) return;
+        const std::span<const int> rows = all.islands.rows_of(i);
+        if (zeros_.size() != now.u_star.size()) zeros_.setZero(now.u_star.size());
+        const Real t = best_part(now, rows, all.islands.bodies_of(i), zeros_);
+        if (t < 1)
+            for (const int row : rows) now.solution.lambda[row] *= t;
+    }
+
+    void judge(int i, const Bodies<3>& bodies, StepData<3>& now)
+    {
+        const ExactIsland* one = exactly.find(i);
+        const WideIsland* lanes = wide.find(i);
+        const Real r =
+            one && one->answered ? one->residual
+            : lanes && lanes->stepped
+                ? lanes->heap.residual
+                : natural_residual(now, all.islands.rows_of(i), bodies.u);
+        if (lanes && lanes->stepped) ++stepped_count;
+        else unsolved += !(r <= all.note(i).enough);
+        Real& largest = now.solution.residual;
+        if (!(r <= largest || std::isnan(largest))) largest = r;
+    }
+
+    Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
+    VecX zeros_;                   ///< of the length of u
+    std::vector<int> late_;        ///< islands with bounces at the end
+};
+
+}  // namespace rigid

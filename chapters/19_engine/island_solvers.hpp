@@ -1,0 +1,203 @@
+/// \file island_solvers.hpp
+/// To each island of a step a solver of its own, in numbers of its own; what one of them does changes no bit of another.
+#pragma once
+
+#include "chapters/19_engine/exact_islands.hpp"
+#include "chapters/19_engine/island_places.hpp"
+#include "chapters/19_engine/wide_islands.hpp"
+
+#include <deque>
+
+namespace rigid {
+
+/// Islands that one kind of solver has in a step; keeps the memory of those that were.
+template <class Island>
+struct IslandPool {
+    std::deque<Island> all;
+    int count = 0;
+    std::vector<int> place;  ///< of each island of the step here; −1
+
+    void clear(int islands)
+    {
+        count = 0;
+        place.assign(static_cast<std::size_t>(islands), -1);
+    }
+    Island& take(int island)
+    {
+        if (count == static_cast<int>(all.size())) all.emplace_back();
+        place[static_cast<std::size_t>(island)] = count;
+        return all[static_cast<std::size_t>(count++)];
+    }
+    /// The one that was taken last is none after all.
+    void give_back(int island)
+    {
+        --count;
+        place[static_cast<std::size_t>(island)] = -1;
+    }
+    Island* find(int island)
+    {
+        const int at = place[static_cast<std::size_t>(island)];
+        return at < 0 ? nullptr : &all[static_cast<std::size_t>(at)];
+    }
+    template <class Visit>
+    void for_each(const Visit& visit)
+    {
+        for (int i = 0; i < count; ++i) visit(all[static_cast<std::size_t>(i)]);
+    }
+};
+
+struct SweptIsland {
+    StepPart part;
+    IslandSolver<3> solver;
+};
+
+/// Another problem on the rows of a part, by the solver of the part.
+template <class Part>
+struct PartApart {
+    Part& one;
+
+    void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
+    {
+        StepPart& part = one.part;
+        part.gather(second);
+        part.second.solution.status = Status::solved;
+        one.solver.solve_apart(part.second, part.v, part.now);
+        second.solution.status = part.second.solution.status;
+        part.scatter_apart(second, v, now);
+    }
+};
+
+struct IslandSolvers {
+    IslandPlaces all;  ///< of the step
+    IslandPool<ExactIsland> exactly;
+    IslandPool<TreePart> held;
+    IslandPool<SweptIsland> swept;
+    IslandPool<WideIsland> wide;
+    IslandPool<TreePart> rescuers;
+    IslandPool<TreePart> struck;  ///< what bounces
+    int exact_count = 0, swept_count = 0;
+
+    //! [split]
+    /// Which islands there are, and to each the solver that it has.
+    void begin(const Bodies<3>& bodies, const StepData<3>& now,
+               const ChoiceRule& rule, Solving solving, int most_sweeps,
+               Real tolerance)
+    {
+        const bool same =
+            all.look(bodies, now, rule, solving, most_sweeps, tolerance);
+        const int count = all.islands.count();
+        if (!same) {
+            exactly.clear(count), held.clear(count);
+            swept.clear(count), wide.clear(count);
+            exact_count = swept_count = 0;
+            for (int i = 0; i < count; ++i) place(i, rule.wide, bodies, now);
+        }
+        // guesses and old factors do not outlive a step
+        rescuers.clear(count), struck.clear(count);
+        const auto forget = [](TreePart& one) { one.forget(); };
+        exactly.for_each(forget), held.for_each(forget);
+        swept.for_each([&](SweptIsland& one) {
+            one.part.now.same_rows = one.part.now.same_bodies = same;
+        });
+        wide.for_each([&](WideIsland& one) { one.part.now.same_rows = same; });
+    }
+
+    /// \param many  rows from which on an island is swept in lanes
+    void place(int i, int many, const Bodies<3>& bodies, const StepData<3>& now)
+    {
+        const IslandNote& note = all.note(i);
+        const std::span<const int> rows = all.islands.rows_of(i),
+                                   members = all.islands.bodies_of(i);
+        const Index count = bodies.count();
+        swept_count += note.place != IslandPlace::exact && !rows.empty();
+        if (note.place == IslandPlace::exact) {
+            ++exact_count;
+            exactly.take(i).take(all.islands, i, now, count, numbers_);
+            return;
+        }
+        if (note.place == IslandPlace::held) {
+            held.take(i).part.take(rows, members, now, count, numbers_);
+            return;
+        }
+        if (static_cast<int>(rows.size()) >= many || is_heap(i, now)) {
+            if (wide.take(i).take(all.islands, i, note, bodies, now, numbers_))
+                return;
+            wide.give_back(i);
+        }
+        swept.take(i).part.take(rows, members, now, count, numbers_);
+    }
+    //! [split]
+
+    /// Whether it moves, and nothing is in it but contacts.
+    bool is_heap(int i, const StepData<3>& now) const
+    {
+        const std::span<const int> rows = all.islands.rows_of(i);
+        return all.note(i).moves && !all.note(i).joined &&
+               std::all_of(rows.begin(), rows.end(), [&](int row) {
+                   return now.sources[static_cast<std::size_t>(row)].of ==
+                          Source::Of::contact;
+               });
+    }
+
+    /// Trees for an island that has another solver, or for its impacts.
+    TreePart& tree_of(IslandPool<TreePart>& pool, int i, const Bodies<3>& bodies,
+                      const StepData<3>& now)
+    {
+        if (TreePart* one = pool.find(i)) return *one;
+        TreePart& one = pool.take(i);
+        one.part.take(all.islands.rows_of(i), all.islands.bodies_of(i), now,
+                      bodies.count(), numbers_);
+        one.forget();
+        return one;
+    }
+
+    //! [apart]
+    /// Other problems on the rows of one island.
+    struct Apart {
+        IslandSolvers& solvers;
+        int island;
+        const Bodies<3>& bodies;  ///< of the sub-step under way
+
+        /// The biases alone, from rest: v = M⁻¹ Jᵀ Λ.
+        void solve_apart(SecondProblem& second, VecX& v, StepData<3>& now)
+        {
+            const auto by = [&](auto& one) {
+                PartApart<std::remove_reference_t<decltype(one)>>{one}.solve_apart(
+                    second, v, now);
+            };
+            const auto by_trees = [&](TreePart& one) {
+                by(one);
+                one.entries += one.solver.others[second.arcs].bounded.entries;
+            };
+            if (ExactIsland* one = solvers.exactly.find(island)) {
+                one->refresh(bodies, now);
+                by_trees(*one);
+            } else if (TreePart* tree = solvers.held.find(island)) by_trees(*tree);
+            else if (WideIsland* lanes = solvers.wide.find(island)) by(*lanes);
+            else if (SweptIsland* some = solvers.swept.find(island)) by(*some);
+        }
+        /// The rows have another J.
+        void factor_again(const Bodies<3>& now_at, const StepData<3>& now)
+        {
+            if (ExactIsland* one = solvers.exactly.find(island))
+                one->factor_again(now_at, now);
+            if (TreePart* one = solvers.held.find(island))
+                one->factor_again(now_at, now);
+        }
+    };
+    //! [apart]
+
+    /// All that exact solves of this step have looked at.
+    std::int64_t all_entries()
+    {
+        std::int64_t sum = 0;
+        const auto add = [&sum](TreePart& one) { sum += one.all_entries(); };
+        exactly.for_each(add), held.for_each(add), rescuers.for_each(add);
+        return sum;
+    }
+
+private:
+    PartNumbers numbers_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,168 @@
+/// \file shape_queries.hpp
+/// Questions to a world: what does a ray meet, a shape on its way, a shape where it is?
+///
+/// Boxes in the tree of the contacts stage answer "nearly", chapter 12's functions for two shapes answer exactly. Shapes
+/// are placed where the bodies are now with the first question after a step.
+#pragma once
+
+#include "chapters/12_contact_manifolds/casts.hpp"
+#include "chapters/12_contact_manifolds/time_of_impact.hpp"
+#include "chapters/19_engine/world_state.hpp"
+
+namespace rigid {
+
+//! [place]
+/// The stage keeps shapes and boxes as they were when it looked; what has moved
+/// since is placed again.
+inline void place_moved(EngineState& state)
+{
+    if (state.unplaced.empty()) return;
+    Manifolds& stage = state.awake().touching;
+    std::vector<int>& list = state.unplaced;
+    std::sort(list.begin(), list.end());
+    stage.placed.move(state.scene, list);
+    for (const int k : list)
+        // as large as the stage has them, or it would miss a pair
+        stage.finder.tree.place(
+            k, grown(stage.placed.boxes[static_cast<std::size_t>(k)],
+                     state.awake().margin / 2));
+    for (const int k : list) state.is_unplaced[static_cast<std::size_t>(k)] = 0;
+    list.clear();
+}
+//! [place]
+
+/// Whether a question with this filter is about body k.
+inline bool is_asked(const EngineState& state, int k, const Filter& filter)
+{
+    return state.bodies.has(static_cast<std::size_t>(k)) && !state.note(k).sensor &&
+           lets_meet(filter, state.note(k).filter);
+}
+
+//! [overlap]
+/// Calls visit(k) for each body that overlaps a shape, in any order.
+template <class Visit>
+void for_each_overlap(const EngineState& state, const Placed& shape,
+                      const Filter& filter, const Visit& visit)
+{
+    const Manifolds& stage = state.awake().touching;
+    stage.finder.tree.overlapping(box_of(shape), [&](int k) {
+        if (!is_asked(state, k, filter)) return;
+        const Manifold m = collide(shape, stage.placed.of(k), {0, 0, nullptr});
+        if (m.count > 0) visit(k);
+    });
+}
+//! [overlap]
+
+//! [ray]
+inline std::optional<Met> first_on_ray(const EngineState& state, const Ray& ray,
+                                       const Filter& filter)
+{
+    const Manifolds& stage = state.awake().touching;
+    std::optional<Met> met;
+    int first = -1;
+    Real part = 1;
+    const auto take = [&](const RayHit& hit, BodyId body, WallId wall, int order) {
+        if (!hit.hit ||
+            (met && (hit.part > part || (hit.part == part && order > first))))
+            return;
+        part = hit.part;
+        first = order;
+        met = Met{body, wall, part, ray.from + part * ray.way, hit.normal};
+    };
+    for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+        if (!state.walls.has(w)) continue;
+        const HalfSpace& wall = state.scene.walls[w];
+        const Real height = wall.normal.dot(ray.from) - wall.offset,
+                   closing = -wall.normal.dot(ray.way);
+        RayHit hit;
+        if (height <= 0) hit.hit = true, hit.part = 0;
+        else if (closing > 0 && height <= closing)
+            hit.hit = true, hit.part = height / closing, hit.normal = wall.normal;
+        take(hit, {}, state.walls.id(w), -1);
+    }
+    stage.finder.tree.search([&](const Box& box) { return meets(ray, part, box); },
+                             [&](int k) {
+                                 if (is_asked(state, k, filter))
+                                     take(cast(ray, stage.placed.of(k)),
+                                          state.id(k), {}, k);
+                             });
+    return met;
+}
+//! [ray]
+
+//! [cast]
+/// The same for a shape, by chapter 12's conservative advancement: it stops at most a
+/// millionth of ℓ before what it meets.
+inline std::optional<Met> first_on_way(const EngineState& state,
+                                       const Polygon& shape, const Vec<3>& from,
+                                       const Vec2& way, const Filter& filter)
+{
+    const Manifolds& stage = state.awake().touching;
+    MovingShape moving{&shape, from, from};
+    moving.to.head<2>() += way;
+    const Real close = state.metres(1e-6);
+    ImpactMemory memory;
+    std::optional<Met> met;
+    int first = -1;
+    const auto take = [&](const Impact& impact, BodyId body, WallId wall, int order,
+                          const auto& nearest) {
+        if (!impact.hit && !impact.close) return;
+        const Real part = impact.close ? 0 : impact.part;
+        if (met && (part > met->part || (part == met->part && order > first)))
+            return;
+        const PlacedShape there(shape, moving.at(part));
+        const Manifold m = nearest(there.view());
+        first = order;
+        met = Met{body, wall, part, m.points[0].point,
+                  impact.close ? Vec2(0, 0) : m.normal};
+    };
+    for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+        if (!state.walls.has(w)) continue;
+        const HalfSpace& wall = state.scene.walls[w];
+        take(time_of_impact(wall, moving, 0, close, memory), {}, state.walls.id(w),
+             -1,
+             [&](const Placed& there) { return collide(wall, there, infinity); });
+    }
+    const PlacedShape begin(shape, moving.from), end(shape, moving.to);
+    const Box from_box = box_of(begin.view()), to_box = box_of(end.view());
+    const Box swept = grown(
+        {from_box.low.cwiseMin(to_box.low), from_box.high.cwiseMax(to_box.high)},
+        close);
+    stage.finder.tree.overlapping(swept, [&](int k) {
+        if (!is_asked(state, k, filter)) return;
+        const Vec<3> pose = state.scene.bodies.position(k);
+        const MovingShape still{&state.shape(k), pose, pose};
+        take(time_of_impact(still, moving, 0, close, memory), state.id(k), {}, k,
+             [&](const Placed& there) {
+                 return collide(stage.placed.of(k), there);
+             });
+    });
+    return met;
+}
+//! [cast]
+
+//! [sensors]
+/// What is in the sensors now, against what was in them.
+inline void update_sensors(EngineState& state)
+{
+    state.seen_then.swap(state.seen);
+    std::vector<Seen>&now = state.seen, &then = state.seen_then;
+    now.clear();
+    const Manifolds& stage = state.awake().touching;
+    for (std::size_t s = 0; s < state.notes.size(); ++s) {
+        if (!state.bodies.has(s) || !state.notes[s].sensor) continue;
+        const auto k = static_cast<Index>(s);
+        for_each_overlap(state, stage.placed.of(k), state.note(k).filter,
+                         [&](int b) {
+                             now.push_back({state.id(k), state.id(b)});
+                         });
+    }
+    std::sort(now.begin(), now.end());
+    std::set_difference(now.begin(), now.end(), then.begin(), then.end(),
+                        std::back_inserter(state.events.entered));
+    std::set_difference(then.begin(), then.end(), now.begin(), now.end(),
+                        std::back_inserter(state.events.left));
+}
+//! [sensors]
+
+}  // namespace rigid

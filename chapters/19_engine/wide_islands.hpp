@@ -1,0 +1,78 @@
+/// \file wide_islands.hpp
+/// A large island, swept in lanes by chapter 17's solver.
+///
+///     it moves, a heap                            small steps of its own (heap_steps.hpp)
+///     it moves, and something bounces             as many sweeps as are allowed
+///     it stands and no exact solve may follow     as many as an exact solve may cost, entries / (8 n) for n rows             (19.4)
+///
+/// What stands begins its next step with this λ, so these sweeps are made once. What moves would have to make them in each step.
+#pragma once
+
+#include "chapters/17_wide_sweeps/wide_solver.hpp"
+#include "chapters/19_engine/heap_steps.hpp"
+#include "chapters/19_engine/island_places.hpp"
+
+namespace rigid {
+
+//! [wide]
+/// One large island, its rows in lanes.
+struct WideIsland {
+    StepPart part;
+    WideSolver<3> solver;
+    int standing = 0;  ///< sweeps, where it stands
+    HeapInLanes heap;
+    bool stepped = false;  ///< by small steps, in this sub-step
+
+    /// Takes an island in, if chapter 17 can: what bounds a row is in its bundle.
+    /// \return  whether it did
+    bool take(const Islands& islands, int island, const IslandNote& note,
+              const Bodies<3>& bodies, const StepData<3>& now, PartNumbers& numbers)
+    {
+        const std::span<const int> rows = islands.rows_of(island);
+        part.take(rows, islands.bodies_of(island), now, bodies.count(), numbers);
+        part.gather_rows(bodies, now);
+        bundle_rows(part.now.rows, part.local.count(), trial_);
+        if (!holds_bounds(part.now.rows, trial_)) return false;
+        part.now.same_rows = false;
+        const auto visited = static_cast<std::int64_t>(rows.size()) * price::visit;
+        // 10⁶ sweeps are more than any island that is large can pay for
+        standing = static_cast<int>(
+            std::min<std::int64_t>(note.to_stand / visited, 1'000'000));
+        return true;
+    }
+
+    /// \param sweeps  of islands that move
+    /// \param enough  the tolerance of those that stand [ℓ/s]
+    void solve(const ImpulseSettings& sweeps, Real enough, const IslandNote& note,
+               Bodies<3>& bodies, StepData<3>& now)
+    {
+        stepped = false;
+        part.gather(bodies, now);
+        const StepData<3>& here = part.now;
+        const bool stays =
+            standing > note.sweeps &&
+            stand(here.active, part.local.u, here.u_star, here.length);
+        solver.sweeps = sweeps;
+        solver.sweeps.max_sweeps = stays ? standing : note.sweeps;
+        solver.sweeps.tolerance = stays ? enough : note.until / now.length;
+        solver.solve(part.local, part.now);
+        part.scatter(bodies, now);
+    }
+    //! [wide]
+
+    void small_steps(const HeapSteps& how, const IslandNote& note,
+                     Bodies<3>& bodies, StepData<3>& now)
+    {
+        part.gather(bodies, now);
+        solver.begin(part.local, part.now);
+        heap(how, how.count(note.length), now.constraints, part, solver.bundles,
+             solver.wide);
+        part.scatter(bodies, now);
+        stepped = true;
+    }
+
+private:
+    Bundles trial_;
+};
+
+}  // namespace rigid

@@ -1,0 +1,141 @@
+/// \file world_bodies.cpp
+/// How bodies get into a world and out of it, and what it says of them.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/19_engine/world.hpp"
+
+#include "chapters/19_engine/world_cpp.hpp"
+#include "chapters/19_engine/world_things.hpp"
+
+namespace rigid {
+
+BodyId World::add_body(const BodyDefinition& definition)
+{
+    State& s = *state_;
+    const Mass mass = require_valid(definition);
+    require_weight(mass.mass, s.settings.gravity);
+    const std::uint8_t group = definition.sensor
+                                   ? FilterClasses::nothing
+                                   : s.classes.enter(definition.filter, s.filter());
+    const Index place = s.bodies.free.empty()
+                            ? Index{-1}
+                            : static_cast<Index>(s.bodies.free.back());
+    const BodyId id = enter_body(s, definition, mass, group, place);
+    s.note(Call::add_body, definition);
+    return id;
+}
+
+BodyId World::add_chain(std::span<const Vec2> points, bool closed,
+                        const Surface& surface, const Filter& filter)
+{
+    State& s = *state_;
+    const std::vector<Vec2> corners(points.begin(), points.end());
+    require_surface(surface, "the chain");
+    RigidScene trial;  // throws for points that make no chain
+    rigid::add_chain(trial, corners, closed);
+    for (const Vec2& corner : corners)
+        if (!is_place(corner, 0))
+            throw std::invalid_argument(
+                "the chain has a point at (" + shortest(corner.x()) + ", " +
+                shortest(corner.y()) + ") m; none may be beyond 1e75");
+    const std::uint8_t group = s.classes.enter(filter, s.filter());
+    const Index first = s.scene.bodies.count();
+    for (Index i = 0; i < trial.bodies.count(); ++i) {
+        BodyDefinition edge;
+        edge.shape = trial.shapes[static_cast<std::size_t>(i)];
+        edge.position = trial.bodies.position(i).head<2>();
+        edge.density = 0;
+        edge.surface = surface;
+        edge.filter = filter;
+        if (i > 0) s.classes.enter(filter, s.filter());
+        const BodyId id = enter_body(s, edge, Mass{}, group, -1);
+        s.note(static_cast<Index>(id.place)).chain = static_cast<int>(first);
+    }
+    s.scene.chains.push_back({first, s.scene.bodies.count() - 1, closed});
+    // the edges have woken what they must
+    s.awake().watch.around.chains = s.scene.chains;
+    s.note(Call::add_chain, corners, closed, surface, filter);
+    return s.id(first);
+}
+
+void World::remove(BodyId body)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    Index first = k, last = k;
+    if (const int of = s.note(k).chain; of >= 0) {
+        const auto chain = std::find_if(
+            s.scene.chains.begin(), s.scene.chains.end(),
+            [of](const Chain& it) { return it.first == static_cast<Index>(of); });
+        first = chain->first, last = chain->last;
+        s.scene.chains.erase(chain);
+        s.awake().watch.around.chains = s.scene.chains;
+    }
+    for (Index i = first; i <= last; ++i) {
+        for (std::size_t j = 0; s.note(i).joints > 0 && j < s.joints.size(); ++j)
+            if (s.joints.has(j) &&
+                (s.scene.placed[j].joint.a == i || s.scene.placed[j].joint.b == i))
+                take_out_joint(s, j);
+        take_out_body(s, i);
+    }
+    s.note(Call::remove_body, body);
+}
+
+bool World::has(BodyId body) const { return state_->bodies.has(body); }
+
+std::vector<BodyId> World::bodies() const { return state_->bodies.all(); }
+
+Vec2 World::position(BodyId body) const
+{
+    return state_->scene.bodies.position(state_->number(body)).head<2>();
+}
+Real World::angle(BodyId body) const
+{
+    return state_->scene.bodies.position(state_->number(body))[2];
+}
+Vec2 World::velocity(BodyId body) const
+{
+    return state_->scene.bodies.velocity(state_->number(body)).head<2>();
+}
+Real World::spin(BodyId body) const
+{
+    return state_->scene.bodies.velocity(state_->number(body))[2];
+}
+Real World::mass(BodyId body) const
+{
+    return 1 / state_->scene.bodies.inverse_mass[3 * state_->number(body)];
+}
+Real World::inertia(BodyId body) const
+{
+    return 1 / state_->scene.bodies.inverse_mass[3 * state_->number(body) + 2];
+}
+const Polygon& World::shape(BodyId body) const
+{
+    return state_->shape(state_->number(body));
+}
+const Surface& World::surface(BodyId body) const
+{
+    return state_->scene.surfaces[static_cast<std::size_t>(state_->number(body))];
+}
+const Filter& World::filter(BodyId body) const
+{
+    return state_->note(state_->number(body)).filter;
+}
+std::uint64_t World::user(BodyId body) const
+{
+    return state_->note(state_->number(body)).user;
+}
+bool World::is_awake(BodyId body) const
+{
+    const auto k = static_cast<std::size_t>(state_->number(body));
+    const std::vector<Activity>& activity = state_->awake().set.activity;
+    if (k < activity.size()) return activity[k] == Activity::awake;
+    return state_->scene.bodies.can_move(static_cast<Index>(k));  // not stepped yet
+}
+Vec2 World::point_of(BodyId body, const Vec2& own) const
+{
+    return rigid::point_of(state_->scene.bodies.x, state_->number_or_world(body),
+                           own);
+}
+
+}  // namespace rigid

@@ -1,0 +1,113 @@
+/// \file world_changes.cpp
+/// What a caller changes on a body: where it is, how it moves, what it is like. Each change wakes what it concerns.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/19_engine/world.hpp"
+
+#include "chapters/19_engine/world_cpp.hpp"
+#include "chapters/19_engine/world_things.hpp"
+
+namespace rigid {
+
+void World::move(BodyId body, const Vec2& position, Real angle)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    if (!is_place(position, angle))
+        throw std::invalid_argument(
+            "the body is to go to (" + shortest(position.x()) + ", " +
+            shortest(position.y()) + ") m at the angle " + shortest(angle) +
+            " rad; they must be finite, none beyond 1e75");
+    s.scene.bodies.position(k) << position, angle;
+    s.disturb(k);
+    if (!s.scene.bodies.can_move(k) && !s.note(k).sensor) wake_under(s, k);
+    s.note(Call::move, body, position, angle);
+}
+void World::set_velocity(BodyId body, const Vec2& velocity, Real spin)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    if (!velocity.allFinite() || !std::isfinite(spin))
+        throw std::invalid_argument("the body is to have the velocity (" +
+                                    shortest(velocity.x()) + ", " +
+                                    shortest(velocity.y()) + ") m/s and the spin " +
+                                    shortest(spin) + " rad/s; they must be finite");
+    if (s.note(k).chain >= 0 && !(velocity.isZero(0) && spin == 0))
+        throw std::invalid_argument(
+            "the body is an edge of a chain; it cannot move");
+    s.scene.bodies.velocity(k) << velocity, spin;
+    s.disturb(k);
+    s.note(Call::set_velocity, body, velocity, spin);
+}
+void World::set_surface(BodyId body, const Surface& surface)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    require_surface(surface, "the body");
+    write_surface(s, k, surface);
+    s.disturb(k);
+    s.note(Call::set_surface, body, surface);
+}
+void World::set_filter(BodyId body, const Filter& filter)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    if (!s.note(k).sensor) {
+        std::uint8_t& group = s.filter().group[static_cast<std::size_t>(k)];
+        group = s.classes.change(group, filter, s.filter());
+    }
+    s.note(k).filter = filter;
+    s.disturb(k);
+    if (!s.scene.bodies.can_move(k) && !s.note(k).sensor) wake_under(s, k);
+    s.note(Call::set_filter, body, filter);
+}
+void World::set_user(BodyId body, std::uint64_t user)
+{
+    state_->note(state_->number(body)).user = user;
+    state_->note(Call::set_user, body, user);
+}
+void World::wake(BodyId body)
+{
+    state_->disturb(state_->number(body));
+    state_->note(Call::wake, body);
+}
+void World::push(BodyId body, const Vec2& impulse, const Vec2& at)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    if (!impulse.allFinite() || !at.allFinite())
+        throw std::invalid_argument("the impulse is (" + shortest(impulse.x()) +
+                                    ", " + shortest(impulse.y()) + ") N s at (" +
+                                    shortest(at.x()) + ", " + shortest(at.y()) +
+                                    ") m; it must be finite");
+    Bodies<3>& bodies = s.scene.bodies;
+    const Vec2 arm = at - bodies.position(k).head<2>();
+    const Vec<3> whole(impulse.x(), impulse.y(), cross2(arm, impulse));
+    const Vec<3> u = bodies.velocity(k) + bodies.apply_inverse_mass(k, whole);
+    if (!u.allFinite())
+        throw std::invalid_argument(
+            "the impulse (" + shortest(impulse.x()) + ", " + shortest(impulse.y()) +
+            ") N s would give the body a velocity that is not "
+            "finite; it must be smaller");
+    bodies.velocity(k) = u;
+    s.disturb(k);
+    s.note(Call::push, body, impulse, at);
+}
+void World::pull(BodyId body, const Vec2& to)
+{
+    State& s = *state_;
+    const Index k = s.number_or_world(body);
+    if (!is_place(to, 0))
+        throw std::invalid_argument("the hand pulls to (" + shortest(to.x()) +
+                                    ", " + shortest(to.y()) +
+                                    ") m; it must be finite, and not beyond 1e75");
+    if (k != world && !s.scene.bodies.can_move(k))
+        throw std::invalid_argument("the hand pulls body " + std::to_string(k) +
+                                    ", which cannot move; it must have a density");
+    s.pulled = k;
+    s.pulled_to = to;
+    s.changed = true;
+    s.note(Call::pull, body, to);
+}
+
+}  // namespace rigid

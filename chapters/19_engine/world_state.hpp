@@ -1,0 +1,220 @@
+/// \file world_state.hpp
+/// What a world is made of: a scene of chapter 14, the stages of the step, and what the engine knows besides.
+#pragma once
+
+#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
+#include "chapters/19_engine/filter_classes.hpp"
+#include "chapters/19_engine/held_bodies.hpp"
+#include "chapters/19_engine/island_choice.hpp"
+#include "chapters/19_engine/places.hpp"
+#include "chapters/19_engine/told_changes.hpp"
+#include "chapters/19_engine/touching.hpp"
+
+#include <limits>
+
+namespace rigid {
+
+//! [method]
+/// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
+/// each island.
+struct EngineMethod {
+    WithJoints<WithFriction<ToldManifolds>> contacts =
+        with_inerters<WithFriction<ToldManifolds>>();
+    HeldBodies correction;
+    WarmStart start = last_impulses();
+    IslandChoice solver;
+};
+//! [method]
+
+class Recording;
+
+/// What the engine knows of a body besides the scene.
+struct BodyNotes {
+    Filter filter;
+    std::uint64_t user = 0;
+    bool sensor = false, bullet = false;
+    int chain = -1;  ///< first body of the chain that it is an edge of
+    int joints = 0;  ///< that hold it
+};
+
+//! [state]
+struct EngineState {
+    WorldSettings settings;
+    JointedScene scene;
+    EngineMethod method;
+    StepData<3> now;  ///< found by the last step, on its way
+
+    Places<BodyTag> bodies;   ///< of scene.bodies
+    Places<JointTag> joints;  ///< of scene.placed
+    Places<WallTag> walls;    ///< of scene.walls
+    std::vector<BodyNotes> notes;
+    FilterClasses classes;
+    int sensors = 0;  ///< bodies
+
+    Touching touching;
+    std::vector<Seen> seen;       ///< by sensors, ascending
+    std::vector<Seen> seen_then;  ///< before this step
+    Events events;                ///< of the last step
+    Events meanwhile;             ///< what ended by calls since then
+    StepWork work;
+    Real time = 0;
+    std::int64_t steps = 0;
+    Index pulled = world;
+    Vec2 pulled_to = {0, 0};
+    bool changed = true;  ///< by a call since the last step
+    Recording* recording = nullptr;
+
+    /// bodies that have moved since the shapes were placed; queries place them
+    mutable std::vector<int> unplaced;
+    mutable std::vector<char> is_unplaced;  ///< of each body, 1: it is in the list
+    //! [state]
+
+    ToldManifolds& awake() { return method.contacts; }
+    const ToldManifolds& awake() const { return method.contacts; }
+    CollisionFilter& filter() { return awake().touching.finder.filter; }
+    Real metres(Real lengths) const { return lengths * settings.length; }
+
+    Index number(BodyId id) const
+    {
+        return static_cast<Index>(bodies.require(id, "body"));
+    }
+    /// The world for an id of nothing.
+    Index number_or_world(BodyId id) const { return id ? number(id) : world; }
+    BodyId id(Index k) const
+    {
+        return k == world ? BodyId{} : bodies.id(static_cast<std::size_t>(k));
+    }
+    BodyNotes& note(Index k) { return notes[static_cast<std::size_t>(k)]; }
+    const BodyNotes& note(Index k) const
+    {
+        return notes[static_cast<std::size_t>(k)];
+    }
+    const Polygon& shape(Index k) const
+    {
+        return scene.shapes[static_cast<std::size_t>(k)];
+    }
+
+    //! [disturb]
+    /// Body k counts as changed: it wakes, and what touches it or hangs on it, when
+    /// the next step begins. It has to rest again from the beginning.
+    void disturb(Index k)
+    {
+        changed = true;
+        awake().watch.tell(k);
+        if (auto& rests = awake().rests; k < static_cast<Index>(rests.size()))
+            rests[static_cast<std::size_t>(k)] = {};
+        displace(static_cast<int>(k));
+    }
+    //! [disturb]
+
+    /// Body k had no velocity in the step before: it was not there.
+    void forget_motion(Index k)
+    {
+        if (VecX& u = awake().u_before; 3 * k < u.size())
+            u.segment<3>(3 * k).setConstant(std::numeric_limits<Real>::quiet_NaN());
+    }
+
+    //! [list_driven]
+    /// Which bodies a caller has driven since the last step, and with what velocity
+    /// they were in it.
+    void list_driven()
+    {
+        ToldManifolds& sleepers = awake();
+        driven_ = sleepers.watch.told;
+        std::sort(driven_.begin(), driven_.end());
+        driven_.erase(std::unique(driven_.begin(), driven_.end()), driven_.end());
+        std::vector<DrivenBody>& list = method.correction.driven.list;
+        list.clear();
+        for (const int k : driven_) {
+            if (scene.bodies.can_move(k)) continue;
+            auto u = scene.bodies.velocity(k);
+            list.push_back({k, sleepers.u_before.segment<3>(3 * k), u});
+            DrivenBody& it = list.back();
+            if (settings.substeps == 1 || !it.then.allFinite()) it.then = it.now;
+            // it stands from the end of this step on
+            if (it.now.isZero(0)) u = it.then;
+        }
+    }
+    /// What stands from now on is told to the next step.
+    void end_driven()
+    {
+        for (const DrivenBody& it : method.correction.driven.list) {
+            const bool stops = it.now.isZero(0) && !it.then.isZero(0);
+            if (stops) scene.bodies.velocity(it.body).setZero();
+            awake().u_before.segment<3>(3 * it.body) =
+                scene.bodies.velocity(it.body);
+            if (stops) disturb(it.body);
+        }
+    }
+    //! [list_driven]
+
+    /// Body k is elsewhere than the shapes have it.
+    void displace(int k)
+    {
+        is_unplaced.resize(std::max(is_unplaced.size(), bodies.size()), 0);
+        char& listed = is_unplaced[static_cast<std::size_t>(k)];
+        if (!listed) unplaced.push_back(k);
+        listed = 1;
+    }
+
+    /// Whether body k goes on however fast it is.
+    void list_unstopped(Index k)
+    {
+        std::vector<char>& goes_on = awake().touching.fast.goes_on;
+        goes_on.resize(notes.size(), 0);
+        goes_on[static_cast<std::size_t>(k)] =
+            !note(k).bullet && (!settings.stop_fast || note(k).joints > 0);
+    }
+
+    //! [slop]
+    /// What is thin is not left to overlap by what suits a box: at most by a tenth of
+    /// its inner radius: what has no inside not at all. (A line that stands, as an edge
+    /// of a chain, leaves it to what touches it.)
+    void list_slop(Index k)
+    {
+        const Real inner = inner_radius(
+            PlacedShape(shape(k), Vec<3>::Zero()).view(), Vec2::Zero());
+        for (std::vector<Real>* slops :
+             {&method.correction.slops, &method.solver.heaps.slops}) {
+            slops->resize(notes.size(), infinity);
+            (*slops)[static_cast<std::size_t>(k)] =
+                inner > 0 || scene.bodies.can_move(k) ? inner / 200 : infinity;
+        }
+    }
+    //! [slop]
+
+    /// The settings, written into the stages.
+    void configure()
+    {
+        scene.gravity = settings.gravity;
+        scene.length = settings.length;
+        ToldManifolds& sleepers = awake();
+        sleepers.sleep = settings.sleep;
+        sleepers.rest = settings.rest;
+        sleepers.touching.ahead = 1;
+        sleepers.touching.seams.look = true;
+        method.correction.slop = settings.slop;
+        method.correction.push_sweeps = settings.sweeps;
+        IslandChoice& solver = method.solver;
+        solver.heaps.substeps = settings.substeps;
+        solver.heaps.slop = settings.slop;
+        solver.solving = settings.solving;
+        solver.tolerance = settings.tolerance;
+        solver.rule.at_most = settings.most_exact;
+        solver.rule.always = std::min(ChoiceRule{}.always, settings.most_exact);
+        solver.most_exact = settings.most_exact;
+        // noise of sweeps is no reason to stay awake
+        solver.slow = settings.sleep ? 10 * settings.rest.speed : 0;
+        solver.sweeps.max_sweeps = settings.sweeps;
+        solver.sweeps.tolerance = settings.tolerance;
+        solver.all.anew = true;
+        for (std::size_t k = 0; k < notes.size(); ++k)
+            list_unstopped(static_cast<Index>(k)), list_slop(static_cast<Index>(k));
+    }
+
+private:
+    std::vector<int> driven_;  ///< bodies that were told, ascending
+};
+
+}  // namespace rigid

@@ -1,8 +1,0 @@
-# The program as a reader runs it.
-foreach(scene pyramid column pile)
-  add_program_test(ch16 16_wide_sweeps "runs scene ${scene}" --headless --scene ${scene} --steps 60
-                   --method given,wide,floats --csv -)
-endforeach()
-add_program_test(ch16 16_wide_sweeps "runs on two threads" --headless --scene pyramid --set threads=2 --steps 20)
-add_program_test(ch16 16_wide_sweeps "refuses no threads" --headless --scene pyramid --set threads=0 --steps 1)
-set_tests_properties("ch16: 16_wide_sweeps refuses no threads" PROPERTIES WILL_FAIL ON)
