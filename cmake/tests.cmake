@@ -23,7 +23,7 @@ set_source_files_properties(tests/test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADE
 # scenes of a program.
 target_sources(rigid_test_main PRIVATE cmake/precompiled/tests_eigen_instances.cpp common/program/program.cpp)
 if(RIGID_SANITIZE)   # to compile the physics once takes long enough: there it is the tests' own for all
-  foreach(number 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18)
+  foreach(number 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20)
     set(rigid_tested_up_to_${number} ${rigid_chapter_up_to_${number}})
   endforeach()
   foreach(library ${rigid_chapter_libraries} rigid_chapter_19)
@@ -51,7 +51,7 @@ function(add_catch_tests name label)
   add_executable(test_${name} ${arg_FILES})
   compile_together(test_${name})
   # of a chapter: its library and those before it; else all, and the engine
-  if(name MATCHES "^(0[1-9]|1[0-6])_")
+  if(name MATCHES "^(0[1-9]|1[0-8])_")
     target_link_libraries(test_${name} PRIVATE ${rigid_tested_up_to_${CMAKE_MATCH_1}} rigid_test_main)
   else()
     target_link_libraries(test_${name} PRIVATE ${rigid_tested_up_to_20} rigid_test_main rigid_physics)

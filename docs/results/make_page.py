@@ -11,11 +11,11 @@ import table as tables
 from table import FAILED, words
 
 WAYS_ON = "[Contents](../README.md) · [Back: Conventions](conventions.md) · [Next: Stability](stability.md)"
-BOOK = tuple("123456789") + ("10", "11", "12", "13", "14", "17")
+BOOK = tuple("123456789") + ("10", "11", "12", "13", "14", "19")
 CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
             "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
             "9": "09_active_sets", "10": "10_skipping_work",
-            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "17": "19_engine"}
+            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "19": "19_engine"}
 
 
 # ---- numbers and names as a reader wants them ---------------------------------------------------------------------

@@ -327,7 +327,7 @@ void add_engine(Registry& registry, const SharedTurning& run, const std::string&
 void add_turning_engines(Registry& registry, const SharedTurning& run)
 {
     constexpr bool quick = true;
-    add_engine<TurningWorld>(registry, run, "17", "world", run->quick);
+    add_engine<TurningWorld>(registry, run, "19", "world", run->quick);
     // their joints are pins, without limits or friction
     const bool pins =
         std::all_of(run->scene.placed.begin(), run->scene.placed.end(), [](const PlacedJoint& placed) {

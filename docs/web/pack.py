@@ -9,8 +9,8 @@ The code of functions is taken apart first (docs/web/join.js puts it together ag
 variables there, constants elsewhere. Beside its like each byte is foretold better, and a variable that is read is named by
 how many others were used since it was used last. That is worth its lines: a program for a page has 200 kB in gzip at most.
 By gzip alone 9 of the 18 programs are heavier (chapter 19: 311 kB) and all together are 3.5 MB; by LZMA alone 4 are (13, 14,
-15 and 17: 209, 213, 213 and 236 kB) and all are 2.7 MB; in streams chapter 19 was (202 kB). The most frequent instructions
-have a byte of their own, so none is (13, 14, 15 and 17: 175, 179, 176 and 195 kB), and all are 2.3 MB.
+16 and 19: 209, 213, 213 and 236 kB) and all are 2.7 MB; in streams chapter 19 was (202 kB). The most frequent instructions
+have a byte of their own, so none is (13, 14, 16 and 19: 175, 179, 176 and 195 kB), and all are 2.3 MB.
 """
 import base64
 import lzma

@@ -79,7 +79,7 @@ template <class Scene>
 MethodOf<Scene> engine_method(const std::string& name, const WorldSettings& how)
 {
     MethodOf<Scene> method;
-    method.chapter = 17;
+    method.chapter = 19;
     method.name = name;
     method.budget =
         "its own choice, " + std::to_string(how.substeps) + (how.substeps > 1 ? " substeps" : " step");

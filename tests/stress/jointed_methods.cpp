@@ -59,9 +59,9 @@ std::vector<JointedMethod> jointed_methods()
             jointed(14, "trees that sleep", exactly(1), SkippingJoints{}),
             jointed(14, "joint rattle", exactly(1) + " with positions met", JointRattle<Manifolds>{}, 1,
                     NothingSaid{}),
-            jointed(15, "soft small steps", "8 sweeps in 8 substeps", soft, 8, NothingSaid{}),
-            jointed(15, "xpbd", "8 sweeps in 8 substeps", PositionSweeps<Manifolds>{}, 8, NothingSaid{}),
-            jointed(15, "block descent", "10 sweeps", descent, 1, NothingSaid{}),
+            jointed(16, "soft small steps", "8 sweeps in 8 substeps", soft, 8, NothingSaid{}),
+            jointed(16, "xpbd", "8 sweeps in 8 substeps", PositionSweeps<Manifolds>{}, 8, NothingSaid{}),
+            jointed(16, "block descent", "10 sweeps", descent, 1, NothingSaid{}),
             engine_method<JointedScene>("engine", {})};
 }
 

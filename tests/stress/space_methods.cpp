@@ -70,7 +70,7 @@ private:
 template <Friction friction = Friction::disc, class Solving>
 SpaceMethod in_space(const std::string& name, const std::string& budget, const Solving& by, int substeps = 1)
 {
-    auto method = stepping<SpaceScene>(18, name, budget, by, substeps, HonestSpace<friction>{});
+    auto method = stepping<SpaceScene>(20, name, budget, by, substeps, HonestSpace<friction>{});
     method.friction = requires { by.contacts.slack; };
     method.links_only = !method.friction;
     return method;
@@ -80,7 +80,7 @@ SpaceMethod in_space(const std::string& name, const std::string& budget, const S
 SpaceMethod tumbling(const std::string& name, const std::string& budget, Tumbling way)
 {
     SpaceMethod method;
-    method.chapter = 18;
+    method.chapter = 20;
     method.name = name;
     method.budget = budget;
     method.links_only = true;

@@ -6,7 +6,7 @@
     make_table.py --check    changes nothing, exit 1 if another table stands in a text
 
     kept.csv       what is kept where things move, with 1, 4 and 16 sub-steps    Tables 19.1 and 19.2
-    engines.csv    large worlds and what should stand, with 1 and 4              19.A and 17.9
+    engines.csv    large worlds and what should stand, with 1 and 4              19.A and 19.9
     asleep.csv     a step where few or all are awake                             19.B
 """
 
