@@ -16,7 +16,7 @@
 
 namespace rigid {
 
-/// \tparam Box  with overlap(), contains(), joined(), grown() and perimeter(): chapter 20 has boxes in space
+/// \tparam Box  with overlap(), contains(), joined(), grown() and perimeter(): chapter 18 has boxes in space
 template <class Box>
 class BoxTreeOf {
 public:
@@ -41,6 +41,11 @@ public:
     int count() const { return static_cast<int>(leaf_.size()); }
     const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
     int root() const { return root_; }
+    /// The box of an item's leaf.
+    const Box& leaf_of(int item) const
+    {
+        return node(leaf_[static_cast<std::size_t>(item)]).box;
+    }
 
     //! [place]
     /// Puts the box of an item in, or moves it. Items are numbered from 0.

@@ -10,15 +10,25 @@ template <class Keep>
 void PairFinder::find_in_tree(const Keep& keep)
 {
     tree.tested = 0;
-    for (const int k : asked) {
-        const Box& box = boxes[static_cast<std::size_t>(k)];
-        tree.overlapping(box, [&](int b) {
-            if ((b > k || !is(asks, b)) &&
-                overlap(box, boxes[static_cast<std::size_t>(b)]))
-                keep(k, b);
+    std::erase_if(near_, [this](std::uint64_t pair) {
+        const auto [a, b] = bodies_of(pair);
+        return is(is_renewed_, a) || is(is_renewed_, b) || !(is(asks, a) || is(asks, b));
+    });
+    const auto kept = static_cast<std::ptrdiff_t>(near_.size());
+    for (const int k : renewed_)
+        tree.overlapping(tree.leaf_of(k), [&](int b) {
+            if (b != k && !(b < k && is(is_renewed_, b)))
+                near_.push_back(pair_key(k, b));
         });
+    std::sort(near_.begin() + kept, near_.end());
+    std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end());
+    for (const std::uint64_t pair : near_) {
+        const auto [a, b] = bodies_of(pair);
+        if (overlap(boxes[static_cast<std::size_t>(a)],
+                    boxes[static_cast<std::size_t>(b)]))
+            keep(a, b);
     }
-    tested = tree.tested;
+    tested = tree.tested + static_cast<std::int64_t>(near_.size());
 }
 //! [find]
 
@@ -85,12 +95,20 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
         moves[k] = scene.bodies.can_move(static_cast<Index>(k));
         if (search == PairSearch::grid)
             put_in_grid(scene, static_cast<Index>(k), margin);
-        else if (search == PairSearch::tree)
-            tree.place(static_cast<int>(k), boxes[k]);
+        else if (search == PairSearch::tree &&
+                 tree.place(static_cast<int>(k), boxes[k]))
+            renew(static_cast<int>(k));
     };
     boxes.resize(K);
     moves.resize(K);
     asks.resize(K);
+    is_renewed_.resize(K);
+    for (const int k : renewed_)
+        if (static_cast<std::size_t>(k) < K) is_renewed_[static_cast<std::size_t>(k)] = 0;
+    renewed_.clear();
+    if (all) near_.clear();
+    for (const int k : looking)
+        if (all || !is(asks, k)) renew(k);
     for (const int k : asked)
         if (static_cast<std::size_t>(k) < K) asks[static_cast<std::size_t>(k)] = 0;
     asked.assign(looking.begin(), looking.end());
@@ -99,6 +117,12 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
     for (const int k : asked)
         if (!all) take(static_cast<std::size_t>(k));
     list_joints(scene);
+}
+
+void PairFinder::renew(int k)
+{
+    if (!std::exchange(is_renewed_[static_cast<std::size_t>(k)], 1))
+        renewed_.push_back(k);
 }
 
 void PairFinder::put_in_grid(const RigidScene& scene, Index k, Real margin)

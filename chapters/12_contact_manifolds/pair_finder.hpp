@@ -18,6 +18,11 @@ inline std::uint64_t pair_key(Index a, Index b)
            static_cast<std::uint64_t>(std::max(a, b));
 }
 
+inline std::pair<int, int> bodies_of(std::uint64_t pair)
+{
+    return {static_cast<int>(pair >> 32), static_cast<int>(pair & 0xffffffffu)};
+}
+
 struct PairFinder {
     CollisionFilter filter;
     PairSearch search = PairSearch::tree;
@@ -78,6 +83,11 @@ struct PairFinder {
 
 private:
     std::vector<int> movers_;
+    /// of leaves that overlap, of bodies of which one looks, ascending: they change
+    /// only where a leaf does, or another body looks
+    std::vector<std::uint64_t> near_;
+    std::vector<int> renewed_;     ///< bodies with such a change in this call
+    std::vector<char> is_renewed_;
     Real margin_ = 0;  ///< of the boxes [m]
     PairSearch searched_ = PairSearch::tree;
 
@@ -86,7 +96,7 @@ private:
         return list[static_cast<std::size_t>(k)] != 0;
     }
 
-    /// Each body that looks finds those behind it, and those that do not look.
+    /// Pairs of leaves are kept from call to call; of those the boxes are compared.
     template <class Keep>
     void find_in_tree(const Keep& keep);
 
@@ -97,6 +107,8 @@ private:
     /// Boxes, tree and joints as they are now.
     void take_in(const RigidScene& scene, const PlacedShapes& placed, Real margin,
                  std::span<const int> looking);
+
+    void renew(int k);
 
     /// A body whose shape has changed is entered again.
     void put_in_grid(const RigidScene& scene, Index k, Real margin);

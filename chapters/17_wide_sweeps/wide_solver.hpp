@@ -81,6 +81,11 @@ struct WideSolver : PlainSolver {
             return;
         require_bodies<Dof>(now.rows, bodies.count());
         bundle_rows(now.rows, bodies.count(), bundles);
+        colour(bodies, now);
+    }
+    /// The rows of the bundles into their places.
+    void colour(const Bodies<Dof>& bodies, const StepData<Dof>& now)
+    {
         colour_bundles(now.rows, bodies.count(), bundles);
         if (careless) forget_colours(bundles);
         arrange(now.rows, bodies.count(), bundles, wide);

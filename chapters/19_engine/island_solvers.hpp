@@ -99,7 +99,6 @@ struct IslandSolvers {
         swept.for_each([&](SweptIsland& one) {
             one.part.now.same_rows = one.part.now.same_bodies = same;
         });
-        wide.for_each([&](WideIsland& one) { one.part.now.same_rows = same; });
     }
 
     /// \param many  rows from which on an island is swept in lanes

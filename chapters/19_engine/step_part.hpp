@@ -62,15 +62,13 @@ struct StepPart {
         local.resize(static_cast<Index>(bodies.size()));
         v.setZero(3 * static_cast<Index>(bodies.size()));  // of others, before
         now.rows.resize(rows.size());
-        local_a_.clear();
-        local_b_.clear();
-        local_bound_.clear();
-        for (const int i : rows) {
-            const Row<3>& row = whole.rows[at(i)];
-            local_a_.push_back(row.a == world ? -1 : number_[at(row.a)]);
-            local_b_.push_back(number_[at(row.b)]);
-            local_bound_.push_back(
-                row.bounded_by < 0 ? -1 : numbers.of_row[at(row.bounded_by)]);
+        local_.resize(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Row<3>& row = whole.rows[at(rows[i])];
+            local_[i] = {row.a == world ? -1 : number_[at(row.a)],
+                         number_[at(row.b)],
+                         row.bounded_by < 0 ? -1
+                                            : numbers.of_row[at(row.bounded_by)]};
         }
         for (const int k : bodies) at(number_, k) = -1;  // ready for the next time
     }
@@ -78,6 +76,11 @@ struct StepPart {
     //! [gather]
     /// Takes in the state of the step: rows, velocities, the λ to start from.
     void gather(const Bodies<3>& all, const StepData<3>& whole)
+    {
+        gather_rows(all, whole);
+        gather_velocities(all, whole);
+    }
+    void gather_velocities(const Bodies<3>& all, const StepData<3>& whole)
     {
         now.h = whole.h;
         now.length = whole.length;
@@ -91,7 +94,6 @@ struct StepPart {
             local.u.segment<3>(to) = all.u.segment<3>(from);
             now.u_star.segment<3>(to) = whole.u_star.segment<3>(from);
         }
-        gather_rows(all, whole);
         now.solution.lambda.resize(static_cast<Index>(rows.size()));
         for (std::size_t i = 0; i < rows.size(); ++i)
             now.solution.lambda[static_cast<Index>(i)] =
@@ -106,8 +108,8 @@ struct StepPart {
                 all.inverse_mass.segment<3>(3 * bodies[i]);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             Row<3>& row = now.rows[i] = whole.rows[at(rows[i])];
-            row.a = local_a_[i], row.b = local_b_[i];
-            row.bounded_by = local_bound_[i];
+            row.a = local_[i].a, row.b = local_[i].b;
+            row.bounded_by = local_[i].bounded_by;
         }
     }
 
@@ -167,7 +169,10 @@ private:
     {
         return list[static_cast<std::size_t>(i)];
     }
-    std::vector<int> local_a_, local_b_, local_bound_;  ///< of each row
+    struct Local {
+        int a, b, bounded_by;
+    };
+    std::vector<Local> local_;  ///< of each row: what it names, in numbers of the part
 };
 
 }  // namespace rigid

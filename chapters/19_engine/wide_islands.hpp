@@ -31,9 +31,10 @@ struct WideIsland {
         const std::span<const int> rows = islands.rows_of(island);
         part.take(rows, islands.bodies_of(island), now, bodies.count(), numbers);
         part.gather_rows(bodies, now);
-        bundle_rows(part.now.rows, part.local.count(), trial_);
-        if (!holds_bounds(part.now.rows, trial_)) return false;
-        part.now.same_rows = false;
+        bundle_rows(part.now.rows, part.local.count(), solver.bundles);
+        if (!holds_bounds(part.now.rows, solver.bundles)) return false;
+        solver.colour(part.local, part.now);
+        part.now.same_rows = has_rows_ = true;
         const auto visited = static_cast<std::int64_t>(rows.size()) * price::visit;
         // 10⁶ sweeps are more than any island that is large can pay for
         standing = static_cast<int>(
@@ -46,7 +47,7 @@ struct WideIsland {
     void solve(const ImpulseSettings& sweeps, Real enough, const IslandNote& note,
                Bodies<3>& bodies, StepData<3>& now)
     {
-        stepped = false;
+        stepped = has_rows_ = false;
         part.gather(bodies, now);
         const StepData<3>& here = part.now;
         const bool stays =
@@ -63,16 +64,18 @@ struct WideIsland {
     void small_steps(const HeapSteps& how, const IslandNote& note,
                      Bodies<3>& bodies, StepData<3>& now)
     {
-        part.gather(bodies, now);
+        if (!has_rows_) part.gather_rows(bodies, now);
+        part.gather_velocities(bodies, now);
         solver.begin(part.local, part.now);
         heap(how, how.count(note.length), now.constraints, part, solver.bundles,
              solver.wide);
         part.scatter(bodies, now);
         stepped = true;
+        has_rows_ = false;
     }
 
 private:
-    Bundles trial_;
+    bool has_rows_ = false;  ///< those of this sub-step are in `part`
 };
 
 }  // namespace rigid
