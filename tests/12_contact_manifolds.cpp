@@ -554,6 +554,57 @@ TEST_CASE("sweep and tree and grid find the pairs that all tests find while boxe
     }
 }
 
+TEST_CASE("pairs that the tree keeps are those that all tests find whoever looks and moves and comes",
+          "[house]")
+{
+    Random random(31);
+    RigidScene scene;
+    scene.gravity = {0, 0};
+    const auto add = [&] {
+        const Real x = random.uniform(0, 20), y = random.uniform(0, 20);
+        const bool moves = random.uniform() < 0.8;
+        add_body(scene, box(1, random.uniform(0.2, 2)), moves ? Mass{1, {0, 0}, 0.1} : Mass{}, {x, y}, 0);
+    };
+    for (int k = 0; k < 300; ++k) add();
+    PairFinder finder;
+    PlacedShapes placed;
+    placed.move(scene);
+    std::vector<char> looks(300, 0);
+    std::vector<int> looking;
+    std::int64_t most_kept = 0, found = 0;
+    for (int round = 0; round < 200; ++round) {
+        const bool stay = round % 4 == 3;  // nobody leaves the skin of a leaf or begins to look
+        if (round % 50 == 49) add(), looks.push_back(1);
+        for (char& one : looks)
+            if (!stay && random.uniform() < 0.05) one = !one;
+        looking.clear();
+        for (std::size_t k = 0; k < looks.size(); ++k)
+            if (looks[k]) looking.push_back(static_cast<int>(k));
+        for (const int k : looking) {
+            const Real most = stay ? 1e-4 : random.uniform() < 0.2 ? 1 : 0.05;
+            const Real x = random.uniform(-most, most), y = random.uniform(-most, most);
+            scene.bodies.x.segment<2>(3 * k) += Vec2(x, y);
+        }
+        placed.move(scene, looking);
+        finder.find(scene, placed, 0.02, looking);
+        std::vector<std::uint64_t> all;
+        const auto grown_box = [&](int k) { return grown(placed.boxes[static_cast<std::size_t>(k)], 0.01); };
+        for (int a = 0; a < scene.bodies.count(); ++a)
+            for (int b = a + 1; b < scene.bodies.count(); ++b)
+                if ((looks[static_cast<std::size_t>(a)] || looks[static_cast<std::size_t>(b)]) &&
+                    (scene.bodies.can_move(a) || scene.bodies.can_move(b)) &&
+                    overlap(grown_box(a), grown_box(b)))
+                    all.push_back(pair_key(a, b));
+        REQUIRE(finder.pairs == all);
+        found += static_cast<std::int64_t>(all.size());
+        // then no node of the tree is looked at: a few boxes about each that looks
+        if (stay && round % 50 != 49) most_kept = std::max(most_kept, finder.tested);
+    }
+    CHECK(found > 10000);
+    CHECK(most_kept > 0);
+    CHECK(most_kept < 5 * 300);
+}
+
 TEST_CASE("what is taken out of the tree is not found and all else is", "[house]")
 {
     Random random(12);

@@ -10,18 +10,23 @@ template <class Keep>
 void PairFinder::find_in_tree(const Keep& keep)
 {
     tree.tested = 0;
-    std::erase_if(near_, [this](std::uint64_t pair) {
-        const auto [a, b] = bodies_of(pair);
-        return is(is_renewed_, a) || is(is_renewed_, b) || !(is(asks, a) || is(asks, b));
-    });
-    const auto kept = static_cast<std::ptrdiff_t>(near_.size());
+    fresh_.clear();
     for (const int k : renewed_)
         tree.overlapping(tree.leaf_of(k), [&](int b) {
-            if (b != k && !(b < k && is(is_renewed_, b)))
-                near_.push_back(pair_key(k, b));
+            if (b != k && !(b < k && is(is_renewed_, b)) &&
+                (is(asks, k) || is(asks, b)))
+                fresh_.push_back(pair_key(k, b));
         });
-    std::sort(near_.begin() + kept, near_.end());
-    std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end());
+    std::sort(fresh_.begin(), fresh_.end());
+    std::erase_if(near_, [this](std::uint64_t pair) {
+        const auto [a, b] = bodies_of(pair);
+        return is(is_renewed_, a) || is(is_renewed_, b) ||
+               !(is(asks, a) || is(asks, b));
+    });
+    merged_.resize(near_.size() + fresh_.size());
+    std::merge(near_.begin(), near_.end(), fresh_.begin(), fresh_.end(),
+               merged_.begin());
+    near_.swap(merged_);
     for (const std::uint64_t pair : near_) {
         const auto [a, b] = bodies_of(pair);
         if (overlap(boxes[static_cast<std::size_t>(a)],
@@ -81,7 +86,8 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
                          Real margin, std::span<const int> looking)
 {
     const auto K = static_cast<std::size_t>(scene.bodies.count());
-    const bool all = boxes.size() != K || margin != margin_ || search != searched_;
+    const bool all = boxes.size() != K || margin != margin_ || search != searched_,
+               anew = is_renewed_.size() != K || search != searched_;
     searched_ = search;
     if (tree.count() > static_cast<int>(K)) tree.clear();  // some were taken away
     if (search == PairSearch::grid && circles.size() != K) {
@@ -102,13 +108,14 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
     boxes.resize(K);
     moves.resize(K);
     asks.resize(K);
+    if (anew) near_.clear();
     is_renewed_.resize(K);
     for (const int k : renewed_)
-        if (static_cast<std::size_t>(k) < K) is_renewed_[static_cast<std::size_t>(k)] = 0;
+        if (static_cast<std::size_t>(k) < K)
+            is_renewed_[static_cast<std::size_t>(k)] = 0;
     renewed_.clear();
-    if (all) near_.clear();
     for (const int k : looking)
-        if (all || !is(asks, k)) renew(k);
+        if (anew || !is(asks, k)) renew(k);
     for (const int k : asked)
         if (static_cast<std::size_t>(k) < K) asks[static_cast<std::size_t>(k)] = 0;
     asked.assign(looking.begin(), looking.end());

@@ -85,8 +85,8 @@ private:
     std::vector<int> movers_;
     /// of leaves that overlap, of bodies of which one looks, ascending: they change
     /// only where a leaf does, or another body looks
-    std::vector<std::uint64_t> near_;
-    std::vector<int> renewed_;     ///< bodies with such a change in this call
+    std::vector<std::uint64_t> near_, fresh_, merged_;
+    std::vector<int> renewed_;  ///< bodies with such a change in this call
     std::vector<char> is_renewed_;
     Real margin_ = 0;  ///< of the boxes [m]
     PairSearch searched_ = PairSearch::tree;
