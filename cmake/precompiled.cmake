@@ -7,8 +7,6 @@ if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
   target_link_libraries(rigid_precompiled PRIVATE rigid_common)
   target_precompile_headers(rigid_precompiled PRIVATE common/eigen_instances.hpp
                                                       cmake/precompiled/standard.hpp)
-  # The instances themselves are made by a source that must not have seen them declared `extern`.
-  set_source_files_properties(cmake/precompiled/tests_eigen_instances.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
 # compile_together(TARGET): its sources are compiled some at a time, one after the other in one go, so what they share is

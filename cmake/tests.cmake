@@ -19,32 +19,12 @@ add_library(rigid_test_main STATIC tests/test_main.cpp)
 target_link_libraries(rigid_test_main PUBLIC Catch2::Catch2 rigid_common rigid_test_options)
 target_compile_definitions(rigid_test_main PUBLIC RIGID_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 set_source_files_properties(tests/test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)   # it makes Catch2's own code
-# In the tests Eigen counts what it allocates: its instances and the chapters' sources are others, too. Some tests look at the
-# scenes of a program.
-target_sources(rigid_test_main PRIVATE cmake/precompiled/tests_eigen_instances.cpp common/program/program.cpp)
-if(RIGID_SANITIZE)   # to compile the physics once takes long enough: there it is the tests' own for all
-  foreach(number 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20)
-    set(rigid_tested_up_to_${number} ${rigid_chapter_up_to_${number}})
-  endforeach()
-  foreach(library ${rigid_chapter_libraries} rigid_chapter_19)
-    target_compile_options(${library} PRIVATE "SHELL:-include \"${PROJECT_SOURCE_DIR}/tests/counted_eigen.hpp\"")
-  endforeach()
-else()
-  add_chapter_libraries(rigid_tested rigid_test_main)
-endif()
+# Some tests look at the scenes of a program.
+target_sources(rigid_test_main PRIVATE common/program/program.cpp)
 if(TARGET rigid_precompiled)
   target_sources(rigid_test_main PRIVATE cmake/precompiled/precompiled.cpp)
-  target_precompile_headers(rigid_test_main PRIVATE tests/counted_eigen.hpp common/eigen_instances.hpp
-                                                    cmake/precompiled/standard.hpp tests/catch.hpp)
+  target_precompile_headers(rigid_test_main PRIVATE common/eigen_instances.hpp cmake/precompiled/standard.hpp tests/catch.hpp)
 endif()
-foreach(library ${rigid_tested_libraries})
-  if(TARGET rigid_precompiled)
-    target_precompile_headers(${library} REUSE_FROM rigid_test_main)
-  else()
-    target_compile_options(${library} PRIVATE
-      "SHELL:$<IF:$<CXX_COMPILER_ID:MSVC>,/FI,-include> \"${PROJECT_SOURCE_DIR}/tests/counted_eigen.hpp\"")
-  endif()
-endforeach()
 
 function(add_catch_tests name label)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "FILES")
@@ -52,15 +32,12 @@ function(add_catch_tests name label)
   compile_together(test_${name})
   # of a chapter: its library and those before it; else all, and the engine
   if(name MATCHES "^(0[1-9]|1[0-8])_")
-    target_link_libraries(test_${name} PRIVATE ${rigid_tested_up_to_${CMAKE_MATCH_1}} rigid_test_main)
+    target_link_libraries(test_${name} PRIVATE ${rigid_chapter_up_to_${CMAKE_MATCH_1}} rigid_test_main)
   else()
-    target_link_libraries(test_${name} PRIVATE ${rigid_tested_up_to_20} rigid_test_main rigid_physics)
+    target_link_libraries(test_${name} PRIVATE ${rigid_chapter_libraries} rigid_chapter_19 rigid_test_main)
   endif()
   if(TARGET rigid_precompiled)
     target_precompile_headers(test_${name} REUSE_FROM rigid_test_main)
-  else()
-    # compiled together, the first source may have included Eigen before the second counts what it allocates
-    set_target_properties(test_${name} PROPERTIES UNITY_BUILD_CODE_BEFORE_INCLUDE "#include \"tests/counted_eigen.hpp\"")
   endif()
   catch_discover_tests(test_${name} TEST_PREFIX "${label}: " PROPERTIES LABELS ${label} TIMEOUT 300)
 endfunction()

@@ -13,6 +13,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
+#include "tests/no_allocation.hpp"
 #include "tests/says.hpp"
 #include "tests/scene_of.hpp"
 #include "tests/sentence.hpp"

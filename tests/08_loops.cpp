@@ -1,7 +1,5 @@
 /// Chapter 8, loops of rods and impacts: what a remembered impulse must not do to the energy.
 
-#include "tests/counted_eigen.hpp"
-
 #include "chapters/04_pgs/rates.hpp"
 #include "chapters/08_warm_starting/looped_trusses.hpp"
 #include "chapters/08_warm_starting/memory_rates.hpp"

@@ -1,5 +1,5 @@
 # The program as a reader runs it.
-target_link_libraries(test_09_active_sets PRIVATE ${rigid_tested_up_to_10})   # 09_rattle.cpp: with bodies that sleep
+target_link_libraries(test_09_active_sets PRIVATE ${rigid_chapter_up_to_10})   # 09_rattle.cpp: with bodies that sleep
 foreach(scene plane cycle guess fill ten_discs long_chain linkage)
   add_program_test(ch09 09_active_sets "runs scene ${scene}" --headless --scene ${scene} --steps 300 --csv -)
 endforeach()

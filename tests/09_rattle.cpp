@@ -1,7 +1,5 @@
 /// Chapter 9, the step whose repair does no work: its order, what it keeps, and what it says where it can't.
 
-#include "tests/counted_eigen.hpp"
-
 #include "chapters/09_active_sets/linkages.hpp"
 #include "chapters/09_active_sets/rattle.hpp"
 #include "chapters/10_skipping_work/awake_bodies.hpp"

@@ -1,15 +1,42 @@
-// main() of every test executable, and an operator new that counts where a NoAllocation lives.
+// main() of every test executable, and who is told of each allocation: under AddressSanitizer a hook of its own, with glibc a
+// malloc that stands before the one of the library (operator new calls it), elsewhere an operator new.
 
-#include "tests/counted_eigen.hpp"
+#include "tests/no_allocation.hpp"
 
 #include <cstdlib>
 #include <new>
 
-#ifndef RIGID_ADDRESS_SANITIZER  // AddressSanitizer has its own operator new; there only Eigen's allocations are counted
+#if defined(RIGID_ADDRESS_SANITIZER)
+#include <sanitizer/allocator_interface.h>
+static const int heard = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { rigid::allocation::asked(); }, [](const volatile void*) {});
+#elif defined(__GLIBC__)
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+
+void* malloc(std::size_t size)
+{
+    rigid::allocation::asked();
+    return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size)
+{
+    rigid::allocation::asked();
+    return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size)
+{
+    rigid::allocation::asked();
+    return __libc_realloc(memory, size);
+}
+}
+#else
 // Not inlined: else the compiler sees malloc() and delete meet and warns.
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
-    if (rigid::allocation::forbidden) ++rigid::allocation::count;
+    rigid::allocation::asked();
     if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
     throw std::bad_alloc();
 }
