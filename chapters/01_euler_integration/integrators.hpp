@@ -95,7 +95,6 @@ State<N> implicit_euler_spring(State<N> s, Real h, Real omega)
 }
 //! [implicit]
 
-//! [verlet]
 /// (1.24): velocity Verlet \cite verlet1967. Order 2; one evaluation, because the
 /// acceleration at the end of a step is the one at the start of the next.
 /// \param now  a(x) at the state going in; at the state that comes out on return
@@ -109,7 +108,6 @@ State<N> velocity_verlet(State<N> s, Vec<N>& now, Real h, const A& a)
     s.u += h / 2 * now;  // the other half
     return s;
 }
-//! [verlet]
 
 //! [yoshida]
 /// (1.34): three steps of drift, kick, drift, the middle one backwards, whose

@@ -1,4 +1,4 @@
-// Chapter 1 in one file: a mass of 1 kg on a spring, by three methods of Euler's.
+// Chapter 1 in one file: a mass on a spring, by three methods of Euler's and Verlet's.
 //
 //     dx/dt = u,   du/dt = a = −ω² x        E = ½ u² + ½ ω² x²
 //
@@ -37,6 +37,14 @@ void implicit_euler(Body& body, double h, double omega)
 {
     body.u = (body.u - h * omega * omega * body.x) / (1 + h * h * omega * omega);
     body.x += h * body.u;
+}
+
+// (1.24): half a kick, a drift, half a kick with the force where the drift ends.
+void velocity_verlet(Body& body, double h, double omega)
+{
+    body.u += h / 2 * (-omega * omega * body.x);
+    body.x += h * body.u;
+    body.u += h / 2 * (-omega * omega * body.x);
 }
 
 // (1.7)
@@ -78,6 +86,10 @@ int main(int count, char** word)
         std::printf("    after 4 s: %.3f of the energy\n",
                     energy(spring, omega) / energy({1, 0}, omega));
     }
+    Body body{1, 0};
+    velocity_verlet(body, 0.5, 1);
+    std::printf("Verlet\n    x %g m, u %g m/s, E %g J\n", body.x, body.u,
+                energy(body, 1));
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "

@@ -29,7 +29,6 @@ struct Direction {
     }
 };
 
-//! [distance]
 /// (2.13): two bodies keep their distance, \f$C = \lVert x_b - x_a \rVert - L\f$.
 /// Two centres in one point have no direction; J then points along y.
 inline Constraint<2> distance_constraint(const VecX& x, const Link& link)
@@ -38,7 +37,6 @@ inline Constraint<2> distance_constraint(const VecX& x, const Link& link)
     return {link.a, link.b, d.length - link.length, -d.n.transpose(),
             d.n.transpose()};
 }
-//! [distance]
 
 /// (2.13) against the world: body k keeps its distance L from a point that does not move.
 inline Constraint<2> anchor_constraint(const VecX& x, Index k, const Vec2& anchor,

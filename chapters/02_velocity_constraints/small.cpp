@@ -34,9 +34,8 @@ void row_step(Body& body, double h)
 // (2.1): a spring in place of the row.
 void spring_step(Body& body, double h, double stiffness)
 {
-    const double C = 0.5 * (body.x.squaredNorm() - 1);
-    body.u -=
-        h * body.inverse_mass * stiffness * C / body.x.norm() * body.x.normalized();
+    const double C = 0.5 * (body.x.squaredNorm() - 1) / body.x.norm();
+    body.u -= h * body.inverse_mass * stiffness * C * body.x.normalized();
     body.x += h * body.u;
 }
 

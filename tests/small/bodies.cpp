@@ -26,6 +26,10 @@ State<1> library_step(const std::string& name, const State<1>& s, Real h, Real o
     const Spring spring{omega};
     if (name == "explicit") return explicit_euler(s, h, spring);
     if (name == "symplectic") return symplectic_euler(s, h, spring);
+    if (name == "verlet") {
+        Vec<1> now = spring(s.x);
+        return velocity_verlet(s, now, h, spring);
+    }
     return implicit_euler_spring(s, h, omega);
 }
 
@@ -35,7 +39,8 @@ TEST_CASE("the small program of chapter 1 has the numbers of the text and every 
 {
     const small01::Method methods[] = {{"explicit", small01::explicit_euler, ""},
                                        {"symplectic", small01::symplectic_euler, ""},
-                                       {"implicit", small01::implicit_euler, ""}};
+                                       {"implicit", small01::implicit_euler, ""},
+                                       {"verlet", small01::velocity_verlet, ""}};
     for (const auto& [name, step, colour] : methods) {
         INFO(name);
         small01::Body body{1, 0};
@@ -47,13 +52,16 @@ TEST_CASE("the small program of chapter 1 has the numbers of the text and every 
             REQUIRE(body.u == s.u[0]);
         }
     }
-    // By hand: sections 1.2 to 1.4, two steps of 0.5 s.
-    small01::Body one{1, 0}, two{1, 0}, three{1, 0};
+    // By hand: sections 1.2 to 1.4 and 1.7, steps of 0.5 s.
+    small01::Body one{1, 0}, two{1, 0}, three{1, 0}, four{1, 0};
     for (int n = 0; n < 2; ++n) {
         small01::explicit_euler(one, 0.5, 1);
         small01::symplectic_euler(two, 0.5, 1);
     }
     small01::implicit_euler(three, 0.5, 1);
+    small01::velocity_verlet(four, 0.5, 1);
+    CHECK(four.x == 0.875);
+    CHECK(four.u == -0.46875);
     CHECK(small01::energy(one, 1) == 0.78125);
     CHECK(small01::energy(two, 1) == 0.431640625);
     CHECK(small01::energy(three, 1) == Approx(0.4).epsilon(1e-15));

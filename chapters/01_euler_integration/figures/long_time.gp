@@ -7,7 +7,7 @@ set xrange [0.8:6000]
 set xlabel "periods"
 rows(name) = sprintf("< grep '^%s,' %s", name, data)
 set multiplot layout 1,2 margins 0.10,0.98,0.27,0.97 spacing 0.13,0.1
-set ylabel "largest error in place [half axes]"
+set ylabel "largest error in position [semi-axes]"
 set yrange [1e-9:10]; set ytics 100
 unset key
 set label 1 "∝ t" at 300, 0.008 textcolor rgb ink; set label 2 "∝ t²" at 60, 3e-7 textcolor rgb ink

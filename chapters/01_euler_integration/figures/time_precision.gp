@@ -9,7 +9,7 @@ problems = "kepler_1_period kepler_10_periods pendulum projectile"
 heads = "'Kepler e = 0.6, one period' 'Kepler e = 0.6, ten periods' 'pendulum from 90°, 10 s' 'projectile with drag, 3 s'"
 # which of the six methods take the force: Verlet and Yoshida none that depends on the velocity
 some = "'1 2 3 4 5 6' '1 2 3 4 5 6' '1 2 3 4 5 6' '1 2 5 6'"
-units = "'half axes' 'half axes' 'rad' 'm'"
+units = "'semi-axes' 'semi-axes' 'rad' 'm'"
 set multiplot layout 2,2 margins 0.09,0.98,0.16,0.95 spacing 0.10,0.13
 do for [p=1:4] {
   set title word(heads, p) offset 0,-0.5

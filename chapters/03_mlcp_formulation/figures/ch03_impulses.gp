@@ -10,7 +10,7 @@ set parametric; set trange [0:2*pi]; set samples 400
 set object 1 rectangle from 0,0 to 5.6,1.7 fs solid 0.15 noborder fc rgb blue behind
 set arrow 1 from 2,0 to 2,0.6 filled size 0.1,18 lw 2 lc rgb green front
 set label 1 'w = (0, 0.6)' at 2.08,0.62 tc rgb green front
-set label 2 'answer (2, 0)' at 0.62,-0.2 tc rgb blue front
+set label 2 'answer (2, 0)' at 0.48,-0.2 tc rgb blue front
 set label 3 'λ ≥ 0' at 4.4,1.4 tc rgb blue front
 set label 4 'lowest point without' at 3.42,-1.5 tc rgb orange front
 set label 5 'bounds: λ_2 pulls' at 3.42,-1.75 tc rgb orange front
