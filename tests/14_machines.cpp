@@ -18,7 +18,7 @@ TEST_CASE("a walker goes a step to the left for each turn of its crank and back"
         scene.walls.push_back({{0, 1}, 0});
         const Walker walker = add_walker(scene, 0, 0.01, {speed, 300, 0, 0, 0});
         cover(scene, {1, 0, 0, 0});
-        JointTrees<Manifolds> method;
+        ExactJoints<Manifolds> method;
         auto& touching = method.contacts;
         auto& filter = touching.finder.filter;
         filter.group.assign(static_cast<std::size_t>(scene.bodies.count()), 1);
@@ -48,7 +48,7 @@ TEST_CASE("a hand carries what hangs together and lets the joints be", "[idea]")
                       "a hand holds body 10; it must be one of the 10 bodies, from 0 on");
     const Vec2 wrist = scene.bodies.position(first + 3).head<2>();
     const std::size_t number = add_joint(scene, hand_joint(scene, first + 3, wrist));
-    JointTrees<AllBodies> method;
+    ExactJoints<AllBodies> method;
     StepData<3> now;
     for (int i = 0; i < 600; ++i) {
         move_hand(scene, number, wrist + Vec2(std::min(1.0, i / 60.0), 0.5));
