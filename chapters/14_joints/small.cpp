@@ -162,7 +162,7 @@ Bodies trolley()
 
 int main(int count, char** word)
 {
-    // By hand, section 15.1: a step of 0.1 s far from the stop, and 5 mrad before it.
+    // By hand, section 14.1: a step of 0.1 s far from the stop, and 5 mrad before it.
     for (const double stop : {1.0, 0.005}) {
         Bodies d = door(stop);
         const int n = step(d, 0.1, 1);

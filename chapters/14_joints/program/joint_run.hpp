@@ -20,10 +20,9 @@ struct JointState {
     StepData<3> now;
     Real t = 0, h = 0;
     Real energy_at_start = 0;
-    std::int64_t tree_rows =
-        0;           ///< of trees solved so far, under chapter 15's methods
-    int asleep = 0;  ///< bodies, where a method lets them sleep
-    int rounds = 0;  ///< of a method that has them, in the last solve
+    std::int64_t tree_rows = 0;  ///< solved so far by chapter 15's trees
+    int asleep = 0;              ///< bodies, where a method lets them sleep
+    int rounds = 0;              ///< of a method that has them, in the last solve
 
     /// What the solver left in the last step; 0 before the first [m/s].
     Real residual() const
