@@ -1,6 +1,7 @@
 /// Chapter 14: bodies on joints that rest sleep, and what wakes them.
 
 #include "chapters/14_joints/joint_method.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/joint_run.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 struct Room {
     JointedScene scene;
-    ExactJoints<AwakeManifolds> method;
+    JointSweeps<AwakeManifolds> method;
     StepData<3> now;
     Real worst = 0;  ///< the largest error of a joint so far [m]
 
