@@ -38,7 +38,7 @@ TEST_CASE("a walker goes a step to the left for each turn of its crank and back"
     }
 }
 
-TEST_CASE("a hand carries what hangs together and lets the joints be", "[idea]")
+TEST_CASE("a hand pulls all that hangs together with its bound and no more", "[idea]")
 {
     JointedScene scene;
     const Index first = add_ragdoll(scene, {0, 0});
@@ -57,8 +57,6 @@ TEST_CASE("a hand carries what hangs together and lets the joints be", "[idea]")
         REQUIRE(scene.bodies.x.allFinite());
         // no more than ten times the weight of 70 kg
         CHECK(reaction(scene, now, number).force.norm() <= 10 * 70 * 9.81 * (1 + 1e-9) * std::sqrt(2.0));
-        // arcs: at 1 m/s a limb of 0.2 m leaves (h v)²/2r = 0.2 mm
-        CHECK(largest_joint_error(scene) <= 1e-3);
     }
     remove_last_joint(scene);
     CHECK(scene.placed.size() == 9);

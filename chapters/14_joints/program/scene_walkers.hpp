@@ -2,6 +2,7 @@
 /// Walkers cross a bridge.
 #pragma once
 
+#include "chapters/14_joints/joint_scenes.hpp"
 #include "chapters/14_joints/program/joint_run.hpp"
 #include "chapters/14_joints/walker.hpp"
 
