@@ -1,5 +1,5 @@
-// Chapter 14 in one file, grown from chapter 11: joints. A joint is a few rows on two
-// bodies: some hold what it does not leave free, others bound or drive what it does.
+// Chapter 14 in one file, grown from chapter 11: a joint is a few rows on two bodies.
+// Some hold what it does not leave free, others bound or drive what it does.
 //
 //     w = J_a u_a + J_b u_b + b,   lo ≤ λ ≤ hi:   λ = lo, λ = hi or w = 0
 #include <Eigen/Core>
