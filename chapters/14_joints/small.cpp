@@ -1,4 +1,4 @@
-// Chapter 14 in one file, grown from chapter 11: a joint is a few rows on two bodies.
+// Chapter 14 in one file, grown from chapter 11: a joint, a few rows on two bodies.
 // Some hold what it does not leave free, others bound or drive what it does.
 //
 //     w = J_a u_a + J_b u_b + b,   lo ≤ λ ≤ hi:   λ = lo, λ = hi or w = 0
@@ -145,7 +145,7 @@ Bodies door(double stop)
     return d;
 }
 
-// A trolley on a rail, driven to its stop; on it a rod, a box, and a ball on a rope.
+// A trolley on a rail, driven to its stop; on it a rod, a box, a ball on a rope.
 Bodies trolley()
 {
     Bodies d{Vec::Zero(3), Vec::Zero(3), Vec::Zero(3), {}};
@@ -162,7 +162,7 @@ Bodies trolley()
 
 int main(int count, char** word)
 {
-    // By hand, section 14.1: a step of 0.1 s far from the stop, and 5 mrad before it.
+    // By hand, section 14.1: a step of 0.1 s far from the stop, and 5 mrad away.
     for (const double stop : {1.0, 0.005}) {
         Bodies d = door(stop);
         const int n = step(d, 0.1, 1);
