@@ -1,22 +1,22 @@
 /// Chapter 14: bodies on joints that rest sleep, and what wakes them.
 
 #include "chapters/14_joints/joint_method.hpp"
-#include "chapters/14_joints/joint_scenes.hpp"
-#include "chapters/14_joints/ragdoll.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/joint_run.hpp"
 
 #include <cmath>
-#include <functional>
 
 using namespace rigid;
 
 namespace {
 
+/// Exactly, a rope leaves its sleeper where it is; sweeps have a tolerance below which what hangs is at rest.
+template <class Method>
 struct Room {
     JointedScene scene;
-    SkippingJoints method;
+    Method method;
     StepData<3> now;
     Real worst = 0;  ///< the largest error of a joint so far [m]
 
@@ -40,32 +40,10 @@ struct Room {
     }
 };
 
-/// Dolls above a floor, or stairs, that do not collide with themselves.
-Room room_of_dolls(int dolls, int stairs, Real apart)
-{
-    Room room;
-    if (stairs > 0) add_stairs(room.scene, stairs);
-    else room.scene.walls.push_back({{0, 1}, 0});
-    std::vector<std::pair<Index, Index>> pairs;
-    for (int i = 0; i < dolls; ++i) {
-        const Vec2 at =
-            stairs > 0 ? Vec2(-0.1 + 0.15 * (i % 3), 0.3 * stairs + 1.1 + 1.8 * i) : Vec2(apart * i, 1.1);
-        const Index first = add_ragdoll(room.scene, at);
-        // it is pushed, or it would stand on its feet until rounding topples it
-        for (Index k = first; k < first + 10; ++k) room.scene.bodies.velocity(k)[0] = 0.8;
-        forbid_itself(first, [&pairs](Index a, Index b) { pairs.push_back({a, b}); });
-    }
-    cover(room.scene, {0.6, 0, 0, 0});
-    auto& touching = room.method.contacts.touching;
-    touching.finder.filter = forbid_pairs(room.scene.bodies.count(), pairs);
-    never_stop(touching);
-    return room;
-}
-
 /// Two boxes on a floor, 3 m apart, on a rope of 6 m.
-Room room_of_a_slack_rope()
+Room<ExactJoints<AwakeManifolds>> room_of_a_slack_rope()
 {
-    Room room;
+    Room<ExactJoints<AwakeManifolds>> room;
     room.scene.walls.push_back({{0, 1}, 0});
     add_body(room.scene, box(1, 1), 1, {0, 0.5});
     add_body(room.scene, box(1, 1), 1, {3, 0.5});
@@ -80,36 +58,10 @@ Room room_of_a_slack_rope()
 
 }  // namespace
 
-TEST_CASE("dolls that lie still sleep and a motor that changes wakes its own doll alone", "[idea]")
-{
-    Room room = room_of_dolls(2, 0, 6);
-    const int took = room.until_asleep(1200);
-    INFO("asleep after " << took << " steps");
-    REQUIRE(room.all_asleep());
-    CHECK(room.worst <= 0.01 * 0.22);  // 1 % of the shortest limb
-    const VecX x = room.scene.bodies.x;
-    room.run(60);
-    CHECK((room.scene.bodies.x == x));
-    CHECK(room.scene.bodies.u.isZero(0));
-    CHECK(room.now.visits == 0);
-    // the neck of the first doll: it now nods
-    RigidJoint neck = room.scene.placed[0].joint;
-    neck.motor.speed = 2, neck.motor.force = 50;
-    change_joint(room.scene, 0, neck);
-    room.run(1);
-    CHECK(!room.asleep(0));
-    CHECK(!room.asleep(9));
-    CHECK(room.asleep(10));
-    room.run(30);
-    CHECK(room.asleep(10));
-    CHECK((room.scene.bodies.x.tail(30) == x.tail(30)));
-    CHECK((room.scene.bodies.x.head(30) - x.head(30)).cwiseAbs().maxCoeff() > 0.01);
-}
-
 TEST_CASE("what hangs at rest sleeps and falls when its joint breaks or is gone", "[idea]")
 {
     for (const bool breaks : {true, false}) {
-        Room room;
+        Room<JointSweeps<AwakeManifolds>> room;
         add_body(room.scene, box(1, 1), 1, {0, 0});
         add_joint(room.scene, joint_at(room.scene, JointKind::revolute, world, 0, {0, 0.5}));
         cover(room.scene, {0.6, 0, 0, 0});
@@ -129,7 +81,7 @@ TEST_CASE("what hangs at rest sleeps and falls when its joint breaks or is gone"
 
 TEST_CASE("a rope that was slack wakes the sleeper that it pulls at", "[idea]")
 {
-    Room room = room_of_a_slack_rope();
+    auto room = room_of_a_slack_rope();
     room.until_asleep(300);
     REQUIRE(room.all_asleep());
     room.scene.bodies.velocity(1)[0] = 10;
@@ -143,7 +95,7 @@ TEST_CASE("a rope that was slack wakes the sleeper that it pulls at", "[idea]")
 
 TEST_CASE("a rope wakes the sleeper at its end when what slides at the other end has tightened it", "[idea]")
 {
-    Room room = room_of_a_slack_rope();
+    auto room = room_of_a_slack_rope();
     room.scene.surfaces[1].friction = 0;  // this one slides on, and is never at rest
     room.scene.bodies.velocity(1)[0] = 1;
     room.run(150);
@@ -154,49 +106,4 @@ TEST_CASE("a rope wakes the sleeper at its end when what slides at the other end
         60);  // the rope is tight after 3 s: both go on at half the speed, and the first is braked by 0.3 g
     CHECK(room.scene.bodies.x[0] > 0.5 * 0.5 * 0.5 / (2 * 0.3 * 9.81) / 2);
     CHECK(room.worst <= 0.03);  // the step in which it tightens: 1 m/s · h, and what is left of it
-}
-
-TEST_CASE("dolls on stairs come to rest and sleep with all their limbs", "[idea]")
-{
-    Room room = room_of_dolls(3, 5, 0);
-    const int took = room.until_asleep(2400);
-    INFO("asleep after " << took << " steps");
-    CHECK(room.all_asleep());
-    CHECK(room.worst <= 0.01 * 0.22);
-}
-
-TEST_CASE("what is pushed out of an overlap ends inside the slop and sleeps no sooner", "[idea]")
-{
-    for (const Real h : {1.0 / 60, 1.0 / 10}) {
-        Room room;
-        room.scene.length = 1;
-        room.scene.walls.push_back({{0, 1}, 0});
-        for (int i = 0; i < 3; ++i) add_body(room.scene, box(1, 1), 1, {0, 0.4 + 0.9 * i});
-        cover(room.scene, {0.6, 0, 0, 0});
-        int steps = 0;
-        do step(room.scene, {.h = h}, room.method, room.now);
-        while (!room.all_asleep() && ++steps < 100);
-        CHECK(steps < 100);
-        Real below = 0;
-        for (Index k = 0; k < 3; ++k) {
-            const Real y = room.scene.bodies.position(k)[1] - 0.5, gap = y - below;
-            INFO("step " << h << ", box " << k << ", gap " << gap);
-            // strictly: no margin. In steps of 1/10 s half a second, the time of rest, leaves a quarter of the overlap
-            CHECK(gap > -0.005);
-            CHECK(gap < 0);  // and what is inside is left alone
-            below = y + 1;
-        }
-    }
-}
-
-TEST_CASE("bodies on joints that sleep stay where they are when all are woken and may not sleep", "[house]")
-{
-    Room room = room_of_dolls(2, 0, 6);
-    room.until_asleep(1200);
-    REQUIRE(room.all_asleep());
-    Room woken = room;
-    woken.method.contacts.sleep = false;
-    woken.run(30);
-    // half a second: what rest allows is v_rest in all of it
-    CHECK((woken.scene.bodies.x - room.scene.bodies.x).cwiseAbs().maxCoeff() <= 1e-3 * 0.5);
 }

@@ -18,7 +18,7 @@ enum class ConstraintKind : unsigned char {
     /// the same, as far as the impulse of another constraint allows (chapter 13)
     friction,
     spring,  ///< pulls C back by itself, the more the larger C is (chapter 16)
-    inerter,  ///< resists a change of J u, as a mass between its two would (chapter 14)
+    inerter,  ///< resists a change of J u, as a mass between its two would (chapter 15)
 };
 
 /// Whether C is an error that a method may correct. What a motor, friction or a spring does about C is its own affair.

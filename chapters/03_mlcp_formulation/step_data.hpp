@@ -72,12 +72,12 @@ struct StepData {
     bool second_half = false;
     /// velocities after the forces, before the impulses [m/s]
     VecX u_star;
-    /// e of each row, for solvers that let impacts come first (chapter 14); empty =
+    /// e of each row, for solvers that let impacts come first (chapter 15); empty =
     /// none bounces
     std::vector<Real> restitution;
     Real slowest_bounce = 0;  ///< an approach that is slower does not bounce [m/s]
     Solution solution;        ///< of the last sub-step
-    /// what λ has besides the answer of the rows: arcs and impacts (chapter 14) [N s];
+    /// what λ has besides the answer of the rows: arcs and impacts (chapter 15) [N s];
     /// empty = nothing
     VecX besides;
     std::int64_t visits = 0;  ///< rows visited in this step, whatever for
@@ -87,7 +87,7 @@ struct StepData {
 struct SecondProblem {
     std::vector<Real> bias;      ///< b of each row [m/s]
     std::vector<char> left_out;  ///< 1: the row gets no impulse in this problem
-    /// what it gives is a part of the motion, no error (chapter 14): solvers that
+    /// what it gives is a part of the motion, no error (chapter 15): solvers that
     /// remember keep the two kinds apart
     bool arcs = false;
     int max_sweeps = 10;  ///< of solvers that sweep

@@ -86,7 +86,7 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
 
 //! [across]
 /// The motion across a line from point to point, as a row without an error: J as of
-/// a distance, with n at right angles to the line (chapter 14 has the use).
+/// a distance, with n at right angles to the line (chapter 15 has the use).
 /// \param part  of a pulley 1: from q_a to p_a, 2: from q_b to p_b; else 1
 inline Constraint<3> across_line(const VecX& x, const PointJoint& joint, int part)
 {

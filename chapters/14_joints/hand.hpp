@@ -4,8 +4,8 @@
 ///     k = m ω²,  c = 2 m ω,  |F_x|, |F_y| ≤ 10 m g   m = all that joints hold together with the body, ω = 2π · 3 Hz,
 ///                                                    g at least 1 m/s², so that it pulls without gravity too
 ///
-/// A spring and its bound, so it is a row with bounds: whatever else holds the body is held by (14.16), and the hand never
-/// tears a joint open. \cite catto2011
+/// A spring and its bound, so it is a row with bounds, and joints have none: solved exactly, the hand never tears a joint
+/// open. \cite catto2011
 #pragma once
 
 #include "chapters/14_joints/placed_joints.hpp"

@@ -9,13 +9,9 @@ template void step(JointedScene&, const StepSettings&, JointSweeps<AllBodies>&,
                    StepData<3>&);
 template void step(JointedScene&, const StepSettings&, JointSweeps<Manifolds>&,
                    StepData<3>&);
-template void step(JointedScene&, const StepSettings&, JointTrees<AllBodies>&,
+template void step(JointedScene&, const StepSettings&, ExactJoints<AllBodies>&,
                    StepData<3>&);
-template void step(JointedScene&, const StepSettings&, JointTrees<Manifolds>&,
-                   StepData<3>&);
-template void step(JointedScene&, const StepSettings&, SkippingJoints&,
-                   StepData<3>&);
-template void step(JointedScene&, const StepSettings&, JointRattle<Manifolds>&,
+template void step(JointedScene&, const StepSettings&, ExactJoints<Manifolds>&,
                    StepData<3>&);
 
 }  // namespace rigid

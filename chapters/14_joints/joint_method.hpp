@@ -1,13 +1,11 @@
 /// \file joint_method.hpp
-/// Methods of this chapter: the stages of Parts I and II, and the trees for a solver.
+/// Methods of this chapter: those of chapter 13 with joints on top of their contacts.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step.hpp"
 #include "chapters/12_contact_manifolds/manifold_method.hpp"
 #include "chapters/13_friction/friction_solver.hpp"
-#include "chapters/14_joints/geometric_stiffness.hpp"
 #include "chapters/14_joints/joint_stage.hpp"
-#include "chapters/14_joints/tree_solver.hpp"
 
 namespace rigid {
 
@@ -21,25 +19,15 @@ struct JointSweeps {
     ImpulseSolver<3> solver;
 };
 
+/// All rows at once, by the solver of chapter 13; errors are corrected whole, apart
+/// from velocities.
 template <class Contacts>
-struct JointTrees {
-    WithJoints<WithFriction<Contacts>> contacts =
-        with_inerters<WithFriction<Contacts>>();
-    LoadedJoints correction;
-    WarmStart start = last_impulses();
-    TreeSolver solver;
-};
-
-template <class Contacts>
-struct JointRattle {
+struct ExactJoints {
     WithJoints<WithFriction<Contacts>> contacts;
-    Rattle correction;
+    Correction correction = exact_correction();
     WarmStart start = last_impulses();
-    TreeSolver solver;
+    CoulombSolver<FindFriction> solver;
 };
-
-/// What rests, sleeps.
-using SkippingJoints = JointTrees<AwakeManifolds>;
 //! [method]
 
 //! [never_stop]
@@ -58,12 +46,8 @@ extern template void step(JointedScene&, const StepSettings&,
 extern template void step(JointedScene&, const StepSettings&,
                           JointSweeps<Manifolds>&, StepData<3>&);
 extern template void step(JointedScene&, const StepSettings&,
-                          JointTrees<AllBodies>&, StepData<3>&);
+                          ExactJoints<AllBodies>&, StepData<3>&);
 extern template void step(JointedScene&, const StepSettings&,
-                          JointTrees<Manifolds>&, StepData<3>&);
-extern template void step(JointedScene&, const StepSettings&, SkippingJoints&,
-                          StepData<3>&);
-extern template void step(JointedScene&, const StepSettings&,
-                          JointRattle<Manifolds>&, StepData<3>&);
+                          ExactJoints<Manifolds>&, StepData<3>&);
 
 }  // namespace rigid

@@ -9,7 +9,7 @@
 ///     mouse      springs on e₁·d and e₂·d              motor      those, and on θ_b − θ_a
 ///     friction   motors of speed 0 on these three
 ///
-/// with d = p_b − p_a, e₁ and e₂ the axes of a, n the axis of a (of a rack: of b) and t = n turned by a quarter, (14.1).
+/// with d = p_b − p_a, e₁ and e₂ the axes of a, n the axis of a (of a rack: of b) and t = n turned by a quarter.
 /// Behind them: two limits q − lower ≥ 0 and upper − q ≥ 0, a motor dq/dt = speed (of a wheel dθ/dt), and a spring on
 /// q − target.
 ///

@@ -25,7 +25,7 @@ JointedScene chain_scene(const ChainShape& shape);
 /// They start on two sides of a triangle.
 JointedScene catenary_scene(int rods);
 
-/// Two weights on a rope over a disc of 1 kg that turns with it: racks on a pinion, (14.5).
+/// Two weights on a rope over a disc of 1 kg that turns with it: racks on a pinion, (14.4).
 JointedScene atwood_scene(Real left = 1, Real right = 2);
 
 /// The acceleration of its heavier weight by hand [m/s²].

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "chapters/13_friction/friction_stage.hpp"
-#include "chapters/14_joints/geometric_stiffness.hpp"
 #include "chapters/14_joints/limit_reach.hpp"
 
 namespace rigid {
@@ -16,7 +15,7 @@ struct Reaction {
 };
 
 //! [reaction]
-/// (14.4): the impulses of a joint's rows, along their J, over the time they took.
+/// (14.5): the impulses of a joint's rows, along their J, over the time they took.
 /// \param now  of the step that has just been taken
 inline Reaction reaction(const JointedScene& scene, const StepData<3>& now,
                          std::size_t number)
@@ -45,13 +44,10 @@ template <class Contacts>
 struct WithJoints : Contacts {
     /// false: every limit has its rows at all times
     bool skip_far_limits = true;
-    /// lines under a load get rows across themselves where a step needs them
-    bool inerters = false;
     int limits_skipped = 0;        ///< rows, of the last step
     int broken = 0;                ///< joints, in the last step
     std::vector<char> was_broken;  ///< of each joint, when the last step began
     LimitReach reach;
-    std::vector<Source> with_inerters_;  ///< memory
 
     template <class Method>
     void begin(const JointedScene& scene, const StepSettings& settings,
@@ -74,10 +70,6 @@ struct WithJoints : Contacts {
                 return far;
             });
         } while (wake_the_joined(scene, now));
-        // a start that keeps no impulses knows of no load
-        if (const ImpulseCache* before = method.start.impulses();
-            inerters && before)
-            add_inerters(scene, settings, *before, now);
     }
     template <class Method>
     void end(JointedScene& scene, const StepSettings& settings, Method& method,
@@ -97,35 +89,6 @@ struct WithJoints : Contacts {
             broken += placed.broken;
         }
     }
-
-    //! [inerters]
-    /// Behind the rows of a joint that is a line, the rows across it that this step
-    /// needs.
-    void add_inerters(const JointedScene& scene, const StepSettings& settings,
-                      const ImpulseCache& before, StepData<3>& now)
-    {
-        with_inerters_.clear();
-        for (std::size_t i = 0; i < now.sources.size(); ++i) {
-            const Source& source = now.sources[i];
-            with_inerters_.push_back(source);
-            if (source.of != Source::Of::joint) continue;
-            const auto j = static_cast<std::size_t>(source.index);
-            const bool goes_on =
-                i + 1 < now.sources.size() &&
-                now.sources[i + 1].of == Source::Of::joint &&
-                are_one_line(scene, j,
-                             static_cast<std::size_t>(now.sources[i + 1].index));
-            const int lines = lines_of(scene.joints[j]);
-            // the end of a pulley's rope that is tied to the world is no line
-            const int first = lines == 2 && scene.joints[j].a == world ? 2 : 1;
-            for (int part = first; !goes_on && part <= lines; ++part)
-                if (needs_inerter(scene, j, part, settings, before))
-                    with_inerters_.push_back(
-                        {Source::Of::joint, source.index, part});
-        }
-        now.sources.swap(with_inerters_);
-    }
-    //! [inerters]
 
     /// A rope that was slack may pull at a sleeper: true if one had to be woken.
     bool wake_the_joined(const JointedScene& scene, const StepData<3>& now)
@@ -159,14 +122,5 @@ struct WithJoints : Contacts {
     }
 };
 //! [with_joints]
-
-/// For a correction that knows what a load makes stiff: LoadedJoints.
-template <class Contacts>
-WithJoints<Contacts> with_inerters()
-{
-    WithJoints<Contacts> stage;
-    stage.inerters = true;
-    return stage;
-}
 
 }  // namespace rigid

@@ -3,7 +3,7 @@
 ///
 ///     Δλ = −K⁻¹ (J u + b),   K = J M⁻¹ Jᵀ       2×2 for a pin, 3×3 for a weld;   u ← u + M⁻¹ Jᵀ Δλ
 ///
-/// (14.24). Rows that have a bound or are soft are visited one by one, as in chapter 6.
+/// (14.6). Rows that have a bound or are soft are visited one by one, as in chapter 6.
 #pragma once
 
 #include "chapters/06_sequential_impulse/block.hpp"
@@ -64,7 +64,7 @@ inline void find_runs(const std::vector<SolverRow<3>>& rows,
 //! [runs]
 
 //! [visit_run]
-/// One visit of d rows, (14.24).
+/// One visit of d rows, (14.6).
 /// \return  how many of them were off by more than the tolerance [m/s]
 template <int d>
 int visit_run(SolverRow<3>* row, const RowRun& run, Real tolerance, VecX& u)

@@ -3,7 +3,7 @@
 ///
 ///     far   ⇔   C > margin + 2 h (|Ċ| + s (V + h |g|))      V the fastest point of its island, s = 1 for lengths, 1/R for angles
 ///
-/// (14.26). A limb whose end is stopped, or struck, at the speed V turns at V/R. A row with C > 0 lets the joint come as near as the
+/// (14.7). A limb whose end is stopped, or struck, at the speed V turns at V/R. A row with C > 0 lets the joint come as near as the
 /// limit, and no nearer; without it the limit is overstepped by h Ċ before it has a row.
 #pragma once
 
@@ -28,7 +28,7 @@ public:
     void look(const JointedScene& scene, const StepSettings& settings,
               const StepData<3>& now);
 
-    /// (14.26): whether this step cannot reach a one-sided row.
+    /// (14.7): whether this step cannot reach a one-sided row.
     bool is_far(const JointedScene& scene, std::size_t j);
 
 private:

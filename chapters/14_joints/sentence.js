@@ -1,26 +1,23 @@
-// What small.cpp does by hand, for the sentence that can be dragged: two level rods of 1 m, pinned in line, the first to a wall.
+// What small.cpp does by hand, for the sentence that can be dragged: a door of 1 m on a pin, a motor, and a stop.
 'use strict';
 
 (function () {
-    // (14.1) with the second rod's mass, and (14.2), for g h = 1 m/s: impulses, and the spins after the step.
-    function let_go(mass) {
-        const first = 1 / (4 - mass / (1 + mass)), second = -first * mass / (2 * (1 + mass));
-        return {first, second, omega1: -6 * (first + second), omega2: -6 * second / mass};
+    // (14.1) and (14.2) with another mass and another gap [mrad]: about its hinge the door has m/3.
+    function turned(mass, gap) {
+        const inertia = mass / 3, free = 0.1 / inertia, omega = Math.min(free, gap / 100);
+        return {pin: mass * omega / 2, stop: inertia * (free - omega), motor: 0.1, omega};
     }
 
-    rigid_sentence('two_rods', {
-        values({mass}) {
-            const {first, second, omega1, omega2} = let_go(mass);
-            return {first, second, turn1: 9.81 * omega1, turn2: 9.81 * omega2, end: -omega1};
-        },
-        picture({mass}) {
-            const {omega1, omega2} = let_go(mass), t = 0.22, turned = omega => 9.81 * omega * t * t / 2;
-            const [a, b] = [turned(omega1), turned(omega2)], pin = [Math.cos(a), Math.sin(a)];
+    rigid_sentence('door', {
+        values: ({mass, gap}) => turned(mass, gap),
+        picture({mass, gap}) {
+            const at = (mrad, length) => [length * Math.cos(mrad / 20), length * Math.sin(mrad / 20)];  // fifty times as wide
+            const {omega} = turned(mass, gap), end = at(100 * omega, 1);
             return {
-                view: [-0.25, -0.65, 2.35, 0.55], equal: true,
-                marks: [{path: [[-0.1, -0.4], [-0.1, 0.4]], colour: 'faint', width: 4}, {path: [[0, 0], [2, 0]], colour: 'faint', dash: true},
-                        {path: [[0, 0], pin], colour: 'blue', width: 5}, {path: [pin, [pin[0] + Math.cos(b), pin[1] + Math.sin(b)]], colour: 'orange', width: 5},
-                        {dot: [0, 0]}, {dot: pin}, {words: 'as they begin, for 0.22 s', at: [1.2, 0.36]}]
+                view: [-0.15, -0.25, 1.35, 1.1], equal: true,
+                marks: [{path: [at(gap, 0.75), at(gap, 1.1)], colour: 'red', width: 3}, {path: [[0, 0], [1, 0]], colour: 'faint', width: 5},
+                        {path: [[0, 0], end], colour: 'blue', width: 5}, {dot: [0, 0]},
+                        {words: 'after 0.1 s, angles 50 times as wide', at: [0.72, -0.16]}]
             };
         }
     });

@@ -1,32 +1,41 @@
-// Chapter 14 in one file, grown from chapter 11: pins, limits, and trees of pins.
-// A tree is solved from the leaves to the root and back.
+// Chapter 14 in one file, grown from chapter 11: a joint, a few rows on two bodies.
+// Some hold what it does not leave free, others bound or drive what it does.
 //
-//     pin: J u + J_p u_p + b = 0, (14.6)        limit: λ ≥ 0, w ≥ 0, λ w = 0
-#include <Eigen/LU>
+//     w = J_a u_a + J_b u_b + b,   lo ≤ λ ≤ hi:   λ = lo, λ = hi or w = 0
+#include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <numbers>
 #include <vector>
-using Eigen::Matrix3d;
+using Eigen::RowVector3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
-using Rows = Eigen::Matrix<double, 2, 3>;  // of a pin: along x and y
 using Path = std::pair<const char*, std::vector<Vector2d>>;  // a colour and points
 
-struct Pin {
-    int parent;             // of the body that it holds; -1: the world
-    Vector2d above, below;  // the point in the parent, or the world; in the body
-    double lower = -INFINITY, upper = INFINITY;  // limits of the angle between both
-    Rows J = Rows::Zero(), Jp = Rows::Zero();
-    Vector2d C = {0, 0}, lambda = {0, 0}, pushed = {0, 0};  // [m]; [N s], [N m s]
+enum class Kind { pin, slider, weld, rope };
+
+struct Joint {
+    Kind kind;
+    int a, b;             // its bodies
+    Vector2d at_a, at_b;  // its points, in the axes of a and of b
+    double lower = -INFINITY, upper = INFINITY;  // limits of what it leaves free, q
+    double speed = 0, force = 0;  // of a motor: the wanted dq/dt; at most; 0: none
+    Vector2d axis = {1, 0};       // of a slider, in the axes of a
+};
+
+struct Row {
+    int a, b;
+    RowVector3d Ja, Jb;                       // (11.6)
+    double C, lo = -INFINITY, hi = INFINITY;  // error or gap [m, rad]; bounds of λ
+    double bias = 0, lambda = 0;              // [m/s, rad/s], [N s, N m s]
 };
 
 struct Bodies {
-    Vec x, u, inverse_mass;  // three numbers a body: x, y, angle
-    std::vector<Pin> pins;   // one a body, which holds it; a parent comes first
+    Vec x, u, inverse_mass;  // three numbers a body: x, y, angle; body 0: the world
+    std::vector<Joint> joints;
     double g = 9.81;
+    std::vector<Row> rows = {};  // of the last step
 };
 
 // (11.1): r = R(θ) r̄
@@ -36,159 +45,151 @@ Vector2d turned(double theta, const Vector2d& r)
     return {c * r.x() - s * r.y(), s * r.x() + c * r.y()};
 }
 
-// (11.6), along x and along y: the velocity of the point at r.
-Rows rows(const Vector2d& r) { return Rows{{1, 0, -r.y()}, {0, 1, r.x()}}; }
-
-void find_rows(Bodies& d)
+// (11.6): the row of the point at r from the centroid, along n.
+RowVector3d row(const Vector2d& r, const Vector2d& n)
 {
-    for (int k = 0; k < int(d.pins.size()); ++k) {
-        Pin& pin = d.pins[k];
-        const Vector2d r = turned(d.x[3 * k + 2], pin.below);
-        pin.J = rows(r), pin.Jp.setZero();
-        pin.lambda.setZero(), pin.pushed.setZero();
-        pin.C = d.x.segment<2>(3 * k) + r - pin.above;
-        if (pin.parent < 0) continue;
-        const Vector2d rp = turned(d.x[3 * pin.parent + 2], pin.above);
-        pin.Jp = -rows(rp);
-        pin.C += pin.above - d.x.segment<2>(3 * pin.parent) - rp;
-    }
+    return {n.x(), n.y(), r.x() * n.y() - r.y() * n.x()};
 }
 
-// One visit of a pin: both rows at once.
-void visit(Bodies& d, int k, double h)
+// What a joint holds, and what acts on its q.
+void add_rows(const Bodies& d, const Joint& j, double h, std::vector<Row>& rows)
 {
-    Pin& pin = d.pins[k];
-    const int p = std::max(pin.parent, 0);  // its J_p is zero if that is the world
-    const Rows W = pin.J * d.inverse_mass.segment<3>(3 * k).asDiagonal();
-    const Rows Wp = pin.Jp * d.inverse_mass.segment<3>(3 * p).asDiagonal();
-    const Vector2d w =
-        pin.J * d.u.segment<3>(3 * k) + pin.Jp * d.u.segment<3>(3 * p) + pin.C / h;
-    const Vector2d change =
-        -(W * pin.J.transpose() + Wp * pin.Jp.transpose()).inverse() * w;
-    pin.lambda += change;
-    d.u.segment<3>(3 * k) += W.transpose() * change;
-    d.u.segment<3>(3 * p) += Wp.transpose() * change;
+    const int a = j.a, b = j.b;
+    const Vector2d ra = turned(d.x[3 * a + 2], j.at_a);
+    const Vector2d rb = turned(d.x[3 * b + 2], j.at_b),
+                   axis = turned(d.x[3 * a + 2], j.axis);
+    const Vector2d gap = d.x.segment<2>(3 * b) + rb - d.x.segment<2>(3 * a) - ra;
+    // C = n·(p_b − p_a); where n turns with a, a is pushed at p_b too (11.13)
+    const auto along = [&](const Vector2d& n, bool turns) {
+        const Vector2d arm = turns ? Vector2d(ra + gap) : ra;
+        return Row{a, b, -row(arm, n), row(rb, n), n.dot(gap)};
+    };
+    const Row angle{a, b, {0, 0, -1}, {0, 0, 1}, d.x[3 * b + 2] - d.x[3 * a + 2]};
+    // what it does not leave free: C = 0
+    if (j.kind == Kind::pin || j.kind == Kind::weld)
+        rows.push_back(along({1, 0}, false)), rows.push_back(along({0, 1}, false));
+    if (j.kind == Kind::slider) rows.push_back(along({-axis.y(), axis.x()}, true));
+    if (j.kind == Kind::slider || j.kind == Kind::weld) rows.push_back(angle);
+    if (j.kind == Kind::weld) return;
+    // what it leaves free: q, with limits and a motor
+    const Row q = j.kind == Kind::pin      ? angle
+                  : j.kind == Kind::slider ? along(axis, true)
+                                           : along(gap.normalized(), false);
+    const auto limit = [&](double sense, double at) {  // λ only pushes
+        if (std::isinf(at)) return;
+        rows.push_back({a, b, sense * q.Ja, sense * q.Jb, sense * (q.C - at), 0});
+    };
+    limit(1, j.lower), limit(-1, j.upper);  // q − lower ≥ 0, upper − q ≥ 0
+    if (j.force > 0)                        // w = 0 is the speed
+        rows.push_back({a, b, q.Ja, q.Jb, -h * j.speed, -h * j.force, h * j.force});
 }
 
-// q − lower ≥ 0 and upper − q ≥ 0. Returns by how much a row was off [rad/s].
-double visit_limits(Bodies& d, int k, double h)
+// (11.5): an impulse along J changes the velocity and the spin.
+void push(const Row& c, double impulse, Bodies& d)
 {
-    Pin& pin = d.pins[k];
-    double off = 0;
-    const int i = 3 * k + 2, j = 3 * pin.parent + 2;
-    for (int side = 0; side < 2 && pin.parent >= 0; ++side) {
-        const double sense = side == 0 ? 1 : -1, q = d.x[i] - d.x[j];
-        const double C = side == 0 ? q - pin.lower : pin.upper - q;
-        const double w = sense * (d.u[i] - d.u[j]) + C / h;
-        const double A = d.inverse_mass[i] + d.inverse_mass[j];
-        const double change = std::max(-pin.pushed[side], -w / A);
-        pin.pushed[side] += change;
-        d.u[i] += sense * d.inverse_mass[i] * change;
-        d.u[j] -= sense * d.inverse_mass[j] * change;
-        off = std::max(off, A * std::abs(change));
-    }
-    return off;
+    for (const auto& [k, J] : {std::pair{c.a, c.Ja}, {c.b, c.Jb}})
+        d.u.segment<3>(3 * k) +=
+            impulse * d.inverse_mass.segment<3>(3 * k).cwiseProduct(J.transpose());
 }
 
-// All pins at once.
-void solve_tree(Bodies& d, double h)
+// One visit: (6.2) to (6.5). Returns by how much the row was off [m/s].
+double visit(Row& c, Bodies& d)
 {
-    const int n = d.pins.size();
-    std::vector<Matrix3d> S(n, Matrix3d::Zero()), G(n);  // S: what hangs on it
-    std::vector<Vector3d> pulled(n, Vector3d::Zero());
-    std::vector<Vector2d> r(n);
-    for (int k = n - 1; k >= 0; --k) {  // up, from the leaves to the root
-        const Pin& pin = d.pins[k];
-        const Matrix3d M =
-            d.inverse_mass.segment<3>(3 * k).cwiseInverse().asDiagonal();
-        G[k] = (M + S[k]).inverse();                // (14.9)
-        d.u.segment<3>(3 * k) -= G[k] * pulled[k];  // (14.10)
-        r[k] = pin.J * d.u.segment<3>(3 * k) + pin.C / h;
-        if (pin.parent < 0) continue;
-        const Rows KJp = (pin.J * G[k] * pin.J.transpose()).inverse() * pin.Jp;
-        S[pin.parent] += pin.Jp.transpose() * KJp;
-        pulled[pin.parent] +=
-            KJp.transpose() * (pin.Jp * d.u.segment<3>(3 * pin.parent) + r[k]);
-    }
-    for (int k = 0; k < n; ++k) {  // down, from the root to the leaves
-        Pin& pin = d.pins[k];
-        if (pin.parent >= 0) r[k] += pin.Jp * d.u.segment<3>(3 * pin.parent);
-        const Vector2d change =
-            -(pin.J * G[k] * pin.J.transpose()).inverse() * r[k];  // (14.8)
-        pin.lambda += change;
-        d.u.segment<3>(3 * k) += G[k] * pin.J.transpose() * change;  // (14.7)
-    }
+    const Vector3d ma = d.inverse_mass.segment<3>(3 * c.a);
+    const Vector3d mb = d.inverse_mass.segment<3>(3 * c.b);
+    const double w = c.bias + c.Ja.dot(d.u.segment<3>(3 * c.a)) +
+                     c.Jb.dot(d.u.segment<3>(3 * c.b));
+    const double A = c.Ja.cwiseAbs2().dot(ma) + c.Jb.cwiseAbs2().dot(mb);  // (11.7)
+    const double change = std::clamp(c.lambda - w / A, c.lo, c.hi) - c.lambda;
+    c.lambda += change;
+    push(c, change, d);
+    return A * std::abs(change);
 }
 
-// With sweeps over the pins, or, if there are none, with the tree; the limits sweep
-// over what the pins leave, (14.15).
-void step(Bodies& d, double h, int sweeps)
+int step(Bodies& d, double h, double beta, int most = 100000)
 {
-    for (int k = 1; k < d.u.size(); k += 3) d.u[k] -= d.g * h;  // u*, (3.4)
-    find_rows(d);
-    double off = 1;
-    for (int n = 0; sweeps > 0 ? n < sweeps : off > 1e-12; ++n) {
+    for (int k = 4; k < d.u.size(); k += 3) d.u[k] -= d.g * h;  // u*, (3.4)
+    std::vector<Row> rows;
+    for (const Joint& j : d.joints) add_rows(d, j, h, rows);
+    for (Row& c : rows) {
+        const bool error = c.lo == 0 ? c.C < 0 : c.lo == -INFINITY;
+        c.bias = (error ? beta : 1) * c.C / h;  // (7.4), (3.30)
+        if (d.rows.size() == rows.size())       // each step has the same rows
+            push(c, c.lambda = d.rows[&c - &rows[0]].lambda, d);
+    }
+    int sweeps = 0;
+    for (double off = 1; off > 1e-6 && sweeps < most; ++sweeps) {
         off = 0;
-        if (sweeps == 0) solve_tree(d, h);
-        for (int k = 0; k < int(d.pins.size()); ++k) {
-            if (sweeps > 0) visit(d, k, h);
-            off = std::max(off, visit_limits(d, k, h));
-        }
+        for (Row& c : rows) off = std::max(off, visit(c, d));
     }
     d.x += h * d.u;  // (1.10)
+    d.rows = rows;
+    return sweeps;
 }
 
-// A rod of the length L hangs on the end of the last one, or on the world.
-void add_rod(Bodies& d, double L, double mass, double angle)
+// A uniform box of half sizes w, h at (x, y, angle), or a rod, of which h is zero.
+void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
 {
     const int n = d.x.size();
-    const Vector2d half = turned(angle, {L / 2, 0});
-    Vector2d end(0, 0);
-    if (n > 0)
-        end = d.x.segment<2>(n - 3) + turned(d.x[n - 1], -d.pins.back().below);
     for (Vec* v : {&d.x, &d.u, &d.inverse_mass}) v->conservativeResize(n + 3);
-    d.x.tail<3>() << end + half, angle;
-    d.u.tail<3>().setZero();
-    d.inverse_mass.tail<3>() << 1 / mass, 1 / mass, 12 / (mass * L * L);
-    d.pins.push_back(
-        {n / 3 - 1, n > 0 ? Vector2d(-d.pins.back().below) : end, {-L / 2, 0}});
+    d.x.tail<3>() = at, d.u.tail<3>().setZero();
+    d.inverse_mass.tail<3>() = Vector3d(1, 1, 3 / (w * w + h * h)) / mass;
+}
+
+// A door of 1 m and 3 kg, seen from above: a pin, a stop, a motor.
+Bodies door(double stop)
+{
+    Bodies d{Vec::Zero(3), Vec::Zero(3), Vec::Zero(3), {}, 0};
+    add_box(d, 0.5, 0, 3, {0.5, 0, 0});
+    d.joints = {{Kind::pin, 0, 1, {0, 0}, {-0.5, 0}, -INFINITY, stop, 1, 1}};
+    return d;
+}
+
+// A trolley on a rail, driven to its stop; on it a rod, a box, a ball on a rope.
+Bodies trolley()
+{
+    Bodies d{Vec::Zero(3), Vec::Zero(3), Vec::Zero(3), {}};
+    add_box(d, 0.15, 0.05, 10, {-1, 0, 0});
+    add_box(d, 0, 0.4, 1, {-1, -0.4, 0});
+    add_box(d, 0.15, 0.1, 2, {-1, -0.9, 0});
+    add_box(d, 0.06, 0.06, 1, {-1, -1.3, 0});
+    d.joints = {{Kind::slider, 0, 1, {0, 0}, {0, 0}, -1, 1, 1.5, 100},
+                {Kind::pin, 1, 2, {0, 0}, {0, 0.4}},
+                {Kind::weld, 2, 3, {0, -0.4}, {0, 0.1}},
+                {Kind::rope, 3, 4, {0, -0.1}, {0, 0}, -INFINITY, 0.3}};
+    return d;
 }
 
 int main(int count, char** word)
 {
-    // By hand, section 14.1: two level rods, g h = 1 m/s; then the joint is locked.
-    for (const double limit : {9.0, 0.0}) {
-        Bodies d{{}, {}, {}, {}, 1};
-        for (int k = 0; k < 2; ++k) add_rod(d, 1, 1, 0);
-        d.pins[1].lower = -(d.pins[1].upper = limit);
-        step(d, 1, 0);
-        std::printf("lambda %.4f, %.4f N s; omega %.4f, %.4f rad/s\n",
-                    d.pins[0].lambda[1], d.pins[1].lambda[1], d.u[2], d.u[5]);
+    // By hand, section 14.1: a step of 0.1 s far from the stop, and 5 mrad away.
+    for (const double stop : {1.0, 0.005}) {
+        Bodies d = door(stop);
+        const int n = step(d, 0.1, 1);
+        std::printf("pin %.4f, stop %.4f, motor %.4f; omega %.4f; %d sweeps\n",
+                    d.rows[1].lambda, d.rows[2].lambda, d.rows[3].lambda, d.u[5],
+                    n);
     }
-    std::vector<Path> paths;
-    for (const int sweeps : {10, 0}) {
-        Bodies d;
-        for (int k = 0; k < 50; ++k)
-            add_rod(d, 0.1, 0.1, -7 * std::numbers::pi / 18);
-        d.inverse_mass.tail<3>() /= 100;
-        double gap = 0;
-        for (int n = 0; n < 240; ++n) {
-            step(d, 1.0 / 240, sweeps);
-            find_rows(d);
-            for (const Pin& pin : d.pins) gap = std::max(gap, pin.C.norm());
+    std::vector<Path> paths{{"#808080", {{-1.2, 0}, {1.2, 0}}}};
+    Bodies closing = door(1), d = trolley();
+    for (int n = 0; n <= 480; ++n) {
+        if (n % 60 == 0) {
+            const char* colour = n < 480 ? "#808080" : "#4477AA";
+            const Vector2d pin(-2.5, -1), end = pin + 2 * closing.x.segment<2>(3);
+            paths.push_back({colour, {pin, end}});
+            paths.push_back({colour, {}});
+            for (const Joint& j : d.joints)
+                paths.back().second.push_back(d.x.segment<2>(3 * j.b) +
+                                              turned(d.x[3 * j.b + 2], j.at_b));
+            std::printf("%4.2f s: door %.3f; trolley %.3f m, rod %.3f\n", n / 240.0,
+                        closing.x[5], d.x[3], d.x[8]);
         }
-        std::printf("fifty links, %s: %.1e m\n",
-                    sweeps > 0 ? "ten sweeps" : "the tree", gap);
-        paths.push_back({sweeps > 0 ? "#CC3311" : "#4477AA", {}});
-        for (int k = 0; k < 50; ++k)
-            for (const double s : {-0.05, 0.05})
-                paths.back().second.push_back(d.x.segment<2>(3 * k) +
-                                              turned(d.x[3 * k + 2], {s, 0}));
+        step(closing, 1.0 / 240, 0.2), step(d, 1.0 / 240, 0.2);
     }
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='240' stroke-width='0.03' viewBox='-0.6 -0.2 1.6 5.5'>\n";
+           "width='480' stroke-width='0.02' viewBox='-2.7 -0.3 4.8 1.9'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';

@@ -11,7 +11,5 @@ template void step(JointedScene&, const StepSettings&, PositionSweeps<Manifolds>
                    StepData<3>&);
 template void step(JointedScene&, const StepSettings&, BodyDescent<Manifolds>&,
                    StepData<3>&);
-template void step(JointedScene&, const StepSettings&, HardExact<Manifolds>&,
-                   StepData<3>&);
 
 }  // namespace rigid

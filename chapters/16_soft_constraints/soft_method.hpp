@@ -45,15 +45,6 @@ struct SoftExact {
     WarmStart start = last_impulses();
     CoulombSolver<FindFriction> solver;
 };
-
-/// Hard rows, solved exactly; errors are corrected whole, apart from velocities.
-template <class Contacts>
-struct HardExact {
-    WithJoints<WithFriction<Contacts>> contacts;
-    Correction correction = exact_correction();
-    WarmStart start = last_impulses();
-    CoulombSolver<FindFriction> solver;
-};
 //! [method]
 
 // Compiled once, in soft_method.cpp.
@@ -63,7 +54,5 @@ extern template void step(JointedScene&, const StepSettings&,
                           PositionSweeps<Manifolds>&, StepData<3>&);
 extern template void step(JointedScene&, const StepSettings&,
                           BodyDescent<Manifolds>&, StepData<3>&);
-extern template void step(JointedScene&, const StepSettings&, HardExact<Manifolds>&,
-                          StepData<3>&);
 
 }  // namespace rigid

@@ -1,5 +1,5 @@
 /// \file held_bodies.hpp
-/// The correction stage of the engine: chapter 14's, and a body whose state overflows is held where it was.
+/// The correction stage of the engine: chapter 15's, and a body whose state overflows is held where it was.
 ///
 ///     a number of x or u that is not finite, or above 10⁷⁵     →     x of before the sub-step, u = 0, no force and no impulses
 ///     an impulse that is not finite                            →     0
@@ -9,7 +9,7 @@
 /// is the largest that a contact or an inertia could make of it, and is finite.
 #pragma once
 
-#include "chapters/14_joints/geometric_stiffness.hpp"
+#include "chapters/15_trees/geometric_stiffness.hpp"
 #include "chapters/19_engine/driven_bodies.hpp"
 #include "chapters/19_engine/kept_springs.hpp"
 

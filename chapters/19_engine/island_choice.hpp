@@ -1,9 +1,9 @@
 /// \file island_choice.hpp
 /// The solver stage of the engine: each island by the solver that suits it.
 ///
-///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
+///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 15)
 ///                          │      └─ as it was?              the impulses of the step before
-///                          ├─ joints that sweeps would lose  trees of joints, and sweeps above them        (chapter 14)
+///                          ├─ joints that sweeps would lose  trees of joints, and sweeps above them        (chapter 15)
 ///                          ├─ a heap that moves               small steps of its own, in lanes              (chapters 8, 17)
 ///                          ├─ many rows                       sweeps in lanes until the residual is small   (chapter 17)
 ///                          └─ all others                      sweeps until the residual is small            (chapter 10)
@@ -15,7 +15,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/by_islands.hpp"
-#include "chapters/14_joints/newton_positions.hpp"
+#include "chapters/15_trees/newton_positions.hpp"
 #include "chapters/19_engine/island_solvers.hpp"
 
 namespace rigid {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/fall_asleep.hpp"
-#include "chapters/14_joints/tree_solver.hpp"
+#include "chapters/15_trees/tree_solver.hpp"
 #include "chapters/19_engine/choice_rule.hpp"
 #include "chapters/19_engine/step_part.hpp"
 
@@ -36,7 +36,7 @@ inline std::int64_t joint_entries(const TreeSolver& solver)
 //! [price]
 
 //! [trees]
-/// An island with a solver of chapter 14.
+/// An island with a solver of chapter 15.
 struct TreePart {
     StepPart part;
     TreeSolver solver;

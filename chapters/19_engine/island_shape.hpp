@@ -11,7 +11,7 @@
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
-#include "chapters/14_joints/joint_tree.hpp"
+#include "chapters/15_trees/joint_tree.hpp"
 #include "chapters/19_engine/definitions.hpp"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 /// What a world is made of: a scene of chapter 14, the stages of the step, and what the engine knows besides.
 #pragma once
 
-#include "chapters/14_joints/joint_method.hpp"
 #include "chapters/14_joints/placed_joints.hpp"
+#include "chapters/15_trees/tree_method.hpp"
 #include "chapters/19_engine/filter_classes.hpp"
 #include "chapters/19_engine/held_bodies.hpp"
 #include "chapters/19_engine/island_choice.hpp"
@@ -16,11 +16,10 @@
 namespace rigid {
 
 //! [method]
-/// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
+/// The method of the engine: chapter 15's that lets bodies sleep, with a solver for
 /// each island.
 struct EngineMethod {
-    WithJoints<WithFriction<ToldManifolds>> contacts =
-        with_inerters<WithFriction<ToldManifolds>>();
+    WithLoadedLines<WithFriction<ToldManifolds>> contacts;
     HeldBodies correction;
     WarmStart start = last_impulses();
     IslandChoice solver;

@@ -3,13 +3,13 @@
 
 #include "chapters/14_joints/joint_scenes.hpp"
 #include "chapters/14_joints/ragdoll.hpp"
-#include "chapters/14_joints/reduced.hpp"
+#include "chapters/15_trees/reduced.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid::results {
 namespace {
 
-/// Where the load of a chain is at the end of each step: RK4 of its equations in the coordinates of its joints (14.20).
+/// Where the load of a chain is at the end of each step: RK4 of its equations in the coordinates of its joints (15.17).
 std::vector<Vec2> path_of_load(const JointedScene& start, int steps, Real h)
 {
     // 0.13 ms beside the 1 ms of the fastest swing of a link: to 1e-6 m after a second, by halves and quarters

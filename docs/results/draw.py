@@ -14,7 +14,7 @@ FRONT = "#B8808080"
 #         chapter of the method: colour
 COLOURS = {"1": "#AA3377", "2": "#CCBB44", "3": "#AA3377", "4": "#4477AA", "5": "#CC3311", "6": "#EE7733",
            "7": "#AA3377", "8": "#22AACC", "9": "#228833", "10": "#BBAA22", "11": "#AA3377",
-           "12": "#4477AA", "13": "#CC3311", "14": "#22AACC", "19": "#228833", "peer": INK}
+           "12": "#4477AA", "13": "#CC3311", "14": "#22AACC", "15": "#22AACC", "19": "#228833", "peer": INK}
 MARKS = [7, 9, 5, 13, 11, 6, 8, 4, 12, 10, 3, 2, 1, 15]
 #         method: (colour or None, point type)
 SMOOTH = {"explicit_euler": ("#EE7733", 1), "symplectic_euler": ("#4477AA", 7), "verlet": ("#228833", 9),

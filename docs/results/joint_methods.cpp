@@ -1,7 +1,7 @@
-// Chapter 14 steps bodies on joints: sweeps, small steps, and trees solved at once.
+// Chapters 14 and 15 step bodies on joints: sweeps, small steps, and trees solved at once.
 #include "docs/results/turning_runs.hpp"
 
-#include "chapters/14_joints/joint_method.hpp"
+#include "chapters/15_trees/tree_method.hpp"
 
 namespace rigid::results {
 namespace {
@@ -52,7 +52,7 @@ void add_methods(Registry& registry, const SharedTurning& run)
         add_turning_run(registry, run, "14", "joint_small_steps", text(1, substeps), run->quick,
                         [=] { return stepping_joints(*run, substeps, sweep(1)); });
     const auto trees = [&](const std::string& name, int substeps, bool stiff) {
-        add_turning_run(registry, run, "14", name, "substeps=" + std::to_string(substeps) + " unit=tree_row",
+        add_turning_run(registry, run, "15", name, "substeps=" + std::to_string(substeps) + " unit=tree_row",
                         run->quick, [=] {
                             JointTrees<Contacts> method;
                             method.correction.stiff = stiff;

@@ -11,11 +11,12 @@ import table as tables
 from table import FAILED, words
 
 WAYS_ON = "[Contents](../README.md) · [Back: Conventions](conventions.md) · [Next: Stability](stability.md)"
-BOOK = tuple("123456789") + ("10", "11", "12", "13", "14", "19")
+BOOK = tuple("123456789") + ("10", "11", "12", "13", "14", "15", "19")
 CHAPTERS = {"1": "01_euler_integration", "2": "02_velocity_constraints", "3": "03_mlcp_formulation", "4": "04_pgs",
             "5": "05_lemke", "6": "06_sequential_impulse", "7": "07_baumgarte", "8": "08_warm_starting",
             "9": "09_active_sets", "10": "10_skipping_work",
-            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "19": "19_engine"}
+            "11": "11_rotation", "12": "12_contact_manifolds", "13": "13_friction", "14": "14_joints", "15": "15_trees",
+            "19": "19_engine"}
 
 
 # ---- numbers and names as a reader wants them ---------------------------------------------------------------------
@@ -270,7 +271,7 @@ GROUPS = [
      "a second are known: metres or radians, in steps of 1/60 s. The book's ways are chapter 13's (of the pendulum, which has nothing that touches, chapter 11's): sweeps with the last impulses, small "
      "steps of one sweep, exact answers in 1, 4 or 16 sub-steps, RATTLE. Boxes of Box2D are made smaller by its polygon's skin, so that they touch where ours do."),
     ("joint_runs", "Seconds of bodies on joints", "Chains of rods at 20° that are let go, their weight's path known from the coordinates of their joints; a bridge that hangs in its closed form under a heavy plank "
-     "and should stay; and a doll on stairs, of which the joints and their limits are looked at. The book's ways are chapter 14's, sweeps and trees, and chapter 19's engine."),
+     "and should stay; and a doll on stairs, of which the joints and their limits are looked at. The book's ways are chapter 14's sweeps, chapter 15's trees, and chapter 19's engine."),
     ("rubble", "One step: friction", "Random rubble: rows and velocities after gravity are given, impulses are wanted that fit Coulomb's law."),
 ]
 

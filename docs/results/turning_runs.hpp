@@ -98,7 +98,7 @@ void add_turning(Registry& registry);                                    ///< al
 void add_joints(Registry& registry);                                     ///< of bodies on joints
 void add_rubble(Registry& registry);                                     ///< one step of heaps with friction
 void add_turning_methods(Registry& registry, const SharedTurning& run);  ///< chapters 11 to 13
-void add_joint_methods(Registry& registry, const SharedTurning& run);    ///< chapter 14
+void add_joint_methods(Registry& registry, const SharedTurning& run);    ///< chapters 14 and 15
 void add_turning_engines(Registry& registry, const SharedTurning& run);  ///< chapter 19, Box2D, Chipmunk
 
 }  // namespace rigid::results

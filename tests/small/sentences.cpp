@@ -53,6 +53,9 @@ namespace said13 {
 namespace said14 {
 #include "chapters/14_joints/small.cpp"
 }
+namespace said15 {
+#include "chapters/15_trees/small.cpp"
+}
 #undef main
 
 namespace {
@@ -210,12 +213,20 @@ Numbers slope(Numbers in)
     return {{"speed", d.u.segment<2>(3).norm()}, {"limit", std::atan(in["mu"]) / degree}};
 }
 
+Numbers door(Numbers in)
+{
+    said14::Bodies d = said14::door(in["gap"] / 1000);
+    d.inverse_mass.tail<3>() *= 3 / in["mass"];
+    said14::step(d, 0.1, 1);
+    return {{"pin", d.rows[1].lambda}, {"stop", d.rows[2].lambda}, {"motor", d.rows[3].lambda}, {"omega", d.u[5]}};
+}
+
 Numbers two_rods(Numbers in)
 {
-    said14::Bodies d{{}, {}, {}, {}, 1};
-    said14::add_rod(d, 1, 1, 0);
-    said14::add_rod(d, 1, in["mass"], 0);
-    said14::step(d, 1, 0);
+    said15::Bodies d{{}, {}, {}, {}, 1};
+    said15::add_rod(d, 1, 1, 0);
+    said15::add_rod(d, 1, in["mass"], 0);
+    said15::step(d, 1, 0);
     return {{"first", d.pins[0].lambda[1]},
             {"second", d.pins[1].lambda[1]},
             {"turn1", 9.81 * d.u[2]},
@@ -300,6 +311,7 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"rod", {rod, 1e-12}},
         {"across", {across, 1e-5}},  // sweeps to 1e-6 m/s on 3 kg
         {"slope", {slope, 1e-9}},    // a thousand sweeps
+        {"door", {door, 1e-5}},      // sweeps to 1e-6 rad/s
         {"two_rods", {two_rods, 1e-9}},
         {"oscillator", {oscillator, 1e-12}},
         {"line", {line, 0}},

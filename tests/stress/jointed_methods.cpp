@@ -1,3 +1,4 @@
+#include "chapters/15_trees/tree_method.hpp"
 #include "chapters/16_soft_constraints/soft_method.hpp"
 #include "tests/stress/engine_column.hpp"
 #include "tests/stress/jointed.hpp"
@@ -23,7 +24,7 @@ template <class Solving, class Honest = HonestTurning>
 JointedMethod jointed(int chapter, const std::string& name, const std::string& budget, Solving by,
                       int substeps = 1, const Honest& honest = {})
 {
-    never_stop(touching(by.contacts));  // section 14.6
+    never_stop(touching(by.contacts));  // section 15.4
     auto method = stepping<JointedScene>(chapter, name, budget, by, substeps, honest);
     method.friction = true;
     method.springs = !std::is_same_v<Solving, JointRattle<Manifolds>>;
@@ -54,10 +55,10 @@ std::vector<JointedMethod> jointed_methods()
     BodyDescent<Manifolds> descent;
     return {by_sweeps("joint sweeps", {Stabilizer::baumgarte, 10, 0, 1, infinity, 0.2}),
             by_sweeps("joint small steps", {Stabilizer::projection, 1, 1, 8, infinity, 1}),
-            jointed(14, "trees", exactly(1), JointTrees<Manifolds>{}),
-            jointed(14, "trees substeps", exactly(8), JointTrees<Manifolds>{}, 8),
-            jointed(14, "trees that sleep", exactly(1), SkippingJoints{}),
-            jointed(14, "joint rattle", exactly(1) + " with positions met", JointRattle<Manifolds>{}, 1,
+            jointed(15, "trees", exactly(1), JointTrees<Manifolds>{}),
+            jointed(15, "trees substeps", exactly(8), JointTrees<Manifolds>{}, 8),
+            jointed(15, "trees that sleep", exactly(1), SkippingJoints{}),
+            jointed(15, "joint rattle", exactly(1) + " with positions met", JointRattle<Manifolds>{}, 1,
                     NothingSaid{}),
             jointed(16, "soft small steps", "8 sweeps in 8 substeps", soft, 8, NothingSaid{}),
             jointed(16, "xpbd", "8 sweeps in 8 substeps", PositionSweeps<Manifolds>{}, 8, NothingSaid{}),

@@ -4,11 +4,8 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene chain --method trees --steps 60 --svg "$out/ch14_chain.svg"
-run --scene bridge --method trees --steps 120 --svg "$out/ch14_bridge.svg"
-run --scene dolls --steps 110 --svg "$out/ch14_dolls.svg"
-run --scene walkers --method trees --steps 60 --svg "$out/ch14_walkers.svg"
-run --scene excavator --method trees --steps 120 --svg "$out/ch14_excavator.svg"
+run --scene walkers --method exact --steps 60 --svg "$out/ch14_walkers.svg"
+run --scene excavator --method exact --steps 120 --svg "$out/ch14_excavator.svg"
 
 # The picture of the small program.
 small ch14_small

@@ -20,9 +20,9 @@ struct JointState {
     StepData<3> now;
     Real t = 0, h = 0;
     Real energy_at_start = 0;
-    TreeWork work;   ///< of the trees, so far
-    int asleep = 0;  ///< bodies
-    int rounds = 0;  ///< of (14.15), in the last solve
+    std::int64_t tree_rows = 0;  ///< solved so far by chapter 15's trees
+    int asleep = 0;              ///< bodies, where a method lets them sleep
+    int rounds = 0;              ///< of a method that has them, in the last solve
 
     /// What the solver left in the last step; 0 before the first [m/s].
     Real residual() const
@@ -62,58 +62,39 @@ struct JointSetup {
     Vec2 traced_point = {0, 0};
 };
 
+/// The methods of this chapter.
 struct JointMethods {
-    JointTrees<Manifolds> trees;
-    SkippingJoints sleeping;
+    ExactJoints<Manifolds> exact;
     JointSweeps<Manifolds> sweeps;
-    JointRattle<Manifolds> rattle;
 
-    std::array<Manifolds*, 4> touching()
+    std::array<Manifolds*, 2> touching()
     {
-        return {&trees.contacts, &sleeping.contacts.touching, &sweeps.contacts,
-                &rattle.contacts};
+        return {&exact.contacts, &sweeps.contacts};
     }
 
     void step(JointState& state, const StepSettings& how, const Settings& settings)
     {
-        const int count = static_cast<int>(settings["sweeps"]);
-        if (settings.tunables.contains("restitution"))
-            trees.correction.restitution = sleeping.correction.restitution =
-                sweeps.correction.restitution = rattle.correction.restitution =
-                    settings["restitution"];
-        if (settings.method == "rattle") {
-            rattle.solver.sweeps = count;
-            rigid::step(state.scene, how, rattle, state.now);
-            state.work = rattle.solver.joints.tree.work;
-        } else if (settings.method == "sweeps") {
-            sweeps.correction.method = Stabilizer::projection;
-            sweeps.solver.sweeps.max_sweeps = count;
-            rigid::step(state.scene, how, sweeps, state.now);
-        } else if (settings.method == "sleeping") {
-            by_trees(state, how, settings, sleeping);
-            const auto& set = sleeping.contacts.set;
-            state.asleep = 0;
-            for (Index k = 0; k < state.scene.bodies.count(); ++k)
-                state.asleep += state.scene.bodies.can_move(k) && set.is_asleep(k);
-        } else by_trees(state, how, settings, trees);
+        if (settings.method == "exact")
+            rigid::step(state.scene, how, exact, state.now);
+        else by_sweeps(state, how, settings, sweeps);
     }
 
-private:
-    template <class Method>
-    static void by_trees(JointState& state, const StepSettings& how,
-                         const Settings& settings, Method& method)
+    static void by_sweeps(JointState& state, const StepSettings& how,
+                          const Settings& settings, JointSweeps<Manifolds>& sweeps)
     {
-        method.correction.stiff = settings["stiff"] > 0;
-        method.solver.sweeps = static_cast<int>(settings["sweeps"]);
-        rigid::step(state.scene, how, method, state.now);
-        state.work = method.solver.joints.tree.work;
-        state.rounds = method.solver.sweeps_made;
+        sweeps.correction.method = Stabilizer::projection;
+        sweeps.solver.sweeps.max_sweeps = static_cast<int>(settings["sweeps"]);
+        rigid::step(state.scene, how, sweeps, state.now);
     }
 };
 
-class JointRun : public Run {
+/// \tparam Methods  touching(): the contacts stages of all of them; step(): by the one that
+///                  settings.method names
+template <class Methods>
+class JointRunBy : public Run {
 public:
-    JointRun(JointSetup setup, const Settings& settings) : setup_(std::move(setup))
+    JointRunBy(JointSetup setup, const Settings& settings)
+        : setup_(std::move(setup))
     {
         state_.scene = setup_.scene;
         state_.h = settings.h;
@@ -131,7 +112,7 @@ public:
         JointedScene& scene = state_.scene;
         if (setup_.change) setup_.change(scene, settings);
         StepSettings how = step_settings(settings, input, scene.bodies);
-        if (settings.method != "rattle") {  // which has no springs as rows
+        if (settings.method != "rattle") {  // chapter 15's, without springs as rows
             drag(input, how.pulled);
             how.pulled = world;
         }
@@ -210,21 +191,28 @@ private:
     JointSetup setup_;
     JointState state_;
     std::vector<Vec2> trail_;
-    JointMethods methods_;
+    Methods methods_;
     bool held_ = false;  ///< the last joint is the hand
 };
 
-/// A scene with the methods and the tunables that all of them have.
+/// Another speed for the motor of a joint.
+inline void set_motor(JointedScene& scene, std::size_t number, Real speed)
+{
+    RigidJoint joint = scene.placed[number].joint;
+    if (joint.motor.speed == speed) return;
+    joint.motor.speed = speed;
+    change_joint(scene, number, joint);
+}
+
+using JointRun = JointRunBy<JointMethods>;
+
+/// A scene with this chapter's methods.
 inline Demo joint_demo(const std::string& name, const std::string& summary,
                        const View& view, Real h,
                        const std::function<JointSetup(const Settings&)>& setup)
 {
-    Demo scene = turning_demo<JointRun>(name, summary, view, h,
-                                        {"trees", "sweeps", "rattle"}, setup);
-    scene.tunables.push_back({"stiff", "",
-                              "1: loaded joints are stiff at the end of the step",
-                              1, 0, 1, Numbers::whole});
-    return scene;
+    return turning_demo<JointRun>(name, summary, view, h, {"exact", "sweeps"},
+                                  setup);
 }
 
 }  // namespace rigid

@@ -1,7 +1,5 @@
 // Chapter 14. Joints: the program.
-#include "chapters/14_joints/program/scene_dolls.hpp"
 #include "chapters/14_joints/program/scene_excavator.hpp"
-#include "chapters/14_joints/program/scene_machines.hpp"
 #include "chapters/14_joints/program/scene_vehicles.hpp"
 #include "chapters/14_joints/program/scene_walkers.hpp"
 
@@ -12,10 +10,8 @@ int main(int argc, char** argv)
         Program program;
         program.name = "14_joints";
         program.title = "Chapter 14. Joints";
-        program.scenes = {chain_demo(),   bridge_demo(),   dolls_demo(),
-                          crane_demo(),   engine_demo(),   leg_demo(),
-                          cradle_demo(),  car_demo(),      trebuchet_demo(),
-                          walkers_demo(), excavator_demo()};
+        program.scenes = {car_demo(), trebuchet_demo(), walkers_demo(),
+                          excavator_demo()};
         return program;
     };
     return run_program(make, argc, argv);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/14_joints/bar_linkages.hpp"
-#include "chapters/14_joints/program/scene_machines.hpp"
+#include "chapters/14_joints/program/joint_run.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid {
@@ -69,7 +69,6 @@ inline Demo excavator_demo()
 {
     Demo scene = joint_demo("excavator", "Tracks, a boom, an arm and a bucket dig",
                             {{2, 2}, {6.5, 3.2}}, 1.0 / 120, excavator_setup);
-    scene.methods = {"trees", "sweeps"};
     const auto speed = [&scene](const std::string& name, const std::string& unit,
                                 const std::string& help, Real most, Keys keys) {
         scene.tunables.push_back({name, unit, help, 0, -most, most, Numbers::real,

@@ -54,7 +54,6 @@ inline Demo car_demo()
             };
             return setup;
         });
-    scene.methods = {"trees", "sweeps"};  // springs are rows here
     scene.tunables.push_back({"speed", "m/s", "that the motor wants", 3, -6, 6,
                               Numbers::real, OnChange::goes_on, Keys::up_and_down});
     scene.tunables.push_back({"torque", "N m", "of each axle, at most", 400, 0,

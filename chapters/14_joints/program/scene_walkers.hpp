@@ -2,7 +2,8 @@
 /// Walkers cross a bridge.
 #pragma once
 
-#include "chapters/14_joints/program/scene_machines.hpp"
+#include "chapters/14_joints/joint_scenes.hpp"
+#include "chapters/14_joints/program/joint_run.hpp"
 #include "chapters/14_joints/walker.hpp"
 
 namespace rigid {
@@ -56,7 +57,6 @@ inline Demo walkers_demo()
 {
     Demo scene = joint_demo("walkers", "Machines on Jansen's legs cross a bridge",
                             {{-1.5, 0.2}, {7.5, 2.4}}, 1.0 / 240, walkers_setup);
-    scene.methods = {"trees", "sweeps"};
     scene.tunables.push_back(
         {"walkers", "", "how many", 2, 1, 3, Numbers::whole, OnChange::restarts});
     scene.tunables.push_back({"planks", "", "of the bridge", 20, 8, 40,

@@ -10,6 +10,7 @@
 #include "chapters/13_friction/houses.hpp"
 #include "chapters/14_joints/joint_scenes.hpp"
 #include "chapters/14_joints/ragdoll.hpp"
+#include "chapters/15_trees/tree_method.hpp"
 #include "chapters/16_soft_constraints/soft_method.hpp"
 #include "chapters/16_soft_constraints/soft_scenes.hpp"
 #include "common/random.hpp"
@@ -131,7 +132,7 @@ Measured run(const std::string& method, const Given& start, int substeps)
         bodies.correction.sweeps = sweeps;
         return measure(bodies, start, substeps);
     }
-    if (method == "exact") return measure(HardExact<Manifolds>{}, start, substeps);
+    if (method == "exact") return measure(ExactJoints<Manifolds>{}, start, substeps);
     if (method == "trees") {
         JointTrees<Manifolds> trees;
         trees.solver.sweeps = sweeps;

@@ -55,7 +55,7 @@ struct SoftMethods {
     JointSweeps<Manifolds> hard;
     PositionSweeps<Manifolds> positions;
     BodyDescent<Manifolds> bodies;
-    HardExact<Manifolds> exact;
+    ExactJoints<Manifolds> exact;
 
     SoftMethods()
     {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "chapters/01_euler_integration/adaptive.hpp"
-#include "chapters/14_joints/joint_accelerations.hpp"
+#include "chapters/15_trees/joint_accelerations.hpp"
 #include "chapters/19_engine/benchmark/kept_motion.hpp"
 #include "chapters/19_engine/from_scene.hpp"
 

@@ -1,0 +1,243 @@
+/// \file newton_positions.hpp
+/// The correction stage by Newton's method on C: a few solves of the same factor move the bodies onto their joints.
+///
+///     x ← x + v h,   J v = −C(x)/h     again and again, with C where the bodies are now; J of the step's start,
+///                              or of now where that is no longer good enough
+///
+/// (15.11). First what the step itself bends away, the arcs of (15.12): velocities get it too. Then errors, and no velocity is
+/// touched. Joints give back the whole of C; contacts and limits nothing up to the slop s, and beyond it the part β of what is
+/// missing to half of it:
+///
+///     J v = −β (C + s/2)/h     where C < −s                                                               (15.21)
+///
+/// So an overlap ends inside the slop. If it were pushed towards the slop it would come nearer forever and never get there.
+#pragma once
+
+#include "chapters/06_sequential_impulse/restitution.hpp"
+#include "chapters/07_baumgarte/stabilization.hpp"
+#include "chapters/11_rotation/rigid_scene.hpp"
+#include "chapters/15_trees/arcs.hpp"
+#include "chapters/15_trees/reflections.hpp"
+#include "chapters/15_trees/renewed_rows.hpp"
+
+#include <span>
+
+namespace rigid {
+
+/// A solver whose problems, islands or all rows as one, can have their errors corrected each by itself.
+///
+/// - for_each_problem() calls visit(rows, bodies, apart, at_once) for each of them: apart.solve_apart() solves other biases on
+///   these rows alone, apart.factor_again() takes their J from now.rows, and at_once says that its joints are then met, not swept.
+/// - bounce_late(), after the positions: what bounces at the end of a sub-step. It changes u and λ, and no x.
+template <class Solver>
+concept SolvesProblems = requires(Solver it, Bodies<3>& bodies, StepData<3>& now)
+{
+    it.for_each_problem(
+        now, [](std::span<const int>, std::span<const int>, auto&, bool) {});
+    it.bounce_late(bodies, now);
+};
+
+struct NewtonPositions : NewtonSettings, Restitution, PlainCorrection {
+private:
+    template <class List>
+    static auto& at(List& list, int i)
+    {
+        return list[static_cast<std::size_t>(i)];
+    }
+
+public:
+    // Of the last step.
+    int iterations = 0;
+    Real left = 0;  ///< the largest |C| of a joint that was found last [m, rad]
+    /// problems with a joint open by more than s, or an overlap > ℓ/20 given up
+    int unmet = 0;
+    bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
+    bool joints_alone = false;     ///< what overlaps gave way, in the last sub-step
+
+    /// of each body: a contact's overlap that is left alone, at most [m]; empty = slop
+    std::vector<Real> slops;
+    SecondProblem second;
+    VecX v;            ///< pseudo-velocities [m/s]
+    int renewals = 0;  ///< of J, in the last sub-step
+    void require_valid() const
+    {
+        rigid::require_valid(static_cast<const Restitution&>(*this));
+        rigid::require_valid(static_cast<const NewtonSettings&>(*this));
+    }
+    void describe(StabilizerSettings& s) const { s.beta = beta, s.slop = slop; }
+
+    template <class Scene>
+    void rows(const Scene& scene, const StepSettings& settings,
+              StepData<3>& now) const
+    {
+        const Real h = settings.part();
+        write_rows(scene.bodies, h, now, [h](const auto& c) {
+            if (!has_error(c.kind)) return own_bias(c, h);
+            return c.kind == ConstraintKind::unilateral && c.C > 0 ? c.C / h : 0;
+        });
+        note_bounces(scene, *this, settings, now);
+        now.besides.setZero(static_cast<Index>(now.rows.size()));
+    }
+
+    //! [move]
+    /// x ← x + h u, then each problem of the step by itself: the arcs, then errors.
+    template <class Scene, SolvesProblems Solver>
+    void move(Scene& scene, const StepSettings& settings, Solver& solver,
+              StepData<3>& now)
+    {
+        advance_positions(scene.bodies, settings.part(), now);
+        const std::size_t m = now.rows.size();
+        second.bias.assign(m, 0);
+        second.left_out.assign(m, 0);
+        second.tolerance = tolerance * now.length / settings.part() / 10;
+        deep_.assign(m, 0);
+        second.solution.lambda.setZero(static_cast<Index>(m));
+        if (v.size() != scene.bodies.u.size()) v.setZero(scene.bodies.u.size());
+        iterations = renewals = unmet = 0, left = 0;
+        gave_up_pushing = joints_alone = false;
+        const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
+                             auto& apart, bool at_once) {
+            if (at_once)
+                arcs_.follow(scene, settings.part(), rows, bodies, *this, apart,
+                             second, v, now);
+            correct(scene, settings.part(), rows, bodies, apart, now);
+        };
+        solver.for_each_problem(now, one);
+        solver.bounce_late(scene.bodies, now);
+    }
+    //! [move]
+
+    //! [newton]
+    /// What is an error, by positions alone.
+    template <class Scene, class Apart>
+    void correct(Scene& scene, Real h, std::span<const int> rows,
+                 std::span<const int> members, Apart& apart, StepData<3>& now)
+    {
+        Bodies<3>& bodies = scene.bodies;
+        Real pushed = 0;  // the largest part of an overlap that is to come out
+        Real off = 0, best = 0, part = 1, deepest = 0;
+        bool fresh = false;  // J is that of the best positions so far
+        bool alone = false, gave_up = false, jointed = false;
+        int n = 0;
+        for (;; ++n) {
+            const Real before = off;
+            off = 0;
+            bool wanted = false, touching = false, joined = false;
+            for (const int i : rows) {
+                Constraint<3>& c = at(now.constraints, i);
+                const bool bounded = c.kind == ConstraintKind::unilateral;
+                at(second.left_out, i) = !has_error(c.kind) || (bounded && alone);
+                if (at(second.left_out, i)) continue;
+                c = constraint_at(scene, now, static_cast<std::size_t>(i),
+                                  bodies.x);
+                touching = touching ||
+                           (bounded && n > 0 && second.solution.lambda[i] != 0);
+                // metres of a C: an angle counts as so much at the length ℓ
+                const Real unit = is_angle(c) ? now.length : 1;
+                if (c.kind == ConstraintKind::bilateral) {
+                    joined = jointed = true;
+                    at(second.bias, i) = c.C / h;
+                    off = std::max(off, std::abs(c.C) * unit);
+                } else {
+                    // (15.21): what lies too deep comes out once, by the part β
+                    const Real s = slop_of(c, now.length) / unit;
+                    at(second.bias, i) = std::max(Real{0}, c.C) / h;
+                    if (c.C < -s && n == 0) {
+                        const Real over = beta * (c.C + s / 2);
+                        at(second.bias, i) = over / h;
+                        pushed = std::max(pushed, -over * unit);
+                        deepest = std::max(deepest, -c.C * unit);
+                        at(deep_, i) = 1;
+                        wanted = true;
+                    }
+                }
+            }
+            const Real allowed = std::max({best, pushed, tolerance * now.length});
+            const bool worse = n > 0 && !(off <= allowed);
+            if (worse) {
+                best_.put_back(bodies, members);
+                off = best;
+            } else if (off <= tolerance * now.length && !wanted) break;
+            // no answer to both: the joints, and the rest in the next step
+            const bool give_up =
+                touching &&
+                (n >= most || (worse && second.solution.status != Status::solved));
+            if (give_up) {
+                alone = true;
+                continue;
+            }
+            if (n >= (alone ? 2 * most : most)) break;
+            if (worse) {
+                if (!fresh) continue;  // with the J of here; then half as far
+                part /= 2;
+                move_by(v, part * h, bodies, members);
+                continue;
+            }
+            best_.keep(bodies, members);
+            best = off;
+            part = 1;
+            // the old J is good enough while it takes nine tenths of the error
+            fresh = n > 0 && off > before / 10;
+            if (fresh) {
+                renewed_.renew(scene, rows, second.left_out, apart, now);
+                ++renewals;
+            }
+            second.max_sweeps = wanted ? push_sweeps : sweeps;
+            apart.solve_apart(second, v, now);
+            if (wanted && goes_far(members, now.length, h, std::max(pushed, off))) {
+                // overlaps that work against each other: they stay
+                gave_up = true;
+                for (const int i : rows) {
+                    at(deep_, i) = 0;
+                    if (at(now.constraints, i).kind == ConstraintKind::unilateral)
+                        at(second.bias, i) = std::max(Real{0}, at(second.bias, i));
+                }
+                apart.solve_apart(second, v, now);
+            }
+            move_by(v, h, bodies, members);
+            if (!joined) {  // overlaps come out once
+                ++n;
+                break;
+            }
+        }
+        renewed_.put_back(rows, now);
+        iterations = std::max(iterations, n);
+        left = std::max(left, off);
+        unmet += (jointed && !(off <= slop * now.length)) ||
+                 (gave_up && deepest > now.length / 20);
+        joints_alone = joints_alone || alone;
+        gave_up_pushing = gave_up_pushing || gave_up;
+    }
+    //! [newton]
+
+    /// Whether the last sub-step pushed the two of this row apart.
+    bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
+
+private:
+    Real slop_of(const Constraint<3>& c, Real length) const
+    {
+        Real least = slop * length;
+        if (is_angle(c)) return least;  // a body's own is one of metres
+        for (const Index k : {c.a, c.b})
+            if (k != world && k < static_cast<Index>(slops.size()))
+                least = std::min(least, slops[static_cast<std::size_t>(k)]);
+        return least;
+    }
+
+    /// Whether v moves a body much farther than what is to be corrected, and by more than a twentieth of ℓ.
+    bool goes_far(std::span<const int> members, Real length, Real h,
+                  Real wanted) const
+    {
+        Real farthest = 0;
+        for (const int k : members)
+            farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
+        return !(farthest <= std::max(8 * wanted, length / 20));
+    }
+
+    Arcs arcs_;
+    RenewedRows renewed_;
+    PlacesBefore best_;       ///< with the least error so far
+    std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid
+};
+
+}  // namespace rigid
