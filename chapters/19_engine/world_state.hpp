@@ -6,7 +6,7 @@
 #include "chapters/14_joints/placed_joints.hpp"
 #include "chapters/19_engine/filter_classes.hpp"
 #include "chapters/19_engine/held_bodies.hpp"
-#include "chapters/19_engine/island_choice.hpp"
+#include "chapters/18_islands/island_choice.hpp"
 #include "chapters/19_engine/places.hpp"
 #include "chapters/19_engine/told_changes.hpp"
 #include "chapters/19_engine/touching.hpp"

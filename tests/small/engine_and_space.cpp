@@ -3,7 +3,7 @@
 #include "tests/small/alone.hpp"
 
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
-#include "chapters/19_engine/island_shape.hpp"
+#include "chapters/18_islands/island_shape.hpp"
 #include "chapters/20_space/friction_cone.hpp"
 #include "chapters/20_space/tumbling.hpp"
 #include "tests/catch.hpp"

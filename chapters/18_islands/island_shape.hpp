@@ -12,7 +12,7 @@
 
 #include "chapters/10_skipping_work/islands.hpp"
 #include "chapters/14_joints/joint_tree.hpp"
-#include "chapters/19_engine/definitions.hpp"
+#include "chapters/18_islands/solving.hpp"
 
 #include <cmath>
 
@@ -34,13 +34,6 @@ struct IslandShape {
     Real price_of_loops() const;
     Real price_of_exact() const;
 };
-
-/// What work costs, in entries of a matrix in a sparse factor; each about 1 ns.
-namespace price {
-constexpr int visit = StepWork::visit_price;  ///< of a row, by a sweep
-constexpr int solved_joint = 20;     ///< row of a tree of joints, in each solve
-constexpr int factored_joint = 200;  ///< and in each factor
-}  // namespace price
 
 /// (19.2) [entries]
 inline Real IslandShape::price_of_sweeps() const

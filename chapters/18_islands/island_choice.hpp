@@ -16,7 +16,7 @@
 
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/14_joints/newton_positions.hpp"
-#include "chapters/19_engine/island_solvers.hpp"
+#include "chapters/18_islands/island_solvers.hpp"
 
 namespace rigid {
 

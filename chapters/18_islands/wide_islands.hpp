@@ -9,8 +9,8 @@
 #pragma once
 
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
-#include "chapters/19_engine/heap_steps.hpp"
-#include "chapters/19_engine/island_places.hpp"
+#include "chapters/18_islands/heap_steps.hpp"
+#include "chapters/18_islands/island_places.hpp"
 
 namespace rigid {
 

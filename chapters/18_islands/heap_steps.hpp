@@ -10,7 +10,7 @@
 #pragma once
 
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
-#include "chapters/19_engine/step_part.hpp"
+#include "chapters/18_islands/step_part.hpp"
 
 namespace rigid {
 

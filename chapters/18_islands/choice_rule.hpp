@@ -2,7 +2,7 @@
 /// From the shape of an island: whether it may be solved exactly, whether it should be, and how many sweeps it is worth.
 #pragma once
 
-#include "chapters/19_engine/island_shape.hpp"
+#include "chapters/18_islands/island_shape.hpp"
 
 namespace rigid {
 

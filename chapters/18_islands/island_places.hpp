@@ -11,9 +11,9 @@
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
-#include "chapters/19_engine/choice_rule.hpp"
-#include "chapters/19_engine/island_rescue.hpp"
-#include "chapters/19_engine/known_motion.hpp"
+#include "chapters/18_islands/choice_rule.hpp"
+#include "chapters/18_islands/island_rescue.hpp"
+#include "chapters/18_islands/known_motion.hpp"
 
 namespace rigid {
 
