@@ -21,7 +21,7 @@ Vec<4> motion_of(const Bodies<3>& bodies)
     Vec<4> sum = Vec<4>::Zero();
     for (Index k = 0; k < bodies.count(); ++k) {
         const Real m = 1 / bodies.inverse_mass[3 * k], inertia = 1 / bodies.inverse_mass[3 * k + 2];
-        const Vec3 x = bodies.position(k), u = bodies.velocity(k);
+        const Vec<3> x = bodies.position(k), u = bodies.velocity(k);
         sum.head<2>() += m * u.head<2>();
         sum[2] += m * (x.x() * u.y() - x.y() * u.x()) + inertia * u[2];
         sum[3] += m * u.head<2>().squaredNorm() / 2 + inertia * u[2] * u[2] / 2;
@@ -63,7 +63,7 @@ TEST_CASE("a heap that something keeps moving stands as if nothing did", "[idea]
         Real moved = 0;
         for (Index k = 0; k < boxes; ++k)
             moved = std::max(moved, (run.position(k) - before.segment<2>(3 * k)).norm());
-        CHECK(moved < 2e-5);  // 6e-6 in nine seconds; 9e-3 where it is swept until (19.5)
+        CHECK(moved < 2e-5);  // 6e-6 in nine seconds; 9e-3 where it is swept until (18.5)
     }
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
     const Real h = frame / count;
     Bodies<3> theirs = scene.bodies;
     VecX lambda = now.solution.lambda / count, C(lambda.size());
-    // what does not move all of its old impulses begins with a part of them, (19.6)
+    // what does not move all of its old impulses begins with a part of them, (18.6)
     VecX zeros = VecX::Zero(theirs.u.size());
     const Real part = best_part(now, lanes.part.rows, now.active, zeros);
     lambda *= part;
@@ -290,7 +290,7 @@ TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it s
     CHECK(smooth.awake() == 170);
     int moving = 0;
     for (Index k = 0; k < 170; ++k) {
-        const Vec3 u = smooth.scene.bodies.velocity(k);
+        const Vec<3> u = smooth.scene.bodies.velocity(k);
         moving += u.head<2>().norm() > 1e-3 || std::abs(u[2]) > 4e-3;
     }
     CHECK(moving >= 1);

@@ -51,14 +51,14 @@ TEST_CASE("the sweeps that an island needs are counted as by hand", "[idea]")
     CHECK(tower.bounded == 80);
     CHECK(should_be_exact(heavy, {}));
     CHECK(should_be_exact(tower, {}));
-    // exercise 19.1
+    // exercise 18.1
     CHECK(shape_of_tower({1, 2, 4, 8, 16}).sweeps_needed() == Approx(25 * 16).epsilon(1e-12));
     CHECK(shape_of_tower({1, 2, 4, 8}).sweeps_needed() == Approx(16 * 8).epsilon(1e-12));
 }
 
 TEST_CASE("a heavy end costs its mass ratio times the length and a light one nothing", "[idea]")
 {
-    // (19.1a), beside (4.14)
+    // (18.1a), beside (4.14)
     const auto by_hand = [](Real N, Real r) { return 4 * N * N / (pi * pi) + (N - 1) * (r - 1); };
     const auto needed = [](Index N, Real r) { return -1 / std::log(line_rate(N, r)); };
     for (const int N : {2, 3, 11, 20, 60})
@@ -68,7 +68,7 @@ TEST_CASE("a heavy end costs its mass ratio times the length and a light one not
             // the two largest eigenvalues have nearly the same vector, so the bound is nearly met; the rest is 1/2ε for
             // −1/ln (1 − ε)², a part of a sweep
             CHECK(needed(N, r) >= 0.96 * by_hand(N, r) - 0.2);
-            // (19.1) is never below it
+            // (18.1) is never below it
             IslandShape shape;
             shape.length = N, shape.mass_ratio = r;
             CHECK(shape.sweeps_needed() >= needed(N, r));
@@ -147,7 +147,7 @@ TEST_CASE("the choice by island costs at most half as much again as the better o
         Real price = 0;
         int unsolved = 0;
     };
-    // `solved`: the bill of a solver that is asked in each step, also where old impulses are the answer (19.4)
+    // `solved`: the bill of a solver that is asked in each step, also where old impulses are the answer (18.4)
     const auto run = [](IslandsUnderTest made, int steps, bool solved) {
         Bill bill;
         Real last = 0;
@@ -276,7 +276,7 @@ TEST_CASE("a pyramid that no exact solve can afford stands and falls asleep", "[
         if (run.awake() == 0) break;
         most = std::max(most, run.method.solver.most_sweeps);
         REQUIRE(run.method.solver.exact_count + run.method.solver.rescued_count == 0);
-        // never more than (19.4) lets it, and one look at the residual for each time that it seemed to be done
+        // never more than (18.4) lets it, and one look at the residual for each time that it seemed to be done
         REQUIRE(run.price() < 2 * ChoiceRule{}.entries);
     }
     CHECK(most == 40'000'000 / (8 * 6400));
@@ -518,12 +518,28 @@ TEST_CASE("boxes that a plate presses to the floor cost no more than their numbe
         for (int i = 0; i < 30; ++i) {
             run.step();
             unsolved += run.unsolved() + run.method.solver.stepped_count > 0;
-            // velocities and positions; without (19.7) it is 5 to 7 times as much
+            // velocities and positions; without (18.7) it is 5 to 7 times as much
             const auto rows = static_cast<std::int64_t>(run.now.rows.size());
             CHECK(run.entries() <= 2 * ChoiceRule{}.pair_entries * rows * rows);
         }
         CHECK(unsolved > 10);  // nothing lets a plate of no mass wait
     }
+}
+
+TEST_CASE("islands refuse settings that make no sense and keep the old ones", "[house]")
+{
+    IslandsUnderTest run(net_scene(3));
+    CHECK_THROWS_WITH(run.change({.substeps = 0}),
+                      "the islands share out 0 sub-steps; there must be 1 or more");
+    CHECK(run.method.solver.heaps.substeps == 1);
+    run.change({.sweeps = -1});
+    const VecX x = run.scene.bodies.x;
+    CHECK_THROWS_AS(run.step(), std::invalid_argument);
+    CHECK(run.scene.bodies.x == x);
+    run.change({});
+    run.method.solver.tolerance = 0;
+    CHECK_THROWS_WITH(run.step(), "the tolerance of the islands is 0; it must be positive and finite");
+    CHECK(run.scene.bodies.x == x);
 }
 
 }  // namespace islands

@@ -2,7 +2,7 @@
 /// A heap that moves, in small steps of its own: chapter 8's idea on chapter 17's lanes.
 ///
 ///     once:   rows into lanes, C of each contact
-///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (19.4a)
+///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (18.4a)
 ///
 /// with k = h/K. J and M⁻¹ Jᵀ are those of the beginning, and C goes on along J: what is left out is how normals turn and
 /// points go along their faces, of second order in how far a pair moves in the step. What moves has another λ in each step; a
@@ -140,7 +140,7 @@ private:
     }
 
     //! [biases]
-    /// (19.4b): a gap may close; of an overlap so much goes out a second, no faster
+    /// (18.4b): a gap may close; of an overlap so much goes out a second, no faster
     /// than this.
     void set_biases(Real per_second, Real fastest, Real h, Wide& wide) const
     {

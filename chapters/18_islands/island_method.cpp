@@ -3,10 +3,17 @@
 
 #include "chapters/18_islands/island_method.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace rigid {
 
 void change(IslandMethod& method, const IslandSettings& settings)
 {
+    if (settings.substeps < 1)
+        throw std::invalid_argument("the islands share out " +
+                                    std::to_string(settings.substeps) +
+                                    " sub-steps; there must be 1 or more");
     method.contacts.sleep = settings.sleep;
     method.correction.push_sweeps = settings.sweeps;
     IslandChoice& solver = method.solver;

@@ -28,7 +28,7 @@ struct IslandSettings {
     bool operator==(const IslandSettings&) const = default;
 };
 
-/// Other settings from the next step on.
+/// Other settings from the next step on. Throws std::invalid_argument for fewer than one sub-step.
 void change(IslandMethod& method, const IslandSettings& settings);
 
 /// The method, ready for the steps of a scene: shapes look ahead, (12.6c), and what hangs on joints is not stopped on
@@ -36,7 +36,7 @@ void change(IslandMethod& method, const IslandSettings& settings);
 IslandMethod island_method(const JointedScene& scene,
                            const IslandSettings& settings = {});
 
-/// What the last step cost, by (19.2) and (19.3) [entries, about a nanosecond each].
+/// What the last step cost, by (18.2) and (18.3) [entries, about a nanosecond each].
 inline std::int64_t price_of_step(IslandMethod& method, const StepData<3>& now)
 {
     return method.solver.all_entries() + price::visit * now.visits;

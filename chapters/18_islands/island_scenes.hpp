@@ -59,7 +59,7 @@ JointedScene poured_scene(int bodies, Real rolling = 0);
 /// Discs of 0.2 m on a square net of pins that hangs by its two upper corners: loops of joints.
 JointedScene net_scene(int side);
 
-/// Section 19.1: a ball, 100 kg on two boxes of 1 kg, a tower of twenty; a disc flies at the tower and is there after
+/// Section 18.1: a ball, 100 kg on two boxes of 1 kg, a tower of twenty; a disc flies at the tower and is there after
 /// about 1.3 s.
 /// \param speed  of the disc [m/s]; 0: there is none
 JointedScene struck_tower_scene(Real speed = 15);

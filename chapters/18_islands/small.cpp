@@ -32,7 +32,7 @@ struct Island {
     std::vector<int> bodies;
     std::vector<Contact> points;
     double light = INFINITY, heavy = 0, fastest = 0, rest = INFINITY;  // [kg], …
-    // (19.1), as if all its bodies stood on each other
+    // (18.1), as if all its bodies stood on each other
     double needed() const { return std::pow(bodies.size(), 2) * heavy / light; }
 };
 
@@ -171,7 +171,7 @@ void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
 
 int main(int count, char** word)
 {
-    // By hand, section 19.1: one box; 100 kg on two; a tower of twenty. Red: awake.
+    // By hand, section 18.1: one box; 100 kg on two; a tower of twenty. Red: awake.
     Bodies d;
     add_box(d, 50, 0.5, INFINITY, {0, -0.5, 0});
     add_box(d, 0.5, 0.5, 1, {-14, 0.5, 0});

@@ -140,7 +140,7 @@ struct StepWork {
     bool skipped =
         false;  ///< all slept and nothing was changed: no step was needed
 
-    /// What it cost, by (19.2) and (19.3) [entries, about a nanosecond each]
+    /// What it cost, by (18.2) and (18.3) [entries, about a nanosecond each]
     std::int64_t price() const { return entries + visit_price * visits; }
     static constexpr int visit_price = price::visit;
 };

@@ -1,7 +1,7 @@
 // Chapter 19 in one file, grown from chapter 18: boxes come and go.
 // A place and a generation name a box; what was saved goes on to the same bits. To
 // leave room for that, boxes do not turn here and have no friction.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
