@@ -16,16 +16,16 @@ namespace rigid {
 
 //! [settings]
 struct HeapSteps {
-    int least = 8;     ///< K, in a step of the world, at least
+    int least = 8;     ///< K, in a whole step, at least
     int visits = 2;    ///< of each row in a small step, before bodies move
-    int substeps = 1;  ///< of the world
+    int substeps = 1;  ///< of the whole step
     Real beta = 0.4;   ///< part of an overlap that a small step takes back
     Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
     Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
     /// of each body: the same, at most [m]; empty = slop
     std::vector<Real> slops;
 
-    /// K in a sub-step: so many that in a step of the world an impulse gets from the
+    /// K in a sub-step: so many that in a whole step an impulse gets from the
     /// ground to the farthest body.
     /// \param length  N, of the island
     int count(int length) const
@@ -71,7 +71,7 @@ public:
     Real residual = 0;  ///< of the last small step [m/s]
 
     //! [small_steps]
-    /// A sub-step of the world; u and λ of the part are changed.
+    /// A sub-step of the whole step; u and λ of the part are changed.
     /// \param count        K
     /// \param constraints  of the step; those of the part are all of contacts
     void operator()(const HeapSteps& how, int count,

@@ -1,5 +1,5 @@
 /// \file island_choice.hpp
-/// The solver stage of the engine: each island by the solver that suits it.
+/// The solver stage of this chapter: each island by the solver that suits it.
 ///
 ///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 14)
 ///                          │      └─ as it was?              the impulses of the step before

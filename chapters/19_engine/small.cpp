@@ -102,10 +102,10 @@ void step(World& d, double h)
 Id add_box(World& d, const Vector2d& half, double mass, const Vector2d& at)
 {
     const int k = std::ranges::find(d.there, 0) - d.there.begin();
+    d.there.at(k) = 1, d.rest[k] = 0;
     d.x.segment<2>(2 * k) = at, d.u.segment<2>(2 * k).setZero();
     d.inverse_mass.segment<2>(2 * k).setConstant(1 / mass);
     d.half.segment<2>(2 * k) = half;
-    d.rest[k] = 0, d.there.at(k) = 1;
     return {k, ++d.generation[k]};
 }
 

@@ -16,8 +16,8 @@
 namespace rigid {
 
 //! [method]
-/// The method of the engine: chapter 14's that lets bodies sleep, with a solver for
-/// each island.
+/// The method of the engine: chapter 18's, where calls report what they change, and
+/// what overflows is held.
 struct EngineMethod {
     WithJoints<WithFriction<ToldManifolds>> contacts =
         with_inerters<WithFriction<ToldManifolds>>();
@@ -168,9 +168,9 @@ struct EngineState {
     }
 
     //! [slop]
-    /// What is thin is not left to overlap by what suits a box: at most by a tenth of
-    /// its inner radius: what has no inside not at all. (A line that stands, as an edge
-    /// of a chain, leaves it to what touches it.)
+    /// What is thin is not left to overlap by what suits a box: at most by a
+    /// two-hundredth of its inner radius; what has no inside not at all. (A line that
+    /// stands, as an edge of a chain, leaves it to what touches it.)
     void list_slop(Index k)
     {
         const Real inner = inner_radius(
