@@ -23,8 +23,9 @@ JointedScene poured_scene(int bodies, Real rolling)
 
 namespace {
 
-/// Adds a net whose upper left corner is there.
-void add_net(JointedScene& scene, int side, const Vec2& corner)
+/// Adds a net whose upper left corner is there; it begins to swing, its rows at up to
+/// this speed.
+void add_net(JointedScene& scene, int side, const Vec2& corner, Real speed = 0)
 {
     const Index first = scene.bodies.count();
     for (int row = 0; row < side; ++row)
@@ -33,6 +34,7 @@ void add_net(JointedScene& scene, int side, const Vec2& corner)
             const bool held = row == 0 && (i == 0 || i + 1 == side);
             const Index k = held ? add_body(scene, disc(0.2), Mass{}, at)
                                  : add_body(scene, disc(0.2), 1, at);
+            scene.bodies.velocity(k).x() = speed * row / side;
             const auto join = [&](Index other) {
                 if (!scene.bodies.can_move(other) && held) return;
                 const Vec2 middle =
@@ -68,7 +70,7 @@ JointedScene struck_tower_scene(Real speed)
     JointedScene scene;
     scene.length = 1;
     scene.walls.push_back({{0, 1}, 0});
-    add_body(scene, disc(0.5), 1, {-14, 0.5});
+    add_body(scene, disc(0.5), 1, {-15, 0.5});
     add_tower(scene, -10, {1, 1, 100});
     add_tower(scene, 0, std::vector<Real>(20, 1));
     if (speed > 0) {
@@ -85,7 +87,7 @@ JointedScene mixed_scene(int bodies, int side)
     const Real edge = -scene.walls.back().offset + 0.2;
     scene.walls.resize(1);  // the floor
     for (const Real x : {-edge, edge}) add_body(scene, box(0.4, 4), Mass{}, {x, 2});
-    add_net(scene, side, {edge + 1, 0.5 * side + 0.5});
+    add_net(scene, side, {edge + 1, 0.5 * side + 0.5}, 2);
     for (int i = 0; i < 5; ++i)
         add_body(scene, box(0.6, 0.6), 1, {-edge - 1.5, 0.3 + 0.6 * i});
     cover(scene, {0.6, 0, 0, 0});

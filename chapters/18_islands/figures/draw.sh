@@ -4,8 +4,8 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene struck --set prices=1 --steps 40 --svg "$out/ch18_struck.svg"
-run --scene mixed --set bodies=60 --steps 150 --svg "$out/ch18_mixed.svg"
+run --scene struck --set prices=1 --steps 20 --svg "$out/ch18_struck.svg"
+run --scene mixed --set bodies=60 --steps 60 --svg "$out/ch18_mixed.svg"
 
 # The picture of the small program.
 small ch18_small

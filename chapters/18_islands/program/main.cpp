@@ -18,7 +18,7 @@ std::vector<Demo> scenes()
     return {
         island_demo("struck",
                     "A ball, a heavy box on two, a tower; a disc strikes the tower",
-                    {{-4, 9.5}, {17, 13}},
+                    {{-4, 11.5}, {17, 13.5}},
                     number("speed", "m/s", "of the disc; 0: none", 15, 0, 40,
                            Numbers::real),
                     [](Real speed) { return struck_tower_scene(speed); }),
