@@ -18,6 +18,7 @@ void change(IslandMethod& method, const IslandSettings& settings)
     method.correction.push_sweeps = settings.sweeps;
     IslandChoice& solver = method.solver;
     solver.solving = settings.solving;
+    solver.most_exact = solver.rule.at_most;
     solver.heaps.substeps = settings.substeps;
     // noise of sweeps is no reason to stay awake
     solver.slow = settings.sleep ? 10 * method.contacts.rest.speed : 0;

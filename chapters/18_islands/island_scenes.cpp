@@ -23,9 +23,8 @@ JointedScene poured_scene(int bodies, Real rolling)
 
 namespace {
 
-/// Adds a net whose upper left corner is there; it begins to swing, its rows at up to
-/// this speed.
-void add_net(JointedScene& scene, int side, const Vec2& corner, Real speed = 0)
+/// Adds a net whose upper left corner is there.
+void add_net(JointedScene& scene, int side, const Vec2& corner)
 {
     const Index first = scene.bodies.count();
     for (int row = 0; row < side; ++row)
@@ -34,7 +33,6 @@ void add_net(JointedScene& scene, int side, const Vec2& corner, Real speed = 0)
             const bool held = row == 0 && (i == 0 || i + 1 == side);
             const Index k = held ? add_body(scene, disc(0.2), Mass{}, at)
                                  : add_body(scene, disc(0.2), 1, at);
-            scene.bodies.velocity(k).x() = speed * row / side;
             const auto join = [&](Index other) {
                 if (!scene.bodies.can_move(other) && held) return;
                 const Vec2 middle =
@@ -87,7 +85,7 @@ JointedScene mixed_scene(int bodies, int side)
     const Real edge = -scene.walls.back().offset + 0.2;
     scene.walls.resize(1);  // the floor
     for (const Real x : {-edge, edge}) add_body(scene, box(0.4, 4), Mass{}, {x, 2});
-    add_net(scene, side, {edge + 1, 0.5 * side + 0.5}, 2);
+    add_net(scene, side, {edge + 1, 0.5 * side + 0.5});
     for (int i = 0; i < 5; ++i)
         add_body(scene, box(0.6, 0.6), 1, {-edge - 1.5, 0.3 + 0.6 * i});
     cover(scene, {0.6, 0, 0, 0});

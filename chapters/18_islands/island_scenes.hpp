@@ -64,7 +64,7 @@ JointedScene net_scene(int side);
 /// \param speed  of the disc [m/s]; 0: there is none
 JointedScene struck_tower_scene(Real speed = 15);
 
-/// A heap that is poured, a net on pins that swings, and a pile of five boxes on one floor: joints beside contacts.
+/// A heap that is poured, a net on pins, and a pile of five boxes on one floor: joints beside contacts.
 /// \param side  bodies of a side of the net
 JointedScene mixed_scene(int bodies, int side);
 
