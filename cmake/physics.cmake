@@ -94,7 +94,7 @@ add_chapter_libraries(rigid_chapter rigid_base)
 # Each part of the world reads the whole engine, so they are compiled together: 94 s of processor in place of 250.
 file(GLOB world CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/19_engine/world*.cpp)
 add_library(rigid_chapter_19 STATIC EXCLUDE_FROM_ALL ${world})
-target_link_libraries(rigid_chapter_19 PUBLIC ${rigid_chapter_up_to_17})
+target_link_libraries(rigid_chapter_19 PUBLIC ${rigid_chapter_up_to_18})
 set_source_files_properties(${world} PROPERTIES UNITY_GROUP world)
 if(RIGID_TOGETHER)
   set_target_properties(rigid_chapter_19 PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

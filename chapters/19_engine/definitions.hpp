@@ -7,6 +7,7 @@
 
 #include "chapters/10_skipping_work/sleeping.hpp"
 #include "chapters/14_joints/joint.hpp"
+#include "chapters/18_islands/solving.hpp"
 
 #include <compare>
 #include <cstdint>
@@ -72,20 +73,6 @@ struct BodyDefinition {
     std::uint64_t user = 0;  ///< anything of the caller's
 };
 //! [body]
-
-/// Which solver an island of bodies gets. (A solver by colours and lanes is a further one: see
-/// IslandChoice.)
-enum class Solving : std::uint8_t {
-    by_island,  ///< exact where that is cheap or sweeps would be slow, else sweeps
-    exact,      ///< whatever can be exact
-    sweeps,     ///< no island exactly
-};
-
-constexpr std::string_view to_string(Solving solving)
-{
-    constexpr std::string_view names[] = {"by_island", "exact", "sweeps"};
-    return names[static_cast<std::size_t>(solving)];
-}
 
 //! [settings]
 /// Safe as they are, for bodies of about a metre: of another size, set `length`.
@@ -153,9 +140,9 @@ struct StepWork {
     bool skipped =
         false;  ///< all slept and nothing was changed: no step was needed
 
-    /// What it cost, by (19.2) and (19.3) [entries, about a nanosecond each]
+    /// What it cost, by (18.2) and (18.3) [entries, about a nanosecond each]
     std::int64_t price() const { return entries + visit_price * visits; }
-    static constexpr int visit_price = 8;
+    static constexpr int visit_price = price::visit;
 };
 //! [work]
 

@@ -1,7 +1,7 @@
 /// \file kept_springs.hpp
 /// The rows of springs in the engine: what a step resolves keeps its swing.
 ///
-///     λ = −h (k C + h k/4 (w' − w) + c w'),   w = J u before the step, w' after it     where h² k A ≤ 1            (19.9)
+///     λ = −h (k C + h k/4 (w' − w) + c w'),   w = J u before the step, w' after it     where h² k A ≤ 1            (19.2)
 ///     λ = −h (k C + h k w' + c w')                                                    (16.8), elsewhere
 ///
 /// A = J M⁻¹ Jᵀ. The force at the end of the step, (16.8), takes a part of h² ω² of a swing's energy in each step, whatever its

@@ -32,17 +32,12 @@ inline World dolls_world(int dolls)
 inline World poured_world(int bodies, Real rolling = 0)
 {
     World made;
-    const int wide = std::max(4, static_cast<int>(std::sqrt(bodies)));
-    made.add_wall({{0, 1}, 0});
-    made.add_wall({{1, 0}, -0.4 * wide});
-    made.add_wall({{-1, 0}, -0.4 * wide});
+    const int wide = width_of_pour(bodies);
+    for (const HalfSpace& wall : trough_of_pour(wide)) made.add_wall(wall);
     for (int i = 0; i < bodies; ++i) {
-        const Real x = (i % wide - 0.5 * (wide - 1)) * 0.75 + 0.02 * (i / wide % 3),
-                   y = 0.5 + 0.75 * (i / wide);
-        const bool rolls = i % 3 == 2;
-        BodyDefinition body =
-            body_of(rolls ? disc(0.25) : box(0.5, 0.4), {x, y}, 0.2 * i);
-        if (rolls) body.surface.rolling = rolling;
+        const PouredBody it(i, wide);
+        BodyDefinition body = body_of(it.shape, it.at, it.angle);
+        if (it.rolls) body.surface.rolling = rolling;
         made.add_body(body);
     }
     return made;

@@ -1,24 +1,23 @@
-// The choice of section 19.1, for the sentence that can be dragged: a tower of boxes, each on two points with friction.
+// How long the generations of section 19.1 last, for the sentence that can be dragged: 2^bits − 1 of them, 0 names nothing.
 'use strict';
 
 (function () {
-    const rows = boxes => 4 * boxes;
-    const by_sweeps = (boxes, ratio) => 8 * rows(boxes) * boxes * boxes * ratio;  // (19.1), (19.2)
-    const exactly = boxes => {                                                    // (19.3); all rows have bounds
-        const m = rows(boxes), k = boxes;
-        return 250 * m * m / k + 3 * m * m * m / (k * Math.sqrt(k) + 2 * k);
-    };
+    const seconds = (rate, bits) => (Math.pow(2, bits) - 1) / rate;
+    const units = [['seconds', 1, 120], ['minutes', 60, 120], ['hours', 3600, 48], ['days', 86400, 1000], ['years', 365.25 * 86400, Infinity]];
+    const unit_of = time => units.find(([, size, most]) => time / size < most);
 
-    rigid_sentence('tower', {
-        values: ({boxes, ratio}) => ({sweeps: by_sweeps(boxes, ratio), exact: exactly(boxes), says: exactly(boxes) < by_sweeps(boxes, ratio) ? 'exactly' : 'by sweeps'}),
-        picture({boxes, ratio}) {
-            const log = Math.log10, along = [...Array(50).keys()].map(k => k + 1);
+    rigid_sentence('generations', {
+        values: ({rate, bits}) => {
+            const time = seconds(rate, bits), [unit, size] = unit_of(time);
+            return {time: time / size, unit};
+        },
+        picture({rate, bits}) {
+            const log = Math.log10, along = [...Array(25).keys()].map(k => k + 8);
             return {
-                view: [-2, 0.7, 53, 9.4],
-                marks: [{path: along.map(k => [k, log(by_sweeps(k, ratio))]), colour: 'red'}, {path: along.map(k => [k, log(exactly(k))]), colour: 'blue'},
-                        {dot: [boxes, log(by_sweeps(boxes, ratio))], colour: 'red', size: 5}, {dot: [boxes, log(exactly(boxes))], colour: 'blue', size: 5},
-                        {words: 'entries, 10³ to 10⁹: by sweeps', at: [0, 8.8], anchor: 'start', colour: 'red'}, {words: 'exactly', at: [44, 4.6], colour: 'blue'},
-                        {words: '50 boxes', at: [51, 0.9], anchor: 'end'}]
+                view: [6, -1.5, 35, 10.5],
+                marks: [{path: along.map(k => [k, log(seconds(rate, k))]), colour: 'blue'}, {dot: [bits, log(seconds(rate, bits))], colour: 'red', size: 5},
+                        {words: 'a day', at: [7, log(86400) + 0.15], anchor: 'start'}, {path: [[7, log(86400)], [33, log(86400)]]},
+                        {words: '32 bits', at: [33, -1.2], anchor: 'end'}, {words: '8 bits', at: [7, -1.2], anchor: 'start'}]
             };
         }
     });

@@ -5,6 +5,7 @@
 #include "chapters/12_contact_manifolds/stacks.hpp"
 #include "chapters/13_friction/houses.hpp"
 #include "chapters/14_joints/joint_scenes.hpp"
+#include "chapters/18_islands/island_scenes.hpp"
 #include "chapters/19_engine/from_scene.hpp"
 
 namespace rigid {
@@ -28,10 +29,7 @@ inline World world_of(const RigidScene& smooth, Real mu = 0.6,
                       const WorldSettings& settings = {})
 {
     World made(settings);
-    RoughScene scene;
-    static_cast<RigidScene&>(scene) = smooth;
-    cover(scene, {mu, 0, 0, 0});
-    put_in(made, scene);
+    put_in(made, rough_scene(smooth, mu));
     return made;
 }
 
@@ -62,9 +60,7 @@ inline World house_world(int storeys)
 /// Boxes of 1 m on a floor, and one of so many times their mass on top.
 inline World column_world(int boxes, Real ratio = 1)
 {
-    RigidScene scene = box_stack(boxes + 1);
-    scene.bodies.inverse_mass.tail<3>() /= ratio;
-    return world_of(scene);
+    return world_of(loaded_column(boxes, ratio));
 }
 
 /// A chain of thin rods that swings, with a weight of so many rods at its end.

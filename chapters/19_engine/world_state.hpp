@@ -2,11 +2,11 @@
 /// What a world is made of: a scene of chapter 14, the stages of the step, and what the engine knows besides.
 #pragma once
 
-#include "chapters/14_joints/placed_joints.hpp"
 #include "chapters/15_trees/tree_method.hpp"
+#include "chapters/14_joints/placed_joints.hpp"
 #include "chapters/19_engine/filter_classes.hpp"
 #include "chapters/19_engine/held_bodies.hpp"
-#include "chapters/19_engine/island_choice.hpp"
+#include "chapters/18_islands/island_choice.hpp"
 #include "chapters/19_engine/places.hpp"
 #include "chapters/19_engine/told_changes.hpp"
 #include "chapters/19_engine/touching.hpp"
@@ -16,8 +16,8 @@
 namespace rigid {
 
 //! [method]
-/// The method of the engine: chapter 15's that lets bodies sleep, with a solver for
-/// each island.
+/// The method of the engine: chapter 18's, where calls report what they change, and
+/// what overflows is held.
 struct EngineMethod {
     WithLoadedLines<WithFriction<ToldManifolds>> contacts;
     HeldBodies correction;
@@ -167,9 +167,9 @@ struct EngineState {
     }
 
     //! [slop]
-    /// What is thin is not left to overlap by what suits a box: at most by a tenth of
-    /// its inner radius: what has no inside not at all. (A line that stands, as an edge
-    /// of a chain, leaves it to what touches it.)
+    /// What is thin is not left to overlap by what suits a box: at most by a
+    /// two-hundredth of its inner radius; what has no inside not at all. (A line that
+    /// stands, as an edge of a chain, leaves it to what touches it.)
     void list_slop(Index k)
     {
         const Real inner = inner_radius(

@@ -353,9 +353,9 @@ def page(table, root):
     chosen = when(table, root)
     # the engine is no curve of this page: it is what chooses among the methods
     chosen.insert(2, "| a program of your own: shapes, friction, joints | | **the engine's own choice**, "
-                  "[chapter 19](../chapters/19_engine/README.md#194-each-island-by-its-own-solver): for each island an exact answer or sweeps, "
-                  "whichever (19.2) and (19.3) find cheaper | | what it costs beside other engines is in "
-                  "[section 19.9](../chapters/19_engine/README.md#199-measure-it); the lines below are single methods |")
+                  "[chapter 18](../chapters/18_islands/README.md#183-each-island-by-its-own-solver): for each island an exact answer or sweeps, "
+                  "whichever (18.2) and (18.3) find cheaper | | what it costs beside other engines is in "
+                  "[section 19.8](../chapters/19_engine/README.md#198-measure-it); the lines below are single methods |")
     lost, compared, lines_lost = losses(table)
     pieces = ["# Run time against error", "", WAYS_ON, "",
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "

@@ -20,6 +20,8 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -5,7 +5,7 @@
 
 #include "chapters/16_soft_constraints/softness.hpp"
 #include "chapters/17_wide_sweeps/waits.hpp"
-#include "chapters/19_engine/island_shape.hpp"
+#include "chapters/18_islands/island_shape.hpp"
 #include "chapters/20_space/tumbling.hpp"
 #include "tests/catch.hpp"
 

@@ -1,4 +1,4 @@
-/// What the library buys: prints the table of the reader's guide, the small programs of chapters 8, 13 and 19 beside
+/// What the library buys: prints the table of the reader's guide, the small programs of chapters 8, 13 and 18 beside
 /// the library on the same scenes.
 ///
 ///     build/release/bin/small_table
@@ -21,8 +21,8 @@ namespace small08 {
 namespace small13 {
 #include "chapters/13_friction/small.cpp"
 }
-namespace small19 {
-#include "chapters/19_engine/small.cpp"
+namespace small18 {
+#include "chapters/18_islands/small.cpp"
 }
 #undef main
 
@@ -154,16 +154,16 @@ int main()
                 return static_cast<long>(sweeps) * static_cast<long>(d.contacts.size());
             },
             [&](const small13::Bodies& d) { return 1000 * (d.x - tower.x).cwiseAbs().maxCoeff(); });
-    small19::Bodies stack;
-    small19::add_box(stack, 100, 0.5, INFINITY, {0, -0.5, 0});
-    for (int k = 0; k < 10; ++k) small19::add_box(stack, 0.5, 0.5, 1, {0, 0.5 + k, 0});
+    small18::Bodies stack;
+    small18::add_box(stack, 100, 0.5, INFINITY, {0, -0.5, 0});
+    for (int k = 0; k < 10; ++k) small18::add_box(stack, 0.5, 0.5, 1, {0, 0.5 + k, 0});
     line(
-        "ten boxes", "small program 19, exact where it stands, and sleep", [&] { return stack; },
-        [&](small19::Bodies& d) {
-            small19::step(d, h);
+        "ten boxes", "small program 18, exact where it stands, and sleep", [&] { return stack; },
+        [&](small18::Bodies& d) {
+            small18::step(d, h);
             return 0L;  // visits none
         },
-        [&](const small19::Bodies& d) { return 1000 * (d.x - stack.x).cwiseAbs().maxCoeff(); });
+        [&](const small18::Bodies& d) { return 1000 * (d.x - stack.x).cwiseAbs().maxCoeff(); });
     RoughScene scene;
     static_cast<RigidScene&>(scene) = box_stack(10);
     cover(scene, {0.6, 0, 0, 0});

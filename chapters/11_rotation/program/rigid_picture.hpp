@@ -41,11 +41,11 @@ inline std::vector<Vec2> rounded_outline(const std::vector<Vec2>& corners,
     return outline;
 }
 
-inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k)
+inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k,
+                             const Style& style)
 {
     const VecX& x = scene.bodies.x;
     const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
-    const Style style = scene.bodies.can_move(k) ? paint::body : paint::fixed_body;
     std::vector<Vec2> corners;
     for (const Vec2& vertex : shape.vertices)
         corners.push_back(point_of(x, k, vertex));
@@ -58,6 +58,11 @@ inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k)
     else if (corners.size() == 2)
         canvas.segment(corners[0], corners[1], {style.colour, 5, 0.8});
     else canvas.polygon(corners, style);
+}
+inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k)
+{
+    paint_rigid_body(canvas, scene, k,
+                     scene.bodies.can_move(k) ? paint::body : paint::fixed_body);
 }
 
 inline void paint_rigid_joints(Canvas& canvas, const RigidScene& scene)

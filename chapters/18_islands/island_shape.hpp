@@ -2,9 +2,9 @@
 /// What an island looks like to a solver: how many rows, how long, how uneven its masses, how many loops; and from
 /// these, what sweeps over it would cost and what an exact solve, in one unit.
 ///
-///     sweeps needed  ≈  N² r                           N bodies from the ground to the farthest one, r largest mass over smallest   (19.1)
-///     by sweeps      ≈  8 n N² r                       entries of matrices, n rows; a row visited counts as 8                        (19.2)
-///     exactly        ≈  250 m²/k + 3 m³/k^(3/2) + …    m rows with bounds, k bodies, of which joints make one; and its joints        (19.3)
+///     sweeps needed  ≈  N² r                           N bodies from the ground to the farthest one, r largest mass over smallest   (18.1)
+///     by sweeps      ≈  8 n N² r                       entries of matrices, n rows; a row visited counts as 8                        (18.2)
+///     exactly        ≈  250 m²/k + 3 m³/k^(3/2) + …    m rows with bounds, k bodies, of which joints make one; and its joints        (18.3)
 ///
 /// N links in a row need a number of sweeps that grows with N² (4.11), a heavy body on a light one as many times more as it
 /// is heavier (chapter 4). The rows of a heap in the plane are factored in about m³/k^(3/2). \cite george1973
@@ -12,7 +12,7 @@
 
 #include "chapters/10_skipping_work/islands.hpp"
 #include "chapters/15_trees/joint_tree.hpp"
-#include "chapters/19_engine/definitions.hpp"
+#include "chapters/18_islands/solving.hpp"
 
 #include <cmath>
 
@@ -35,25 +35,18 @@ struct IslandShape {
     Real price_of_exact() const;
 };
 
-/// What work costs, in entries of a matrix in a sparse factor; each about 1 ns.
-namespace price {
-constexpr int visit = StepWork::visit_price;  ///< of a row, by a sweep
-constexpr int solved_joint = 20;     ///< row of a tree of joints, in each solve
-constexpr int factored_joint = 200;  ///< and in each factor
-}  // namespace price
-
-/// (19.2) [entries]
+/// (18.2) [entries]
 inline Real IslandShape::price_of_sweeps() const
 {
     return price::visit * rows * sweeps_needed();
 }
-/// (19.3), its last two terms: what closes loops of joints
+/// (18.3), its last two terms: what closes loops of joints
 inline Real IslandShape::price_of_loops() const
 {
     const Real l = loops;
     return 10 * l * (rows - bounded) + l * l * l / 6;
 }
-/// (19.3) [entries]
+/// (18.3) [entries]
 inline Real IslandShape::price_of_exact() const
 {
     const Real m = bounded, k = std::max(1, parts);

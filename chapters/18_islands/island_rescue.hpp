@@ -4,8 +4,8 @@
 
 #include "chapters/10_skipping_work/fall_asleep.hpp"
 #include "chapters/15_trees/tree_solver.hpp"
-#include "chapters/19_engine/choice_rule.hpp"
-#include "chapters/19_engine/step_part.hpp"
+#include "chapters/18_islands/choice_rule.hpp"
+#include "chapters/18_islands/step_part.hpp"
 
 namespace rigid {
 

@@ -2,7 +2,7 @@
 /// A heap that moves, in small steps of its own: chapter 8's idea on chapter 17's lanes.
 ///
 ///     once:   rows into lanes, C of each contact
-///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (19.4a)
+///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (18.4a)
 ///
 /// with k = h/K. J and M⁻¹ Jᵀ are those of the beginning, and C goes on along J: what is left out is how normals turn and
 /// points go along their faces, of second order in how far a pair moves in the step. What moves has another λ in each step; a
@@ -10,22 +10,22 @@
 #pragma once
 
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
-#include "chapters/19_engine/step_part.hpp"
+#include "chapters/18_islands/step_part.hpp"
 
 namespace rigid {
 
 //! [settings]
 struct HeapSteps {
-    int least = 8;     ///< K, in a step of the world, at least
+    int least = 8;     ///< K, in a whole step, at least
     int visits = 2;    ///< of each row in a small step, before bodies move
-    int substeps = 1;  ///< of the world
+    int substeps = 1;  ///< of the whole step
     Real beta = 0.4;   ///< part of an overlap that a small step takes back
     Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
     Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
     /// of each body: the same, at most [m]; empty = slop
     std::vector<Real> slops;
 
-    /// K in a sub-step: so many that in a step of the world an impulse gets from the
+    /// K in a sub-step: so many that in a whole step an impulse gets from the
     /// ground to the farthest body.
     /// \param length  N, of the island
     int count(int length) const
@@ -71,7 +71,7 @@ public:
     Real residual = 0;  ///< of the last small step [m/s]
 
     //! [small_steps]
-    /// A sub-step of the world; u and λ of the part are changed.
+    /// A sub-step of the whole step; u and λ of the part are changed.
     /// \param count        K
     /// \param constraints  of the step; those of the part are all of contacts
     void operator()(const HeapSteps& how, int count,
@@ -140,7 +140,7 @@ private:
     }
 
     //! [biases]
-    /// (19.4b): a gap may close; of an overlap so much goes out a second, no faster
+    /// (18.4b): a gap may close; of an overlap so much goes out a second, no faster
     /// than this.
     void set_biases(Real per_second, Real fastest, Real h, Wide& wide) const
     {

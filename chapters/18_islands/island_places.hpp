@@ -3,7 +3,7 @@
 ///
 ///     it stands, or has few rows         exactly, or by sweeps until r ≤ tolerance ℓ
 ///     it moves, with joints              by up to a thousand sweeps, until r ≤ tolerance ℓ
-///     it moves, a heap                   by small steps of its own; where something bounces, roughly:  r ≤ g h / 30        (19.5)
+///     it moves, a heap                   by small steps of its own; where something bounces, roughly:  r ≤ g h / 30        (18.5)
 ///                                        g h the most that this step's forces give one of its bodies
 ///
 /// What moves has another λ in each step, and an error of one step is no error of the next; but a limit that is missed bends a
@@ -11,9 +11,9 @@
 #pragma once
 
 #include "chapters/10_skipping_work/islands.hpp"
-#include "chapters/19_engine/choice_rule.hpp"
-#include "chapters/19_engine/island_rescue.hpp"
-#include "chapters/19_engine/known_motion.hpp"
+#include "chapters/18_islands/choice_rule.hpp"
+#include "chapters/18_islands/island_rescue.hpp"
+#include "chapters/18_islands/known_motion.hpp"
 
 namespace rigid {
 
@@ -49,7 +49,7 @@ inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule
 //! [place]
 
 //! [part]
-/// (19.6): the part t of the old impulses to start from, 0 … 1: that which leaves
+/// (18.6): the part t of the old impulses to start from, 0 … 1: that which leaves
 /// the least energy.
 /// \param v  zeros, of the length of u; they are zeros again afterwards
 inline Real best_part(const StepData<3>& now, std::span<const int> rows,
@@ -122,7 +122,7 @@ public:
                                        solving, sweeps);
         }
         anew = false;
-        for (std::size_t i = 0; i < notes.size(); ++i) {  // (19.5)
+        for (std::size_t i = 0; i < notes.size(); ++i) {  // (18.5)
             IslandNote& note = notes[i];
             note.enough = note.until = tolerance;
             if (!note.moves) continue;

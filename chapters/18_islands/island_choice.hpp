@@ -1,5 +1,5 @@
 /// \file island_choice.hpp
-/// The solver stage of the engine: each island by the solver that suits it.
+/// The solver stage of this chapter: each island by the solver that suits it.
 ///
 ///     islands of the step ─┬─ small, or cheaper so            trees of joints, and exact rows above them     (chapter 15)
 ///                          │      └─ as it was?              the impulses of the step before
@@ -16,7 +16,7 @@
 
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/15_trees/newton_positions.hpp"
-#include "chapters/19_engine/island_solvers.hpp"
+#include "chapters/18_islands/island_solvers.hpp"
 
 namespace rigid {
 

@@ -2,9 +2,9 @@
 /// To each island of a step a solver of its own, in numbers of its own; what one of them does changes no bit of another.
 #pragma once
 
-#include "chapters/19_engine/exact_islands.hpp"
-#include "chapters/19_engine/island_places.hpp"
-#include "chapters/19_engine/wide_islands.hpp"
+#include "chapters/18_islands/exact_islands.hpp"
+#include "chapters/18_islands/island_places.hpp"
+#include "chapters/18_islands/wide_islands.hpp"
 
 #include <deque>
 

@@ -3,14 +3,14 @@
 ///
 ///     it moves, a heap                            small steps of its own (heap_steps.hpp)
 ///     it moves, and something bounces             as many sweeps as are allowed
-///     it stands and no exact solve may follow     as many as an exact solve may cost, entries / (8 n) for n rows             (19.4)
+///     it stands and no exact solve may follow     as many as an exact solve may cost, entries / (8 n) for n rows             (18.4)
 ///
 /// What stands begins its next step with this λ, so these sweeps are made once. What moves would have to make them in each step.
 #pragma once
 
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
-#include "chapters/19_engine/heap_steps.hpp"
-#include "chapters/19_engine/island_places.hpp"
+#include "chapters/18_islands/heap_steps.hpp"
+#include "chapters/18_islands/island_places.hpp"
 
 namespace rigid {
 

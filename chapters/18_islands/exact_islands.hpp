@@ -7,7 +7,7 @@
 /// guessed.
 #pragma once
 
-#include "chapters/19_engine/island_rescue.hpp"
+#include "chapters/18_islands/island_rescue.hpp"
 
 namespace rigid {
 

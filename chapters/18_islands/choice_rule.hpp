@@ -2,7 +2,7 @@
 /// From the shape of an island: whether it may be solved exactly, whether it should be, and how many sweeps it is worth.
 #pragma once
 
-#include "chapters/19_engine/island_shape.hpp"
+#include "chapters/18_islands/island_shape.hpp"
 
 namespace rigid {
 
@@ -17,7 +17,7 @@ struct ChoiceRule {
     int wide = 1000;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
-    /// and for each pair of its rows with bounds (19.7): what is solved needs half
+    /// and for each pair of its rows with bounds (18.7): what is solved needs half
     std::int64_t pair_entries = 500;
     /// proximal steps without a better residual: ε falls to its least in 37
     int idle_steps = 60;
@@ -62,7 +62,7 @@ inline int sweeps_of_moving(const IslandShape& shape, const ChoiceRule& rule,
     if (shape.bounded > rule.moving) return sweeps_worth(shape, rule, least);
     return std::max(least, static_cast<int>(rule.patience));
 }
-/// Whether these end, (19.1): it begins near its answer, so a tenth of the count is
+/// Whether these end, (18.1): it begins near its answer, so a tenth of the count is
 /// enough.
 inline bool may_be_swept(const IslandShape& shape, const ChoiceRule& rule)
 {
