@@ -24,7 +24,7 @@ JointedScene cantilever(int boxes)
     JointedScene scene;
     for (int k = 0; k < boxes; ++k) {
         const Vec2 at(k, 0);
-        add_body(scene, box(1, 0.4), 5.0, at + Vec2(0.5, 0));
+        add_body(scene, box(1, 0.2), 5.0, at + Vec2(0.5, 0));
         add_joint(scene, joint_at(scene, JointKind::weld, k - 1, k, at));
     }
     return scene;
@@ -60,9 +60,9 @@ void sweeps(benchmark::State& state, const JointedScene& scene, bool joints)
 
 const bool registered = [] {
     const std::vector<std::pair<std::string, JointedScene>> scenes = {
-        {"chain_10", chain_scene({10, 0.1, 0.1, 1, 0})},
-        {"chain_40", chain_scene({40, 0.1, 0.1, 1, 0})},
-        {"chain_10_under_100", chain_scene({10, 0.1, 0.1, 100, 0})},
+        {"chain_10", chain_scene({10, 0.1, 0.1, 1, 0.3})},
+        {"chain_40", chain_scene({40, 0.1, 0.1, 1, 0.3})},
+        {"chain_10_under_100", chain_scene({10, 0.1, 0.1, 100, 0.3})},
         {"bridge_20", bridge_scene(20)},
         {"bridge_40", bridge_scene(40)},
         {"cantilever_5", cantilever(5)},
