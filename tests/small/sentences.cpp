@@ -56,6 +56,9 @@ namespace said14 {
 namespace said15 {
 #include "chapters/15_trees/small.cpp"
 }
+namespace said21 {
+#include "chapters/21_four_ways/small.cpp"
+}
 #undef main
 
 namespace {
@@ -277,6 +280,18 @@ Numbers tower(Numbers in)
     return {{"sweeps", shape.price_of_sweeps()}, {"exact", shape.price_of_exact()}};
 }
 
+Numbers bead_ways(Numbers in)
+{
+    const auto off = [&](void (*step)(said21::Body&, double, double)) {
+        said21::Body body = said21::by_hand();
+        step(body, in["h"], 0);
+        return 1000 * said21::off(body);
+    };
+    return {{"spring", off(said21::spring_step)},
+            {"inside", -off(said21::acceleration_step)},
+            {"velocity", off(said21::row_step)}};
+}
+
 Numbers book(Numbers in)
 {
     const auto moment = [](double b, double c) { return 0.7 / 12 * (b * b + c * c); };
@@ -316,7 +331,8 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"oscillator", {oscillator, 1e-12}},
         {"line", {line, 0}},
         {"tower", {tower, 1e-12}},
-        {"book", {book, 3e-4}}};  // whole steps of a thousandth of a second, which is 1.6e-4 turns
+        {"bead_ways", {bead_ways, 1e-9}},  // millimetres off a radius of a metre
+        {"book", {book, 3e-4}}};           // whole steps of a thousandth of a second, which is 1.6e-4 turns
     std::ifstream table(std::string(RIGID_SOURCE_DIR) + "/tests/small/sentences.csv");
     REQUIRE(table);
     std::set<std::string> seen;

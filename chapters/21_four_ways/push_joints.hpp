@@ -1,0 +1,70 @@
+/// \file push_joints.hpp
+/// Contacts as joints that only push: their C, J and second derivative are those of chapters 11 and 14, at any positions.
+///
+///     corner on a wall            along       C = n·p_b − c − ρ
+///     corner over a side          turning     n turns with the body of the side
+///     corner to corner, discs     distance    C = ‖p_b − p_a‖ − ρ_a − ρ_b
+///
+/// A step of order four evaluates accelerations away from where contacts were found, so the gap alone (11.14) and its J do
+/// not suffice: d²C/dt² = J a + k needs k, and k needs to know what turns.
+#pragma once
+
+#include "chapters/10_skipping_work/collision_filter.hpp"
+#include "chapters/12_contact_manifolds/placed_shape.hpp"
+#include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/15_trees/joint_accelerations.hpp"
+
+namespace rigid {
+
+/// A contact, or a joint's limit. Body a of `gap` is the one whose side it is; it may have the higher number.
+struct PushJoint {
+    PointJoint gap;       ///< C ≥ 0
+    Surface surface;      ///< none of a limit
+    Real radius = 0;      ///< of body b around its point [m]
+    bool touches = true;  ///< false: a limit of a joint
+};
+
+/// What holds the scene and pushes in it: the joints of a scene that push alone, and all contacts with a gap below the margin,
+/// by testing each pair. Bodies that a joint keeps from touching, and those that the filter does, have none.
+/// \param margin  [m]
+/// \param found   is emptied and filled: limits, walls, pairs, each in ascending order
+void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
+                      Real margin, std::vector<PushJoint>& found);
+
+/// C, J of the normal where the bodies are.
+inline Constraint<3> gap_of(const PushJoint& joint, const VecX& x)
+{
+    return joint_constraint(x, joint.gap);
+}
+
+//! [drag]
+/// The row along a contact, J_t, and its k_t: what velocities alone make of J_t u
+/// while the point sticks, −ω² of what turns with each body.
+struct Drag {
+    Constraint<3> c;
+    Real k = 0;  ///< [m/s²]
+};
+inline Drag drag_of(const PushJoint& joint, const Constraint<3>& normal, int number,
+                    const VecX& x, const VecX& u)
+{
+    const Vec2 n = normal.Jb.head<2>().transpose();
+    const Vec2 core_a = point_of(x, joint.gap.a, joint.gap.at_a),
+               core_b = point_of(x, joint.gap.b, joint.gap.at_b),
+               p = core_b - joint.radius * n;
+    const Vec2 t = perpendicular(n);
+    const auto arm = [&](Index k, const Vec2& at) -> Vec2 {
+        return k == world ? Vec2(0, 0) : Vec2(at - x.segment<2>(3 * k));
+    };
+    const auto turns = [&](Index k, const Vec2& at) {
+        return k == world ? 0 : u[3 * k + 2] * u[3 * k + 2] * t.dot(arm(k, at));
+    };
+    const bool discs = joint.gap.measure == PointJoint::Measure::distance;
+    Drag drag;
+    drag.c = friction_constraint(normal, number, arm(joint.gap.a, p),
+                                 arm(joint.gap.b, p), joint.surface);
+    drag.k = turns(joint.gap.a, discs ? core_a : p) - turns(joint.gap.b, core_b);
+    return drag;
+}
+//! [drag]
+
+}  // namespace rigid
