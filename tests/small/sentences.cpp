@@ -59,6 +59,9 @@ namespace said15 {
 namespace said21 {
 #include "chapters/21_four_ways/small.cpp"
 }
+namespace said23 {
+#include "chapters/23_waves/small.cpp"
+}
 #undef main
 
 namespace {
@@ -303,6 +306,17 @@ Numbers book(Numbers in)
     return {{"turns", n * 0.001 / (2 * std::numbers::pi)}};
 }
 
+Numbers three_masses(Numbers in)
+{
+    said23::String masses = said21::at_rest(Eigen::VectorXd{{0, 0, 1, 0, 0}}, in["h"]);
+    double farthest = 1;
+    for (int n = 0; n < 40; ++n) {
+        said23::leapfrog(masses, in["h"]);
+        farthest = std::max(farthest, masses.y.cwiseAbs().maxCoeff());
+    }
+    return {{"farthest", farthest}};
+}
+
 }  // namespace
 
 TEST_CASE("what can be dragged in a sentence follows as the small programs compute it")
@@ -329,6 +343,7 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"door", {door, 1e-5}},      // sweeps to 1e-6 rad/s
         {"two_rods", {two_rods, 1e-9}},
         {"oscillator", {oscillator, 1e-12}},
+        {"three_masses", {three_masses, 1e-12}},
         {"line", {line, 0}},
         {"tower", {tower, 1e-12}},
         {"bead_ways", {bead_ways, 1e-9}},  // millimetres off a radius of a metre

@@ -4,6 +4,7 @@
 
 #include "chapters/04_pgs/program/drawing.hpp"
 #include "chapters/11_rotation/rigid_scene.hpp"
+#include "chapters/11_rotation/rounded_outline.hpp"
 #include "common/elementary.hpp"
 
 #include <algorithm>
@@ -17,28 +18,6 @@ inline void paint_half_space(Canvas& canvas, const HalfSpace& wall)
     const bool upright = std::abs(wall.normal.x()) > 0.5;
     canvas.segment(upright ? middle : Vec2(middle - along),
                    middle + (upright ? Vec2(0, 3) : along), paint::wall);
-}
-
-/// The outline of a polygon with a radius: its edges moved out, and arcs of a radius at its vertices.
-inline std::vector<Vec2> rounded_outline(const std::vector<Vec2>& corners,
-                                         Real radius)
-{
-    std::vector<Vec2> outline;
-    const std::size_t n = corners.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 in = corners[i] - corners[(i + n - 1) % n],
-                   out = corners[(i + 1) % n] - corners[i];
-        const Vec2 from = -perpendicular(in).normalized();
-        Real turn = atan2(cross2(in, out), in.dot(out));
-        if (turn <= 0) turn += 2 * pi;  // at the end of a capsule
-        for (int k = 0; k <= 8; ++k) {
-            const Real angle = turn * k / 8;
-            outline.push_back(
-                corners[i] +
-                radius * (cos(angle) * from + sin(angle) * perpendicular(from)));
-        }
-    }
-    return outline;
 }
 
 inline void paint_rigid_body(Canvas& canvas, const RigidScene& scene, Index k,
