@@ -308,7 +308,7 @@ Numbers book(Numbers in)
 
 Numbers three_masses(Numbers in)
 {
-    said23::String masses = said21::at_rest(Eigen::VectorXd{{0, 0, 1, 0, 0}}, in["h"]);
+    said23::String masses = said23::at_rest(Eigen::VectorXd{{0, 0, 1, 0, 0}}, in["h"]);
     double farthest = 1;
     for (int n = 0; n < 40; ++n) {
         said23::leapfrog(masses, in["h"]);
