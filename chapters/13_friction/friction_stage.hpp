@@ -26,15 +26,14 @@ struct WithFriction : Contacts {
     void begin(const RoughScene& scene, const StepSettings& settings,
                Method& method, StepData<3>& now)
     {
-        constexpr bool is_told = Contacts::is_told;
-        if (!is_told) {
+        if (!Contacts::is_told) {
             require_valid_surfaces(scene);
             if (!method.solver.knows_sliding) refuse_kinetic_friction(scene);
         }
-        if (!((is_told || scene.surfaces == surfaces) &&
+        if (!((Contacts::is_told || scene.surfaces == surfaces) &&
               scene.wall_surfaces == walls && scene.cloth == cloth)) {
             this->wake_everybody();
-            if (!is_told) surfaces = scene.surfaces;
+            if (!Contacts::is_told) surfaces = scene.surfaces;
             walls = scene.wall_surfaces;
             cloth = scene.cloth;
         }

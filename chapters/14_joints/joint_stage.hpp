@@ -78,15 +78,15 @@ struct WithJoints : Contacts {
         Contacts::end(scene, settings, method, now);
         broken = 0;
         for (std::size_t i = 0; i < scene.placed.size(); ++i) {
-            PlacedJoint& placed = scene.placed[i];
-            const RigidJoint& joint = placed.joint;
-            if (placed.broken || (joint.breaking_force == infinity &&
-                                  joint.breaking_torque == infinity))
+            PlacedJoint& one = scene.placed[i];
+            const RigidJoint& joint = one.joint;
+            if (one.broken || (joint.breaking_force == infinity &&
+                               joint.breaking_torque == infinity))
                 continue;
             const Reaction bears = reaction(scene, now, i);
-            placed.broken = bears.force.norm() > joint.breaking_force ||
-                            std::abs(bears.torque) > joint.breaking_torque;
-            broken += placed.broken;
+            one.broken = bears.force.norm() > joint.breaking_force ||
+                         std::abs(bears.torque) > joint.breaking_torque;
+            broken += one.broken;
         }
     }
 
@@ -94,7 +94,7 @@ struct WithJoints : Contacts {
     bool wake_the_joined(const JointedScene& scene, const StepData<3>& now)
     {
         if (now.active.empty()) return false;
-        bool woken = false;
+        bool any = false;
         for (const Source& source : now.sources) {
             if (source.of != Source::Of::joint) continue;
             const PointJoint& joint =
@@ -102,10 +102,10 @@ struct WithJoints : Contacts {
             for (const Index k : {joint.a, joint.b}) {
                 if (k == world || !this->is_asleep(k)) continue;
                 this->wake(k);
-                woken = true;
+                any = true;
             }
         }
-        return woken;
+        return any;
     }
 
     /// Whatever a joint held wakes when it breaks, or is whole again.
@@ -113,10 +113,10 @@ struct WithJoints : Contacts {
     {
         was_broken.resize(scene.placed.size(), 0);
         for (std::size_t i = 0; i < scene.placed.size(); ++i) {
-            const PlacedJoint& placed = scene.placed[i];
-            if (placed.broken == (was_broken[i] != 0)) continue;
-            was_broken[i] = placed.broken;
-            for (const Index k : {placed.joint.a, placed.joint.b})
+            const PlacedJoint& one = scene.placed[i];
+            if (one.broken == (was_broken[i] != 0)) continue;
+            was_broken[i] = one.broken;
+            for (const Index k : {one.joint.a, one.joint.b})
                 if (k != world) this->wake(k);
         }
     }

@@ -19,15 +19,15 @@ struct WithLoadedLines : WithJoints<Contacts> {
     {
         WithJoints<Contacts>::begin(scene, settings, method, now);
         // a start that keeps no impulses knows of no load
-        if (const ImpulseCache* before = method.start.impulses())
-            add_inerters(scene, settings, *before, now);
+        if (const ImpulseCache* known = method.start.impulses())
+            add_inerters(scene, settings, *known, now);
     }
 
     //! [inerters]
     /// Behind the rows of a joint that is a line, the rows across it that this step
     /// needs.
     void add_inerters(const JointedScene& scene, const StepSettings& settings,
-                      const ImpulseCache& before, StepData<3>& now)
+                      const ImpulseCache& known, StepData<3>& now)
     {
         with_inerters_.clear();
         for (std::size_t i = 0; i < now.sources.size(); ++i) {
@@ -44,7 +44,7 @@ struct WithLoadedLines : WithJoints<Contacts> {
             // the end of a pulley's rope that is tied to the world is no line
             const int first = lines == 2 && scene.joints[j].a == world ? 2 : 1;
             for (int part = first; !goes_on && part <= lines; ++part)
-                if (needs_inerter(scene, j, part, settings, before))
+                if (needs_inerter(scene, j, part, settings, known))
                     with_inerters_.push_back(
                         {Source::Of::joint, source.index, part});
         }
