@@ -65,10 +65,9 @@ struct StepPart {
         local_.resize(rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const Row<3>& row = whole.rows[at(rows[i])];
-            local_[i] = {row.a == world ? -1 : number_[at(row.a)],
-                         number_[at(row.b)],
-                         row.bounded_by < 0 ? -1
-                                            : numbers.of_row[at(row.bounded_by)]};
+            local_[i] = {
+                row.a == world ? -1 : number_[at(row.a)], number_[at(row.b)],
+                row.bounded_by < 0 ? -1 : numbers.of_row[at(row.bounded_by)]};
         }
         for (const int k : bodies) at(number_, k) = -1;  // ready for the next time
     }
@@ -172,7 +171,8 @@ private:
     struct Local {
         int a, b, bounded_by;
     };
-    std::vector<Local> local_;  ///< of each row: what it names, in numbers of the part
+    std::vector<Local>
+        local_;  ///< of each row: what it names, in numbers of the part
 };
 
 }  // namespace rigid

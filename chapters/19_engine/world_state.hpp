@@ -2,11 +2,11 @@
 /// What a world is made of: a scene of chapter 14, the stages of the step, and what the engine knows besides.
 #pragma once
 
-#include "chapters/15_trees/tree_method.hpp"
 #include "chapters/14_joints/placed_joints.hpp"
+#include "chapters/15_trees/tree_method.hpp"
+#include "chapters/18_islands/island_choice.hpp"
 #include "chapters/19_engine/filter_classes.hpp"
 #include "chapters/19_engine/held_bodies.hpp"
-#include "chapters/18_islands/island_choice.hpp"
 #include "chapters/19_engine/places.hpp"
 #include "chapters/19_engine/told_changes.hpp"
 #include "chapters/19_engine/touching.hpp"

@@ -105,7 +105,7 @@ TEST_CASE("the small program of chapter 14 has the numbers of the text and the l
         farthest = std::max({farthest, (d.x.tail(size) - scene.bodies.x).cwiseAbs().maxCoeff(),
                              (d.u.tail(size) - scene.bodies.u).cwiseAbs().maxCoeff()});
     }
-    CHECK(farthest < 1e-12);  // the same visits, whose sums have another order
+    CHECK(farthest < 1e-12);                  // the same visits, whose sums have another order
     CHECK(d.x[3] == Approx(1).margin(1e-3));  // at its stop, which leaves C/h no more than the sweeps do
 }
 

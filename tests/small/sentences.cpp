@@ -224,7 +224,10 @@ Numbers door(Numbers in)
     said14::Bodies d = said14::door(in["gap"] / 1000);
     d.inverse_mass.tail<3>() *= 3 / in["mass"];
     said14::step(d, 0.1, 1);
-    return {{"pin", d.rows[1].lambda}, {"stop", d.rows[2].lambda}, {"motor", d.rows[3].lambda}, {"omega", d.u[5]}};
+    return {{"pin", d.rows[1].lambda},
+            {"stop", d.rows[2].lambda},
+            {"motor", d.rows[3].lambda},
+            {"omega", d.u[5]}};
 }
 
 Numbers two_rods(Numbers in)

@@ -132,7 +132,8 @@ Measured run(const std::string& method, const Given& start, int substeps)
         bodies.correction.sweeps = sweeps;
         return measure(bodies, start, substeps);
     }
-    if (method == "exact") return measure(ExactJoints<Manifolds>{}, start, substeps);
+    if (method == "exact")
+        return measure(ExactJoints<Manifolds>{}, start, substeps);
     if (method == "trees") {
         JointTrees<Manifolds> trees;
         trees.solver.sweeps = sweeps;
