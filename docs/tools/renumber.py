@@ -4,54 +4,67 @@
     renumber.py 15=16 16=17           chapters move; 16 moves before 15 takes its place
     renumber.py --labels moved.txt    sections, equations, figures move from one chapter to another
 
-A line of moved.txt names a kind, the old number and the new one:  section 14.4 15.1 · equation 14.8 15.2 · figure 14.3 15.1 ·
-algorithm, table, exercise likewise. A section's link follows it into the file that has it now, so the text is moved first.
-Names of files and folders may follow: only those are changed. Afterwards docs/build.sh check says what dangles, stands twice or is out of order. Numbers that words spell are not found."""
+A line of moved.txt names a kind, the old number and the new one: `section 14.4 15.1`, `equation 14.8 15.2`, `figure 14.3 15.1`;
+algorithm, table and exercise likewise. Text that moves to another chapter is moved first, with its old numbers: links follow a
+section into the file that has it. Then docs/build.sh sync and docs/build.sh check, which says what dangles, stands twice or is out
+of order. What is not seen: numbers that stand alone, as in a list of chapters of a script, or are words.
+"""
+import os
+import pathlib
 import re
 import subprocess
 import sys
-from pathlib import Path
 
-root = Path(__file__).resolve().parents[2]
-no_text = {'.svg', '.png', '.gif', '.mlcp', '.csv', '.bib', '.webp', '.h'}
-number = r'\d{1,2}'
+from booktext import ROOT, TextError, run_tool, slug
+
+NO_TEXT = {".svg", ".png", ".gif", ".webp", ".mlcp", ".csv", ".bib"}
+CHAPTER = r"\d{1,2}"
+LABEL = rf"{CHAPTER}\.(?:\d+[a-z]?|[A-Z])"
+JOINED = r"(?:,? and |,? or | to |, |–| · )"  # what stands between two numbers of a list
 
 
-def tracked():
-    names = subprocess.run(['git', 'ls-files', '-z'], cwd=root, capture_output=True, text=True, check=True).stdout
-    return [root / name for name in names.split('\0') if name]
+def tracked(root):
+    names = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True, check=True).stdout
+    return [root / name for name in names.split("\0") if name]
 
 
 class Renumbering:
-    def __init__(self, chapters, labels=None):
-        self.chapters = chapters
-        self.labels = labels or {}    # (kind, 'N.M') -> 'N.M'
-        some = '|'.join(str(n) for n in sorted({*chapters, *(int(old.split('.')[0]) for _, old in self.labels)}, reverse=True))
+    """What each number becomes, and where it may stand."""
+
+    def __init__(self, root, files, chapters, labels):
+        self.root, self.chapters, self.labels = root, chapters, labels
+        some = "|".join(str(n) for n in sorted({*chapters, *(int(old.split(".")[0]) for _, old in labels)}, reverse=True))
+        padded = "|".join(f"{int(n):02}" for n in some.split("|"))
         # what folders and files are called behind their numbers; the longest first
-        self.named = {m[0] for path in tracked() for part in path.relative_to(root).parts
-                      for m in [re.match(r'\d\d_[a-z_]+', part)] if m and int(part[:2]) in chapters}
-        names = '|'.join(sorted(self.named, key=lambda name: (-len(name), name))) or '(?!)'
-        kinds = r'[Ss]ections?|[Ff]igures?|[Tt]ables?|[Aa]lgorithms?|[Ee]xercises?|[Ee]quations?'
-        label = rf'(?:{some})\.(?:\d+[a-z]?|[A-Z])'
-        one = rf'{number}\.(?:\d+[a-z]?|[A-Z])'
-        joint = r'(?:,? and |,? or | to |, |–| · )'
-        self.pattern = re.compile('|'.join([
-            rf'(?P<folder>(?<![\dA-Za-z])(?:{names})(?![a-z0-9]))',
-            rf'(?P<listing>(?<=tests/)(?:mine|mutants)/(?:{some})\.txt)',
-            rf'(?P<equation>\((?:{some})\.\d+[a-z]?\))',
-            rf'(?P<tag>\\tag\{{(?:{some})\.\d+[a-z]?\}})',
-            rf'(?P<listed>\b(?:{kinds})[ \u00a0]{one}(?:{joint}{one})*)',
-            rf'(?P<heading>^#+ (?:{label})(?= ))',
-            rf'(?P<letter>(?<![\w.])(?:{some})\.[A-Z](?![\w]))',
-            rf'(?P<linked>\[(?:{label})\](?=\())',
-            rf'(?P<listed_chapter>\[(?:{some})(?=\. [A-Z][^\]]*\]\())',
-            rf'(?P<anchor>#(?:{some})(?:\d{{1,2}}|[a-z])-(?=[a-z0-9]))',
-            rf'(?P<chapter>\b[Cc]hapters?[ \u00a0]{number}\b(?!\.\d)(?:{joint}{number}\b(?!\.\d))*)',
-            rf'(?P<short>\bch(?:{some})(?=[_" :)]))',
-            rf'(?P<command>(?:\./)?book (?:run|test|small|mine|bench|mutants) (?:{some})\b)',
-            rf'(?P<small>\bsmall(?:[ \u00a0]program[ \u00a0])?(?:{some})\b)',
-            rf'(?P<part>\brigid_(?:chapter|tested|plain|optimised)(?:_up_to)?_(?:{some})\b)',
+        named = {m[0] for path in files for part in path.relative_to(root).parts
+                 for m in [re.match(r"\d\d_[a-z_]+", part)] if m and int(part[:2]) in chapters}
+        names = "|".join(sorted(named, key=lambda name: (-len(name), name))) or "(?!)"
+        kinds = r"[Ss]ections?|[Ff]igures?|[Tt]ables?|[Aa]lgorithms?|[Ee]xercises?|[Ee]quations?"
+        label = rf"(?:{some})\.(?:\d+[a-z]?|[A-Z])"
+        self.pattern = re.compile("|".join([
+            rf"(?P<file>(?<![\dA-Za-z])(?:{names})(?![a-z0-9]))",
+            rf"(?P<listing>(?<=tests/)(?:mine|mutants)/(?:{padded})\.txt)",
+            rf"(?P<equation>\((?:{some})\.\d+[a-z]?\))",
+            rf"(?P<tag>\\tag\{{(?:{some})\.\d+[a-z]?\}})",
+            rf"(?P<listed>\b(?:{kinds})[ \u00a0]{LABEL}(?:{JOINED}{LABEL})*)",
+            rf"(?P<heading>^#+ (?:{label})(?= ))",
+            rf"(?P<letter>(?<![\w.])(?:{some})\.[A-Z](?!\w))",
+            rf"(?P<linked>\[(?:{label})\](?=\())",
+            rf"(?P<card>\[(?:{some})(?=\. [A-Z][^\]]*\]\())",
+            rf"(?P<anchor>#(?:{some})(?:\d{{1,2}}|[a-z])-[\w-]+)",
+            rf"(?P<chapter>\b[Cc]hapters?[ \u00a0]{CHAPTER}\b(?!\.\d)(?:{JOINED}{CHAPTER}\b(?!\.\d))*)",
+            rf"(?P<short>\bch(?:{padded})(?=[_\" :)]))",
+            rf"(?P<command>(?:\./)?book (?:run|test|small|mine|bench|mutants) (?:{some})\b)",
+            rf"(?P<small>\bsmall(?:[ \u00a0]program[ \u00a0])?(?:{some})\b)",
+            rf"(?P<part>\brigid_(?:chapter|plain|optimised)(?:_up_to)?_(?:{padded})\b)",
         ]), re.M)
+        # of the anchor of each section: its number, and where it is now: links follow it
+        self.section, self.place = {}, {}
+        for path in files:
+            if path.suffix == ".md" and path.parent.parent == root / "chapters":
+                for number, title in re.findall(rf"^##+ ({LABEL}) (.*)$", path.read_text(encoding="utf-8"), re.M):
+                    anchor = slug(f"{number} {title}")
+                    self.section[anchor], self.place[anchor] = number, path
 
     def chapter(self, old):
         return self.chapters.get(int(old), int(old))
@@ -59,130 +72,124 @@ class Renumbering:
     def label(self, kind, old):
         if (kind, old) in self.labels:
             return self.labels[kind, old]
-        # 17.4b goes with 17.4
-        base = re.match(r'(\d+\.\d+)([a-z])$', old)
-        if base and (kind, base[1]) in self.labels:
-            return self.labels[kind, base[1]] + base[2]
-        of, rest = old.split('.', 1)
-        return f'{self.chapter(of)}.{rest}'
+        part = re.match(r"(\d+\.\d+)([a-z])$", old)  # (17.4b) goes with (17.4)
+        if part and (kind, part[1]) in self.labels:
+            return self.labels[kind, part[1]] + part[2]
+        of, rest = old.split(".", 1)
+        return f"{self.chapter(of)}.{rest}"
 
     def replace(self, found):
         kind, text = found.lastgroup, found[0]
-        if kind == 'folder':
-            return f'{self.chapter(text[:2]):02}{text[2:]}'
-        if kind == 'listing':
-            return re.sub(r'\d+', lambda m: f'{self.chapter(m[0]):02}', text)
-        if kind == 'equation':
-            return f'({self.label("equation", text[1:-1])})'
-        if kind == 'tag':
-            return f'\\tag{{{self.label("equation", text[5:-1])}}}'
-        if kind == 'listed':
-            what = re.match(r'[a-z]+?(?=s?\b)', text.lower())[0]
-            return re.sub(rf'{number}\.(?:\d+[a-z]?|[A-Z])', lambda m: self.label(what, m[0]), text)
-        if kind == 'heading':
-            hashes, old = text.split(' ')
-            return f'{hashes} {self.label("section", old)}'
-        if kind in ('letter',):
-            return self.label('section', text)
-        if kind == 'linked':
-            return f'[{self.label("section", text[1:-1])}]'
-        if kind == 'listed_chapter':
-            return f'[{self.chapter(text[1:])}'
-        if kind == 'anchor':
-            old = re.match(r'#(\d\d)(\w+)-', text)
-            # '#174-': section 19.4, but '#11…' of chapter 1 never comes here with a number of two digits that moves
-            now = self.label('section', f'{old[1]}.{old[2].upper() if old[2].isalpha() else old[2]}')
-            return '#' + now.replace('.', '').lower() + '-'
-        if kind == 'chapter':
-            return re.sub(rf'\b{number}\b', lambda m: str(self.chapter(m[0])), text)
-        if kind == 'short':
-            return f'ch{self.chapter(text[2:]):02}'
-        if kind in ('command', 'small', 'part'):
-            return re.sub(rf'(\d+)$', lambda m: f'{self.chapter(m[0]):0{len(m[0])}}', text)
-        raise AssertionError(kind)
+        if kind == "file":
+            return f"{self.chapter(text[:2]):02}{text[2:]}"
+        if kind == "listing":
+            return re.sub(r"\d+", lambda m: f"{self.chapter(m[0]):02}", text)
+        if kind == "equation":
+            return f"({self.label('equation', text[1:-1])})"
+        if kind == "tag":
+            return f"\\tag{{{self.label('equation', text[5:-1])}}}"
+        if kind == "listed":
+            what = re.match(r"[a-z]+?(?=s?\b)", text.lower())[0]
+            return re.sub(LABEL, lambda m: self.label(what, m[0]), text)
+        if kind == "heading":
+            hashes, old = text.split(" ")
+            return f"{hashes} {self.label('section', old)}"
+        if kind == "letter":
+            return self.label("section", text)
+        if kind == "linked":
+            return f"[{self.label('section', text[1:-1])}]"
+        if kind == "card":
+            return f"[{self.chapter(text[1:])}"
+        if kind == "anchor":
+            old = self.section.get(text[1:])
+            return text if old is None else f"#{slug(self.label('section', old))}{text[1 + len(slug(old)):]}"
+        if kind == "chapter":
+            return re.sub(rf"\b{CHAPTER}\b", lambda m: str(self.chapter(m[0])), text)
+        if kind == "short":
+            return f"ch{self.chapter(text[2:]):02}"
+        return re.sub(r"\d+$", lambda m: f"{self.chapter(m[0]):0{len(m[0])}}", text)  # command, small, part
 
-    def text(self, old):
+    def text(self, old, path):
+        def followed(link):
+            place = self.place.get(link[2])
+            if place is None or (path.parent / link[1]).resolve() == place or (not link[1] and path == place):
+                return link[0]
+            return f"]({pathlib.PurePosixPath(os.path.relpath(place, path.parent))}#{link[2]})"
+        if path.suffix == ".md":
+            old = re.sub(r"\]\(([^()\s#]*)#([^()\s]+)\)", followed, old)
         return self.pattern.sub(self.replace, old)
 
-    def path(self, old):
-        """Of a file below the root: folders, tests/15_name.cpp, figures/ch16_name.svg, tests/mine/16.txt."""
-        parts = []
-        for part in old.parts:
-            m = re.match(rf'({number})(_.*|\.txt)$', part)
-            if m and len(m[1]) == 2 and int(m[1]) in self.chapters:
-                part = f'{self.chapter(m[1]):02}{m[2]}'
-            part = re.sub(r'^ch(\d\d)_', lambda n: f'ch{self.chapter(n[1]):02}_', part)
-            parts.append(part)
-        return Path(*parts)
+    def table(self, old):
+        """The column `chapter` of a CSV; what stands before it holds no comma."""
+        lines = old.split("\n")
+        if "chapter" not in lines[0].split(","):
+            return old
+        at = lines[0].split(",").index("chapter")
+        for i, line in enumerate(lines[1:], 1):
+            cells = line.split(",", at + 1)
+            if len(cells) > at and cells[at].isdigit():
+                cells[at] = str(self.chapter(cells[at]))
+                lines[i] = ",".join(cells)
+        return "\n".join(lines)
+
+    def path(self, path):
+        """chapters/15_name, tests/15_name.cpp, figures/ch15_name.svg, tests/mine/15.txt."""
+        def part(name):
+            name = re.sub(r"^(\d\d)(?=_|\.txt$)", lambda m: f"{self.chapter(m[1]):02}", name)
+            return re.sub(r"^ch(\d\d)_", lambda m: f"ch{self.chapter(m[1]):02}_", name)
+        return self.root.joinpath(*(part(name) for name in path.relative_to(self.root).parts))
 
 
-def renumber_column(path, it):
-    """The column `chapter` of a table."""
-    lines = path.read_text().split('\n')
-    heads = lines[0].split(',')
-    if 'chapter' not in heads:
-        return
-    at = heads.index('chapter')
-    for i, line in enumerate(lines[1:], 1):
-        cells = line.split(',', at + 1)    # what stands before it holds no comma
-        if len(cells) > at and cells[at].isdigit():
-            cells[at] = str(it.chapter(cells[at]))
-            lines[i] = ','.join(cells)
-    path.write_text('\n'.join(lines))
-
-
-def main(arguments):
-    labels = {}
-    if '--labels' in arguments:
-        at = arguments.index('--labels')
-        for line in Path(arguments[at + 1]).read_text().splitlines():
-            if line.strip() and not line.startswith('#'):
-                kind, old, new = line.split()
-                labels[kind, old] = new
-        del arguments[at:at + 2]
-    chapters = {}
-    only = []
-    for argument in arguments:
-        if '=' in argument:
-            old, new = argument.split('=')
-            chapters[int(old)] = int(new)
-        else:
-            only.append(argument)
-    if len(set(chapters.values())) != len(chapters):
-        sys.exit('two chapters would have the same number')
-    if not chapters and not labels:
-        sys.exit(__doc__)
-    it = Renumbering(chapters, labels)
-    moves = []
-    for path in tracked():
-        if only and not any(str(path.relative_to(root)).startswith(o) for o in only):
+def renumber(root, chapters, labels):
+    """Returns how many files have another place."""
+    if len({chapters.get(n, n) for n in range(1, 100)}) != 99:
+        raise TextError("two chapters would have the same number; each that is in the way moves as well")
+    files = [path for path in tracked(root) if path.is_file() and not path.is_symlink()]
+    it = Renumbering(root, files, chapters, labels)
+    for path in files:
+        if path.suffix in NO_TEXT - {".csv"}:
             continue
-        if path.suffix == '.csv':
-            renumber_column(path, it)
-        if path.suffix not in no_text and path.exists() and not path.is_symlink():
-            try:
-                old = path.read_text()
-            except UnicodeDecodeError:
-                continue
-            new = it.text(old)
-            if new != old:
-                path.write_text(new)    # keeps its mode
-        now = it.path(path.relative_to(root))
-        if root / now != path:
-            moves.append((path, root / now))
-    for old, _ in moves:    # first aside: 15 -> 16 must not meet the old 16
-        aside = old.with_name(old.name + '.moving')
-        old.rename(aside)
+        try:
+            old = path.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue
+        new = it.table(old) if path.suffix == ".csv" else it.text(old, path)
+        if new != old:
+            path.write_text(new, encoding="utf-8")
+    moves = [(path, it.path(path)) for path in files if it.path(path) != path]
+    for old, _ in moves:  # first aside: 15 must not meet what was 16
+        old.rename(old.with_name(old.name + ".moving"))
     for old, new in moves:
         new.parent.mkdir(parents=True, exist_ok=True)
-        old.with_name(old.name + '.moving').rename(new)
-    for old, _ in moves:
+        old.with_name(old.name + ".moving").rename(new)
         folder = old.parent
-        while folder != root and folder.exists() and not any(folder.iterdir()):
+        while folder != root and not any(folder.iterdir()):
             folder.rmdir()
             folder = folder.parent
-    print(f'{len(moves)} files moved')
+    return len(moves)
 
 
-if __name__ == '__main__':
-    main(sys.argv[1:])
+def main():
+    arguments, chapters, labels = sys.argv[1:], {}, {}
+    if arguments[:1] == ["--labels"] and len(arguments) == 2:
+        for line in pathlib.Path(arguments[1]).read_text(encoding="utf-8").splitlines():
+            words = line.split()
+            if not words or line.startswith("#"):
+                continue
+            if len(words) != 3 or not re.fullmatch(LABEL, words[1]) or not re.fullmatch(LABEL, words[2]):
+                raise TextError(f"{arguments[1]} has the line '{line}'; it must be a kind and two numbers, as 'section 14.4 15.1'")
+            labels[words[0], words[1]] = words[2]
+    else:
+        for argument in arguments:
+            if not re.fullmatch(r"\d{1,2}=\d{1,2}", argument):
+                raise TextError(f"'{argument}' is no pair of chapters such as 15=16")
+            old, new = argument.split("=")
+            chapters[int(old)] = int(new)
+    if not chapters and not labels:
+        raise TextError("nothing is to move; " + " ".join(__doc__.split("\n")[2].split()[:3]) + " is an example")
+    print(f"{renumber(ROOT, chapters, labels)} files have another place; now docs/build.sh sync, docs/build.sh check")
+    return 0
+
+
+if __name__ == "__main__":
+    run_tool(main)

@@ -21,6 +21,7 @@ import finish_html  # noqa: E402
 import make_index  # noqa: E402
 import print_pages  # noqa: E402
 import put_table  # noqa: E402
+import renumber  # noqa: E402
 import search_texts  # noqa: E402
 import sentences  # noqa: E402
 from finish_html import finish  # noqa: E402
@@ -1033,6 +1034,71 @@ class Front(Folder):
                          '<a class="el" href="index.html">Contents</a><a class="el" rel="next" href="b.html">Rows</a></nav>')
         other = '<p ><a class="el" href="index.html">Contents</a> of a box</p>'
         self.assertEqual(finish_html.ways_on(other), other)
+
+
+class Numbers(unittest.TestCase):
+    """Chapters, sections, equations and figures with other numbers."""
+
+    TEXTS = {
+        "README.md": "| [1. One](chapters/01_one/README.md) | [2. Two](chapters/02_two/README.md#21-here) |\n",
+        "chapters/01_one/README.md": "# Chapter 1. One\n\n## 1.1 There\n\n(1.2) of chapters 1 and 2, 1.2 m, h (1.2 s).\n\n"
+                                     "![x](figures/ch01_x.svg)\n\n**Figure 1.1.** [Section 2.1](../02_two/README.md#21-here).\n",
+        "chapters/01_one/figures/ch01_x.svg": "<svg>(1.2)</svg>\n",
+        "chapters/02_two/README.md": "# Chapter 2. Two\n\n## 2.1 Here\n\n```math\nx \\tag{2.1}\n```\n\n"
+                                     "Section 2.1, Figures 1.1 and 2.1: [2.1](#21-here), [1.1](../01_one/README.md#11-there).\n",
+        "tests/01_one.cpp": "// (1.2), chapters/01_one, `./book run 1`, 1.2e3, f(1.5 * x)\nint test_01_one;\n",
+        "tests/table.csv": "name,chapter,value\na,1,1.2\nb,2,2.1\n",
+    }
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name).resolve()
+        for name, text in self.TEXTS.items():
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / name).write_text(text, encoding="utf-8")
+        self.git("init", "-q")
+        self.git("add", "-A")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def git(self, *arguments):
+        subprocess.run(["git", *arguments], cwd=self.root, check=True, capture_output=True)
+
+    def now(self):
+        return {str(path.relative_to(self.root)): path.read_text(encoding="utf-8")
+                for path in self.root.rglob("*") if path.is_file() and ".git/" not in str(path)}
+
+    def test_two_chapters_change_places_and_back(self):
+        renumber.renumber(self.root, {1: 2, 2: 1}, {})
+        there = self.now()
+        self.assertEqual(there["README.md"],
+                         "| [2. One](chapters/02_one/README.md) | [1. Two](chapters/01_two/README.md#11-here) |\n")
+        self.assertEqual(there["chapters/02_one/README.md"],
+                         "# Chapter 2. One\n\n## 2.1 There\n\n(2.2) of chapters 2 and 1, 1.2 m, h (1.2 s).\n\n"
+                         "![x](figures/ch02_x.svg)\n\n**Figure 2.1.** [Section 1.1](../01_two/README.md#11-here).\n")
+        self.assertEqual(there["tests/02_one.cpp"],
+                         "// (2.2), chapters/02_one, `./book run 2`, 1.2e3, f(1.5 * x)\nint test_02_one;\n")
+        self.assertEqual(there["tests/table.csv"], "name,chapter,value\na,2,1.2\nb,1,2.1\n")
+        self.assertEqual(there["chapters/02_one/figures/ch02_x.svg"], "<svg>(1.2)</svg>\n")  # a program draws it
+        self.git("add", "-A")
+        renumber.renumber(self.root, {1: 2, 2: 1}, {})
+        self.assertEqual(self.now(), self.TEXTS)
+
+    def test_links_follow_a_section_that_moves(self):
+        one, two = self.root / "chapters/01_one/README.md", self.root / "chapters/02_two/README.md"
+        one.write_text(one.read_text(encoding="utf-8") + "\n## 2.1 Here\n\n```math\nx \\tag{2.1}\n```\n", encoding="utf-8")
+        two.write_text("# Chapter 2. Two\n\n(2.1) in [section 2.1](#21-here).\n", encoding="utf-8")
+        renumber.renumber(self.root, {}, {("section", "2.1"): "1.2", ("equation", "2.1"): "1.3"})
+        self.assertIn("\n## 1.2 Here\n\n```math\nx \\tag{1.3}", self.now()["chapters/01_one/README.md"])
+        self.assertIn("[Section 1.2](README.md#12-here)", self.now()["chapters/01_one/README.md"])
+        self.assertIn("(1.3) in [section 1.2](../01_one/README.md#12-here).", self.now()["chapters/02_two/README.md"])
+        self.assertIn("(chapters/01_one/README.md#12-here)", self.now()["README.md"])
+
+    def test_a_number_that_is_taken_is_refused(self):
+        with self.assertRaisesRegex(TextError, "the same number"):
+            renumber.renumber(self.root, {1: 2}, {})
+        self.assertEqual(self.now(), self.TEXTS)
 
 
 class Paper(unittest.TestCase):
