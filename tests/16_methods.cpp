@@ -155,7 +155,7 @@ TEST_CASE("soft stacks buckle where an elastic rod does", "[idea]")
         return std::cbrt(7.84 * std::pow(2 * pi * frequency, 2) / (10 * 9.81));
     };
     CHECK(tallest(15) == Approx(8.9).epsilon(0.01));
-    CHECK(tallest(30) == Approx(15.2).epsilon(0.01));
+    CHECK(tallest(30) == Approx(14.2).epsilon(0.01));
     const auto fate = [](int boxes, Real frequency) {
         auto method = soft_sweeps(60);  // more change nothing
         method.correction.contacts = {frequency, 10};

@@ -162,7 +162,8 @@ TEST_CASE("a joint under a proportional-derivative force explodes beyond the lim
     }
 }
 
-TEST_CASE("what must be and what is not there take steps of order four, the others of order one", "[house]")
+TEST_CASE("what must be and what is not there take steps of order four and the others of order one",
+          "[house]")
 {
     // ± 0.15 over four halvings of h, from steps where the next term is small
     CHECK(std::abs(order(Way::acceleration, pendulum(), 60) - 4) <= 0.15);

@@ -44,7 +44,7 @@ class Renumbering:
         self.pattern = re.compile("|".join([
             rf"(?P<file>(?<![\dA-Za-z])(?:{names})(?![a-z0-9]))",
             rf"(?P<listing>(?<=tests/)(?:mine|mutants)/(?:{padded})\.txt)",
-            rf"(?P<equation>\((?:{some})\.\d+[a-z]?\))",
+            rf"(?P<equation>(?<![\w>])\((?:{some})\.\d+[a-z]?\))",
             rf"(?P<tag>\\tag\{{(?:{some})\.\d+[a-z]?\}})",
             rf"(?P<listed>\b(?:{kinds})[ \u00a0]{LABEL}(?:{JOINED}{LABEL})*)",
             rf"(?P<heading>^#+ (?:{label})(?= ))",

@@ -1046,7 +1046,7 @@ class Numbers(unittest.TestCase):
         "chapters/01_one/figures/ch01_x.svg": "<svg>(1.2)</svg>\n",
         "chapters/02_two/README.md": "# Chapter 2. Two\n\n## 2.1 Here\n\n```math\nx \\tag{2.1}\n```\n\n"
                                      "Section 2.1, Figures 1.1 and 2.1: [2.1](#21-here), [1.1](../01_one/README.md#11-there).\n",
-        "tests/01_one.cpp": "// (1.2), chapters/01_one, `./book run 1`, 1.2e3, f(1.5 * x)\nint test_01_one;\n",
+        "tests/01_one.cpp": "// (1.2), chapters/01_one, `./book run 1`, 1.2e3, f(1.5 * x), sqrt(1.2)\nint test_01_one;\n",
         "tests/table.csv": "name,chapter,value\na,1,1.2\nb,2,2.1\n",
     }
 
@@ -1078,7 +1078,7 @@ class Numbers(unittest.TestCase):
                          "# Chapter 2. One\n\n## 2.1 There\n\n(2.2) of chapters 2 and 1, 1.2 m, h (1.2 s).\n\n"
                          "![x](figures/ch02_x.svg)\n\n**Figure 2.1.** [Section 1.1](../01_two/README.md#11-here).\n")
         self.assertEqual(there["tests/02_one.cpp"],
-                         "// (2.2), chapters/02_one, `./book run 2`, 1.2e3, f(1.5 * x)\nint test_02_one;\n")
+                         "// (2.2), chapters/02_one, `./book run 2`, 1.2e3, f(1.5 * x), sqrt(1.2)\nint test_02_one;\n")
         self.assertEqual(there["tests/table.csv"], "name,chapter,value\na,2,1.2\nb,1,2.1\n")
         self.assertEqual(there["chapters/02_one/figures/ch02_x.svg"], "<svg>(1.2)</svg>\n")  # a program draws it
         self.git("add", "-A")
