@@ -1,4 +1,4 @@
-// Chapter 1 in one file: a mass on a spring, by Euler's three methods and by Verlet's.
+// Chapter 1 in one file: a mass on a spring, by Euler's three methods and Verlet's.
 //
 //     dx/dt = u,   du/dt = a = −ω² x        E = ½ u² + ½ ω² x²
 //

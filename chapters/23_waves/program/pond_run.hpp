@@ -31,8 +31,8 @@ public:
                 static_cast<Real>(f - n + n / 8) / static_cast<Real>(n / 8);
             all_.water.damping[f] = settings["sponge"] * in * in;
         }
-        for (Manifolds* contacts : {&trees_.contacts, &sweeps_.contacts})
-            never_stop(*contacts);
+        never_stop(trees_.contacts);
+        never_stop(sweeps_.contacts);
         sweeps_.correction.method = Stabilizer::projection;
         sweeps_.solver.sweeps.max_sweeps = 20;
         volume_ = volume(all_.water);
