@@ -7,8 +7,7 @@ namespace rigid {
 
 void RowSweeps::begin(const ClothScene& cloth)
 {
-    lambda.conservativeResize(static_cast<Index>(cloth.springs.size()));
-    lambda.setZero();
+    lambda.setZero(static_cast<Index>(cloth.springs.size()));
     bend_lambda.setZero(3 * static_cast<Index>(cloth.bends.size()));
     hinge_lambda.setZero(static_cast<Index>(cloth.hinges.size()));
 }
