@@ -206,7 +206,7 @@ chmod +x "$scratch/tools/dpkg-query" "$scratch/tools/apt-get"
 printf 'ID=debian\n' >"$scratch/release"
 said=$(BOOK_NO_INSTALL=0 BOOK_OS_RELEASE=$scratch/release "$book/book" doctor 2>&1) || wants "doctor" "code $?" "code 0"
 wants "doctor" "$said" "docs    ready
-        needs: python3 doxygen graphviz"
+        needs: python3 git doxygen graphviz"
 wants "doctor" "$said" "run     missing: libglfw3-dev
         ./book setup run installs it
         needs: cmake"
