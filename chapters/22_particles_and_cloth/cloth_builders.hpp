@@ -56,7 +56,7 @@ int add_sheet(ClothScene& cloth, const Vec3& corner, const Vec3& first,
               const Vec3& second, const SheetSpec& spec);
 
 /// A solid that the cloth may touch; mass zero: it cannot move but by its velocity.
-/// \param half  as in ClothSolid
+/// \param shape  its `half` as in ClothSolid
 int add_solid(ClothScene& cloth, const ClothSolid& shape, Real mass, const Vec3& at,
               const Vec3& theta = {0, 0, 0});
 

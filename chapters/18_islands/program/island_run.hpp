@@ -114,12 +114,12 @@ private:
             for (const int k : bodies)
                 if (scene_.bodies.position(k)[1] > top.y())
                     top = scene_.bodies.position(k).head<2>();
-            const auto [colour, name] = solver_of(i);
+            const auto solver = solver_of(i);
             const auto line = [&](Real above, const std::string& words) {
-                canvas.text(top + Vec2(0, 1 + above), words, 13, {colour},
+                canvas.text(top + Vec2(0, 1 + above), words, 13, {solver.first},
                             Align::centre);
             };
-            line(0, name);
+            line(0, solver.second);
             if (shape.rows == 0) continue;
             line(2.2, "sweeps " + grouped(shape.price_of_sweeps()));
             line(1.1, "exactly " + grouped(shape.price_of_exact()));
