@@ -90,7 +90,7 @@ TEST_CASE("a thread is solved in one sweep where rows need the square of its num
 {
     const int n = 40;
     const Real h = 1.0 / 60;
-    const auto left = [n, h](ClothMethod method, int sweeps) {
+    const auto left = [h](ClothMethod method, int sweeps) {
         ClothScene cloth = hung_masses(n, infinity);
         const VecX held = cloth.bodies.x;  // hard rows hold all where they are
         one_step(cloth, method, h, sweeps);
