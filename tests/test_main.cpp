@@ -7,8 +7,10 @@
 #include <new>
 
 #if defined(RIGID_ADDRESS_SANITIZER)
-#include <sanitizer/allocator_interface.h>
-static const int heard = __sanitizer_install_malloc_and_free_hooks(
+// of the library that g++ links; not every compiler brings its header
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, std::size_t),
+                                                         void (*)(const volatile void*));
+[[maybe_unused]] static const int heard = __sanitizer_install_malloc_and_free_hooks(
     [](const volatile void*, std::size_t) { rigid::allocation::asked(); }, [](const volatile void*) {});
 #elif defined(__GLIBC__)
 extern "C" {
