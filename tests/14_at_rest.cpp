@@ -5,6 +5,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/joint_run.hpp"
+#include "tests/sleeping_room.hpp"
 
 #include <cmath>
 
@@ -12,35 +13,8 @@ using namespace rigid;
 
 namespace {
 
-/// Exactly, a rope leaves its sleeper where it is; sweeps have a tolerance below which what hangs is at rest.
-template <class Method>
-struct Room {
-    JointedScene scene;
-    Method method;
-    StepData<3> now;
-    Real worst = 0;  ///< the largest error of a joint so far [m]
-
-    void run(int steps)
-    {
-        for (int i = 0; i < steps; ++i) {
-            step(scene, {.h = 1.0 / 60}, method, now);
-            REQUIRE(scene.bodies.x.allFinite());
-            worst = std::max(worst, largest_joint_error(scene));
-        }
-    }
-    bool asleep(Index k) const { return method.contacts.set.is_asleep(k); }
-    bool all_asleep() const { return method.contacts.set.awake.empty(); }
-    /// \return  the steps that it took
-    int until_asleep(int most)
-    {
-        int steps = 0;
-        do run(1);
-        while (!all_asleep() && ++steps < most);
-        return steps;
-    }
-};
-
-/// Two boxes on a floor, 3 m apart, on a rope of 6 m.
+/// Two boxes on a floor, 3 m apart, on a rope of 6 m. Exactly, a rope leaves its sleeper where it is; sweeps have a
+/// tolerance below which what hangs is at rest.
 Room<ExactJoints<AwakeManifolds>> room_of_a_slack_rope()
 {
     Room<ExactJoints<AwakeManifolds>> room;

@@ -6,6 +6,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/joint_run.hpp"
+#include "tests/sleeping_room.hpp"
 
 #include <cmath>
 #include <functional>
@@ -14,36 +15,12 @@ using namespace rigid;
 
 namespace {
 
-struct Room {
-    JointedScene scene;
-    SkippingJoints method;
-    StepData<3> now;
-    Real worst = 0;  ///< the largest error of a joint so far [m]
-
-    void run(int steps)
-    {
-        for (int i = 0; i < steps; ++i) {
-            step(scene, {.h = 1.0 / 60}, method, now);
-            REQUIRE(scene.bodies.x.allFinite());
-            worst = std::max(worst, largest_joint_error(scene));
-        }
-    }
-    bool asleep(Index k) const { return method.contacts.set.is_asleep(k); }
-    bool all_asleep() const { return method.contacts.set.awake.empty(); }
-    /// \return  the steps that it took
-    int until_asleep(int most)
-    {
-        int steps = 0;
-        do run(1);
-        while (!all_asleep() && ++steps < most);
-        return steps;
-    }
-};
+using DollRoom = Room<SkippingJoints>;
 
 /// Dolls above a floor, or stairs, that do not collide with themselves.
-Room room_of_dolls(int dolls, int stairs, Real apart)
+DollRoom room_of_dolls(int dolls, int stairs, Real apart)
 {
-    Room room;
+    DollRoom room;
     if (stairs > 0) add_stairs(room.scene, stairs);
     else room.scene.walls.push_back({{0, 1}, 0});
     std::vector<std::pair<Index, Index>> pairs;
@@ -66,7 +43,7 @@ Room room_of_dolls(int dolls, int stairs, Real apart)
 
 TEST_CASE("dolls that lie still sleep and a motor that changes wakes its own doll alone", "[idea]")
 {
-    Room room = room_of_dolls(2, 0, 6);
+    DollRoom room = room_of_dolls(2, 0, 6);
     const int took = room.until_asleep(1200);
     INFO("asleep after " << took << " steps");
     REQUIRE(room.all_asleep());
@@ -92,7 +69,7 @@ TEST_CASE("dolls that lie still sleep and a motor that changes wakes its own dol
 
 TEST_CASE("dolls on stairs come to rest and sleep with all their limbs", "[idea]")
 {
-    Room room = room_of_dolls(3, 5, 0);
+    DollRoom room = room_of_dolls(3, 5, 0);
     const int took = room.until_asleep(2400);
     INFO("asleep after " << took << " steps");
     CHECK(room.all_asleep());
@@ -102,7 +79,7 @@ TEST_CASE("dolls on stairs come to rest and sleep with all their limbs", "[idea]
 TEST_CASE("what is pushed out of an overlap ends inside the slop and sleeps no sooner", "[idea]")
 {
     for (const Real h : {1.0 / 60, 1.0 / 10}) {
-        Room room;
+        DollRoom room;
         room.scene.length = 1;
         room.scene.walls.push_back({{0, 1}, 0});
         for (int i = 0; i < 3; ++i) add_body(room.scene, box(1, 1), 1, {0, 0.4 + 0.9 * i});
@@ -125,10 +102,10 @@ TEST_CASE("what is pushed out of an overlap ends inside the slop and sleeps no s
 
 TEST_CASE("bodies on joints that sleep stay where they are when all are woken and may not sleep", "[house]")
 {
-    Room room = room_of_dolls(2, 0, 6);
+    DollRoom room = room_of_dolls(2, 0, 6);
     room.until_asleep(1200);
     REQUIRE(room.all_asleep());
-    Room woken = room;
+    DollRoom woken = room;
     woken.method.contacts.sleep = false;
     woken.run(30);
     // half a second: what rest allows is v_rest in all of it

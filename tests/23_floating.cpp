@@ -1,4 +1,4 @@
-/// Chapter 23: shallow water, and bodies that float on it: mass, momentum, dam breaks, Archimedes, who capsizes.
+/// Chapter 23: shallow water, and bodies that float on it: mass, momentum, dam breaks, Archimedes, which box capsizes.
 
 #include "tests/catch.hpp"
 #include "tests/no_allocation.hpp"

@@ -1,6 +1,6 @@
 /// \file no_allocation.hpp
-/// Counts the memory that is asked for while a NoAllocation lives, by operator new and by whoever asks malloc, as Eigen
-/// does; tests/test_main.cpp hears of it.
+/// Counts the memory that is asked for while a NoAllocation lives, by operator new and by malloc, which Eigen
+/// calls; tests/test_main.cpp hears of it.
 #pragma once
 
 // Whether AddressSanitizer is in.

@@ -1,4 +1,4 @@
-// main() of every test executable, and who is told of each allocation: under AddressSanitizer a hook of its own, with glibc a
+// main() of every test executable, and the ear for each allocation: under AddressSanitizer a hook of its own, with glibc a
 // malloc that stands before the one of the library (operator new calls it), elsewhere an operator new.
 
 #include "tests/no_allocation.hpp"

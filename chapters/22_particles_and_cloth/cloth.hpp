@@ -78,7 +78,7 @@ struct ClothScene {
     Real drag =
         0;  ///< part of its velocity that a particle loses in a second [1/s]
     Real thickness = 0;  ///< how far particles stay away from solids [m]
-    /// raised by tear(), and by whoever changes rows or masses while the cloth moves
+    /// raised by tear(), and by each change of rows or masses while the cloth moves
     int changes = 0;
 
     int count() const { return static_cast<int>(bodies.count()); }

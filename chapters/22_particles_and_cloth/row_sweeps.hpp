@@ -4,7 +4,7 @@
 ///     PBD    x ← x + s M⁻¹Jᵀ ΔΛ,  ΔΛ = −C/A                 stiff by the number of sweeps             (22.9)
 ///     XPBD   ΔΛ = −(C + γ Λ)/(A + γ),  γ = 1/(h² k)          one answer, whatever the number           (22.11)
 ///
-/// Λ is the sum of all ΔΛ of a step: who sets it to zero between two sweeps has PBD again, with s = A/(A + γ).
+/// Λ is the sum of all ΔΛ of a step: set to zero between two sweeps it is PBD again, with s = A/(A + γ).
 /// \cite muller2007 \cite macklin2016 \cite macklin2019
 #pragma once
 

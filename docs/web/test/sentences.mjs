@@ -3,7 +3,7 @@
 //
 //     python3 docs/tools/sentences.py | node docs/web/test/sentences.mjs [--write]
 //
-// --write: the table anew.
+// --write: the table once more.
 import {readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
