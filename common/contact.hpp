@@ -21,7 +21,7 @@ struct Contact {
          core_b = 0;  ///< from there, against and along the normal, to what turns with a and with b [m]
 };
 
-/// What a contact is between bodies of Dof numbers: in space it is another (chapter 20).
+/// What a contact is between bodies of Dof numbers: in space it is another (chapter 25).
 template <int Dof>
 struct ContactOf {
     using Type = Contact;

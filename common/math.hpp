@@ -27,7 +27,7 @@ using VecX = Vec<Eigen::Dynamic>;
 using MatX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
-/// A coordinate or a coefficient beyond it is refused, and a length below its inverse (chapters 11 to 20): the fourth power,
+/// A coordinate or a coefficient beyond it is refused, and a length below its inverse (chapters 11 to 25): the fourth power,
 /// which an inertia has, must be a number.
 inline constexpr Real largest_number = 1e75;
 inline constexpr Real pi = 3.14159265358979323846;

@@ -1,9 +1,9 @@
 /// \file cloths.hpp
-/// What the tests of chapter 22 do with a cloth.
+/// What the tests of chapter 27 do with a cloth.
 #pragma once
 
-#include "chapters/22_particles_and_cloth/cloth_scenes.hpp"
-#include "chapters/22_particles_and_cloth/cloth_step.hpp"
+#include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
+#include "chapters/27_particles_and_cloth/cloth_step.hpp"
 #include "tests/catch.hpp"
 
 #include <functional>

@@ -1,4 +1,4 @@
-/// What the tests of chapter 20 share: the step that they take, directions drawn by lot, and whether bits are the same.
+/// What the tests of chapter 25 share: the step that they take, directions drawn by lot, and whether bits are the same.
 #pragma once
 
 #include "common/math.hpp"

@@ -1,7 +1,7 @@
 /// \file awake_manifolds.hpp
 /// The contacts stage for shapes that skips what needs nothing: bodies that sleep are not placed, not paired and make no
 /// rows. When an island falls asleep and what wakes it is chapter 10's; what the scene's owner changes is seen by itself.
-/// A template, because solids in space sleep by it too (chapter 20).
+/// A template, because solids in space sleep by it too (chapter 25).
 #pragma once
 
 #include "chapters/07_baumgarte/stabilization.hpp"

@@ -9,7 +9,7 @@ namespace rigid {
 //! [each_other]
 /// Of two fast bodies: both move until one of them stops, then the other alone.
 /// \return  a hit at the part of the step at which they meet
-/// \tparam Moving  MovingShape, or what moves in space (chapter 20)
+/// \tparam Moving  MovingShape, or what moves in space (chapter 25)
 template <class Moving, class FirstImpact>
 Impact impact_of_two(const Moving& a, Real part_a, const Moving& b, Real part_b,
                      const FirstImpact& first_impact)

@@ -10,8 +10,8 @@
 ///      "gravity": […]}
 #pragma once
 
-#include "chapters/20_space/benchmark/peer_shapes.hpp"
-#include "chapters/20_space/joint_makers.hpp"
+#include "chapters/25_space/benchmark/peer_shapes.hpp"
+#include "chapters/25_space/joint_makers.hpp"
 #include "docs/race/texts.hpp"
 
 namespace rigid::race {

@@ -6,7 +6,7 @@
 #include "chapters/16_soft_constraints/softness.hpp"
 #include "chapters/17_wide_sweeps/waits.hpp"
 #include "chapters/18_islands/island_shape.hpp"
-#include "chapters/20_space/tumbling.hpp"
+#include "chapters/25_space/tumbling.hpp"
 #include "tests/catch.hpp"
 
 #include <set>
@@ -57,10 +57,10 @@ namespace said15 {
 #include "chapters/15_trees/small.cpp"
 }
 namespace said21 {
-#include "chapters/21_four_ways/small.cpp"
+#include "chapters/26_four_ways/small.cpp"
 }
 namespace said23 {
-#include "chapters/23_waves/small.cpp"
+#include "chapters/28_waves/small.cpp"
 }
 #undef main
 

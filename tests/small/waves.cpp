@@ -1,45 +1,45 @@
-/// The small program of chapter 23, masses and water of neighbours, beside the library.
+/// The small program of chapter 28, masses and water of neighbours, beside the library.
 
 #include "tests/small/alone.hpp"
 
-#include "chapters/23_waves/floating.hpp"
-#include "chapters/23_waves/wave_line.hpp"
+#include "chapters/28_waves/floating.hpp"
+#include "chapters/28_waves/wave_line.hpp"
 #include "tests/catch.hpp"
 
 #define main small_main
-namespace small23 {
-#include "chapters/23_waves/small.cpp"
+namespace small28 {
+#include "chapters/28_waves/small.cpp"
 }
 #undef main
 
 using namespace rigid;
 
-TEST_CASE("the small program of chapter 23 moves a string as the library does to the bit")
+TEST_CASE("the small program of chapter 28 moves a string as the library does to the bit")
 {
     for (const Real h : {1.0, 0.7}) {
         WaveLine line(4, 4, 1);
         line.y[2] = 1;
-        small23::String string = small23::at_rest(line.y, h);
+        small28::String string = small28::at_rest(line.y, h);
         start_leapfrog(line, h);
         for (int n = 0; n < 50; ++n) {
             REQUIRE(string.y == line.y);
             REQUIRE(string.v == line.v);
-            small23::leapfrog(string, h);
+            small28::leapfrog(string, h);
             leapfrog(line, h);
         }
     }
-    small23::String string = small23::at_rest(small23::Vec{{0, 0, 1, 0, 0}}, 1.2);
-    const Real printed[] = {0.720, -1.267, 2.499, -7.405};  // section 23.1
+    small28::String string = small28::at_rest(small28::Vec{{0, 0, 1, 0, 0}}, 1.2);
+    const Real printed[] = {0.720, -1.267, 2.499, -7.405};  // section 28.1
     for (const Real place : printed) {
-        small23::leapfrog(string, 1.2);
+        small28::leapfrog(string, 1.2);
         CHECK(string.y[1] == Approx(place).margin(5e-4));
     }
 }
 
-TEST_CASE("the small program of chapter 23 moves water and boxes as the library does to 1e-8")
+TEST_CASE("the small program of chapter 28 moves water and boxes as the library does to 1e-8")
 {
-    std::vector<small23::Body> boxes{small23::box(3.01, 0.9, 0.5), small23::box(5.51, 0.5, 0.5)};
-    small23::Water small = small23::pond(80, boxes);
+    std::vector<small28::Body> boxes{small28::box(3.01, 0.9, 0.5), small28::box(5.51, 0.5, 0.5)};
+    small28::Water small = small28::pond(80, boxes);
     RigidScene scene;
     ShallowWater water(80, 8, 1);
     Floating floating;
@@ -50,7 +50,7 @@ TEST_CASE("the small program of chapter 23 moves water and boxes as the library 
     water.depth.head(13).array() += 0.3;
     CHECK((small.depth - water.depth).cwiseAbs().maxCoeff() < 1e-14);
     for (int n = 0; n < 200; ++n) {
-        small23::step(small, boxes, 0.005);
+        small28::step(small, boxes, 0.005);
         floating.find(scene, water);
         floating.push(scene, water, 0.005);
         for (Index k = 0; k < 2; ++k) {

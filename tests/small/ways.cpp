@@ -1,16 +1,16 @@
-/// The small program of chapter 21, one bead in five ways, beside the library.
+/// The small program of chapter 26, one bead in five ways, beside the library.
 
 #include "tests/small/alone.hpp"
 
-#include "chapters/21_four_ways/acceleration_level.hpp"
-#include "chapters/21_four_ways/reduced_motion.hpp"
-#include "chapters/21_four_ways/spring_forces.hpp"
-#include "chapters/21_four_ways/ways.hpp"
+#include "chapters/26_four_ways/acceleration_level.hpp"
+#include "chapters/26_four_ways/reduced_motion.hpp"
+#include "chapters/26_four_ways/spring_forces.hpp"
+#include "chapters/26_four_ways/ways.hpp"
 #include "tests/catch.hpp"
 
 #define main small_main
-namespace small21 {
-#include "chapters/21_four_ways/small.cpp"
+namespace small26 {
+#include "chapters/26_four_ways/small.cpp"
 }
 #undef main
 
@@ -19,16 +19,16 @@ using namespace rigid;
 namespace {
 
 /// How far two beads are apart, with their velocities.
-Real apart(const small21::Body& small, const JointedScene& scene)
+Real apart(const small26::Body& small, const JointedScene& scene)
 {
     return std::max((small.x - scene.bodies.x.head<2>()).norm(), (small.u - scene.bodies.u.head<2>()).norm());
 }
 
 /// Twenty steps of h by the small program's way and by a method of the library.
 template <class Step>
-Real after_twenty(void (*way)(small21::Body&, double, double), double h, double k, const Step& step)
+Real after_twenty(void (*way)(small26::Body&, double, double), double h, double k, const Step& step)
 {
-    small21::Body small = small21::by_hand();
+    small26::Body small = small26::by_hand();
     JointedScene scene = bead_on_a_wire();
     for (int i = 0; i < 20; ++i) {
         way(small, h, k);
@@ -39,7 +39,7 @@ Real after_twenty(void (*way)(small21::Body&, double, double), double h, double 
 
 }  // namespace
 
-TEST_CASE("the small program of chapter 21 moves its bead as the library does in every way")
+TEST_CASE("the small program of chapter 26 moves its bead as the library does in every way")
 {
     const Real h = 0.01, k = 1000;  // no chaos in one bead: rounding of some tens of sums of size 1
     StepData<3> now;
@@ -49,23 +49,23 @@ TEST_CASE("the small program of chapter 21 moves its bead as the library does in
         springs->stiffness = k;
         springs->joint_ratio = 0;
     }
-    CHECK(after_twenty(small21::spring_step, h, k,
+    CHECK(after_twenty(small26::spring_step, h, k,
                        [&](JointedScene& s) { step(s, {.h = h}, spring, now); }) <= 1e-12);
     // the solver of the library stops at 1e-11 of the numbers in the row
-    CHECK(after_twenty(small21::soft_step, h, k, [&](JointedScene& s) { step(s, {.h = h}, soft, now); }) <=
+    CHECK(after_twenty(small26::soft_step, h, k, [&](JointedScene& s) { step(s, {.h = h}, soft, now); }) <=
           1e-9);
 
     AccelerationLevel level;
-    CHECK(after_twenty(small21::runge_kutta_step, h, k, [&](JointedScene& s) { level.advance(s, h); }) <=
+    CHECK(after_twenty(small26::runge_kutta_step, h, k, [&](JointedScene& s) { level.advance(s, h); }) <=
           1e-12);
-    CHECK(after_twenty(small21::acceleration_step, h, k, [&](JointedScene& s) {
+    CHECK(after_twenty(small26::acceleration_step, h, k, [&](JointedScene& s) {
               VecX a;
               level.close(s, 0);
               level.accelerations(s, s.bodies.x, s.bodies.u, a);
               s.bodies.u += h * a;
               s.bodies.x += h * s.bodies.u;
           }) <= 1e-12);
-    CHECK(after_twenty(small21::row_step, h, k, [&](JointedScene& s) {
+    CHECK(after_twenty(small26::row_step, h, k, [&](JointedScene& s) {
               const Row<3> row = bilateral(joint_constraint(s.bodies.x, s.joints[0]), s.bodies.inverse_mass);
               s.bodies.u[1] -= 10 * h;
               row.apply(solve_row(row, s.bodies.u).lambda, s.bodies.u);
@@ -75,14 +75,14 @@ TEST_CASE("the small program of chapter 21 moves its bead as the library does in
     WayScene bead;
     bead.scene = bead_on_a_wire();
     WayRun positions(Way::positions, bead, {1, 1});
-    small21::Body small = small21::by_hand();
+    small26::Body small = small26::by_hand();
     for (int i = 0; i < 20; ++i) {
-        small21::position_step(small, h, 0);
+        small26::position_step(small, h, 0);
         positions.advance(h);
     }
     CHECK(apart(small, positions.scene()) <= 1e-12);
 
-    // the angle: (21.8) by the recursion of a body that is a point on a pin
+    // the angle: (26.8) by the recursion of a body that is a point on a pin
     JointedScene pinned = bead_on_a_wire();
     pinned.joints.clear(), pinned.placed.clear(), pinned.owner.clear();
     pinned.bodies.inverse_mass[2] = 1e12;
@@ -93,9 +93,9 @@ TEST_CASE("the small program of chapter 21 moves its bead as the library does in
     ReducedMotion reduced(pinned);
     ReducedTree tree(pinned);
     VecX q = reduced.q(), dq = reduced.dq();
-    small = small21::by_hand();
+    small = small26::by_hand();
     for (int i = 0; i < 20; ++i) {
-        small21::angle_step(small, h, 0);
+        small26::angle_step(small, h, 0);
         dq += h * reduced.forward_dynamics(q, dq, {});
         q += h * dq;
     }

@@ -1,10 +1,10 @@
 /// \file space.hpp
-/// The fourth stability matrix: bodies in space, with and without joints and friction, under the methods of chapter 20.
+/// The fourth stability matrix: bodies in space, with and without joints and friction, under the methods of chapter 25.
 ///
 /// Machinery, judge and levels are those of the first; the gap of a joint is that of a locked coordinate or of a limit.
 #pragma once
 
-#include "chapters/20_space/space_scene.hpp"
+#include "chapters/25_space/space_scene.hpp"
 #include "tests/stress/stresses.hpp"
 
 namespace rigid::stress {

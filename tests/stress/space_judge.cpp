@@ -1,5 +1,5 @@
-#include "chapters/20_space/joint_coordinates.hpp"
-#include "chapters/20_space/solid_touch.hpp"
+#include "chapters/25_space/joint_coordinates.hpp"
+#include "chapters/25_space/solid_touch.hpp"
 #include "tests/stress/space.hpp"
 
 namespace rigid::stress {

@@ -1,4 +1,4 @@
-#include "chapters/20_space/space_method.hpp"
+#include "chapters/25_space/space_method.hpp"
 #include "tests/stress/space.hpp"
 #include "tests/stress/stepping.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 /// Whether the two rows of a contact's friction are held in a disc together, or each in its own bounds.
 enum class Friction : bool { box, disc };
 
-/// Holds an answer that calls itself solved against Coulomb's law, by the formulas and not by the solver: (20.38) with
+/// Holds an answer that calls itself solved against Coulomb's law, by the formulas and not by the solver: (25.38) with
 /// ρ = 1/L of each disc, and the natural residual of the other rows. One step of sixteen.
 template <Friction friction>
 struct HonestSpace {
@@ -70,17 +70,17 @@ private:
 template <Friction friction = Friction::disc, class Solving>
 SpaceMethod in_space(const std::string& name, const std::string& budget, const Solving& by, int substeps = 1)
 {
-    auto method = stepping<SpaceScene>(20, name, budget, by, substeps, HonestSpace<friction>{});
+    auto method = stepping<SpaceScene>(25, name, budget, by, substeps, HonestSpace<friction>{});
     method.friction = requires { by.contacts.slack; };
     method.links_only = !method.friction;
     return method;
 }
 
-/// A free body alone: how a spin is carried from step to step (sections 20.6 to 20.8).
+/// A free body alone: how a spin is carried from step to step (sections 25.6 to 25.8).
 SpaceMethod tumbling(const std::string& name, const std::string& budget, Tumbling way)
 {
     SpaceMethod method;
-    method.chapter = 20;
+    method.chapter = 25;
     method.name = name;
     method.budget = budget;
     method.links_only = true;
@@ -163,8 +163,8 @@ std::vector<SpaceMethod> space_methods()
 {
     SpaceIslands islands;
     islands.solver.sweeps = {50, 1e-9};
-    return {tumbling("tumble explicit", "a free body, (20.17)", Tumbling::explicit_term),
-            tumbling("tumble implicit", "a free body, (20.18)", Tumbling::implicit_term),
+    return {tumbling("tumble explicit", "a free body, (25.17)", Tumbling::explicit_term),
+            tumbling("tumble implicit", "a free body, (25.18)", Tumbling::implicit_term),
             tumbling("tumble kept", "a free body, explicit with L put right", Tumbling::momentum_kept),
             joints_swept("joints swept", baumgarte()),
             joints_swept("joints small steps", split(8)),

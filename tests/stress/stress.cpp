@@ -267,7 +267,7 @@ int main(int argc, char** argv)
     app.add_flag("--turning", options.turning, "bodies that turn, under the methods of chapters 11 to 13");
     app.add_flag("--joints", options.joints,
                  "bodies on joints, under the methods of chapters 14, 15, 16 and 19");
-    app.add_flag("--space", options.space, "bodies in space, under the methods of chapter 20");
+    app.add_flag("--space", options.space, "bodies in space, under the methods of chapter 25");
     CLI11_PARSE(app, argc, argv);
     try {
         if (options.space) return run(options, space_stresses(), space_methods());

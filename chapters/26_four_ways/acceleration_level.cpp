@@ -1,0 +1,273 @@
+// The functions of acceleration_level.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/26_four_ways/acceleration_level.hpp"
+
+#include "chapters/05_lemke/lemke.hpp"
+#include "chapters/09_active_sets/dantzig.hpp"
+
+namespace rigid {
+
+void require_valid(const AccelerationSettings& settings)
+{
+    for (const auto& [name, value] :
+         {std::pair{"the gap that is closed", settings.gap},
+          std::pair{"the speed at which a contact rests", settings.rest_speed},
+          std::pair{"the speed at which a contact sticks", settings.stick_speed},
+          std::pair{"the rate of stabilisation", settings.rate}})
+        if (!(value >= 0) || !std::isfinite(value))
+            throw std::invalid_argument(
+                std::string(name) + " is " + shortest(value) +
+                "; it must be zero or positive, and finite");
+    if (settings.most_events < 1)
+        throw std::invalid_argument("the number of events in a step is " +
+                                    std::to_string(settings.most_events) +
+                                    "; it must be at least 1");
+}
+
+void AccelerationLevel::close(const JointedScene& scene, Real reach)
+{
+    length_ = typical_length(scene);
+    find_push_joints(scene, filter, reach, near_);
+    closed_.clear();
+    const VecX &x = scene.bodies.x, &u = scene.bodies.u;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+        const Constraint<3> c = gap_of(near_[i], x);
+        const Row<3> row = bilateral(c, scene.bodies.inverse_mass);
+        if (!(row.inverse_effective_mass() > 0)) continue;
+        if (c.C > settings.gap * length_ ||
+            std::abs(row.velocity(u)) > settings.stick_speed * length_)
+            continue;
+        int slides = 0;
+        if (near_[i].surface.friction > 0) {
+            const Drag drag = drag_of(near_[i], c, 0, x, u);
+            const Real v =
+                bilateral(drag.c, scene.bodies.inverse_mass).velocity(u) -
+                drag.c.speed;
+            if (std::abs(v) > settings.stick_speed * length_)
+                slides = v > 0 ? 1 : -1;
+        }
+        closed_.push_back({i, slides});
+    }
+}
+
+//! [accelerations]
+Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x,
+                                        const VecX& u, VecX& a)
+{
+    ++work.evaluations;
+    free_accelerations(scene, a);
+    const VecX& inverse_mass = scene.bodies.inverse_mass;
+    rows_.clear();
+    drags_.clear();
+    boxes_.clear();
+    slip_.clear();
+    const auto add = [&](const Constraint<3>& c, Real k, Real C, Real lo) {
+        rows_.push_back(make_row(c, inverse_mass, k, lo, infinity));
+        Row<3>& row = rows_.back();
+        row.bias = 0;
+        const Real rate = row.velocity(u);
+        row.bias = k + settings.rate * (2 * rate + settings.rate * C);
+        drags_.push_back(Row<3>{});
+        slip_.push_back(0);
+    };
+    for (const PointJoint& joint : scene.joints)
+        if (joint.kind == ConstraintKind::bilateral) {
+            const Constraint<3> c = joint_constraint(x, joint);
+            add(c, velocity_product(joint, x, u), c.C, -infinity);
+        }
+    bool symmetric = true;
+    for (const Closed& one : closed_) {
+        const PushJoint& push = near_[one.joint];
+        const Constraint<3> c = gap_of(push, x);
+        const auto normal = static_cast<int>(rows_.size());
+        add(c, velocity_product(push.gap, x, u), c.C, 0);
+        if (!(push.surface.friction > 0)) continue;
+        const Drag drag = drag_of(push, c, normal, x, u);
+        if (one.slides != 0) {  // f_t = −μ f sign(v_t), with the normal's own f
+            drags_.back() = bilateral(drag.c, inverse_mass);
+            slip_.back() = one.slides * push.surface.while_sliding();
+            symmetric = false;
+        } else {
+            add(drag.c, drag.k, 0, -infinity);
+            boxes_.push_back({static_cast<Index>(rows_.size()) - 1, normal,
+                              push.surface.friction});
+            symmetric = false;
+        }
+    }
+    solution_ = {};
+    solution_.status = Status::solved;
+    if (rows_.empty()) return Status::solved;
+    // joints alone, none of which has a bound: one factor
+    if (closed_.empty() && rows_.size() == scene.joints.size() &&
+        settings.rate == 0) {
+        joints_.find(scene, x, u, a);
+        return Status::solved;
+    }
+
+    // W = M⁻¹ Jᵀ of each row, with the drag of what slides; A = J W, q = J a + k
+    const auto m = static_cast<Index>(rows_.size());
+    MatX W = MatX::Zero(a.size(), m), A(m, m);
+    for (Index j = 0; j < m; ++j) {
+        VecX column = VecX::Zero(a.size());
+        rows_[static_cast<std::size_t>(j)].apply(1, column);
+        if (const Real mu = slip_[static_cast<std::size_t>(j)]; mu != 0)
+            drags_[static_cast<std::size_t>(j)].apply(-mu, column);
+        W.col(j) = column;
+    }
+    mlcp_.q.resize(m);
+    mlcp_.lo.resize(m);
+    mlcp_.hi.resize(m);
+    for (Index i = 0; i < m; ++i) {
+        const Row<3>& row = rows_[static_cast<std::size_t>(i)];
+        mlcp_.q[i] = row.velocity(a);
+        mlcp_.lo[i] = row.lo, mlcp_.hi[i] = row.hi;
+        for (Index j = 0; j < m; ++j)
+            A(i, j) = row.velocity(VecX(W.col(j))) - row.bias;
+    }
+    if (symmetric) A = ((A + A.transpose()) / 2).eval();  // to the bit
+    mlcp_.A = A.sparseView();
+    if (symmetric) solution_ = dantzig(mlcp_);
+    else if (boxes_.empty()) solution_ = lemke(mlcp_);
+    else {  // guesses first: two corners that stick repeat each other's row
+        solution_.lambda.setZero(m);
+        find_(mlcp_, boxes_, 1e-9 * length_, solution_);
+        if (solution_.status != Status::solved)
+            walk_(mlcp_, boxes_, 1e-9 * length_, solution_);
+    }
+    work.pivots += solution_.iterations;
+    if (solution_.status != Status::solved) return solution_.status;
+    for (Index j = 0; j < m; ++j)
+        for (Index i = 0; i < a.size(); ++i) a[i] += W(i, j) * solution_.lambda[j];
+    return Status::solved;
+}
+//! [accelerations]
+
+bool AccelerationLevel::impact(JointedScene& scene)
+{
+    Bodies<3>& bodies = scene.bodies;
+    bool hits = false;
+    Real e = 0;
+    std::vector<Row<3>> rows;
+    for (const PointJoint& joint : scene.joints)
+        if (joint.kind == ConstraintKind::bilateral)
+            rows.push_back(
+                bilateral(joint_constraint(bodies.x, joint), bodies.inverse_mass));
+    for (const PushJoint& push : near_) {
+        const Constraint<3> c = gap_of(push, bodies.x);
+        if (c.C > settings.gap * length_) continue;
+        const auto normal = static_cast<int>(rows.size());
+        rows.push_back(unilateral(c, bodies.inverse_mass));
+        const Real approach = -rows.back().velocity(bodies.u);
+        if (!(rows.back().inverse_effective_mass() > 0)) {
+            rows.pop_back();
+            continue;
+        }
+        // what comes slowly stops; it would sink in at its speed forever
+        hits = hits || approach > 1e-9 * length_;
+        if (approach > settings.rest_speed * length_)
+            e = std::max(e, push.surface.restitution);
+        if (!(push.surface.friction > 0)) continue;
+        Row<3> drag = bilateral(drag_of(push, c, normal, bodies.x, bodies.u).c,
+                                bodies.inverse_mass);
+        drag.bounded_by = normal;
+        drag.friction = push.surface.friction;
+        rows.push_back(drag);
+    }
+    if (!hits) return false;
+    ++work.impacts;
+    rigid::impact(rows, e, ImpactLaw::common, find_, bodies.u);
+    return true;
+}
+
+Status AccelerationLevel::move(const JointedScene& scene, Real h, VecX& x, VecX& u)
+{
+    VecX a1, a2, a3, a4;
+    const auto at = [&](const VecX& where, const VecX& how, VecX& a) {
+        return accelerations(scene, where, how, a);
+    };
+    Status status = at(x, u, a1);
+    if (status != Status::solved) return status;
+    const VecX u2 = u + h / 2 * a1, x2 = x + h / 2 * u;
+    if ((status = at(x2, u2, a2)) != Status::solved) return status;
+    const VecX u3 = u + h / 2 * a2, x3 = x + h / 2 * u2;
+    if ((status = at(x3, u3, a3)) != Status::solved) return status;
+    const VecX u4 = u + h * a3, x4 = x + h * u3;
+    if ((status = at(x4, u4, a4)) != Status::solved) return status;
+    x += h / 6 * (u + 2 * u2 + 2 * u3 + u4);
+    u += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    return Status::solved;
+}
+
+Real AccelerationLevel::open(const JointedScene& scene, const VecX& x,
+                             const VecX& u) const
+{
+    Real least = infinity;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+        const Constraint<3> c = gap_of(near_[i], x);
+        const bool is_closed = next < closed_.size() && closed_[next].joint == i;
+        if (!is_closed) {
+            const Row<3> row = bilateral(c, scene.bodies.inverse_mass);
+            if (row.velocity(u) < 0) least = std::min(least, c.C);
+            continue;
+        }
+        const int slides = closed_[next++].slides;
+        if (slides == 0) continue;
+        const Drag drag = drag_of(near_[i], c, 0, x, u);
+        const Real v =
+            bilateral(drag.c, scene.bodies.inverse_mass).velocity(u) - drag.c.speed;
+        least = std::min(least, slides * v);
+    }
+    return least;
+}
+
+Status AccelerationLevel::advance(JointedScene& scene, Real h)
+{
+    require_step(h);
+    require_valid(settings);
+    require_valid(scene.bodies);
+    for (const PointJoint& joint : scene.joints)
+        if (has_error(joint.kind) == false)
+            throw std::invalid_argument(
+                "a joint has a motor or a spring; at the level of accelerations "
+                "joints push and pull, or only push");
+    Bodies<3>& bodies = scene.bodies;
+    Real left = h;
+    for (int events = 0; left > 0; ++events) {
+        if (events >= settings.most_events) return Status::iteration_limit;
+        Real fastest = scene.gravity.norm() * left;
+        for (Index k = 0; k < bodies.count(); ++k)
+            fastest =
+                std::max(fastest, bodies.velocity(k).head<2>().norm() +
+                                      std::abs(bodies.u[3 * k + 2]) * length_);
+        close(scene, 0.05 * typical_length(scene) + 2 * fastest * left);
+        if (impact(scene)) close(scene, 0.05 * length_ + 2 * fastest * left);
+        VecX x = bodies.x, u = bodies.u;
+        Status status = move(scene, left, x, u);
+        if (status != Status::solved) return status;
+        Real part = left;
+        if (open(scene, x, u) < 0) {  // halve until no number fits in between
+            ++work.events;
+            Real before = 0, after = left;
+            for (int i = 0; i < 60; ++i) {
+                const Real middle = (before + after) / 2;
+                if (!(before < middle && middle < after)) break;
+                x = bodies.x, u = bodies.u;
+                status = move(scene, middle, x, u);
+                if (status != Status::solved) return status;
+                (open(scene, x, u) < 0 ? after : before) = middle;
+                if (after - before < 1e-13 * h) break;
+            }
+            part = after;
+            x = bodies.x, u = bodies.u;
+            status = move(scene, part, x, u);
+            if (status != Status::solved) return status;
+        }
+        bodies.x = x, bodies.u = u;
+        left -= part;
+    }
+    return Status::solved;
+}
+
+}  // namespace rigid

@@ -1,0 +1,109 @@
+/// \file who_can.hpp
+/// Who can do what: every way on every scene, as the lines of the tables of the text.
+#pragma once
+
+#include "chapters/26_four_ways/ways.hpp"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace rigid {
+
+/// A number with one digit, as 20, 0.3, 2e-9.
+inline std::string one_digit(Real value)
+{
+    if (value < 1e-14) return "0";  // rounding
+    char text[32];
+    std::snprintf(text, sizeof text, value >= 1 ? "%.0f" : "%.1g", value);
+    std::string short_text = text;  // 2e-09 → 2e-9
+    const std::size_t zero = short_text.find("e-0");
+    if (zero != std::string::npos) short_text.erase(zero + 2, 1);
+    return short_text;
+}
+
+/// What a run came to, in a word: its error, or why there is none.
+inline std::string cell(Way way, const WayScene& scene, const WayResult& result)
+{
+    if (!can_take(way, scene)) return "–";
+    if (result.why_not == "it flies apart") return "gone";
+    if (result.why_not == "infeasible" || result.why_not == "ray termination")
+        return "no force";
+    if (!result.why_not.empty()) return "stops";
+    return one_digit(result.error);
+}
+
+inline std::string line_of(const std::vector<std::string>& cells)
+{
+    std::string line = "|";
+    for (const std::string& one : cells) line += " " + one + " |";
+    return line;
+}
+
+/// The error of each way at a step of h: one line a scene.
+inline std::vector<std::string> error_table(const std::vector<WayScene>& scenes,
+                                            Real h)
+{
+    std::vector<std::string> lines;
+    for (const WayScene& scene : scenes) {
+        std::vector<std::string> cells{scene.name};
+        for (const Way way : all_ways)
+            cells.push_back(
+                cell(way, scene, run_way(way, scene, h, settings_of(scene))));
+        lines.push_back(line_of(cells));
+    }
+    return lines;
+}
+
+/// A doll by accelerations has thousands of events, and takes ten seconds.
+inline std::vector<WayScene> without_doll()
+{
+    std::vector<WayScene> scenes = way_scenes();
+    std::erase_if(scenes, [](const WayScene& one) { return one.name == "doll"; });
+    return scenes;
+}
+
+/// 1/h of the longest step, of 1/15, 1/30 … 1/3840 s, from which on every shorter one ends within `most` of the truth.
+inline std::vector<std::string> step_table(const std::vector<WayScene>& scenes,
+                                           Real most)
+{
+    std::vector<std::string> lines;
+    for (const WayScene& scene : scenes) {
+        std::vector<std::string> cells{scene.name};
+        for (const Way way : all_ways) {
+            std::string longest = "–";
+            for (int n = 3840; can_take(way, scene) && n >= 15; n /= 2) {
+                const WayResult result =
+                    run_way(way, scene, 1.0 / n, settings_of(scene));
+                if (!result.why_not.empty() || !(result.error <= most)) break;
+                longest = std::to_string(n);
+            }
+            cells.push_back(longest);
+        }
+        lines.push_back(line_of(cells));
+    }
+    return lines;
+}
+
+/// The energy that each way has gained at its end [J], of the scenes that keep theirs.
+inline std::vector<std::string> energy_table(const std::vector<WayScene>& scenes,
+                                             Real h)
+{
+    std::vector<std::string> lines;
+    for (const WayScene& scene : scenes) {
+        if (!scene.keeps_energy) continue;
+        std::vector<std::string> cells{scene.name};
+        for (const Way way : all_ways) {
+            const WayResult result = run_way(way, scene, h, settings_of(scene));
+            std::string word = cell(way, scene, result);
+            if (result.why_not.empty())
+                word = (result.energy_gain < 0 ? "−" : "+") +
+                       one_digit(std::abs(result.energy_gain));
+            cells.push_back(word);
+        }
+        lines.push_back(line_of(cells));
+    }
+    return lines;
+}
+
+}  // namespace rigid

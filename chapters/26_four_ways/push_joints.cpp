@@ -1,0 +1,130 @@
+// The functions of push_joints.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/26_four_ways/push_joints.hpp"
+
+#include "chapters/12_contact_manifolds/manifold.hpp"
+#include "chapters/12_contact_manifolds/wall_manifold.hpp"
+
+namespace rigid {
+
+namespace {
+
+Vec2 into_body(const VecX& x, Index k, const Vec2& p)
+{
+    const Vec2 d = p - x.segment<2>(3 * k);
+    const Real c = cos(x[3 * k + 2]), s = sin(x[3 * k + 2]);
+    return {c * d.x() + s * d.y(), -s * d.x() + c * d.y()};
+}
+
+Vec2 direction_in_body(const VecX& x, Index k, const Vec2& n)
+{
+    return into_body(x, k, x.segment<2>(3 * k) + n);
+}
+
+PushJoint of_wall(const JointedScene& scene, std::size_t wall, Index b, int vertex)
+{
+    const HalfSpace& half = scene.walls[wall];
+    const Polygon& shape = scene.shapes[static_cast<std::size_t>(b)];
+    PushJoint one;
+    one.gap.measure = PointJoint::Measure::along;
+    one.gap.b = b;
+    one.gap.at_b = shape.vertices[static_cast<std::size_t>(vertex)];
+    one.gap.direction = half.normal;
+    one.gap.length = half.offset + shape.radius;
+    one.gap.kind = ConstraintKind::unilateral;
+    one.radius = shape.radius;
+    if (!scene.surfaces.empty() && !scene.wall_surfaces.empty())
+        one.surface = combined(scene.surfaces[static_cast<std::size_t>(b)],
+                               scene.wall_surfaces[wall]);
+    return one;
+}
+
+PushJoint of_pair(const JointedScene& scene, Index a, Index b, const Manifold& m,
+                  const ManifoldPoint& point, int edges_of_a)
+{
+    const VecX& x = scene.bodies.x;
+    const auto radius = [&](Index k) {
+        return scene.shapes[static_cast<std::size_t>(k)].radius;
+    };
+    PushJoint one;
+    Vec2 n = m.normal;
+    one.gap.a = a, one.gap.b = b;
+    if (m.face >= edges_of_a) {  // the side is b's
+        std::swap(one.gap.a, one.gap.b);
+        n = -n;
+    }
+    const Real ra = radius(one.gap.a), rb = radius(one.gap.b);
+    one.gap.at_a = into_body(x, one.gap.a, point.point - (ra + point.gap / 2) * n);
+    one.gap.at_b = into_body(x, one.gap.b, point.point + (rb + point.gap / 2) * n);
+    one.gap.measure =
+        m.face < 0 ? PointJoint::Measure::distance : PointJoint::Measure::turning;
+    one.gap.direction = direction_in_body(x, one.gap.a, n);
+    one.gap.length = ra + rb;
+    one.gap.kind = ConstraintKind::unilateral;
+    one.radius = rb;
+    if (!scene.surfaces.empty())
+        one.surface = combined(scene.surfaces[static_cast<std::size_t>(a)],
+                               scene.surfaces[static_cast<std::size_t>(b)]);
+    return one;
+}
+
+}  // namespace
+
+void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
+                      Real margin, std::vector<PushJoint>& found)
+{
+    found.clear();
+    const Bodies<3>& bodies = scene.bodies;
+    for (const PointJoint& joint : scene.joints)
+        if (joint.kind == ConstraintKind::unilateral) {
+            PushJoint one;
+            one.gap = joint;
+            one.touches = false;
+            found.push_back(one);
+        }
+    std::vector<PlacedShape> placed;
+    for (Index k = 0; k < bodies.count(); ++k)
+        placed.emplace_back(scene.shapes[static_cast<std::size_t>(k)],
+                            bodies.position(k));
+    for (Index b = 0; b < bodies.count(); ++b) {
+        if (!bodies.can_move(b)) continue;
+        const Placed shape = placed[static_cast<std::size_t>(b)].view();
+        for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+            const Manifold m = collide(scene.walls[w], shape, margin);
+            for (int i = 0; i < m.count; ++i)
+                found.push_back(of_wall(
+                    scene, w, b, m.points[static_cast<std::size_t>(i)].feature));
+        }
+    }
+    const auto joined = [&](Index a, Index b) {
+        for (const PointJoint& joint : scene.joints)
+            if (!joint.collides && std::min(joint.a, joint.b) == a &&
+                std::max(joint.a, joint.b) == b)
+                return true;
+        return false;
+    };
+    const auto may_meet = [&](Index a, Index b) {
+        return (bodies.can_move(a) || bodies.can_move(b)) &&
+               (filter.meets[static_cast<std::size_t>(
+                    filter.group_of(static_cast<int>(a)))] >>
+                    filter.group_of(static_cast<int>(b)) &
+                1) != 0 &&
+               !filter.forbids(static_cast<int>(a), static_cast<int>(b)) &&
+               !joined(a, b);
+    };
+    for (Index a = 0; a < bodies.count(); ++a)
+        for (Index b = a + 1; b < bodies.count(); ++b) {
+            const Placed pa = placed[static_cast<std::size_t>(a)].view(),
+                         pb = placed[static_cast<std::size_t>(b)].view();
+            if (!overlap(grown(box_of(pa), margin), box_of(pb)) || !may_meet(a, b))
+                continue;
+            const Manifold m = collide(pa, pb, {.margin = margin});
+            for (int i = 0; i < m.count; ++i)
+                found.push_back(of_pair(scene, a, b, m,
+                                        m.points[static_cast<std::size_t>(i)],
+                                        pa.edges()));
+        }
+}
+
+}  // namespace rigid

@@ -1,0 +1,102 @@
+// The functions of spring_forces.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/26_four_ways/spring_forces.hpp"
+
+namespace rigid {
+
+void require_valid(const PenaltySprings& springs)
+{
+    const auto require = [](const char* name, Real value, bool right,
+                            const char* what) {
+        if (!right || !std::isfinite(value))
+            throw std::invalid_argument(std::string(name) + " is " +
+                                        shortest(value) + what);
+    };
+    require("the stiffness of the springs", springs.stiffness,
+            springs.stiffness > 0, " N/m; it must be positive and finite");
+    for (const auto& [name, ratio] :
+         {std::pair{"the damping ratio of joints", springs.joint_ratio},
+          std::pair{"the damping ratio of contacts", springs.contact_ratio},
+          std::pair{"the damping ratio of friction", springs.friction_ratio}})
+        require(name, ratio, ratio >= 0,
+                "; it must be zero or positive, and finite");
+}
+
+void SpringForces::rows(const JointedScene& scene, const StepSettings& settings,
+                        StepData<3>& now)
+{
+    const Real h = settings.part();
+    write_rows(scene.bodies, h, now, [h](const auto& c) { return gap_bias(c, h); });
+    for (std::size_t i = 0; i < now.rows.size(); ++i) {
+        Constraint<3>& c = now.constraints[i];
+        Row<3>& row = now.rows[i];
+        const bool drags = c.kind == ConstraintKind::friction;
+        if (!has_error(c.kind) && !drags) continue;
+        const Real A = row.inverse_effective_mass();
+        if (!(A > 0)) continue;
+        const Source& source = now.sources[i];
+        Real ratio = springs.joint_ratio;
+        if (c.bounces) {
+            const Real e = own_restitution(scene, now, i);
+            ratio = e > 0 ? damping_ratio_of(e) : springs.contact_ratio;
+        }
+        if (drags) {
+            ratio = springs.friction_ratio;
+            c.C = source.of == Source::Of::contact
+                      ? stretch_of(
+                            now.contacts[static_cast<std::size_t>(source.index)])
+                      : 0;
+        }
+        // an open gap has its row, so that a spring at the end of the step meets what
+        // comes; it has no damper, which would push before they touch
+        const bool pushes = c.kind == ConstraintKind::unilateral;
+        const bool open = pushes && c.C > 0;
+        c.stiffness = springs.stiffness;
+        if (c.Jb.head<2>().isZero(0)) c.stiffness *= now.length * now.length;
+        c.damping = open ? 0 : 2 * ratio * std::sqrt(c.stiffness / A);
+        row.softness = 1 / (h * (h * c.stiffness + c.damping));
+        row.bias = c.stiffness * c.C / (h * c.stiffness + c.damping);
+        if (drags) row.bias -= c.damping * c.speed / (h * c.stiffness + c.damping);
+        if (!open) c.kind = ConstraintKind::spring;
+    }
+}
+
+Real SpringForces::stretch_of(const Contact& contact) const
+{
+    for (const Stretch& one : stretched)
+        if (one.a == contact.a && one.b == contact.b &&
+            one.feature == contact.feature)
+            return one.s;
+    return 0;
+}
+
+void SpringForces::stretch(const VecX& u, Real h, const StepData<3>& now)
+{
+    std::swap(stretched, before);
+    stretched.clear();
+    for (std::size_t i = 0; i < now.rows.size(); ++i) {
+        const Row<3>& row = now.rows[i];
+        const Constraint<3>& c = now.constraints[i];
+        if (row.bounded_by < 0 || now.sources[i].of != Source::Of::contact ||
+            now.sources[i].part != tangent_part)
+            continue;
+        const Contact& contact =
+            now.contacts[static_cast<std::size_t>(now.sources[i].index)];
+        const Real lambda = now.solution.lambda[static_cast<Index>(i)],
+                   most = row.friction *
+                          std::max(Real{0}, now.solution.lambda[row.bounded_by]);
+        Real s = c.C + h * (row.velocity(u) - row.bias - c.speed);
+        if (!(std::abs(lambda) < most))  // it slides: as long as its force says
+            s = c.stiffness > 0 ? -lambda / (h * c.stiffness) : 0;
+        if (most > 0)
+            stretched.push_back({contact.a, contact.b, contact.feature, s});
+    }
+}
+
+template void step(JointedScene&, const StepSettings&, ExplicitPenalty<Manifolds>&,
+                   StepData<3>&);
+template void step(JointedScene&, const StepSettings&, ImplicitPenalty<Manifolds>&,
+                   StepData<3>&);
+
+}  // namespace rigid

@@ -1,0 +1,155 @@
+// The functions of ways.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/26_four_ways/ways.hpp"
+
+#include "chapters/16_soft_constraints/soft_method.hpp"
+#include "chapters/26_four_ways/acceleration_level.hpp"
+#include "chapters/26_four_ways/reduced_motion.hpp"
+#include "chapters/26_four_ways/single_impulses.hpp"
+#include "chapters/26_four_ways/spring_forces.hpp"
+
+namespace rigid {
+
+struct WayRun::Stepper {
+    virtual ~Stepper() = default;
+    virtual Status advance(JointedScene& scene, Real h) = 0;
+};
+
+namespace {
+
+bool is_finite(const JointedScene& scene)
+{
+    return scene.bodies.x.allFinite() && scene.bodies.u.allFinite();
+}
+
+/// A method of the book's step.
+template <class Method>
+struct OfTheBook : WayRun::Stepper {
+    Method method;
+    StepData<3> now;
+    bool solves = false;
+
+    explicit OfTheBook(const CollisionFilter& filter, bool solving)
+        : solves(solving)
+    {
+        Manifolds& touching = method.contacts;
+        touching.finder.filter = filter;
+        never_stop(touching);
+    }
+    Status advance(JointedScene& scene, Real h) override
+    {
+        step(scene, {.h = h}, method, now);
+        if (!is_finite(scene)) return Status::iteration_limit;
+        return solves ? now.solution.status : Status::solved;
+    }
+};
+
+template <class Class>
+struct OfThisChapter : WayRun::Stepper {
+    Class by;
+
+    template <class... Given>
+    explicit OfThisChapter(const CollisionFilter& filter, const Given&... given)
+        : by(given...)
+    {
+        by.filter = filter;
+    }
+    Status advance(JointedScene& scene, Real h) override
+    {
+        const Status status = by.advance(scene, h);
+        return is_finite(scene) ? status : Status::iteration_limit;
+    }
+};
+
+std::unique_ptr<WayRun::Stepper> stepper(Way way, const JointedScene& scene,
+                                         const CollisionFilter& filter,
+                                         const WaySettings& settings)
+{
+    switch (way) {
+    case Way::spring: {
+        auto one =
+            std::make_unique<OfTheBook<ExplicitPenalty<Manifolds>>>(filter, false);
+        one->method.correction.springs.stiffness = settings.stiffness;
+        return one;
+    }
+    case Way::end_spring: {
+        auto one =
+            std::make_unique<OfTheBook<ImplicitPenalty<Manifolds>>>(filter, true);
+        one->method.correction.springs.stiffness = settings.stiffness;
+        return one;
+    }
+    case Way::acceleration:
+        return std::make_unique<OfThisChapter<AccelerationLevel>>(filter);
+    case Way::single:
+        return std::make_unique<OfThisChapter<SingleImpulses>>(filter);
+    case Way::impulses:
+        return std::make_unique<OfTheBook<JointTrees<Manifolds>>>(filter, true);
+    case Way::positions: {
+        auto one =
+            std::make_unique<OfTheBook<PositionSweeps<Manifolds>>>(filter, false);
+        one->method.correction.sweeps = settings.sweeps;
+        return one;
+    }
+    case Way::coordinates:
+        return std::make_unique<OfThisChapter<ReducedMotion>>(filter, scene);
+    }
+    throw std::invalid_argument("there is no such way");
+}
+
+}  // namespace
+
+WayRun::WayRun(Way way, const WayScene& scene, const WaySettings& settings)
+    : scene_(way == Way::coordinates && scene.in_coordinates.bodies.count() > 0
+                 ? scene.in_coordinates
+                 : scene.scene),
+      stepper_(stepper(way, scene_, scene.filter, settings))
+{
+    if (way == Way::single && !scene_.joints.empty()) {
+        SingleImpulses probe;  // refuses joints by its own sentence
+        JointedScene copy = scene_;
+        probe.advance(copy, 1e-9);
+    }
+}
+WayRun::~WayRun() = default;
+WayRun::WayRun(WayRun&&) noexcept = default;
+
+Status WayRun::advance(Real h) { return stepper_->advance(scene_, h); }
+
+std::string refusal(Way way, const WayScene& scene)
+{
+    try {
+        const WayRun run(way, scene, settings_of(scene));
+    } catch (const std::invalid_argument& refused) {
+        return refused.what();
+    }
+    return {};
+}
+
+WayResult run_way(Way way, const WayScene& scene, Real h,
+                  const WaySettings& settings)
+{
+    WayResult result;
+    const auto steps = static_cast<int>(std::ceil(scene.time / h - 1e-9));
+    try {
+        WayRun run(way, scene, settings);
+        const Real before = energy(run.scene());
+        for (int i = 0; i < steps; ++i) {
+            const Status status = run.advance(scene.time / steps);
+            if (status == Status::solved) continue;
+            result.why_not = is_finite(run.scene()) ? std::string(to_string(status))
+                                                    : "it flies apart";
+            return result;
+        }
+        result.error = scene.error(run.scene());
+        result.energy_gain = energy(run.scene()) - before;
+        // but for the doll, which only loses, no scene has more than 15 J to move with
+        if (!(result.error < 100) || !(result.energy_gain < 15))
+            result.why_not = "it flies apart";
+    } catch (const std::invalid_argument& refused) {
+        result.why_not = refused.what();
+    }
+    return result;
+}
+
+}  // namespace rigid

@@ -1,0 +1,95 @@
+/// \file ways.hpp
+/// The ways to say a constraint, by name, on any scene of chapter 14: one step each, or one sentence why not.
+///
+///     spring        f = −(k C + c dC/dt) at the start of the step          spring_forces.hpp
+///     end spring    the same at its end: soft rows                         spring_forces.hpp, chapter 16
+///     acceleration  d²C/dt² = 0, ≥ 0; order four between events            acceleration_level.hpp
+///     single        impulses one at a time                                 single_impulses.hpp
+///     impulses      J u + b = 0, ≥ 0, all at once: chapters 3 to 14        JointTrees
+///     positions     C(x) = 0, ≥ 0, row by row: chapter 16                  XPBD
+///     coordinates   C is not there                                         reduced_motion.hpp
+#pragma once
+
+#include "chapters/26_four_ways/way_scenes.hpp"
+
+#include <memory>
+#include <string_view>
+
+namespace rigid {
+
+//! [way]
+enum class Way {
+    spring,
+    end_spring,
+    acceleration,
+    single,
+    impulses,
+    positions,
+    coordinates
+};
+inline constexpr std::array all_ways{
+    Way::spring,   Way::end_spring, Way::acceleration, Way::single,
+    Way::impulses, Way::positions,  Way::coordinates};
+
+constexpr std::string_view to_string(Way way)
+{
+    constexpr std::string_view names[] = {
+        "spring",   "end_spring", "acceleration", "single",
+        "impulses", "positions",  "coordinates"};
+    return names[static_cast<std::size_t>(way)];
+}
+//! [way]
+
+struct WaySettings {
+    Real stiffness = 1e5;  ///< of springs [N/m]
+    int sweeps = 20;       ///< of positions, in a step
+};
+
+/// One scene under one way, alive. Steps depend on nothing else.
+class WayRun {
+public:
+    /// Throws std::invalid_argument with the sentence why the way cannot take this scene.
+    WayRun(Way way, const WayScene& scene, const WaySettings& settings);
+    ~WayRun();
+    WayRun(WayRun&&) noexcept;
+
+    /// Advances by h seconds. Anything but `solved` says that the constraints have no answer by this way: the scene is where it
+    /// was when that was found. Springs and positions solve nothing; they say `solved` as long as the state is finite.
+    Status advance(Real h);
+
+    const JointedScene& scene() const { return scene_; }
+
+    /// What is behind it.
+    struct Stepper;
+
+private:
+    JointedScene scene_;
+    std::unique_ptr<Stepper> stepper_;
+};
+
+/// Why a way cannot take a scene, in its own sentence; empty: it can.
+std::string refusal(Way way, const WayScene& scene);
+inline bool can_take(Way way, const WayScene& scene)
+{
+    return refusal(way, scene).empty();
+}
+
+/// What a run of a scene came to.
+struct WayResult {
+    Real error = infinity;  ///< of WayScene::error
+    Real energy_gain =
+        0;  ///< over what there was of kinetic and potential energy to lose at the start
+    std::string why_not;  ///< the sentence; empty: it went through
+};
+
+/// Runs a scene to its time in steps of h.
+WayResult run_way(Way way, const WayScene& scene, Real h,
+                  const WaySettings& settings);
+
+/// Its springs, and twenty sweeps.
+inline WaySettings settings_of(const WayScene& scene)
+{
+    return {scene.stiffness, 20};
+}
+
+}  // namespace rigid

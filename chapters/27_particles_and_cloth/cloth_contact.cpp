@@ -1,0 +1,124 @@
+// The functions of cloth_contact.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/27_particles_and_cloth/cloth_contact.hpp"
+
+#include <algorithm>
+
+namespace rigid {
+
+void ClothTouch::begin(ClothScene& cloth, Real h)
+{
+    Bodies<6>& solids = cloth.solids;
+    const auto K = static_cast<std::size_t>(solids.count());
+    R.resize(K);
+    for (Index k = 0; k < solids.count(); ++k) {
+        R[static_cast<std::size_t>(k)] = rotation_of(solids.x, k);
+        if (solids.inverse_mass[6 * k] > 0)
+            solids.u.segment<3>(6 * k) += h * cloth.gravity;
+    }
+    moved = h * solids.u;
+    contacts.clear();
+}
+
+//! [find]
+void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
+{
+    contacts.clear();
+    for (int s = 0; s < static_cast<int>(cloth.solids.count()); ++s) {
+        const ClothSolid& shape = cloth.shapes[static_cast<std::size_t>(s)];
+        const Mat3& axes = R[static_cast<std::size_t>(s)];
+        const Vec3 centre = centre_of(cloth.solids.x, s),
+                   v = moved.segment<3>(6 * s);
+        const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * s);
+        for (int i = 0; i < cloth.count(); ++i) {
+            const Real w = cloth.bodies.inverse_mass[3 * i];
+            if (!(w > 0)) continue;
+            // where it comes to, seen from the solid as it has moved
+            const Vec3 p = x.segment<3>(3 * i) - v;
+            const ClothGap near = gap_to(shape, axes.transpose() * (p - centre));
+            const Real gap = near.gap - cloth.thickness;
+            if (!(gap < margin)) continue;
+            ClothContact c;
+            c.particle = i, c.solid = s;
+            c.normal = axes * near.normal;
+            c.arm = p - near.gap * c.normal - centre;
+            c.offset = c.normal.dot(p) - gap;
+            c.from = x0.segment<3>(3 * i);
+            c.A = c.At = w;
+            if (reaction && inverse[0] > 0) {
+                const Vec3 lever = axes.transpose() * cross(c.arm, c.normal);
+                c.A +=
+                    inverse[0] + lever.dot(inverse.tail<3>().cwiseProduct(lever));
+                c.At +=
+                    inverse[0] + c.arm.squaredNorm() * inverse.tail<3>().maxCoeff();
+            }
+            contacts.push_back(c);
+        }
+    }
+}
+//! [find]
+
+//! [visit]
+void ClothTouch::visit(const ClothScene& cloth, VecX& x)
+{
+    for (ClothContact& c : contacts) {
+        auto at = x.segment<3>(3 * c.particle);
+        const Real w = cloth.bodies.inverse_mass[3 * c.particle];
+        const Real mu = cloth.shapes[static_cast<std::size_t>(c.solid)].friction;
+        const Real C = c.normal.dot(at - way(c)) - c.offset;
+        const Real push_by = std::max(Real{0}, c.lambda - C / c.A) - c.lambda;
+        c.lambda += push_by;
+        Vec3 P = push_by * c.normal;
+        if (push_by != 0) {
+            at += w * P;
+            if (reaction) push(cloth, c, -P);
+        }
+        if (!(mu > 0) || (c.lambda == 0 && c.slide.isZero(0))) continue;
+        Vec3 slid = at - c.from - way(c);
+        slid -= c.normal.dot(slid) * c.normal;
+        Vec3 next = c.slide - slid / c.At;
+        const Real size = next.norm(), most = mu * c.lambda;
+        if (size > most) next *= most / size;
+        P = next - c.slide;
+        c.slide = next;
+        at += w * P;
+        if (reaction) push(cloth, c, -P);
+    }
+}
+//! [visit]
+
+void ClothTouch::end(ClothScene& cloth, Real h)
+{
+    Bodies<6>& solids = cloth.solids;
+    for (Index k = 0; k < solids.count(); ++k)
+        if (reaction && solids.inverse_mass[6 * k] > 0)
+            solids.velocity(k) = moved.segment<6>(6 * k) / h;
+    calm(cloth);
+    for (Index k = 0; k < solids.count(); ++k)
+        solids.integrate(k, Vec<6>(moved.segment<6>(6 * k) / h), h);
+}
+
+//! [calm]
+void ClothTouch::calm(ClothScene& cloth) const
+{
+    for (const ClothContact& c : contacts) {
+        if (!(c.lambda > 0)) continue;
+        auto u = cloth.bodies.velocity(c.particle);
+        const auto k = static_cast<std::size_t>(c.solid);
+        auto v = cloth.solids.u.segment<6>(6 * c.solid);
+        const Vec3 point = v.head<3>() + cross(R[k] * v.tail<3>(), c.arm);
+        const Real parts = c.normal.dot(u - point);
+        if (!(parts > 0)) continue;
+        const Vec3 P = -parts / c.A * c.normal;
+        u += cloth.bodies.inverse_mass[3 * c.particle] * P;
+        if (!reaction) continue;
+        const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * c.solid);
+        v.head<3>() -= inverse.head<3>().cwiseProduct(P);
+        v.tail<3>() -=
+            inverse.tail<3>().cwiseProduct(R[k].transpose() * cross(c.arm, P));
+    }
+}
+//! [calm]
+
+}  // namespace rigid

@@ -1,0 +1,90 @@
+/// \file cloth_contact.hpp
+/// A particle against a solid: one row along the normal and the disc of friction, in positions.
+///
+///     C = n·(x − s) ≥ 0,   ΔΛ = −C/A clamped so that Λ ≥ 0,   A = 1/m + n·(1/m_b + …) n              (27.25)
+///     ‖Λ_t‖ ≤ μ Λ,  against the way that the particle has slid on the solid
+///
+/// s moves with the solid. A solid that can move gets −P and its moment, so what the cloth gains it loses.
+#pragma once
+
+#include "chapters/27_particles_and_cloth/cloth.hpp"
+
+namespace rigid {
+
+/// How far a point is outside of a shape, in its axes, and along which normal.
+struct ClothGap {
+    Real gap = 0;  ///< [m]; negative: inside
+    Vec3 normal = {0, 1, 0};
+};
+
+//! [gap]
+inline ClothGap gap_to(const ClothSolid& s, const Vec3& p)
+{
+    using Shape = ClothSolid::Shape;
+    if (s.shape == Shape::wall) return {p.y(), {0, 1, 0}};
+    // from the core: a point, a line or a box
+    const Vec3 core = p.cwiseMax(-s.half).cwiseMin(s.half), d = p - core;
+    if (const Real length = d.norm(); length > 0)
+        return {length - s.radius, d / length};
+    const Vec3 inside = s.half - p.cwiseAbs();
+    int side =
+        1;  // a capsule's axis and a ball's centre have no nearest side: upwards
+    if (s.shape == Shape::box) inside.minCoeff(&side);
+    Vec3 n(0, 0, 0);
+    n[side] = p[side] < 0 ? -1 : 1;
+    return {-inside[side] - s.radius, n};
+}
+//! [gap]
+
+//! [contact]
+struct ClothContact {
+    int particle = 0, solid = 0;
+    Vec3 normal = {0, 1, 0};  ///< out of the solid
+    Vec3 arm = {0, 0,
+                0};   ///< from the solid's centre to the point that touches [m]
+    Real offset = 0;  ///< n·x at which C = 0, before the solid moves [m]
+    Vec3 from = {0, 0, 0};   ///< x at the start of the sub-step [m]
+    Real A = 0, At = 0;      ///< along the normal; the most along a tangent [1/kg]
+    Real lambda = 0;         ///< Λ [N s²]
+    Vec3 slide = {0, 0, 0};  ///< Λ_t [N s²]
+};
+//! [contact]
+
+/// What contacts need to know of each solid, and what is kept from step to step.
+struct ClothTouch {
+    std::vector<Mat3> R;  ///< of the solids at the start of the sub-step
+    VecX moved;           ///< δ of each: centre [m], turn in its axes [rad]
+    std::vector<ClothContact> contacts;
+    Real margin = 0;       ///< particles that come as near have a row [m]
+    bool reaction = true;  ///< false: solids do not feel the cloth
+
+    /// Solids at the start of a sub-step, with gravity in their velocities: δ = h u.
+    void begin(ClothScene& cloth, Real h);
+    /// The contacts of particles that are at x and came from x0.
+    void find(const ClothScene& cloth, const VecX& x0, const VecX& x);
+    /// One visit of each contact, normal then disc.
+    void visit(const ClothScene& cloth, VecX& x);
+    /// Solids get the velocity of δ, calm(), and move by δ.
+    void end(ClothScene& cloth, Real h);
+    /// What pushed an overlap out is no velocity: a contact that pushed does not part.
+    void calm(ClothScene& cloth) const;
+
+    /// How far the point of a contact has moved with its solid [m].
+    Vec3 way(const ClothContact& c) const
+    {
+        const auto k = static_cast<std::size_t>(c.solid);
+        return moved.segment<3>(6 * c.solid) +
+               cross(R[k] * moved.segment<3>(6 * c.solid + 3), c.arm);
+    }
+    /// Adds P [N s²] to the solid of a contact.
+    void push(const ClothScene& cloth, const ClothContact& c, const Vec3& P)
+    {
+        const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * c.solid);
+        const auto k = static_cast<std::size_t>(c.solid);
+        moved.segment<3>(6 * c.solid) += inverse.head<3>().cwiseProduct(P);
+        moved.segment<3>(6 * c.solid + 3) +=
+            inverse.tail<3>().cwiseProduct(R[k].transpose() * cross(c.arm, P));
+    }
+};
+
+}  // namespace rigid

@@ -1,0 +1,267 @@
+// The functions of cloth_scenes.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
+
+#include "common/elementary.hpp"
+
+namespace rigid {
+
+namespace cloth_parts {
+
+const Vec3 right(1, 0, 0), down(0, -1, 0), near(0, 0, 1);
+
+SheetSpec square_sheet(int squares, Real side, Real stiffness, Real bending)
+{
+    SheetSpec spec;
+    spec.columns = spec.rows = squares;
+    spec.spacing = side / std::max(squares, 1);
+    spec.stiffness = stiffness, spec.shear = stiffness / 100;
+    spec.bending = bending;
+    return spec;
+}
+
+void set_speed(ClothScene& cloth, int particle, const Vec3& u)
+{
+    cloth.bodies.velocity(particle) = u;
+}
+
+}  // namespace cloth_parts
+
+using namespace cloth_parts;
+
+ClothScene hung_masses(int masses, Real stiffness)
+{
+    ClothScene cloth;
+    cloth.gravity = {0, -10, 0};
+    add_particle(cloth, {0, 0, 0}, 0);
+    for (int i = 1; i <= masses; ++i) {
+        add_particle(cloth, {0, static_cast<Real>(-i), 0}, 1);
+        cloth.springs.push_back({i - 1, i, 1, stiffness});
+    }
+    return cloth;
+}
+
+ClothScene hung_sheet(int squares, Real stiffness, Real bending)
+{
+    ClothScene cloth;
+    add_sheet(cloth, {-0.5, 0, 0}, right, near,
+              square_sheet(squares, 1, stiffness, bending));
+    pin(cloth, 0), pin(cloth, squares);
+    return cloth;
+}
+
+ClothScene clamped_strip(int segments)
+{
+    ClothScene cloth;
+    cloth.gravity.setZero();
+    RopeSpec rope;
+    rope.segments = segments;
+    rope.stiffness = 1e6, rope.bending = 1;
+    add_rope(cloth, {0, 0, 0}, {1, 0, 0}, rope);
+    pin(cloth, 0);
+    const Real l = Real(1) / segments;
+    const int wall = add_particle(cloth, {-l, 0, 0}, 0);
+    cloth.bends.push_back({{wall, 0, 1, -1}, {1 / l, -2 / l, 1 / l, 0}, 2 / l});
+    return cloth;
+}
+
+ClothScene clamped_strip(int segments, int rows, Bending how, bool alternate,
+                         Real diagonals)
+{
+    ClothScene cloth;
+    cloth.gravity.setZero();
+    const Real l = Real(1) / segments;
+    SheetSpec spec;
+    spec.columns = segments + 1, spec.rows = rows;
+    spec.spacing = l, spec.density = 1 / (rows * l);
+    spec.stiffness = spec.shear = 1e6 * segments;
+    spec.bending = 1 / (rows * l);
+    spec.how = how, spec.alternate = alternate;
+    add_sheet(cloth, {-l, 0, 0}, right, near, spec);
+    for (int j = 0; j <= rows; ++j)
+        for (const int i : {0, 1}) pin(cloth, i + (segments + 2) * j);
+    const auto at_wall = [&](int p) {
+        return std::abs(cloth.bodies.position(p).x()) < l / 4;
+    };
+    for (ClothBend& b : cloth.bends)
+        if (b.count() == 3 && at_wall(b.p[1])) b.stiffness *= 2;
+    for (ClothHinge& b : cloth.hinges) {
+        const Vec3 edge =
+            cloth.bodies.position(b.p[1]) - cloth.bodies.position(b.p[0]);
+        if (edge.norm() > 1.2 * l) b.stiffness *= diagonals;
+        if (at_wall(b.p[0]) && at_wall(b.p[1])) b.stiffness *= 2;
+    }
+    return cloth;
+}
+
+ClothScene flag(int squares, Real stiffness, Real wind)
+{
+    ClothScene cloth;
+    SheetSpec spec = square_sheet(squares, 1.2, stiffness, 1e-4);
+    spec.rows = std::max(1, 2 * squares / 3);
+    add_sheet(cloth, {0, 0, 0}, right, down, spec);
+    for (int j = 0; j <= spec.rows; ++j) pin(cloth, (squares + 1) * j);
+    cloth.air = 0.7;
+    cloth.wind = wind * Vec3(0.96, 0, 0.28);
+    return cloth;
+}
+
+ClothScene curtain(int squares, Real stiffness)
+{
+    ClothScene cloth;
+    SheetSpec spec = square_sheet(squares, 1, stiffness, 1e-4);
+    spec.rows = 7 * squares / 5;
+    add_sheet(cloth, {-0.5, 0, 0}, right, down, spec);
+    for (int i = 0; i <= squares; i += 2) pin(cloth, i);
+    // not quite flat, so that it knows where to fold
+    for (int k = 0; k < cloth.count(); ++k)
+        cloth.bodies.position(k).z() +=
+            0.002 * sin(20 * cloth.bodies.position(k).x());
+    cloth.drag = 0.5;
+    return cloth;
+}
+
+ClothScene sheet_on_ball(int squares, Real side, Real stiffness, Real friction,
+                         Real spin)
+{
+    ClothScene cloth;
+    ClothSolid ball;
+    ball.radius = 0.5, ball.friction = friction;
+    add_solid(cloth, ball, 0, {0, 0, 0});
+    cloth.solids.u.segment<3>(3) << 0, spin, 0;
+    add_sheet(cloth, {-side / 2, 0.52, -side / 2}, right, near,
+              square_sheet(squares, side, stiffness, 0));
+    cloth.thickness = 0.005;
+    cloth.drag = 0.5;
+    return cloth;
+}
+
+ClothScene tablecloth(int squares, Real stiffness, Real friction)
+{
+    ClothScene cloth;
+    ClothSolid table, floor;
+    table.shape = ClothSolid::Shape::box;
+    table.half = {0.48, 0.38, 0.48}, table.radius = 0.02;
+    floor.shape = ClothSolid::Shape::wall;
+    table.friction = floor.friction = friction;
+    add_solid(cloth, table, 0, {0, 0.4, 0});
+    add_solid(cloth, floor, 0, {0, 0, 0});
+    add_sheet(cloth, {-0.8, 0.9, -0.8}, right, near,
+              square_sheet(squares, 1.6, stiffness, 1e-4));
+    cloth.thickness = 0.005;
+    cloth.drag = 0.5;
+    return cloth;
+}
+
+ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
+                          bool pinned)
+{
+    ClothScene cloth;
+    SheetSpec spec = square_sheet(squares, 2, stiffness, 0);
+    spec.shear = stiffness / 10;
+    add_sheet(cloth, {-1, 0, -1}, right, near, spec);
+    for (int j = 0; j <= squares && pinned; ++j)
+        for (int i = 0; i <= squares; ++i)
+            if (i == 0 || j == 0 || i == squares || j == squares)
+                pin(cloth, i + (squares + 1) * j);
+    ClothSolid solid;
+    solid.friction = 0.4;
+    solid.radius = box ? 0.02 : 0.25;
+    if (box) solid.shape = ClothSolid::Shape::box, solid.half = {0.23, 0.15, 0.18};
+    add_solid(cloth, solid, mass, {0.1, 0.8, 0.05},
+              box ? Vec3(0.3, 0.2, 0.1) : Vec3(0, 0, 0));
+    cloth.thickness = 0.01;
+    return cloth;
+}
+
+ClothScene rope_bridge(int squares, Real stiffness, Real mass)
+{
+    ClothScene cloth;
+    SheetSpec spec = square_sheet(squares, 4, stiffness, 0);
+    spec.rows = std::max(1, 3 * squares / 20);
+    spec.density = 4;
+    add_sheet(cloth, {-2, 0, -0.3}, right, near, spec);
+    for (int j = 0; j <= spec.rows; ++j) {
+        pin(cloth, (squares + 1) * j);
+        pin(cloth, (squares + 1) * j + squares);
+    }
+    // it sags: the pins stand closer than it is long
+    for (int k = 0; k < cloth.count(); ++k) cloth.bodies.position(k).x() *= 0.95;
+    ClothSolid box;
+    box.shape = ClothSolid::Shape::box;
+    box.half = {0.2, 0.15, 0.2}, box.radius = 0.02, box.friction = 0.6;
+    add_solid(cloth, box, mass, {0.4, 0.6, 0}, {0, 0.4, 0});
+    cloth.thickness = 0.02;
+    cloth.drag = 0.2;
+    return cloth;
+}
+
+ClothScene banner(int squares, Real stiffness)
+{
+    ClothScene cloth;
+    SheetSpec spec = square_sheet(squares, 1, stiffness, 1e-4);
+    spec.rows = 8 * squares / 5;
+    add_sheet(cloth, {-0.5, 0, 0}, right, down, spec);
+    pin(cloth, 0), pin(cloth, squares);
+    for (int i = 0; i <= squares; ++i)
+        cloth.bodies.inverse_mass.segment<3>(3 * (i + (squares + 1) * spec.rows)) /=
+            10;
+    cloth.air = 0.7;
+    cloth.wind = {0, 0, 2};
+    return cloth;
+}
+
+ClothScene torn_sheet(int squares, Real stiffness, Real speed)
+{
+    ClothScene cloth;
+    SheetSpec spec = square_sheet(squares, 1, stiffness, 1e-4);
+    spec.shear = stiffness / 2;
+    add_sheet(cloth, {-0.5, 0, 0}, right, down, spec);
+    for (int j = 0; j <= squares; ++j) {
+        const int left = (squares + 1) * j, last = left + squares;
+        pin(cloth, left), pin(cloth, last);
+        set_speed(cloth, last, speed * right);
+        // a notch in the middle of its lower edge, where the tear begins
+        if (j < squares - squares / 8) continue;
+        std::erase_if(cloth.springs, [&](const ClothSpring& s) {
+            const int middle = left + squares / 2;
+            return (s.a == middle && s.b == middle + 1);
+        });
+    }
+    return cloth;
+}
+
+ClothScene rope_on_drum(int segments, Real stiffness, Real friction, Real pull)
+{
+    ClothScene cloth;
+    cloth.gravity.setZero();
+    ClothSolid drum;
+    drum.shape = ClothSolid::Shape::capsule;
+    drum.half = {0, 0.3, 0}, drum.radius = 0.5, drum.friction = friction;
+    add_solid(cloth, drum, 0, {0, 0, 0}, {pi / 2, 0, 0});
+    for (int i = 0; i <= segments; ++i) {
+        const Real angle = pi * (1 - Real(i) / segments);
+        add_particle(cloth, {0.5 * cos(angle), 0.5 * sin(angle), 0},
+                     0.12 / segments);
+    }
+    const Real length = sin(pi / (2 * segments));  // of a chord
+    for (int i = 0; i < segments; ++i)
+        cloth.springs.push_back({i, i + 1, length, stiffness});
+    cloth.bodies.f.head<3>() << 0, -pull, 0;
+    const int winch = add_particle(cloth, {0.5, -0.2, 0}, 0);
+    cloth.springs.push_back({segments, winch, 0.2, stiffness});
+    set_speed(cloth, winch, {0, -0.05, 0});
+    cloth.drag = 5;
+    return cloth;
+}
+
+Real tension(const ClothScene& cloth, std::size_t spring)
+{
+    const ClothSpring& s = cloth.springs[spring];
+    return s.stiffness *
+           ((cloth.bodies.position(s.b) - cloth.bodies.position(s.a)).norm() -
+            s.length);
+}
+
+}  // namespace rigid

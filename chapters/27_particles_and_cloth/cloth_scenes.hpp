@@ -1,0 +1,61 @@
+/// \file cloth_scenes.hpp
+/// Scenes of this chapter. y is up.
+#pragma once
+
+#include "chapters/27_particles_and_cloth/cloth_builders.hpp"
+
+namespace rigid {
+
+/// The example by hand: masses of 1 kg under each other on springs from a pin at the
+/// origin, 1 m each, all at rest. Gravity is 10 m/s².
+ClothScene hung_masses(int masses, Real stiffness);
+
+/// A level sheet of 1 m, pinned at two corners. \param squares  of a side
+ClothScene hung_sheet(int squares, Real stiffness, Real bending = 1e-4);
+
+//! [strip]
+/// A strip of unit length, clamped level at the origin, of EI = 1, along x: a rope with bends, or `rows` rows of squares.
+/// The hinge at the wall has half a segment beside it, and twice the stiffness.
+ClothScene clamped_strip(int segments);
+/// \param diagonals  stiffness of hinges about diagonals, in those of the others
+ClothScene clamped_strip(int segments, int rows, Bending how, bool alternate,
+                         Real diagonals = 1);
+//! [strip]
+
+/// 1.2 by 0.8 m on a pole, in a wind of so many metres a second.
+ClothScene flag(int squares, Real stiffness, Real wind);
+
+/// 1 m wide, 1.4 m long, pinned along its upper edge at every second particle.
+ClothScene curtain(int squares, Real stiffness);
+
+/// A sheet of so many metres above a ball of half a metre that turns with the given spin about the vertical.
+ClothScene sheet_on_ball(int squares, Real side, Real stiffness, Real friction,
+                         Real spin = 0);
+
+/// A sheet of 2 m above a table of 1 m.
+ClothScene tablecloth(int squares, Real stiffness, Real friction);
+
+/// A sheet of 2 m, pinned all around or free, and above it a ball (or a box) that can move.
+/// \param mass  of the solid [kg]
+ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
+                          bool pinned);
+
+/// A walk of 0.6 by 4 m between two walls, and a box that falls on it.
+ClothScene rope_bridge(int squares, Real stiffness, Real mass);
+
+/// 1 by 1.6 m, its lower edge ten times as heavy, on two pins that a crane moves.
+ClothScene banner(int squares, Real stiffness);
+
+/// A sheet of 1 m that is pinned at two sides, of which one moves away.
+ClothScene torn_sheet(int squares, Real stiffness, Real speed);
+
+//! [drum]
+/// A rope over half of a fixed drum of half a metre, with so much pull at one end; a winch draws at the other end at
+/// 0.05 m/s. Its last spring goes to the winch.
+ClothScene rope_on_drum(int segments, Real stiffness, Real friction, Real pull);
+//! [drum]
+
+/// Pull in a spring [N].
+Real tension(const ClothScene& cloth, std::size_t spring);
+
+}  // namespace rigid

@@ -1,0 +1,230 @@
+// The functions of cloth_step.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/27_particles_and_cloth/cloth_step.hpp"
+
+#include <algorithm>
+
+namespace rigid {
+
+namespace cloth_names {
+
+constexpr std::array<std::string_view, 10> all{
+    "explicit",   "pbd",      "xpbd",   "threads",  "particles",
+    "projective", "implicit", "newton", "midpoint", "exact"};
+
+}  // namespace cloth_names
+
+std::string_view to_string(ClothMethod method)
+{
+    return cloth_names::all[static_cast<std::size_t>(method)];
+}
+
+ClothMethod cloth_method(std::string_view name)
+{
+    const auto found =
+        std::find(cloth_names::all.begin(), cloth_names::all.end(), name);
+    if (found == cloth_names::all.end())
+        throw std::invalid_argument("there is no method \"" + std::string(name) +
+                                    "\" for a cloth");
+    return static_cast<ClothMethod>(found - cloth_names::all.begin());
+}
+
+bool sweeps_rows(ClothMethod method)
+{
+    return method == ClothMethod::pbd || method == ClothMethod::xpbd ||
+           method == ClothMethod::threads;
+}
+
+bool takes_hard_rows(ClothMethod method)
+{
+    return sweeps_rows(method) || method == ClothMethod::exact;
+}
+
+void require_valid(const ClothSettings& s)
+{
+    require_step(s.h);
+    if (s.substeps < 1)
+        throw std::invalid_argument("the number of sub-steps is " +
+                                    std::to_string(s.substeps) +
+                                    "; it must be one or more");
+    if (s.sweeps < 0 || s.limit_sweeps < 0)
+        throw std::invalid_argument(
+            "the number of sweeps is " +
+            std::to_string(std::min(s.sweeps, s.limit_sweeps)) +
+            "; it must be zero or more");
+    if (!(s.pbd_share > 0 && s.pbd_share <= 1))
+        throw std::invalid_argument("the share of a visit is " +
+                                    shortest(s.pbd_share) +
+                                    "; it must lie above zero and be at most one");
+    for (const Real strain : {s.strain_limit, s.strength})
+        if (!(strain >= 0))
+            throw std::invalid_argument("the limit of strain is " +
+                                        shortest(strain) +
+                                        "; it must be zero or more");
+}
+
+void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings)
+{
+    const Key now{static_cast<std::size_t>(cloth.count()),
+                  cloth.springs.size(),
+                  cloth.bends.size(),
+                  cloth.hinges.size(),
+                  cloth.changes,
+                  settings.method,
+                  settings.part()};
+    if (now == key_) return;
+    // a cloth that has torn was whole before
+    if (key_.changes < 0 || now.changes == key_.changes) require_valid(cloth);
+    if (!takes_hard_rows(settings.method)) require_extensible(cloth);
+    if (settings.method == ClothMethod::projective)
+        projective.prepare(cloth, settings.part());
+    if (settings.method == ClothMethod::threads) threads.find(cloth);
+    if (settings.method == ClothMethod::particles) particles.find(cloth);
+    Real shortest_spring = infinity;
+    for (const ClothSpring& s : cloth.springs)
+        shortest_spring = std::min(shortest_spring, s.length);
+    touch.margin = cloth.springs.empty() ? 0.01 : shortest_spring / 4;
+    exact.lambda.resize(0);
+    key_ = now;
+}
+
+//! [wind]
+void add_wind(const ClothScene& cloth, VecX& f)
+{
+    for (const auto& t : cloth.triangles) {
+        const Vec3 a = cloth.bodies.position(t[0]);
+        const Vec3 N =
+            cross(cloth.bodies.position(t[1]) - a, cloth.bodies.position(t[2]) - a);
+        const Real twice = N.norm();
+        if (!(twice > 0)) continue;
+        Vec3 v = cloth.wind;
+        for (const int k : t) v -= cloth.bodies.velocity(k) / 3;
+        const Vec3 n = N / twice;
+        const Real across = n.dot(v);
+        const Vec3 push =
+            n * (cloth.air * twice / 2 * std::abs(across) * across / 3);
+        for (const int k : t) f.segment<3>(3 * k) += push;
+    }
+}
+//! [wind]
+
+void ClothMemory::go_on_from_the_middle(Bodies<3>& bodies) const
+{
+    const auto go_on = [&](Index k, Real sign) {
+        bodies.velocity(k) += sign * (bodies.velocity(k) - u0.segment<3>(3 * k));
+    };
+    for (Index k = 0; k < bodies.count(); ++k) go_on(k, 1);
+    // what touches comes to rest on the solid, and does not bounce back
+    for (const ClothContact& c : touch.contacts)
+        if (c.lambda > 0) go_on(c.particle, -0.5);
+}
+
+//! [solve]
+/// From y to x: the rows that the method solves together, and how far.
+void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
+                        VecX& x)
+{
+    const Real h = settings.part();
+    const auto count = static_cast<std::int64_t>(
+        cloth.springs.size() + cloth.bends.size() + cloth.hinges.size());
+    switch (settings.method) {
+    case ClothMethod::explicit_euler:
+        break;  // its forces are in y
+    case ClothMethod::pbd:
+    case ClothMethod::xpbd:
+    case ClothMethod::threads:
+        rows.positions_alone = settings.method == ClothMethod::pbd;
+        rows.share = settings.pbd_share;
+        rows.keep_lambda = settings.keep_lambda;
+        rows.begin(cloth);
+        threads.lambda.setZero();
+        for (int s = 0; s < settings.sweeps; ++s) {
+            if (settings.method == ClothMethod::threads) threads.sweep(cloth, h, x);
+            rows.sweep(cloth, h, x, settings.method != ClothMethod::threads);
+            touch.visit(cloth, x);
+        }
+        visits += count * settings.sweeps;
+        break;
+    case ClothMethod::particles:
+        for (int s = 0; s < settings.sweeps; ++s) particles.sweep(cloth, y, h, x);
+        visits += 2 * count * settings.sweeps;
+        break;
+    case ClothMethod::projective:
+        for (int s = 0; s < settings.sweeps; ++s) projective.pass(cloth, y, h, x);
+        visits += count * settings.sweeps, solves += settings.sweeps;
+        break;
+    case ClothMethod::implicit_euler:
+        newton.linear(cloth, x0, y, h, x);
+        visits += count * (newton.cg_steps + 2), solves += 1;
+        solved = solved && newton.solved;
+        break;
+    case ClothMethod::newton:
+    case ClothMethod::midpoint:
+        ClothNewton::begin(cloth, x0,
+                           settings.method == ClothMethod::midpoint ? h / 2 : h, x);
+        newton.minimise(cloth, y,
+                        settings.method == ClothMethod::midpoint ? h / 2 : h, x);
+        visits += count * (newton.steps + 1), solves += newton.steps;
+        solved = solved && newton.solved;
+        break;
+    case ClothMethod::exact:
+        exact.lambda.setZero();
+        exact.solve(cloth, y, h, x);
+        visits += count * (exact.steps + 1), solves += exact.steps;
+        solved = solved && exact.solved;
+    }
+}
+//! [solve]
+
+//! [step]
+void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
+{
+    require_valid(settings);
+    now.prepare(cloth, settings);
+    Bodies<3>& bodies = cloth.bodies;
+    const Real h = settings.part();
+    const bool middle = settings.method == ClothMethod::midpoint;
+    now.touch.reaction = settings.reaction;
+    now.solved = true;
+    for (int part = 0; part < settings.substeps; ++part) {
+        now.x0 = bodies.x, now.u0 = bodies.u;
+        now.force = bodies.f;
+        if (cloth.air > 0) add_wind(cloth, now.force);
+        if (settings.method == ClothMethod::explicit_euler)
+            add_row_forces(cloth, bodies.x, now.force);
+        for (Index k = 0; k < bodies.count(); ++k) {
+            const Real w = bodies.inverse_mass[3 * k];
+            if (!(w > 0)) continue;
+            bodies.velocity(k) += (middle ? h / 2 : h) *
+                                  (cloth.gravity + w * now.force.segment<3>(3 * k));
+            bodies.velocity(k) /= 1 + h * cloth.drag;
+        }
+        now.y = now.x0 + (middle ? h / 2 : h) * bodies.u;
+        now.touch.begin(cloth, h);
+        bodies.x = now.y;
+        const bool with_rows = sweeps_rows(settings.method);
+        if (with_rows) now.touch.find(cloth, now.x0, now.y);
+        now.solve(cloth, settings, bodies.x);
+        if (middle) bodies.x = 2 * bodies.x - now.x0;
+        for (int s = 0;
+             s < settings.limit_sweeps && settings.strain_limit < infinity; ++s)
+            limit_strain(cloth, settings.strain_limit, bodies.x);
+        if (!with_rows) now.touch.find(cloth, now.x0, bodies.x);
+        if (!with_rows || settings.strain_limit < infinity)
+            now.touch.visit(cloth, bodies.x);
+        for (Index k = 0; k < bodies.count(); ++k)
+            if (bodies.inverse_mass[3 * k] > 0)
+                bodies.velocity(k) =
+                    (bodies.position(k) - now.x0.segment<3>(3 * k)) / h;
+        if (middle) now.go_on_from_the_middle(bodies);
+        now.touch.end(cloth, h);
+        if (settings.strength < infinity) {
+            now.torn += tear(cloth, settings.strength);
+            now.prepare(cloth, settings);
+        }
+    }
+}
+//! [step]
+
+}  // namespace rigid

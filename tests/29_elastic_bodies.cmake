@@ -1,0 +1,13 @@
+# The program as a reader runs it.
+foreach(scene strip spin)
+  add_program_test(ch29 29_elastic_bodies "runs scene ${scene}" --headless --scene ${scene} --steps 20
+                   --method corotational,neo_hookean,linear,midpoint,modal --csv -)
+endforeach()
+foreach(scene ball jelly gripper bridge)
+  add_program_test(ch29 29_elastic_bodies "runs scene ${scene}" --headless --scene ${scene} --steps 40
+                   --method corotational,neo_hookean,linear --csv -)
+endforeach()
+add_program_test(ch29 29_elastic_bodies "runs scene bar" --headless --scene bar --steps 40
+                 --method modal,midpoint,corotational --csv -)
+add_program_test(ch29 29_elastic_bodies "refuses a modulus of zero" --headless --scene strip --set young=0 --steps 1)
+set_tests_properties("ch29: 29_elastic_bodies refuses a modulus of zero" PROPERTIES WILL_FAIL ON)
