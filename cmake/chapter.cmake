@@ -14,17 +14,15 @@ include(cmake/peers.cmake)   # measure_beside(): programs to compare with, where
 function(add_chapter chapter)
   string(SUBSTRING ${chapter} 0 2 number)
   set(folder ${PROJECT_SOURCE_DIR}/chapters/${chapter})
-  if(NOT EXISTS ${folder}/program/main.cpp)
-    return()
+  if(EXISTS ${folder}/program/main.cpp)
+    add_executable(${chapter} ${folder}/program/main.cpp)
+    target_link_libraries(${chapter} PRIVATE rigid_program ${rigid_chapter_up_to_${number}} rigid_common)
+    precompile(${chapter})
+    # The same objects for the time of a step alone (docs/web/test/step_times.mjs).
+    add_executable(${chapter}_steps EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/docs/web/test/steps_alone.cpp $<TARGET_OBJECTS:${chapter}>)
+    target_link_libraries(${chapter}_steps PRIVATE $<TARGET_PROPERTY:${chapter},LINK_LIBRARIES>)
+    add_dependencies(steps_alone ${chapter}_steps)
   endif()
-
-  add_executable(${chapter} ${folder}/program/main.cpp)
-  target_link_libraries(${chapter} PRIVATE rigid_program ${rigid_chapter_up_to_${number}} rigid_common)
-  precompile(${chapter})
-  # The same objects for the time of a step alone (docs/web/test/step_times.mjs).
-  add_executable(${chapter}_steps EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/docs/web/test/steps_alone.cpp $<TARGET_OBJECTS:${chapter}>)
-  target_link_libraries(${chapter}_steps PRIVATE $<TARGET_PROPERTY:${chapter},LINK_LIBRARIES>)
-  add_dependencies(steps_alone ${chapter}_steps)
 
   if(benchmark_FOUND AND EXISTS ${folder}/benchmark/benchmark.cpp)
     add_executable(${chapter}_benchmark EXCLUDE_FROM_ALL ${folder}/benchmark/benchmark.cpp)

@@ -2,8 +2,8 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/25_space/solid_scenes.hpp"
-#include "chapters/25_space/space_sleep.hpp"
+#include "chapters/24_friction_is_a_disc/solid_scenes.hpp"
+#include "chapters/25_world_in_space/space_sleep.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/sentence.hpp"

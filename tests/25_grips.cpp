@@ -1,9 +1,9 @@
 /// Chapter 25: what grips, and loops of more rows than they need.
 
 #include "chapters/11_rotation/mechanisms.hpp"
-#include "chapters/25_space/joint_makers.hpp"
-#include "chapters/25_space/solid_scenes.hpp"
-#include "chapters/25_space/space_method.hpp"
+#include "chapters/21_joints_in_space/joint_makers.hpp"
+#include "chapters/24_friction_is_a_disc/solid_scenes.hpp"
+#include "chapters/25_world_in_space/space_method.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/sentence.hpp"

@@ -1,7 +1,7 @@
 /// Chapter 25: a load on a joint is stiff.
 
-#include "chapters/25_space/hung_scenes.hpp"
-#include "chapters/25_space/space_method.hpp"
+#include "chapters/21_joints_in_space/hung_scenes.hpp"
+#include "chapters/25_world_in_space/space_method.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/solids.hpp"
@@ -52,48 +52,6 @@ Swing swing_of(int substeps, Method method)
 }
 
 }  // namespace
-
-TEST_CASE("the stiffness of a load is how its torque changes when the body turns", "[ch18][load][idea]")
-{
-    Random random(3);
-    for (int n = 0; n < 100; ++n) {
-        const Vec3 f = any_vector(random, 1);
-        const Vec3 r = any_vector(random, 1);
-        const Mat3 K = turning_stiffness(f, r);
-        CHECK(K == K.transpose());
-        Mat3 change;  // d(τ)/dφ by central differences
-        const Real small = 1e-5;
-        for (int i = 0; i < 3; ++i) {
-            const Vec3 phi = small * Vec3::Unit(i);
-            const Vec3 there = rotation_matrix(phi) * r, back = rotation_matrix(Vec3(-phi)) * r;
-            change.col(i) = (cross(there, f) - cross(back, f)) / (2 * small);
-        }
-        const Mat3 symmetric = -(change + change.transpose()) / 2;
-        // differences of second order: 1e-10 of |f||r| < 3, and rounding, 1e-16/1e-5
-        CHECK((K - symmetric).norm() < 1e-9);
-    }
-}
-
-TEST_CASE("what is added is never less than the stiffness and exact where the load is along an axis",
-          "[ch18][load][idea]")
-{
-    Random random(4);
-    for (int n = 0; n < 1000; ++n) {
-        Mat3 K = Mat3::Zero();
-        for (int i = 0; i < 2; ++i) {
-            const Vec3 f = any_vector(random, 1);
-            K += turning_stiffness(f, any_vector(random, 1));
-        }
-        const Vec3 kappa = at_least(K);
-        CHECK(kappa.minCoeff() >= 0);
-        const Mat3 left = Mat3(kappa.asDiagonal()) - K;
-        // rounding of entries below 20
-        CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(left).eigenvalues().minCoeff() > -1e-13);
-    }
-    const Vec3 pull(0, 7, 0), arm(0, 0.5, 0);
-    CHECK(at_least(turning_stiffness(pull, arm)) == Vec3(3.5, 0, 3.5));
-    CHECK(at_least(turning_stiffness(-pull, arm)) == Vec3(0, 0, 0));  // a push makes it tip over
-}
 
 TEST_CASE("a chain of fifty links holds a thousand times the mass of one at sixty steps a second",
           "[ch18][load][idea]")

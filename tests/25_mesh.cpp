@@ -2,8 +2,8 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/25_space/mesh_scenes.hpp"
-#include "chapters/25_space/space_sleep.hpp"
+#include "chapters/25_world_in_space/mesh_scenes.hpp"
+#include "chapters/25_world_in_space/space_sleep.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/sentence.hpp"

@@ -1,7 +1,7 @@
 /// Chapter 25: what stands, what is mirrored, and a hundred thousand pairs of hulls.
 
-#include "chapters/25_space/solid_scenes.hpp"
-#include "chapters/25_space/space_method.hpp"
+#include "chapters/24_friction_is_a_disc/solid_scenes.hpp"
+#include "chapters/25_world_in_space/space_method.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,11 +2,11 @@
 
 #include "tests/no_allocation.hpp"
 
-#include "chapters/25_space/built_scenes.hpp"
-#include "chapters/25_space/car.hpp"
-#include "chapters/25_space/doll_scenes.hpp"
-#include "chapters/25_space/solid_scenes.hpp"
-#include "chapters/25_space/step_in_parts.hpp"
+#include "chapters/24_friction_is_a_disc/solid_scenes.hpp"
+#include "chapters/25_world_in_space/built_scenes.hpp"
+#include "chapters/25_world_in_space/car.hpp"
+#include "chapters/25_world_in_space/doll_scenes.hpp"
+#include "chapters/25_world_in_space/step_in_parts.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/sentence.hpp"

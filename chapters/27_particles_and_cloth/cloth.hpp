@@ -10,7 +10,7 @@
 /// moves with its velocity, whatever pulls.
 #pragma once
 
-#include "chapters/25_space/space_bodies.hpp"
+#include "chapters/20_turning_in_space/space_bodies.hpp"
 
 #include <array>
 #include <vector>

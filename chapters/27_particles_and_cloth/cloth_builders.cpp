@@ -3,7 +3,7 @@
 
 #include "chapters/27_particles_and_cloth/cloth_builders.hpp"
 
-#include "chapters/25_space/inertia.hpp"
+#include "chapters/20_turning_in_space/inertia.hpp"
 
 namespace rigid {
 

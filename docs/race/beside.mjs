@@ -3,7 +3,7 @@
 //     node docs/race/beside.mjs plane|space [--write | --check | --text] [--scenes NAME,…] [--builds FOLDER]
 //
 // plane: the engine of chapter 19 beside Box2D v3 (docs/race.md). space: the methods of chapter 25 beside Jolt
-// (chapters/25_space/in_depth.md). A run gives build/race/NAME.csv (of some scenes alone: NAME_SCENE_….csv) and prints its tables. --write puts both into the book:
+// (chapters/25_world_in_space/in_depth.md). A run gives build/race/NAME.csv (of some scenes alone: NAME_SCENE_….csv) and prints its tables. --write puts both into the book:
 // docs/race/beside_NAME.csv, and the text between <!-- beside: NAME --> and <!-- /beside -->. --text fills only the text, from
 // the table that the book has. --check measures no time: each error must be that of the book's table, as printed.
 // A peer that is not installed is left out; --write and --text then refuse.
@@ -38,7 +38,7 @@ const parts = {
         spoken: "Ours: method, sub-steps; after `sweeps`, how many at most. Box2D's: sub-steps; `stiff`: contacts as stiff as it lets them be with so many; its package can't set joints. `small`: so many steps of a part of the time in place of sub-steps, each of which looks for contacts.",
     },
     space: {
-        wasm: 'race_space.wasm', text: 'chapters/25_space/in_depth.md', peer: 'Jolt', package: 'jolt-physics', build: 'multithread', peer_of: () => jolt_of(packages), judged_from: 60,
+        wasm: 'race_space.wasm', text: 'chapters/25_world_in_space/in_depth.md', peer: 'Jolt', package: 'jolt-physics', build: 'multithread', peer_of: () => jolt_of(packages), judged_from: 60,
         ours: scene => [
             {method: 'exact', substeps: 1, sleep: true},
             ...every(large(scene) ? [1, 4, 16] : [1, 2, 4, 8, 16], substeps => [

@@ -1,10 +1,10 @@
 /// \file beside_space.cpp
 /// Our side of the runs in node (beside.mjs) in space: the scenes of chapter 25's benchmark, its methods on them, and the
 /// judge of both sides, which is that of the benchmark.
-#include "chapters/25_space/benchmark/touching.hpp"
-#include "chapters/25_space/built_scenes.hpp"
-#include "chapters/25_space/hung_scenes.hpp"
-#include "chapters/25_space/space_sleep.hpp"
+#include "chapters/25_world_in_space/benchmark/touching.hpp"
+#include "chapters/25_world_in_space/built_scenes.hpp"
+#include "chapters/25_world_in_space/cradle.hpp"
+#include "chapters/25_world_in_space/space_sleep.hpp"
 #include "docs/race/space_text.hpp"
 
 #include <array>

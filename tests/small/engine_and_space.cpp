@@ -5,8 +5,8 @@
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 #include "chapters/18_islands/island_shape.hpp"
 #include "chapters/19_engine/world_scenes.hpp"
-#include "chapters/25_space/friction_cone.hpp"
-#include "chapters/25_space/tumbling.hpp"
+#include "chapters/20_turning_in_space/tumbling.hpp"
+#include "chapters/24_friction_is_a_disc/friction_cone.hpp"
 #include "tests/catch.hpp"
 
 #define main small_main
@@ -17,7 +17,7 @@ namespace small19 {
 #include "chapters/19_engine/small.cpp"
 }
 namespace small25 {
-#include "chapters/25_space/small.cpp"
+#include "chapters/25_world_in_space/small.cpp"
 }
 #undef main
 

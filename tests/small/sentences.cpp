@@ -6,7 +6,7 @@
 #include "chapters/16_soft_constraints/softness.hpp"
 #include "chapters/17_wide_sweeps/waits.hpp"
 #include "chapters/18_islands/island_shape.hpp"
-#include "chapters/25_space/tumbling.hpp"
+#include "chapters/20_turning_in_space/tumbling.hpp"
 #include "tests/catch.hpp"
 
 #include <set>

@@ -4,7 +4,7 @@
 /// Machinery, judge and levels are those of the first; the gap of a joint is that of a locked coordinate or of a limit.
 #pragma once
 
-#include "chapters/25_space/space_scene.hpp"
+#include "chapters/25_world_in_space/space_scene.hpp"
 #include "tests/stress/stresses.hpp"
 
 namespace rigid::stress {

@@ -1,5 +1,5 @@
-#include "chapters/25_space/joint_coordinates.hpp"
-#include "chapters/25_space/solid_touch.hpp"
+#include "chapters/21_joints_in_space/joint_coordinates.hpp"
+#include "chapters/23_faces_that_touch/solid_touch.hpp"
 #include "tests/stress/space.hpp"
 
 namespace rigid::stress {

@@ -1,4 +1,4 @@
-#include "chapters/25_space/space_method.hpp"
+#include "chapters/25_world_in_space/space_method.hpp"
 #include "tests/stress/space.hpp"
 #include "tests/stress/stepping.hpp"
 

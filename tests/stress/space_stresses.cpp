@@ -1,5 +1,5 @@
-#include "chapters/25_space/joint_makers.hpp"
-#include "chapters/25_space/solid_scenes.hpp"
+#include "chapters/21_joints_in_space/joint_makers.hpp"
+#include "chapters/24_friction_is_a_disc/solid_scenes.hpp"
 #include "tests/stress/bad_input.hpp"
 #include "tests/stress/space.hpp"
 #include "tests/stress/tasks.hpp"

@@ -1,0 +1,76 @@
+/// \file exact_tumbling.hpp
+/// The closed form of a free body's spin, to measure the steps against.
+///
+///     I₁ < I₂ < I₃, ω₂ = 0 at t = 0, L² > 2 E I₂:   ω = (A cn τ, B sn τ, D dn τ)        (25.16)
+///
+/// with the Jacobi functions of chapter 1's arithmetic-geometric mean. Where L² < 2 E I₂ the first axis and the third
+/// change places. \cite landau1976, §37
+#pragma once
+
+#include "chapters/01_euler_integration/exact.hpp"
+#include "chapters/20_turning_in_space/rotation.hpp"
+#include "common/elementary.hpp"
+#include "common/text.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace rigid {
+
+/// sn, cn and dn of u for the modulus k, 0 ≤ k < 1. \cite abramowitz1964, §16.4
+Vec3 jacobi_functions(Real u, Real k);
+
+//! [exact]
+/// What the energy and the length of the angular momentum say of a free spin; the
+/// middle axis is the second.
+struct SpinForm {
+    bool swapped;       ///< L² < 2 E I₂: the third axis stands for the first
+    Real I1, I2, I3;    ///< [kg m²]
+    Real upper, lower;  ///< 2 E I₃ − L², L² − 2 E I₁
+    Real k, rate;       ///< modulus, and dτ/dt [1/s]
+};
+
+/// \param inertia  I₁ < I₂ < I₃ [kg m²]; otherwise std::invalid_argument
+inline SpinForm spin_form(const Vec3& inertia, const Vec3& omega)
+{
+    if (!(inertia[0] > 0 && inertia[0] < inertia[1] && inertia[1] < inertia[2]))
+        throw std::invalid_argument(
+            "the moments of inertia are " + shortest(inertia[0]) + ", " +
+            shortest(inertia[1]) + ", " + shortest(inertia[2]) +
+            " kg m²; they must be ascending");
+    const Real E2 = inertia.dot(omega.cwiseAbs2()),
+               L2 = inertia.cwiseProduct(omega).squaredNorm();
+    SpinForm s;
+    s.swapped = L2 < E2 * inertia[1];
+    s.I1 = inertia[s.swapped ? 2 : 0], s.I2 = inertia[1];
+    s.I3 = inertia[s.swapped ? 0 : 2];
+    s.upper = E2 * s.I3 - L2, s.lower = L2 - E2 * s.I1;
+    s.k = std::sqrt((s.I2 - s.I1) * s.upper / ((s.I3 - s.I2) * s.lower));
+    s.rate = std::sqrt((s.I3 - s.I2) * s.lower / (s.I1 * s.I2 * s.I3));
+    return s;
+}
+
+/// (25.16): ω at the time t in the body's axes, of a body that starts with
+/// ω = (ω₁, 0, ω₃), both positive.
+inline Vec3 exact_spin(const Vec3& inertia, Real omega1, Real omega3, Real t)
+{
+    const SpinForm s = spin_form(inertia, {omega1, 0, omega3});
+    const Vec3 f = jacobi_functions(s.rate * t, s.k);
+    Vec3 omega(std::sqrt(s.upper / (s.I1 * (s.I3 - s.I1))) * f[1],
+               std::sqrt(s.upper / (s.I2 * (s.I3 - s.I2))) * f[0],
+               std::sqrt(s.lower / (s.I3 * (s.I3 - s.I1))) * f[2]);
+    if (s.swapped) std::swap(omega[0], omega[2]);
+    return omega;
+}
+
+/// The time after which ω is what it was, 4 K(k) / rate [s]; half of it from one
+/// flip to the next.
+inline Real spin_period(const Vec3& inertia, const Vec3& omega)
+{
+    const SpinForm s = spin_form(inertia, omega);
+    return 2 * pi / (GeometricMean(asin(s.k)).mean() * s.rate);
+}
+//! [exact]
+
+}  // namespace rigid

@@ -1,0 +1,157 @@
+// Chapter 20 in one file, grown from chapter 11: bodies that turn in space.
+// Angles are no numbers: turns are multiplied, and a step turns through its middle.
+//
+//     u = (v, ω), ω in the body's own axes,   θ ← θ ⊕ h ξ,   I ω ← exp(−h ξ) I ω
+//     ξ, the spin in the middle of the step:  I ω = exp(h/2 ξ) I ξ
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <vector>
+using Eigen::Vector3d;
+using Vec = Eigen::VectorXd;
+
+struct Bodies {
+    Vec x, u, inverse_mass;  // six a body: x, rotation vector; v, ω; 1/m, 1/I
+    double g = 9.81;
+};
+
+// (25.6): the rotation of a rotation vector.
+Eigen::Quaterniond exp(const Vector3d& theta)
+{
+    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
+}
+
+// (25.8): θ ⊕ δ, after a turn by δ in the body's own axes.
+Vector3d add(const Vector3d& theta, const Vector3d& delta)
+{
+    const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
+    return sum.angle() * sum.axis();
+}
+
+// (25.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
+// momentum stays where it is, and the axes turn.
+Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
+{
+    const Vector3d L = omega.cwiseQuotient(inverse);
+    Vector3d xi = omega;
+    for (int n = 0; n < 20; ++n) xi = inverse.cwiseProduct(exp(-h / 2 * xi) * L);
+    omega = inverse.cwiseProduct(exp(-h * xi) * L);
+    return h * xi;
+}
+
+void step(Bodies& d, double h)
+{
+    for (int k = 0; k < d.x.size() / 6; ++k) {
+        d.u[6 * k + 2] -= d.g * h;                           // u*, (3.4)
+        d.x.segment<3>(6 * k) += h * d.u.segment<3>(6 * k);  // (1.10)
+        Vector3d omega = d.u.segment<3>(6 * k + 3);
+        const Vector3d delta = turn(d.inverse_mass.segment<3>(6 * k + 3), omega, h);
+        d.x.segment<3>(6 * k + 3) = add(d.x.segment<3>(6 * k + 3), delta);
+        d.u.segment<3>(6 * k + 3) = omega;
+    }
+}
+
+// A uniform box with the edges e at a place.
+void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
+{
+    for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
+        v->conservativeResize(v->size() + 6);
+    d.x.tail<6>() << at, 0, 0, 0;
+    d.u.tail<6>().setZero();
+    const Vector3d q = e.cwiseAbs2();
+    const Vector3d I = mass / 12 * Vector3d(q[1] + q[2], q[2] + q[0], q[0] + q[1]);
+    d.inverse_mass.tail<6>() << Vector3d::Constant(1 / mass), I.cwiseInverse();
+}
+
+double spin_energy(const Bodies& d)
+{
+    const Vector3d omega = d.u.segment<3>(3);
+    const Vector3d inverse = d.inverse_mass.segment<3>(3);
+    return omega.cwiseAbs2().cwiseQuotient(inverse).sum() / 2;
+}
+
+// A book of 0.7 kg that spins about its middle axis, with a wobble.
+Bodies book(double spin, double wobble)
+{
+    Bodies d{{}, {}, {}, 0};
+    add_box(d, {0.16, 0.24, 0.04}, 0.7, {0, 0, 0});
+    d.u.tail<3>() << spin, spin * wobble, spin * wobble;
+    return d;
+}
+
+const Vector3d to_eye(-0.3, -1, 0.4);
+
+// One half of the book, as six faces of four corners each.
+void draw_half(std::ostream& out, const Bodies& d, double side, const char* colour)
+{
+    const auto R = exp(d.x.tail<3>()).toRotationMatrix();
+    for (int i = 0; i < 6; ++i) {
+        const int a = i / 2, b = (a + 1) % 3, c = (a + 2) % 3;
+        const double end = i % 2 ? 0.5 : -0.5;
+        if (end * R.col(a).dot(to_eye) < 0) continue;  // it faces away
+        out << "<path fill='" << colour << "' d='";
+        for (const auto& [p, q] :
+             {std::pair{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}}) {
+            Vector3d r;
+            r[a] = end, r[b] = p, r[c] = q;
+            r = R * Vector3d(0.08 * (r[0] + side / 2), 0.24 * r[1], 0.04 * r[2]);
+            r += d.x.head<3>();
+            out << (p + q < -0.5 ? 'M' : 'L') << r.x() - 0.3 * r.y() << ' '
+                << -r.z() - 0.4 * r.y();
+        }
+        out << "Z'/>\n";
+    }
+}
+
+int main(int count, char** word)
+{
+    // By hand, section 25.1: two quarter turns; a book's moments, and its turning over.
+    const double quarter = std::numbers::pi / 2;
+    for (const auto& [first, then] :
+         {std::pair{Vector3d::UnitX(), Vector3d::UnitY()},
+          {Vector3d::UnitY(), Vector3d::UnitX()}}) {
+        const Vector3d sum = add(quarter * first, quarter * then);
+        std::printf("two quarter turns: %.0f degrees about %.3f %.3f %.3f\n",
+                    sum.norm() * 90 / quarter, sum[0] / sum.norm(),
+                    sum[1] / sum.norm(), sum[2] / sum.norm());
+    }
+    for (const double wobble : {0.1, 0.01}) {
+        Bodies d = book(1, wobble);
+        int n = 0;
+        for (; d.u[3] > 0; ++n) step(d, 0.001);
+        std::printf("I %.1f %.1f %.1f; wobble %g: over after %.2f turns\n",
+                    1e4 / d.inverse_mass[3], 1e4 / d.inverse_mass[4],
+                    1e4 / d.inverse_mass[5], wobble, n * 0.001 / 4 / quarter);
+    }
+    Bodies middle = book(12, 0.1), first = middle;
+    const double E = spin_energy(middle);
+    for (int n = 0; n < 1600; ++n) {
+        step(middle, 0.005);
+        const Vector3d inverse = first.inverse_mass.tail<3>();
+        const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
+        first.u.tail<3>() -=
+            0.005 * inverse.cwiseProduct(omega.cross(L));  // (25.17)
+    }
+    std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
+                spin_energy(first) / E);
+    // The book, thrown up and to the right: nine pictures of it.
+    std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
+    out << "<svg xmlns='http://www.w3.org/2000/svg' width='640' stroke='#808080' "
+           "stroke-width='0.004' stroke-linejoin='round' viewBox='-0.25 -1 2.9 "
+           "1.15'>\n";
+    Bodies d = book(12, 0.1);
+    d.g = 9.81, d.u.head<3>() << 3, 0, 3.9;
+    for (int n = 0; n <= 192; ++n, step(d, 1.0 / 240)) {
+        if (n % 24) continue;
+        const Vector3d red_way = exp(d.x.tail<3>()) * Vector3d::UnitX();
+        const bool red_is_near = red_way.dot(to_eye) > 0;
+        for (const bool red :
+             {!red_is_near, red_is_near})  // the farther half first
+            draw_half(out, d, red ? 1 : -1, red ? "#CC3311" : "#4477AA");
+    }
+    out << "</svg>\n";
+    std::printf("after 0.8 s the spin about the middle axis is %.2f rad/s\n",
+                d.u[3]);
+}

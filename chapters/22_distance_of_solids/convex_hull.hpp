@@ -1,0 +1,23 @@
+/// \file convex_hull.hpp
+/// The hull of some points in space, with its faces: for scenes, so it is plain and not fast.
+///
+///     a plane through three of the points is a face if all others lie on one side of it
+///
+/// Each of the N³/6 planes is tried, and what lies in it is the face: N⁴/6 dot products, two million for 60 points.
+#pragma once
+
+#include "chapters/22_distance_of_solids/solid_form.hpp"
+
+namespace rigid {
+
+/// The points that lie in a plane, counterclockwise as seen from the side that n points to, without those that are
+/// on the line between two others.
+std::vector<int> around(const std::vector<Vec3>& points, std::vector<int> face,
+                        const Vec3& n, Real flat);
+
+/// The convex hull of these points, as a solid with sharp corners.
+/// \throws std::invalid_argument  if they lie in a plane, or if there are fewer than
+///                                four of them
+Hull solid_hull(const std::vector<Vec3>& points);
+
+}  // namespace rigid

@@ -1,0 +1,52 @@
+// The functions of car.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/25_world_in_space/car.hpp"
+
+namespace rigid {
+
+SpaceScene car_on_floor(const Car& car, Real mu)
+{
+    SpaceScene scene;
+    const Vec3 size(3, 0.5, 1.3);
+    add_body(scene, {solid_box(size)}, car.mass / size.prod(),
+             {0, car.radius + 0.25, 0});
+    const Hull wheel = solid_capsule(0.06, car.radius);
+    const Real density = car.wheel_mass / mass_of(wheel, 1).mass;
+    for (const Real x : {-1.1, 1.1})
+        for (const Real z : {-1.1, 1.1}) {
+            const Vec3 at(x, car.radius, z), axle(0, 0, -1);
+            const Index k =
+                add_body(scene, {wheel}, density, at, frame_along(axle));
+            SpaceJoint joint = joint_at(scene, 0, k, at, axle);
+            joint.lock({along_x, along_z, swing_y, swing_z});
+            joint.lo[along_y] = -0.1, joint.hi[along_y] = 0.2;
+            joint.motor = twist;
+            joint.speed = car.speed / car.radius, joint.force = car.torque;
+            scene.joints.push_back(joint);
+        }
+    add_floor(scene, mu);
+    return scene;
+}
+
+//! [struts]
+void push_struts(SpaceScene& scene, const Car& car, Real h)
+{
+    Bodies<6>& bodies = scene.bodies;
+    const VecX u = bodies.u;  // no strut sees what another has pushed
+    for (const SpaceJoint& joint : scene.joints) {
+        const Constraint<6> strut =
+            coordinate_of(frames_of(bodies.x, joint), joint, along_y);
+        const Real rate = strut.Ja.dot(u.segment<6>(6 * joint.a)) +
+                          strut.Jb.dot(u.segment<6>(6 * joint.b));
+        const Real impulse =
+            -h * (car.stiffness() * strut.C + car.resistance() * rate);
+        bodies.velocity(joint.a) +=
+            bodies.apply_inverse_mass(joint.a, strut.Ja.transpose() * impulse);
+        bodies.velocity(joint.b) +=
+            bodies.apply_inverse_mass(joint.b, strut.Jb.transpose() * impulse);
+    }
+}
+//! [struts]
+
+}  // namespace rigid

@@ -1,0 +1,182 @@
+/// Chapter 22: the distance of solids.
+
+#include "chapters/22_distance_of_solids/gjk.hpp"
+#include "chapters/22_distance_of_solids/separating_axes.hpp"
+#include "common/random.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/placed_solids.hpp"
+#include "tests/sentence.hpp"
+
+using namespace rigid;
+
+namespace {
+
+// ---- the distance of two hulls by all pairs of their parts: nothing is shared with the headers --------------------
+
+Real to_segment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+    const Real t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), Real{0}, Real{1});
+    return (p - a - t * (b - a)).norm();
+}
+
+Real to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    Real least = std::min({to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a)});
+    const Vec3 n = cross(b - a, c - a);
+    const bool above =
+        cross(b - a, p - a).dot(n) > 0 && cross(c - b, p - b).dot(n) > 0 && cross(a - c, p - c).dot(n) > 0;
+    if (above) least = std::min(least, std::abs(n.dot(p - a)) / n.norm());
+    return least;
+}
+
+Real of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    Real least =
+        std::min({to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b)});
+    const Vec3 n = cross(b - a, d - c);
+    if (n.squaredNorm() < 1e-20) return least;
+    // where they cross as seen along n
+    const Real s = cross(c - a, d - c).dot(n) / n.squaredNorm(),
+               t = cross(c - a, b - a).dot(n) / n.squaredNorm();
+    if (s > 0 && s < 1 && t > 0 && t < 1) least = std::min(least, std::abs(n.dot(c - a)) / n.norm());
+    return least;
+}
+
+Real distance_by_parts(const PlacedSolid& a, const PlacedSolid& b)
+{
+    Real least = infinity;
+    const auto corners_to_faces = [&least](const PlacedSolid& p, const PlacedSolid& q) {
+        for (const Vec3& corner : p.vertices)
+            for (const std::vector<int>& face : q.form->hull.faces)
+                for (std::size_t i = 1; i + 1 < face.size(); ++i)
+                    least = std::min(least, to_triangle(corner, q.corner(face[0]), q.corner(face[i]),
+                                                        q.corner(face[i + 1])));
+    };
+    corners_to_faces(a, b);
+    corners_to_faces(b, a);
+    for (const SolidEdge& e : a.form->edges)
+        for (const SolidEdge& f : b.form->edges)
+            least = std::min(least,
+                             of_segments(a.corner(e.from), a.corner(e.to), b.corner(f.from), b.corner(f.to)));
+    return least;
+}
+
+/// How deep the origin is inside the hull of all differences of corners: the least way that parts two solids.
+Real depth_by_differences(const PlacedSolid& a, const PlacedSolid& b)
+{
+    std::vector<Vec3> differences;
+    for (const Vec3& q : b.vertices)
+        for (const Vec3& p : a.vertices) differences.push_back(q - p);
+    const Hull all = solid_hull(differences);
+    Real depth = infinity;
+    for (const std::vector<int>& face : all.faces) {
+        const auto at = [&](std::size_t i) { return all.vertices[static_cast<std::size_t>(face[i])]; };
+        const Vec3 n = cross(at(1) - at(0), at(2) - at(0)).normalized();
+        depth = std::min(depth, n.dot(at(0)));
+    }
+    return depth;
+}
+
+}  // namespace
+
+TEST_CASE("a hull has all points inside and the faces and edges of Euler", "[idea]")
+{
+    Random random(1);
+    for (int i = 0; i < 40; ++i) {
+        std::vector<Vec3> cloud;
+        const int count = 4 + i % 17;
+        for (int k = 0; k < count; ++k) cloud.push_back(any_vector(random, 1));
+        const SolidForm form = form_of(solid_hull(cloud));
+        const auto V = form.hull.vertices.size(), F = form.hull.faces.size(), E = form.edges.size();
+        CHECK(V + F == E + 2);
+        for (const Vec3& p : cloud)
+            for (std::size_t f = 0; f < F; ++f)  // solid_hull() takes 1e-10 of its size for flat
+                CHECK(form.normals[f].dot(
+                          p - form.hull.vertices[static_cast<std::size_t>(form.hull.faces[f][0])]) < 1e-9);
+    }
+    // a cube out of a grid: corners alone are left, with faces of four and three directions
+    std::vector<Vec3> grid;
+    for (int k = 0; k < 27; ++k) grid.push_back(Vec3(k % 3, k / 3 % 3, k / 9));
+    const SolidForm cube = form_of(solid_hull(grid));
+    CHECK(cube.hull.vertices.size() == 8);
+    CHECK(cube.hull.faces.size() == 6);
+    CHECK(cube.edges.size() == 12);
+    CHECK(cube.directions.size() == 3);
+    CHECK(mass_of(cube.hull, 1).mass == Approx(8).epsilon(1e-14));
+}
+
+TEST_CASE("the nearest points of two hulls are as far apart as any of their parts", "[idea]")
+{
+    Random random(2);
+    int apart = 0;
+    for (int i = 0; i < 400; ++i) {
+        const SolidForm fa = form_of(any_hull(random, 4 + i % 9)), fb = form_of(any_hull(random, 4 + i % 7));
+        const Vec3 at = any_vector(random, 2.5), ta = any_vector(random, 2), tb = any_vector(random, 2);
+        const PlacedSolid a = placed(fa, {0, 0, 0}, ta), b = placed(fb, at, tb);
+        const Nearest near = nearest_points(a, b);
+        const Real most = std::max(best_face(a, b, 0).separation, best_across_edges(a, b).separation);
+        if (!(most > 0)) {
+            CHECK(near.distance < 1e-12);
+            continue;
+        }
+        ++apart;
+        // roundings of numbers near 3, times the slope of a thin simplex
+        CHECK(std::abs(near.distance - distance_by_parts(a, b)) < 1e-10);
+        CHECK(std::abs((near.on_b - near.on_a).norm() - near.distance) < 1e-12);
+        CHECK(most <= near.distance + 1e-12);  // (25.31) is never more than the distance
+    }
+    CHECK(apart > 100);
+}
+
+TEST_CASE("the best axis of two hulls that overlap is the least way that parts them", "[idea]")
+{
+    Random random(3);
+    int overlapping = 0;
+    for (int i = 0; i < 60; ++i) {
+        const SolidForm fa = form_of(any_hull(random, 4 + i % 4)), fb = form_of(any_hull(random, 4 + i % 3));
+        const Vec3 at = any_vector(random, 0.6), theta = any_vector(random, 2);
+        const PlacedSolid a = placed(fa, {0, 0, 0}), b = placed(fb, at, theta);
+        const Real most = std::max(best_face(a, b, 0).separation, best_across_edges(a, b).separation);
+        if (!(most < -1e-3)) continue;
+        ++overlapping;
+        // solid_hull() takes 1e-10 of its size for flat
+        CHECK(std::abs(-most - depth_by_differences(a, b)) < 1e-9);
+        const SolidTouch touch = touch_of(a, b);
+        REQUIRE(touch.count > 0);
+        CHECK(least_gap(touch) == Approx(most).margin(1e-9));
+        // moved apart by that much they only touch
+        const PlacedSolid moved = placed(fb, at - (most - 1e-6) * touch.normal, theta);
+        const Nearest near = nearest_points(a, moved);
+        CHECK(near.distance > 0);
+        CHECK(near.distance < 2e-6);
+    }
+    CHECK(overlapping > 20);
+}
+
+TEST_CASE("hulls that are none are refused with a sentence", "[house]")
+{
+    const auto with = [](const Hull& hull) { return sentence_of([&] { form_of(hull); }); };
+    Hull hull = solid_box({1, 1, 1});
+    hull.vertices[0] = {0, 0, 0};
+    CHECK(with(hull).find("is not convex") != std::string::npos);
+    hull = solid_box({1, 1, 1});
+    hull.faces.pop_back();
+    CHECK(with(hull) == "a hull is not closed: an edge is one of 1 faces");
+    hull = solid_box({1, 1, 0});
+    CHECK(with(hull) != "accepted");
+    hull = solid_ball(1);
+    hull.radius = -1;
+    CHECK(with(hull) == "a hull has the radius -1 m; it must be between 0 and 1e75");
+    hull = solid_box({1, 1, 1});
+    hull.vertices[3].x() = std::nan("");
+    CHECK(with(hull).find("a hull has a vertex at (nan, ") == 0);
+    // a normal has no direction where its square is no number
+    CHECK(with(solid_box({1, 1e76, 1})).find("none beyond 1e75") != std::string::npos);
+    CHECK(with(solid_box({1, 1e-76, 1})) == "an edge has no length");
+    CHECK(with(solid_ball(1e76)) == "a hull has the radius 1e+76 m; it must be between 0 and 1e75");
+    CHECK(with({{Vec3(0, 0, 0), Vec3(0, 0, 0)}, {}, 1}) == "an edge has no length");
+    CHECK(sentence_of([] {
+              solid_hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)});
+          }) == "the points of a hull lie in a plane");
+}
