@@ -107,7 +107,7 @@ void draw_half(std::ostream& out, const Bodies& d, double side, const char* colo
 
 int main(int count, char** word)
 {
-    // By hand, section 25.1: two quarter turns; a book's moments, and its turning over.
+    // By hand, section 25.1: two quarter turns; a book that turns over.
     const double quarter = std::numbers::pi / 2;
     for (const auto& [first, then] :
          {std::pair{Vector3d::UnitX(), Vector3d::UnitY()},

@@ -1,8 +1,8 @@
 /// \file joint_scenes.hpp
-/// What hangs and what spins on joints: Newton's cradle, a gyroscope, chains.
+/// What hangs and touches: Newton's cradle, and a chain with a heavy end.
 #pragma once
 
-#include "chapters/21_joints_in_space/gyroscope.hpp"
+#include "chapters/25_world_in_space/cradle.hpp"
 #include "chapters/25_world_in_space/program/hung_demo.hpp"
 #include "chapters/25_world_in_space/program/touch_scenes.hpp"
 
@@ -53,61 +53,6 @@ inline Demo cradle_scene()
         {"energy", "J", "less that of the start", Plot::linear},
         {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic}};
     return scene;
-}
-
-inline Demo gyroscope_scene()
-{
-    Demo scene = space_demo(
-        "gyroscope", "A wheel in a gimbal: a weight on its axis turns it about",
-        {{0, 0}, {0.6, 0.45}}, 1.0 / 960, {"exact", "islands"},
-        [](const Settings& settings) {
-            SpaceSetup setup;
-            Gyroscope gyroscope;
-            gyroscope.spin = settings["spin"];
-            gyroscope.weight = settings["weight"];
-            setup.scene = gyroscope_in_gimbal(gyroscope);
-            setup.camera.distance = 2;
-            setup.camera.azimuth = 1.1;
-            setup.skin = Skin::opaque;
-            const Real exact = precession_of(gyroscope);
-            setup.measure = [exact](const SpaceState& s) -> std::vector<Real> {
-                const Vec3 axis = rotation_of(s.scene.bodies.x, 2).col(0);
-                return {world_spin(s.scene.bodies, 0).y(), exact,
-                        asin(axis.y()) * 180 / pi, energy(s.scene) - s.energy,
-                        largest_joint_error(s.scene)};
-            };
-            return setup;
-        });
-    scene.tunables.push_back({"spin", "rad/s", "of the wheel", 150, 20, 500,
-                              Numbers::real, OnChange::restarts});
-    scene.tunables.push_back({"weight", "kg", "on the axis", 0.2, 0, 2,
-                              Numbers::real, OnChange::restarts});
-    scene.columns = {
-        {"precession", "rad/s", "of the outer ring", Plot::linear},
-        {"precession_exact", "rad/s", "M g l over I omega"},
-        {"lift", "°", "of the wheel's axis from level", Plot::linear},
-        {"energy", "J", "less that of the start", Plot::linear},
-        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic}};
-    return scene;
-}
-
-inline Demo plates_scene()
-{
-    return hung_demo(
-        "plates", "Plates on hinges swing in one plane, however they are pushed",
-        {{0, 0}, {6.4, 4.8}},
-        [](const Settings& settings) {
-            SpaceSetup setup;
-            setup.scene = plate_chain(static_cast<int>(settings["plates"]),
-                                      settings["aside"]);
-            setup.camera = {{0, -2.5, 0}, 16};
-            setup.skin = Skin::opaque;
-            return setup;
-        },
-        {{"plates", "", "of the chain", 5, 1, 12, Numbers::whole,
-          OnChange::restarts},
-         {"aside", "m/s", "a push across the plane", 1, 0, 10, Numbers::real,
-          OnChange::restarts}});
 }
 
 inline Demo heavy_scene()

@@ -1,8 +1,7 @@
-// Chapter 25. Space: the program.
+// Chapter 25. A world in space: the program.
 #include "chapters/25_world_in_space/program/fall_scenes.hpp"
 #include "chapters/25_world_in_space/program/joint_scenes.hpp"
 #include "chapters/25_world_in_space/program/mesh_demo.hpp"
-#include "chapters/25_world_in_space/program/scenes.hpp"
 #include "chapters/25_world_in_space/program/spin_scenes.hpp"
 #include "chapters/25_world_in_space/program/touch_scenes.hpp"
 
@@ -12,14 +11,12 @@ int main(int argc, char** argv)
     const auto make = [] {
         Program program;
         program.name = "25_world_in_space";
-        program.title = "Chapter 25. Space";
-        program.scenes = {
-            book_scene(),   spin_scene(),      handle_scene(),   top_scene(),
-            chain_scene(),  door_scene(),      slide_scene(),    stack_scene(),
-            heap_scene(),   table_scene(),     low_ball_scene(), rattleback_scene(),
-            cradle_scene(), gyroscope_scene(), plates_scene(),   heavy_scene(),
-            wall_scene(),   cards_scene(),     pour_scene(),     dolls_scene(),
-            car_scene(),    hills_scene()};
+        program.title = "Chapter 25. A world in space";
+        program.scenes = {slide_scene(),  stack_scene(),    heap_scene(),
+                          table_scene(),  low_ball_scene(), rattleback_scene(),
+                          cradle_scene(), heavy_scene(),    wall_scene(),
+                          cards_scene(),  pour_scene(),     dolls_scene(),
+                          car_scene(),    hills_scene()};
         return program;
     };
     return run_program(make, argc, argv);

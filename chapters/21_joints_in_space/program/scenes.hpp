@@ -1,0 +1,186 @@
+/// \file scenes.hpp
+/// A top, rods and plates on joints, a door, a gyroscope.
+#pragma once
+
+#include "chapters/21_joints_in_space/gyroscope.hpp"
+#include "chapters/21_joints_in_space/program/space_run.hpp"
+
+namespace rigid {
+
+/// A chain that swings: energy, joints, and rows visited.
+/// \param make      the scene and how it is looked at
+/// \param tunables  of the scene; those of the step are added
+inline Demo hung_demo(const std::string& name, const std::string& summary,
+                      const View& view,
+                      const std::function<JointSetup(const Settings&)>& make,
+                      const std::vector<Tunable>& tunables)
+{
+    Demo scene = joint_demo(
+        name, summary, view, 1.0 / 240, {"exact", "islands"},
+        [make](const Settings& settings) {
+            JointSetup setup = make(settings);
+            setup.measure = [](const JointState& s) -> std::vector<Real> {
+                return {energy(s.scene) - s.energy, largest_joint_error(s.scene),
+                        static_cast<Real>(s.now.visits)};
+            };
+            return setup;
+        });
+    scene.tunables.insert(scene.tunables.end(), tunables.begin(), tunables.end());
+    scene.tunables.push_back(
+        {"substeps", "", "parts of a step", 4, 1, 64, Numbers::whole});
+    scene.columns = {
+        {"energy_error", "J", "energy minus that of the start", Plot::linear},
+        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic},
+        {"visits", "", "rows visited", Plot::linear}};
+    return scene;
+}
+
+inline Demo top_scene()
+{
+    Demo scene = joint_demo(
+        "top", "A top on its tip: steady precession beside its closed form",
+        {{0, 0.16}, {0.42, 0.28}}, 1.0 / 960, {"exact", "islands"},
+        [](const Settings& settings) {
+            JointSetup setup;
+            TopShape top;
+            top.spin = settings["spin"];
+            top.tilt = settings["tilt"] * pi / 180;
+            setup.scene = spinning_top(top);
+            setup.camera.target = {0, 0.12, 0};
+            setup.camera.distance = 1;
+            setup.traces = true;
+            const Real exact = precession_of(top);
+            setup.measure = [exact](const JointState& s) -> std::vector<Real> {
+                const Vec3 p = centre_of(s.scene.bodies.x, 0);
+                const Vec3 v = s.scene.bodies.u.head<3>();
+                const Real round = p.x() * p.x() + p.z() * p.z();
+                return {atan2(std::sqrt(round), p.y()) * 180 / pi,
+                        cross(p, v).y() / round, exact,
+                        largest_joint_error(s.scene)};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"spin", "rad/s", "about its axis", 60, 40, 400,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"tilt", "°", "of the axis from upright", 30, 1, 80,
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {
+        {"tilt", "°", "of the axis from upright", Plot::linear},
+        {"precession", "rad/s", "about the vertical", Plot::linear},
+        {"precession_exact", "rad/s", "(25.28)"},
+        {"joint_error", "m", "how far the tip has moved", Plot::logarithmic}};
+    return scene;
+}
+
+inline Demo chain_scene()
+{
+    return hung_demo(
+        "chain",
+        "Rods on ball joints and constant-velocity joints swing out of the plane",
+        {{0, -1.6}, {4.6, 3.2}},
+        [](const Settings& settings) {
+            JointSetup setup;
+            setup.scene = rod_chain(static_cast<int>(settings["rods"]));
+            setup.camera.target = {0, -1.6, 0};
+            setup.camera.distance = 14;
+            setup.traces = true;
+            setup.traced = {0.4, 0, 0};
+            return setup;
+        },
+        {{"rods", "", "rods of the chain", 4, 1, 12, Numbers::whole,
+          OnChange::restarts}});
+}
+
+inline Demo door_scene()
+{
+    Demo scene = joint_demo(
+        "door", "A motor on a hinge drives a door from stop to stop",
+        {{0, 0}, {2.1, 1.4}}, 1.0 / 240, {"exact", "islands"},
+        [](const Settings& settings) {
+            JointSetup setup;
+            setup.scene = driven_door(settings["speed"], settings["torque"],
+                                      settings["stop"] * pi / 180);
+            setup.camera.distance = 5;
+            setup.change = [](JointedSolids& moved, const Settings& now, Real t) {
+                SpaceJoint& joint = moved.joints[0];
+                const bool back = std::fmod(t, 4.0) >= 2;
+                joint.speed = back ? -now["speed"] : now["speed"];
+                joint.force = now["torque"];
+            };
+            setup.measure = [](const JointState& s) -> std::vector<Real> {
+                const JointFrames f =
+                    frames_of(s.scene.bodies.x, s.scene.joints[0]);
+                return {turn_of(twist, f.q).value * 180 / pi,
+                        world_spin(s.scene.bodies, 0).y(),
+                        largest_joint_error(s.scene)};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"speed", "rad/s", "of the motor", 1.5, -5, 5});
+    scene.tunables.push_back(
+        {"torque", "N m", "of the motor, at most", 20, 0, 500});
+    scene.tunables.push_back({"stop", "°", "stops at this to either side", 75, 5,
+                              170, Numbers::real, OnChange::restarts});
+    scene.columns = {
+        {"angle", "°", "of the door", Plot::linear},
+        {"omega", "rad/s", "of the door", Plot::linear},
+        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic}};
+    return scene;
+}
+
+inline Demo gyroscope_scene()
+{
+    Demo scene = joint_demo(
+        "gyroscope", "A wheel in a gimbal: a weight on its axis turns it about",
+        {{0, 0}, {0.6, 0.45}}, 1.0 / 960, {"exact", "islands"},
+        [](const Settings& settings) {
+            JointSetup setup;
+            Gyroscope gyroscope;
+            gyroscope.spin = settings["spin"];
+            gyroscope.weight = settings["weight"];
+            setup.scene = gyroscope_in_gimbal(gyroscope);
+            setup.camera.distance = 2;
+            setup.camera.azimuth = 1.1;
+            setup.skin = Skin::opaque;
+            const Real exact = precession_of(gyroscope);
+            setup.measure = [exact](const JointState& s) -> std::vector<Real> {
+                const Vec3 axis = rotation_of(s.scene.bodies.x, 2).col(0);
+                return {world_spin(s.scene.bodies, 0).y(), exact,
+                        asin(axis.y()) * 180 / pi, energy(s.scene) - s.energy,
+                        largest_joint_error(s.scene)};
+            };
+            return setup;
+        });
+    scene.tunables.push_back({"spin", "rad/s", "of the wheel", 150, 20, 500,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"weight", "kg", "on the axis", 0.2, 0, 2,
+                              Numbers::real, OnChange::restarts});
+    scene.columns = {
+        {"precession", "rad/s", "of the outer ring", Plot::linear},
+        {"precession_exact", "rad/s", "M g l over I omega"},
+        {"lift", "°", "of the wheel's axis from level", Plot::linear},
+        {"energy", "J", "less that of the start", Plot::linear},
+        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic}};
+    return scene;
+}
+
+inline Demo plates_scene()
+{
+    return hung_demo(
+        "plates", "Plates on hinges swing in one plane, however they are pushed",
+        {{0, 0}, {6.4, 4.8}},
+        [](const Settings& settings) {
+            JointSetup setup;
+            setup.scene = plate_chain(static_cast<int>(settings["plates"]),
+                                      settings["aside"]);
+            setup.camera = {{0, -2.5, 0}, 16};
+            setup.skin = Skin::opaque;
+            return setup;
+        },
+        {{"plates", "", "of the chain", 5, 1, 12, Numbers::whole,
+          OnChange::restarts},
+         {"aside", "m/s", "a push across the plane", 1, 0, 10, Numbers::real,
+          OnChange::restarts}});
+}
+
+}  // namespace rigid
