@@ -36,7 +36,7 @@ std::vector<Real> spin_errors(Tumbling way, int halvings)
     return errors;
 }
 
-/// (25.19a): what engines take for the root of (25.18).
+/// (20.19a): what engines take for the root of (20.18).
 Vec3 one_newton_step(const Vec3& inertia, const Vec3& omega, Real h)
 {
     const Vec3 L = inertia.cwiseProduct(omega);
@@ -55,7 +55,7 @@ TEST_CASE("a quaternion turns a vector about its axis by its angle", "[idea]")
         const Vec3 theta = random_vector(random, 1.8), r = random_vector(random, 2);
         const Real angle = theta.norm();
         const Vec3 a = theta / angle;
-        // Rodrigues, (25.3): what is along the axis stays, what is across it turns in its plane
+        // Rodrigues, (20.3): what is along the axis stays, what is across it turns in its plane
         const Vec3 along = a * a.dot(r),
                    turned = along + std::cos(angle) * (r - along) + std::sin(angle) * cross(a, r);
         const Mat3 R = rotation_matrix(quaternion_of(theta));
@@ -96,7 +96,7 @@ TEST_CASE("a rotation vector is found again from its matrix also near half a tur
     }
 }
 
-TEST_CASE("adding half of h omega q to q makes it longer by the square root of (25.8a) in each step",
+TEST_CASE("adding half of h omega q to q makes it longer by the square root of (20.8a) in each step",
           "[idea]")
 {
     const Vec3 omega(1, -2, 3);
@@ -167,7 +167,7 @@ TEST_CASE("a tumbling body is where the reference has it to second order", "[ide
     CHECK(errors.back() < 1e-4);
 }
 
-TEST_CASE("the explicit term adds the energy of (25.17) in each step and the implicit one takes it", "[idea]")
+TEST_CASE("the explicit term adds the energy of (20.17) in each step and the implicit one takes it", "[idea]")
 {
     Random random(4);
     for (int i = 0; i < 100; ++i) {
@@ -185,7 +185,7 @@ TEST_CASE("the explicit term adds the energy of (25.17) in each step and the imp
 TEST_CASE("the root of the implicit term takes energy however fast a body spins and one Newton step gives it",
           "[idea]")
 {
-    // the table of section 25.C
+    // the table of section 20.B
     const auto worst = [](const Vec3& inertia, Real turn, auto&& step) {
         Random random(1);
         Real most = 0;
@@ -213,7 +213,7 @@ TEST_CASE("the implicit term is solved for any body in any order of its axes at 
 {
     Random random(33);
     for (int i = 0; i < 20000; ++i) {
-        // any three that a body can have: S of (25.10) from a needle to a ball
+        // any three that a body can have: S of (20.10) from a needle to a ball
         Vec3 S;
         for (Index d = 0; d < 3; ++d) S[d] = std::pow(10, random.uniform(-6, 0));
         const Vec3 inertia(S[1] + S[2], S[2] + S[0], S[0] + S[1]);
@@ -221,7 +221,7 @@ TEST_CASE("the implicit term is solved for any body in any order of its axes at 
         const Real h = random.uniform(-10, 10);
         const Vec3 next = implicit_spin(inertia, omega, h);
         const Vec3 L = inertia.cwiseProduct(omega), L_next = inertia.cwiseProduct(next);
-        // h ω times a rounding of L: the products of (25.18)
+        // h ω times a rounding of L: the products of (20.18)
         const Real rounding = 1e-15 * (1 + std::abs(h) * next.norm()) * L.norm();
         REQUIRE((L_next - L + h * cross(next, L_next)).norm() <= 10 * rounding);
         REQUIRE(spin_energy(inertia, next) <= spin_energy(inertia, omega) * (1 + 1e-13));
@@ -232,7 +232,7 @@ TEST_CASE("the implicit term is solved for any body in any order of its axes at 
     CHECK((implicit_spin({3, 1, 2}, {1, 2, 3}, 0) - Vec3(1, 2, 3)).norm() < 1e-15);
 }
 
-TEST_CASE("the book of section 25.1 turns over when and as fast as the text says", "[idea]")
+TEST_CASE("the book of section 20.1 turns over when and as fast as the text says", "[idea]")
 {
     const Vec3 I = mass_of(solid_box({0.16, 0.24, 0.04}), 0.7 / (0.16 * 0.24 * 0.04)).inertia.diagonal();
     // the last digit of the text
@@ -324,7 +324,7 @@ TEST_CASE("ball and box and capsule have the inertia of the tables", "[idea]")
     const SolidMass ball = mass_of(solid_ball(0.5), 3);
     CHECK(ball.mass == Approx(pi / 2));
     CHECK((ball.inertia - 0.4 * ball.mass * 0.25 * Mat3::Identity()).norm() < 1e-15);
-    // a capsule is a cylinder and two half balls, each about its own centroid 3r/8 from its plane, moved (25.13)
+    // a capsule is a cylinder and two half balls, each about its own centroid 3r/8 from its plane, moved (20.13)
     const Real r = 0.3, l = 1.4, cylinder = pi * r * r * l, half = 2 * pi / 3 * r * r * r;
     const Real along = cylinder * r * r / 2 + 2 * half * 0.4 * r * r,
                across = cylinder * (r * r / 4 + l * l / 12) +

@@ -104,7 +104,7 @@ TEST_CASE("joints start where they are and lock what their names say", "[idea]")
     }
 }
 
-TEST_CASE("a universal joint hands a spin on unevenly as (25.27b) says and a constant-velocity joint evenly",
+TEST_CASE("a universal joint hands a spin on unevenly as (21.7b) says and a constant-velocity joint evenly",
           "[idea]")
 {
     // A shaft along x on a motor, a second one that leans by b and turns in a bearing, and the joint between them.
@@ -202,7 +202,7 @@ TEST_CASE("what starts in a plane moves as in chapter 11", "[idea]")
     }
 }
 
-TEST_CASE("a top precesses at the rate of (25.28) to first order", "[idea]")
+TEST_CASE("a top precesses at the rate of (21.8) to first order", "[idea]")
 {
     TopShape top;
     const Real axial = top.radius * top.radius / 2,

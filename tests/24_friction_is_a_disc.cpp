@@ -257,7 +257,7 @@ TEST_CASE("on a box a block stops beside where it should as (25.40) says", "[ide
 
 TEST_CASE("rows that are clamped to a disc one after the other stay where they met its rim", "[idea]")
 {
-    // exercise 25.3, with A = 1 and a q that pushes both rows outward
+    // exercise 25.1, with A = 1 and a q that pushes both rows outward
     const Vec2 q(-10, -10);
     Vec2 one_by_one(1, 0), together(1, 0);
     for (int i = 0; i < 200; ++i) {

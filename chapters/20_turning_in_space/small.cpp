@@ -17,20 +17,20 @@ struct Bodies {
     double g = 9.81;
 };
 
-// (25.6): the rotation of a rotation vector.
+// (20.6): the rotation of a rotation vector.
 Eigen::Quaterniond exp(const Vector3d& theta)
 {
     return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
-// (25.8): θ ⊕ δ, after a turn by δ in the body's own axes.
+// (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
 Vector3d add(const Vector3d& theta, const Vector3d& delta)
 {
     const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
     return sum.angle() * sum.axis();
 }
 
-// (25.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
+// (20.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
 // momentum stays where it is, and the axes turn.
 Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
 {
@@ -107,7 +107,7 @@ void draw_half(std::ostream& out, const Bodies& d, double side, const char* colo
 
 int main(int count, char** word)
 {
-    // By hand, section 25.1: two quarter turns; a book that turns over.
+    // By hand, section 20.1: two quarter turns; a book that turns over.
     const double quarter = std::numbers::pi / 2;
     for (const auto& [first, then] :
          {std::pair{Vector3d::UnitX(), Vector3d::UnitY()},
@@ -132,7 +132,7 @@ int main(int count, char** word)
         const Vector3d inverse = first.inverse_mass.tail<3>();
         const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
         first.u.tail<3>() -=
-            0.005 * inverse.cwiseProduct(omega.cross(L));  // (25.17)
+            0.005 * inverse.cwiseProduct(omega.cross(L));  // (20.17)
     }
     std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
                 spin_energy(first) / E);

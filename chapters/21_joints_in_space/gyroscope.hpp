@@ -17,7 +17,7 @@ struct Gyroscope {
     Real arm = 0.25;     ///< of the weight from the middle of the wheel [m]
 };
 
-/// (25.70): M g l / (I ω) [rad/s].
+/// (21.9): M g l / (I ω) [rad/s].
 inline Real precession_of(const Gyroscope& gyroscope, Real g = 9.81)
 {
     const Real axial = gyroscope.radius * gyroscope.radius / 2;

@@ -19,7 +19,7 @@ struct TopShape {
     Real radius = 0.15, length = 0.2, spin = 60, tilt = pi / 6;
 };
 
-/// (25.28): the rate of slow steady precession [rad/s].
+/// (21.8): the rate of slow steady precession [rad/s].
 /// \param pivot  moment of inertia across the axis, about the tip [kg m²]
 /// \param axial  moment about the axis
 Real slow_precession(Real pivot, Real axial, Real spin, Real weight_arm, Real tilt);

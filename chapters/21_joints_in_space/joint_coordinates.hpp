@@ -3,8 +3,8 @@
 /// the row of each of them.
 ///
 ///     d = R_Aᵀ (p_b − p_a)          q = q_A⁻¹ q_B                 the frames A of body a and B of body b
-///     along:   Jb = (n, R_bᵀ (r_b × n)),  Ja = −(n, R_aᵀ ((r_a + p_b − p_a) × n)),  n an axis of A         (25.24)
-///     turning: g(q) with the gradient (g_w, g_v):  ġ = ρ · R_Bᵀ (ω_b − ω_a),  ρ = ½ (w g_v − g_w v + g_v × v)  (25.26)
+///     along:   Jb = (n, R_bᵀ (r_b × n)),  Ja = −(n, R_aᵀ ((r_a + p_b − p_a) × n)),  n an axis of A         (21.4)
+///     turning: g(q) with the gradient (g_w, g_v):  ġ = ρ · R_Bᵀ (ω_b − ω_a),  ρ = ½ (w g_v − g_w v + g_v × v)  (21.6)
 ///
 /// A coordinate that is locked is a bilateral row, one with limits a unilateral row at the limit that is nearer.
 #pragma once
@@ -58,7 +58,7 @@ inline Turn turn_of(Coordinate which, const Quaternion& q)
 //! [turn]
 
 //! [coordinate]
-/// (25.24), (25.26): the value of a coordinate in C, and its derivative.
+/// (21.4), (21.6): the value of a coordinate in C, and its derivative.
 inline Constraint<6> coordinate_of(const JointFrames& f, const SpaceJoint& joint,
                                    Coordinate which)
 {

@@ -56,7 +56,7 @@ inline SpaceJoint constant_velocity(const JointedSolids& scene, Index a, Index b
     return joint;
 }
 /// Hooke's joint: a cross that turns about z of A and about y of B. It hands a spin
-/// on unevenly, (25.27b).
+/// on unevenly, (21.7b).
 inline SpaceJoint universal(const JointedSolids& scene, Index a, Index b,
                             const Vec3& point, const Vec3& axis)
 {

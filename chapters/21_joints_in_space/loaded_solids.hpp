@@ -1,8 +1,8 @@
 /// \file loaded_solids.hpp
 /// A loaded joint is stiff across its load, in space: chapter 15's section 15.6 with a matrix for a number.
 ///
-///     K = (f·r) 1 − ½ (f rᵀ + r fᵀ)                       f on the body at the arm r, in the body's own axes   (25.90)
-///     κᵢ = max(0, Kᵢᵢ + Σ |Kᵢⱼ|),    Iᵢ → max(Iᵢ, h² κᵢ)                          (25.91), (25.92)
+///     K = (f·r) 1 − ½ (f rᵀ + r fᵀ)                       f on the body at the arm r, in the body's own axes   (21.10)
+///     κᵢ = max(0, Kᵢᵢ + Σ |Kᵢⱼ|),    Iᵢ → max(Iᵢ, h² κᵢ)                          (21.11), (21.12)
 ///
 /// \cite tournier2015 \cite andrews2017
 #pragma once
@@ -16,7 +16,7 @@
 namespace rigid {
 
 //! [stiffness]
-/// (25.90): a body that turns by a small φ under a force f at the arm r has the
+/// (21.10): a body that turns by a small φ under a force f at the arm r has the
 /// torque −K φ more, but for a part across φ. All in one set of axes.
 inline Mat3 turning_stiffness(const Vec3& f, const Vec3& r)
 {
@@ -24,7 +24,7 @@ inline Mat3 turning_stiffness(const Vec3& f, const Vec3& r)
     return f.dot(r) * Mat3::Identity() - both / 2;
 }
 
-/// (25.91): numbers that are, as a diagonal, at least K, and never below zero.
+/// (21.11): numbers that are, as a diagonal, at least K, and never below zero.
 inline Vec3 at_least(const Mat3& K)
 {
     const Vec3 sizes = K.cwiseAbs().rowwise().sum(), own = K.diagonal();
@@ -41,7 +41,7 @@ struct LoadedSolids : Correction {
     bool stiff = true;
 
     //! [loaded]
-    /// (25.92), from the impulses of the step before; then the rows.
+    /// (21.12), from the impulses of the step before; then the rows.
     template <class Scene>
     void rows(Scene& scene, const StepSettings& settings, StepData<6>& now)
     {

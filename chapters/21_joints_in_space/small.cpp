@@ -65,7 +65,7 @@ std::pair<Vector3d, Quaterniond> place(const Bodies& d, int k)
     return {d.x.segment<3>(6 * k), exp(d.x.segment<3>(6 * k + 3))};
 }
 
-// C and J of coordinate i of a joint: of a way (21.3), of an angle (21.5).
+// C and J of coordinate i of a joint: of a way (21.4), of an angle (21.6).
 Row coordinate(const Bodies& d, const Joint& joint, int i)
 {
     const auto [xa, qa] = place(d, joint.a);

@@ -2,7 +2,7 @@
 /// What the search for contacts needs to know of a hull: its faces with their normals, its edges, each direction of an
 /// edge once; and all of that where the body is.
 ///
-///     p = x + R p̄,  n = R n̄            (25.1) for each corner, each normal, each direction
+///     p = x + R p̄,  n = R n̄            (20.1) for each corner, each normal, each direction
 #pragma once
 
 #include "chapters/20_turning_in_space/inertia.hpp"

@@ -8,7 +8,7 @@
 
 namespace rigid {
 
-/// The top of section 25.A without its joint: the tip is a point that stands on a
+/// The top of section 21.B without its joint: the tip is a point that stands on a
 /// floor, and friction holds it.
 RoughSolids top_on_table(const TopShape& top, Real mu);
 

@@ -1,7 +1,7 @@
 // Chapter 25 in one file, grown from chapter 11: bodies in space.
 // A block of J has six columns, angles are added as rotations, friction is a disc.
 //
-//     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (25.22)
+//     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
 //     corner on a wall: λ_n ≥ 0, w_n ≥ 0, λ_n w_n = 0,   ‖λ_t‖ ≤ μ λ_n, against w_t
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -31,20 +31,20 @@ struct Bodies {
     std::vector<Contact> contacts = {};  // of the last step
 };
 
-// (25.6): the rotation of a rotation vector.
+// (20.6): the rotation of a rotation vector.
 Eigen::Quaterniond exp(const Vector3d& theta)
 {
     return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
-// (25.8): θ ⊕ δ, after a turn by δ in the body's own axes.
+// (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
 Vector3d add(const Vector3d& theta, const Vector3d& delta)
 {
     const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
     return sum.angle() * sum.axis();
 }
 
-// (25.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
+// (20.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
 // momentum stays where it is, and the axes turn.
 Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
 {
@@ -170,7 +170,7 @@ Bodies book(double spin, double wobble)
 
 int main(int count, char** word)
 {
-    // By hand, section 25.1: the moments of a book, and when it turns over.
+    // By hand, section 20.1: the moments of a book, and when it turns over.
     for (const double wobble : {0.1, 0.01}) {
         Bodies d = book(1, wobble);
         int n = 0;
@@ -187,7 +187,7 @@ int main(int count, char** word)
         const Vector3d inverse = first.inverse_mass.tail<3>();
         const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
         first.u.tail<3>() -=
-            0.005 * inverse.cwiseProduct(omega.cross(L));  // (25.17)
+            0.005 * inverse.cwiseProduct(omega.cross(L));  // (20.17)
     }
     std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
                 spin_energy(first) / E);

@@ -208,7 +208,7 @@ TEST_CASE("the small program of chapter 19 names and wakes as a world of the lib
 
 TEST_CASE("the small program of chapter 25 has the numbers of the text and the library's to 1e-12")
 {
-    // Section 25.1.
+    // Section 20.1.
     small25::Bodies d = small25::book(12, 0.1);
     const Vec3 I = d.inverse_mass.tail<3>().cwiseInverse();
     CHECK((I - Vec3(34.5, 15.9, 48.5) * 1e-4).cwiseAbs().maxCoeff() < 0.05e-4);

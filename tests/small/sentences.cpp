@@ -59,6 +59,9 @@ namespace said15 {
 namespace said21 {
 #include "chapters/26_four_ways/small.cpp"
 }
+namespace said_joint {
+#include "chapters/21_joints_in_space/small.cpp"
+}
 namespace said23 {
 #include "chapters/28_waves/small.cpp"
 }
@@ -309,6 +312,14 @@ Numbers book(Numbers in)
     return {{"turns", n * 0.001 / (2 * std::numbers::pi)}};
 }
 
+/// What the row of the first swing turns about, in the axes of the door.
+Numbers hinge(Numbers in)
+{
+    const said_joint::Bodies d = said_joint::door(in["angle"] * std::numbers::pi / 180, 0);
+    const said_joint::Row row = said_joint::coordinate(d, d.joints[0], 4);
+    return {{"lean", std::atan2(-row.Jb[5], row.Jb[4]) * 180 / std::numbers::pi}};
+}
+
 Numbers three_masses(Numbers in)
 {
     said23::String masses = said23::at_rest(Eigen::VectorXd{{0, 0, 1, 0, 0}}, in["h"]);
@@ -345,6 +356,7 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"slope", {slope, 1e-9}},    // a thousand sweeps
         {"door", {door, 1e-5}},      // sweeps to 1e-6 rad/s
         {"two_rods", {two_rods, 1e-9}},
+        {"hinge", {hinge, 1e-12}},
         {"oscillator", {oscillator, 1e-12}},
         {"three_masses", {three_masses, 1e-12}},
         {"line", {line, 0}},

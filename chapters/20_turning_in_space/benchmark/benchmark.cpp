@@ -1,15 +1,12 @@
 /// Chapter 20: work against error for a body that spins freely.
 ///
-///     spin/WAY/N    five seconds of I = (1, 2, 3) in N steps: the error of ω [rad/s] beside (25.16), how far the energy is
+///     spin/WAY/N    five seconds of I = (1, 2, 3) in N steps: the error of ω [rad/s] beside (20.16), how far the energy is
 ///                   off at the end, and the time
 
 #include "chapters/20_turning_in_space/exact_tumbling.hpp"
 #include "chapters/20_turning_in_space/tumbling.hpp"
 
 #include <benchmark/benchmark.h>
-
-#include <string>
-#include <utility>
 
 using namespace rigid;
 
@@ -34,19 +31,17 @@ void spin(benchmark::State& state, Tumbling way)
 
 }  // namespace
 
-int main(int argc, char** argv)
-{
-    for (const auto& [name, way] : {std::pair{"explicit", Tumbling::explicit_term},
-                                    {"implicit", Tumbling::implicit_term},
-                                    {"momentum", Tumbling::momentum_kept},
-                                    {"middle", Tumbling::middle}})
-        benchmark::RegisterBenchmark(
-            ("spin/" + std::string(name)).c_str(),
-            [way = way](benchmark::State& state) { spin(state, way); })
-            ->RangeMultiplier(2)
-            ->Range(64, 4096);
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-}
+BENCHMARK_CAPTURE(spin, explicit, Tumbling::explicit_term)
+    ->RangeMultiplier(2)
+    ->Range(64, 4096);
+BENCHMARK_CAPTURE(spin, implicit, Tumbling::implicit_term)
+    ->RangeMultiplier(2)
+    ->Range(64, 4096);
+BENCHMARK_CAPTURE(spin, momentum, Tumbling::momentum_kept)
+    ->RangeMultiplier(2)
+    ->Range(64, 4096);
+BENCHMARK_CAPTURE(spin, middle, Tumbling::middle)
+    ->RangeMultiplier(2)
+    ->Range(64, 4096);
+
+BENCHMARK_MAIN();

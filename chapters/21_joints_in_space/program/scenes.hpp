@@ -67,7 +67,7 @@ inline Demo top_scene()
     scene.columns = {
         {"tilt", "°", "of the axis from upright", Plot::linear},
         {"precession", "rad/s", "about the vertical", Plot::linear},
-        {"precession_exact", "rad/s", "(25.28)"},
+        {"precession_exact", "rad/s", "(21.8)"},
         {"joint_error", "m", "how far the tip has moved", Plot::logarithmic}};
     return scene;
 }

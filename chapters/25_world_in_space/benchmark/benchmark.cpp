@@ -1,7 +1,5 @@
-/// Chapter 25: work against error for a body that spins freely, and for solids that touch, beside other engines.
+/// Chapter 25: work against error for solids that touch, beside other engines.
 ///
-///     spin/WAY/N    five seconds of I = (1, 2, 3) in N steps: the error of ω [rad/s] beside (25.16), how far the energy is
-///                   off at the end, and the time
 ///     SCENE/WHO/N   four seconds at 60 steps a second in N sub-steps each, with 50 iterations in each; nothing sleeps.
 ///                   bullet_10, jolt_10 and ode_20 have the iterations that these engines have by default, and book_steps
 ///                   makes N steps, each of which looks for contacts, as Bullet, ODE and Jolt do:
@@ -16,8 +14,7 @@
 ///                   guesses  of Algorithm 25.2 in a step, of the book; unsolved: steps whose last sub-step did not meet
 ///                            its tolerance, 1e-6 ℓ/s of sweeps and 1e-9 ℓ/s of guesses
 
-#include "chapters/20_turning_in_space/exact_tumbling.hpp"
-#include "chapters/20_turning_in_space/tumbling.hpp"
+#include "chapters/21_joints_in_space/hung_scenes.hpp"
 #include "chapters/25_world_in_space/benchmark/touching.hpp"
 #include "chapters/25_world_in_space/built_scenes.hpp"
 
@@ -50,27 +47,9 @@ namespace {
 void begin(benchmark::State& state)
 {
     for (const char* const name :
-         {"error", "energy_error", "us_step", "overlap", "gap", "over", "gained",
+         {"us_step", "overlap", "gap", "over", "gained",
           "crept", "moved", "visits", "guesses", "unsolved"})
         state.counters[name] = std::numeric_limits<Real>::quiet_NaN();
-}
-
-void spin(benchmark::State& state, Tumbling way)
-{
-    begin(state);
-    const auto steps = static_cast<int>(state.range(0));
-    const Vec3 inertia(1, 2, 3), start(0.5, 0, 1);
-    Vec3 theta(0, 0, 0), omega = start;
-    for (auto _ : state) {
-        theta.setZero();
-        omega = start;
-        for (int n = 0; n < steps; ++n)
-            tumble(way, inertia, 5.0 / steps, theta, omega);
-        benchmark::DoNotOptimize(theta.data());
-    }
-    state.counters["error"] = (omega - exact_spin(inertia, 0.5, 1, 5)).norm();
-    state.counters["energy_error"] =
-        inertia.dot(omega.cwiseAbs2()) / inertia.dot(start.cwiseAbs2()) - 1;
 }
 
 constexpr int iterations = 50;
@@ -187,18 +166,5 @@ const bool registered = [] {
 }();
 
 }  // namespace
-
-BENCHMARK_CAPTURE(spin, explicit, Tumbling::explicit_term)
-    ->RangeMultiplier(2)
-    ->Range(64, 4096);
-BENCHMARK_CAPTURE(spin, implicit, Tumbling::implicit_term)
-    ->RangeMultiplier(2)
-    ->Range(64, 4096);
-BENCHMARK_CAPTURE(spin, momentum, Tumbling::momentum_kept)
-    ->RangeMultiplier(2)
-    ->Range(64, 4096);
-BENCHMARK_CAPTURE(spin, middle, Tumbling::middle)
-    ->RangeMultiplier(2)
-    ->Range(64, 4096);
 
 BENCHMARK_MAIN();

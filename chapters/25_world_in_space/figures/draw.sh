@@ -4,11 +4,6 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene book --steps 170 --svg "$out/ch25_book.svg"
-run --scene handle --steps 220 --svg "$out/ch25_handle.svg"
-run --scene top --steps 2000 --svg "$out/ch25_top.svg"
-run --scene chain --steps 300 --svg "$out/ch25_chain.svg"
-
 run --scene stack --method cone,one_point --steps 45 --svg "$out/ch25_stack.svg"
 run --scene heap --method cone --steps 600 --svg "$out/ch25_heap.svg"
 run --scene hills --method cone --set balls=6 --steps 700 --svg "$out/ch25_hills.svg"
@@ -21,22 +16,6 @@ for method in cone box pyramid; do
     done
 done
 plot ch25_friction
-
-# The energy of the tossed book by four ways; each time is half a hundredth of a second.
-for method in explicit implicit momentum middle; do
-    run --scene book --method $method --h 0.005 --steps 1600 --csv "$data/run" 2>"$data/said" || true
-    awk -F, 'NR > 1 && NR % 8 == 0 { print (NR - 1) * 0.005, $3 + 1 }' "$data/run" >"$data/energy_$method"
-done
-plot ch25_energy
-
-# The error after five seconds against the step.
-for method in explicit implicit momentum middle; do
-    for n in 50 100 200 400 800 1600 3200; do
-        run --scene spin --method $method --h "$(awk "BEGIN { printf \"%.17g\", 5 / $n }")" --steps $n --csv "$data/run"
-        awk -F, -v n=$n 'END { print 5 / n, $NF }' "$data/run" >>"$data/order_$method"
-    done
-done
-plot ch25_order
 
 # A rattleback that is spun the wrong way: its spin at two steps, and by (25.45).
 for h in 0.002 0.0005; do

@@ -55,7 +55,7 @@ inline Demo table_scene()
     scene.columns = {
         {"tilt", "°", "of the axis from upright", Plot::linear},
         {"precession", "rad/s", "about the vertical", Plot::linear},
-        {"precession_exact", "rad/s", "(25.28)"},
+        {"precession_exact", "rad/s", "(21.8)"},
         {"wandered", "m", "how far the tip is from where it stood", Plot::linear}};
     return scene;
 }

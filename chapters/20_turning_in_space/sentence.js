@@ -1,4 +1,4 @@
-// Euler's equations for the book of section 25.1, for the sentence that can be dragged: when does it turn over?
+// Euler's equations for the book of section 20.1, for the sentence that can be dragged: when does it turn over?
 'use strict';
 
 (function () {
