@@ -137,16 +137,15 @@ TEST_CASE("the best axis of two hulls that overlap is the least way that parts t
         const SolidForm fa = form_of(any_hull(random, 4 + i % 4)), fb = form_of(any_hull(random, 4 + i % 3));
         const Vec3 at = any_vector(random, 0.6), theta = any_vector(random, 2);
         const PlacedSolid a = placed(fa, {0, 0, 0}), b = placed(fb, at, theta);
-        const Real most = std::max(best_face(a, b, 0).separation, best_across_edges(a, b).separation);
+        const Axis face = best_face(a, b, 0), edges = best_across_edges(a, b);
+        const Axis& best = edges.separation > face.separation ? edges : face;
+        const Real most = best.separation;
         if (!(most < -1e-3)) continue;
         ++overlapping;
         // solid_hull() takes 1e-10 of its size for flat
         CHECK(std::abs(-most - depth_by_differences(a, b)) < 1e-9);
-        const SolidTouch touch = touch_of(a, b);
-        REQUIRE(touch.count > 0);
-        CHECK(least_gap(touch) == Approx(most).margin(1e-9));
         // moved apart by that much they only touch
-        const PlacedSolid moved = placed(fb, at - (most - 1e-6) * touch.normal, theta);
+        const PlacedSolid moved = placed(fb, at - (most - 1e-6) * best.normal, theta);
         const Nearest near = nearest_points(a, moved);
         CHECK(near.distance > 0);
         CHECK(near.distance < 2e-6);

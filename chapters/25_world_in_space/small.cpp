@@ -1,4 +1,4 @@
-// Chapter 25 in one file, grown from chapter 11: bodies in space.
+// Chapter 25 in one file, grown from chapter 20: solids that touch.
 // A block of J has six columns, angles are added as rotations, friction is a disc.
 //
 //     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
