@@ -124,7 +124,7 @@ TEST_CASE("the nearest points of two hulls are as far apart as any of their part
         // roundings of numbers near 3, times the slope of a thin simplex
         CHECK(std::abs(near.distance - distance_by_parts(a, b)) < 1e-10);
         CHECK(std::abs((near.on_b - near.on_a).norm() - near.distance) < 1e-12);
-        CHECK(most <= near.distance + 1e-12);  // (25.31) is never more than the distance
+        CHECK(most <= near.distance + 1e-12);  // (22.3) is never more than the distance
     }
     CHECK(apart > 100);
 }

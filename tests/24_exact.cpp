@@ -1,4 +1,4 @@
-/// Chapter 24: disc friction solved exactly, Algorithm 25.2.
+/// Chapter 24: disc friction solved exactly, Algorithm 24.1.
 
 #include "tests/no_allocation.hpp"
 
@@ -22,7 +22,7 @@ VecX solved_velocities(const StepData<6>& now)
     return u;
 }
 
-/// How far a step is from Coulomb's law, by the formulas and not by the solver: (25.38) with ρ = 1/L of each disc, and
+/// How far a step is from Coulomb's law, by the formulas and not by the solver: (24.3) with ρ = 1/L of each disc, and
 /// the natural residual of the other rows [m/s].
 Real coulomb_error(const StepData<6>& now)
 {

@@ -239,7 +239,7 @@ TEST_CASE("a box of two bounds stops a diagonal slide too strongly by the root o
     CHECK(off == Approx(pi / 4 - pi / 12).epsilon(1e-8));  // 30 degrees
 }
 
-TEST_CASE("on a box a block stops beside where it should as (25.40) says", "[idea]")
+TEST_CASE("on a box a block stops beside where it should as (24.7) says", "[idea]")
 {
     const Real h = 1.0 / 2400, mu = 0.4, v = 3, d = v * v / (2 * mu * 9.81);
     for (const Real degrees : {15.0, 30.0, 45.0}) {
@@ -250,7 +250,7 @@ TEST_CASE("on a box a block stops beside where it should as (25.40) says", "[ide
         StepData<6> now;
         go_on(scene, method, now, h, 2000);
         const Real x = scene.bodies.x[0], z = scene.bodies.x[2];
-        // each way is too short by h v / 2 at most, (25.41)
+        // each way is too short by h v / 2 at most, (24.5)
         CHECK(x * c - z * s == Approx(d * (c * c * c + s * s * s)).margin(h * v));
         CHECK(x * s + z * c == Approx(d * s * c * (c - s)).margin(h * v));
     }
@@ -258,7 +258,7 @@ TEST_CASE("on a box a block stops beside where it should as (25.40) says", "[ide
 
 TEST_CASE("rows that are clamped to a disc one after the other stay where they met its rim", "[idea]")
 {
-    // exercise 25.1, with A = 1 and a q that pushes both rows outward
+    // exercise 24.1, with A = 1 and a q that pushes both rows outward
     const Vec2 q(-10, -10);
     Vec2 one_by_one(1, 0), together(1, 0);
     for (int i = 0; i < 200; ++i) {

@@ -101,7 +101,7 @@ TEST_CASE("a pyramid holds less between two corners than at one", "[idea]")
         }
 }
 
-TEST_CASE("in a pyramid a block stops beside where it should as (25.42) says", "[idea]")
+TEST_CASE("in a pyramid a block stops beside where it should as (24.9) says", "[idea]")
 {
     const Real h = 1.0 / 2400, mu = 0.4, v = 3, d = v * v / (2 * mu * 9.81);
     for (const int corners : {4, 6, 8})
@@ -113,7 +113,7 @@ TEST_CASE("in a pyramid a block stops beside where it should as (25.42) says", "
             run.take(scene, h, 3000);
             const Vec3 way = scene.bodies.x.head<3>() - Vec3(0, 0.1, 0);
             const Vec2 end = stop_in_pyramid(d, pi + angle, corners);
-            // each way is too short by h v / 2 at most, (25.41); it is 1.6 times as long where the force is weak
+            // each way is too short by h v / 2 at most, (24.5); it is 1.6 times as long where the force is weak
             CHECK(way.dot(towards(pi + angle)) == Approx(end.x()).margin(h * v));
             CHECK(way.dot(towards(1.5 * pi + angle)) == Approx(end.y()).margin(h * v));
             CHECK(scene.bodies.u.norm() < 1e-9);
@@ -179,7 +179,7 @@ TEST_CASE("a ball that rolls is stopped where its arm says in every direction", 
         CHECK((scene.bodies.u.head<3>() - (v - h * slower) * towards(angle)).norm() < 1e-11);
         run.take(scene, h, 79);
         const Vec3 way = scene.bodies.x.head<3>() - Vec3(0, r, 0);
-        // as (25.41): v²/(2 a) − h v / 2
+        // as (24.5): v²/(2 a) − h v / 2
         CHECK((way - (v * v / (2 * slower) - h * v / 2) * towards(angle)).norm() < 1e-9);
         CHECK(scene.bodies.u.norm() < 1e-10);
     }
@@ -298,7 +298,7 @@ TEST_CASE("no point of an ellipsoid is lower than its lowest and a round one mov
     CHECK((ball.bodies.u - round.bodies.u).norm() < 1e-10);
 }
 
-TEST_CASE("what rolls by (25.45) keeps its energy and a ball by it runs straight on", "[idea]")
+TEST_CASE("what rolls by (24.12) keeps its energy and a ball by it runs straight on", "[idea]")
 {
     const RoughSolids scene = spinning_rattleback({}, 3, 0.01, 1);
     const RollingSolid boat = rolling_solid(scene);
@@ -315,7 +315,7 @@ TEST_CASE("what rolls by (25.45) keeps its energy and a ball by it runs straight
     CHECK(rates.tail<3>().norm() < 1e-15);
 }
 
-TEST_CASE("a rattleback turns back and where it does is where (25.45) has it to first order", "[idea]")
+TEST_CASE("a rattleback turns back and where it does is where (24.12) has it to first order", "[idea]")
 {
     const Real end = 1.0;
     const RoughSolids start = spinning_rattleback({}, 3, 0.01, 1);
@@ -343,7 +343,7 @@ TEST_CASE("a rattleback that is spun the wrong way turns back and the other way 
         run.method.solver.sweeps = {2000, 1e-8};
         run.take(scene, 1.0 / 2000, 6000);
         INFO(way << " " << world_spin(scene.bodies, 0).y());
-        CHECK(world_spin(scene.bodies, 0).y() < -2);  // (25.45) has −2.98 and −2.76
+        CHECK(world_spin(scene.bodies, 0).y() < -2);  // (24.12) has −2.98 and −2.76
     }
     // and one that is its mirror image turns back from the other way
     Rattleback other;

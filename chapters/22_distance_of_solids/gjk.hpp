@@ -1,14 +1,14 @@
 /// \file gjk.hpp
 /// The distance of two convex solids by corners alone, after Gilbert, Johnson and Keerthi.
 ///
-///     d = min ‖p_b − p_a‖ over p_a in A, p_b in B = the distance of the origin to B − A                    (25.29)
+///     d = min ‖p_b − p_a‖ over p_a in A, p_b in B = the distance of the origin to B − A                    (22.1)
 ///     1  v = a point of B − A
 ///     2  y = the corner of B − A that lies farthest towards the origin: v·y is least
 ///     3  v·y ≥ v·v: no point is nearer than v, done
 ///     4  v = the point of the simplex of the y's that is nearest to the origin, those without weight leave; go to 2
 ///
 /// The simplex has at most four corners, and its nearest point lies inside exactly one of its faces, edges, corners, or
-/// itself, (25.30). Parts without the newest corner were there in the round before, and had nothing nearer: try the others. \cite gilbert1988
+/// itself, (22.2). Parts without the newest corner were there in the round before, and had nothing nearer: try the others. \cite gilbert1988
 #pragma once
 
 #include "chapters/22_distance_of_solids/solid_form.hpp"
@@ -31,7 +31,7 @@ struct Simplex {
 };
 
 //! [nearest_of]
-/// (25.30): the point of the simplex that is nearest to the origin, as weights of
+/// (22.2): the point of the simplex that is nearest to the origin, as weights of
 /// its corners. Only those with a weight are kept.
 inline Vec3 nearest_of(Simplex& s)
 {
@@ -78,7 +78,7 @@ inline Vec3 nearest_of(Simplex& s)
 //! [nearest_of]
 
 //! [gjk]
-/// (25.29): the nearest points of two cores.
+/// (22.1): the nearest points of two cores.
 inline Nearest nearest_points(const PlacedSolid& a, const PlacedSolid& b)
 {
     Simplex s;

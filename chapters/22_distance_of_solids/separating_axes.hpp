@@ -1,10 +1,10 @@
 /// \file separating_axes.hpp
 /// How far two convex cores are apart along one direction, and the direction in which that is most.
 ///
-///     s(n) = min_{p in B} n·p − max_{p in A} n·p                                                      (25.31)
+///     s(n) = min_{p in B} n·p − max_{p in A} n·p                                                      (22.3)
 ///
 /// s(n) is never more than the distance. Where the cores overlap, −max s is the least way that parts them, and the best n is
-/// the normal of a face of A or of B or is across an edge of each, (25.32). \cite ericson2005
+/// the normal of a face of A or of B or is across an edge of each, (22.4). \cite ericson2005
 #pragma once
 
 #include "chapters/22_distance_of_solids/solid_form.hpp"

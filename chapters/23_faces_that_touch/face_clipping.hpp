@@ -1,7 +1,7 @@
 /// \file face_clipping.hpp
 /// What of one face lies over another: a polygon, each of whose corners has a name; and the four of them that carry.
 ///
-///     keep q where m_k·(q − p_k) ≤ 0,   m_k = (p_{k+1} − p_k) × n, for each side k of the reference face   (25.33)
+///     keep q where m_k·(q − p_k) ≤ 0,   m_k = (p_{k+1} − p_k) × n, for each side k of the reference face   (23.1)
 ///
 /// A corner of the polygon is a corner of the incident face, a corner of the reference face, or where two edges cross.
 /// Its name says which, so it stays the same from step to step, whichever face is the reference.
@@ -78,7 +78,7 @@ struct ClipRoom {
 };
 
 //! [cut]
-/// (25.33): cuts off what of room.polygon lies beyond one side.
+/// (23.1): cuts off what of room.polygon lies beyond one side.
 /// \param slack     so far beyond it a corner is still kept, with its name [m]
 /// \param crossing  int(int reference_edge, int incident_edge): a name
 /// \param corner    int(int): the name of a corner of the reference

@@ -13,7 +13,7 @@
 
 namespace rigid {
 
-/// The corners of a solid that are near a wall, (25.36); four of them carry it.
+/// The corners of a solid that are near a wall, (23.2); four of them carry it.
 void collide(const SolidWall& wall, const PlacedSolid& b, const TouchSettings& how,
              ClipRoom& room, SolidTouch& touch);
 

@@ -1,7 +1,7 @@
 /// \file space_contact.hpp
 /// A contact in space: a point of either body and a normal; and its row.
 ///
-///     C = n·(p_b − p_a) − ρ_a − ρ_b,   J = (−n, −R_aᵀ(r_a × n)),  (n, R_bᵀ(r_b × n))                       (25.34)
+///     C = n·(p_b − p_a) − ρ_a − ρ_b,   J = (−n, −R_aᵀ(r_a × n)),  (n, R_bᵀ(r_b × n))                       (23.3)
 ///
 /// The points are fixed in the bodies, where the cores touch. So a ball's is its centre: it may roll, and the gap stays.
 #pragma once
@@ -42,7 +42,7 @@ inline ContactPlace place_of(const SpaceContact& contact, const VecX& x)
 }
 
 //! [push]
-/// (25.34): the gap and its derivative.
+/// (23.3): the gap and its derivative.
 inline Constraint<6> push_constraint(const SpaceContact& contact,
                                      const ContactPlace& p)
 {

@@ -1,7 +1,7 @@
 /// \file touch_parts.hpp
 /// What two solids have over each other: of a face and a face, of a face and an edge, of two edges.
 ///
-///     the reference face or edge, with n across it; the polygon of the other solid, cut at its sides (25.33)
+///     the reference face or edge, with n across it; the polygon of the other solid, cut at its sides (23.1)
 ///     gap = n·(q − p) − ρ_a − ρ_b for each corner q that is left, p under it on the reference
 #pragma once
 

@@ -1,7 +1,7 @@
 /// \file body_factor.hpp
 /// The linear system of a guess, on the bodies and not on the rows: six unknowns to a body, however many rows hold it.
 ///
-///     (J W + E) δλ = −e   ⇔   (1 + W E⁻¹ J) δv = −W E⁻¹ e,   δλ = −E⁻¹ (e + J δv)                    (25.52), (25.53)
+///     (J W + E) δλ = −e   ⇔   (1 + W E⁻¹ J) δv = −W E⁻¹ e,   δλ = −E⁻¹ (e + J δv)                    (24.17), (24.18)
 ///
 /// It has a block where two bodies share a row. Bodies are eliminated in the order of the fewest neighbours, each with the
 /// blocks of those that are left.
@@ -38,7 +38,7 @@ public:
     /// \param pairs  of bodies that some row holds
     void analyse(int bodies, std::span<const std::pair<int, int>> pairs);
 
-    /// The matrix of (25.53) and its block factor, without exchanging bodies.
+    /// The matrix of (24.18) and its block factor, without exchanging bodies.
     void factor(std::span<const ConeEquation> equations);
 
     /// Solves it in place, six numbers to a body.

@@ -107,7 +107,7 @@ Real choose_cases(const ConeRows& p, Real enough, ConeGuess& g)
                        : length > hi ? ConeCase::slides
                                      : ConeCase::free;
                 g.direction[k - 1] = z / std::max(length, 1e-300);
-                g.give[i] = disc->largest * (length - hi) / hi;  // (25.51)
+                g.give[i] = disc->largest * (length - hi) / hi;  // (24.16)
             }
         } else if (p.rows[k].mass > 0) {
             const Real there = points(k);

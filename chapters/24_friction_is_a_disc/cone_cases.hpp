@@ -1,7 +1,7 @@
 /// \file cone_cases.hpp
 /// What the exact solver guesses: which contacts are open, which hold, which slide and in what direction.
 ///
-///     r = μ max(0, λ_n − w_n/A_nn),   z = λ_t − w_t/L:   r = 0 open,   ‖z‖ ≤ r holds,   else it slides along z   (25.49)
+///     r = μ max(0, λ_n − w_n/A_nn),   z = λ_t − w_t/L:   r = 0 open,   ‖z‖ ≤ r holds,   else it slides along z   (24.14)
 ///
 /// The case of a row is where its natural map points, as in chapter 13. \cite alart1991
 #pragma once
@@ -26,7 +26,7 @@ struct ConeGuess {
     std::vector<int> bodies;       ///< of the island that number is of
     std::vector<std::pair<int, int>> pairs;
     VecX v;
-    Real share = 0;  ///< ε of a proximal step (25.54); 0: the problem itself
+    Real share = 0;  ///< ε of a proximal step (24.19); 0: the problem itself
 };
 
 inline Real diagonal_of(const ConeRows& p, std::size_t k)
@@ -42,7 +42,7 @@ void begin_guess(const ConeRows& p, const VecX& u, ConeGuess& g);
 /// \param outside  velocities of bodies that are not of the island
 void cone_velocities(const ConeRows& p, const VecX& outside, ConeGuess& g);
 
-/// (25.49): the case that each row and disc should have, by its natural map. What is
+/// (24.14): the case that each row and disc should have, by its natural map. What is
 /// right to within `enough` keeps the one that it has.
 /// \return  the largest residual, of a proximal step that of its problem [m/s]
 Real choose_cases(const ConeRows& p, Real enough, ConeGuess& g);

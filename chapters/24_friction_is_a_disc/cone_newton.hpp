@@ -1,9 +1,9 @@
 /// \file cone_newton.hpp
 /// Disc friction solved exactly: Newton's method on the natural map, from the λ that is there.
 ///
-///     guess the cases (25.49), solve them (25.53), accept by the residual of the Coulomb problem itself
+///     guess the cases (24.14), solve them (24.18), accept by the residual of the Coulomb problem itself
 ///
-/// Algorithm 25.2. Where guesses come to no end, proximal steps (25.54) \cite rockafellar1976 and sweeps bring λ nearer;
+/// Algorithm 24.1. Where guesses come to no end, proximal steps (24.19) \cite rockafellar1976 and sweeps bring λ nearer;
 /// and what is still no answer is not called one.
 #pragma once
 
@@ -28,7 +28,7 @@ struct ConeNewton {
     Real residual = infinity;  ///< its residual [m/s]
     int guesses = 0;           ///< of the last solve
 
-    /// Algorithm 25.2. The rows keep the best λ that was found, and u is theirs.
+    /// Algorithm 24.1. The rows keep the best λ that was found, and u is theirs.
     /// \param enough  the residual of an answer [m/s]
     /// \param u       velocities of all bodies, with the impulses of the rows
     /// \return        whether the best is an answer
@@ -48,7 +48,7 @@ private:
     bool guess_on(const ConeRows& p, Real enough, Real inner, int most,
                   const VecX& outside);
 
-    /// (25.54): problems that a large ε holds near the last λ, then with smaller ones.
+    /// (24.19): problems that a large ε holds near the last λ, then with smaller ones.
     bool proximal(const ConeRows& p, Real enough, const VecX& outside);
 
     /// Sweeps from the best λ, and guesses from where they end.

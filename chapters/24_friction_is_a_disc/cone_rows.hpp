@@ -1,7 +1,7 @@
 /// \file cone_rows.hpp
 /// The rows of an island with the discs in them: one sweep over them, and their residual.
 ///
-///     a row: its λ into its bounds, (3.15)        a disc: its two rows at once, (25.38)
+///     a row: its λ into its bounds, (3.15)        a disc: its two rows at once, (24.3)
 #pragma once
 
 #include "chapters/24_friction_is_a_disc/friction_cone.hpp"

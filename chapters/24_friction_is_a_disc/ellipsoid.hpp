@@ -1,7 +1,7 @@
 /// \file ellipsoid.hpp
 /// Where a smooth solid touches a wall: its lowest point, which wanders over it as it rolls.
 ///
-///     r(n) = c − S Sᵀ n / ‖Sᵀ n‖                                                                            (25.44)
+///     r(n) = c − S Sᵀ n / ‖Sᵀ n‖                                                                            (24.11)
 #pragma once
 
 #include "chapters/23_faces_that_touch/space_contact.hpp"
@@ -10,7 +10,7 @@
 namespace rigid {
 
 //! [lowest]
-/// (25.44): the point of an ellipsoid that lies farthest against n, all in the
+/// (24.11): the point of an ellipsoid that lies farthest against n, all in the
 /// body's axes.
 inline Vec3 lowest_point(const SolidEllipsoid& e, const Vec3& n)
 {

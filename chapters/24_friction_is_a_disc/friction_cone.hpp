@@ -1,7 +1,7 @@
 /// \file friction_cone.hpp
 /// Friction in space: two rows with one bound, a disc; or a polygon in its place.
 ///
-///     ‖λ_t‖ ≤ μ λ_n,   λ_t = P(λ_t − ρ w_t) for any ρ > 0,   P: the nearest point of the disc               (25.38)
+///     ‖λ_t‖ ≤ μ λ_n,   λ_t = P(λ_t − ρ w_t) for any ρ > 0,   P: the nearest point of the disc               (24.3)
 ///
 /// That is Coulomb's law: what holds has w_t = 0, what slides is dragged by μ λ_n against w_t, in whatever direction that
 /// is. Two rows that are clamped each for itself make a box of the disc, whose corners hold √2 too much. \cite moreau1988
@@ -15,7 +15,7 @@ namespace rigid {
 using Mat2 = Eigen::Matrix<Real, 2, 2>;
 
 //! [project]
-/// P: the nearest point of the disc around zero, (25.37).
+/// P: the nearest point of the disc around zero, (24.2).
 inline Vec2 onto_disc(const Vec2& lambda, Real radius)
 {
     const Real length = lambda.norm();
@@ -24,7 +24,7 @@ inline Vec2 onto_disc(const Vec2& lambda, Real radius)
 //! [project]
 
 /// The nearest point of the polygon whose corners lie on the disc's rim, the first
-/// along t₁, (25.47).
+/// along t₁, (24.8).
 /// \param corners  three or more; 0: all of the disc
 Vec2 onto_pyramid(const Vec2& lambda, Real radius, int corners);
 
@@ -66,7 +66,7 @@ Vec2 slide_of(const SolverRow<Dof>* rows, const VecX& u)
 }
 
 //! [visit_disc]
-/// One visit of both rows, (25.39): the λ that stops the sliding, if it is in the
+/// One visit of both rows, (24.4): the λ that stops the sliding, if it is in the
 /// disc; else a step towards it, and back onto the disc.
 /// \param radius  μ λ_n as it is now [N s]
 /// \return        how far the rows were off [m/s]
@@ -93,7 +93,7 @@ Real visit_disc(const DiscOfRows& disc, SolverRow<Dof>* rows, Real radius, VecX&
 //! [visit_disc]
 
 //! [disc_residual]
-/// How far both rows are from (25.38), as chapter 3 measures it [m/s].
+/// How far both rows are from (24.3), as chapter 3 measures it [m/s].
 template <int Dof>
 Real disc_residual(const DiscOfRows& disc, const SolverRow<Dof>* rows, Real radius,
                    const VecX& u)

@@ -10,7 +10,7 @@
 
 namespace rigid {
 
-/// (25.42): where a block stops that starts at an angle φ, ahead and to the side
+/// (24.9): where a block stops that starts at an angle φ, ahead and to the side
 /// that φ grows to.
 /// \param d  v²/2μg: how far it goes on a disc [m]
 Vec2 stop_in_pyramid(Real d, Real phi, int corners);

@@ -1,9 +1,9 @@
 /// \file rolling_solid.hpp
 /// A smooth solid that rolls on a plane without slip: its equation, beside which the step is measured.
 ///
-///     v = r × ω,   (I − m [r]²) ω′ = −ω × Iω + m r × (r′ × ω + ω × (r × ω) + g γ),   γ′ = γ × ω              (25.45)
+///     v = r × ω,   (I − m [r]²) ω′ = −ω × Iω + m r × (r′ × ω + ω × (r × ω) + g γ),   γ′ = γ × ω              (24.12)
 ///
-/// All in the body's principal axes: γ is the normal of the plane, r = r(γ) leads to the lowest point (25.44).
+/// All in the body's principal axes: γ is the normal of the plane, r = r(γ) leads to the lowest point (24.11).
 #pragma once
 
 #include "chapters/24_friction_is_a_disc/ellipsoid.hpp"
@@ -18,7 +18,7 @@ struct RollingSolid {
     Real gravity = 9.81;       ///< against γ [m/s²]
 };
 
-/// (25.45): γ′ and ω′.
+/// (24.12): γ′ and ω′.
 /// \param y  γ and ω
 Vec<6> rolling_rates(const RollingSolid& solid, const Vec<6>& y);
 

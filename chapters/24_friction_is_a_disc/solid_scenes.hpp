@@ -30,7 +30,7 @@ inline RoughSolids sliding_block(Real speed, Real direction, Real mu)
     return scene;
 }
 
-/// How far it slides: v²/(2 μ g) − h v/2, (25.41).
+/// How far it slides: v²/(2 μ g) − h v/2, (24.5).
 inline Real stopping_distance(Real speed, Real mu, Real h, Real g = 9.81)
 {
     return speed * speed / (2 * mu * g) - h * speed / 2;

@@ -1,8 +1,8 @@
 /// \file space_friction.hpp
 /// The rows of a contact's friction in space.
 ///
-///     tangent   the J of (25.34) with t₁ and t₂ across n, and both arms to the point between the surfaces         (25.35)
-///     turn      J = (0, −ℓ R_aᵀe),  (0, ℓ R_bᵀe) with e = t₁ and t₂, which rolling is about, and e = n        (25.43)
+///     tangent   the J of (23.3) with t₁ and t₂ across n, and both arms to the point between the surfaces         (24.1)
+///     turn      J = (0, −ℓ R_aᵀe),  (0, ℓ R_bᵀe) with e = t₁ and t₂, which rolling is about, and e = n        (24.6)
 #pragma once
 
 #include "chapters/23_faces_that_touch/space_contact.hpp"
@@ -19,7 +19,7 @@ enum SpacePart : int {
 };
 
 //! [drag]
-/// (25.35): friction along t₁ or t₂. Both bodies are dragged at one point, between
+/// (24.1): friction along t₁ or t₂. Both bodies are dragged at one point, between
 /// the surfaces.
 /// \param number  of the contact's normal among the constraints of the step
 inline Constraint<6> drag_constraint(const SpaceContact& contact,
@@ -43,7 +43,7 @@ inline Constraint<6> drag_constraint(const SpaceContact& contact,
 }
 //! [drag]
 
-/// (25.43): a moment against rolling, about t₁ or t₂, or against spinning about n.
+/// (24.6): a moment against rolling, about t₁ or t₂, or against spinning about n.
 /// Its w is a speed like that of the other rows, at the distance ℓ.
 /// \param length  ℓ [m]
 Constraint<6> turn_constraint(const SpaceContact& contact, const ContactPlace& p,

@@ -46,7 +46,7 @@ inline Vec3 axis_of(const RoughSolids& scene)
         .normalized();
 }
 
-/// (25.46): −L·r, r from the centroid to the lowest point, which stays however the
+/// (24.13): −L·r, r from the centroid to the lowest point, which stays however the
 /// ball slides [kg m³/s].
 inline Real jellett(const RoughSolids& scene)
 {
@@ -97,7 +97,7 @@ inline RoughSolids spinning_rattleback(const Rattleback& boat, Real spin, Real t
     return scene;
 }
 
-/// The same body for (25.45), and where it is.
+/// The same body for (24.12), and where it is.
 inline RollingSolid rolling_solid(const RoughSolids& scene)
 {
     return {1 / scene.bodies.inverse_mass[0],

@@ -1,7 +1,7 @@
 /// \file sweep_patience.hpp
 /// How many sweeps an island gets: as many as are set, and more where the rest of them would do harm.
 ///
-///     swept on while  h r > 0.05 ℓ  after the sweeps that are set                                              (25.54a)
+///     swept on while  h r > 0.05 ℓ  after the sweeps that are set                                              (24.20)
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"

@@ -1,5 +1,5 @@
 /// \file lane_cones.hpp
-/// The visits of a row (6.3) and of a disc (25.39), written for lanes of numbers.
+/// The visits of a row (6.3) and of a disc (24.4), written for lanes of numbers.
 ///
 /// The sums are made in the order of chapter 6 and of visit_disc(), so each lane has their bits. W = M⁻¹ Jᵀ is not kept but
 /// made where it is needed, from J and the inverse masses of the two bodies: 17 numbers a row to read, where SolverRow has 29.
@@ -101,7 +101,7 @@ inline bool any_of(const Mask& mask)
 }
 
 //! [visit_disc]
-/// (25.39) in each lane. Where all lanes hold, nothing is projected.
+/// (24.4) in each lane. Where all lanes hold, nothing is projected.
 /// \param rows    two
 /// \param radius  μ λ_n as it is now [N s]
 /// \return        how far the rows were off [m/s]

@@ -72,7 +72,7 @@ struct SolidGap {
 };
 
 //! [gap]
-/// The distance of their cores by (25.29); where these overlap, the best axis.
+/// The distance of their cores by (22.1); where these overlap, the best axis.
 inline SolidGap gap_of(const PlacedSolid& a, const PlacedSolid& b)
 {
     const Real radii = a.radius() + b.radius();

@@ -18,7 +18,7 @@ using Rows = Eigen::Matrix<double, 3, 6>;  // along t1, t2 and n
 
 struct Contact {
     int a, b, name;  // body b, a wall a: -1, -2, …, and which corner of b
-    Rows J;          // of body b, (25.34)
+    Rows J;          // of body b, (23.3)
     double C;        // gap [m]
     Vector3d bias = {0, 0, 0}, lambda = {0, 0, 0};  // [m/s], [N s]
 };
@@ -80,14 +80,14 @@ std::vector<Contact> find_contacts(const Bodies& d)
     return found;
 }
 
-// (25.37): the nearest point of the disc.
+// (24.2): the nearest point of the disc.
 Vector2d nearest(const Vector2d& lambda, double radius)
 {
     return lambda.norm() > radius ? Vector2d(lambda * (radius / lambda.norm()))
                                   : lambda;
 }
 
-// One visit: the disc of friction, (25.39), then the normal, (6.2) to (6.5).
+// One visit: the disc of friction, (24.4), then the normal, (6.2) to (6.5).
 void visit(Contact& c, Bodies& d)
 {
     auto u = d.u.segment<6>(6 * c.b);

@@ -9,7 +9,7 @@ namespace {
 /// Whether the two rows of a contact's friction are held in a disc together, or each in its own bounds.
 enum class Friction : bool { box, disc };
 
-/// Holds an answer that calls itself solved against Coulomb's law, by the formulas and not by the solver: (25.38) with
+/// Holds an answer that calls itself solved against Coulomb's law, by the formulas and not by the solver: (24.3) with
 /// ρ = 1/L of each disc, and the natural residual of the other rows. One step of sixteen.
 template <Friction friction>
 struct HonestSpace {

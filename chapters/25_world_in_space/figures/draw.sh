@@ -17,7 +17,7 @@ for method in cone box pyramid; do
 done
 plot ch25_friction
 
-# A rattleback that is spun the wrong way: its spin at two steps, and by (25.45).
+# A rattleback that is spun the wrong way: its spin at two steps, and by (24.12).
 for h in 0.002 0.0005; do
     run --scene rattleback --method cone --h $h --steps "$(awk "BEGIN { print 3 / $h }")" --csv "$data/run"
     awk -F, -v h=$h 'NR > 1 && (NR - 2) % int(0.02 / h + 0.5) == 0 { print $2, $3, $4 }' "$data/run" >"$data/rattle_$h"

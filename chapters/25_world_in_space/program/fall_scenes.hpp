@@ -2,10 +2,11 @@
 /// What is knocked over, what falls down stairs, and what drives.
 #pragma once
 
+#include "chapters/24_friction_is_a_disc/program/touch_scenes.hpp"
 #include "chapters/25_world_in_space/built_scenes.hpp"
 #include "chapters/25_world_in_space/car.hpp"
 #include "chapters/25_world_in_space/doll_scenes.hpp"
-#include "chapters/25_world_in_space/program/touch_scenes.hpp"
+#include "chapters/25_world_in_space/program/space_run.hpp"
 
 namespace rigid {
 
@@ -148,6 +149,15 @@ inline Demo car_scene()
         {"pressed", "m", "struts, on average", Plot::linear},
         {"pressed_exact", "m", "m g over 4 k"},
         {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic}};
+    return scene;
+}
+
+inline Demo pour_scene()
+{
+    Demo scene = poured_demo<SpaceScene, SpaceSteps>(
+        "pour", "Hundreds of solids fall into a wide pit", 8, 300, 1000);
+    scene.tunables.push_back({"parts", "", "of a step that look for contacts", 1, 1,
+                              64, Numbers::whole});
     return scene;
 }
 

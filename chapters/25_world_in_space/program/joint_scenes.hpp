@@ -2,9 +2,10 @@
 /// What hangs and touches: Newton's cradle, and a chain with a heavy end.
 #pragma once
 
+#include "chapters/24_friction_is_a_disc/program/touch_scenes.hpp"
 #include "chapters/25_world_in_space/cradle.hpp"
 #include "chapters/25_world_in_space/program/hung_demo.hpp"
-#include "chapters/25_world_in_space/program/touch_scenes.hpp"
+#include "chapters/25_world_in_space/program/space_run.hpp"
 
 namespace rigid {
 

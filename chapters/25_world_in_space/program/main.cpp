@@ -2,8 +2,6 @@
 #include "chapters/25_world_in_space/program/fall_scenes.hpp"
 #include "chapters/25_world_in_space/program/joint_scenes.hpp"
 #include "chapters/25_world_in_space/program/mesh_demo.hpp"
-#include "chapters/25_world_in_space/program/spin_scenes.hpp"
-#include "chapters/25_world_in_space/program/touch_scenes.hpp"
 
 int main(int argc, char** argv)
 {
@@ -12,10 +10,8 @@ int main(int argc, char** argv)
         Program program;
         program.name = "25_world_in_space";
         program.title = "Chapter 25. A world in space";
-        program.scenes = {slide_scene(),  stack_scene(),    heap_scene(),
-                          table_scene(),  low_ball_scene(), rattleback_scene(),
-                          cradle_scene(), heavy_scene(),    wall_scene(),
-                          cards_scene(),  pour_scene(),     dolls_scene(),
+        program.scenes = {cradle_scene(), heavy_scene(), wall_scene(),
+                          cards_scene(),  pour_scene(),  dolls_scene(),
                           car_scene(),    hills_scene()};
         return program;
     };

@@ -2,9 +2,10 @@
 /// A car and balls on hills of triangles.
 #pragma once
 
+#include "chapters/24_friction_is_a_disc/program/touch_scenes.hpp"
 #include "chapters/25_world_in_space/car.hpp"
 #include "chapters/25_world_in_space/mesh_scenes.hpp"
-#include "chapters/25_world_in_space/program/touch_scenes.hpp"
+#include "chapters/25_world_in_space/program/space_run.hpp"
 
 namespace rigid {
 

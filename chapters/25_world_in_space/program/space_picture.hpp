@@ -1,33 +1,11 @@
 /// \file space_picture.hpp
-/// What the picture of chapter 20 has besides hulls: boats and grounds of triangles.
+/// What the picture of chapter 20 has besides hulls: grounds of triangles.
 #pragma once
 
 #include "chapters/20_turning_in_space/program/solid_picture.hpp"
 #include "chapters/25_world_in_space/space_scene.hpp"
 
 namespace rigid {
-
-/// The lower half of an ellipsoid and its deck, in the body's axes.
-inline void draw_boat(SolidPicture& picture, const SolidEllipsoid& e,
-                      const Vec3& centre, const Mat3& R, Colour colour)
-{
-    const int rings = 6, slices = 16;
-    const auto point = [&](int ring, int slice) -> Vec3 {
-        const Real polar = pi / 2 * ring / rings, turn = 2 * pi * slice / slices;
-        return centre +
-               R * (e.at + e.stretch * Vec3(sin(polar) * cos(turn), -cos(polar),
-                                            sin(polar) * sin(turn)));
-    };
-    std::vector<Vec3> deck;
-    for (int slice = 0; slice < slices; ++slice) {
-        for (int ring = 0; ring < rings; ++ring)
-            picture.facet({point(ring, slice), point(ring + 1, slice),
-                           point(ring + 1, slice + 1), point(ring, slice + 1)},
-                          colour);
-        deck.push_back(point(rings, slices - slice));
-    }
-    picture.facet(deck, Colour::yellow);
-}
 
 /// A ground of triangles. It is put away a little, so that what stands on it is before it.
 inline void draw_mesh(SolidPicture& picture, const TriangleMesh& mesh)

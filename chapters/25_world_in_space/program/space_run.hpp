@@ -2,11 +2,10 @@
 /// One scene in space, under one of this chapter's methods.
 #pragma once
 
-#include "chapters/20_turning_in_space/program/solid_run.hpp"
+#include "chapters/24_friction_is_a_disc/program/space_run.hpp"
 #include "chapters/25_world_in_space/program/space_picture.hpp"
 #include "chapters/25_world_in_space/step_in_parts.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace rigid {
@@ -14,20 +13,10 @@ namespace rigid {
 using SpaceState = SolidState<SpaceScene>;
 using SpaceSetup = SolidSetup<SpaceScene>;
 
-/// The deepest overlap of contacts where the step found them [m].
-inline Real deepest_overlap(const StepData<6>& now)
-{
-    Real deepest = 0;
-    for (const Constraint<6>& c : now.constraints)
-        if (c.kind == ConstraintKind::unilateral) deepest = std::max(deepest, -c.C);
-    return deepest;
-}
-
 class SpaceSteps {
 public:
     explicit SpaceSteps(const SpaceSetup& setup)
     {
-        one_point_.contacts.points = 1;
         one_by_one_.contacts.ground.as_one = false;
         cones_.correction.slop = boxes_.correction.slop = guesses_.correction.slop =
             setup.slop;
@@ -55,12 +44,7 @@ public:
         else if (by == "cone") take(cones_);
         else if (by == "box") take(boxes_);
         else if (by == "exact_cone") take(guesses_, 1e-9);
-        else if (by == "one_point") take(one_point_);
-        else if (by == "one_by_one") take(one_by_one_);
-        else {
-            pyramids_.solver.corners = static_cast<int>(settings["corners"]);
-            take(pyramids_);
-        }
+        else take(one_by_one_);
     }
     static void draw_ground(SolidPicture& picture, const SpaceScene& scene)
     {
@@ -68,16 +52,13 @@ public:
     }
     static void draw_more(SolidPicture& picture, const SpaceScene& scene)
     {
-        for (const SolidEllipsoid& e : scene.ellipsoids)
-            draw_boat(picture, e, centre_of(scene.bodies.x, e.body),
-                      rotation_of(scene.bodies.x, e.body), Colour::blue);
+        draw_boats(picture, scene);
     }
 
 private:
     SpaceExact exact_;
     SpaceIslands islands_;
-    TouchingCones cones_, pyramids_, one_point_, one_by_one_,
-        guesses_ = exact_cones();
+    TouchingCones cones_, one_by_one_, guesses_ = exact_cones();
     TouchingBoxes boxes_;
 };
 

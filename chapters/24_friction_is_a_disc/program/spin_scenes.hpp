@@ -2,8 +2,8 @@
 /// What spins on a floor: a top, a ball that turns over, a boat that turns back.
 #pragma once
 
+#include "chapters/24_friction_is_a_disc/program/touch_scenes.hpp"
 #include "chapters/24_friction_is_a_disc/spinning_scenes.hpp"
-#include "chapters/25_world_in_space/program/touch_scenes.hpp"
 
 namespace rigid {
 
@@ -15,11 +15,11 @@ inline Real lean_of(const Vec3& axis)
 
 inline Demo table_scene()
 {
-    Demo scene = space_demo(
+    Demo scene = rough_demo(
         "table", "A top on a table: friction alone holds its tip",
         {{0, 0.05}, {0.45, 0.3}}, 1.0 / 960, ways_to_drag,
         [](const Settings& settings) {
-            SpaceSetup setup;
+            RoughSetup setup;
             TopShape top;
             top.spin = settings["spin"];
             top.tilt = settings["tilt"] * pi / 180;
@@ -30,7 +30,7 @@ inline Demo table_scene()
             setup.ground = 0.3;
             setup.slop = 0;
             const Real exact = precession_of(top);
-            setup.measure = [exact](const SpaceState& s) -> std::vector<Real> {
+            setup.measure = [exact](const RoughState& s) -> std::vector<Real> {
                 const Vec3 tip = point_of_solid(s.scene.bodies.x, 0,
                                                 s.scene.shapes[0][0].vertices[0]);
                 const Vec3 axis = centre_of(s.scene.bodies.x, 0) - tip;
@@ -39,7 +39,7 @@ inline Demo table_scene()
                 return {lean_of(axis), cross(axis, way).y() / round, exact,
                         Vec2(tip.x(), tip.z()).norm()};
             };
-            setup.picture = [](SolidPicture& picture, const SpaceState& s) {
+            setup.picture = [](SolidPicture& picture, const RoughState& s) {
                 const Hull& pin = s.scene.shapes[0][0];
                 picture.line({point_of_solid(s.scene.bodies.x, 0, pin.vertices[0]),
                               centre_of(s.scene.bodies.x, 0)},
@@ -62,11 +62,11 @@ inline Demo table_scene()
 
 inline Demo low_ball_scene()
 {
-    Demo scene = space_demo(
+    Demo scene = rough_demo(
         "low_ball", "A ball whose mass lies low spins, and turns over",
         {{0, 0}, {0.09, 0.06}}, 1.0 / 2000, ways_to_drag,
         [](const Settings& settings) {
-            SpaceSetup setup;
+            RoughSetup setup;
             LowBall ball;
             ball.spin = settings["spin"];
             setup.scene = spinning_low_ball(ball, settings["mu"]);
@@ -75,12 +75,12 @@ inline Demo low_ball_scene()
             setup.ground = 0.08;
             setup.slop = 0;
             const Real start = jellett(setup.scene);
-            setup.measure = [start](const SpaceState& s) -> std::vector<Real> {
+            setup.measure = [start](const RoughState& s) -> std::vector<Real> {
                 return {lean_of(axis_of(s.scene)),
                         world_spin(s.scene.bodies, 0).y(),
                         energy(s.scene) - s.energy, jellett(s.scene) / start - 1};
             };
-            setup.picture = [](SolidPicture& picture, const SpaceState& s) {
+            setup.picture = [](SolidPicture& picture, const RoughState& s) {
                 const Vec3 middle = point_of_solid(
                     s.scene.bodies.x, 0, s.scene.shapes[0][0].vertices[0]);
                 picture.arrow(middle, middle + 0.03 * axis_of(s.scene),
@@ -95,17 +95,17 @@ inline Demo low_ball_scene()
                      {"spin", "rad/s", "about the vertical", Plot::linear},
                      {"energy", "J", "less that of the start", Plot::linear},
                      {"jellett_error", "",
-                      "(25.46) over that of the start, minus 1", Plot::linear}};
+                      "(24.13) over that of the start, minus 1", Plot::linear}};
     return scene;
 }
 
 inline Demo rattleback_scene()
 {
-    Demo scene = space_demo(
+    Demo scene = rough_demo(
         "rattleback", "A boat that spins one way, rattles, and spins the other",
         {{0, 0}, {0.36, 0.24}}, 1.0 / 2000, ways_to_drag,
         [](const Settings& settings) {
-            SpaceSetup setup;
+            RoughSetup setup;
             Rattleback boat;
             boat.askew = settings["askew"];
             setup.scene =
@@ -123,7 +123,7 @@ inline Demo rattleback_scene()
             const auto beside = std::make_shared<Beside>();
             beside->solid = rolling_solid(setup.scene);
             beside->y = rolling_state(setup.scene);
-            setup.measure = [beside](const SpaceState& s) -> std::vector<Real> {
+            setup.measure = [beside](const RoughState& s) -> std::vector<Real> {
                 const auto parts =
                     static_cast<int>(std::ceil((s.t - beside->t) / 5e-4 - 1e-9));
                 for (int i = 0; i < parts; ++i)
@@ -143,7 +143,7 @@ inline Demo rattleback_scene()
                               -0.5, 0.5, Numbers::real, OnChange::restarts});
     add_touch_tunables(scene, 1, 200);
     scene.columns = {{"spin", "rad/s", "about the vertical", Plot::linear},
-                     {"spin_exact", "rad/s", "by (25.45)"},
+                     {"spin_exact", "rad/s", "by (24.12)"},
                      {"tilt", "°", "of its deck", Plot::linear},
                      {"energy", "J", "less that of the start", Plot::linear}};
     return scene;

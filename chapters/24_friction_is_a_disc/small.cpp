@@ -1,0 +1,224 @@
+// Chapter 25 in one file, grown from chapter 20: solids that touch.
+// A block of J has six columns, angles are added as rotations, friction is a disc.
+//
+//     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
+//     corner on a wall: λ_n ≥ 0, w_n ≥ 0, λ_n w_n = 0,   ‖λ_t‖ ≤ μ λ_n, against w_t
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <vector>
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Vec = Eigen::VectorXd;
+using Mat = Eigen::MatrixXd;
+using Rows = Eigen::Matrix<double, 3, 6>;  // along t1, t2 and n
+
+struct Contact {
+    int a, b, name;  // body b, a wall a: -1, -2, …, and which corner of b
+    Rows J;          // of body b, (23.3)
+    double C;        // gap [m]
+    Vector3d bias = {0, 0, 0}, lambda = {0, 0, 0};  // [m/s], [N s]
+};
+
+struct Bodies {
+    Vec x, u, inverse_mass;  // six a body: x, rotation vector; v, ω; 1/m, 1/I
+    std::vector<Eigen::Matrix3Xd> corners;  // from the centroid, in its own axes
+    Mat walls;  // columns n, c: where n·p ≥ c it is free
+    double g = 9.81, mu = 0.5;
+    std::vector<Contact> contacts = {};  // of the last step
+};
+
+// (20.6): the rotation of a rotation vector.
+Eigen::Quaterniond exp(const Vector3d& theta)
+{
+    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
+}
+
+// (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
+Vector3d add(const Vector3d& theta, const Vector3d& delta)
+{
+    const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
+    return sum.angle() * sum.axis();
+}
+
+// (20.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
+// momentum stays where it is, and the axes turn.
+Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
+{
+    const Vector3d L = omega.cwiseQuotient(inverse);
+    Vector3d xi = omega;
+    for (int n = 0; n < 20; ++n) xi = inverse.cwiseProduct(exp(-h / 2 * xi) * L);
+    omega = inverse.cwiseProduct(exp(-h * xi) * L);
+    return h * xi;
+}
+
+// Corners and walls, with gaps below 2 cm.
+std::vector<Contact> find_contacts(const Bodies& d)
+{
+    std::vector<Contact> found;
+    for (int b = 0; b < int(d.corners.size()); ++b)
+        for (int k = 0; k < d.corners[b].cols(); ++k)
+            for (int i = 0; i < d.walls.cols(); ++i) {
+                const Vector3d n = d.walls.col(i).head<3>();
+                const Vector3d r = d.corners[b].col(k);
+                const auto R = exp(d.x.segment<3>(6 * b + 3)).toRotationMatrix();
+                const double C =
+                    n.dot(d.x.segment<3>(6 * b) + R * r) - d.walls(3, i);
+                if (C >= 0.02) continue;
+                Eigen::Matrix3d D;  // t1, t2 and n as rows
+                D << n.unitOrthogonal(), n.cross(n.unitOrthogonal()), n;
+                D.transposeInPlace();
+                Eigen::Matrix3d cross;
+                cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+                Rows J;
+                J << D, -D * R * cross;
+                found.push_back({-1 - i, b, k, J, C});
+            }
+    return found;
+}
+
+// (24.2): the nearest point of the disc.
+Vector2d nearest(const Vector2d& lambda, double radius)
+{
+    return lambda.norm() > radius ? Vector2d(lambda * (radius / lambda.norm()))
+                                  : lambda;
+}
+
+// One visit: the disc of friction, (24.4), then the normal, (6.2) to (6.5).
+void visit(Contact& c, Bodies& d)
+{
+    auto u = d.u.segment<6>(6 * c.b);
+    const Rows W = c.J * d.inverse_mass.segment<6>(6 * c.b).asDiagonal();
+    const Eigen::Matrix3d A = W * c.J.transpose();
+    const Eigen::Matrix2d At = A.topLeftCorner<2, 2>();
+    const double half = At.trace() / 2;
+    const double L = half + std::sqrt(half * half - At.determinant());
+    const double radius = d.mu * c.lambda[2];
+    Vector3d w = c.J * u + c.bias, next = c.lambda;
+    next.head<2>() -= At.inverse() * w.head<2>();
+    if (next.head<2>().norm() > radius)
+        next.head<2>() = nearest(c.lambda.head<2>() - w.head<2>() / L, radius);
+    u += W.transpose() * (next - c.lambda);
+    w = c.J * u + c.bias;
+    const double push = std::max(0.0, next[2] - w[2] / A(2, 2)) - next[2];
+    u += W.row(2).transpose() * push;
+    next[2] += push;
+    c.lambda = next;
+}
+
+void step(Bodies& d, double h, double beta, int sweeps)
+{
+    const int K = d.corners.size();
+    for (int k = 0; k < K; ++k) d.u[6 * k + 2] -= d.g * h;  // u*, (3.4)
+    std::vector<Contact> contacts = find_contacts(d);
+    for (Contact& c : contacts) {
+        c.bias[2] = (c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
+        for (const Contact& old : d.contacts)  // its key is who touches whom, where
+            if (old.a == c.a && old.b == c.b && old.name == c.name) {
+                c.lambda = old.lambda;
+                d.u.segment<6>(6 * c.b) +=
+                    d.inverse_mass.segment<6>(6 * c.b).cwiseProduct(
+                        c.J.transpose() * c.lambda);
+            }
+    }
+    for (int n = 0; n < sweeps; ++n)
+        for (Contact& c : contacts) visit(c, d);
+    for (int k = 0; k < K; ++k) {
+        d.x.segment<3>(6 * k) += h * d.u.segment<3>(6 * k);  // (1.10)
+        Vector3d omega = d.u.segment<3>(6 * k + 3);
+        const Vector3d delta = turn(d.inverse_mass.segment<3>(6 * k + 3), omega, h);
+        d.x.segment<3>(6 * k + 3) = add(d.x.segment<3>(6 * k + 3), delta);
+        d.u.segment<3>(6 * k + 3) = omega;
+    }
+    d.contacts = contacts;
+}
+
+// A uniform box with the edges e at a place.
+void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
+{
+    for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
+        v->conservativeResize(6 * d.corners.size() + 6);
+    d.x.tail<6>() << at, 0, 0, 0;
+    d.u.tail<6>().setZero();
+    const Vector3d q = e.cwiseAbs2();
+    const Vector3d I = mass / 12 * Vector3d(q[1] + q[2], q[2] + q[0], q[0] + q[1]);
+    d.inverse_mass.tail<6>() << Vector3d::Constant(1 / mass), I.cwiseInverse();
+    d.corners.push_back(Eigen::Matrix3Xd(3, 8));
+    for (int k = 0; k < 8; ++k)
+        d.corners.back().col(k) << e[0] * ((k % 4 % 3 > 0) - 0.5),
+            e[1] * ((k / 2 % 2) - 0.5), e[2] * (k / 4 - 0.5);
+}
+
+double spin_energy(const Bodies& d)
+{
+    const Vector3d omega = d.u.segment<3>(3);
+    const Vector3d inverse = d.inverse_mass.segment<3>(3);
+    return omega.cwiseAbs2().cwiseQuotient(inverse).sum() / 2;
+}
+
+// A book of 0.7 kg that spins about its middle axis, with a wobble.
+Bodies book(double spin, double wobble)
+{
+    Bodies d{{}, {}, {}, {}, Mat(4, 0), 0};
+    add_box(d, {0.16, 0.24, 0.04}, 0.7, {0, 0, 1});
+    d.u.tail<3>() << spin, spin * wobble, spin * wobble;
+    return d;
+}
+
+int main(int count, char** word)
+{
+    // By hand, section 20.1: the moments of a book, and when it turns over.
+    for (const double wobble : {0.1, 0.01}) {
+        Bodies d = book(1, wobble);
+        int n = 0;
+        for (; d.u[3] > 0; ++n) step(d, 0.001, 0, 0);
+        std::printf("I %.1f %.1f %.1f; wobble %g: over after %.2f turns\n",
+                    1e4 / d.inverse_mass[3], 1e4 / d.inverse_mass[4],
+                    1e4 / d.inverse_mass[5], wobble,
+                    n * 0.001 / 2 / std::numbers::pi);
+    }
+    Bodies middle = book(12, 0.1), first = middle;
+    const double E = spin_energy(middle);
+    for (int n = 0; n < 1600; ++n) {
+        step(middle, 0.005, 0, 0);
+        const Vector3d inverse = first.inverse_mass.tail<3>();
+        const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
+        first.u.tail<3>() -=
+            0.005 * inverse.cwiseProduct(omega.cross(L));  // (20.17)
+    }
+    std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
+                spin_energy(first) / E);
+    // Friction is a disc: a block slides as far in any direction, v²/(2 μ g).
+    for (const double degrees : {0.0, 30.0, 45.0}) {
+        Bodies d{{}, {}, {}, {}, Vec{{0, 0, 1, 0}}};
+        add_box(d, {1, 1, 0.2}, 1, {0, 0, 0.1});
+        const double a = degrees * std::numbers::pi / 180;
+        d.u.head<2>() << 2 * std::cos(a), 2 * std::sin(a);
+        for (int n = 0; n < 480; ++n) step(d, 1.0 / 240, 0.2, 20);
+        std::printf("%g degrees: %.4f m, %.4f degrees\n", degrees,
+                    d.x.head<2>().norm(),
+                    std::atan2(d.x[1], d.x[0]) * 180 / std::numbers::pi);
+    }
+    // The book falls on a floor.
+    std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
+    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
+           "width='300' stroke-width='0.008' viewBox='-0.25 -1.25 0.8 1.4'>\n";
+    Bodies d = book(12, 0.1);
+    d.walls = Vec{{0, 0, 1, 0}}, d.g = 9.81, d.u[0] = 0.7;
+    for (int n = 0; n <= 480; ++n, step(d, 1.0 / 240, 0.2, 20)) {
+        if (n % 24 || (n > 140 && n < 480)) continue;
+        const auto R = exp(d.x.tail<3>()).toRotationMatrix();
+        const Eigen::Matrix3Xd p = (R * d.corners[0]).colwise() + d.x.head<3>();
+        out << "<path stroke='" << (n < 480 ? "#4477AA" : "#CC3311") << "' d='";
+        for (const int k : {0, 1, 2, 3, 0, 4, 5, 6, 7, 4, 5, 1, 2, 6, 7, 3})
+            out << (k == 0 ? 'M' : 'L') << p(0, k) + 0.3 * p(1, k) << ' '
+                << -p(2, k) - 0.3 * p(1, k);
+        out << "'/>\n";
+    }
+    out << "</svg>\n";
+    std::printf("the book lies at z = %.4f m, fastest at %.1e\n", d.x[2],
+                d.u.cwiseAbs().maxCoeff());
+}
