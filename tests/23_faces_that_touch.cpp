@@ -269,3 +269,42 @@ TEST_CASE("what a joint joins does not collide", "[idea]")
         CHECK(now.contacts.empty() == joined);
     }
 }
+
+// ---- their rows ---------------------------------------------------------------------------------
+
+TEST_CASE("the row of a contact is the derivative of its gap", "[idea]")
+{
+    Random random(11);
+    for (int n = 0; n < 100; ++n) {
+        SolidScene scene;
+        for (int k = 0; k < 2; ++k)
+            add_body(scene, {solid_box({1, 0.7, 0.4})}, 1.0, any_vector(random, 2), any_vector(random, 2));
+        const VecX& x0 = scene.bodies.x;
+        SpaceContact contact;
+        contact.a = n % 2 == 0 ? world : 0, contact.b = 1;
+        contact.normal = any_vector(random, 1).normalized();
+        contact.radius_a = 0.1, contact.radius_b = 0.2;
+        contact.at_b = any_vector(random, 1);
+        // where the step finds contacts, the way between the points is along the normal
+        const Vec3 p = point_of_solid(x0, 1, contact.at_b) - 0.25 * contact.normal;
+        contact.at_a = rotation_of(x0, contact.a).transpose() * (p - centre_of(x0, contact.a));
+        const Constraint<6> c = push_constraint(contact, place_of(contact, x0));
+        CHECK(c.C == Approx(-0.05).margin(1e-14));
+        for (Index k = 0; k < 12; ++k) {
+            const auto gap = [&](Real d) {
+                VecX x = x0;
+                if (k % 6 < 3) x[k] += d;
+                else {
+                    Vec3 turn(0, 0, 0);
+                    turn[k % 6 - 3] = d;
+                    const Index at = 6 * (k / 6) + 3;
+                    x.segment<3>(at) = add_rotation(x.segment<3>(at), turn);
+                }
+                return push_constraint(contact, place_of(contact, x)).C;
+            };
+            const Real row = k < 6 ? (contact.a == world ? 0 : c.Ja[k]) : c.Jb[k - 6];
+            // arms of 2 m: d² of the third derivative and 1e-16/d of rounding are both below 1e-9
+            CHECK((gap(1e-5) - gap(-1e-5)) / 2e-5 == Approx(row).margin(1e-9));
+        }
+    }
+}

@@ -1,4 +1,4 @@
-/// Chapter 24: disc friction solved exactly, Algorithm 24.1.
+/// Chapter 24: disc friction solved exactly, Algorithm 24.2.
 
 #include "tests/no_allocation.hpp"
 

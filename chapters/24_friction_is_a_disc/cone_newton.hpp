@@ -3,7 +3,7 @@
 ///
 ///     guess the cases (24.14), solve them (24.18), accept by the residual of the Coulomb problem itself
 ///
-/// Algorithm 24.1. Where guesses come to no end, proximal steps (24.19) \cite rockafellar1976 and sweeps bring λ nearer;
+/// Algorithm 24.2. Where guesses come to no end, proximal steps (24.19) \cite rockafellar1976 and sweeps bring λ nearer;
 /// and what is still no answer is not called one.
 #pragma once
 
@@ -28,7 +28,7 @@ struct ConeNewton {
     Real residual = infinity;  ///< its residual [m/s]
     int guesses = 0;           ///< of the last solve
 
-    /// Algorithm 24.1. The rows keep the best λ that was found, and u is theirs.
+    /// Algorithm 24.2. The rows keep the best λ that was found, and u is theirs.
     /// \param enough  the residual of an answer [m/s]
     /// \param u       velocities of all bodies, with the impulses of the rows
     /// \return        whether the best is an answer

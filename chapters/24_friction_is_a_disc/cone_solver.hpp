@@ -18,7 +18,7 @@ struct ConeSolver : PlainSolver {
     ImpulseSettings sweeps{50, 1e-6};
     SweepPatience patience;  ///< with what they leave
     int corners = 0;         ///< of the pyramid that friction is in; 0: a disc
-    /// islands of up to so many rows are solved by Algorithm 24.1, and swept where that
+    /// islands of up to so many rows are solved by Algorithm 24.2, and swept where that
     /// finds no answer; 0: all are swept
     int exact_rows = 0;
     ConeNewton newton;
@@ -32,7 +32,7 @@ struct ConeSolver : PlainSolver {
     std::vector<int> disc_at;  ///< of each row: the disc that begins there, or −1
     std::vector<SolverRow<6>> pushing;  ///< in the second problem
     int most_sweeps = 0;                ///< of the last step
-    int guesses = 0, unanswered = 0;    ///< of Algorithm 24.1; islands that it left
+    int guesses = 0, unanswered = 0;    ///< of Algorithm 24.2; islands that it left
 
     void require_valid() const
     {

@@ -114,7 +114,7 @@ struct RoughTouching : RoughSearch {
 using RoughBoxes = TouchingMethod<ImpulseSolver<6>, RoughTouching>;
 using RoughCones = TouchingMethod<ConeSolver, RoughTouching>;
 
-/// Islands of up to so many rows solved by Algorithm 24.1, larger ones swept: a factor
+/// Islands of up to so many rows solved by Algorithm 24.2, larger ones swept: a factor
 /// of bodies that all hang together grows faster than their number.
 template <class Method = RoughCones>
 Method solved_exactly(int rows = 1000)

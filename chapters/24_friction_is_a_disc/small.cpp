@@ -1,5 +1,5 @@
-// Chapter 25 in one file, grown from chapter 20: solids that touch.
-// A block of J has six columns, angles are added as rotations, friction is a disc.
+// Chapter 24 in one file, grown from chapter 23: friction is a disc.
+// Two rows across the normal have one bound. Boxes touch walls by their corners.
 //
 //     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
 //     corner on a wall: λ_n ≥ 0, w_n ≥ 0, λ_n w_n = 0,   ‖λ_t‖ ≤ μ λ_n, against w_t
@@ -152,45 +152,51 @@ void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
             e[1] * ((k / 2 % 2) - 0.5), e[2] * (k / 4 - 0.5);
 }
 
-double spin_energy(const Bodies& d)
+// The hoop of section 24.1: 1 kg, 1 m, upright; it touches the floor as it slides.
+Bodies hoop(double vx, double vy)
 {
-    const Vector3d omega = d.u.segment<3>(3);
-    const Vector3d inverse = d.inverse_mass.segment<3>(3);
-    return omega.cwiseAbs2().cwiseQuotient(inverse).sum() / 2;
+    Bodies d{{}, {}, {}, {}, Vec{{0, 0, 1, 0}}};
+    add_box(d, {1, 1, 1}, 1, {0, 0, 1});
+    d.inverse_mass << 1, 1, 1, 2, 1, 2;
+    d.corners[0] = Vector3d(0, 0, -1);
+    d.u.head<2>() << vx, vy;
+    return d;
 }
 
-// A book of 0.7 kg that spins about its middle axis, with a wobble.
-Bodies book(double spin, double wobble)
+// The impulse of friction, along x and y.
+Vector2d drag(const Contact& c)
 {
-    Bodies d{{}, {}, {}, {}, Mat(4, 0), 0};
-    add_box(d, {0.16, 0.24, 0.04}, 0.7, {0, 0, 1});
-    d.u.tail<3>() << spin, spin * wobble, spin * wobble;
-    return d;
+    return c.J.topLeftCorner<2, 2>().transpose() * c.lambda.head<2>();
 }
 
 int main(int count, char** word)
 {
-    // By hand, section 20.1: the moments of a book, and when it turns over.
-    for (const double wobble : {0.1, 0.01}) {
-        Bodies d = book(1, wobble);
-        int n = 0;
-        for (; d.u[3] > 0; ++n) step(d, 0.001, 0, 0);
-        std::printf("I %.1f %.1f %.1f; wobble %g: over after %.2f turns\n",
-                    1e4 / d.inverse_mass[3], 1e4 / d.inverse_mass[4],
-                    1e4 / d.inverse_mass[5], wobble,
-                    n * 0.001 / 2 / std::numbers::pi);
+    std::ofstream out(count < 2 ? "" : word[1]);  // SVG
+    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='640' "
+           "stroke-width='0.008' viewBox='-1.5 -1.3 2.1 1.5'>\n<g "
+           "transform='translate(-0.72 -0.75)' stroke='#808080'><path "
+           "d='M-.5 .5H.5V-.5H-.5z' stroke-dasharray='0.03'/><circle r='0.5'/>\n";
+    // By hand, section 24.1: one visit, and where more of them lead.
+    Bodies d = hoop(1.8, 2.4);
+    Contact c = find_contacts(d)[0];
+    c.lambda[2] = 1;
+    for (int n = 0; n <= 20; ++n, visit(c, d)) {
+        const Vector3d w = c.J * d.u;
+        const Vector2d p = drag(c), q = -c.J.topLeftCorner<2, 2>().transpose() *
+                                        w.head<2>() / 3;  // L = 3
+        if (n < 3 || n == 20)
+            std::printf("after %2d: lambda %.4f %.4f, w %.4f %.4f\n", n, p[0], p[1],
+                        -3 * q[0], -3 * q[1]);
+        if (n > 1) continue;
+        const Vector2d to = nearest(p + q, 0.5);
+        out << "<path stroke='#4477AA' d='M" << p[0] << ' ' << -p[1] << 'L'
+            << p[0] + q[0] << ' ' << -p[1] - q[1]
+            << "'/><path stroke='#CC3311' d='M" << p[0] + q[0] << ' '
+            << -p[1] - q[1] << 'L' << to[0] << ' ' << -to[1]
+            << "'/><circle fill='#CC3311' r='0.02' cx='" << to[0] << "' cy='"
+            << -to[1] << "'/>\n";
     }
-    Bodies middle = book(12, 0.1), first = middle;
-    const double E = spin_energy(middle);
-    for (int n = 0; n < 1600; ++n) {
-        step(middle, 0.005, 0, 0);
-        const Vector3d inverse = first.inverse_mass.tail<3>();
-        const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
-        first.u.tail<3>() -=
-            0.005 * inverse.cwiseProduct(omega.cross(L));  // (20.17)
-    }
-    std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
-                spin_energy(first) / E);
+    out << "</g>\n";
     // Friction is a disc: a block slides as far in any direction, v²/(2 μ g).
     for (const double degrees : {0.0, 30.0, 45.0}) {
         Bodies d{{}, {}, {}, {}, Vec{{0, 0, 1, 0}}};
@@ -202,12 +208,10 @@ int main(int count, char** word)
                     d.x.head<2>().norm(),
                     std::atan2(d.x[1], d.x[0]) * 180 / std::numbers::pi);
     }
-    // The book falls on a floor.
-    std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='300' stroke-width='0.008' viewBox='-0.25 -1.25 0.8 1.4'>\n";
-    Bodies d = book(12, 0.1);
-    d.walls = Vec{{0, 0, 1, 0}}, d.g = 9.81, d.u[0] = 0.7;
+    // A book of 0.7 kg that spins about its middle axis falls on a floor.
+    d = Bodies{{}, {}, {}, {}, Vec{{0, 0, 1, 0}}};
+    add_box(d, {0.16, 0.24, 0.04}, 0.7, {0, 0, 1});
+    d.u << 0.7, 0, 0, 12, 1.2, 1.2;
     for (int n = 0; n <= 480; ++n, step(d, 1.0 / 240, 0.2, 20)) {
         if (n % 24 || (n > 140 && n < 480)) continue;
         const auto R = exp(d.x.tail<3>()).toRotationMatrix();

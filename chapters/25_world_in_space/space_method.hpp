@@ -12,7 +12,7 @@ namespace rigid {
 using TouchingBoxes = TouchingMethod<ImpulseSolver<6>, TouchingSolids>;
 using TouchingCones = TouchingMethod<LevelCones, TouchingSolids>;
 
-/// Islands of up to so many rows solved by Algorithm 24.1, larger ones swept.
+/// Islands of up to so many rows solved by Algorithm 24.2, larger ones swept.
 inline TouchingCones exact_cones(int rows = 1000)
 {
     return solved_exactly<TouchingCones>(rows);

@@ -62,6 +62,15 @@ namespace said21 {
 namespace said_joint {
 #include "chapters/21_joints_in_space/small.cpp"
 }
+namespace said_distance {
+#include "chapters/22_distance_of_solids/small.cpp"
+}
+namespace said_faces {
+#include "chapters/23_faces_that_touch/small.cpp"
+}
+namespace said_disc {
+#include "chapters/24_friction_is_a_disc/small.cpp"
+}
 namespace said23 {
 #include "chapters/28_waves/small.cpp"
 }
@@ -320,6 +329,39 @@ Numbers hinge(Numbers in)
     return {{"lean", std::atan2(-row.Jb[5], row.Jb[4]) * 180 / std::numbers::pi}};
 }
 
+Numbers triangles(Numbers in)
+{
+    const double up = in["up"];
+    return {
+        {"distance", said_distance::nearest_points(said_distance::triangle(0, 0, 4, 4, 1, 3),
+                                                   said_distance::triangle(5, 1 + up, 8, 2 + up, 5, 5 + up))
+                         .distance}};
+}
+
+Numbers squares(Numbers in)
+{
+    const double right = in["right"], x[] = {0.5, 1.75, 0.5, -0.75}, y[] = {-0.75, 0.5, 1.75, 0.5};
+    std::vector<said_faces::Corner> polygon;
+    for (int k = 0; k < 4; ++k) polygon.push_back({{x[k] + right, y[k], 0}, k, k});
+    for (int k = 0; k < 4; ++k) {
+        const Eigen::Vector3d out(k == 0 ? 1 : k == 2 ? -1 : 0, k == 1 ? 1 : k == 3 ? -1 : 0, 0);
+        polygon = said_faces::cut(polygon, out, out, k);
+    }
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        twice += polygon[i].at.cross(polygon[(i + 1) % polygon.size()].at).z();
+    return {{"area", twice / 2}};
+}
+
+Numbers hoop(Numbers in)
+{
+    said_disc::Bodies d = said_disc::hoop(1.8, in["across"]);
+    said_disc::Contact c = said_disc::find_contacts(d)[0];
+    c.lambda[2] = 1;
+    said_disc::visit(c, d);
+    return {{"along", -said_disc::drag(c)[0]}, {"aside", -said_disc::drag(c)[1]}};
+}
+
 Numbers three_masses(Numbers in)
 {
     said23::String masses = said23::at_rest(Eigen::VectorXd{{0, 0, 1, 0, 0}}, in["h"]);
@@ -357,6 +399,9 @@ TEST_CASE("what can be dragged in a sentence follows as the small programs compu
         {"door", {door, 1e-5}},      // sweeps to 1e-6 rad/s
         {"two_rods", {two_rods, 1e-9}},
         {"hinge", {hinge, 1e-12}},
+        {"triangles", {triangles, 1e-12}},
+        {"squares", {squares, 1e-12}},
+        {"hoop", {hoop, 1e-12}},
         {"oscillator", {oscillator, 1e-12}},
         {"three_masses", {three_masses, 1e-12}},
         {"line", {line, 0}},

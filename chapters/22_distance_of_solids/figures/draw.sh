@@ -4,7 +4,7 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene pass --steps 90 --svg "$out/ch22_pass.svg"
+run --scene pass --steps 58 --svg "$out/ch22_pass.svg"
 
 # The picture of the small program.
 small ch22_small

@@ -11,7 +11,7 @@
 ///                   crept    how far the body that moved most in the last two seconds moved in them [m]
 ///                   moved    and in all four [m]
 ///                   visits   rows visited in a step, of the book
-///                   guesses  of Algorithm 24.1 in a step, of the book; unsolved: steps whose last sub-step did not meet
+///                   guesses  of Algorithm 24.2 in a step, of the book; unsolved: steps whose last sub-step did not meet
 ///                            its tolerance, 1e-6 ℓ/s of sweeps and 1e-9 ℓ/s of guesses
 
 #include "chapters/21_joints_in_space/hung_scenes.hpp"
