@@ -4,7 +4,7 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene book --steps 170 --svg "$out/ch20_book.svg"
+run --scene book --steps 240 --svg "$out/ch20_book.svg"
 run --scene handle --steps 220 --svg "$out/ch20_handle.svg"
 
 # The energy of the tossed book by four ways; each time is half a hundredth of a second.

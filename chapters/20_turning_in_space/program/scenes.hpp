@@ -55,6 +55,7 @@ inline Demo tossed_demo(const std::string& name, const std::string& summary,
             setup.traces = true;
             setup.traced = traced;
             setup.dress = dress;
+            if (!dress.empty()) setup.skin = Skin::opaque;
             setup.measure = free_spin;
             setup.picture = [size](SolidPicture& picture, const FlightState& s) {
                 draw_spin(picture, s, size);
