@@ -48,8 +48,8 @@ inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
            shape.sweeps_needed() > rule.patience ||
            shape.price_of_exact() < shape.price_of_sweeps();
 }
-/// What an exact solve of an island that comes to rest may cost: what it holds on
-/// to is guessed a few times, and each guess has a factor. 0 where that is too much.
+/// What an exact solve of an island that comes to rest may cost: what is stuck is
+/// guessed a few times, and each guess has a factor. 0 where that is too much.
 inline std::int64_t rest_price(const IslandShape& shape, const ChoiceRule& rule)
 {
     const Real most = Real(rule.entries), some = most / 10;
