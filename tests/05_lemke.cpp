@@ -674,7 +674,7 @@ TEST_CASE("of 810 stacks under a heavy top each walk solves as many as the text 
                    " more, among them all with 1000 kg. Of the other " +
                    std::to_string(all - first - second) + ", " + number(Status::ray_termination) +
                    " end on a ray that proves nothing, " + number(Status::singular) +
-                   " at a vertex that (5.17) rejects, and " + number(Status::iteration_limit) +
+                   " at a vertex that is judged wrong, and " + number(Status::iteration_limit) +
                    " at the limit of pivots"));
 }
 
