@@ -111,6 +111,18 @@ TEST_CASE("the small program of chapter 8 has the numbers of the text and the li
     CHECK(small08::step(two, 1.0 / 60, 0.2) == 1);
     two.g *= 1.01;
     CHECK(small08::step(two, 1.0 / 60, 0.2) == 13);
+    // By hand, section 8.4: what two discs overlap by [g h²], of one sweep a step; 1e-12 of the radius is rounding.
+    const auto overlaps = [](bool warm, const std::vector<Real>& expected) {
+        small08::Discs d = small08::column(2);
+        for (const Real overlap : expected) {
+            if (!warm) d.contacts.clear();
+            small08::step(d, 1.0 / 60, 0, 1);
+            CHECK(0.2 - (d.x[3] - d.x[1]) == Approx(overlap * d.g / 3600).margin(1e-13));
+            CHECK(std::abs(d.x[1] - 0.1) < 1e-13);  // the floor is visited last
+        }
+    };
+    overlaps(false, {1, 2.5, 4.25, 6.125, 8.0625, 10.03125});
+    overlaps(true, {1, 2, 2.5, 2.5, 2.25, 2, 1.875, 1.875});
     small08::Discs twenty = small08::column(20);
     for (const int sweeps : {1685, 112, 1, 1, 1, 1})
         CHECK(small08::step(twenty, 1.0 / 60, 0) == sweeps);  // no error is corrected
