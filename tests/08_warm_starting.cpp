@@ -414,7 +414,7 @@ TEST_CASE("a cold chain stretches in each step by what a warm one does in its wh
         const MatX A = matrix_of(warm_now.rows, warm_now.u_star);
         VecX exact(8);
         for (Index i = 0; i < 8; ++i) exact[i] = -static_cast<Real>(8 - i) * 9.81 * settings.h;
-        const VecX predicted = sag(A, exact, k, 1, settings.h);  // (7.12) with β = 1 is (8.8)
+        const VecX predicted = sag(A, exact, k, 1, settings.h);  // (7.8) with β = 1 is (8.8)
         for (Index i = 0; i < 8; ++i) {
             const Real warm_stretch = warm_now.constraints[static_cast<std::size_t>(i)].C;
             const Real cold_stretch = (cold.bodies.position(i) - before.segment<2>(2 * i)).y() -

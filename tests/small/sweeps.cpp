@@ -76,7 +76,7 @@ TEST_CASE("the small programs of chapters 4 and 6 make the same sweeps and the s
 
 TEST_CASE("the small program of chapter 7 has the numbers of the text and the library's to 1e-12")
 {
-    // By hand, (7.5) and (7.13).
+    // By hand, (7.5) and (7.9).
     small07::Discs two{VecX{{0, 0, 0.11, 0}}, VecX::Zero(4), VecX::Ones(4), VecX::Constant(2, 0.05), 2, {}};
     for (int n = 0; n < 30; ++n) {
         CHECK(small07::error(two) == Approx(0.01 * std::pow(0.8, n)).margin(1e-12));
