@@ -111,7 +111,7 @@ TEST_CASE("the small program of chapter 8 has the numbers of the text and the li
     CHECK(small08::step(two, 1.0 / 60, 0.2) == 1);
     two.g *= 1.01;
     CHECK(small08::step(two, 1.0 / 60, 0.2) == 13);
-    // By hand, section 8.4: what two discs overlap by [g h²], of one sweep a step; 1e-12 of the radius is rounding.
+    // By hand, section 8.4: the overlap of two discs [g h²] with one sweep a step; 1e-12 of a radius is rounding.
     const auto overlaps = [](bool warm, const std::vector<Real>& expected) {
         small08::Discs d = small08::column(2);
         for (const Real overlap : expected) {
