@@ -1451,7 +1451,7 @@ TEST_CASE("a velocity or a push that a sleeper gets is not lost", "[house]")
 
 TEST_CASE("settings that were not touched let no column be thrown up", "[house]")
 {
-    // What section 8.6 forbids, the whole of the previous answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
+    // What section 8.5 forbids, the whole of the previous answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
     // sweeps are still few for fifty discs: it sinks, and comes back with a swing of less than a radius.
     for (const Index height : {20, 50}) {
         SkippingWorld now = world_of(column(height));
@@ -2190,7 +2190,7 @@ TEST_CASE(
 
 TEST_CASE("a world of trusses gains energy from a bias alone", "[idea]")
 {
-    // (8.16): what a start at the best multiple adds is −bᵀλ, and nothing where b = 0.
+    // (8.15): what a start at the best multiple adds is −bᵀλ, and nothing where b = 0.
     const auto gaining = [](Start start, Stabilizer stabilizer) {
         Random random(90);
         Real most = 0;
