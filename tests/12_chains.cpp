@@ -229,7 +229,7 @@ TEST_CASE("what is fast meets what comes towards it slowly", "[idea]")
 
 TEST_CASE("slender rods that stop each other in every step gain no energy in any step", "[idea]")
 {
-    // Ten rods 300 times as long as thick fall into a trough. Errors are left, so that each step obeys (13.19).
+    // Ten rods 300 times as long as thick fall into a trough. Errors are left, so that each step obeys (13.14).
     RigidScene scene;
     scene.walls = {{{0, 1}, 0}, {Vec2(1, 1).normalized(), -1}, {Vec2(-1, 1).normalized(), -1}};
     for (int k = 0; k < 10; ++k)
