@@ -199,7 +199,7 @@ TEST_CASE("a body that is stopped gives back what its weight did in the time tha
     REQUIRE(method.contacts.fast.impacts == 1);
     const Real part = scene.bodies.x[3 * b] / (40 * h);
     CHECK(part < 0.7);
-    // (12.6a): the state of symplectic Euler after the time τ h, but for its way, which is straight. Rounding of 300 m/s.
+    // (12.10): the state of symplectic Euler after the time τ h, but for its way, which is straight. Rounding of 300 m/s.
     CHECK(std::abs(scene.bodies.u[3 * b] - 40) <= 1e-12);
     CHECK(std::abs(scene.bodies.u[3 * b + 1] + 300 + part * h * 9.81) <= 1e-12);
     CHECK(scene.bodies.u[3 * b + 2] == 7);
