@@ -130,7 +130,7 @@ void step(Discs& d, double h, int skip, int most = 100000, double enough = 1e-6)
         rows[skip > 0 ? island[c.b] : 0].push_back(&c);
     }
     for (const std::vector<Contact*>& own : rows) {
-        double off = 1;  // each island stops when it is solved, (10.7)
+        double off = 1;  // each island stops when it is solved, (10.6)
         for (int sweeps = 0; off > enough && sweeps < most; ++sweeps) {
             off = 0;
             for (Contact* c : own) off = std::max(off, visit(*c, d)), ++d.visits;
@@ -139,7 +139,7 @@ void step(Discs& d, double h, int skip, int most = 100000, double enough = 1e-6)
     for (const Contact& old : d.contacts)  // sleepers remember
         if (d.asleep[old.b] >= 0) contacts.push_back(old);
     d.contacts = contacts;
-    std::vector<bool> restless(K);  // (10.8), for half a second, of a whole island
+    std::vector<bool> restless(K);  // (10.7), for half a second, of a whole island
     for (int k = 0; k < K; ++k) {
         if (d.asleep[k] >= 0) continue;
         d.x.segment<2>(2 * k) += h * d.u.segment<2>(2 * k), ++d.moved;  // (1.10)
