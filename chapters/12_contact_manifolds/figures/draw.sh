@@ -13,5 +13,8 @@ run --scene pile --steps 300 --svg "$out/ch12_pile.svg"
 run --scene rocking --steps 1440 --csv "$data/rocking"
 plot ch12_rocking
 
+# Two corners that are nearest to each other.
+plot ch12_cones
+
 # The picture of the small program.
 small ch12_small
