@@ -174,7 +174,7 @@ int main(int count, char** word)
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='400' "
            "stroke-width='0.03' viewBox='-1.2 -1.5 4.4 3.5'><g transform="
            "'scale(1 -1)'>\n<path stroke='#808080' d='M-4 3L4-3'/>\n";
-    const Eigen::RowVector2d n(0.6, 0.8), t(-0.8, 0.6), up(0, 1);
+    const Eigen::RowVector2d N(0.6, 0.8), T(-0.8, 0.6), up(0, 1);
     for (const double mu : {0.9, 0.5}) {
         Bodies d = boxes(1, std::atan(0.75), mu, 10);
         step(d, 0.1, 100);
@@ -183,8 +183,8 @@ int main(int count, char** word)
         out << "<g transform='translate(" << 5 * (0.9 - mu) * Vector2d(1, -0.75)
             << ")'><polygon stroke='#4477AA' points='" << placed(d, 1).transpose()
             << "'/>\n<path stroke='#228833' stroke-dasharray='0.1' d='M"
-            << n + mu * t << "L0 0L" << n - mu * t
-            << "'/>\n<path stroke='#EE7733' d='M0 0L" << n.dot(P) * n << 'L' << P
+            << N + mu * T << "L0 0L" << N - mu * T
+            << "'/>\n<path stroke='#EE7733' d='M0 0L" << N.dot(P) * N << 'L' << P
             << "'/>\n<path stroke='#CC3311' d='M0 0L" << P << "'/></g>\n";
     }
     out << "</g></svg>\n";
