@@ -2190,7 +2190,7 @@ TEST_CASE(
 
 TEST_CASE("a world of trusses gains energy from a bias alone", "[idea]")
 {
-    // (8.16): what a start at the best multiple adds is −bᵀλ, and nothing where b = 0.
+    // (8.15): what a start at the best multiple adds is −bᵀλ, and nothing where b = 0.
     const auto gaining = [](Start start, Stabilizer stabilizer) {
         Random random(90);
         Real most = 0;

@@ -24,7 +24,7 @@ struct ExactScratch {
 };
 
 //! [closed_form]
-/// One row is solved by one visit, two rows by chapter 6's block (6.22). False
+/// One row is solved by one visit, two rows by chapter 6's block (6.21). False
 /// where the two are so nearly the same row that rounding would make the answer
 /// useless.
 template <int Dof>

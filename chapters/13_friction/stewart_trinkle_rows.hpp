@@ -13,7 +13,7 @@
 namespace rigid {
 
 //! [stewart_trinkle]
-/// (5.22) of any rows: an MLCP of n + 2m rows for n rows of which m are friction.
+/// (13.29) of any rows: an MLCP of n + 2m rows for n rows of which m are friction.
 /// \throws std::invalid_argument  for a malformed box
 inline Mlcp stewart_trinkle(const Mlcp& rows, std::span<const FrictionBox> boxes)
 {
