@@ -99,7 +99,7 @@ TEST_CASE("a step of solids has the bits of one that lets none sleep until the f
             REQUIRE(same_bits(scene.bodies.u, other.bodies.u));
         }
         REQUIRE(method.contacts.fell_asleep > 0);
-        // (10.9): what fell asleep had no more than the velocity of rest, and went no farther than that in a step
+        // (10.8): what fell asleep had no more than the velocity of rest, and went no farther than that in a step
         const Real rest = method.contacts.rest.speed * now.length;
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             if (!method.contacts.set.is_asleep(k)) continue;

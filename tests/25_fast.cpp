@@ -250,7 +250,7 @@ TEST_CASE("a ball that falls and is stopped has the energy of its height", "[hou
     int steps = 0;
     for (; steps < 1000 && method.contacts.fast.impacts == 0; ++steps) step(scene, {.h = h}, method, now);
     REQUIRE(method.contacts.fast.impacts == 1);
-    // n steps make the speed n h g and fall h^2 g n (n + 1)/2; of the last one the part tau, and (12.6a): the energy is
+    // n steps make the speed n h g and fall h^2 g n (n + 1)/2; of the last one the part tau, and (12.10): the energy is
     // h^2 g^2/2 ((1 - tau)^2 - n) above that of the start
     const Real v = scene.bodies.velocity(k)[1], fallen = 20 - scene.bodies.x[6 * k + 1];
     const Real unit = h * h * 9.81 * 9.81 / 2, above = (v * v / 2 - 9.81 * fallen) / unit;

@@ -204,7 +204,7 @@ TEST_CASE("an impulse of one contact never makes energy and obeys friction", "[i
         CHECK(slip * hit.t <= 1e-12);
         hit.n *= 1 + e, hit.t *= 1 + e;
         const Real vn1 = vn + A(0, 0) * hit.n + A(0, 1) * hit.t, vt1 = vt + A(1, 0) * hit.n + A(1, 1) * hit.t;
-        CHECK(hit.n * (vn + vn1) / 2 + hit.t * (vt + vt1) / 2 <= 1e-12);  // (13.13)
+        CHECK(hit.n * (vn + vn1) / 2 + hit.t * (vt + vt1) / 2 <= 1e-12);  // (13.26)
     }
 }
 

@@ -3,7 +3,7 @@
 ///
 ///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
 ///
-/// (10.6): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. The answer depends on
+/// (10.10): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. The answer depends on
 /// the island's own rows, λ and u alone: room is kept for each number of rows, but no guess.
 #pragma once
 

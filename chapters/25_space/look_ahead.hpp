@@ -6,7 +6,7 @@
 
 namespace rigid {
 
-/// (12.6c), of the bodies that are looked at.
+/// (12.14), of the bodies that are looked at.
 /// \param most  how far at most [inner radii]
 void look_ahead(const SpaceScene& scene, Real margin, Real h, Real most,
                 SolidPairs& near);

@@ -98,7 +98,7 @@ struct SolidImpactMemory {
 };
 
 //! [impact]
-/// (12.6) with (25.57).
+/// (12.9) with (25.57).
 inline Impact time_of_impact(const MovingSolid& a, const SolidForm& of_a,
                              const MovingSolid& b, const SolidForm& of_b,
                              Real target, Real tolerance, SolidImpactMemory& memory)

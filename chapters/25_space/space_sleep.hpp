@@ -1,7 +1,7 @@
 /// \file space_sleep.hpp
 /// Solids that rest sleep: chapters 10 and 12 with 6 in place of 2 and 3.
 ///
-///     at rest   ‖(v, ω r)‖ ≤ v_rest,  r = the way from the centroid to the farthest point       (10.8), (25.55)
+///     at rest   ‖(v, ω r)‖ ≤ v_rest,  r = the way from the centroid to the farthest point       (10.7), (25.55)
 #pragma once
 
 #include "chapters/12_contact_manifolds/awake_manifolds.hpp"

@@ -135,7 +135,7 @@ Status SingleImpulses::advance(JointedScene& scene, Real h)
         OneImpulse lambda;
         ++collisions;
         if (-before.n * std::max(e, Real{0}) > hop || !(hop > 0)) {
-            lambda = one_contact(A, before, mu, 0);  // (13.14)
+            lambda = one_contact(A, before, mu, 0);  // (13.27)
             lambda.n *= 1 + e, lambda.t *= 1 + e;
         } else {
             ++micro;

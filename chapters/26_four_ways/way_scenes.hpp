@@ -48,7 +48,7 @@ WayScene sliding_block();
 WayScene bouncing_ball();
 /// Five boxes of 1 m and 1 kg: the largest way of any in 1 s.
 WayScene stack_of_five();
-/// The rod that jams (13.12), its end sliding to the left at 1 m/s: the speed of the end along the floor after 20 ms [m/s].
+/// The rod that jams (13.11), its end sliding to the left at 1 m/s: the speed of the end along the floor after 20 ms [m/s].
 WayScene jammed_rod();
 /// Five balls in a row, e = 1 (C8): the largest error of a velocity, beside the experiment's, after 0.3 s [m/s].
 WayScene newtons_cradle();
