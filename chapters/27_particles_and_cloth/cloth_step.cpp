@@ -48,10 +48,10 @@ void require_valid(const ClothSettings& s)
         throw std::invalid_argument("the number of sub-steps is " +
                                     std::to_string(s.substeps) +
                                     "; it must be one or more");
-    if (s.sweeps < 0 || s.limit_sweeps < 0)
+    if (s.sweeps < 0 || s.limit_passes < 0)
         throw std::invalid_argument(
             "the number of sweeps is " +
-            std::to_string(std::min(s.sweeps, s.limit_sweeps)) +
+            std::to_string(std::min(s.sweeps, s.limit_passes)) +
             "; it must be zero or more");
     if (!(s.pbd_share > 0 && s.pbd_share <= 1))
         throw std::invalid_argument("the share of a visit is " +
@@ -120,6 +120,22 @@ void ClothMemory::go_on_from_the_middle(Bodies<3>& bodies) const
         if (c.lambda > 0) go_on(c.particle, -0.5);
 }
 
+//! [draw_back]
+/// (27.24): until no spring is beyond its limit, with the contacts between.
+void ClothMemory::draw_back(const ClothScene& cloth, const ClothSettings& settings,
+                            VecX& x)
+{
+    if (!(settings.strain_limit < infinity)) return;
+    limit.strain = settings.strain_limit, limit.stiff = settings.limit_stiffness;
+    for (int pass = 0; pass < settings.limit_passes && limit.find(cloth, x);
+         ++pass) {
+        for (int s = 0; s < 3; ++s) limit.draw_back(cloth, x);
+        touch.visit(cloth, x);
+        drawn += static_cast<std::int64_t>(limit.beyond.size());
+    }
+}
+//! [draw_back]
+
 //! [solve]
 /// From y to x: the rows that the method solves together, and how far.
 void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
@@ -138,7 +154,7 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
         rows.share = settings.pbd_share;
         rows.keep_lambda = settings.keep_lambda;
         rows.begin(cloth);
-        threads.lambda.setZero();
+        if (settings.method == ClothMethod::threads) threads.begin();
         for (int s = 0; s < settings.sweeps; ++s) {
             if (settings.method == ClothMethod::threads) threads.sweep(cloth, h, x);
             rows.sweep(cloth, h, x, settings.method != ClothMethod::threads);
@@ -207,12 +223,11 @@ void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
         if (with_rows) now.touch.find(cloth, now.x0, now.y);
         now.solve(cloth, settings, bodies.x);
         if (middle) bodies.x = 2 * bodies.x - now.x0;
-        for (int s = 0;
-             s < settings.limit_sweeps && settings.strain_limit < infinity; ++s)
-            limit_strain(cloth, settings.strain_limit, bodies.x);
-        if (!with_rows) now.touch.find(cloth, now.x0, bodies.x);
-        if (!with_rows || settings.strain_limit < infinity)
+        if (!with_rows) {
+            now.touch.find(cloth, now.x0, bodies.x);
             now.touch.visit(cloth, bodies.x);
+        }
+        if (part + 1 == settings.substeps) now.draw_back(cloth, settings, bodies.x);
         for (Index k = 0; k < bodies.count(); ++k)
             if (bodies.inverse_mass[3 * k] > 0)
                 bodies.velocity(k) =

@@ -51,9 +51,10 @@ struct ClothSettings {
     Real pbd_share = 1;            ///< s of (27.9)
     bool keep_lambda = true;       ///< false: the mistake of section 27.4
     Real strain_limit = infinity;  ///< springs are drawn back to 1 + this
-    int limit_sweeps = 1;
-    Real strength = infinity;  ///< springs tear beyond 1 + this
-    bool reaction = true;      ///< false: solids do not feel the cloth
+    Real limit_stiffness = 0;      ///< those of at least this k [N/m]
+    int limit_passes = 50;         ///< at the end of a step, each with its contacts
+    Real strength = infinity;      ///< springs tear beyond 1 + this
+    bool reaction = true;          ///< false: solids do not feel the cloth
 
     Real part() const { return h / substeps; }
 };
@@ -70,11 +71,13 @@ struct ClothMemory {
     ClothNewton newton;
     ExactRows exact;
     ClothTouch touch;
+    StrainLimit limit;
     VecX x0, u0, y, force;
     // Counted since the memory was made.
     std::int64_t visits = 0;  ///< of rows
     std::int64_t solves = 0;  ///< linear systems
     int torn = 0;
+    std::int64_t drawn = 0;  ///< springs that were beyond their limit, pass by pass
     bool solved =
         true;  ///< false: an iteration of the last step met its limit first
 
@@ -82,6 +85,7 @@ private:
     friend void step(ClothScene&, const ClothSettings&, ClothMemory&);
     void prepare(const ClothScene& cloth, const ClothSettings& settings);
     void solve(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
+    void draw_back(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
     /// u ← 2 u − u₀, (27.15)
     void go_on_from_the_middle(Bodies<3>& bodies) const;
 
