@@ -72,7 +72,8 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
                   cloth.hinges.size(),
                   cloth.changes,
                   settings.method,
-                  settings.part()};
+                  settings.part(),
+                  cloth.self_thickness};
     if (now == key_) return;
     // a cloth that has torn was whole before
     if (key_.changes < 0 || now.changes == key_.changes) require_valid(cloth);
@@ -85,6 +86,7 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
     for (const ClothSpring& s : cloth.springs)
         shortest_spring = std::min(shortest_spring, s.length);
     touch.margin = cloth.springs.empty() ? 0.01 : shortest_spring / 4;
+    if (cloth.self_thickness > 0) self.prepare(cloth);
     exact.lambda.resize(0);
     key_ = now;
 }
@@ -131,6 +133,7 @@ void ClothMemory::draw_back(const ClothScene& cloth, const ClothSettings& settin
          ++pass) {
         for (int s = 0; s < 3; ++s) limit.draw_back(cloth, x);
         touch.visit(cloth, x);
+        self.visit(cloth, x);
         drawn += static_cast<std::int64_t>(limit.beyond.size());
     }
 }
@@ -159,6 +162,7 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
             if (settings.method == ClothMethod::threads) threads.sweep(cloth, h, x);
             rows.sweep(cloth, h, x, settings.method != ClothMethod::threads);
             touch.visit(cloth, x);
+            self.visit(cloth, x);
         }
         visits += count * settings.sweeps;
         break;
@@ -218,6 +222,8 @@ void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
         }
         now.y = now.x0 + (middle ? h / 2 : h) * bodies.u;
         now.touch.begin(cloth, h);
+        if (cloth.self_thickness > 0) now.self.begin(cloth, now.x0, now.y);
+        else now.self.rows.clear();
         bodies.x = now.y;
         const bool with_rows = sweeps_rows(settings.method);
         if (with_rows) now.touch.find(cloth, now.x0, now.y);
@@ -226,6 +232,7 @@ void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
         if (!with_rows) {
             now.touch.find(cloth, now.x0, bodies.x);
             now.touch.visit(cloth, bodies.x);
+            now.self.visit(cloth, bodies.x);
         }
         if (part + 1 == settings.substeps) now.draw_back(cloth, settings, bodies.x);
         for (Index k = 0; k < bodies.count(); ++k)
@@ -233,6 +240,8 @@ void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
                 bodies.velocity(k) =
                     (bodies.position(k) - now.x0.segment<3>(3 * k)) / h;
         if (middle) now.go_on_from_the_middle(bodies);
+        now.self.calm(cloth);
+        if (cloth.self_thickness > 0) now.self.stop(cloth, now.x0, bodies.x);
         now.touch.end(cloth, h);
         if (settings.strength < infinity) {
             now.torn += tear(cloth, settings.strength);

@@ -11,6 +11,7 @@
 
 #include "chapters/27_particles_and_cloth/cloth_contact.hpp"
 #include "chapters/27_particles_and_cloth/cloth_newton.hpp"
+#include "chapters/27_particles_and_cloth/cloth_self.hpp"
 #include "chapters/27_particles_and_cloth/cloth_threads.hpp"
 #include "chapters/27_particles_and_cloth/exact_rows.hpp"
 #include "chapters/27_particles_and_cloth/particle_descent.hpp"
@@ -71,6 +72,7 @@ struct ClothMemory {
     ClothNewton newton;
     ExactRows exact;
     ClothTouch touch;
+    ClothSelf self;  ///< unless the thickness against itself is zero
     StrainLimit limit;
     VecX x0, u0, y, force;
     // Counted since the memory was made.
@@ -94,7 +96,7 @@ private:
         std::size_t particles = 0, springs = 0, bends = 0, hinges = 0;
         int changes = -1;
         ClothMethod method = ClothMethod::xpbd;
-        Real h = 0;
+        Real h = 0, self_thickness = 0;
         bool operator==(const Key&) const = default;
     } key_;
 };

@@ -87,37 +87,38 @@ void ClothThreads::find(const ClothScene& cloth)
             return a.stiffness != b.stiffness ? a.stiffness < b.stiffness
                                               : a.springs.size() > b.springs.size();
         });
-    // each goes to the first bundle of its stiffness that has room and none of its
-    // particles
-    std::vector<std::vector<const Thread*>> bundles;
-    std::vector<std::vector<int>> in(static_cast<std::size_t>(cloth.count()));
-    std::vector<std::size_t> barred;  // by the last thread that may not go there
-    std::size_t open = 0;             // bundles before it are full
+    // Each has the first colour of its stiffness that none of its particles has; it
+    // depends on what hangs on it alone, and not on other cloths of the scene.
+    std::vector<std::vector<const Thread*>> colours;
+    std::vector<std::vector<int>> of(static_cast<std::size_t>(cloth.count()));
+    std::vector<std::size_t> barred;  // by the last thread that may not have it
+    std::size_t open = 0;             // the first colour of this stiffness
     for (std::size_t t = 0; t < threads.size(); ++t) {
         const Thread& thread = threads[t];
+        if (t > 0 && thread.stiffness != threads[t - 1].stiffness)
+            open = colours.size();
         for (const int p : thread.particles)
-            for (const int k : in[static_cast<std::size_t>(p)])
+            for (const int k : of[static_cast<std::size_t>(p)])
                 barred[static_cast<std::size_t>(k)] = t;
-        while (open < bundles.size() && bundles[open].size() == lanes) ++open;
         std::size_t k = open;
-        while (k < bundles.size() &&
-               (bundles[k].size() == lanes || barred[k] == t ||
-                bundles[k][0]->stiffness != thread.stiffness))
-            ++k;
-        if (k == bundles.size()) {
-            bundles.emplace_back();
+        while (k < colours.size() && barred[k] == t) ++k;
+        if (k == colours.size()) {
+            colours.emplace_back();
             barred.push_back(threads.size());
         }
-        bundles[k].push_back(&thread);
+        colours[k].push_back(&thread);
         for (const int p : thread.particles)
-            in[static_cast<std::size_t>(p)].push_back(static_cast<int>(k));
+            of[static_cast<std::size_t>(p)].push_back(static_cast<int>(k));
     }
     bundles_.clear(), at_.clear(), links_.clear();
     std::size_t longest = 0;
-    for (const auto& bundle : bundles) {
-        add(cloth, bundle);
-        longest = std::max(longest, bundles_.back().links);
-    }
+    for (const auto& colour : colours)
+        for (std::size_t t = 0; t < colour.size(); t += lanes) {
+            const auto from = colour.begin() + static_cast<std::ptrdiff_t>(t);
+            add(cloth, {from, from + std::min<std::ptrdiff_t>(lanes, colour.end() -
+                                                                         from)});
+            longest = std::max(longest, bundles_.back().links);
+        }
     places_.resize(longest + 1);
     bars_.resize(longest);
 }
