@@ -42,16 +42,6 @@ ClothScene random_sheet(std::uint64_t seed, int squares = 5)
     return cloth;
 }
 
-std::string refusal(const std::function<void()>& what)
-{
-    try {
-        what();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing was refused";
-}
-
 }  // namespace
 
 TEST_CASE("implicit and explicit Euler are of first order and the midpoint of second", "[idea]")

@@ -11,6 +11,23 @@ namespace cloth_self {
 
 Vec3 at(const VecX& x, int p) { return x.segment<3>(3 * p); }
 
+Vec3 mean_of(const VecX& way)
+{
+    Vec3 mean(0, 0, 0);
+    for (Index k = 0; k < way.size() / 3; ++k) mean += way.segment<3>(3 * k);
+    return mean / std::max(static_cast<Real>(way.size() / 3), Real{1});
+}
+
+/// The longest of all, less their mean.
+Real farthest(const VecX& way)
+{
+    const Vec3 mean = mean_of(way);
+    Real most = 0;
+    for (Index k = 0; k < way.size() / 3; ++k)
+        most = std::max(most, (way.segment<3>(3 * k) - mean).squaredNorm());
+    return std::sqrt(most);
+}
+
 std::array<Vec3, 4> corners(const ClothParts& parts, const VecX& x)
 {
     const auto& p = parts.p;
@@ -19,7 +36,7 @@ std::array<Vec3, 4> corners(const ClothParts& parts, const VecX& x)
 
 }  // namespace cloth_self
 
-using cloth_self::at, cloth_self::corners;
+using cloth_self::at, cloth_self::corners, cloth_self::farthest;
 
 //! [nearest]
 ClothNear nearest(const std::array<Vec3, 4>& x, bool edges)
@@ -96,113 +113,126 @@ void ClothSelf::prepare(const ClothScene& cloth)
     pairs_.clear(), rows.clear();
 }
 
+template <std::size_t N>
+ClothSelf::Part ClothSelf::part_of(const std::array<int, N>& p, const VecX& x,
+                                   const VecX& way) const
+{
+    Part part;
+    for (const int k : p) part.middle += at(x, k), part.way += at(way, k);
+    part.middle /= static_cast<Real>(N), part.way /= static_cast<Real>(N);
+    Real radius = 0, spread = 0;
+    for (const int k : p) {
+        radius = std::max(radius, (at(x, k) - part.middle).squaredNorm());
+        spread = std::max(spread, (at(way, k) - part.way).squaredNorm());
+    }
+    part.radius = std::sqrt(radius), part.spread = std::sqrt(spread);
+    return part;
+}
+
+/// Lists a pair unless (27.29) says that it stays apart by `extra`, seen from the way
+/// of the first.
+bool ClothSelf::add(const ClothParts& parts, const Part& a, const Part& b,
+                    const VecX& x, Real extra)
+{
+    const Real reach = extra + (a.way - b.way).norm() + a.spread + b.spread,
+               around = reach + a.radius + b.radius;
+    if ((a.middle - b.middle).squaredNorm() > around * around) return false;
+    const auto& p = parts.p;
+    for (const std::size_t i : {0u, 1u})
+        for (std::size_t j = parts.edges ? 2 : 1; j < 4; ++j)
+            if ((i == 0 || parts.edges) && p[i] == p[j]) return false;
+    ++tested;
+    const ClothNear near = nearest(corners(parts, x), parts.edges);
+    if (!(near.d.squaredNorm() <= reach * reach)) return false;
+    pairs_.push_back(parts);
+    near_.push_back(near);
+    return true;
+}
+
 //! [find]
-void ClothSelf::find(const ClothScene& cloth, const VecX& x)
+/// All pairs that may come within `extra` on these ways.
+void ClothSelf::find(const VecX& x, const VecX& way, Real extra)
 {
     ++found;
-    pairs_.clear();
-    const auto add = [&](const ClothParts& parts) {
-        for (const int i :
-             parts.edges ? std::array{0, 1, 0, 1} : std::array{0, 0, 0, 0})
-            for (const int j : {1, 2, 3})
-                if ((!parts.edges || j > 1) &&
-                    parts.p[static_cast<std::size_t>(i)] ==
-                        parts.p[static_cast<std::size_t>(j)])
-                    return;
-        ++tested;
-        if (nearest(corners(parts, x), parts.edges).d.squaredNorm() <
-            reach_ * reach_)
-            pairs_.push_back(parts);
+    pairs_.clear(), near_.clear();
+    const auto K = static_cast<int>(x.size() / 3);
+    const Vec3 mean = cloth_self::mean_of(way);
+    const auto own = [&mean](const Part& part) {
+        return (part.way - mean).norm() + part.spread;
     };
     // particles against triangles
-    points_.clear();
-    for (int k = 0; k < cloth.count(); ++k) points_.push_back(at(x, k));
-    const Real cell = 2 * shortest_ + reach_;
+    others_.clear(), points_.clear();
+    Real fastest = 0;
+    for (int k = 0; k < K; ++k) {
+        others_.push_back(part_of(std::array{k}, x, way));
+        points_.push_back(others_.back().middle);
+        fastest = std::max(fastest, own(others_.back()));
+    }
+    const Real cell = 2 * shortest_ + extra + fastest;
     grid_.fill(points_, cell);
-    const Vec3 reach = Vec3::Constant(reach_);
     for (const auto& t : triangles_) {
-        const Vec3 a = at(x, t[0]), b = at(x, t[1]), c = at(x, t[2]);
-        const Vec3 low = a.cwiseMin(b).cwiseMin(c) - reach,
-                   high = a.cwiseMax(b).cwiseMax(c) + reach;
-        grid_.near(low, high, [&](int k) {
-            const Vec3& p = points_[static_cast<std::size_t>(k)];
-            if ((low.array() <= p.array()).all() &&
-                (p.array() <= high.array()).all())
-                add({{k, t[0], t[1], t[2]}, false});
+        const Part here = part_of(t, x, way);
+        const Vec3 around = Vec3::Constant(here.radius + extra + own(here) + fastest);
+        grid_.near(here.middle - around, here.middle + around, [&](int k) {
+            add({{k, t[0], t[1], t[2]}, false},
+                others_[static_cast<std::size_t>(k)], here, x, extra);
         });
     }
     // edges against edges, by their middles
-    points_.clear();
-    Vec3 longest(0, 0, 0);  // half of the longest edge's box
+    parts_.clear(), points_.clear();
+    Real longest = 0;
     for (const auto& e : edges_) {
-        points_.push_back((at(x, e[0]) + at(x, e[1])) / 2);
-        longest = longest.cwiseMax((at(x, e[0]) - at(x, e[1])).cwiseAbs() / 2);
+        parts_.push_back(part_of(e, x, way));
+        points_.push_back(parts_.back().middle);
+        longest = std::max(longest, parts_.back().radius);
     }
     grid_.fill(points_, cell);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-        const auto& e = edges_[i];
-        const Vec3 half = (at(x, e[0]) - at(x, e[1])).cwiseAbs() / 2 + reach;
-        const Vec3 &middle = points_[i], around = half + longest;
-        grid_.near(middle - around, middle + around, [&](int k) {
+        const Part& here = parts_[i];
+        const Vec3 around =
+            Vec3::Constant(here.radius + longest + extra + own(here) + 2 * fastest);
+        grid_.near(here.middle - around, here.middle + around, [&](int k) {
             const auto j = static_cast<std::size_t>(k);
-            if (j <= i) return;
-            const auto& f = edges_[j];
-            const Vec3 other = (at(x, f[0]) - at(x, f[1])).cwiseAbs() / 2;
-            if (((points_[j] - middle).cwiseAbs().array() <= (half + other).array())
-                    .all())
-                add({{e[0], e[1], f[0], f[1]}, true});
+            if (j > i)
+                add({{edges_[i][0], edges_[i][1], edges_[j][0], edges_[j][1]}, true},
+                    here, parts_[j], x, extra);
         });
     }
-    found_at_ = x;
 }
 //! [find]
-
-namespace cloth_self {
-
-Vec3 mean_way(const VecX& from, const VecX& to)
-{
-    Vec3 mean(0, 0, 0);
-    const Index K = from.size() / 3;
-    for (Index k = 0; k < K; ++k)
-        mean +=
-            (to.segment<3>(3 * k) - from.segment<3>(3 * k)) / static_cast<Real>(K);
-    return mean;
-}
-
-/// The longest way from one to the other, less the mean of all.
-Real farthest(const VecX& from, const VecX& to)
-{
-    const Vec3 mean = mean_way(from, to);
-    Real most = 0;
-    for (Index k = 0; k < from.size() / 3; ++k)
-        most = std::max(
-            most,
-            (to.segment<3>(3 * k) - from.segment<3>(3 * k) - mean).squaredNorm());
-    return std::sqrt(most);
-}
-
-}  // namespace cloth_self
-
-using cloth_self::farthest;
 
 //! [begin]
 void ClothSelf::begin(const ClothScene& cloth, const VecX& x0, const VecX& y)
 {
-    // Pairs that are not listed stay farther apart than the thickness, as long as
-    // nothing moves by more than half of the skin, seen from the mean of all.
-    const Real thickness = cloth.self_thickness, step = farthest(x0, y);
-    travelled_ = found_at_.size() == x0.size() ? farthest(found_at_, x0) : infinity;
-    if (2 * (travelled_ + 1.5 * step) > reach_ - thickness) {
-        reach_ = thickness +
-                 std::max(4 * step, std::min(8 * step, shortest_) + shortest_ / 4);
-        find(cloth, x0);
-        travelled_ = 0;
+    const Real thickness = cloth.self_thickness;
+    way_ = y - x0;
+    const Real step = farthest(way_);
+    bool again = found_at_.size() != x0.size();
+    if (!again) {
+        found_at_ -= x0;
+        travelled_ = farthest(found_at_);
+        found_at_ += x0;
+        again = 2 * (travelled_ + 1.5 * step) > skin_;
+    }
+    if (again && 6 * step <= shortest_) {
+        // Slow: what is not listed stays apart until something has moved by half of
+        // the skin, seen from the mean of all.
+        skin_ = std::max(4 * step, shortest_ / 4), travelled_ = 0;
+        found_at_ = x0;
+        way_.setZero();
+        find(x0, way_, thickness + skin_);
+    } else if (again) {  // fast: what may come near in this sub-step
+        found_at_.resize(0);
+        find(x0, way_, 1.25 * thickness);
+    } else {
+        near_.clear();
+        for (const ClothParts& parts : pairs_)
+            near_.push_back(nearest(corners(parts, x0), parts.edges));
     }
     rows.clear();
-    near_.clear();
-    for (const ClothParts& parts : pairs_) {
-        const ClothNear near = nearest(corners(parts, x0), parts.edges);
-        near_.push_back(near);
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+        const ClothParts& parts = pairs_[k];
+        const ClothNear& near = near_[k];
         const Real d = near.d.norm();
         if (!(d > 1e-9 * shortest_)) {
             ++unsure;
@@ -215,8 +245,8 @@ void ClothSelf::begin(const ClothScene& cloth, const VecX& x0, const VecX& y)
             row.A +=
                 near.w[i] * near.w[i] * cloth.bodies.inverse_mass[3 * parts.p[i]];
         }
-        // what comes nearer than twice the thickness, if its rows did nothing
-        if (row.A > 0 && row.normal.dot(to) < 2 * thickness) rows.push_back(row);
+        // what comes nearly as near as the thickness, if the rows did nothing
+        if (row.A > 0 && row.normal.dot(to) < 1.25 * thickness) rows.push_back(row);
     }
 }
 //! [begin]
@@ -297,10 +327,11 @@ Real ClothSelf::free_part(const ClothParts& parts, const VecX& x0,
 //! [free_part]
 
 //! [stop]
-void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
+/// Stops pairs before they meet, until none of those that are listed is in danger.
+/// \return  whether any has stopped
+bool ClothSelf::halt_pairs(const ClothScene& cloth, const VecX& x0, VecX& x,
+                           const Vec3& all)
 {
-    halted_.assign(static_cast<std::size_t>(cloth.count()), 0);
-    const Vec3 all = cloth_self::mean_way(x0, x);
     // of its way less a mean a particle goes a part; a pin goes all of it
     const auto halt = [&](int p, const Vec3& mean, Real part) {
         const Vec3 to = at(x0, p) + mean + part * (at(x, p) - at(x0, p) - mean);
@@ -309,13 +340,10 @@ void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
         x.segment<3>(3 * p) = to;
         return true;
     };
-    const Real most = (reach_ - cloth.self_thickness) / 2 - travelled_;
-    for (int p = 0; p < cloth.count(); ++p)
-        if (const Real way = (at(x, p) - at(x0, p) - all).norm(); way > most)
-            unsure += !halt(p, all, most / way);
     // A particle that stops takes another way than its other pairs were tested for: so
-    // again, until no pair is in danger. After eight passes those in danger only move
-    // with their mean, after sixteen with that of all, and the passes end.
+    // again. After eight passes those in danger only move with their mean, after
+    // sixteen with that of all, and the passes end.
+    bool any = false;
     for (int pass = 0;; ++pass) {
         int danger = 0;
         bool changed = false;
@@ -338,9 +366,37 @@ void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
             for (const int p : parts.p)
                 changed |= halt(p, pass < 16 ? mean : all, pass < 8 ? part : 0);
         }
+        any = any || changed;
         if (danger > 0 && changed) continue;
         unsure += danger;
-        break;
+        return any;
+    }
+}
+
+void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
+{
+    halted_.assign(static_cast<std::size_t>(cloth.count()), 0);
+    way_ = x - x0;
+    const Vec3 all = cloth_self::mean_of(way_);
+    if (found_at_.size() == x0.size() &&
+        2 * (travelled_ + farthest(way_)) <= skin_) {
+        // the list has all that could meet, and still has when some have stopped:
+        // to move with a mean is no longer way than the longest
+        halt_pairs(cloth, x0, x, all);
+    } else {
+        found_at_.resize(0);
+        for (int round = 0;; ++round) {
+            way_ = x - x0;
+            find(x0, way_, 0);
+            if (!halt_pairs(cloth, x0, x, all)) break;
+            if (round < 8) continue;
+            for (int p = 0; p < cloth.count(); ++p)  // all go with their mean
+                if (cloth.bodies.inverse_mass[3 * p] > 0) {
+                    x.segment<3>(3 * p) = at(x0, p) + all;
+                    halted_[static_cast<std::size_t>(p)] = 1;
+                }
+            break;
+        }
     }
     for (const char one : halted_) stopped += one;
 }

@@ -113,18 +113,32 @@ public:
     void stop(const ClothScene& cloth, const VecX& x0, VecX& x);
 
 private:
-    void find(const ClothScene& cloth, const VecX& x);
+    /// A particle, a triangle or an edge, and its way.
+    struct Part {
+        Vec3 middle = {0, 0, 0}, way = {0, 0, 0};
+        Real radius = 0;  ///< around its middle [m]
+        Real spread = 0;  ///< of the ways of its corners around its own [m]
+    };
+    template <std::size_t N>
+    Part part_of(const std::array<int, N>& p, const VecX& x, const VecX& way) const;
+    void find(const VecX& x, const VecX& way, Real extra);
+    bool add(const ClothParts& parts, const Part& a, const Part& b, const VecX& x,
+             Real extra);
     Real free_part(const ClothParts& parts, const VecX& x0, const VecX& x) const;
+    bool halt_pairs(const ClothScene& cloth, const VecX& x0, VecX& x,
+                    const Vec3& all);
 
     std::vector<std::array<int, 2>> edges_;
     std::vector<std::array<int, 3>> triangles_;
-    Real shortest_ = 0;  ///< edge
+    Real shortest_ = 0;  ///< spring [m]
     PointGrid grid_;
     std::vector<Vec3> points_;
+    std::vector<Part> parts_, others_;
     std::vector<ClothParts> pairs_;
-    std::vector<ClothNear> near_;  ///< of each pair at the start of the sub-step
-    VecX found_at_;
-    Real reach_ = 0;      ///< all pairs within it were listed [m]
+    std::vector<ClothNear> near_;  ///< of each pair, at the start of the sub-step
+    VecX found_at_;                ///< empty: the list is for one sub-step
+    VecX way_;
+    Real skin_ = 0;       ///< of the list [m]
     Real travelled_ = 0;  ///< the most since then, less the mean of all [m]
     std::vector<char> halted_;
 };
