@@ -166,10 +166,16 @@ TEST_CASE("two sheets that hit each other keep their momentum and their angular 
             CHECK(memory.self.stopped == 0);
             off.push_back((angular(cloth) - turning).norm() / turning.norm());
         }
-        // implicit Euler takes impulses where the particles will be: first order in h
-        CAPTURE(friction, off[0], off[3]);
-        CHECK(off[3] < off[0] / 3);
-        CHECK(off[3] < 0.02);
+        CAPTURE(friction, off[0], off[1], off[2], off[3]);
+        if (friction == 0) {
+            // implicit Euler takes impulses where the particles will be: first order in h
+            CHECK(off[3] < off[0] / 3);
+            CHECK(off[3] < 0.02);
+        } else {
+            // both forces of a friction act as far from each other as the cloth is thick: a couple that no step makes
+            // smaller, of 0.02 m in a sheet that is hit 0.3 m from its middle
+            CHECK(off[3] < 0.02 / 0.3);
+        }
     }
 }
 
@@ -245,12 +251,12 @@ TEST_CASE("a particle on an inclined mesh slides in every direction as the disc 
 
 TEST_CASE("a capsule that can move has the inertia of its closed form and is caught", "[idea]")
 {
-    ClothSolid capsule{ClothSolid::Shape::capsule, {0, 0.3, 0}, 0.1, 0.5};
+    ClothSolid capsule{ClothSolid::Shape::capsule, {0, 0.3, 0}, 0.2, 0.5};  // wider than a square
     ClothScene cloth = catching_sheet(12, 1000, 1, false, true);
     cloth.solids.resize(0), cloth.shapes.clear();
     add_solid(cloth, capsule, 2, {0, 0.5, 0}, {0.3, 0, 1.2});
     // a cylinder of 0.6 m and a ball of its two ends, by their volumes
-    const Real r = 0.1, L = 0.6, cylinder = r * r * L, ball = 4 * r * r * r / 3, all = cylinder + ball;
+    const Real r = 0.2, L = 0.6, cylinder = r * r * L, ball = 4 * r * r * r / 3, all = cylinder + ball;
     const Real axial = 2 / all * (cylinder * r * r / 2 + ball * 2 * r * r / 5);
     CHECK(1 / cloth.solids.inverse_mass[4] == Approx(axial).epsilon(1e-12));
     ClothMemory memory;

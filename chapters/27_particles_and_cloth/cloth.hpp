@@ -69,6 +69,9 @@ struct ClothSolid {
 struct ClothScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};  ///< the particles
+    /// where they were made: what is straight there is a thread, however it lies now;
+    /// of another size than the particles: where they are
+    std::vector<Vec3> made_at;
     std::vector<ClothSpring> springs;
     std::vector<ClothBend> bends;
     std::vector<ClothHinge> hinges;

@@ -16,6 +16,8 @@ int add_particle(ClothScene& cloth, const Vec3& at, Real mass)
     const Index k = cloth.bodies.count();
     cloth.bodies.resize(k + 1);
     cloth.bodies.position(k) = at;
+    if (cloth.made_at.size() == static_cast<std::size_t>(k))
+        cloth.made_at.push_back(at);
     cloth.bodies.inverse_mass.segment<3>(3 * k).setConstant(mass > 0 ? 1 / mass
                                                                      : 0);
     return static_cast<int>(k);

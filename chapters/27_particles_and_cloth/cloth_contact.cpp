@@ -29,6 +29,7 @@ ClothGap gap_to(const TriangleMesh& mesh, const Vec3& p, Real reach,
     mesh.near({p - around, p + around}, stack, near);
     ClothGap best{infinity, {0, 1, 0}};
     Real least = reach, farthest = 0;
+    bool border = false;
     for (const int t : near) {
         const Vec3 a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p,
                    c = mesh.corner(t, 2) - p;
@@ -37,20 +38,20 @@ ClothGap gap_to(const TriangleMesh& mesh, const Vec3& p, Real reach,
         const Real size = d.norm(), along = d.dot(mesh.normal(t));
         // the same point of two triangles, to rounding
         const bool nearer = size < least - 1e-9 * reach;
-        if (!nearer && !(size < least + 1e-9 * reach && std::abs(along) > farthest))
-            continue;
-        bool beyond = false;
+        if (!nearer && !(size < least + 1e-9 * reach)) continue;
+        if (nearer) border = false;
         for (std::size_t k = 0; k < 3; ++k)
-            beyond =
-                beyond || (w[k] == 0 && along < 0 &&
+            border =
+                border || (w[k] == 0 &&
                            mesh.beyond[static_cast<std::size_t>(t)][(k + 1) % 3] ==
                                TriangleMesh::nobody);
-        if (beyond) continue;
+        if (!nearer && !(std::abs(along) > farthest)) continue;
         least = std::min(size, least), farthest = std::abs(along);
         const Real side = along < 0 ? -1 : 1;
         best = {side * size,
                 size > 1e-9 * reach ? Vec3(side / size * d) : mesh.normal(t)};
     }
+    if (border && best.gap < 0) best.gap = infinity;
     return best;
 }
 //! [mesh]

@@ -172,7 +172,8 @@ void ClothSelf::find(const VecX& x, const VecX& way, Real extra)
     grid_.fill(points_, cell);
     for (const auto& t : triangles_) {
         const Part here = part_of(t, x, way);
-        const Vec3 around = Vec3::Constant(here.radius + extra + own(here) + fastest);
+        const Vec3 around =
+            Vec3::Constant(here.radius + extra + own(here) + fastest);
         grid_.near(here.middle - around, here.middle + around, [&](int k) {
             add({{k, t[0], t[1], t[2]}, false},
                 others_[static_cast<std::size_t>(k)], here, x, extra);
@@ -194,36 +195,37 @@ void ClothSelf::find(const VecX& x, const VecX& way, Real extra)
         grid_.near(here.middle - around, here.middle + around, [&](int k) {
             const auto j = static_cast<std::size_t>(k);
             if (j > i)
-                add({{edges_[i][0], edges_[i][1], edges_[j][0], edges_[j][1]}, true},
+                add({{edges_[i][0], edges_[i][1], edges_[j][0], edges_[j][1]},
+                     true},
                     here, parts_[j], x, extra);
         });
     }
 }
 //! [find]
 
+/// How far x is from where all were to go since the list was made, the most, less the
+/// mean.
+Real ClothSelf::strayed(const VecX& x)
+{
+    if (found_at_.size() != x.size() || age_ >= horizon_) return infinity;
+    way_ = x - found_at_;
+    way_ -= static_cast<Real>(age_ + 1) * planned_;
+    return farthest(way_);
+}
+
 //! [begin]
 void ClothSelf::begin(const ClothScene& cloth, const VecX& x0, const VecX& y)
 {
-    const Real thickness = cloth.self_thickness;
-    way_ = y - x0;
-    const Real step = farthest(way_);
-    bool again = found_at_.size() != x0.size();
-    if (!again) {
-        found_at_ -= x0;
-        travelled_ = farthest(found_at_);
-        found_at_ += x0;
-        again = 2 * (travelled_ + 1.5 * step) > skin_;
-    }
-    if (again && 6 * step <= shortest_) {
-        // Slow: what is not listed stays apart until something has moved by half of
-        // the skin, seen from the mean of all.
-        skin_ = std::max(4 * step, shortest_ / 4), travelled_ = 0;
-        found_at_ = x0;
-        way_.setZero();
-        find(x0, way_, thickness + skin_);
-    } else if (again) {  // fast: what may come near in this sub-step
-        found_at_.resize(0);
-        find(x0, way_, 1.25 * thickness);
+    // A list is made for the ways of some sub-steps. It has all pairs that may come
+    // near, as long as nothing strays from those by more than half of the slack.
+    const Real near_by = 1.25 * cloth.self_thickness, slack = shortest_ / 6;
+    ++age_;
+    if (3 * strayed(y) > slack) {
+        found_at_ = x0, planned_ = y - x0, age_ = 0;
+        horizon_ = 8 * farthest(planned_) < shortest_ / 4 ? 8 : 2;
+        slack_ = slack;
+        way_ = static_cast<Real>(horizon_) * planned_;
+        find(x0, way_, near_by + slack);
     } else {
         near_.clear();
         for (const ClothParts& parts : pairs_)
@@ -246,7 +248,7 @@ void ClothSelf::begin(const ClothScene& cloth, const VecX& x0, const VecX& y)
                 near.w[i] * near.w[i] * cloth.bodies.inverse_mass[3 * parts.p[i]];
         }
         // what comes nearly as near as the thickness, if the rows did nothing
-        if (row.A > 0 && row.normal.dot(to) < 1.25 * thickness) rows.push_back(row);
+        if (row.A > 0 && row.normal.dot(to) < near_by) rows.push_back(row);
     }
 }
 //! [begin]
@@ -378,27 +380,25 @@ void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
     halted_.assign(static_cast<std::size_t>(cloth.count()), 0);
     way_ = x - x0;
     const Vec3 all = cloth_self::mean_of(way_);
-    if (found_at_.size() == x0.size() &&
-        2 * (travelled_ + farthest(way_)) <= skin_) {
-        // the list has all that could meet, and still has when some have stopped:
-        // to move with a mean is no longer way than the longest
+    if (2 * strayed(x) <= slack_) {
+        // the list has all that could meet; those that stop may stray farther
         halt_pairs(cloth, x0, x, all);
-    } else {
-        found_at_.resize(0);
-        for (int round = 0;; ++round) {
-            way_ = x - x0;
-            find(x0, way_, 0);
-            if (!halt_pairs(cloth, x0, x, all)) break;
-            if (round < 8) continue;
-            for (int p = 0; p < cloth.count(); ++p)  // all go with their mean
-                if (cloth.bodies.inverse_mass[3 * p] > 0) {
-                    x.segment<3>(3 * p) = at(x0, p) + all;
-                    halted_[static_cast<std::size_t>(p)] = 1;
-                }
-            break;
-        }
+        if (2 * strayed(x) <= slack_) return count_halted();
     }
-    for (const char one : halted_) stopped += one;
+    found_at_.resize(0);
+    for (int round = 0;; ++round) {
+        way_ = x - x0;
+        find(x0, way_, 0);
+        if (!halt_pairs(cloth, x0, x, all)) break;
+        if (round < 8) continue;
+        for (int p = 0; p < cloth.count(); ++p)  // all go with their mean
+            if (cloth.bodies.inverse_mass[3 * p] > 0) {
+                x.segment<3>(3 * p) = at(x0, p) + all;
+                halted_[static_cast<std::size_t>(p)] = 1;
+            }
+        break;
+    }
+    count_halted();
 }
 //! [stop]
 

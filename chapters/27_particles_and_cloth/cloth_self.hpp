@@ -124,6 +124,11 @@ private:
     void find(const VecX& x, const VecX& way, Real extra);
     bool add(const ClothParts& parts, const Part& a, const Part& b, const VecX& x,
              Real extra);
+    Real strayed(const VecX& x);
+    void count_halted()
+    {
+        for (const char one : halted_) stopped += one;
+    }
     Real free_part(const ClothParts& parts, const VecX& x0, const VecX& x) const;
     bool halt_pairs(const ClothScene& cloth, const VecX& x0, VecX& x,
                     const Vec3& all);
@@ -136,10 +141,11 @@ private:
     std::vector<Part> parts_, others_;
     std::vector<ClothParts> pairs_;
     std::vector<ClothNear> near_;  ///< of each pair, at the start of the sub-step
-    VecX found_at_;                ///< empty: the list is for one sub-step
-    VecX way_;
-    Real skin_ = 0;       ///< of the list [m]
-    Real travelled_ = 0;  ///< the most since then, less the mean of all [m]
+    // of the list: where it was made, the ways of a sub-step that it was made for, how
+    // many of them, and how far all may stray from that [m]
+    VecX found_at_, planned_, way_;
+    int age_ = 0, horizon_ = 0;
+    Real slack_ = 0;
     std::vector<char> halted_;
 };
 

@@ -197,6 +197,10 @@ void SleepingCloth::gather(const ClothScene& cloth)
         awake_ = ClothScene{};
         awake_.changes = changes;
         awake_.bodies.resize(static_cast<Index>(particles_.size()));
+        if (cloth.made_at.size() == part_of_.size())
+            for (const int p : particles_)
+                awake_.made_at.push_back(
+                    cloth.made_at[static_cast<std::size_t>(p)]);
         const auto named = [&](auto& row) {
             for (int& p : row)
                 if (p >= 0) p = name[static_cast<std::size_t>(p)];

@@ -15,9 +15,12 @@ ClothThreads::threads_of(const ClothScene& cloth) const
     for (std::size_t i = 0; i < m; ++i)
         for (const int p : {cloth.springs[i].a, cloth.springs[i].b})
             at[static_cast<std::size_t>(p)].push_back(static_cast<int>(i));
-    const auto way = [&cloth](int p, int q) -> Vec3 {
-        return cloth.bodies.position(q) - cloth.bodies.position(p);
+    const bool known = cloth.made_at.size() == at.size();
+    const auto place = [&cloth, known](int p) -> Vec3 {
+        return known ? cloth.made_at[static_cast<std::size_t>(p)]
+                     : Vec3(cloth.bodies.position(p));
     };
+    const auto way = [&place](int p, int q) -> Vec3 { return place(q) - place(p); };
     std::vector<char> taken(m, 0);
     std::vector<int> has(at.size(), -1);  // the last thread that a particle is on
     std::vector<Thread> threads;

@@ -86,14 +86,15 @@ public:
                 btSoftBody::fCollision::SDF_RD | btSoftBody::fCollision::SDF_RDN;
             world->setImplicit(true);
             world->addSoftBody(body_);
-            springs_ = std::make_unique<btDeformableMassSpringForce>(stiff, 0, true,
-                                                                     soft);
+            springs_ =
+                std::make_unique<btDeformableMassSpringForce>(stiff, 0, true, soft);
             gravity_ =
                 std::make_unique<btDeformableGravityForce>(vector(cloth.gravity));
             world->addForce(body_, springs_.get());
             world->addForce(body_, gravity_.get());
         } else {
-            static_cast<btSoftRigidDynamicsWorld*>(world_.get())->addSoftBody(body_);
+            static_cast<btSoftRigidDynamicsWorld*>(world_.get())
+                ->addSoftBody(body_);
         }
     }
     ~BulletCloth()
