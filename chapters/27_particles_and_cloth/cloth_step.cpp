@@ -128,6 +128,7 @@ void ClothMemory::draw_back(const ClothScene& cloth, const ClothSettings& settin
                             VecX& x)
 {
     if (!(settings.strain_limit < infinity)) return;
+    drawn_back = x;
     limit.strain = settings.strain_limit, limit.stiff = settings.limit_stiffness;
     for (int pass = 0; pass < settings.limit_passes && limit.find(cloth, x);
          ++pass) {
@@ -136,6 +137,7 @@ void ClothMemory::draw_back(const ClothScene& cloth, const ClothSettings& settin
         self.visit(cloth, x);
         drawn += static_cast<std::int64_t>(limit.beyond.size());
     }
+    drawn_back = x - drawn_back;
 }
 //! [draw_back]
 
@@ -234,11 +236,16 @@ void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
             now.touch.visit(cloth, bodies.x);
             now.self.visit(cloth, bodies.x);
         }
+        now.drawn_back.setZero(bodies.x.size());
         if (part + 1 == settings.substeps) now.draw_back(cloth, settings, bodies.x);
+        // what the limit draws back it does once a step, not once a sub-step
         for (Index k = 0; k < bodies.count(); ++k)
-            if (bodies.inverse_mass[3 * k] > 0)
+            if (bodies.inverse_mass[3 * k] > 0) {
+                const Vec3 drawn = now.drawn_back.segment<3>(3 * k);
                 bodies.velocity(k) =
-                    (bodies.position(k) - now.x0.segment<3>(3 * k)) / h;
+                    (bodies.position(k) - drawn - now.x0.segment<3>(3 * k)) / h +
+                    drawn / settings.h;
+            }
         if (middle) now.go_on_from_the_middle(bodies);
         now.self.calm(cloth);
         if (cloth.self_thickness > 0) now.self.stop(cloth, now.x0, bodies.x);

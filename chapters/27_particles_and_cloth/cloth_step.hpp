@@ -74,7 +74,7 @@ struct ClothMemory {
     ClothTouch touch;
     ClothSelf self;  ///< unless the thickness against itself is zero
     StrainLimit limit;
-    VecX x0, u0, y, force;
+    VecX x0, u0, y, force, drawn_back;
     // Counted since the memory was made.
     std::int64_t visits = 0;  ///< of rows
     std::int64_t solves = 0;  ///< linear systems

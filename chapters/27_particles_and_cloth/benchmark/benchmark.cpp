@@ -11,7 +11,7 @@
 ///                             rows of its own
 ///     sleep/AWAKE/SQUARES     a sheet that rests on a ball: the time of a step, without and with sleep
 ///
-/// `bt_soft` and `bt_deformable` are Bullet's, where it is installed.
+/// `bt_soft` is Bullet's btSoftBody, where that is installed.
 ///
 /// The reference is the implicit midpoint with a hundredth of the step, by Newton's method to 1e-11 m. Of `xpbd`, `particles`
 /// and `projective` ten sweeps, of `small` and `threads` one. Time is that of the processor.
@@ -75,12 +75,12 @@ Found run(const std::string& scene, ClothSettings how, int count)
 }
 
 #ifdef RIGID_HAS_BULLET_CLOTH
-Found run_bullet(const std::string& scene, bool deformable, int substeps)
+Found run_bullet(const std::string& scene, int substeps)
 {
     Found found;
     for (int repeat = 0; repeat < 3; ++repeat) {
         found.cloth = given(scene);
-        BulletCloth bullet(found.cloth, deformable, substeps, 10);
+        BulletCloth bullet(found.cloth, substeps, 10);
         const std::clock_t before = std::clock();
         for (int n = 0; n < steps; ++n) bullet.step(1.0 / 60);
         const Real time = static_cast<Real>(std::clock() - before) / CLOCKS_PER_SEC;
@@ -141,8 +141,8 @@ void compare(benchmark::State& state, const std::string& scene,
     const int substeps = static_cast<int>(state.range(0));
     for (auto _ : state) {
 #ifdef RIGID_HAS_BULLET_CLOTH
-        if (method.starts_with("bt_")) {
-            found = run_bullet(scene, method == "bt_deformable", substeps);
+        if (method == "bt_soft") {
+            found = run_bullet(scene, substeps);
             continue;
         }
 #endif
@@ -305,16 +305,13 @@ const bool registered = [] {
     }
 #ifdef RIGID_HAS_BULLET_CLOTH
     // its cloth has no bends by a slope and no wind like ours: sheet and ball
-    for (const char* scene : {"sheet", "ball"})
-        for (const char* method : {"bt_soft", "bt_deformable"}) {
-            auto* const one = benchmark::RegisterBenchmark(
-                (std::string(scene) + "/" + method).c_str(),
-                [scene, method](benchmark::State& state) {
-                    compare(state, scene, method);
-                });
-            for (const int substeps : {1, 2, 4, 8, 16, 32}) one->Args({substeps});
-            one->Iterations(1);
-        }
+    for (const char* scene : {"sheet", "ball"}) {
+        auto* const one = benchmark::RegisterBenchmark(
+            (std::string(scene) + "/bt_soft").c_str(),
+            [scene](benchmark::State& state) { compare(state, scene, "bt_soft"); });
+        for (const int substeps : {1, 2, 4, 8, 16, 32}) one->Args({substeps});
+        one->Iterations(1);
+    }
 #endif
     return true;
 }();
