@@ -96,7 +96,8 @@ public:
                 const Mat3 axes = rotation_of(cloth.solids.x, k);
                 const Vec3 centre = centre_of(cloth.solids.x, k);
                 const auto place = [&](int t, int i) -> Vec3 {
-                    return centre + axes * s.mesh->corner(t, i);
+                    // its large triangles would show through the cloth
+                    return centre + axes * s.mesh->corner(t, i) - Vec3(0, 0.06, 0);
                 };
                 for (int t = 0; t < s.mesh->count(); ++t)
                     picture.facet({place(t, 0), place(t, 1), place(t, 2)},
