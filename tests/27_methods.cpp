@@ -280,7 +280,8 @@ TEST_CASE("threads beyond their limit are drawn back to it and keep their moment
     StrainLimit limit;
     limit.strain = 0.05;
     int passes = 0;
-    for (; passes < 2000 && limit.find(cloth, cloth.bodies.x); ++passes) limit.draw_back(cloth, cloth.bodies.x);
+    for (; passes < 2000 && limit.find(cloth, cloth.bodies.x); ++passes)
+        limit.draw_back(cloth, cloth.bodies.x);
     CHECK(passes < 2000);
     CHECK(largest_stretch(cloth) <= 0.05 + 1e-12);  // its square is compared: rounding of that
     ClothScene free = random_sheet(5);

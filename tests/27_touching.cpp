@@ -1,4 +1,6 @@
 // Chapter 27: cloth on meshes, cloth on itself, cloth at rest.
+#include "tests/no_allocation.hpp"
+
 #include "chapters/25_space/mesh_scenes.hpp"
 #include "chapters/27_particles_and_cloth/cloth_sleep.hpp"
 #include "common/random.hpp"
@@ -92,7 +94,8 @@ Vec3 angular(const ClothScene& cloth)
 
 }  // namespace
 
-TEST_CASE("nearest points of a particle and a triangle and of two edges are those of a fine search", "[house]")
+TEST_CASE("nearest points of a particle and a triangle and of two edges are those of a fine search",
+          "[house]")
 {
     Random random(4);
     for (int n = 0; n < 60; ++n) {
@@ -143,8 +146,9 @@ TEST_CASE("what would pass within one large step is stopped", "[idea]")
     CHECK(found.unsure == 0);
 }
 
-TEST_CASE("two sheets that hit each other keep their momentum and their angular momentum to the order of the step",
-          "[idea]")
+TEST_CASE(
+    "two sheets that hit each other keep their momentum and their angular momentum to the order of the step",
+    "[idea]")
 {
     for (const Real friction : {0.0, 0.5}) {
         std::vector<Real> off;
@@ -161,7 +165,7 @@ TEST_CASE("two sheets that hit each other keep their momentum and their angular 
             }
             CAPTURE(friction, substeps);
             CHECK(rows > 10);
-            CHECK(cloth.bodies.u.segment<3>(3 * 40)[1] < -0.1);  // the lower sheet was hit
+            CHECK(cloth.bodies.u.segment<3>(3 * 40)[1] < -0.1);                // the lower sheet was hit
             CHECK((momentum(cloth) - before).norm() < 1e-12 * before.norm());  // rounding of 384 sub-steps
             CHECK(memory.self.stopped == 0);
             off.push_back((angular(cloth) - turning).norm() / turning.norm());
@@ -183,9 +187,20 @@ TEST_CASE("points are as far from a mesh as from the solid that it is the surfac
 {
     // a box of triangles, one side each
     std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i) corners.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 0.5 : -0.5, i & 4 ? 0.7 : -0.7));
-    const auto mesh = triangle_mesh(corners, {{0, 4, 2}, {4, 6, 2}, {1, 3, 5}, {5, 3, 7}, {0, 1, 4}, {4, 1, 5},
-                                              {2, 6, 3}, {6, 7, 3}, {0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}});
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 0.5 : -0.5, i & 4 ? 0.7 : -0.7));
+    const auto mesh = triangle_mesh(corners, {{0, 4, 2},
+                                              {4, 6, 2},
+                                              {1, 3, 5},
+                                              {5, 3, 7},
+                                              {0, 1, 4},
+                                              {4, 1, 5},
+                                              {2, 6, 3},
+                                              {6, 7, 3},
+                                              {0, 2, 1},
+                                              {1, 2, 3},
+                                              {4, 5, 6},
+                                              {5, 7, 6}});
     const ClothSolid box{ClothSolid::Shape::box, {1, 0.5, 0.7}, 0, 0};
     std::vector<int> stack, near;
     Random random(8);
@@ -217,7 +232,8 @@ TEST_CASE("a sheet comes to rest on hills and none of it is below them", "[idea]
     for (int n = 0; n < 90; ++n) {
         step(cloth, how, memory);
         for (int k = 0; k < cloth.count(); ++k)
-            deepest = std::min(deepest, gap_to(*cloth.shapes[0].mesh, cloth.bodies.position(k), 0.1, stack, near).gap);
+            deepest = std::min(deepest,
+                               gap_to(*cloth.shapes[0].mesh, cloth.bodies.position(k), 0.1, stack, near).gap);
     }
     CHECK(memory.touch.contacts.size() > 200);
     // contacts are visited last: each particle is at its thickness, to rounding of a few triangles' normals
@@ -362,6 +378,30 @@ TEST_CASE("a cloth that sleeps wakes for wind for its pins for a hand and for wh
     CHECK(cloth.solids.x[2] > 0.19);  // not yet there
 }
 
+TEST_CASE("a steady step with a limit and with sleep asks for no memory", "[house]")
+{
+    ClothScene cloth = sheet_on_ball(12, 1.2, 300, 0.3, 1);
+    const int first = cloth.count();
+    SheetSpec spec;
+    spec.columns = spec.rows = 4;
+    add_sheet(cloth, {3, 0, 0}, {1, 0, 0}, {0, -1, 0}, spec);
+    for (int i = 0; i <= 4; ++i) pin(cloth, first + i);
+    SleepingCloth sleeping;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 4, how.sweeps = 1, how.strain_limit = 0.01;
+    for (int n = 0; n < 150; ++n) sleeping.step(cloth, how);
+    CHECK(sleeping.asleep() == 1);  // the sheet that hangs; the ball turns
+    sleeping.memory.touch.contacts.reserve(2 * sleeping.memory.touch.contacts.size() + 100);
+    sleeping.memory.limit.beyond.reserve(cloth.springs.size());
+    int asked = 0;
+    {
+        const NoAllocation none;
+        for (int n = 0; n < 5; ++n) sleeping.step(cloth, how);
+        asked = NoAllocation::violations();
+    }
+    CHECK(asked == 0);
+}
+
 TEST_CASE("a thickness or a mesh or a sleep that makes no sense is refused with a sentence", "[house]")
 {
     const auto says = [](const std::function<void(ClothScene&)>& spoil, const std::string& sentence) {
@@ -371,7 +411,8 @@ TEST_CASE("a thickness or a mesh or a sleep that makes no sense is refused with 
         CHECK(refusal([&] { step(cloth, {}, memory); }) == sentence);
     };
     says([](ClothScene& c) { c.self_thickness = 0.2; },
-         "the thickness of the cloth against itself is 0.2 m, and the length of spring 0 0.25 m; it must be at most "
+         "the thickness of the cloth against itself is 0.2 m, and the length of spring 0 0.25 m; it must be "
+         "at most "
          "half of that");
     says([](ClothScene& c) { c.self_friction = -1; },
          "the friction of the cloth on itself is -1; it must be zero or positive and finite");
@@ -380,13 +421,16 @@ TEST_CASE("a thickness or a mesh or a sleep that makes no sense is refused with 
     ClothScene cloth = hung_sheet(3, 100);
     ClothSolid mesh;
     mesh.shape = ClothSolid::Shape::mesh, mesh.mesh = flat_mesh(2, 2, 1);
-    CHECK(refusal([&] { add_solid(cloth, mesh, 1, {0, 0, 0}); }) ==
-          "the mass of a solid is 1 kg; a ball, a capsule or a box may have a positive one, and what cannot move "
-          "zero");
+    CHECK(refusal([&] {
+              add_solid(cloth, mesh, 1, {0, 0, 0});
+          }) == "the mass of a solid is 1 kg; a ball, a capsule or a box may have a positive one, and what "
+                "cannot move "
+                "zero");
     SleepingCloth sleeping;
     ClothSettings how;
     how.strength = 0.1;
     CHECK(refusal([&] { sleeping.step(cloth, how); }) ==
-          "the strength of a cloth that may sleep is 0.1; it must be infinite: what tears changes rows while parts are "
+          "the strength of a cloth that may sleep is 0.1; it must be infinite: what tears changes rows while "
+          "parts are "
           "left out");
 }

@@ -385,7 +385,7 @@ void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
         halt_pairs(cloth, x0, x, all);
         if (2 * strayed(x) <= slack_) return count_halted();
     }
-    found_at_.resize(0);
+    horizon_ = 0;  // the list is for this sub-step
     for (int round = 0;; ++round) {
         way_ = x - x0;
         find(x0, way_, 0);
