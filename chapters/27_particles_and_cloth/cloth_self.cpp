@@ -395,6 +395,8 @@ void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
             if (cloth.bodies.inverse_mass[3 * p] > 0) {
                 x.segment<3>(3 * p) = at(x0, p) + all;
                 halted_[static_cast<std::size_t>(p)] = 1;
+            } else {
+                unsure += at(x, p) != at(x0, p) + all;  // a pin goes its own way
             }
         break;
     }
