@@ -24,7 +24,9 @@ namespace rigid {
 struct ElasticSpace : SpaceScene {
     ElasticBody<3> elastic;
     Real soft_friction = 0.5;  ///< μ between the elastic body and all else
-    Real skin = 0.005;         ///< radius around the surface of the elastic body [m]
+    /// radius around the surface of the elastic body [m]; what is deeper than the skin is
+    /// pushed out the shortest way, which at an edge may be a side
+    Real skin = 0.005;
 
     explicit ElasticSpace(ElasticBody<3> body) : elastic(std::move(body)) {}
 };
