@@ -238,7 +238,8 @@ TEST_CASE("a soft block holds on a slope below μ and slides above it", "[idea]"
         for (int n = 0; n < run; ++n) contacts.step(scene, h);
         REQUIRE(contacts.report.status == Status::solved);
         const Vec3 after = velocity_of(scene.elastic);
-        if (mu > std::tan(angle)) CHECK(after.norm() < 1e-4);  // what half a second of damping leaves of 1 m/s
+        if (mu > std::tan(angle))
+            CHECK(after.norm() < 1e-4);  // what half a second of damping leaves of 1 m/s
         else
             // its weight is its load: λ_t = μ λ_n at every node, so all of it by a = g (sin α − μ cos α)
             CHECK((after - before).x() / (run * h) ==
@@ -314,7 +315,8 @@ TEST_CASE("soft fingers in space lift a box", "[idea]")
         move_fingers(scene, n / 60.0);
         contacts.step(scene, 1.0 / 60);
     }
-    CHECK(scene.bodies.x[1] == Approx(0.15 + 0.3).margin(0.03));  // 0.6 s at 0.5 m/s, less what the fingers give
+    CHECK(scene.bodies.x[1] ==
+          Approx(0.15 + 0.3).margin(0.03));  // 0.6 s at 0.5 m/s, less what the fingers give
 }
 
 TEST_CASE("jelly goes down stairs of triangles and a box comes to rest on a mattress", "[idea]")
@@ -329,8 +331,8 @@ TEST_CASE("jelly goes down stairs of triangles and a box comes to rest on a matt
     Vec3 centre(0, 0, 0);
     for (int i = 0; i < jelly.elastic.model.nodes(); ++i)
         centre += jelly.elastic.model.mass_at(i) * jelly.elastic.at(i) / jelly.elastic.model.mass();
-    CHECK(centre.x() > 0);     // over the first edge
-    CHECK(centre.y() < 1.0);   // it started at 1.1 m
+    CHECK(centre.x() > 0);    // over the first edge
+    CHECK(centre.y() < 1.0);  // it started at 1.1 m
     CHECK(std::abs(centre.z()) < 0.02);
     Real depth = 0;
     for (int e = 0; e < jelly.elastic.model.points(); ++e)

@@ -59,7 +59,8 @@ void CompliantStep<Dim>::add_answers(Real h, ElasticBody<Dim>& body) const
 template <int Dim>
 Real CompliantStep<Dim>::entry(std::size_t i, std::size_t j) const
 {
-    const CompliantRow<Dim>&one = rows[std::max(i, j)], &other = rows[std::min(i, j)];
+    const CompliantRow<Dim>&one = rows[std::max(i, j)],
+          &other = rows[std::min(i, j)];
     Real a = i == j ? one.rigid.softness : 0;
     if (other.count > 0) {
         const VecX& answer = answer_[std::min(i, j)];

@@ -26,10 +26,10 @@ struct CompliantRow {
     Row<dof> rigid;
     int count = 0;  ///< nodes
     std::array<int, Dim> node{};
-    std::array<Real, Dim> share{};           ///< of each node in the point
-    Vec<Dim> along = Vec<Dim>::Zero();       ///< J of a node is its share of this
-    Vec<Dim> point = Vec<Dim>::Zero();       ///< where it acts [m]
-    Real gap = 0;                            ///< of a contact [m]
+    std::array<Real, Dim> share{};      ///< of each node in the point
+    Vec<Dim> along = Vec<Dim>::Zero();  ///< J of a node is its share of this
+    Vec<Dim> point = Vec<Dim>::Zero();  ///< where it acts [m]
+    Real gap = 0;                       ///< of a contact [m]
 
     /// J of node i, component c.
     Real push(int i, int c) const
@@ -46,10 +46,11 @@ template <int Dim>
 class CompliantStep {
 public:
     static constexpr int dof = CompliantRow<Dim>::dof;
-    ElasticSolver<Dim> solver;  ///< its rule and its linear solver are not looked at
-    int most = 12;              ///< iterations of Newton's method
-    Real tolerance = 1e-8;      ///< of the residual with the impulses in it
-    Real repaid = 0.2;          ///< share of an overlap that a step pushes out
+    ElasticSolver<Dim>
+        solver;             ///< its rule and its linear solver are not looked at
+    int most = 12;          ///< iterations of Newton's method
+    Real tolerance = 1e-8;  ///< of the residual with the impulses in it
+    Real repaid = 0.2;      ///< share of an overlap that a step pushes out
 
     std::vector<CompliantRow<Dim>> rows;  ///< of the last step
     Solution solution;                    ///< λ of these [N s]
@@ -84,8 +85,8 @@ private:
 //! [step]
 template <int Dim>
 template <class Solve>
-void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies, Real h,
-                                 const Solve& solve)
+void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies,
+                                 Real h, const Solve& solve)
 {
     x0_ = body.x;
     solver.begin(body, h);
@@ -101,8 +102,8 @@ void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies, Re
             report.status = Status::singular;
             break;
         }
-        const bool same = report.iterations > 1 &&
-                          solver.report.factorisations == factorisations;
+        const bool same =
+            report.iterations > 1 && solver.report.factorisations == factorisations;
         change_ = solver.r;
         solver.factor.solve(change_);
         body.x += change_;

@@ -41,7 +41,8 @@ void DenseCones::find_discs()
             one.friction != two.friction)
             continue;
         disc_at_[k] = static_cast<int>(discs_.size());
-        const Real a = A[k * m + k], b = A[(k + 1) * m + k + 1], c = A[k * m + k + 1];
+        const Real a = A[k * m + k], b = A[(k + 1) * m + k + 1],
+                   c = A[k * m + k + 1];
         DiscOfRows disc;
         disc.row = k;
         disc.A << a, c, c, b;
@@ -57,7 +58,8 @@ void DenseCones::velocities()
     for (std::size_t i = 0; i < m; ++i) {
         Real w = q[static_cast<Index>(i)];
         const Real* const a = A.data() + i * m;
-        for (std::size_t j = 0; j < m; ++j) w += a[j] * g_.lambda[static_cast<Index>(j)];
+        for (std::size_t j = 0; j < m; ++j)
+            w += a[j] * g_.lambda[static_cast<Index>(j)];
         g_.w[static_cast<Index>(i)] = w;
     }
 }
@@ -108,7 +110,8 @@ void DenseCones::write_equations()
         return columns_.back();
     };
     for (std::size_t k = 0; k < rows.size(); ++k)
-        if (p.bound_by(k) < 0 && g_.cases[k] == ConeCase::free && rows[k].mass > 0) {
+        if (p.bound_by(k) < 0 && g_.cases[k] == ConeCase::free &&
+            rows[k].mass > 0) {
             add(k, cone_share / rows[k].mass).add(k, 1);
             tests_.back().add(k, 1);
         }
@@ -139,7 +142,8 @@ void DenseCones::write_equations()
             }
         else if (now == ConeCase::slides) {
             const Vec2 d = g_.direction[here];
-            with_normal.add(here, mu * d.x()), with_normal.add(here + 1, mu * d.y());
+            with_normal.add(here, mu * d.x()),
+                with_normal.add(here + 1, mu * d.y());
             Mix& across = add(here, cone_share * disc->largest +
                                         g_.give[static_cast<Index>(here)]);
             across.add(here, -d.y()), across.add(here + 1, d.x());
@@ -172,7 +176,8 @@ void DenseCones::factor()
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t top = k;
         for (std::size_t i = k + 1; i < n; ++i)
-            if (std::abs(matrix_[i * n + k]) > std::abs(matrix_[top * n + k])) top = i;
+            if (std::abs(matrix_[i * n + k]) > std::abs(matrix_[top * n + k]))
+                top = i;
         pivot_[k] = static_cast<int>(top);
         if (top != k)
             std::swap_ranges(matrix_.data() + k * n, matrix_.data() + (k + 1) * n,
@@ -198,7 +203,8 @@ void DenseCones::substitute(std::vector<Real>& x) const
         std::swap(x[k], x[static_cast<std::size_t>(pivot_[k])]);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < i; ++k)
-            if (std::isfinite(matrix_[k * n + k])) x[i] -= matrix_[i * n + k] * x[k];
+            if (std::isfinite(matrix_[k * n + k]))
+                x[i] -= matrix_[i * n + k] * x[k];
     for (std::size_t i = n; i-- > 0;) {
         for (std::size_t k = i + 1; k < n; ++k) x[i] -= matrix_[i * n + k] * x[k];
         x[i] = std::isfinite(matrix_[i * n + i]) ? x[i] / matrix_[i * n + i] : 0;
@@ -225,7 +231,8 @@ void DenseCones::solve_guess(Real enough)
         if (left <= 1e-3 * enough || !(left < 0.5 * last)) break;
         last = left;
         x_.resize(tests_.size());
-        for (std::size_t e = 0; e < tests_.size(); ++e) x_[e] = -g_.equations[e].error;
+        for (std::size_t e = 0; e < tests_.size(); ++e)
+            x_[e] = -g_.equations[e].error;
         substitute(x_);
         for (std::size_t e = 0; e < tests_.size(); ++e) {
             const auto k = static_cast<std::size_t>(g_.of_row[e]);
@@ -262,19 +269,22 @@ void DenseCones::sweep()
     const auto w = [&](std::size_t k) {
         Real sum = q[static_cast<Index>(k)];
         const Real* const a = A.data() + k * m;
-        for (std::size_t j = 0; j < m; ++j) sum += a[j] * lambda[static_cast<Index>(j)];
+        for (std::size_t j = 0; j < m; ++j)
+            sum += a[j] * lambda[static_cast<Index>(j)];
         return sum;
     };
     for (std::size_t k = 0; k < m; ++k) {
         const auto i = static_cast<Index>(k);
         const int normal = p.bound_by(k);
         const Real bound =
-            normal < 0 ? 0 : feedback[k].friction * std::max(Real{0}, lambda[normal]);
+            normal < 0 ? 0
+                       : feedback[k].friction * std::max(Real{0}, lambda[normal]);
         if (const DiscOfRows* const disc = p.disc(k)) {
             // (25.39), with the step that is safe
             if (disc->largest > 0)
                 lambda.segment<2>(i) = onto_disc(
-                    lambda.segment<2>(i) - Vec2(w(k), w(k + 1)) / disc->largest, bound);
+                    lambda.segment<2>(i) - Vec2(w(k), w(k + 1)) / disc->largest,
+                    bound);
             ++k;
             continue;
         }
@@ -301,7 +311,8 @@ void DenseCones::solve(Real enough, bool same, Solution& solution)
     best_ = g_.lambda;
     guessed = swept = 0;
     bool found = accept(enough);
-    for (int time = 0, sweeps = 10; time <= retreats && !found; ++time, sweeps *= 3) {
+    for (int time = 0, sweeps = 10; time <= retreats && !found;
+         ++time, sweeps *= 3) {
         if (time > 0) {
             g_.lambda = best_;
             for (int s = 0; s < sweeps; ++s) sweep();

@@ -20,11 +20,11 @@ struct DenseCones {
     int retreats = 4;  ///< sweeps between them: 10, 30, 90, …
 
     // The problem: the caller fills it after begin().
-    std::vector<Real> A;                ///< m×m, row by row [1/kg]
-    VecX q;                             ///< [m/s]
-    std::vector<SolverRow<6>> rows;     ///< bounds and λ to start from
-    std::vector<Feedback> feedback;     ///< which row bounds it, and μ
-    int guessed = 0, swept = 0;         ///< of the last solve
+    std::vector<Real> A;             ///< m×m, row by row [1/kg]
+    VecX q;                          ///< [m/s]
+    std::vector<SolverRow<6>> rows;  ///< bounds and λ to start from
+    std::vector<Feedback> feedback;  ///< which row bounds it, and μ
+    int guessed = 0, swept = 0;      ///< of the last solve
 
     /// Room for m rows; they are free, λ is zero. Keeps memory.
     void begin(std::size_t m);

@@ -141,8 +141,7 @@ void ElasticContacts::find_rows(const ElasticScene& scene, Real h)
             if (!(gap < margin)) continue;
             CompliantRow<2> row;
             row.rigid.b = world, row.count = 1, row.node = {first, first};
-            row.share[0] = 1,
-            row.point = soft.at(first) - scene.skin * wall.normal;
+            row.share[0] = 1, row.point = soft.at(first) - scene.skin * wall.normal;
             add_contact(scene, row, wall.normal, gap, h);
         }
 }

@@ -369,7 +369,7 @@ std::vector<std::array<int, 3>> surface_triangles(const ElasticMesh<3>& mesh)
     constexpr int middle[4][4] = {
         {-1, 4, 5, 7}, {4, -1, 6, 8}, {5, 6, -1, 9}, {7, 8, 9, -1}};
     std::map<std::array<int, 3>, int> count;
-    const auto key = [&mesh](int e, const int (&f)[3]) {
+    const auto key = [&mesh](int e, const int(&f)[3]) {
         std::array<int, 3> corners{mesh.node(e, f[0]), mesh.node(e, f[1]),
                                    mesh.node(e, f[2])};
         std::sort(corners.begin(), corners.end());

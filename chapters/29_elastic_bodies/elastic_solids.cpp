@@ -8,8 +8,8 @@
 namespace rigid {
 
 //! [contact]
-void ElasticSolids::add_contact(const ElasticSpace& scene, CompliantRow<3> row, Index k,
-                                const Vec3& normal, Real h)
+void ElasticSolids::add_contact(const ElasticSpace& scene, CompliantRow<3> row,
+                                Index k, const Vec3& normal, Real h)
 {
     const auto along = [&](const Vec3& n) {
         row.along = n;
@@ -39,14 +39,14 @@ void ElasticSolids::add_contact(const ElasticSpace& scene, CompliantRow<3> row, 
 bool ElasticSolids::is_near(const ElasticSpace& scene, Index k, const Vec3& centre,
                             Real radius) const
 {
-    const Real reach = touching.reach[static_cast<std::size_t>(k)] + radius +
-                       scene.skin + margin;
+    const Real reach =
+        touching.reach[static_cast<std::size_t>(k)] + radius + scene.skin + margin;
     return (centre - centre_of(scene.bodies.x, k)).squaredNorm() <= reach * reach;
 }
 
 /// The points of touch_ as contacts: of a node, or of a triangle those that are no node.
-void ElasticSolids::take_touch(const ElasticSpace& scene, Index k, int at, bool is_node,
-                               Real h)
+void ElasticSolids::take_touch(const ElasticSpace& scene, Index k, int at,
+                               bool is_node, Real h)
 {
     for (int i = 0; i < touch_.count; ++i) {
         const TouchPoint& p = touch_.points[static_cast<std::size_t>(i)];
@@ -58,7 +58,8 @@ void ElasticSolids::take_touch(const ElasticSpace& scene, Index k, int at, bool 
             add_contact(scene, row, k, touch_.normal, h);
             continue;
         }
-        const std::array<int, 3>& corners = triangles_[static_cast<std::size_t>(at)];
+        const std::array<int, 3>& corners =
+            triangles_[static_cast<std::size_t>(at)];
         const Vec3 o = scene.elastic.at(corners[0]),
                    e = scene.elastic.at(corners[1]) - o,
                    f = scene.elastic.at(corners[2]) - o, d = p.on_b - o;
@@ -72,8 +73,9 @@ void ElasticSolids::take_touch(const ElasticSpace& scene, Index k, int at, bool 
         bool is_there = false;  // what lies on an edge lies on two triangles
         const Real same = 1e-3 * std::sqrt(size);
         for (std::size_t r = first_of_triangles_; r < rows.size(); ++r)
-            is_there = is_there || (rows[r].rigid.a == k &&
-                                    (rows[r].point - p.on_b).squaredNorm() <= same * same);
+            is_there =
+                is_there || (rows[r].rigid.a == k &&
+                             (rows[r].point - p.on_b).squaredNorm() <= same * same);
         if (is_there) continue;
         row.count = 3, row.node = corners, row.share = {1 - s - t, s, t};
         add_contact(scene, row, k, touch_.normal, h);
@@ -96,14 +98,15 @@ void ElasticSolids::touch_nodes(const ElasticSpace& scene, Real h)
         }
         for (Index k = 0; k < K; ++k) {
             if (!is_near(scene, k, p, 0)) continue;
-            for (const PlacedSolid& solid : touching.solids[static_cast<std::size_t>(k)]) {
+            for (const PlacedSolid& solid :
+                 touching.solids[static_cast<std::size_t>(k)]) {
                 collide(solid, node_, how, room_, touch_);
                 take_touch(scene, k, i, true, h);
             }
         }
         for (const auto& mesh : scene.meshes) {
-            collide(*mesh, node_, TouchNames(ground_.form, ball_).count(), how, room_,
-                    touch_, ground_);
+            collide(*mesh, node_, TouchNames(ground_.form, ball_).count(), how,
+                    room_, touch_, ground_);
             for (std::size_t m = 0; m < ground_.count; ++m) {
                 touch_.normal = ground_.manifolds[m].normal;
                 keep_four(ground_.manifolds[m].points, how.slack, touch_);
@@ -122,12 +125,14 @@ void ElasticSolids::touch_triangles(const ElasticSpace& scene, Real h)
     flat_.form.hull.radius = scene.skin;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
         std::array<Vec3, 3> p;
-        for (std::size_t c = 0; c < 3; ++c) p[c] = scene.elastic.at(triangles_[t][c]);
+        for (std::size_t c = 0; c < 3; ++c)
+            p[c] = scene.elastic.at(triangles_[t][c]);
         const Vec3 centre = (p[0] + p[1] + p[2]) / 3;
         Real radius = 0;
         for (const Vec3& q : p) radius = std::max(radius, (q - centre).norm());
         bool some = !scene.meshes.empty();
-        for (Index k = 0; k < K && !some; ++k) some = is_near(scene, k, centre, radius);
+        for (Index k = 0; k < K && !some; ++k)
+            some = is_near(scene, k, centre, radius);
         const Vec3 n = cross(p[1] - p[0], p[2] - p[0]);
         if (!some || !(n.squaredNorm() > 0)) continue;
         flat_.form.normals[0] = n.normalized();
@@ -140,14 +145,16 @@ void ElasticSolids::touch_triangles(const ElasticSpace& scene, Real h)
         flat_.placed.place(flat_.form, {0, 0, 0}, Mat3::Identity());
         for (Index k = 0; k < K; ++k) {
             if (!is_near(scene, k, centre, radius)) continue;
-            for (const PlacedSolid& solid : touching.solids[static_cast<std::size_t>(k)]) {
+            for (const PlacedSolid& solid :
+                 touching.solids[static_cast<std::size_t>(k)]) {
                 collide(solid, flat_.placed, how, room_, touch_);
                 take_touch(scene, k, static_cast<int>(t), false, h);
             }
         }
         for (const auto& mesh : scene.meshes) {
-            collide(*mesh, flat_.placed, TouchNames(ground_.form, flat_.form).count(),
-                    how, room_, touch_, ground_);
+            collide(*mesh, flat_.placed,
+                    TouchNames(ground_.form, flat_.form).count(), how, room_,
+                    touch_, ground_);
             for (std::size_t m = 0; m < ground_.count; ++m) {
                 touch_.normal = ground_.manifolds[m].normal;
                 keep_four(ground_.manifolds[m].points, how.slack, touch_);
@@ -166,7 +173,7 @@ void ElasticSolids::find_rigid_rows(const ElasticSpace& scene, Real h)
     evaluate_constraints(scene, now_);
     for (const Constraint<6>& c : now_.constraints) {
         const bool pushes = c.kind == ConstraintKind::unilateral;
-        const Real bias = !has_error(c.kind)        ? own_bias(c, h)
+        const Real bias = !has_error(c.kind)     ? own_bias(c, h)
                           : pushes && !(c.C > 0) ? repaid * c.C / h
                                                  : c.C / h;
         rows.emplace_back();

@@ -24,9 +24,7 @@ namespace rigid {
 struct ElasticSpace : SpaceScene {
     ElasticBody<3> elastic;
     Real soft_friction = 0.5;  ///< μ between the elastic body and all else
-    /// radius around the surface of the elastic body [m]; what is deeper than the skin is
-    /// pushed out the shortest way, which at an edge may be a side
-    Real skin = 0.005;
+    Real skin = 0.005;  ///< radius around the surface of the elastic body [m]
 
     explicit ElasticSpace(ElasticBody<3> body) : elastic(std::move(body)) {}
 };
@@ -49,7 +47,8 @@ private:
     /// Nodes, then triangles, of the surface against one hull of body k, or a mesh.
     void touch_nodes(const ElasticSpace& scene, Real h);
     void touch_triangles(const ElasticSpace& scene, Real h);
-    void take_touch(const ElasticSpace& scene, Index k, int at, bool is_node, Real h);
+    void take_touch(const ElasticSpace& scene, Index k, int at, bool is_node,
+                    Real h);
     void add_contact(const ElasticSpace& scene, CompliantRow<3> row, Index k,
                      const Vec3& normal, Real h);
     void solve_rows(const VecX& v, const VecX& u, bool same);

@@ -17,16 +17,16 @@ std::vector<Real> sound_of(const ElasticBody<Dim>& body, int count, int freedom,
                            Real seconds, int rate)
 {
     if (freedom < 0 || freedom >= body.x.size())
-        throw std::invalid_argument(
-            "the freedom to listen to is " + std::to_string(freedom) + "; there are " +
-            std::to_string(body.x.size()));
+        throw std::invalid_argument("the freedom to listen to is " +
+                                    std::to_string(freedom) + "; there are " +
+                                    std::to_string(body.x.size()));
     if (!(seconds > 0 && seconds < 3600) || rate < 1)
         throw std::invalid_argument("a sound of " + shortest(seconds) + " s at " +
                                     std::to_string(rate) +
                                     " samples a second; both must be positive");
     ModalBody<Dim> modal(body, count);
-    std::vector<Real> samples(
-        static_cast<std::size_t>(std::floor(seconds * rate)), Real{0});
+    std::vector<Real> samples(static_cast<std::size_t>(std::floor(seconds * rate)),
+                              Real{0});
     for (Index k = 0; k < modal.q.size(); ++k) {
         const Real omega = modal.vibration.omega[k];
         if (omega >= pi * rate) break;  // they ascend

@@ -28,8 +28,11 @@ std::vector<Real> sound_of(const ElasticBody<Dim>& body, int count, int freedom,
 /// \throws std::invalid_argument  for no samples, or one that is not finite
 void write_wave(std::ostream& out, std::span<const Real> samples, int rate = 44100);
 
-extern template std::vector<Real> sound_of(const ElasticBody<1>&, int, int, Real, int);
-extern template std::vector<Real> sound_of(const ElasticBody<2>&, int, int, Real, int);
-extern template std::vector<Real> sound_of(const ElasticBody<3>&, int, int, Real, int);
+extern template std::vector<Real> sound_of(const ElasticBody<1>&, int, int, Real,
+                                           int);
+extern template std::vector<Real> sound_of(const ElasticBody<2>&, int, int, Real,
+                                           int);
+extern template std::vector<Real> sound_of(const ElasticBody<3>&, int, int, Real,
+                                           int);
 
 }  // namespace rigid

@@ -21,7 +21,8 @@ std::shared_ptr<const TriangleMesh> stairs_mesh(int steps, Real tread, Real rise
 {
     std::vector<Vec3> vertices;
     const auto edge = [&](Real x, Real y) {
-        vertices.emplace_back(x, y, -width / 2), vertices.emplace_back(x, y, width / 2);
+        vertices.emplace_back(x, y, -width / 2),
+            vertices.emplace_back(x, y, width / 2);
     };
     edge(-tread, steps * riser);
     for (int i = 0; i < steps; ++i) {
@@ -59,7 +60,8 @@ ElasticSpace space_jelly_scene(StrainLaw law, Real young)
     scene.meshes = {stairs_mesh(3, 0.4, 0.3, 2)};
     scene.soft_friction = 0.3;
     scene.elastic.stiffness_damping = 2e-3;
-    for (int i = 0; i < scene.elastic.model.nodes(); ++i) scene.elastic.v[3 * i] = 0.9;
+    for (int i = 0; i < scene.elastic.model.nodes(); ++i)
+        scene.elastic.v[3 * i] = 0.9;
     return scene;
 }
 

@@ -8,7 +8,8 @@
 namespace rigid {
 
 /// A ball of radius 0.3 m that lies on a slope of `angle` [rad].
-ElasticSpace soft_ball_scene(StrainLaw law, Real young, Real angle, Real friction = 0.8);
+ElasticSpace soft_ball_scene(StrainLaw law, Real young, Real angle,
+                             Real friction = 0.8);
 
 /// A block of jelly above stairs of triangles, which moves towards them.
 ElasticSpace space_jelly_scene(StrainLaw law, Real young);

@@ -6,6 +6,7 @@
 
 #include "chapters/29_elastic_bodies/elastic_solver.hpp"
 
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletSoftBody/btDeformableBodySolver.h>
 #include <BulletSoftBody/btDeformableGravityForce.h>
 #include <BulletSoftBody/btDeformableLinearElasticityForce.h>
@@ -25,11 +26,11 @@ public:
     /// \param newton   iterations a step at most; 1 is Bullet's own number
     /// \param damping  share of K in its damping, β [s]
     explicit BulletDeformable(const ElasticBody<3>& body, int newton = 1, Real damping = 0)
-        : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &constraints_, &configuration_, &solver_)
+        : dispatcher_(&configuration_),
+          world_(&dispatcher_, &broadphase_, &constraints_, &configuration_, &solver_)
     {
         constraints_.setDeformableSolver(&solver_);
-        solver_.m_maxNewtonIterations = newton;
-        solver_.m_newtonTolerance = 1e-9;
+        solver_.set(newton, 1e-9);
         world_.setImplicit(true);
         world_.setLineSearch(false);
         const Vec3 g = body.gravity;
@@ -56,8 +57,7 @@ public:
         const Lame& lame = body.model.lame();
         if (body.model.material().law == StrainLaw::neo_hookean)
             elastic_ = std::make_unique<btDeformableNeoHookeanForce>(lame.mu, lame.lambda, damping);
-        else
-            elastic_ = std::make_unique<btDeformableLinearElasticityForce>(lame.mu, lame.lambda, 0, damping);
+        else elastic_ = std::make_unique<btDeformableLinearElasticityForce>(lame.mu, lame.lambda, 0, damping);
         weight_ = std::make_unique<btDeformableGravityForce>(gravity);
         world_.addForce(soft_, weight_.get());
         world_.addForce(soft_, elastic_.get());
@@ -78,10 +78,16 @@ public:
     }
 
 private:
+    struct Solver : btDeformableBodySolver {
+        void set(int most, btScalar tolerance)
+        {
+            m_maxNewtonIterations = most, m_newtonTolerance = tolerance;
+        }
+    };
     btSoftBodyRigidBodyCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;
     btDbvtBroadphase broadphase_;
-    btDeformableBodySolver solver_;
+    Solver solver_;
     btDeformableMultiBodyConstraintSolver constraints_;
     btDeformableMultiBodyDynamicsWorld world_;
     btSoftBody* soft_ = nullptr;

@@ -133,7 +133,8 @@ ElasticBody<3> many_tetrahedra(StrainLaw law)
 void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int most,
                 Real stale)
 {
-    Real best = infinity, residual = 0, systems = 0, inner = 0, factors = 0, sum = 0;
+    Real best = infinity, residual = 0, systems = 0, inner = 0, factors = 0,
+         sum = 0;
     std::size_t bytes = 0, model = 0;
     int nodes = 0, count = 0;
     std::int64_t blocks = 0;
@@ -267,8 +268,8 @@ void bullet_falls(benchmark::State& state, StrainLaw law, int newton, bool at_re
 // ------------------------------------------------------------------------------- contacts in space
 
 template <class Make, class Move>
-void soft_step(benchmark::State& state, const Make& make, const Move& move, int from,
-               int to, Real stale)
+void soft_step(benchmark::State& state, const Make& make, const Move& move,
+               int from, int to, Real stale)
 {
     Real sum = 0, rows = 0, systems = 0, factors = 0, residual = 0;
     int tetrahedra = 0;
@@ -416,7 +417,8 @@ const bool registered = [] {
         one->Iterations(1);
     };
     add_net("net/xpbd", ClothMethod::xpbd, {10, 30, 100, 300, 1000, 3000, 10000});
-    add_net("net/vbd", ClothMethod::particles, {10, 30, 100, 300, 1000, 3000, 10000});
+    add_net("net/vbd", ClothMethod::particles,
+            {10, 30, 100, 300, 1000, 3000, 10000});
     add_net("net/projective", ClothMethod::projective, {1, 3, 10, 30, 100});
     add_net("net/springs_newton", ClothMethod::newton, {1});
     for (const auto& [law_name, law] : laws)
@@ -424,7 +426,9 @@ const bool registered = [] {
             for (const Real tolerance : {1e-3, 1e-5, 1e-7})
                 benchmark::RegisterBenchmark(
                     (std::string("net/") + law_name + "/" + solve_name + "/" +
-                     (tolerance > 1e-4 ? "3" : tolerance > 1e-6 ? "5" : "7"))
+                     (tolerance > 1e-4   ? "3"
+                      : tolerance > 1e-6 ? "5"
+                                         : "7"))
                         .c_str(),
                     [law = law, solve = solve, tolerance](benchmark::State& state) {
                         Real us = 0, none = 0, sag = 0;
@@ -442,7 +446,8 @@ const bool registered = [] {
         const std::string kind = at_rest ? "sag/" : "beam/";
         const auto arguments = [at_rest](auto* one, bool is_book) {
             if (at_rest && is_book) one->Arg(0);
-            for (const int steps : {30, 60, 120, 240}) one->Arg(at_rest ? 4 * steps : steps);
+            for (const int steps : {30, 60, 120, 240})
+                one->Arg(at_rest ? 4 * steps : steps);
             one->Iterations(1);
         };
         for (const auto& [law_name, law] : laws)
@@ -464,11 +469,12 @@ const bool registered = [] {
                         true);
                 }
 #ifdef RIGID_HAS_BULLET
-        for (const StrainLaw law : {StrainLaw::corotational, StrainLaw::neo_hookean})
+        for (const StrainLaw law :
+             {StrainLaw::corotational, StrainLaw::neo_hookean})
             for (const int newton : {1, 10})
                 arguments(benchmark::RegisterBenchmark(
-                              (kind + "bullet/" + std::string(to_string(law)) + "/" +
-                               std::to_string(newton))
+                              (kind + "bullet/" + std::string(to_string(law)) +
+                               "/" + std::to_string(newton))
                                   .c_str(),
                               [law, newton, at_rest](benchmark::State& state) {
                                   bullet_falls(state, law, newton, at_rest);
@@ -479,56 +485,52 @@ const bool registered = [] {
     for (const Real stale : {0.0, 0.3}) {
         const std::string kept = stale > 0 ? "/kept" : "/new";
         const auto stands = [](ElasticSpace&, Real) {};
-        benchmark::RegisterBenchmark(("soft/ball" + kept).c_str(),
-                                     [=](benchmark::State& state) {
-                                         soft_step(
-                                             state,
-                                             [] {
-                                                 return soft_ball_scene(
-                                                     StrainLaw::corotational, 3e4, 0.2);
-                                             },
-                                             stands, 10, 50, stale);
-                                     })
+        benchmark::RegisterBenchmark(
+            ("soft/ball" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] {
+                        return soft_ball_scene(StrainLaw::corotational, 3e4, 0.2);
+                    },
+                    stands, 10, 50, stale);
+            })
             ->Iterations(1);
-        benchmark::RegisterBenchmark(("soft/jelly" + kept).c_str(),
-                                     [=](benchmark::State& state) {
-                                         soft_step(
-                                             state,
-                                             [] {
-                                                 return space_jelly_scene(
-                                                     StrainLaw::neo_hookean, 2e4);
-                                             },
-                                             stands, 10, 50, stale);
-                                     })
+        benchmark::RegisterBenchmark(
+            ("soft/jelly" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] { return space_jelly_scene(StrainLaw::neo_hookean, 2e4); },
+                    stands, 10, 50, stale);
+            })
             ->Iterations(1);
-        benchmark::RegisterBenchmark(("soft/mattress" + kept).c_str(),
-                                     [=](benchmark::State& state) {
-                                         soft_step(
-                                             state,
-                                             [] {
-                                                 return mattress_scene(
-                                                     StrainLaw::corotational, 4e4, 12);
-                                             },
-                                             stands, 60, 120, stale);
-                                     })
+        benchmark::RegisterBenchmark(
+            ("soft/mattress" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] { return mattress_scene(StrainLaw::corotational, 4e4, 12); },
+                    stands, 60, 120, stale);
+            })
             ->Iterations(1);
-        benchmark::RegisterBenchmark(("soft/fingers" + kept).c_str(),
-                                     [=](benchmark::State& state) {
-                                         soft_step(
-                                             state,
-                                             [] {
-                                                 return soft_fingers_scene(
-                                                     StrainLaw::corotational, 5e4, 8);
-                                             },
-                                             move_fingers, 40, 84, stale);
-                                     })
+        benchmark::RegisterBenchmark(
+            ("soft/fingers" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] {
+                        return soft_fingers_scene(StrainLaw::corotational, 5e4, 8);
+                    },
+                    move_fingers, 40, 84, stale);
+            })
             ->Iterations(1);
     }
     for (const auto& [law_name, law] : laws)
         for (const auto& [solve_name, solve] : solves)
             for (const std::string how : {"one", "all", "kept"}) {
-                if (how == "kept" && (solve != LinearSolve::direct ||
-                                      law == StrainLaw::linear))
+                if (how == "kept" &&
+                    (solve != LinearSolve::direct || law == StrainLaw::linear))
                     continue;
                 benchmark::RegisterBenchmark(
                     (std::string("tets/") + law_name + "/" + solve_name + "/" + how)

@@ -42,7 +42,8 @@ inline Real sheet_sag(StrainLaw law, LinearSolve solve, Real tolerance, Real sta
     const auto start = std::chrono::steady_clock::now();
     for (int n = 0; n < net_steps; ++n) solver.step(body, 1.0 / net_steps);
     us = 1e6 / net_steps *
-         std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count();
+         std::chrono::duration<Real>(std::chrono::steady_clock::now() - start)
+             .count();
     return sag_of(body);
 }
 
@@ -57,7 +58,9 @@ inline ClothScene net()
     for (int i = 0; i < mesh.nodes(); ++i) {
         cloth.bodies.x.segment<3>(3 * i) << mesh.at(i), 0;
         cloth.bodies.inverse_mass.segment<3>(3 * i).setConstant(
-            body.fixed[static_cast<std::size_t>(2 * i)] ? 0 : 1 / body.model.mass_at(i));
+            body.fixed[static_cast<std::size_t>(2 * i)]
+                ? 0
+                : 1 / body.model.mass_at(i));
     }
     std::map<std::array<int, 2>, Real> edges;
     for (int e = 0; e < mesh.count(); ++e)
@@ -76,12 +79,14 @@ inline Real net_sag(ClothMethod method, int sweeps, Real& us)
     ClothScene cloth = net();
     ClothMemory memory;
     ClothSettings settings;
-    settings.h = 1.0 / net_steps, settings.method = method, settings.sweeps = sweeps;
+    settings.h = 1.0 / net_steps, settings.method = method,
+    settings.sweeps = sweeps;
     const Real before = cloth.bodies.x[3 * 32 + 1];
     const auto start = std::chrono::steady_clock::now();
     for (int n = 0; n < net_steps; ++n) step(cloth, settings, memory);
     us = 1e6 / net_steps *
-         std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count();
+         std::chrono::duration<Real>(std::chrono::steady_clock::now() - start)
+             .count();
     return before - cloth.bodies.x[3 * 32 + 1];
 }
 

@@ -79,9 +79,9 @@ public:
                 picture.hull(hull, centre_of(scene.bodies.x, k),
                              rotation_of(scene.bodies.x, k), Colour::orange);
         for (const auto& [a, b, c] : triangles_)
-            picture.facet({scene.elastic.at(a), scene.elastic.at(b),
-                           scene.elastic.at(c)},
-                          Colour::blue);
+            picture.facet(
+                {scene.elastic.at(a), scene.elastic.at(b), scene.elastic.at(c)},
+                Colour::blue);
         picture.paint(canvas);
     }
 
@@ -101,8 +101,9 @@ inline Demo solid_demo(const std::string& name, const std::string& summary,
 {
     tunables.push_back(
         {"camera", "°", "where the eye is, around the scene", 0, -180, 180});
-    Demo scene = demo_of<ElasticSpaceRun>(name, summary, view, h, std::move(methods),
-                                          std::move(tunables), std::move(setup));
+    Demo scene =
+        demo_of<ElasticSpaceRun>(name, summary, view, h, std::move(methods),
+                                 std::move(tunables), std::move(setup));
     scene.columns = std::move(columns);
     scene.columns.push_back({"energy", "J", "of the elastic body", Plot::linear});
     scene.columns.push_back({"stored", "J", "elastic", Plot::linear});

@@ -320,8 +320,8 @@ const std::vector<std::string> turning = {"corotational", "neo_hookean"};
 Demo solid_ball_demo()
 {
     return solid_demo(
-        "ball_in_space", "A soft ball rolls down a slope", {{0.9, -0.1}, {1.5, 0.9}},
-        1.0 / 60, turning,
+        "ball_in_space", "A soft ball rolls down a slope",
+        {{0.9, -0.1}, {1.5, 0.9}}, 1.0 / 60, turning,
         {modulus(3e4), number("slope", "rad", "angle of the slope", 0.2, 0, 0.6),
          number("mu", "", "friction", 0.8, 0, 2)},
         {{"x", "m", "of its centre", Plot::linear},
@@ -366,8 +366,9 @@ Demo solid_jelly_demo()
 Demo fingers_demo()
 {
     return solid_demo(
-        "fingers", "Soft fingers in space lift a box", {{0, 0}, {0.9, 0.7}}, 1.0 / 60,
-        turning, {modulus(5e4), number("mass", "kg", "of the box", 8, 1, 100)},
+        "fingers", "Soft fingers in space lift a box", {{0, 0}, {0.9, 0.7}},
+        1.0 / 60, turning,
+        {modulus(5e4), number("mass", "kg", "of the box", 8, 1, 100)},
         {{"height", "m", "of the box", Plot::linear}},
         [](const Settings& settings) {
             SolidSetup setup{soft_fingers_scene(law_of(settings), settings["young"],
@@ -388,7 +389,8 @@ Demo mattress_demo()
     return solid_demo(
         "mattress", "A box falls onto a mattress", {{0, 0}, {0.7, 0.5}}, 1.0 / 60,
         turning, {modulus(4e4), number("mass", "kg", "of the box", 12, 1, 100)},
-        {{"height", "m", "of the box", Plot::linear}}, [](const Settings& settings) {
+        {{"height", "m", "of the box", Plot::linear}},
+        [](const Settings& settings) {
             SolidSetup setup{mattress_scene(law_of(settings), settings["young"],
                                             settings["mass"]),
                              {{0, 0.2, 0}, 3, 0.6, 0.4},
@@ -424,9 +426,9 @@ int main(int argc, char** argv)
         Program program;
         program.name = "29_elastic_bodies";
         program.title = "Chapter 29. Elastic bodies";
-        program.scenes = {triangle_demo(), cantilever_demo(), strip_demo(),
-                          spinning_demo(), ball_demo(),       jelly_demo(),
-                          gripper_demo(),  bridge_demo(),     bar_demo(),
+        program.scenes = {triangle_demo(),   cantilever_demo(),  strip_demo(),
+                          spinning_demo(),   ball_demo(),        jelly_demo(),
+                          gripper_demo(),    bridge_demo(),      bar_demo(),
                           solid_ball_demo(), solid_jelly_demo(), fingers_demo(),
                           mattress_demo()};
         return program;
