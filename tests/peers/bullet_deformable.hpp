@@ -33,6 +33,7 @@ public:
         solver_.set(newton, 1e-9);
         world_.setImplicit(true);
         world_.setLineSearch(false);
+        world_.setUseProjection(true);  // without it what is pinned holds all else
         const Vec3 g = body.gravity;
         const btVector3 gravity(g.x(), g.y(), g.z());
         world_.setGravity(gravity);

@@ -71,6 +71,19 @@ public:
     void draw(Canvas& canvas) const override
     {
         const ElasticSpace& scene = setup_.scene;
+        if (setup_.ground == 0) {  // slopes, behind all else
+            SolidPicture behind(camera_, Skin::opaque);
+            for (const SolidWall& wall : scene.walls) {
+                const Vec3& n = wall.normal;
+                const Vec3 v = across(n), u = cross(v, n);
+                const Vec3 c =
+                    camera_.target - (n.dot(camera_.target) - wall.offset) * n;
+                behind.facet(
+                    {c - 2 * u - v, c + 2 * u - v, c + 2 * u + v, c - 2 * u + v},
+                    Colour::faint);
+            }
+            behind.paint(canvas);
+        }
         SolidPicture picture(camera_, Skin::opaque);
         if (setup_.ground > 0) picture.ground(setup_.ground, 0);
         for (const auto& mesh : scene.meshes) picture.mesh(*mesh);
