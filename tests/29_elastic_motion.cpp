@@ -381,8 +381,10 @@ TEST_CASE("a linear body keeps its factor and the bits are those without", "[hou
 TEST_CASE("a factor of another shape serves where it still brings the residual down", "[house]")
 {
     for (const StrainLaw law : {StrainLaw::corotational, StrainLaw::neo_hookean}) {
-        ElasticBody<2> fresh = beam(0.1, 10, law);
-        fresh.gravity = {0, -1};
+        ElasticBody<2> fresh(rectangle_mesh({0, 0}, {0.6, 0.2}, 6, 2), {.young = 1e4, .law = law});
+        for (int i = 0; i < fresh.model.nodes(); ++i)
+            if (fresh.at(i).x() < 1e-9) fresh.hold(i);
+        fresh.gravity = {0, -0.5};
         fresh.stiffness_damping = 0.02;
         ElasticBody<2> kept = fresh;
         ElasticSolver<2> one, other;
@@ -396,7 +398,7 @@ TEST_CASE("a factor of another shape serves where it still brings the residual d
             ones += one.report.factorisations, others += other.report.factorisations;
         }
         CHECK((fresh.x - kept.x).cwiseAbs().maxCoeff() < 1e-7);  // both are answers to 1e-11 in 60 steps
-        CHECK(others < ones / 3);
+        CHECK(others < ones / 2);
         kept.fixed[kept.fixed.size() - 1] = 1;  // another matrix
         other.step(kept, 1.0 / 60);
         CHECK(other.report.factorisations > 0);
