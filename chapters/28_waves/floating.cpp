@@ -101,6 +101,8 @@ void Floating::find(const RigidScene& scene, ShallowWater& water)
         if (!settings.displace || i >= under_.size() || !(under_[i] > 0))
             water.level[i] = water.bed[i] + water.depth[i];
     find_slices(scene, water);
+    for (Index i = 0; i < water.cells(); ++i)  // and where a hull has left the cell
+        if (!(under_[i] > 0)) water.level[i] = water.bed[i] + water.depth[i];
     find_edges(scene, water);
 }
 
@@ -275,6 +277,22 @@ void Floating::push_both(RigidScene& scene, ShallowWater& water, Real h)
             push_at(scene.bodies, slice.body,
                     {below.middle, water.level[slice.cell]}, weight * more * up);
     }
+    // The next step cuts at these levels. The blow of a hull that hits the water is
+    // no height: where hulls cover cells whole it is left out.
+    Real low = infinity, high = -infinity;
+    for (Index f = 1; f < n; ++f) {
+        const bool a = number_[static_cast<std::size_t>(f - 1)] < 0,
+                   b = number_[static_cast<std::size_t>(f)] < 0;
+        if (a == b) continue;
+        const Real open = water.level[a ? f - 1 : f];
+        low = std::min(low, open), high = std::max(high, open);
+    }
+    for (Index i = 0; i < n; ++i)
+        if (number_[static_cast<std::size_t>(i)] >= 0 && width_[i] > 0.999 &&
+            low <= high) {
+            const Real room = (high - water.bed[i]) / 4;
+            water.level[i] = std::clamp(water.level[i], low - room, high + room);
+        }
 }
 //! [push_bodies]
 

@@ -105,6 +105,7 @@ void find_levels(Water& w, const std::vector<Body>& bodies,
     const double t = h / w.dx, weight = h * 1000 * w.g * w.dx;
     Vec b = 0 * w.depth;  // the thickness of bodies in each cell
     for (const Slice& s : slices) b[s.cell] += s.area / w.dx;
+    w.level = (b.array() > 0).select(w.level, w.depth);  // where a hull has left
     Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n + 2 * K, n + 2 * K);
     Vec right = Vec::Zero(n + 2 * K);
     const Vec most = h / 10 * (w.g * w.level).cwiseSqrt();
@@ -190,8 +191,7 @@ void step(Water& w, std::vector<Body>& bodies, double h)
         P[f] = mean(w.depth, f) * w.u[f] - h / w.dx * (through(f) - through(f - 1));
     w.depth -= h / w.dx * (q.tail(n) - q.head(n));
     for (int f = 1; f < n; ++f) w.u[f] = P[f] / mean(w.depth, f);
-    for (int i = 0; i < n; ++i)
-        if (under[i] == 0) w.level[i] = w.depth[i];
+    w.level = (under.array() > 0).select(w.level, w.depth);
 }
 
 // A box of half the water's density, upright and half under water, tilted a little.

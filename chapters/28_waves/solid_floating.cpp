@@ -199,6 +199,8 @@ void SolidFloating::find(const SpaceScene& scene, const ShallowGrid& water)
     wet_area_.setZero(scene.bodies.count());
     slices.clear(), faces.clear();
     for (Index k = 0; k < scene.bodies.count(); ++k) cut_body(scene, water, k);
+    for (Index c = 0; c < cells; ++c)  // and where a hull has left the column
+        if (!(under_[c] > 0)) level[c] = water.level(c);
 }
 
 void SolidFloating::displace(const SpaceScene& scene, ShallowGrid& water)
@@ -417,6 +419,21 @@ void SolidFloating::push(SpaceScene& scene, ShallowGrid& water, Real h)
         push_at(scene.bodies, slice.body, at,
                 weight * (hulls.slices[s].volume - below.volume) * up);
     }
+    if (!settings.displace) return;
+    // The next step cuts at these levels. The blow of a hull that hits the water is
+    // no height: where hulls cover columns whole it is left out.
+    Real low = infinity, high = -infinity;
+    for (const Between& f : between_)
+        for (const Index c : {f.low, f.high})
+            if (number_[static_cast<std::size_t>(c)] < 0) {
+                low = std::min(low, level[c]);
+                high = std::max(high, level[c]);
+            }
+    for (const Index c : wet_cells_)
+        if (width_[c] > 0.999 && low <= high) {
+            const Real room = (high - water.bed[c]) / 4;
+            level[c] = std::clamp(level[c], low - room, high + room);
+        }
 }
 
 }  // namespace rigid

@@ -1,5 +1,5 @@
 /// \file water_step.hpp
-/// One step of bodies and water together, with the step of chapters 3 to 14 as it is.
+/// One step of bodies and water together, in the plane and in space, with the step of chapters 3 to 14 as it is.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step.hpp"
@@ -11,9 +11,9 @@ namespace rigid {
 /// Slices; drag, levels and slopes for both; then contacts and joints move the
 /// bodies, and velocities the water. Throws std::invalid_argument for a step beyond
 /// stable_step(water), before anything changes.
-template <class Scene, class Method>
-void step(Scene& scene, ShallowWater& water, Floating& floating,
-          const StepSettings& settings, Method&& method, StepData<3>& now)
+template <class Scene, class Water, class Afloat, class Method, class Now>
+void step(Scene& scene, Water& water, Afloat& floating,
+          const StepSettings& settings, Method&& method, Now& now)
 {
     const Real longest = stable_step(water);
     if (settings.h > longest * (1 + 1e-12))

@@ -18,7 +18,6 @@ fi
 # Pictures of scenes.
 run --scene boat --set waves=0.12 --steps 840 --svg "$out/ch28_boat.svg"
 run --scene dam --steps 60 --svg "$out/ch28_dam.svg"
-run --scene sea --set throttle=600 --set camera=15 --steps 330 --svg "$out/ch28_sea.svg"
 run --scene boxes --set waves=0 --steps 2400 --svg "$out/ch28_boxes.svg"
 
 # How fast each wave is.

@@ -2,7 +2,7 @@
 #include "chapters/28_waves/program/dispersion_run.hpp"
 #include "chapters/28_waves/program/pond_run.hpp"
 #include "chapters/28_waves/program/pool_run.hpp"
-#include "chapters/28_waves/program/sea_run.hpp"
+#include "chapters/28_waves/program/sea_demos.hpp"
 
 int main(int argc, char** argv)
 {
