@@ -66,14 +66,6 @@ inline std::vector<std::string> error_table(const std::vector<WayScene>& scenes,
     return lines;
 }
 
-/// Its steps would take most of the time of a table.
-inline std::vector<WayScene> without_doll()
-{
-    std::vector<WayScene> scenes = way_scenes();
-    std::erase_if(scenes, [](const WayScene& one) { return one.name == "doll"; });
-    return scenes;
-}
-
 /// 1/h of the longest step, of 1/15, 1/30 … 1/3840 s, from which on every shorter one ends within `most` of the truth.
 inline std::vector<std::string> step_table(const std::vector<WayScene>& scenes,
                                            Real most)
