@@ -93,7 +93,7 @@ Status SingleImpulses::advance(JointedScene& scene, Real h)
 {
     require_step(h);
     require_valid(settings);
-    require_valid(scene.bodies);
+    require_valid_motion(scene);
     if (!scene.joints.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.joints.size()) +

@@ -19,9 +19,6 @@ struct WayScene {
     std::string name;
     JointedScene scene;
     CollisionFilter filter;
-    /// the same bodies where each hangs on a joint of its own, for reduced
-    /// coordinates; no body: they take the scene itself
-    JointedScene in_coordinates;
     Real time = 1;         ///< when the error is measured [s]
     Real stiffness = 1e5;  ///< of springs in place of its constraints [N/m]
     bool keeps_energy = false;
