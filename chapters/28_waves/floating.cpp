@@ -254,14 +254,17 @@ void Floating::push_both(RigidScene& scene, ShallowWater& water, Real h)
     push_water(water, h);
     for (Index f = 1; f < n; ++f) {
         const Real under = (under_[f - 1] + under_[f]) / 2;
-        if (!(under > 0) || !is_open(water, f)) continue;
+        if (number_[static_cast<std::size_t>(f - 1)] < 0 &&
+            number_[static_cast<std::size_t>(f)] < 0)
+            continue;
+        if (!is_open(water, f)) continue;
         const Real mean = (water.depth[f - 1] + water.depth[f]) / 2,
                    whole = (water.level[f - 1] - water.bed[f - 1] + water.level[f] -
                             water.bed[f]) /
                            2,
                    pushed = std::min(under, whole),
                    slope = (water.level[f] - water.level[f - 1]) / water.dx;
-        rise_[f] = pushed / under * slope;
+        rise_[f] = under > 0 ? pushed / under * slope : 0;
         water.u[f] = (before_[f] - h * water.g * (whole - pushed) / mean * slope) /
                      (1 + h * water.damping[f]);
     }

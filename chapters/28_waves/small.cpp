@@ -1,6 +1,7 @@
 // Chapter 28 in one file, grown from chapter 12: masses feel only their neighbours.
 // A string of them carries waves; so do columns of water, and bodies float on them.
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,7 +37,6 @@ struct Water {
     double dx, g;
     Vec depth, level, u;  // of cells [m], [m]; of the faces between them [m/s]
 };
-
 struct Body {
     Polygon corners;  // from the centroid
     Vector3d x, u, inverse_mass;
