@@ -575,7 +575,7 @@ TEST_CASE("a box on a slope sticks below the angle of friction and slides above 
 
 TEST_CASE("a friction problem without a negative bias ends on no ray and its matrix is copositive", "[idea]")
 {
-    // (5.28), (5.29): random contacts of random bodies, also more contacts than the bodies have coordinates.
+    // (13.30), (13.31): random contacts of random bodies, also more contacts than the bodies have coordinates.
     Random random(529);
     for (int sample = 0; sample < 400; ++sample) {
         const Index bodies = 1 + random.index(4), m = 1 + random.index(7);
@@ -612,7 +612,7 @@ TEST_CASE("a friction problem without a negative bias ends on no ray and its mat
 
 TEST_CASE("a pyramid of four edges has six rows and slows a block down", "[idea]")
 {
-    // Exercise 5.5: λ_n, four β, γ; the block moves along the first edge and is pressed at 1 m/s.
+    // Exercise 13.6: λ_n, four β, γ; the block moves along the first edge and is pressed at 1 m/s.
     MatX A = MatX::Zero(6, 6);
     A(0, 0) = 1;
     const Vec2 edges[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -674,7 +674,7 @@ TEST_CASE("of 810 stacks under a heavy top each walk solves as many as the text 
                    " more, among them all with 1000 kg. Of the other " +
                    std::to_string(all - first - second) + ", " + number(Status::ray_termination) +
                    " end on a ray that proves nothing, " + number(Status::singular) +
-                   " at a vertex that (5.17) rejects, and " + number(Status::iteration_limit) +
+                   " at a vertex that is judged wrong, and " + number(Status::iteration_limit) +
                    " at the limit of pivots"));
 }
 

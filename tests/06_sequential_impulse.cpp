@@ -437,7 +437,7 @@ TEST_CASE("a disc at rest in a groove stays or jitters or hangs askew by how one
 
 TEST_CASE("a floor of two equal half-spaces hides the mistake and a beam on its ends too", "[house]")
 {
-    // Exercises 6.1 and 6.2: all at 1 m/s downwards.
+    // Exercises 6.1 and 6.3: all at 1 m/s downwards.
     const auto lambda = []<int Dof>(const std::vector<Row<Dof>>& rows, VecX u, bool wrong, int sweeps) {
         ImpulseMemory<Dof> memory;
         Solution solution;
@@ -466,7 +466,7 @@ TEST_CASE("a floor of two equal half-spaces hides the mistake and a beam on its 
 
 TEST_CASE("a link that breaks before the sweeps have converged breaks wrongly", "[idea]")
 {
-    // Exercise 6.5. In the groove the first sweep gives more than the answer, at the top of a chain less.
+    // Exercise 6.6. In the groove the first sweep gives more than the answer, at the top of a chain less.
     const auto sweeps_of = [](std::vector<Row<2>> rows, const VecX& u_star, int sweeps) {
         for (Row<2>& row : rows) row.lo = -infinity, row.hi = infinity;
         ImpulseMemory<2> memory;
@@ -484,7 +484,7 @@ TEST_CASE("a link that breaks before the sweeps have converged breaks wrongly", 
     CHECK(sweeps_of(chain.rows, chain.u_star, 20000).cwiseAbs().maxCoeff() == Approx(weight).epsilon(1e-9));
 }
 
-TEST_CASE("after n sweeps the first row of two is off by what (6.13) says", "[house]")
+TEST_CASE("after n sweeps the first row of two is off by what (6.26) says", "[house]")
 {
     for (const Real angle : {0.1, 0.4, 0.7, 1.0, 1.3}) {
         const SceneRows here(groove(angle));
@@ -518,7 +518,7 @@ TEST_CASE("a disc in a steep groove creeps to the side of the row that is visite
         x[static_cast<int>(order)] = scene.bodies.x[0];
         if (order == Order::given) speed_given = scene.bodies.u.norm();
     }
-    // Along the side that is visited last, with the speed of (6.14): each step begins with that of the last one.
+    // Along the side that is visited last, with the speed of (6.27): each step begins with that of the last one.
     const Real c = std::cos(2 * angle);
     const Real along =
         9.81 * h * std::sin(angle) * std::pow(c, 2 * sweeps - 1) / (1 - std::pow(c, 2 * sweeps));
@@ -557,7 +557,7 @@ struct Bouncing {
 
 }  // namespace
 
-TEST_CASE("a bounce with e = 1 keeps the energy of the scheme to the last digits as (6.15) says", "[idea]")
+TEST_CASE("a bounce with e = 1 keeps the energy of the scheme to the last digits as (6.16) says", "[idea]")
 {
     // ½v² + gy − ½ghv, which symplectic Euler keeps in free fall, is kept by the bounce as well.
     for (const Real h : {1.0 / 60, 1.0 / 240, 1.0 / 1000}) {
@@ -574,7 +574,7 @@ TEST_CASE("a bounce with e = 1 keeps the energy of the scheme to the last digits
 TEST_CASE("a bounce needs a gap that closes and e > 0 and an overlap that is leaving is not hit again",
           "[house]")
 {
-    // (6.17), its conditions one by one; h = 0.1 s, threshold 0.2 m/s, v⁻ = −1 m/s unless said otherwise.
+    // (6.18), its conditions one by one; h = 0.1 s, threshold 0.2 m/s, v⁻ = −1 m/s unless said otherwise.
     const auto b = [](Real C, Real before, Real after, Real e) {
         return contact_bias(C, before, after, e, 0.2, 0.1);
     };
@@ -861,7 +861,7 @@ TEST_CASE("in Newton's cradle all at once throws all of them and one by one thro
 
 TEST_CASE("inelastic impacts in turn share the momentum at the rate of Gauss-Seidel", "[house]")
 {
-    // Exercise 6.4: N balls, e = 0, the first at 1 m/s.
+    // Exercise 6.5: N balls, e = 0, the first at 1 m/s.
     for (const Index N : {3, 5, 8}) {
         std::vector<Row<2>> rows;
         for (Index k = 0; k + 1 < N; ++k)
@@ -1238,7 +1238,7 @@ TEST_CASE("columns and chains take two colours and triangles at most eleven", "[
 
 TEST_CASE("a chain of four rows takes two or three colours by the order of its rows", "[house]")
 {
-    // Exercise 6.6: five bodies in a line, here from 0.
+    // Exercise 6.2: five bodies in a line, here from 0.
     const auto colours = [](const std::vector<Index>& first) {
         std::vector<Row<2>> rows;
         for (const Index k : first)

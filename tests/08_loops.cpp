@@ -88,7 +88,7 @@ Real gained_in_warm_steps(const DiscScene& scene, WarmSteps& warm, int steps)
     return energy_gained(scene, steps, [&](DiscScene& s) { warm(s); });
 }
 
-/// By (8.16) nothing; rounding errors of 1e-16 in each visit of up to 9600 sweeps over 30 rows.
+/// By (8.15) nothing; rounding errors of 1e-16 in each visit of up to 9600 sweeps over 30 rows.
 constexpr Real rounding = 1e-11;
 
 /// Presets and orders in turns, 100 to 600 steps, at 1 m/s and at 1e-6 m/s; where the truss turns by much and where
@@ -111,7 +111,7 @@ int trusses_that_gain(int count, std::uint64_t seed, Real& most)
     return gained;
 }
 
-TEST_CASE("a remembered start settles for complex modes exactly where (8.7a) says", "[idea]")
+TEST_CASE("a remembered start settles for complex modes exactly where (8.14) says", "[idea]")
 {
     Random random(87);
     int settled = 0;
@@ -279,7 +279,7 @@ TEST_CASE("a disc that falls into a groove without restitution rises by what one
             SmallStepSettings settings = careful ? careful_steps() : quick_steps();
             CAPTURE(degrees, careful);
             const Real a = degrees * pi / 180, left = std::sin(a) * std::cos(2 * a);
-            const Real one_sweep = degrees < 45 ? left * left : 0;  // (8.17)
+            const Real one_sweep = degrees < 45 ? left * left : 0;  // (8.16)
             Rise most;
             for (int phase = 0; phase < 8; ++phase) {
                 const Rise rise = rise_from_groove(degrees, 1 + 0.01 * phase, settings);
@@ -290,7 +290,7 @@ TEST_CASE("a disc that falls into a groove without restitution rises by what one
             // taken, which keeps what energy is left), 2 % of the energy. The whole impulse gave back 35 %.
             CHECK(most.height < one_sweep + 0.02);
             CHECK(most.energy < one_sweep + 0.025);
-            // and (8.17) is what there is, where the impact comes within a substep: no bound out of reach
+            // and (8.16) is what there is, where the impact comes within a substep: no bound out of reach
             if (degrees > 5 && degrees < 35) CHECK(most.height > 0.9 * one_sweep);
             settings.sweeps = 10;
             if (degrees < 45) CHECK(rise_from_groove(degrees, 1, settings).height < 0.01);

@@ -414,7 +414,7 @@ TEST_CASE("a cold chain stretches in each step by what a warm one does in its wh
         const MatX A = matrix_of(warm_now.rows, warm_now.u_star);
         VecX exact(8);
         for (Index i = 0; i < 8; ++i) exact[i] = -static_cast<Real>(8 - i) * 9.81 * settings.h;
-        const VecX predicted = sag(A, exact, k, 1, settings.h);  // (7.12) with β = 1 is (8.8)
+        const VecX predicted = sag(A, exact, k, 1, settings.h);  // (7.8) with β = 1 is (8.8)
         for (Index i = 0; i < 8; ++i) {
             const Real warm_stretch = warm_now.constraints[static_cast<std::size_t>(i)].C;
             const Real cold_stretch = (cold.bodies.position(i) - before.segment<2>(2 * i)).y() -
@@ -426,7 +426,7 @@ TEST_CASE("a cold chain stretches in each step by what a warm one does in its wh
     }
 }
 
-TEST_CASE("what impulses do to the kinetic energy is the merit less what the biases account for as in (8.13)",
+TEST_CASE("what impulses do to the kinetic energy is the merit less what the biases account for as in (8.11)",
           "[idea]")
 {
     Random random(13);
@@ -497,7 +497,7 @@ TEST_CASE(
             scene = two;
         }
         step(scene, {}, method, now);
-        // (8.15): qᵀλ over what it was. 1e-13 m/s of 16 left over.
+        // (8.13): qᵀλ over what it was. 1e-13 m/s of 16 left over.
         CHECK(method.start.multiple.multiple[0] == Approx(taken ? 102.0 / 10202 : 1).epsilon(1e-9));
     }
 }
@@ -760,7 +760,7 @@ TEST_CASE(
     "[idea]")
 {
     // Three discs, six rows in any direction, each with bounds of its own: what would be cut off at one of
-    // them while the others grow is not what (8.14) has looked at.
+    // them while the others grow is not what (8.12) has looked at.
     Random random(33);
     int held = 0;
     for (int sample = 0; sample < 1000; ++sample) {
@@ -807,7 +807,7 @@ TEST_CASE(
     CHECK(held > 50);  // of 1000: the bound was in the way
 }
 
-TEST_CASE("every mode of (8.10) shrinks exactly if the warm start factor times what sweeps leave times 1 "
+TEST_CASE("every mode of (8.18) shrinks exactly if the warm start factor times what sweeps leave times 1 "
           "plus beta is below 1",
           "[idea]")
 {
@@ -821,7 +821,7 @@ TEST_CASE("every mode of (8.10) shrinks exactly if the warm start factor times w
 }
 
 TEST_CASE("a chain that starts from the previous answer under Baumgarte is stable from the sweeps on that "
-          "(8.11) says",
+          "(8.9) says",
           "[idea]")
 {
     const auto growth = [](Index N, int k, Real factor, Real beta) {
@@ -967,7 +967,7 @@ TEST_CASE("a column of 20 stands 10000 steps with one sweep a step once at rest 
 {
     for (const Start start : {Start::previous, Start::best_multiple})
         for (const Stabilizer way : all_stabilizers) {
-            if (start == Start::previous && way == Stabilizer::baumgarte) continue;  // (8.11): it hops
+            if (start == Start::previous && way == Stabilizer::baumgarte) continue;  // (8.9): it hops
             DiscScene scene = column(20);
             WarmMethod method = method_for(start, way);
             method.correction.slop = 1e-3;

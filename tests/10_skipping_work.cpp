@@ -837,7 +837,7 @@ TEST_CASE("a small exact island that is called solved has the residual that was 
     CHECK(solved > 3500);
 }
 
-TEST_CASE("for two balls and a wall by hand the exact island gives what (10.6) says", "[idea]")
+TEST_CASE("for two balls and a wall by hand the exact island gives what (10.10) says", "[idea]")
 {
     // 1 kg against the wall at 0 m/s, 3 kg runs into it at 2 m/s: both stop, 6 N s each, whatever λ they start from.
     for (const Real start : {0.0, 2.0, 9.0}) {
@@ -938,7 +938,7 @@ TEST_CASE("a ball at the top of its flight and a pendulum at its apex stay awake
 
 TEST_CASE("even with a time of rest of one step nothing that is accelerated sleeps", "[idea]")
 {
-    // Only (10.8)'s second half is left to keep it awake: the speed is zero in the first step.
+    // Only (10.7)'s second half is left to keep it awake: the speed is zero in the first step.
     DiscScene ball = empty_scene(1);
     set_disc(ball, 0, {0, 0}, 0.1);
     SkippingSettings settings = early_out(1e-5);  // g h = 0.098 mm/s, far below v_rest
@@ -1002,7 +1002,7 @@ TEST_CASE("a disc that glides on forever does not fall asleep however slowly it 
 }
 
 TEST_CASE("a swing that never exceeds the speed of rest is frozen at most v over omega from its middle as in "
-          "(10.9)",
+          "(10.8)",
           "[idea]")
 {
     const Real L = 0.1, omega = std::sqrt(9.81 / L);
@@ -1071,7 +1071,7 @@ TEST_CASE("rain comes to rest at the same place with sleep and without to a tent
     CHECK(with.counters.awake == 0);
     CHECK(without.counters.awake == 60);
     const Real off = (with.scene.bodies.x - without.scene.bodies.x).cwiseAbs().maxCoeff();
-    // (10.9): an island that sleeps was slower than v_rest and is in equilibrium to a_rest; what it would still have
+    // (10.8): an island that sleeps was slower than v_rest and is in equilibrium to a_rest; what it would still have
     // crept is less than v_rest / rate, and the slowest rate of these piles is above 10/s.
     CHECK(off < settings.rest.speed / 10);
     for (const Contact& contact : by_brute_force(with.scene, 0))
@@ -1451,7 +1451,7 @@ TEST_CASE("a velocity or a push that a sleeper gets is not lost", "[house]")
 
 TEST_CASE("settings that were not touched let no column be thrown up", "[house]")
 {
-    // What section 8.6 forbids, the whole of the previous answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
+    // What section 8.5 forbids, the whole of the previous answer with Baumgarte, lets a column of 50 rise by 12 m. Ten
     // sweeps are still few for fifty discs: it sinks, and comes back with a swing of less than a radius.
     for (const Index height : {20, 50}) {
         SkippingWorld now = world_of(column(height));
@@ -1568,7 +1568,7 @@ TEST_CASE("a spring to a disc that is driven keeps awake what hangs on it alone"
     settings.stiffness = 1e-4;
     settings.damping = 100;
     settings.sweeps.tolerance =
-        1e-3;  // so slow that it might be noise: what (10.8) says of gliding does not help
+        1e-3;  // so slow that it might be noise: what (10.7) says of gliding does not help
     SkippingWorld now = world_of(scene);
     change_disc(now, 0, {0, 0}, {0, 5e-4}, 0);
     int slept = 0;
@@ -1711,7 +1711,7 @@ TEST_CASE("a contact that takes the place of another one is made again", "[idea]
     }
 }
 
-TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.10)", "[idea]")
+TEST_CASE("a kept contact is at most slack squared over twice the distance too near as in (10.9)", "[idea]")
 {
     Random random(3);
     const Real slack = 0.004;
@@ -1762,7 +1762,7 @@ TEST_CASE("a pile at rest keeps its rows and stands where it stands with new one
     run(keeping, slack, 500);
     CHECK(keeping.counters.kept_rows == keeping.counters.rows);
     CHECK(anew.counters.kept_rows == 0);
-    // (10.10): a gap is off by at most 1e-6 / 0.2 = 5 µm, and a pile of ten discs adds up ten of them.
+    // (10.9): a gap is off by at most 1e-6 / 0.2 = 5 µm, and a pile of ten discs adds up ten of them.
     CHECK((anew.scene.bodies.x - keeping.scene.bodies.x).cwiseAbs().maxCoeff() < 5e-5);
 
     // From the fall on, with contacts that come and go: the pile holds as well.
@@ -2190,7 +2190,7 @@ TEST_CASE(
 
 TEST_CASE("a world of trusses gains energy from a bias alone", "[idea]")
 {
-    // (8.16): what a start at the best multiple adds is −bᵀλ, and nothing where b = 0.
+    // (8.15): what a start at the best multiple adds is −bᵀλ, and nothing where b = 0.
     const auto gaining = [](Start start, Stabilizer stabilizer) {
         Random random(90);
         Real most = 0;

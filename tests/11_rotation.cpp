@@ -264,7 +264,7 @@ TEST_CASE("exact repair of a pin takes the spin that (11.17) says and velocity r
     // The positions are repaired to 1e-13, which the spin inherits.
     CHECK(std::abs(left - (1 + 3 * std::cos(phi)) / 4) <= 1e-12);
     CHECK(left < 1 - 1e-3);
-    // Without repair the impulse acts at the end, which is off the pin by 0.9 mm: (11.18), 1e-3 times smaller.
+    // Without repair the impulse acts at the end, which is off the pin by 0.9 mm: (11.23), 1e-3 times smaller.
     CHECK(std::abs(after_two(Stabilizer::none, phi)[1] - 1) <= 1e-4);
 }
 
@@ -359,7 +359,7 @@ TEST_CASE("angular momentum of pinned bodies changes by the impulse times the er
             step(scene, {.h = h}, method, now);
             const Vec2 off = point_of(x, 1, {-0.5, 0}) - point_of(x, 0, {0.5, 0});
             predicted = cross2(off, Vec2(now.solution.lambda[0], now.solution.lambda[1]));
-            // (11.18), step by step, to rounding.
+            // (11.23), step by step, to rounding.
             REQUIRE(std::abs(momenta(scene.bodies)[2] - L - predicted) <= 1e-13);
         }
         drifts.push_back(std::abs(momenta(scene.bodies)[2] - start));
@@ -474,7 +474,7 @@ TEST_CASE("a positive impulse of a corner pushes the corner off the wall", "[ide
 
 // ---- physics
 
-TEST_CASE("light rods under a load shake themselves apart from the step of (11.22) on and not below",
+TEST_CASE("light rods under a load shake themselves apart from the step of (11.21) on and not below",
           "[idea]")
 {
     const Real load = 1000;

@@ -199,7 +199,7 @@ TEST_CASE("a body that is stopped gives back what its weight did in the time tha
     REQUIRE(method.contacts.fast.impacts == 1);
     const Real part = scene.bodies.x[3 * b] / (40 * h);
     CHECK(part < 0.7);
-    // (12.6a): the state of symplectic Euler after the time τ h, but for its way, which is straight. Rounding of 300 m/s.
+    // (12.10): the state of symplectic Euler after the time τ h, but for its way, which is straight. Rounding of 300 m/s.
     CHECK(std::abs(scene.bodies.u[3 * b] - 40) <= 1e-12);
     CHECK(std::abs(scene.bodies.u[3 * b + 1] + 300 + part * h * 9.81) <= 1e-12);
     CHECK(scene.bodies.u[3 * b + 2] == 7);
@@ -229,7 +229,7 @@ TEST_CASE("what is fast meets what comes towards it slowly", "[idea]")
 
 TEST_CASE("slender rods that stop each other in every step gain no energy in any step", "[idea]")
 {
-    // Ten rods 300 times as long as thick fall into a trough. Errors are left, so that each step obeys (13.19).
+    // Ten rods 300 times as long as thick fall into a trough. Errors are left, so that each step obeys (13.14).
     RigidScene scene;
     scene.walls = {{{0, 1}, 0}, {Vec2(1, 1).normalized(), -1}, {Vec2(-1, 1).normalized(), -1}};
     for (int k = 0; k < 10; ++k)

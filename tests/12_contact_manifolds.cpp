@@ -301,7 +301,7 @@ TEST_CASE("names keep the impulses of a pile that places in a list lose", "[idea
     CHECK(nameless <= 0.9);
 }
 
-TEST_CASE("sweeps over the two rows of a box converge as (12.5) says and the block of both is exact at once",
+TEST_CASE("sweeps over the two rows of a box converge as (12.17) says and the block of both is exact at once",
           "[idea]")
 {
     for (const Real tall : {0.5, 1.0, 10.0}) {  // h of w = 1
@@ -439,7 +439,7 @@ TEST_CASE("a rocking block loses at each impact what Housner says", "[idea]")
             const Real off = ratios[i] / housner_ratio(w, 1) - 1;
             largest = std::max(largest, std::abs(off));
             INFO(ratios[i] << " for " << housner_ratio(w, 1) << " at impact " << i);
-            // (12.9a): up to that is missing, and never more; 0.5 % for the lines that ω is read off.
+            // (12.15): up to that is missing, and never more; 0.5 % for the lines that ω is read off.
             const Real missing = (1 + housner_ratio(w, 1)) * 0.75 * 9.81 * w / (w * w + 1) / n / substeps;
             CHECK(off <= 0.005);
             CHECK(off >= -0.005 - missing / spins[i]);
@@ -453,7 +453,7 @@ TEST_CASE("a rocking block loses at each impact what Housner says", "[idea]")
     }
 }
 
-TEST_CASE("what a step misses of an impact of a rocking block is what (12.9a) says", "[idea]")
+TEST_CASE("what a step misses of an impact of a rocking block is what (12.15) says", "[idea]")
 {
     const Real w = 0.5, rest = housner_ratio(w, 1), per_step = 0.75 * 9.81 * w / (w * w + 1) / 480;
     Real least = infinity, most = -infinity;    // of what is missing, in changes of ω by gravity in a step

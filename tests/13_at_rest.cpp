@@ -192,7 +192,7 @@ TEST_CASE("a tower that is hit wakes and the other one sleeps on", "[idea]")
         CHECK(room.asleep(9));
     }
     CHECK(woke);
-    // (10.9) allows a creep of v_rest for t_rest: 0.5 mm
+    // (10.8) allows a creep of v_rest for t_rest: 0.5 mm
     CHECK((room.scene.bodies.x.segment(15, 15) - right).cwiseAbs().maxCoeff() <= 5e-4);
 }
 

@@ -391,7 +391,7 @@ TEST_CASE("the sweeps on a steep rod make the visits of the table of section 13.
             if (tunable.name == name) return tunable.value;
         return Real{0};
     };
-    // of the rod of Figure 13.2 itself: its tangent has to slide on at its bound in the third visit
+    // of the rod of Figure 13.1 itself: its tangent has to slide on at its bound in the third visit
     const Real angle = of_figure("angle") * pi / 180, mu = of_figure("mu"), slide = of_figure("slide");
     const Real A_nn = 1 + 3 * std::cos(angle) * std::cos(angle),
                A_tt = 1 + 3 * std::sin(angle) * std::sin(angle), A_nt = 3 * std::sin(angle) * std::cos(angle),
@@ -474,7 +474,7 @@ TEST_CASE("Newton's restitution with friction makes energy and a common restitut
     for (int round = 0; round < 300; ++round) {
         const Real mu = random.uniform(0, 2), e = random.uniform();
         problem = random_rubble(random, 6, mu, 1);
-        CHECK(gained(ImpactLaw::common, e) <= 1e-12);  // (13.14), but for rounding
+        CHECK(gained(ImpactLaw::common, e) <= 1e-12);  // (13.27), but for rounding
     }
 }
 
@@ -498,7 +498,7 @@ TEST_CASE("the step bounces by Newton's law and makes the energy that the text s
             const Solution all = impact(rod.rows, 1, ImpactLaw::newton, find, u);
             const Real gain =
                 kinetic_energy(u, rod.inverse_mass) - kinetic_energy(rod.u_star, rod.inverse_mass);
-            Real work = 0;  // (13.13), with velocities and not with w
+            Real work = 0;  // (13.26), with velocities and not with w
             for (std::size_t i = 0; i < 2; ++i)
                 work += all.lambda[static_cast<Index>(i)] / 2 *
                         (rod.rows[i].velocity(rod.u_star) + rod.rows[i].velocity(u));

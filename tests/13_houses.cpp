@@ -131,7 +131,7 @@ TEST_CASE("a house of cards stands and falls within two percent of the friction 
           "[idea]")
 {
     const Real mu = least_friction(static_contacts(card_house(5, 1)));
-    // (13.16) leaves out what the tips can pass on to each other, and how thick a card is.
+    // (13.13) leaves out what the tips can pass on to each other, and how thick a card is.
     CHECK(mu <= card_house_by_hand(5));
     CHECK(mu >= 0.98 * card_house_by_hand(5));
     const Stood above = stand_exactly(card_house(5, 1.02 * mu), 60);
@@ -158,7 +158,7 @@ TEST_CASE("two cards that lean on each other need half the tangent of their angl
         CHECK(stand_exactly(card_house(1, share * hand), 5).stands == (share > 1));
 }
 
-TEST_CASE("an arch of ten stones stands and falls within two percent of (13.17)", "[idea]")
+TEST_CASE("an arch of ten stones stands and falls within two percent of (13.20)", "[idea]")
 {
     const Real mu = least_friction(static_contacts(stone_arch(10, 0.3, 1)));
     CHECK(std::abs(mu - arch_by_hand(10)) <= 1e-4);  // as far as the bisection goes
@@ -174,12 +174,12 @@ TEST_CASE("an arch of ten stones stands and falls within two percent of (13.17)"
     }
 }
 
-TEST_CASE("joints near the feet of an arch of many stones are held whatever (13.17) would say of them",
+TEST_CASE("joints near the feet of an arch of many stones are held whatever (13.20) would say of them",
           "[idea]")
 {
     const int stones = 20;
     const Real mu = arch_by_hand(stones), psi = std::atan(mu), steepest = (stones / 2 - 1) * pi / stones;
-    // Their cone reaches beyond upright: (13.17) has a negative tangent there and would refuse any μ.
+    // Their cone reaches beyond upright: (13.20) has a negative tangent there and would refuse any μ.
     CHECK(steepest + psi > pi / 2);
     CHECK(mu * std::tan(steepest + psi) < 0);
     CHECK(std::abs(least_friction(static_contacts(stone_arch(stones, 0.6, 1))) - mu) <=
@@ -242,7 +242,7 @@ TEST_CASE("without repayment exact friction never adds energy to rubble in motio
         const Real mu = random.uniform(0, 1.2);
         RoughScene scene = random_heap(random, 9, mu);
         ExactPile method;
-        // as (13.19) needs: b ≥ 0 at each contact, and nobody is put back to where it would have struck something
+        // as (13.14) needs: b ≥ 0 at each contact, and nobody is put back to where it would have struck something
         method.correction.method = Stabilizer::none;
         method.contacts.fast.stop = false;
         StepData<3> now;
@@ -255,7 +255,7 @@ TEST_CASE("without repayment exact friction never adds energy to rubble in motio
             REQUIRE(scene.bodies.x.allFinite());
             const Real after = energy(scene);
             const Real least = kinetic_energy(scene.bodies.u - u, scene.bodies.inverse_mass);
-            // (13.19); each row is solved to 1e-11 of speeds of metres a second
+            // (13.14); each row is solved to 1e-11 of speeds of metres a second
             CHECK(after <= before - least + 1e-9 * scale);
             before = after;
         }
@@ -292,7 +292,7 @@ TEST_CASE("the wave of a run of dominoes has the speed of a train with one unkno
     CHECK(std::abs(errors.back()) <= std::abs(errors.front()));
 }
 
-TEST_CASE("two discs that graze are thrown as (13.18) says", "[idea]")
+TEST_CASE("two discs that graze are thrown as (13.21) says", "[idea]")
 {
     for (const Real kappa : {0.5, 0.4})
         for (const Real spin : {-40.0, 0.0, 25.0, 200.0})

@@ -34,7 +34,7 @@ Vec2 carried(const StepData<3>& now, const VecX& x, Index k, const Vec2& place)
 
 using Coulomb = HoldOrSlide<CoulombSolver<FindFriction>>;
 
-/// Sums up (13.26) over all sub-steps.
+/// Sums up (13.23) over all sub-steps.
 struct Watched : Coulomb {
     Real predicted = 0;
 
@@ -77,7 +77,7 @@ TEST_CASE("angular momentum changes by what moves a body otherwise than its velo
             const VecX x = scene.bodies.x;
             const Real before = momenta(scene.bodies)[2];
             step(scene, {.h = h}, method, now);
-            Real predicted = 0;  // (13.25)
+            Real predicted = 0;  // (13.22)
             for (Index k = 0; k < 2; ++k) {
                 const Vec2 u = scene.bodies.velocity(k).head<2>(),
                            beside = scene.bodies.position(k).head<2>() - x.segment<2>(3 * k) - h * u;
@@ -118,7 +118,7 @@ TEST_CASE("in sub-steps angular momentum changes by how far a contact has slid t
 }
 
 TEST_CASE(
-    "two boxes that overlap are thrown apart with the energy of (13.27) and no more than the limit says",
+    "two boxes that overlap are thrown apart with the energy of (13.24) and no more than the limit says",
     "[house]")
 {
     const Real overlap = 0.4;

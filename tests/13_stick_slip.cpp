@@ -83,7 +83,7 @@ RoughScene pushed_towers()
 
 }  // namespace
 
-TEST_CASE("a block that a belt drags from its spring sticks and slips with the period and stretch of (13.23)",
+TEST_CASE("a block that a belt drags from its spring sticks and slips with the period and stretch of (13.18)",
           "[idea]")
 {
     const Real h = 1.0 / 2000;

@@ -329,7 +329,7 @@ TEST_CASE("a limit is left alone up to the slop of an angle however thin its bod
         method.correction.slops = {1e-6};  // metres, for its contacts
         StepData<3> now;
         step(scene, {}, method, now);
-        // (15.21): from 0.005 rad on by a fifth of what is missing to 0.0025
+        // (15.17): from 0.005 rad on by a fifth of what is missing to 0.0025
         CHECK(std::abs(scene.bodies.x[2] + (over > 0.005 ? 0.2 * (over - 0.0025) : 0)) <= 1e-12);
     }
 }

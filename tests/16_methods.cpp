@@ -150,7 +150,7 @@ Real lean_after(JointedScene& scene, Method& method, int seconds, int substeps)
 
 TEST_CASE("soft stacks buckle where an elastic rod does", "[idea]")
 {
-    // (16.16a). The boxes are few, so the rod is right to about one of them.
+    // (16.35). The boxes are few, so the rod is right to about one of them.
     const auto tallest = [](Real frequency) {
         return std::cbrt(7.84 * std::pow(2 * pi * frequency, 2) / (10 * 9.81));
     };

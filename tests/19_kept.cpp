@@ -135,7 +135,7 @@ TEST_CASE("each restitution of a surface is seen on walls and bodies and one hit
                 hits += !engine.events().hits.empty();
             }
             INFO("wall " << wall << ", e " << e);
-            CHECK(up == Approx(e * e).margin(1e-9));  // what the step keeps, (15.29)
+            CHECK(up == Approx(e * e).margin(1e-9));  // what the step keeps, (15.25)
             CHECK(hits == 1);
         }
 }
@@ -568,7 +568,7 @@ TEST_CASE("a small bounce is kept in sub-steps as in steps of their length", "[i
         return kept;
     };
     for (const int substeps : {4, 16}) {
-        CHECK(top(substeps, frame, 300) == Approx(0.005).epsilon(1e-9));  // what the step keeps, (15.29)
+        CHECK(top(substeps, frame, 300) == Approx(0.005).epsilon(1e-9));  // what the step keeps, (15.25)
         CHECK(top(1, frame / substeps, 300 * substeps) == Approx(0.005).epsilon(1e-9));
     }
 }

@@ -6,6 +6,7 @@
 #include "tests/sentence.hpp"
 
 #include "chapters/13_friction/slopes.hpp"
+#include "chapters/14_joints/bar_linkages.hpp"
 #include "chapters/26_four_ways/acceleration_level.hpp"
 #include "chapters/26_four_ways/reduced_motion.hpp"
 #include "chapters/26_four_ways/single_impulses.hpp"
@@ -13,23 +14,30 @@
 #include "chapters/26_four_ways/ways.hpp"
 #include "common/random.hpp"
 
+#include <Eigen/Eigenvalues>
+
 using namespace rigid;
 
 namespace {
 
-/// The bead as a scene for the ways; in coordinates it is a rod without mass that carries it.
 WayScene bead()
 {
     WayScene way;
     way.scene = bead_on_a_wire();
+    return way;
+}
+
+/// The bead where the wire is a rod without mass that carries it, on a pin.
+JointedScene bead_on_a_rod()
+{
+    JointedScene scene = bead_on_a_wire();
+    scene.joints.clear(), scene.placed.clear(), scene.owner.clear();
+    scene.bodies.inverse_mass[2] = 1e12;  // a point
+    scene.bodies.u[2] = 1;
     RigidJoint pin;
     pin.b = 0, pin.at_b = {-0.6, 0.8};
-    way.in_coordinates = way.scene;
-    way.in_coordinates.joints.clear(), way.in_coordinates.placed.clear(), way.in_coordinates.owner.clear();
-    way.in_coordinates.bodies.inverse_mass[2] = 1e12;  // a point
-    way.in_coordinates.bodies.u[2] = 1;
-    add_joint(way.in_coordinates, pin);
-    return way;
+    add_joint(scene, pin);
+    return scene;
 }
 
 /// Where a bead is after one step, and how fast.
@@ -101,7 +109,7 @@ TEST_CASE("a bead on a wire takes the step of the text in each of the ways", "[h
     close(after(Way::positions, h), (x.x() - 0.6) / h, (x.y() + 0.8) / h, x.x(), x.y());
 
     // a coordinate: the angle from straight down has d²φ/dt² = −g sin φ = −6
-    ReducedMotion reduced(bead().in_coordinates);
+    ReducedMotion reduced(bead_on_a_rod());
     const VecX bend = reduced.forward_dynamics(reduced.q(), reduced.dq(), {});
     CHECK(std::abs(bend[0] + 6) <= 1e-10);  // the point has an inertia of 1e-12 kg m²
     CHECK(std::abs(reduced.dq()[0] - 1) <= 1e-12);
@@ -159,6 +167,21 @@ TEST_CASE("a joint under a proportional-derivative force explodes beyond the lim
         const auto [largest, last] = swings(JointTrees<Manifolds>{}, k);
         CHECK(largest <= 0.5);
         CHECK(last <= 1e-3);
+    }
+}
+
+TEST_CASE("the force at the end of a step is stable for any gains as (26.14) says", "[idea]")
+{
+    Random random(9);
+    for (int round = 0; round < 200; ++round) {
+        const Real kappa = std::pow(10, random.uniform(-6, 12)), delta = std::pow(10, random.uniform(-6, 12)),
+                   D = 1 + kappa + delta;
+        Eigen::Matrix<Real, 2, 2> map;  // of (x, h v): v ← (v − κ x/h)/D, x ← x + h v
+        map << 1 - kappa / D, 1 / D, -kappa / D, 1 / D;
+        // to rounding of numbers of size 1
+        CHECK(std::abs(map.determinant() - 1 / D) <= 1e-15);
+        CHECK(std::abs(map.trace() - (2 + delta) / D) <= 1e-15);
+        CHECK(map.eigenvalues().cwiseAbs().maxCoeff() < 1);
     }
 }
 
@@ -232,6 +255,156 @@ TEST_CASE("recursive Newton-Euler gives the forces of which the articulated body
         // to rounding of what is summed up, masses times accelerations along the tree
         CHECK((back - tau).norm() <= 1e-11 * (1 + 100 * ddq.norm()));
     }
+}
+
+namespace {
+
+/// Bodies on joints of which none is the world's, with any masses, places and rates.
+JointedScene floating_tree(Random& random, int bodies, bool slides)
+{
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    for (int k = 0; k < bodies; ++k) {
+        const Real mass = random.uniform(0.1, 5), angle = random.uniform(-2, 2), x = random.uniform(-1, 1);
+        add_body(scene, box(1, 0.5), mass, {2.0 * k, x}, angle);
+        if (k == 0) continue;
+        RigidJoint joint;
+        joint.kind = slides && k % 3 == 1 ? JointKind::prismatic : JointKind::revolute;
+        joint.a = static_cast<Index>(random.uniform(0, 0.999) * k);
+        joint.b = k;
+        joint.at_a = {x, 0.5}, joint.at_b = {-0.5, 0.25};
+        joint.axis = {std::cos(angle), std::sin(angle)};
+        add_joint(scene, joint);
+    }
+    ReducedTree tree(split_loops(scene).tree);
+    const auto n = static_cast<Index>(tree.size());
+    VecX q(n), dq(n), x = split_loops(scene).tree.bodies.x, u = VecX::Zero(x.size());
+    for (Index i = 0; i < n; ++i) {
+        q[i] = random.uniform(-2, 2);
+        dq[i] = random.uniform(-2, 2);
+    }
+    tree.place(q, x);
+    tree.move(dq, x, u);
+    scene.bodies.x = x.head(3 * bodies);
+    scene.bodies.u = u.head(3 * bodies);
+    return scene;
+}
+
+/// Momentum, and angular momentum about the origin.
+Vec<3> momentum(const Bodies<3>& bodies)
+{
+    Vec<3> sum = Vec<3>::Zero();
+    for (Index k = 0; k < bodies.count(); ++k) {
+        const Vec2 p = bodies.velocity(k).head<2>() / bodies.inverse_mass[3 * k];
+        sum.head<2>() += p;
+        sum[2] +=
+            cross2(bodies.position(k).head<2>(), p) + bodies.u[3 * k + 2] / bodies.inverse_mass[3 * k + 2];
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a tree that floats has three coordinates more and gives its forces back", "[house]")
+{
+    Random random(2608);
+    for (int round = 0; round < 40; ++round) {
+        const int bodies = 1 + round % 8;
+        JointedScene scene = floating_tree(random, bodies, true);
+        scene.gravity = {0.3, -9.81};
+        ReducedMotion motion(scene);
+        REQUIRE(motion.coordinates() == bodies + 2);  // a joint for each body but one, and three
+        VecX tau(bodies + 2);
+        for (Index i = 0; i < tau.size(); ++i) tau[i] = random.uniform(-5, 5);
+        const VecX ddq = motion.forward_dynamics(motion.q(), motion.dq(), tau);
+        const VecX back = motion.inverse_dynamics(motion.q(), motion.dq(), ddq);
+        // to rounding of what is summed up, as of a tree on the world
+        CHECK((back - tau).norm() <= 1e-11 * (1 + 100 * ddq.norm()));
+        // without forces the three of the base have none: the whole falls with g
+        const VecX falls = motion.forward_dynamics(motion.q(), motion.dq(), {});
+        CHECK(motion.inverse_dynamics(motion.q(), motion.dq(), falls).norm() <=
+              1e-11 * (1 + 100 * falls.norm()));
+    }
+}
+
+TEST_CASE("what floats keeps momentum and energy to order four and moves as by accelerations", "[house]")
+{
+    Random random(44);
+    JointedScene start = floating_tree(random, 6, false);
+    CollisionFilter none;
+    none.set_meets(0, 0, false);
+    std::vector<Real> momenta, energies;
+    JointedScene at_end;
+    for (const int steps : {200, 400, 800, 1600}) {
+        JointedScene scene = start;
+        ReducedMotion motion(scene);
+        motion.filter = none;
+        for (int i = 0; i < steps; ++i) REQUIRE(motion.advance(scene, 1.0 / steps) == Status::solved);
+        CHECK(largest_joint_error(scene) <= 1e-12);  // a joint cannot be off
+        momenta.push_back((momentum(scene.bodies) - momentum(start.bodies)).norm());
+        energies.push_back(std::abs(energy(scene) - energy(start)));
+        at_end = scene;
+    }
+    // ± 0.3: two quantities that are sums of errors of several signs; the method's order is 4
+    CHECK(order_of(momenta) >= 3.7);
+    CHECK(order_of(energies) >= 3.7);
+    CHECK(momenta.back() <= 1e-7 * momentum(start.bodies).norm());
+    AccelerationLevel level;
+    level.filter = none;
+    JointedScene other = start;
+    for (int i = 0; i < 1600; ++i) REQUIRE(level.advance(other, 1.0 / 1600) == Status::solved);
+    CHECK((other.bodies.x - at_end.bodies.x).norm() <= 1e-6);  // both to order four
+    // one body alone is thrown in a parabola, which four evaluations have to rounding
+    JointedScene stone;
+    add_body(stone, box(1, 0.5), 2.0, {1, 3}, 0.3);
+    stone.bodies.u << 2, 5, 7;
+    ReducedMotion flight(stone);
+    for (int i = 0; i < 10; ++i) REQUIRE(flight.advance(stone, 0.1) == Status::solved);
+    CHECK((stone.bodies.x - Vec<3>(3, 8 - 9.81 / 2, 7.3)).norm() <= 1e-13 * 10);
+}
+
+TEST_CASE("joints that are no coordinates and joints in a ring are rows above what floats", "[house]")
+{
+    // a bead on a wire: a distance, so it floats and has one row
+    JointedScene scene = bead_on_a_wire();
+    ReducedMotion motion(scene);
+    CHECK(motion.coordinates() == 3);
+    for (int i = 0; i < 100; ++i) REQUIRE(motion.advance(scene, 0.01) == Status::solved);
+    CHECK(std::abs(scene.bodies.x.head<2>().norm() - 1) <= 1e-7);  // of order four, not repaired
+    // a ring of four rods, each on the one before: three joints of a tree, one of rows
+    JointedScene ring;
+    ring.gravity = {0, 0};
+    const std::array<Vec2, 4> corners{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    for (std::size_t k = 0; k < 4; ++k) add_bar(ring, corners[k], corners[(k + 1) % 4], 1);
+    for (Index k = 0; k < 4; ++k) pin(ring, (k + 3) % 4, k, corners[static_cast<std::size_t>(k)]);
+    for (Index k = 0; k < 4; ++k) {  // turning as one body, pushed in at two sides
+        const Vec2 r = ring.bodies.position(k).head<2>() - Vec2(0.5, 0.5);
+        ring.bodies.velocity(k) << perpendicular(r), 1;
+    }
+    const TreeAndLoops parts = split_loops(ring);
+    CHECK(parts.tree.placed.size() == 6);  // three pins, and three of what floats
+    CHECK(parts.loops.size() == 2);
+    ReducedMotion turns(ring);
+    const Vec<3> before = momentum(ring.bodies);
+    for (int i = 0; i < 200; ++i) REQUIRE(turns.advance(ring, 0.005) == Status::solved);
+    CHECK(largest_joint_error(ring) <= 1e-8);
+    CHECK((momentum(ring.bodies) - before).norm() <= 1e-8);
+}
+
+TEST_CASE("a doll goes one way by accelerations and by coordinates until it lands", "[house]")
+{
+    const WayScene doll = falling_doll();
+    const auto after = [&](Way way, Real time) {
+        WayRun run(way, doll, {});
+        for (int i = 0; i < 100; ++i) REQUIRE(run.advance(time / 100) == Status::solved);
+        VecX x = run.scene().bodies.x;
+        for (Index k = x.size() / 3; k-- > 0;)
+            x.segment<2>(3 * k) -= x.head<2>();  // as its first limb sees it
+        return x;
+    };
+    // it has not touched the floor yet; its limbs rest at limits of joints, which coordinates meet by steps of order
+    // one, so by 2 rad/s times a millisecond
+    CHECK((after(Way::acceleration, 0.1) - after(Way::coordinates, 0.1)).norm() <= 2e-3);
 }
 
 TEST_CASE("forces at the level of accelerations change what is free as little as they can", "[house]")

@@ -1,5 +1,5 @@
 # The program as a reader runs it.
-foreach(scene sheet flag curtain tablecloth ball banner tear)
+foreach(scene sheet flag curtain tablecloth ball banner tear fold hills)
   add_program_test(ch27 27_particles_and_cloth "runs scene ${scene}" --headless --scene ${scene} --steps 20
                    --method threads,xpbd,pbd,particles,projective,implicit --csv -)
 endforeach()

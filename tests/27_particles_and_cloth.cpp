@@ -160,6 +160,41 @@ TEST_CASE("a hanging chain swings as its Bessel function says with the square of
     }
 }
 
+TEST_CASE("a chain hangs in the discrete catenary and that in the catenary with the square of its links",
+          "[idea]")
+{
+    // between pins 1.2 m apart, 1.5 m long: sinh(d)/d = 1.25 with d = 0.6/a
+    const auto cosh = [](Real x) { return (rigid::exp(x) + rigid::exp(-x)) / 2; };
+    const auto sinh = [](Real x) { return (rigid::exp(x) - rigid::exp(-x)) / 2; };
+    Real d = 2;
+    for (int i = 0; i < 50; ++i) d -= (sinh(d) - 1.25 * d) / (cosh(d) - 1.25);
+    const Real sag = 0.6 / d * (cosh(d) - 1);
+    std::vector<Real> errors;
+    for (const int n : {10, 20, 40}) {
+        ClothScene cloth;
+        RopeSpec rope;
+        rope.segments = n, rope.stiffness = 1e7;  // stretched by a millionth
+        add_rope(cloth, {-0.75, 0, 0}, {0.75, 0, 0}, rope);
+        // from a shallow arc to its place
+        for (int i = 0; i <= n; ++i) {
+            const Real s = Real(i) / n * 2 - 1;
+            cloth.bodies.position(i) << 0.6 * s, 0.4 * (s * s - 1), 0;
+        }
+        pin(cloth, 0), pin(cloth, n);
+        settle(cloth);
+        // (27.30): slopes grow by one weight over the horizontal pull, link by link
+        std::vector<Real> slope;
+        for (int i = 0; i < n; ++i) {
+            const Vec3 e = cloth.bodies.position(i + 1) - cloth.bodies.position(i);
+            slope.push_back(e.y() / e.x());
+        }
+        for (std::size_t i = 2; i < slope.size(); ++i)
+            CHECK(slope[i] - slope[i - 1] == Approx(slope[1] - slope[0]).epsilon(1e-6));
+        errors.push_back(std::abs(-cloth.bodies.position(n / 2).y() - sag));
+    }
+    CHECK(order_of(errors) == Approx(2).margin(0.15));
+}
+
 TEST_CASE("a rope and a cloth stretch under their own weight as (27.2) says", "[idea]")
 {
     ClothScene rope;

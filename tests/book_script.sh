@@ -54,6 +54,15 @@ for link in first second; do
 done
 wants "a relative path" "$(../book_folder/book run 1 2>&1; cat rel.csv)" "rows of"
 
+# How long a first build takes; nothing where all has been built.
+printf '#!/bin/sh\nfor i in 1 2 3 4 5 6 7; do echo "c++ -o part$i.o -c part$i.cpp"; done\n' >"$scratch/tools/ninja"
+chmod +x "$scratch/tools/ninja"
+wants "a first build" "$("$book/book" run 1 2>&1)" ": 7 new sources, about a minute on "
+for i in 1 2 3 4 5 6 7; do : >"$book/build/release/part$i.o"; done
+said=$("$book/book" run 1 2>&1)
+case "$said" in *"new sources"*) wants "a second build" "$said" "nothing of new sources" ;; esac
+rm "$scratch/tools/ninja"
+
 # Several chapters at once.
 said=$("$book/book" figures 1 2 --check 2>&1) && wants "figures" "code 0" "code 1"
 wants "figures --check" "$said" "ch_01_one.svg"

@@ -10,6 +10,17 @@
 
 namespace rigid {
 
+/// What is said when something is refused.
+inline std::string refusal(const std::function<void()>& what)
+{
+    try {
+        what();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
 /// One step by a method.
 inline void one_step(ClothScene& cloth, ClothMethod method, Real h, int sweeps = 1, int substeps = 1)
 {

@@ -128,7 +128,7 @@ std::vector<NamedRun> runs()
 constexpr int steps = 200;
 
 /// Where rounding grows by itself: cold sweeps let the heavy column sink until its discs are pressed past each other
-/// (a last digit becomes 6 cm in 200 steps), and memory with Baumgarte's bias shakes the chain, (8.11), (4e-8). That no
+/// (a last digit becomes 6 cm in 200 steps), and memory with Baumgarte's bias shakes the chain, (8.9), (4e-8). That no
 /// length is behind it, the next test shows.
 bool rounding_grows(const NamedScene& scene, const NamedRun& method)
 {

@@ -5,7 +5,7 @@
 ///     between: w = 0,  and lo ≤ λ ≤ hi must come out
 ///     at_hi:   λ = hi, and w ≤ 0 must come out
 ///
-/// (3.21). A row without bounds has one case, a contact two, a row between two bounds three.
+/// (3.14a). A row without bounds has one case, a contact two, a row between two bounds three.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/mlcp.hpp"

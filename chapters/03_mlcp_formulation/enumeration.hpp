@@ -4,7 +4,7 @@
 ///
 ///     A_FF λ_F = −(q_F + A_FB λ_B)     F the rows between their bounds, B those at a bound
 ///
-/// (3.22). An answer counts only by its natural residual; of a singular block the whole family is examined; how
+/// (3.14b). An answer counts only by its natural residual; of a singular block the whole family is examined; how
 /// many answers there are is decided by comparing those that were found. \cite cottle1992
 #pragma once
 
@@ -98,7 +98,7 @@ private:
     }
 
     //! [set]
-    /// (3.22): the rows that are between their bounds make a linear system; the
+    /// (3.14b): the rows that are between their bounds make a linear system; the
     /// others are known.
     void try_set(const std::vector<BoundState>& set)
     {

@@ -5,7 +5,7 @@
     const J = [[0, 1], [0.6, 0.8]];
     const A = J.map(a => J.map(b => a[0] * b[0] + a[1] * b[1]));
 
-    // (3.22) for each set of rows at work; the one whose residual (3.15) is zero fits.
+    // (3.14b) for each set of rows at work; the one whose residual (3.15) is zero fits.
     function answer(x, y) {
         const q = J.map(row => row[0] * x + row[1] * y), tried = [];
         for (const at_work of [[0, 0], [1, 0], [0, 1], [1, 1]]) {

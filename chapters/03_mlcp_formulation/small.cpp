@@ -20,7 +20,7 @@ double residual(const Mat& A, const Vec& q, const Vec& lo, const Vec& lambda)
     return (A * lambda + q).cwiseMin(room).lpNorm<Eigen::Infinity>();
 }
 
-// (3.22): the impulses if w = 0 in the rows of the set and λ = 0 in all others.
+// (3.14b): the impulses if w = 0 in the rows of the set and λ = 0 in all others.
 Vec impulses(Mat A, Vec r, long set)
 {
     for (int i = 0; i < r.size(); ++i)

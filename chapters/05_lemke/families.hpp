@@ -21,7 +21,7 @@ inline MatX murty_matrix(Index n)
     return U;
 }
 
-/// U with q_i = -(2ⁿ⁺¹ - 2ⁱ), i = 1 … n: the walk visits all 2ⁿ vertices that it can (5.23).
+/// U with q_i = -(2ⁿ⁺¹ - 2ⁱ), i = 1 … n: the walk visits all 2ⁿ vertices that it can (5.20).
 /// \cite murty1997, §6.2
 Mlcp murty(Index n);
 

@@ -1,10 +1,10 @@
 /// \file infeasibility.hpp
 /// The proof that a problem has no answer, checked on the problem as it was given.
 ///
-///     0 ≤ vᵀw = (Aᵀv)ᵀλ + qᵀv   for every answer;   Aᵀv = 0 and qᵀv < 0: there is none
+///     0 ≤ yᵀw = (Aᵀy)ᵀλ + qᵀy   for every answer;   Aᵀy = 0 and qᵀy < 0: there is none
 ///
-/// (5.15). A walk finds the direction v on a tableau that has been rounded many times, after bilateral rows
-/// were eliminated. None of that may count as a proof, so nothing of it is used here but v itself.
+/// (5.15). A walk finds the direction y on a tableau that has been rounded many times, after bilateral rows
+/// were eliminated. None of that may count as a proof, so nothing of it is used here but y itself.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/verification.hpp"
@@ -15,7 +15,7 @@
 namespace rigid {
 
 //! [proof]
-/// (5.15) with bounds and rounding: does v prove that there is no answer that
+/// (5.15) with bounds and rounding: does y prove that there is no answer that
 /// doubles could hold? An answer would need Σ x_j / Λ_j > 1e13, where Λ_j is the
 /// size of the problem's own impulses: the bounds of row j, and U_j/d_j² of
 /// (3.16b).
@@ -24,30 +24,30 @@ namespace rigid {
 /// where only hi is, w_i = 0 where neither is; v_i gets the same sign, or 0. With
 /// x_j the way from a finite bound, or λ_j itself,
 ///
-///     0 ≤ vᵀw ≤ qᵀv + Σ_j (Aᵀv)_j bound_j + Σ_j δ_j x_j
+///     0 ≤ yᵀw ≤ qᵀy + Σ_j (Aᵀy)_j bound_j + Σ_j δ_j x_j
 ///
-/// and δ_j is what is left of (Aᵀv)_j in the direction in which λ_j is free,
+/// and δ_j is what is left of (Aᵀy)_j in the direction in which λ_j is free,
 /// rounding included. It must be rounding: what is larger is no zero.
-/// \param v  one number for each row; cleaned of what the bounds forbid
-inline bool proves_infeasibility(const Mlcp& mlcp, VecX v)
+/// \param y  one number for each row; cleaned of what the bounds forbid
+inline bool proves_infeasibility(const Mlcp& mlcp, VecX y)
 {
     const Index n = mlcp.size();
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon(), absurd = 1e13;
-    // Aᵀv, |A|ᵀ|v|
+    // Aᵀy, |A|ᵀ|y|
     VecX image = VecX::Zero(n), sizes = VecX::Zero(n), terms = VecX::Constant(n, 2);
     VecX unit(n);
     Real gain = 0, size = 0, given = 0, open = 0;
-    if (v.size() != n || !v.allFinite()) return false;
+    if (y.size() != n || !y.allFinite()) return false;
     for (Index i = 0; i < n; ++i) {
-        if (mlcp.lo[i] > -infinity) v[i] = std::max(v[i], Real{0});
-        if (mlcp.hi[i] < infinity) v[i] = std::min(v[i], Real{0});
-        gain -= mlcp.q[i] * v[i];
-        size += std::abs(mlcp.q[i] * v[i]);
+        if (mlcp.lo[i] > -infinity) y[i] = std::max(y[i], Real{0});
+        if (mlcp.hi[i] < infinity) y[i] = std::min(y[i], Real{0});
+        gain -= mlcp.q[i] * y[i];
+        size += std::abs(mlcp.q[i] * y[i]);
         Real diagonal = 0, N = std::abs(mlcp.q[i]);
         for (SparseMatrix::InnerIterator entry(mlcp.A, i); entry; ++entry) {
             const Index j = entry.col();
-            image[j] += entry.value() * v[i];
-            sizes[j] += std::abs(entry.value() * v[i]);
+            image[j] += entry.value() * y[i];
+            sizes[j] += std::abs(entry.value() * y[i]);
             terms[j] += 1;
             if (mlcp.lo[j] > 0) N += std::abs(entry.value() * mlcp.lo[j]);
             if (mlcp.hi[j] < 0) N += std::abs(entry.value() * mlcp.hi[j]);

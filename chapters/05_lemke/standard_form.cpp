@@ -49,7 +49,7 @@ StandardForm::StandardForm(const Mlcp& mlcp) : mlcp_(mlcp)
         for (Index l = 0; l < m; ++l) A(k, l) /= unit_[k] * unit_[l];
     }
     //! [box]
-    for (Index k = 0; k < s; ++k) {  // (5.19), in the units of the row itself
+    for (Index k = 0; k < s; ++k) {  // (5.17), in the units of the row itself
         const Index i = boxed[static_cast<std::size_t>(k)];
         const Index row = row_[static_cast<std::size_t>(i)];
         A(i, m + k) = 1;

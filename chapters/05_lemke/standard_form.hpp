@@ -3,13 +3,13 @@
 ///
 ///     0 ≤ z ⟂ A z + q ≥ 0
 ///
-///     lo ≤ λ                λ = lo + z (5.18)
-///          λ ≤ hi           λ = hi - z, and the row changes its sign (5.18)
-///     lo ≤ λ ≤ hi           λ = lo + z, and a row of its own keeps z ≤ hi - lo (5.19)
+///     lo ≤ λ                λ = lo + z (5.16)
+///          λ ≤ hi           λ = hi - z, and the row changes its sign (5.16)
+///     lo ≤ λ ≤ hi           λ = lo + z, and a row of its own keeps z ≤ hi - lo (5.17)
 ///     lo = λ = hi           nothing to find
 ///     λ free                w = 0: eliminated by the Schur complement of chapter 3 (3.28); where the
 ///     bilateral
-///                           rows repeat each other, λ = z₊ - z₋ instead (5.20)
+///                           rows repeat each other, λ = z₊ - z₋ instead (5.18)
 ///
 /// Rows and columns are scaled (units.hpp), so that no unit of mass or length matters.
 #pragma once
@@ -40,7 +40,7 @@ public:
     VecX bounds_at(const Tableau& tableau, std::vector<Index>& between) const;
 
     /// A direction of z as weights of the rows of the MLCP, for (5.15). Eliminated rows get the weights that
-    /// make (Aᵀv)_B zero: A_BB v_B = −(Aᵀ v_N)_B.
+    /// make (Aᵀy)_B zero: A_BB y_B = −(Aᵀ y_N)_B.
     VecX direction(const VecX& y) const;
 
 private:
@@ -60,7 +60,7 @@ private:
     std::vector<Index> row_;          ///< of each z, the row that it moves
     std::vector<Real> sign_;          ///< and which way
     std::vector<std::size_t> first_;  ///< of each row, its first z
-    std::vector<Index> box_;          ///< of each z, its row of (5.19), or -1
+    std::vector<Index> box_;          ///< of each z, its row of (5.17), or -1
     /// of each z, what its row and column were divided by
     VecX unit_;
 };

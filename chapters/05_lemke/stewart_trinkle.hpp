@@ -3,7 +3,7 @@
 /// boxes that shows it.
 ///
 /// In the plane a contact has a normal impulse λ_n, two tangential ones β₊, β₋ ≥ 0 along t and -t,
-/// and the sliding speed γ ≥ 0 (5.21):
+/// and the sliding speed γ ≥ 0 (13.28):
 ///
 ///     0 ≤ λ_n ⟂ w_n ≥ 0,   0 ≤ β± ⟂ γ ± v_t ≥ 0,   0 ≤ γ ⟂ μ λ_n - β₊ - β₋ ≥ 0
 ///
@@ -50,7 +50,7 @@ Row<3> contact_row(Index a, Index b, const Vec2& n, const Vec2& ra, const Vec2& 
 /// Throws std::invalid_argument for a stack that cannot be built.
 ContactRows contact_rows(const BoxStack& stack);
 
-/// (5.22): the LCP of m contacts with friction, in the order λ_n, β₊, β₋, γ: n =
+/// (13.29): the LCP of m contacts with friction, in the order λ_n, β₊, β₋, γ: n =
 /// 4m.
 /// \param rows  A and q of the m normal rows followed by the m tangential ones
 /// \param mu    coefficient of friction

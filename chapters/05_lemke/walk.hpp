@@ -81,7 +81,7 @@ struct LemkeWalk {
     VecX ray() const;
 };
 
-/// λ computed again from the bound states alone (5.16): at its bound, or between,
+/// λ computed again from the bound states alone (5.19): at its bound, or between,
 /// where w = 0 is a linear system in the original A and q. No error of the walk is
 /// left in it, and no large bound.
 /// \param lambda   the λ at their bounds; zero where it is between

@@ -6,7 +6,7 @@
 ///     rope     C = L − distance,  0 ≤ λ    pull, never push
 ///     stop     C = n·(x_b − x_a) − c,  0 ≤ λ   push, never pull
 ///
-/// (6.17) to (6.19). λ is an impulse: a force F acts during h, so its bound is hF.
+/// (6.13), (6.14) and (6.18). λ is an impulse: a force F acts during h, so its bound is hF.
 #pragma once
 
 #include "chapters/02_velocity_constraints/joints.hpp"
@@ -19,7 +19,7 @@
 namespace rigid {
 
 //! [contact_bias]
-/// The bias of a contact whose gap C may close in this step, (6.17).
+/// The bias of a contact whose gap C may close in this step, (6.18).
 ///
 /// A gap may close and no more, b = C/h. If it would close, and the bodies approach
 /// faster than the threshold, they part with e times the speed instead. An overlap

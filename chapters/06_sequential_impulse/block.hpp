@@ -3,7 +3,7 @@
 ///
 ///     w = A λ + q,   A = (A₁₁ A₁₂; A₁₂ A₂₂),   q = w_now − A λ_now
 ///
-/// (6.22) to (6.24). Chapter 3's enumeration, specialised: with one row at a given bound the other is a single
+/// (6.21) to (6.23). Chapter 3's enumeration, specialised: with one row at a given bound the other is a single
 /// row, whose answer is a clamp. So five guesses do for the nine cases. A sweep over such pairs is block
 /// Gauss-Seidel.
 #pragma once
@@ -15,7 +15,7 @@ namespace rigid {
 using Mat2 = Eigen::Matrix<Real, 2, 2>;
 
 //! [solve_block]
-/// The λ of two rows that solves both exactly, (6.22) to (6.24).
+/// The λ of two rows that solves both exactly, (6.21) to (6.23).
 /// \param A  2×2 [1/kg], symmetric, positive definite
 /// \param q  [m/s]
 /// \return   λ [N s]; if rounding leaves no guess that fits, the one that fits best

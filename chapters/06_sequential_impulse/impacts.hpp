@@ -4,7 +4,7 @@
 ///     simultaneous   all rows at once, b = e v⁻ with the v⁻ before the impact: one complementarity problem
 ///     sequential     one contact after the other, each an impact of two bodies, until none approaches any more
 ///
-/// (6.20) and (6.21). Newton's cradle behaves like the second.
+/// (6.19) and (6.20). Newton's cradle behaves like the second.
 #pragma once
 
 #include "chapters/02_velocity_constraints/constraints.hpp"

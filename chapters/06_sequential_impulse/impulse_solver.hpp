@@ -46,7 +46,7 @@ template <int Dof>
 struct ImpulseSolver : PlainSolver {
     ImpulseSettings sweeps;
     Order ordering = Order::given;
-    bool in_pairs = false;  ///< two rows in one visit, (6.22)
+    bool in_pairs = false;  ///< two rows in one visit, (6.21)
     Random random{1};       ///< for a shuffled order
 
     // What is kept from step to step.

@@ -37,7 +37,7 @@ inline Real own_restitution(const DiscScene&, const StepData<2>&, std::size_t)
 }
 
 //! [restitution]
-/// Contacts that bounce, (6.17): a bounce that is faster than what the row has as
+/// Contacts that bounce, (6.18): a bounce that is faster than what the row has as
 /// its bias takes the bias' place.
 template <class Scene>
 void add_bounces(const Scene& scene, const Restitution& bounce,

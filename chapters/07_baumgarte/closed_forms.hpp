@@ -12,7 +12,7 @@
 
 namespace rigid {
 
-/// (7.8): one step of a bead of 1 kg on a wire of radius 1 m, expressed as \f$D = r^2 - 1\f$ [m²]. With β = 0 it is the
+/// (7.17): one step of a bead of 1 kg on a wire of radius 1 m, expressed as \f$D = r^2 - 1\f$ [m²]. With β = 0 it is the
 /// drift (7.3).
 /// \param hL  h times its angular momentum r u_t, which no radial impulse changes [m²]
 inline Real next_bead(Real D, Real beta, Real hL)
@@ -21,7 +21,7 @@ inline Real next_bead(Real D, Real beta, Real hL)
 }
 
 //! [settled]
-/// (7.9): where a bead on a wire of radius 1 m comes to rest with β, as \f$D = r^2
+/// (7.18): where a bead on a wire of radius 1 m comes to rest with β, as \f$D = r^2
 /// - 1\f$ [m²].
 /// \param hL  as for next_bead() [m²]
 inline Real settled_bead(Real beta, Real hL)
@@ -32,7 +32,7 @@ inline Real settled_bead(Real beta, Real hL)
 //! [settled]
 
 //! [hop]
-/// (7.15): how far a body rises that leaves with the speed v, under symplectic
+/// (7.11): how far a body rises that leaves with the speed v, under symplectic
 /// Euler [m].
 inline Real rise(Real v, Real g, Real h)
 {
@@ -41,7 +41,7 @@ inline Real rise(Real v, Real g, Real h)
 }
 //! [hop]
 
-/// (7.11): the error of link k of N, from the anchor, that hang with one sweep a step, first link first [m].
+/// (7.20): the error of link k of N, from the anchor, that hang with one sweep a step, first link first [m].
 inline Real one_sweep_sag(Index k, Index N, Real g, Real beta, Real h)
 {
     return static_cast<Real>(N - k) * g * h * h / beta;
@@ -59,14 +59,14 @@ inline MatX power(const MatX& G, int exponent)
 }
 
 //! [sag]
-/// (7.12): the error C that rows at rest carry when a step makes too few sweeps
+/// (7.8): the error C that rows at rest carry when a step makes too few sweeps
 /// [m].
 /// \param A       m×m [1/kg]
 /// \param lambda  the exact impulses of one step at rest [N s]
 /// \param sweeps  from the first row to the last
 /// \param beta    Baumgarte's
 /// \param h       time step [s]
-/// \param carry   part of λ that the next step starts from, (7.21); 0 = cold
+/// \param carry   part of λ that the next step starts from, (7.22); 0 = cold
 inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h,
                 Real carry = 0)
 {
@@ -76,7 +76,7 @@ inline VecX sag(const MatX& A, const VecX& lambda, int sweeps, Real beta, Real h
 }
 //! [sag]
 
-/// (7.19): the same where velocities only forget C and pseudo-velocities correct it, each with its own sweeps [m].
+/// (7.21): the same where velocities only forget C and pseudo-velocities correct it, each with its own sweeps [m].
 inline VecX split_sag(const MatX& A, const VecX& lambda, int sweeps,
                       int correction_sweeps, Real beta, Real h)
 {

@@ -4,7 +4,7 @@
 ///
 ///     x ← x + M⁻¹ Jᵀ Λ,   Λ = (goal − C(x)) / (J M⁻¹ Jᵀ),   goal = (1 − β) C at the start
 ///
-/// (7.18). No velocity is touched. C and J are computed again at each visit, so the rows follow the curve and not its
+/// (7.14). No velocity is touched. C and J are computed again at each visit, so the rows follow the curve and not its
 /// tangent. The goal keeps β's meaning: the part that one step corrects, however many sweeps it makes.
 #pragma once
 
@@ -55,7 +55,7 @@ std::int64_t project_positions(const Evaluate& evaluate, std::size_t count,
             const Row<Dof> row = bilateral(c, inverse_mass);
             const Real A = row.inverse_effective_mass();
             if (!(A > 0)) continue;
-            row.apply(missing / A, x);  // (7.18)
+            row.apply(missing / A, x);  // (7.14)
             done = false;
         }
     }

@@ -123,7 +123,7 @@ int main(int count, char** word)
         }
         std::printf(" mm with beta = %g\n", beta);
     }
-    // (7.13): a disc 0.1 m deep in a floor.
+    // (7.9): a disc 0.1 m deep in a floor.
     Discs one{Vec{{0, 0}}, Vec::Zero(2),  Vec::Ones(2), Vec{{0.1}},
               0,           Vec{{0, 1, 0}}};
     step(one, 1.0 / 60, 0.2);

@@ -63,7 +63,7 @@ constexpr std::string_view to_string(Stabilizer method)
 void require_valid(const StabilizerSettings& settings);
 
 //! [error]
-/// (7.16): the part of C that is to be corrected [m]: what lies beyond the slop; of
+/// (7.12): the part of C that is to be corrected [m]: what lies beyond the slop; of
 /// a contact only an overlap, C < 0; of a motor nothing.
 inline Real position_error(Real C, ConstraintKind kind,
                            const StabilizerSettings& settings)
@@ -150,7 +150,7 @@ void pose_relaxation(const StepData<Dof>& now, const StabilizerSettings& setting
 //! [relax]
 
 //! [split]
-/// The second problem of split impulse, (7.17): pseudo-velocities v that correct
+/// The second problem of split impulse, (7.13): pseudo-velocities v that correct
 /// the part β of the error that the step will leave, C' = C + h J u. They are found
 /// on the same rows, and only ever added to x.
 template <int Dof>

@@ -1,10 +1,10 @@
 /// \file best_multiple.hpp
 /// How much of the previous answer is worth having: the multiple s λ that lowers the merit most.
 ///
-///     φ(s λ) = s qᵀλ + ½ s² λᵀAλ,   least at   s = −qᵀλ / λᵀAλ        (8.14)
+///     φ(s λ) = s qᵀλ + ½ s² λᵀAλ,   least at   s = −qᵀλ / λᵀAλ        (8.12)
 ///
 /// No A is built: λᵀAλ = Σ m Δu² with Δu = M⁻¹Jᵀλ. Never worse than the previous answer nor than none, so that a
-/// stale guess cannot add energy: (8.13), and where b ≥ 0 (8.16). One pass over the rows, and over the bodies that they
+/// stale guess cannot add energy: (8.11), and where b ≥ 0 (8.15). One pass over the rows, and over the bodies that they
 /// name. Bodies that no row joins
 /// have each their own s. The same idea with several old answers is \cite fischer1998.
 #pragma once
@@ -22,11 +22,11 @@
 namespace rigid {
 
 //! [rule]
-/// What may be taken instead of the s of (8.14). The merit of sλ is at most zero
-/// for every s between 0 and twice the best, so that none of it touches (8.16).
+/// What may be taken instead of the s of (8.12). The merit of sλ is at most zero
+/// for every s between 0 and twice the best, so that none of it touches (8.15).
 struct MultipleRule {
     /// a multiple is moved towards 1 by this much, and to 1 if it is no farther;
-    /// see section 8.8
+    /// see section 8.7
     Real near_one = 0;
     Real most = infinity;  ///< and it is at most this, 1 …
 };
@@ -160,7 +160,7 @@ void limit_bounded(const Row<Dof>& row, Real impulse, Real& most)
 //! [bounded]
 
 //! [best_multiple]
-/// (8.14): scales the impulses of each group by the multiple that lowers the merit
+/// (8.12): scales the impulses of each group by the multiple that lowers the merit
 /// most, at least zero.
 /// \param rows          m valid rows
 /// \param inverse_mass  [1/kg]

@@ -8,7 +8,7 @@ namespace rigid {
 //! [step_rate]
 Real step_rate(Real gamma, Real share, Real beta)
 {
-    // the matrix whose characteristic polynomial is (8.10)
+    // the matrix whose characteristic polynomial is (8.18)
     Eigen::Matrix<Real, 3, 3> companion;
     companion << 1 - beta + gamma * (1 + share + beta), -gamma * (1 + 2 * share),
         gamma * share, 1, 0, 0, 0, 1, 0;

@@ -3,13 +3,13 @@
 ///
 /// A mode of the rows whose error k sweeps multiply by γ = ρᵏ obeys, from step to step,
 ///
-///     z³ − (1 − β + γ (1 + σ + β)) z² + γ (1 + 2σ) z − γσ = 0        (8.10)
+///     z³ − (1 − β + γ (1 + σ + β)) z² + γ (1 + 2σ) z − γσ = 0        (8.18)
 ///
 /// with Baumgarte's β and the share σ of the previous impulses. All its |z| are below 1 exactly if
 ///
-///     σ γ (1 + β) < 1                                                 (8.11)
+///     σ γ (1 + β) < 1                                                 (8.9)
 ///
-/// for real γ of 0 … 1. Where rows form loops, γ may be complex: (8.7a).
+/// for real γ of 0 … 1. Where rows form loops, γ may be complex: (8.14).
 #pragma once
 
 #include "common/elementary.hpp"
@@ -36,18 +36,18 @@ Real spectral_radius(Matrix power)
     return exp(logarithm);
 }
 
-/// The largest |z| of (8.10): by what factor such a mode grows or shrinks in a
+/// The largest |z| of (8.18): by what factor such a mode grows or shrinks in a
 /// step, in the long run.
 /// \param gamma  \f$\gamma = \rho^k\f$, what the sweeps of a step leave of an
 ///               error, 0 … 1
 /// \param share  σ, of the previous impulses; 0 = cold
 /// \param beta   Baumgarte's β; 0 = an error of position is left alone, or repaid
-///               outside of the velocities. Then (8.10) has a factor z − 1, the
+///               outside of the velocities. Then (8.18) has a factor z − 1, the
 ///               error that stays; the two other roots are meant
 Real step_rate(Real gamma, Real share, Real beta);
 
 //! [settles]
-/// (8.7a): do steps that start from all of the remembered impulses settle? b = 0,
+/// (8.14): do steps that start from all of the remembered impulses settle? b = 0,
 /// and rows that stay and push or pull.
 /// \param gamma  an eigenvalue of Gᵏ, what the sweeps of a step leave of an error
 inline bool memory_settles(std::complex<Real> gamma)
@@ -70,7 +70,7 @@ inline Real memory_rate(const MatX& G)
 }
 //! [settles]
 
-/// (8.11): the least number of sweeps a step with which the previous impulses and Baumgarte's β do not build each
+/// (8.9): the least number of sweeps a step with which the previous impulses and Baumgarte's β do not build each
 /// other up, for rows on which one sweep multiplies the error by `rate`.
 inline int least_stable_sweeps(Real rate, Real share, Real beta)
 {

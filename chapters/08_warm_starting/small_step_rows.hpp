@@ -21,7 +21,7 @@ namespace rigid {
 struct StartOfGroup {
     Real slope = 0;      ///< qᵀλ [J]
     Real curvature = 0;  ///< λᵀAλ [J]
-    Real multiple = 1;   ///< s of (8.14)
+    Real multiple = 1;   ///< s of (8.12)
 };
 
 /// Bodies begin … end − 1 are of one group.

@@ -38,7 +38,7 @@ void carry(std::size_t k, SmallStep& now);
 /// \param h  a substep [s]
 void begin_substep(const Bodies<2>& bodies, Real h, SmallStep& now);
 
-/// u becomes u* + s M⁻¹ Jᵀ λ with the multiple s of each group, (8.14): qᵀλ = bᵀλ +
+/// u becomes u* + s M⁻¹ Jᵀ λ with the multiple s of each group, (8.12): qᵀλ = bᵀλ +
 /// Σ m u*·Δu, λᵀAλ = Σ m Δu².
 /// \param gain  h g [m/s]
 void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep& now);

@@ -10,7 +10,7 @@
 namespace rigid {
 
 /// As it is, it corrects by Baumgarte's bias, whose energy no start bounds. Errors corrected outside of the impulses (none,
-/// split_impulse, projection) leave (8.16): no scene gains energy from a start at the best multiple.
+/// split_impulse, projection) leave (8.15): no scene gains energy from a start at the best multiple.
 //! [method]
 struct WarmMethod {
     AllPairs contacts;

@@ -17,7 +17,7 @@ namespace rigid {
 enum class Start {
     cold,      ///< λ = 0
     previous,  ///< the answer of the step before, or a part of it
-    /// that answer times the multiple that fits this step best (8.14)
+    /// that answer times the multiple that fits this step best (8.12)
     best_multiple,
 };
 
@@ -51,7 +51,7 @@ ImpulseKey key_of(const Source& source, const std::vector<AnyContact>& contacts)
 struct WarmStart : PlainStart {
     Start from = Start::best_multiple;
     /// σ, the part of the previous impulses that the sweeps start from, 0 … 1; see
-    /// (8.11)
+    /// (8.9)
     Real factor = 1;
     int keep = 0;       ///< steps that an impulse outlives its row
     MultipleRule rule;  ///< of best_multiple: what may be taken instead of the best

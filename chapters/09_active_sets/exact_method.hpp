@@ -5,7 +5,7 @@
 /// velocities and position errors are both solved exactly, apart.
 ///
 ///     w = A λ + J u* + b        → λ, u = u* + M⁻¹ Jᵀ λ
-///     w = A Λ + β C'/h          → Λ, v = M⁻¹ Jᵀ Λ        C' = C + h J u, (7.17)
+///     w = A Λ + β C'/h          → Λ, v = M⁻¹ Jᵀ Λ        C' = C + h J u, (7.13)
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step.hpp"

@@ -184,7 +184,7 @@ private:
     }
     //! [meet_positions]
 
-    /// (7.17), all of it at once: errors of position are moved out, and leave no velocity.
+    /// (7.13), all of it at once: errors of position are moved out, and leave no velocity.
     template <class Scene, class Solver>
     void repair(Scene& scene, Real h, Real left_alone, Solver& solver,
                 StepData<Scene::dof>& now)

@@ -3,7 +3,7 @@
 ///
 ///     w' = w + A Δ,   lo − λ ≤ Δ ≤ hi − λ,   Δ complementary to w'
 ///
-/// (10.6): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. The answer depends on
+/// (10.10): the problem of the correction Δ, whose answer is near zero when the previous λ still fits. The answer depends on
 /// the island's own rows, λ and u alone: room is kept for each number of rows, but no guess.
 #pragma once
 
@@ -24,7 +24,7 @@ struct ExactScratch {
 };
 
 //! [closed_form]
-/// One row is solved by one visit, two rows by chapter 6's block (6.22). False
+/// One row is solved by one visit, two rows by chapter 6's block (6.21). False
 /// where the two are so nearly the same row that rounding would make the answer
 /// useless.
 template <int Dof>

@@ -1,5 +1,5 @@
 /// \file fall_asleep.hpp
-/// The end of the contacts stage: how long each body has been at rest, and which islands fall asleep (10.8).
+/// The end of the contacts stage: how long each body has been at rest, and which islands fall asleep (10.7).
 #pragma once
 
 #include "chapters/10_skipping_work/sleepers.hpp"
@@ -108,7 +108,7 @@ Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
     return largest;
 }
 
-/// (10.8). An island that falls asleep is put where its contacts were found.
+/// (10.7). An island that falls asleep is put where its contacts were found.
 template <int Dof>
 template <class Scene, class Method>
 void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,

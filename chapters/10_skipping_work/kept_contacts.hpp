@@ -4,7 +4,7 @@
 ///     d = x_b − x_a,  d0 as it was when the normal n was found:   while ‖d − d0‖ ≤ slack keep n, and
 ///     C_kept = C0 + nᵀ (d − d0),   0 ≤ C − C_kept ≤ slack² / (2 (‖d0‖ − slack)),   sin ∠ ≤ slack / ‖d0‖
 ///
-/// (10.10). The error does not grow with time, and is on the safe side: a distance is never shorter than its tangent
+/// (10.9). The error does not grow with time, and is on the safe side: a distance is never shorter than its tangent
 /// says. Which contacts there are is decided by the exact test; only normal and gap are approximate.
 #pragma once
 

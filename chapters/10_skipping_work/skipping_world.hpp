@@ -43,7 +43,7 @@ struct SkippingSettings {
     StabilizerSettings stabilizer;
     Restitution bounce;
     /// where the sweeps start. The best multiple adds no energy whatever the scene
-    /// if errors are corrected outside of the impulses, (8.16): `split_impulse`,
+    /// if errors are corrected outside of the impulses, (8.15): `split_impulse`,
     /// `projection` or `none`. With a bias, as of `baumgarte`, nothing bounds it.
     Start start = Start::best_multiple;
     RestSettings rest;

@@ -5,9 +5,9 @@
 ///     ‖u‖ ≤ max(½ top_speed, ε)   in the last step, for the greatest speed in that time: the motion dies out,
 ///     and the step's answer was solved
 ///
-/// (10.8). Here a is the acceleration that a body would have if what acts on it had no counterforce, and s a small part of
+/// (10.7). Here a is the acceleration that a body would have if what acts on it had no counterforce, and s a small part of
 /// it. A ball at the top of its flight and a pendulum at its apex have no velocity, but the acceleration g, however small g
-/// is; a disc that begins to topple has little of either, but more and more. What sleep costs in accuracy: see (10.9).
+/// is; a disc that begins to topple has little of either, but more and more. What sleep costs in accuracy: see (10.8).
 #pragma once
 
 #include "chapters/08_warm_starting/impulse_cache.hpp"
@@ -50,7 +50,7 @@ struct Rest {
 /// With the default a_rest, 9.81 m/s² and ℓ = 1 m the two limits are nearly one.
 constexpr Real unbalanced = 1.0 / 400;
 
-/// (10.8) for one body and one step: is it slow, and is its velocity steady?
+/// (10.7) for one body and one step: is it slow, and is its velocity steady?
 /// \param rest    what was so until now
 /// \param u       velocity after the step [m/s]
 /// \param before  and before it [m/s]

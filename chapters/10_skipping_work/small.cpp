@@ -1,6 +1,5 @@
 // Chapter 10 in one file, grown from chapter 8: skips what cannot matter.
 // Pairs far apart, rows of solved islands and bodies at rest cost nothing.
-//
 //     A = diag(A₁, A₂, …): no impulse of one island moves a body of another, (10.5)
 #include <Eigen/Core>
 #include <algorithm>
@@ -14,10 +13,9 @@ using Vec = Eigen::VectorXd;
 using Mat = Eigen::MatrixXd;
 
 struct Contact {
-    int a, b;      // disc b and disc a, or a wall: -1, -2, …
-    Vector2d n;    // from a to b
-    double C, lo;  // gap [m]; bound of λ: 0, or -∞ for a link, which pulls as well
-    double bias = 0, lambda = 0;  // [m/s], [N s]
+    int a, b;    // disc b and disc a, or a wall: -1, -2, …
+    Vector2d n;  // from a to b
+    double C, lo, bias = 0, lambda = 0;  // gap [m], least λ, [m/s], [N s]
 };
 
 struct Discs {
@@ -29,8 +27,7 @@ struct Discs {
     long pairs = 0, visits = 0, moved = 0;  // the work so far
 };
 
-// The list of chapter 8 by sort and sweep: a pair of discs is looked at if their
-// shadows on the x axis meet, and not both sleep.
+// Chapter 8's list by sort and sweep: pairs whose shadows meet, and not both sleep.
 std::vector<Contact> find_contacts(Discs& d, bool skip)
 {
     std::vector<Contact> found;
@@ -133,7 +130,7 @@ void step(Discs& d, double h, int skip, int most = 100000, double enough = 1e-6)
         rows[skip > 0 ? island[c.b] : 0].push_back(&c);
     }
     for (const std::vector<Contact*>& own : rows) {
-        double off = 1;  // each island stops when it is solved, (10.7)
+        double off = 1;  // each island stops when it is solved, (10.6)
         for (int sweeps = 0; off > enough && sweeps < most; ++sweeps) {
             off = 0;
             for (Contact* c : own) off = std::max(off, visit(*c, d)), ++d.visits;
@@ -142,7 +139,7 @@ void step(Discs& d, double h, int skip, int most = 100000, double enough = 1e-6)
     for (const Contact& old : d.contacts)  // sleepers remember
         if (d.asleep[old.b] >= 0) contacts.push_back(old);
     d.contacts = contacts;
-    std::vector<bool> restless(K);  // (10.8), for half a second, of a whole island
+    std::vector<bool> restless(K);  // (10.7), for half a second, of a whole island
     for (int k = 0; k < K; ++k) {
         if (d.asleep[k] >= 0) continue;
         d.x.segment<2>(2 * k) += h * d.u.segment<2>(2 * k), ++d.moved;  // (1.10)
@@ -164,37 +161,40 @@ Discs columns()
         d.x.segment<2>(2 * k) << 0.5 * (k / 5), 0.1 + 0.2 * (k % 5);
     d.x.tail<2>() << -1, 0.3;
     d.radius << Vec::Constant(100, 0.1), 0.3;
-    d.inverse_mass.tail<2>().setConstant(0.1);
-    d.u[200] = 1;
+    d.inverse_mass.tail<2>().setConstant(0.1), d.u[200] = 1;
     return d;
 }
 
 int main(int count, char** word)
 {
     // By hand, section 10.5: eight bodies, but 2 and 5 are fixed and join nothing.
-    const std::vector<Contact> rows{
-        {0, 3, {0, 1}, 0, 0}, {3, 6, {0, 1}, 0, 0}, {-1, 1, {0, 1}, 0, 0}};
-    std::printf("islands:");
-    for (const int k : islands(rows, 8)) std::printf(" %d", k);
-    std::printf("\n");
-
+    const int joined[][2]{{2, 1}, {0, 3}, {2, 4}, {5, 4}, {3, 6}};
+    std::vector<Contact> rows{{-1, 1, {0, 1}, 0, 0}};
+    const Mat at{{1, 1},  {-2, -1}, {-1, 1}, {2, 1},
+                 {0, -1}, {1, 0},   {3, 0},  {2, -1}};
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture
+    out << "<svg xmlns='http://www.w3.org/2000/svg' width='500' font-size='0.35' "
+           "fill='#808080' stroke-width='0.04' viewBox='-2.5 -1.7 6.2 3.1'>\n";
+    for (const auto& [a, b] : joined) {
+        rows.push_back({a == 2 || a == 5 ? -1 : a, b, {0, 1}, 0, 0});
+        out << "<path stroke='#808080' d='M" << at.row(a) << 'L' << at.row(b)
+            << "'/>\n";
+    }
+    const std::vector<int> island = islands(rows, 8);
+    for (int k = 0; k < 8; ++k) {
+        std::printf("body %d: island %d\n", k, island[k]);
+        out << "<g transform='translate(" << at.row(k)
+            << ")'><circle r='.2' fill='hsl(" << 80 * island[k] << " "
+            << (k == 2 || k == 5 ? 0 : 60) << "% 50%)'/><text x='.2' y='-.2'>" << k
+            << "</text></g>\n";
+    }
+    out << "</svg>\n";
     Discs all = columns(), some = all, asleep = all;
     for (int n = 0; n < 150; ++n) {
-        step(all, 1.0 / 60, 0, 10, 0);
-        step(some, 1.0 / 60, 1, 10, 0);
+        step(all, 1.0 / 60, 0, 10, 0), step(some, 1.0 / 60, 1, 10, 0);
         step(asleep, 1.0 / 60, 2, 10);
     }
     std::printf("the same bits: %s\n", all.x == some.x ? "yes" : "no");
     for (const Discs& d : {all, some, asleep})
-        std::printf("%ld pairs, %ld visits, %ld moved\n", d.pairs, d.visits,
-                    d.moved);
-    if (count < 2) return 0;
-    std::ofstream out(word[1]);  // an SVG picture; the sleepers are grey
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='720' stroke-width='0.02' viewBox='-1.6 -1.1 12.2 1.2'>\n";
-    for (int k = 0; k < asleep.radius.size(); ++k)
-        out << "<circle cx='" << asleep.x[2 * k] << "' cy='" << -asleep.x[2 * k + 1]
-            << "' r='" << asleep.radius[k] << "' stroke='"
-            << (asleep.asleep[k] < 0 ? "#CC3311" : "#808080") << "'/>\n";
-    out << "</svg>\n";
+        std::printf("%ld pairs %ld visits %ld moved\n", d.pairs, d.visits, d.moved);
 }

@@ -128,6 +128,9 @@ int main(int count, char** word)
         visit(c, rod);
     }
     std::printf("lambda %g N s\n", c.lambda);
+    const Vector2d middle = rod.x.head<2>(), end = paths[1].second[0];
+    paths.push_back({"#EE7733", {end, {middle.x(), end.y()}, middle}});  // the arm
+    paths.push_back({"#CC3311", {end, end + Vector2d(0, 0.4 * c.lambda)}});
 
     // Under its weight the rod falls flat, and a box beside it.
     Bodies d{{}, {}, {}, {}, Vec{{0, 1, 0}}};
@@ -150,5 +153,7 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.05'><text x='-0.34' y='-0.01'>30°</text>"
+           "<text x='-0.2' y='0.06'>arm</text><text x='-0.43' y='-0.2'>λ</text>"
+           "</g></svg>\n";
 }

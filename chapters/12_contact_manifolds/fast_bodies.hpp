@@ -3,7 +3,7 @@
 ///
 /// A body that moves by no more than half its inner radius, from its centroid to its nearest side, is still on the side it
 /// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way to
-/// its first impact (time_of_impact.hpp). It loses the rest of the step's time, and what its weight did in it (12.6a); the
+/// its first impact (time_of_impact.hpp). It loses the rest of the step's time, and what its weight did in it (12.10); the
 /// next step finds the contact. Of two that are close already, the contact has its row; they are only stopped when one gets
 /// half its inner radius deep into the other, or by an eighth deeper than it was. A thin body whose foot stands there and
 /// turns goes deeper, as a step is straight: the foot of a rod of length L by L (ωh)²/4. If it were stopped, it would lose
@@ -43,7 +43,7 @@ struct FastBodies {
 };
 
 //! [lost_time]
-/// (12.6a): what the force on body k did in the time that it has lost. With nothing
+/// (12.10): what the force on body k did in the time that it has lost. With nothing
 /// else at work that is a velocity. Where rows were at work they may have borne it:
 /// then only the energy of the way that it did not go is taken back.
 /// \param lost  time [s]

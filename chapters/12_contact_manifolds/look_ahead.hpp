@@ -1,7 +1,7 @@
 /// \file look_ahead.hpp
 /// How far a body may come in a step: two that close their gap in it get their rows before it, however small the margin is.
 ///
-///     reach = min(h (|v| + |g| h + |ω| R), s inner radii),     0 where the way is within half the margin              (12.6c)
+///     reach = min(h (|v| + |g| h + |ω| R), s inner radii),     0 where the way is within half the margin              (12.14)
 ///
 /// A row with a gap lets the two come as near as the gap, and no nearer. Without it they overlap by what they move in a step,
 /// before anybody has looked. It is about a line, not a shape, and is false beside a corner: hence the second bound. What
@@ -20,7 +20,7 @@ struct LookAhead {
 };
 
 //! [ahead]
-/// (12.6c) of some bodies; others do not look.
+/// (12.14) of some bodies; others do not look.
 /// \param before  those that looked in the step before
 /// \param reach   of all bodies [m]
 /// \param ways    of all bodies, without the second bound [m]

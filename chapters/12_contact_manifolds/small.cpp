@@ -161,13 +161,26 @@ int main(int count, char** word)
     add_box(across, 2, 1, INFINITY, {0, 0, 0});
     add_box(across, 1, 0.5, 3, {1.5, 1.49, 0});
     step(across, 0.1, 0);
-    for (const Contact& c : across.contacts)
-        std::printf("point %d: gap %g m, lambda %g N s\n", c.name, c.C, c.lambda);
-    // Six boxes on a floor, with two points a pair, and with the deepest alone.
     std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.05' viewBox='-1.2 -6.3 14 6.5'>\n"
+    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' font-size='0.28' "
+           "width='400' stroke-width='0.05' viewBox='-2.2 -2.7 5.2 3.8'>\n"
            "<g transform='scale(1 -1)'>\n";
+    for (const int b :
+         {0, 1})  // green: the reference edge; orange: the incident one
+        out << "<polygon stroke='#4477AA' points='" << placed(across, b).transpose()
+            << "'/>\n";
+    out << "<path stroke='#228833' stroke-width='0.16' d='M-2 1H2'/>\n"
+           "<path stroke='#EE7733' stroke-width='0.07' d='M.5 .99H2.5'/>\n"
+           "<path stroke='#808080' stroke-dasharray='0.1' d='M.5 .2V1M2 .2V1'/>\n";
+    for (const Contact& c : across.contacts) {
+        std::printf("point %d: gap %g m, lambda %g N s\n", c.name, c.C, c.lambda);
+        out << "<path stroke='#CC3311' d='M" << c.p.x() << " 1v" << c.lambda / 2
+            << "m-.1-.1l.1 .1 .1-.1'/>\n<text fill='#808080' transform='scale(1 "
+               "-1)'"
+            << " x='" << c.p.x() + 0.1 << "' y='-0.6'>"
+            << "ab"[c.name / 4] << c.name % 4 << "</text>\n";
+    }
+    // Six boxes on a floor, with two points a pair, and with the deepest alone.
     for (const int points : {2, 1}) {
         Bodies d;
         d.points = points;
@@ -175,11 +188,6 @@ int main(int count, char** word)
         for (int k = 0; k < 6; ++k) add_box(d, 0.5, 0.5, 1, {0, 0.5 + k, 0});
         for (int n = 0; n < 240; ++n) step(d, 1.0 / 60, 0.2, 10);
         std::printf("points: %d, the top at %.4f m\n", points, d.x[19]);
-        for (int b = 1; b < 7; ++b) {
-            d.x[3 * b] += 14 - 7 * points;
-            out << "<polygon stroke='#4477AA' points='" << placed(d, b).transpose()
-                << "'/>\n";
-        }
     }
     out << "</g></svg>\n";
 }

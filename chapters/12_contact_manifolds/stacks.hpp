@@ -17,7 +17,7 @@ RigidScene box_stack(int boxes, Real width = 1);
 RigidScene box_pyramid(int base);
 
 /// N blocks of 1 m by 0.25 m over the end of a table at x = 0, each as far out as it may be, times `part`: the block
-/// k from the top lies 1/(2k) m farther out than the one below it, (12.8).
+/// k from the top lies 1/(2k) m farther out than the one below it, (12.6).
 RigidScene overhang(int blocks, Real part);
 
 /// A block on a floor without friction, tilted about its lower left corner. If `held`, a rail keeps the middle of its foot
@@ -25,14 +25,14 @@ RigidScene overhang(int blocks, Real part);
 RigidScene block_on_floor(Real half_width, Real half_height, Real tilt, bool held);
 
 /// ω after an impact of the other corner divided by ω before it: what is left of the angular momentum about that corner,
-/// (12.9) \cite housner1963.
+/// (12.7) \cite housner1963.
 inline Real housner_ratio(Real half_width, Real half_height)
 {
     const Real w = half_width * half_width, h = half_height * half_height;
     return 1 - 1.5 * w / (w + h);
 }
 
-/// ω about its corner, on a floor without friction, with which a block that stands upright just goes over, (12.10)
+/// ω about its corner, on a floor without friction, with which a block that stands upright just goes over, (12.16)
 /// [rad/s].
 inline Real tipping_speed(Real half_width, Real half_height, Real g)
 {

@@ -1,7 +1,7 @@
 /// \file time_of_impact.hpp
 /// When two moving shapes first come within a given distance: conservative advancement.
 ///
-///     τ ← τ + (gap − target) / r,   r = n·(v_a − v_b) + |ω_a| R_a + |ω_b| R_b                          (12.6)
+///     τ ← τ + (gap − target) / r,   r = n·(v_a − v_b) + |ω_a| R_a + |ω_b| R_b                          (12.9)
 ///
 /// Along the normal n of the nearest points no two points of the shapes can close the gap faster than r, turning
 /// included, for R the way from the centroid to the farthest vertex. So the shapes do not touch before the new τ, and no
@@ -51,7 +51,7 @@ struct ImpactMemory {
 };
 
 //! [advance]
-/// (12.6), for any gap(τ) with its normal: from τ = 0 until the gap is at most
+/// (12.9), for any gap(τ) with its normal: from τ = 0 until the gap is at most
 /// `target` + `tolerance`.
 /// \param gap_at  of τ: what has a `gap` and a `normal`
 /// \param rate    Real(normal): no faster can the gap close [m a unit of τ]

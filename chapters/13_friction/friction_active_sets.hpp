@@ -1,7 +1,7 @@
 /// \file friction_active_sets.hpp
 /// Exact friction: guess which contacts are open, stick or slide, solve once, correct the guess.
 ///
-/// Algorithm 13.1 of the text. Warm: the first guess is what the λ to start from points at, so last step's answer needs
+/// Algorithm 13.2 of the text. Warm: the first guess is what the λ to start from points at, so last step's answer needs
 /// no guess at all where nothing has changed. What guessing cannot settle goes to sweeps and comes back, then to chapter 9's
 /// rounds, then to Lemke's algorithm on Stewart's and Trinkle's problem; and what is still not an answer is not called one.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace rigid {
 
-/// (13.11): guesses that a large ε holds near the last λ, then with smaller ones.
+/// (13.25): guesses that a large ε holds near the last λ, then with smaller ones.
 /// Begins with the best λ so far.
 bool proximal_friction(FrictionMemory& memory, const FrictionSettings& settings,
                        Solution& solution);
@@ -26,7 +26,7 @@ void retreat(FrictionMemory& memory, const FrictionSettings& settings,
              Solution& solution);
 
 //! [solve]
-/// Solves the Coulomb problem of these rows, Algorithm 13.1.
+/// Solves the Coulomb problem of these rows, Algorithm 13.2.
 /// \param mlcp      A, q, bounds of ordinary rows; those of friction rows become the
 ///                  answer's
 /// \param boxes     which rows others bound

@@ -1,5 +1,5 @@
 /// \file friction_correct.hpp
-/// Guess, solve, correct, until no row is wrong: the loop of Algorithm 13.1, its settings and its memory, and the sweeps
+/// Guess, solve, correct, until no row is wrong: the loop of Algorithm 13.2, its settings and its memory, and the sweeps
 /// that lend it another beginning.
 #pragma once
 

@@ -31,7 +31,7 @@ struct FrictionProblem {
     Mlcp* mlcp = nullptr;  ///< bounds of friction rows are those of the present λ
     std::span<const FrictionBox> boxes;
     GuessedProblem scale;  ///< diagonal, units and tolerances (chapter 9)
-    /// ε of a proximal step (13.11); 0: the problem itself
+    /// ε of a proximal step (13.25); 0: the problem itself
     Real share = 0;
 };
 

@@ -1,5 +1,5 @@
 /// \file friction_islands.hpp
-/// A small island with friction solved exactly from where its λ stand, by Algorithm 13.1.
+/// A small island with friction solved exactly from where its λ stand, by Algorithm 13.2.
 ///
 ///     w = A λ + q,   q = w_now − A λ_now
 ///
@@ -27,7 +27,7 @@ struct ExactFrictionIslands {
     std::vector<Room> rooms;
     std::vector<FrictionBox> boxes;
 
-    /// Where Algorithm 13.1 has no answer, λ and u are left as they are.
+    /// Where Algorithm 13.2 has no answer, λ and u are left as they are.
     /// \param enough  if the natural residual is below this, there is nothing to
     ///                solve [m/s]
     template <int Dof>

@@ -16,7 +16,7 @@
 
 namespace rigid {
 
-/// Algorithm 13.1 as a finder: void(Mlcp&, boxes, Solution&).
+/// Algorithm 13.2 as a finder: void(Mlcp&, boxes, Solution&).
 struct FindFriction {
     FrictionSettings settings;
     FrictionMemory memory;

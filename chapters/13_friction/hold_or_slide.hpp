@@ -1,8 +1,8 @@
 /// \file hold_or_slide.hpp
 /// Two coefficients: μ_s for a contact that holds, μ_k for one that slides.
 ///
-///     |λ_t| ≤ μ λ_n,   μ = μ_s if it held in the step before,   μ = μ_k if it slid                    (13.20)
-///     slides: |w_t| > creep  and  |λ_t − w_t / A_tt| ≥ μ λ_n                                          (13.21)
+///     |λ_t| ≤ μ λ_n,   μ = μ_s if it held in the step before,   μ = μ_k if it slid                    (13.15)
+///     slides: |w_t| > creep  and  |λ_t − w_t / A_tt| ≥ μ λ_n                                          (13.16)
 ///
 /// The law has a memory, and so has this: for each contact, by its key, whether it slid. What slid and would turn around
 /// passes through rest, where μ_s counts: then the step is solved once more.
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// (13.20)
+    /// (13.15)
     template <int Dof>
     void set_coefficients(StepData<Dof>& now) const
     {
@@ -117,7 +117,7 @@ private:
         return some;
     }
 
-    /// (13.21): by the λ and the w of the answer.
+    /// (13.16): by the λ and the w of the answer.
     template <int Dof>
     bool slides(const Slider& slider, const Bodies<Dof>& bodies,
                 const StepData<Dof>& now) const

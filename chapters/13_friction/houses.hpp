@@ -1,8 +1,8 @@
 /// \file houses.hpp
 /// What stands by friction alone: a house of cards and an arch of stones, with the μ that each needs.
 ///
-///     house    μ ≥ (½ + p) / (1 + p) tan θ of each card, p the load on its tip in weights       (13.16)
-///     arch     tan ψ tan(φ_j + ψ) ≥ 2j / N at each joint, μ = tan ψ, φ_j = j π / N from the crown    (13.17)
+///     house    μ ≥ (½ + p) / (1 + p) tan θ of each card, p the load on its tip in weights       (13.13)
+///     arch     tan ψ tan(φ_j + ψ) ≥ 2j / N at each joint, μ = tan ψ, φ_j = j π / N from the crown    (13.20)
 #pragma once
 
 #include "chapters/12_contact_manifolds/stacks.hpp"
@@ -47,7 +47,7 @@ inline RoughScene card_house(int storeys, Real mu)
 }
 //! [cards]
 
-/// (13.16): a μ that is enough for a house of thin cards, and nearly the least: the
+/// (13.13): a μ that is enough for a house of thin cards, and nearly the least: the
 /// loads are carried down from the top, p on the tip of each card [weights of a
 /// card].
 Real card_house_by_hand(int storeys);
@@ -56,7 +56,7 @@ Real card_house_by_hand(int storeys);
 /// \param thickness  of the ring, whose mean radius is 1 m [m]
 RoughScene stone_arch(int stones, Real thickness, Real mu);
 
-/// (13.17): the least μ of a thick arch of an even number of stones.
+/// (13.20): the least μ of a thick arch of an even number of stones.
 Real arch_by_hand(int stones);
 
 }  // namespace rigid

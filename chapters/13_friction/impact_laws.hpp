@@ -1,9 +1,9 @@
 /// \file impact_laws.hpp
 /// What e means where there is friction: three laws of impact, and their energy.
 ///
-///     Newton    v_n⁺ = −e v_n⁻                               the bounce is a speed: can make energy (13.13)
+///     Newton    v_n⁺ = −e v_n⁻                               the bounce is a speed: can make energy (13.26)
 ///     Poisson   λ_n of the second half ≥ e times the first    the bounce is an impulse
-///     common    λ = (1 + e) λ_c, friction included            never makes energy (13.14)
+///     common    λ = (1 + e) λ_c, friction included            never makes energy (13.27)
 ///
 /// λ_c is the impulse of the impact with e = 0, after which the contact moves no closer. \cite moreau1988
 #pragma once

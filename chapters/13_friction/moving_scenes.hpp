@@ -37,7 +37,7 @@ inline RoughScene domino_run(int count, Real gap, Real floor, Real between)
 
 //! [throw]
 /// What two equal discs give each other when they graze: P_n along the line of
-/// centres, P_t across it, (13.18) [N s].
+/// centres, P_t across it, (13.21) [N s].
 /// \param closing, sliding  speeds of their surfaces before it, along and across
 /// \param kappa             I / (m r²)
 struct Throw {

@@ -1,6 +1,5 @@
 // Chapter 13 in one file, grown from chapter 12: contacts have friction.
 // It is a second row, whose bound is the impulse of the first.
-//
 //     normal: λ ≥ 0, w ≥ 0, λ w = 0     tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
 #include <Eigen/Geometry>
 #include <cmath>
@@ -13,19 +12,17 @@ using Vec = Eigen::VectorXd;
 using Polygon = Eigen::Matrix2Xd;  // corners, counterclockwise
 
 struct Contact {
-    int a, b, name;               // two bodies; which of their points it is
-    Vector2d p;                   // the point
-    Eigen::RowVector3d Ja, Jb;    // (12.4)
-    double C;                     // gap [m]
-    double bias = 0, lambda = 0;  // [m/s], [N s]
-    int normal = -1;              // of friction: the row that bounds it
+    int a, b, name;                  // two bodies; which of their points it is
+    Vector2d p;                      // the point
+    Eigen::RowVector3d Ja, Jb;       // (12.4)
+    double C, bias = 0, lambda = 0;  // gap [m], [m/s], [N s]
+    int normal = -1;                 // of friction: the row that bounds it
 };
 
 struct Bodies {
     Vec x, u, inverse_mass;        // three numbers a body: x, y, angle
     std::vector<Polygon> corners;  // from the centroid, at angle 0
-    double g = 9.81;
-    double mu = 0;
+    double g = 9.81, mu = 0;
     std::vector<Contact> contacts = {};  // of the last step
 };
 
@@ -172,20 +169,23 @@ Bodies boxes(int count, double angle, double mu, double g = 9.81)
 
 int main(int count, char** word)
 {
-    // By hand, section 13.1: a block on a slope of 3 in 4. Red: its push.
+    // By hand, section 13.1: a block on a slope of 3 in 4. Red: P = m (u − u*).
     std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.03' viewBox='-1.2 -1.5 4.4 3.5'>\n"
-           "<g transform='scale(1 -1)'>\n";
+    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='400' "
+           "stroke-width='0.03' viewBox='-1.2 -1.5 4.4 3.5'><g transform="
+           "'scale(1 -1)'>\n<path stroke='#808080' d='M-4 3L4-3'/>\n";
+    const Eigen::RowVector2d N(0.6, 0.8), T(-0.8, 0.6), up(0, 1);
     for (const double mu : {0.9, 0.5}) {
         Bodies d = boxes(1, std::atan(0.75), mu, 10);
         step(d, 0.1, 100);
-        std::printf("mu = %g: %.3f m/s\n", mu, d.u.segment<2>(3).norm());
-        d.x.segment<2>(3) += (0.9 - mu) * Vector2d(5, -3.75);
-        out << "<polygon stroke='#4477AA' points='" << placed(d, 1).transpose()
-            << "'/>\n<path stroke='#808080' d='M-4 3L4-3'/>\n"
-            << "<path stroke='#CC3311' d='M" << d.x[3] << ' ' << d.x[4] << 'l'
-            << d.u[3] << ' ' << 1 + d.u[4] << "'/>\n";
+        const Eigen::RowVector2d u = d.u.segment<2>(3), P = u + up;
+        std::printf("mu = %g: %.3f m/s\n", mu, u.norm());
+        out << "<g transform='translate(" << 5 * (0.9 - mu) * Vector2d(1, -0.75)
+            << ")'><polygon stroke='#4477AA' points='" << placed(d, 1).transpose()
+            << "'/>\n<path stroke='#228833' stroke-dasharray='0.1' d='M"
+            << N + mu * T << "L0 0L" << N - mu * T
+            << "'/>\n<path stroke='#EE7733' d='M0 0L" << N.dot(P) * N << 'L' << P
+            << "'/>\n<path stroke='#CC3311' d='M0 0L" << P << "'/></g>\n";
     }
     out << "</g></svg>\n";
     // mu = 0.3 holds up to 16.70 degrees; beyond it (13.1).

@@ -1,5 +1,5 @@
 /// \file stewart_trinkle_rows.hpp
-/// Section 5.10's problem of Stewart and Trinkle for any rows: each friction row with its own μ and its own normal, beside rows with
+/// Section 13.N's problem of Stewart and Trinkle for any rows: each friction row with its own μ and its own normal, beside rows with
 /// bounds of any kind. \cite stewart1996
 ///
 ///     0 ≤ β± ⟂ γ ± w_f ≥ 0,   0 ≤ γ ⟂ μ λ_n − β₊ − β₋ ≥ 0,   λ_f = β₊ − β₋
@@ -13,7 +13,7 @@
 namespace rigid {
 
 //! [stewart_trinkle]
-/// (5.22) of any rows: an MLCP of n + 2m rows for n rows of which m are friction.
+/// (13.29) of any rows: an MLCP of n + 2m rows for n rows of which m are friction.
 /// \throws std::invalid_argument  for a malformed box
 inline Mlcp stewart_trinkle(const Mlcp& rows, std::span<const FrictionBox> boxes)
 {

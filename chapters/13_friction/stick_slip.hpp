@@ -1,8 +1,8 @@
 /// \file stick_slip.hpp
 /// A block on a belt, held back by a spring: it sticks and slips by turns, and both can be computed by hand.
 ///
-///     sticks  2 (μ_s − μ_k) m g / (k v),   slips  (2/ω) (π − arctan((μ_s − μ_k) g / (ω v))),   ω² = k/m          (13.23)
-///     stretch  μ_k m g / k ± √(((μ_s − μ_k) m g / k)² + (v/ω)²)                                                   (13.24)
+///     sticks  2 (μ_s − μ_k) m g / (k v),   slips  (2/ω) (π − arctan((μ_s − μ_k) g / (ω v))),   ω² = k/m          (13.18)
+///     stretch  μ_k m g / k ± √(((μ_s − μ_k) m g / k)² + (v/ω)²)                                                   (13.19)
 #pragma once
 
 #include "chapters/13_friction/friction_solver.hpp"
@@ -19,7 +19,7 @@ struct StickSlip {
     Real g = 9.81;  ///< [m/s²]
 };
 
-/// The cycle by hand, (13.22) to (13.24).
+/// The cycle by hand, (13.17) to (13.19).
 struct StickSlipByHand {
     Real omega;           ///< of the block on its spring [1/s]
     Real balance;         ///< the stretch that sliding friction holds [m]

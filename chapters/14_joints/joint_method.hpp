@@ -32,7 +32,7 @@ struct ExactJoints {
 
 //! [never_stop]
 /// Contacts of limbs: one that is stopped alone on its way is torn off its joints, so
-/// none is. Instead their rows are there before they come (12.6c).
+/// none is. Instead their rows are there before they come (12.14).
 inline void never_stop(Manifolds& contacts)
 {
     contacts.fast.stop = false;

@@ -27,7 +27,7 @@ struct JointAnswer {
     }
 
     //! [refine]
-    /// (15.27): u from λ, and what is missing then once more. Where that does not
+    /// (15.23): u from λ, and what is missing then once more. Where that does not
     /// help, u stays what the tree said, and is not called solved.
     /// \param begin  sets u to u*
     template <class Begin>

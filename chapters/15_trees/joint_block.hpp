@@ -35,7 +35,7 @@ struct JointBlock : PinBlock {
     int count = 0;  ///< rows of the joint
     /// of each row the other body, if it cannot move
     std::array<Index, RowGroup::most> others{};
-    Vec<4> Kr;       ///< of a solve: K⁻¹ r, r as in (15.22)
+    Vec<4> Kr;       ///< of a solve: K⁻¹ r, r as in (15.18)
     Lines<4> J, Jp;  ///< J of the rows for the body, the parent
     Lines<4> JG;     ///< line i: what one unit of λ_i does to the body
     Lines<4> KJp;    ///< K⁻¹ J_p: what −λ becomes per velocity of the parent

@@ -8,7 +8,7 @@
 /// touched. Joints give back the whole of C; contacts and limits nothing up to the slop s, and beyond it the part β of what is
 /// missing to half of it:
 ///
-///     J v = −β (C + s/2)/h     where C < −s                                                               (15.21)
+///     J v = −β (C + s/2)/h     where C < −s                                                               (15.17)
 ///
 /// So an overlap ends inside the slop. If it were pushed towards the slop it would come nearer forever and never get there.
 #pragma once
@@ -139,7 +139,7 @@ public:
                     at(second.bias, i) = c.C / h;
                     off = std::max(off, std::abs(c.C) * unit);
                 } else {
-                    // (15.21): what lies too deep comes out once, by the part β
+                    // (15.17): what lies too deep comes out once, by the part β
                     const Real s = slop_of(c, now.length) / unit;
                     at(second.bias, i) = std::max(Real{0}, c.C) / h;
                     if (c.C < -s && n == 0) {

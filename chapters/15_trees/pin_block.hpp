@@ -5,7 +5,7 @@
 ///     B = M + S,     D = sᵀ B s,      β = (B s)_v / D
 ///     K⁻¹ = B_vv − D β βᵀ,            K⁻¹ J G = (1 0) − β sᵀ
 ///
-/// (15.23) to (15.26): what (15.5) and (15.6) say, with one division in place of five, and without G. It takes two rows
+/// (15.19) to (15.22): what (15.5) and (15.6) say, with one division in place of five, and without G. It takes two rows
 /// whose J begins with the identity, as those of a revolute joint do, and a body that can move in all directions.
 #pragma once
 
@@ -81,7 +81,7 @@ struct PinBlock : TreeBody {
         return true;
     }
 
-    /// (15.23), (15.24), and the parent's S.
+    /// (15.19), (15.20), and the parent's S.
     /// \param parent  null = the world
     /// \return        rows that get no impulse: none, unless rounding has eaten D
     int factor_pin(const Vec<3>& inverse_mass, TreeBody* parent)
@@ -110,7 +110,7 @@ struct PinBlock : TreeBody {
         return turns ? 0 : 2;
     }
 
-    /// (15.25): up. The pin moves with the parent, or a body that nothing moves.
+    /// (15.21): up. The pin moves with the parent, or a body that nothing moves.
     template <class Bias>
     void up_pin(const Bias& b, const RowGroup& group, const VecX& u_all,
                 TreeBody* parent)
@@ -129,7 +129,7 @@ struct PinBlock : TreeBody {
         parent->pull[2] -= dot(p_turn, y);
     }
 
-    /// (15.26): down. λ and u, once the parent's u is known.
+    /// (15.22): down. λ and u, once the parent's u is known.
     void down_pin(const RowGroup& group, const TreeBody* parent, VecX& lambda)
     {
         Pair l{-y.x, -y.y}, off = missing;

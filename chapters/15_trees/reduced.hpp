@@ -5,7 +5,7 @@
 ///     up      A_i = M_i + Σ X_cᵀ (A_c − A_c s sᵀ A_c / sᵀ A_c s) X_c        the articulated inertia
 ///     down    q̇ = sᵀ (p − A X u_p) / sᵀ A s
 ///
-/// (15.17) to (15.19), Featherstone's algorithm in the plane, O(n). Takes trees from the world whose joints are revolute,
+/// (15.26) to (15.28), Featherstone's algorithm in the plane, O(n). Takes trees from the world whose joints are revolute,
 /// prismatic, or weld; no loops, no floating bodies, no contacts. \cite featherstone2008
 #pragma once
 
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    /// Velocities of the bodies whose coordinates change at the rates dq, (15.17).
+    /// Velocities of the bodies whose coordinates change at the rates dq, (15.26).
     void move(const VecX& dq, const VecX& x, VecX& u)
     {
         find_motions(x);
@@ -67,7 +67,7 @@ public:
             link.A = m.asDiagonal();
             link.p = m.cwiseProduct(wanted.segment<3>(3 * link.body));
         }
-        for (std::size_t i = size(); i-- > 0;) {  // (15.19)
+        for (std::size_t i = size(); i-- > 0;) {  // (15.28)
             Link& link = links_[i];
             link.p -= link.A * c.segment<3>(3 * link.body);
             link.As = link.A * link.s;
@@ -83,7 +83,7 @@ public:
                         (link.p - link.per_inertia * link.s.dot(link.p) * link.As);
         }
         VecX y(static_cast<Index>(size()));
-        for (std::size_t i = 0; i < size(); ++i) {  // (15.18)
+        for (std::size_t i = 0; i < size(); ++i) {  // (15.27)
             Link& link = links_[i];
             const Vec<3> with_parent = carried(i, x, motion);
             y[static_cast<Index>(i)] =
@@ -96,7 +96,7 @@ public:
     }
     //! [recursion]
 
-    /// (15.20): the part of the accelerations that velocities alone make.
+    /// (15.29): the part of the accelerations that velocities alone make.
     void velocity_products(const VecX& x, const VecX& dq, const VecX& u, VecX& c);
 
 private:

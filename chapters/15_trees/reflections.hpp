@@ -4,13 +4,13 @@
 ///     V = { contacts with J u < −slowest that close within the step }
 ///     J_V (u* + v) = v⁺,   M v = J_Vᵀ Λ,   Λ ≥ 0,  joints J v = 0         u ← u + v,  u* ← u* + v,   until V is empty
 ///
-/// (15.28). Contacts that do not approach have no part in an impact. So a ball that is hit hits the next one, with 1 mm or
+/// (15.24). Contacts that do not approach have no part in an impact. So a ball that is hit hits the next one, with 1 mm or
 /// nothing between them: a cradle passes its blow on. Each round keeps the energy where e = 1 and takes some where e < 1.
 /// \cite smith2012
 ///
 /// The speed v⁺ of a contact is that with which the fall would end, times e, less what the way back to where it is takes:
 ///
-///     v⁺²/2 + a C + a h v⁺/2 = e² (v²/2 + a C + a h v/2),    v = −J u,   a = (J u − J u*)/h ≥ 0                        (15.29)
+///     v⁺²/2 + a C + a h v⁺/2 = e² (v²/2 + a C + a h v/2),    v = −J u,   a = (J u − J u*)/h ≥ 0                        (15.25)
 ///
 /// v²/2 + a C + a h v/2 is what symplectic Euler keeps in a uniform field, so the height of a bounce does not depend on where
 /// in its step it falls.
@@ -46,7 +46,7 @@ void note_bounces(const Scene& scene, const Restitution& bounce,
 }
 //! [note]
 
-/// (15.29) [m/s]: the speed after a bounce; 0 if it does not carry it off.
+/// (15.25) [m/s]: the speed after a bounce; 0 if it does not carry it off.
 /// \param v    of the approach, positive [m/s]
 /// \param a    by which forces bring it nearer [m/s²]
 /// \param gap  C ≥ 0 [m]

@@ -1,6 +1,5 @@
 // Chapter 15 in one file, grown from chapter 11: pins, limits, and trees of pins.
 // A tree is solved from the leaves to the root and back.
-//
 //     pin: J u + J_p u_p + b = 0, (15.3)        limit: λ ≥ 0, w ≥ 0, λ w = 0
 #include <Eigen/LU>
 #include <cmath>
@@ -157,15 +156,24 @@ void add_rod(Bodies& d, double L, double mass, double angle)
 int main(int count, char** word)
 {
     // By hand, section 15.1: two level rods, g h = 1 m/s; then the joint is locked.
+    std::vector<Path> paths;
     for (const double limit : {9.0, 0.0}) {
         Bodies d{{}, {}, {}, {}, 1};
         for (int k = 0; k < 2; ++k) add_rod(d, 1, 1, 0);
         d.pins[1].lower = -(d.pins[1].upper = limit);
         step(d, 1, 0);
-        std::printf("lambda %.4f, %.4f N s; omega %.4f, %.4f rad/s\n",
-                    d.pins[0].lambda[1], d.pins[1].lambda[1], d.u[2], d.u[5]);
+        const Vector2d first = d.pins[0].lambda, second = d.pins[1].lambda;
+        std::printf("lambda %.4f, %.4f N s; omega %.4f, %.4f rad/s\n", first.y(),
+                    second.y(), d.u[2], d.u[5]);
+        const Vector2d wall(limit > 1 ? 0 : 2.3, 0), level = wall + Vector2d(1, 0);
+        for (const double t : {0.0, 0.1, 0.2, 0.3}) {  // how they begin to turn
+            const Vector2d pin = wall + turned(t * d.u[2], {1, 0});
+            paths.push_back({t > 0 ? "#4477AA" : "#808080",
+                             {wall, pin, pin + turned(t * d.u[5], {1, 0})}});
+        }
+        paths.push_back({"#CC3311", {wall, wall + first}});
+        paths.push_back({"#CC3311", {level, level + second}});
     }
-    std::vector<Path> paths;
     for (const int sweeps : {10, 0}) {
         Bodies d;
         for (int k = 0; k < 50; ++k)
@@ -179,16 +187,10 @@ int main(int count, char** word)
         }
         std::printf("fifty links, %s: %.1e m\n",
                     sweeps > 0 ? "ten sweeps" : "the tree", gap);
-        paths.push_back({sweeps > 0 ? "#CC3311" : "#4477AA", {}});
-        for (int k = 0; k < 50; ++k)
-            for (const double s : {-0.05, 0.05})
-                paths.back().second.push_back(d.x.segment<2>(3 * k) +
-                                              turned(d.x[3 * k + 2], {s, 0}));
     }
-    if (count < 2) return 0;
-    std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='240' stroke-width='0.03' viewBox='-0.6 -0.2 1.6 5.5'>\n";
+           "width='500' stroke-width='0.03' viewBox='-0.1 -0.6 4.6 1.3'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';

@@ -6,7 +6,7 @@
 ///
 /// (15.4) to (15.7). G is the inverse mass of a body with all that hangs below it, K what one unit of λ does to the
 /// joint. Every matrix that is inverted is symmetric and positive. A body that carries c times its mass loses ε c² all the
-/// same, on a pin ε c, (15.27). \cite baraff1996 \cite featherstone2008
+/// same, on a pin ε c, (15.23). \cite baraff1996 \cite featherstone2008
 #pragma once
 
 #include "chapters/15_trees/joint_block.hpp"

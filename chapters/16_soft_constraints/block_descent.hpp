@@ -1,9 +1,9 @@
 /// \file block_descent.hpp
 /// Body by body in place of row by row: block descent on the energy of an implicit step, and its augmented form.
 ///
-///     G(x) = Σ ½ (x − y)ᵀ M (x − y)/h² + Σ ½ s r(x)²,   y = x₀ + h u*                                 (16.24)
-///     body    Δx = H⁻¹ f,   f = −M (x − y)/h² + Σ Jᵀ F,   H = M/h² + Σ s JᵀJ + Σ |F| D              (16.26)
-///     row     F = clamp(λ − s r, lo, hi);   after each sweep λ ← F, s grows with |r| while F is free    (16.28)
+///     G(x) = Σ ½ (x − y)ᵀ M (x − y)/h² + Σ ½ s r(x)²,   y = x₀ + h u*                                 (16.26)
+///     body    Δx = H⁻¹ f,   f = −M (x − y)/h² + Σ Jᵀ F,   H = M/h² + Σ s JᵀJ + Σ |F| D              (16.28)
+///     row     F = clamp(λ − s r, lo, hi);   after each sweep λ ← F, s grows with |r| while F is free    (16.30)
 ///
 /// D has the lengths of the columns of ∂J/∂x (joint_curvature.hpp). A spring has λ = 0 and grows to its own stiffness.
 /// Contacts are linear over a sub-step, C + J (x − x₀), as their authors have them. Vertex block descent \cite chen2024 and
@@ -83,7 +83,7 @@ struct BlockDescent : PlainCorrection {
             for (const int k : now.active)
                 if (bodies.can_move(k)) visit(k, h, at, now, bodies);
             for (std::size_t i = 0; i < now.rows.size(); ++i)
-                raise(i, h, at(i), now);  // (16.28)
+                raise(i, h, at(i), now);  // (16.30)
         }
         now.visits += 3 * static_cast<std::int64_t>(now.rows.size()) * sweeps;
         for (const int k : now.active)
@@ -96,7 +96,7 @@ struct BlockDescent : PlainCorrection {
         if (now.substep + 1 == settings.substeps) store(cache, keys, stiffness, 1);
     }
 
-    /// (16.26): one body, all others where they are.
+    /// (16.28): one body, all others where they are.
     template <int Dof, class At>
     void visit(int k, Real h, const At& at, const StepData<Dof>& now,
                Bodies<Dof>& bodies)
@@ -133,7 +133,7 @@ struct BlockDescent : PlainCorrection {
         return row.softness > 0 ? std::min(s, 1 / (h * h * row.softness)) : s;
     }
 
-    /// F of (16.28).
+    /// F of (16.30).
     template <int Dof>
     Real push(std::size_t i, Real s, const Constraint<Dof>& c, Real h,
               const StepData<Dof>& now) const
@@ -143,7 +143,7 @@ struct BlockDescent : PlainCorrection {
         return std::clamp(force[static_cast<Index>(i)] - s * r, lo, hi);
     }
 
-    /// (16.28) after a sweep: λ, and s where the force is free.
+    /// (16.30) after a sweep: λ, and s where the force is free.
     template <int Dof>
     void raise(std::size_t i, Real h, const Constraint<Dof>& c,
                const StepData<Dof>& now)

@@ -66,7 +66,7 @@ public:
     }
 
     //! [curvature]
-    /// D of (16.27): the lengths of the columns of each K = ∂J/∂x. Rows begin without.
+    /// D of (16.29): the lengths of the columns of each K = ∂J/∂x. Rows begin without.
     template <int Dof>
     void no_curvature(std::size_t rows)
     {

@@ -5,7 +5,7 @@
 ///     distance  C = ‖p − q‖              K = w wᵀ/‖p − q‖ − (n·r) e eᵀ      w = (t, n·r), t = n turned by a quarter
 ///     turning   C = n·s, n turns with    K = −t eᵀ − e tᵀ − (n·s) e eᵀ      of the body whose centroid s begins at
 ///
-/// (16.27a). An angle has none, and neither have the rows of contacts, which are taken as linear over a sub-step.
+/// (16.29a). An angle has none, and neither have the rows of contacts, which are taken as linear over a sub-step.
 #pragma once
 
 #include "chapters/11_rotation/point_constraints.hpp"
@@ -40,7 +40,7 @@ inline Mat<3> turning_curvature(const Vec2& s, const Vec2& n)
     return K;
 }
 
-/// (16.27a) of a joint's row.
+/// (16.29a) of a joint's row.
 /// \param nearest  points that are closer than that have no direction to turn: they
 ///                 count as so far apart [m]
 inline RowCurvature joint_curvature(const VecX& x, const PointJoint& joint,
@@ -97,7 +97,7 @@ inline RowCurvature joint_curvature(const VecX& x, const PointJoint& joint,
 }
 //! [curvature]
 
-/// (16.27) of all joints of a step, where the bodies are.
+/// (16.29) of all joints of a step, where the bodies are.
 /// \return  how many rows it has evaluated
 std::int64_t find_curvatures(const RigidScene& scene, const StepData<3>& now,
                              RowsOfBodies& meet);

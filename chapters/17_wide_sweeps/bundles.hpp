@@ -4,7 +4,7 @@
 ///     bundle    all rows between the same two bodies: their velocities are read once and written once
 ///     colour    bundles of one colour share no body that can move, so none of them waits for another
 ///
-/// Chapter 6 colours rows one by one (6.26). With friction a contact of two points is four rows of the same two bodies,
+/// Chapter 6 colours rows one by one (6.15). With friction a contact of two points is four rows of the same two bodies,
 /// which would need four colours; a bundle of them needs one.
 #pragma once
 

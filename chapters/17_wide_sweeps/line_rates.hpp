@@ -26,6 +26,10 @@ struct LineModes {
     {
     }
     Real rate() const { return c * c; }  ///< (17.6)
+    Real best_momentum() const           ///< (17.13)
+    {
+        return (1 - sin(theta)) / (1 + sin(theta));
+    }
 
     VecX given() const  ///< (17.6)
     {

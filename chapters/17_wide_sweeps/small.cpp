@@ -1,5 +1,4 @@
 // Chapter 17 in one file, grown from chapter 6: rows of one colour, side by side.
-//
 //     w = J u + b,   u ← u + M⁻¹ Jᵀ Δλ,   b = C / h, in each lane, (17.3)
 //     contact: λ ≥ 0, w ≥ 0, λ w = 0         link: w = 0
 #include <Eigen/Core>
@@ -15,10 +14,9 @@ using Vec = Eigen::VectorXd;
 using Mat = Eigen::MatrixXd;
 
 struct Contact {
-    int a, b;      // disc b and disc a, or a wall: -1, -2, …
-    Vector2d n;    // from a to b
-    double C, lo;  // gap [m]; bound of λ: 0, or -∞ for a link, which pulls as well
-    double bias = 0, lambda = 0;  // [m/s], [N s]
+    int a, b;    // disc b and disc a, or a wall: -1, -2, …
+    Vector2d n;  // from a to b
+    double C, lo, bias = 0, lambda = 0;  // gap [m], least λ, [m/s], [N s]
     int colour = 0;
 };
 
@@ -175,26 +173,28 @@ int main(int count, char** word)
     // By hand, section 17.1: four rows between five bodies; then a pyramid.
     std::vector<Contact> line(4), rows = find_contacts(pyramid(8));
     for (int k = 0; k < 4; ++k) line[k].a = k, line[k].b = k + 1;
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, time downwards
+    out << "<svg xmlns='http://www.w3.org/2000/svg' width='500' stroke='#808080' "
+           "fill='#808080' font-size='0.4' viewBox='-0.6 -0.6 11.4 5.2'>\n";
+    const auto draw = [&](int x) {
+        std::vector<int> depth(5);
+        for (int k = 0; k < 5; ++k)
+            out << "<path stroke-width='.03' d='M" << x + k << " 0v4.5'/><text x='"
+                << x + k << "' stroke='none'>" << k + 1 << "</text>\n";
+        for (const Contact& c : line) {
+            depth[c.a] = depth[c.b] = 1 + std::max(depth[c.a], depth[c.b]);
+            out << "<path stroke-width='.3' stroke='hsl(" << 150 * c.colour
+                << " 70% 45%)' d='M" << x + c.a << ' ' << depth[c.a] << "h1'/>\n";
+        }
+    };
+    draw(0);
     for (auto* all : {&line, &rows}) {
         std::printf("%zu rows: a chain of %d visits", all->size(), chain(*all, 36));
         sort_by_colour(*all, 36);
         std::printf(", in colours of %d\n", chain(*all, 36));
     }
-    run<1>("as they come", false);
-    run<1>("in colours", true);
-    run<8>("eight lanes", true);
-    if (count < 2) return 0;
-    std::ofstream out(word[1]);  // an SVG picture: each row in its colour
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.02' viewBox='-0.9 -1.6 1.8 1.65'>\n";
-    const Discs d = pyramid(8);
-    for (int k = 0; k < 36; ++k)
-        out << "<circle cx='" << d.x[2 * k] << "' cy='" << -d.x[2 * k + 1]
-            << "' r='0.1' stroke='#808080'/>\n";
-    for (const Contact& c : rows) {
-        const Vector2d p = d.x.segment<2>(2 * c.b) - 0.05 * c.n, r = -0.1 * c.n;
-        out << "<path stroke='hsl(" << 60 * c.colour << ",70%,45%)' d='M" << p.x()
-            << ' ' << -p.y() << 'l' << r.x() << ' ' << -r.y() << "'/>\n";
-    }
+    draw(6);
     out << "</svg>\n";
+    run<1>("as they come", false), run<1>("in colours", true);
+    run<8>("eight lanes", true);
 }

@@ -5,7 +5,7 @@
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/06_sequential_impulse/impulse_solver.hpp"
-#include "chapters/17_wide_sweeps/wide_sweep.hpp"
+#include "chapters/17_wide_sweeps/sweep_momentum.hpp"
 
 namespace rigid {
 
@@ -63,12 +63,15 @@ struct WideSolver : PlainSolver {
     int threads = 1;  ///< that share a colour
     /// of floats: sweeps from one look with doubles to the next
     int pass = 20;
+    /// sweeps go further where they go on in one direction, (17.11)
+    bool momentum = false;
     /// to break it: all bundles have one colour
     bool careless = false;
 
     // What is kept from step to step.
     Bundles bundles;
     WideRows<Dof, T, L> wide;
+    SweepMomentum<Dof, T, L> going;
 
     void require_valid() const;
     Real noise() const { return sweeps.tolerance; }
@@ -132,6 +135,8 @@ struct WideSolver : PlainSolver {
         for (int swept = 0; solution.iterations < most && off;) {
             if (!filled)
                 fill(problem, bundles, solution.lambda, u, wide), swept = 0;
+            if (momentum && filled) going.go_on(wide), visits_ += m;
+            else if (momentum) going.begin(wide);
             filled = true;
             off = wide_sweep(wide, static_cast<T>(tolerance), team());
             visits_ += m;

@@ -15,6 +15,19 @@
 
 namespace rigid {
 
+/// How far λ of row r of a packet may go beyond its bounds: μ λ_n.
+template <int Dof, class T, int L>
+inline Lanes<T, L> reach_of(const WideRow<Dof, Lanes<T, L>>* rows,
+                            const RowShape* shapes, int r)
+{
+    Lanes<T, L> none{};
+    if (shapes[r].bounding < 0) return none;
+    const Lanes<T, L> normal = rows[shapes[r].bounding].lambda;
+    // in differences λ_n may fall
+    const Lanes<T, L> push = in_differences<T> ? normal : at_least(normal, none);
+    return rows[r].friction * push;
+}
+
 //! [packet]
 /// Visits all rows of a packet, one after the other, L bundles side by side.
 /// \param excess     the largest |Δλ| − tolerance · mass so far: positive = a row
@@ -30,13 +43,7 @@ void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
     gather<Dof, T, L>(u, packet.a.data(), ua);
     gather<Dof, T, L>(u, packet.b.data(), ub);
     for (int r = 0; r < packet.rows; ++r) {
-        V reach{};
-        if (shapes[r].bounding >= 0) {
-            const V normal = rows[shapes[r].bounding].lambda;
-            // in differences λ_n may fall
-            const V push = in_differences<T> ? normal : at_least(normal, reach);
-            reach = rows[r].friction * push;
-        }
+        const V reach = reach_of<Dof, T, L>(rows, shapes, r);
         const V change = wide_visit<Dof, V>(rows[r], shapes[r], reach, ua, ub);
         const V off = size_of(change) - tolerance * rows[r].mass;
         excess = at_least(excess, off);

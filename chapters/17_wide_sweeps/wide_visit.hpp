@@ -33,6 +33,17 @@ struct RowShape {
 };
 //! [row]
 
+/// λ within its bounds.
+/// \param reach  μ λ_n; zero where no other row bounds this one
+template <int Dof, class V>
+inline V clamped(const WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
+                 const V& lambda)
+{
+    if (shape.bounding < 0) return at_most(at_least(lambda, row.lo), row.hi);
+    const V lo = row.lo - reach, hi = row.hi + reach;
+    return at_most(at_least(lambda, lo), hi);
+}
+
 //! [visit]
 /// One visit of one row in each lane, (17.3).
 /// \param reach   μ λ_n; zero where no other row bounds this one
@@ -51,11 +62,8 @@ V wide_visit(WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
         const V bias = row.bias + row.softness * row.lambda;
         w = bias + w;
     } else w = row.bias + w;
-    V lambda = row.lambda - row.mass * w;
-    if (shape.bounding >= 0) {
-        const V lo = row.lo - reach, hi = row.hi + reach;
-        lambda = at_most(at_least(lambda, lo), hi);
-    } else lambda = at_most(at_least(lambda, row.lo), row.hi);
+    const V wanted = row.lambda - row.mass * w;
+    const V lambda = clamped(row, shape, reach, wanted);
     const V change = lambda - row.lambda;
     row.lambda = lambda;
     for (int d = 0; d < Dof; ++d) {

@@ -42,9 +42,21 @@ inline bool may_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 {
     if (!may_be_exact(shape, rule)) return false;
+    // a large heap is swept in lanes first
+    if (!shape.has_joints() && shape.rows >= rule.wide) return false;
     return shape.bounded + shape.loops <= rule.always ||
            shape.sweeps_needed() > rule.patience ||
            shape.price_of_exact() < shape.price_of_sweeps();
+}
+/// What an exact solve of an island that comes to rest may cost: what is stuck is
+/// guessed a few times, and each guess has a factor. 0 where that is too much.
+inline std::int64_t rest_price(const IslandShape& shape, const ChoiceRule& rule)
+{
+    const Real most = Real(rule.entries), some = most / 10;
+    if (!may_be_exact(shape, rule)) return std::int64_t(some);
+    const Real guessed = 4 * shape.price_of_exact();
+    if (shape.rows >= rule.wide && guessed > most) return 0;  // by sweeps
+    return std::int64_t(std::clamp(guessed, some, most));
 }
 /// Sweeps that may go over an island: as many as it needs, if it may be swept.
 inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)

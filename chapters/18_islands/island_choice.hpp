@@ -146,9 +146,7 @@ private:
             tree->solver.sweeps = rule.held;
             tree->solve(bodies, now);
         } else if (lanes) {
-            // noise of sweeps is no reason to stay awake
-            lanes->solve(sweeps, slow > 0 ? tolerance / 10 : tolerance, note,
-                         bodies, now);
+            lanes->solve(sweeps, slow, note, bodies, now);
             most_sweeps =
                 std::max(most_sweeps, lanes->part.now.solution.iterations);
         } else if (SweptIsland* some = swept.find(i)) {
@@ -190,7 +188,8 @@ private:
     /// does an exact solve that was content with the tolerance.
     void settle(int i, Bodies<3>& bodies, StepData<3>& now)
     {
-        if (solving == Solving::sweeps || !(slow > 0)) return;
+        if (solving == Solving::sweeps || !(slow > 0) || all.note(i).to_settle == 0)
+            return;
         const IslandPlace place = all.place(i);
         const ExactIsland* one = exactly.find(i);
         const Real length = now.length;
@@ -199,7 +198,7 @@ private:
             are_slow(all.islands.bodies_of(i), bodies.u, slow * length, length);
         if (meant && !(natural_residual(now, all.islands.rows_of(i), bodies.u) <=
                        tolerance * length / 1000))
-            solve_after_all(i, 0, rule.entries / 10, bodies, now);
+            solve_after_all(i, 0, all.note(i).to_settle, bodies, now);
     }
 
     void solve_after_all(int i, Real late, std::int64_t entries, Bodies<3>& bodies,

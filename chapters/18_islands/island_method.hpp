@@ -30,7 +30,7 @@ struct IslandSettings {
 /// Other settings from the next step on. Throws std::invalid_argument for fewer than one sub-step.
 void change(IslandMethod& method, const IslandSettings& settings);
 
-/// The method, ready for the steps of a scene: shapes look ahead, (12.6c), and what hangs on joints is not stopped on
+/// The method, ready for the steps of a scene: shapes look ahead, (12.14), and what hangs on joints is not stopped on
 /// its way.
 IslandMethod island_method(const JointedScene& scene,
                            const IslandSettings& settings = {});

@@ -79,9 +79,12 @@ struct IslandNote {
     bool moves = false;         ///< it is large, and does not stand
     int length = 0;             ///< N
     int sweeps = 0;             ///< where it is swept, at most
+    bool may_be_exact = false;  ///< where sweeps leave too much
     std::int64_t to_stand = 0;  ///< entries that sweeps may cost where it stands
-    Real enough = 0;            ///< a residual below this is none [m/s]
-    Real until = 0;             ///< sweeps end at this one [m/s]
+    std::int64_t to_settle =
+        0;            ///< and an exact solve where it comes to rest; 0 = none
+    Real enough = 0;  ///< a residual below this is none [m/s]
+    Real until = 0;   ///< sweeps end at this one [m/s]
 };
 
 class IslandPlaces {
@@ -166,7 +169,11 @@ private:
         note.place = choose_place(shape, rule, solving, note.moves, fits);
         note.sweeps = note.moves ? sweeps_of_moving(shape, rule, sweeps)
                                  : sweeps_worth(shape, rule, sweeps);
-        if (!may_be_exact(shape, rule)) note.to_stand = rule.entries;
+        note.may_be_exact = may_be_exact(shape, rule);
+        note.to_stand = note.may_be_exact
+                            ? static_cast<std::int64_t>(shape.price_of_exact())
+                            : rule.entries;
+        note.to_settle = rest_price(shape, rule);
         return note;
     }
 

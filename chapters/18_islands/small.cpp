@@ -146,7 +146,7 @@ bool solve(const Island& island, Bodies& d, double h, bool exactly, double most)
 void step(Bodies& d, double h)
 {
     for (const Island& i : islands(d)) {
-        if (i.rest >= 0.5 && ++d.slept) continue;                // (10.8)
+        if (i.rest >= 0.5 && ++d.slept) continue;                // (10.7)
         for (const int k : i.bodies) d.u[3 * k + 1] -= d.g * h;  // u*, (3.4)
         const bool stands = i.needed() > 8 && i.fastest <= d.g * h;
         const double most = std::clamp(i.needed(), 40.0, 200.0);

@@ -26,6 +26,7 @@ constexpr std::string_view to_string(Solving solving)
 /// What work costs, in entries of a matrix in a sparse factor; each about 1 ns.
 namespace price {
 constexpr int visit = 8;             ///< of a row, by a sweep
+constexpr int lane_visit = 2;        ///< by a sweep in lanes
 constexpr int solved_joint = 20;     ///< row of a tree of joints, in each solve
 constexpr int factored_joint = 200;  ///< and in each factor
 }  // namespace price

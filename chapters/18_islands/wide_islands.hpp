@@ -3,7 +3,7 @@
 ///
 ///     it moves, a heap                            small steps of its own (heap_steps.hpp)
 ///     it moves, and something bounces             as many sweeps as are allowed
-///     it stands and no exact solve may follow     as many as an exact solve may cost, entries / (8 n) for n rows             (18.4)
+///     it stands                                   with momentum, as many as an exact solve may cost                          (18.4)
 ///
 /// What stands begins its next step with this λ, so these sweeps are made once. What moves would have to make them in each step.
 #pragma once
@@ -35,7 +35,9 @@ struct WideIsland {
         if (!holds_bounds(part.now.rows, solver.bundles)) return false;
         solver.colour(part.local, part.now);
         part.now.same_rows = has_rows_ = true;
-        const auto visited = static_cast<std::int64_t>(rows.size()) * price::visit;
+        // by a sweep, and by what makes it go on in its direction
+        const auto visited =
+            2 * static_cast<std::int64_t>(rows.size()) * price::lane_visit;
         // 10⁶ sweeps are more than any island that is large can pay for
         standing = static_cast<int>(
             std::min<std::int64_t>(note.to_stand / visited, 1'000'000));
@@ -43,8 +45,8 @@ struct WideIsland {
     }
 
     /// \param sweeps  of islands that move
-    /// \param enough  the tolerance of those that stand [ℓ/s]
-    void solve(const ImpulseSettings& sweeps, Real enough, const IslandNote& note,
+    /// \param slow    what is slower may come to rest; 0 = nothing [ℓ/s]
+    void solve(const ImpulseSettings& sweeps, Real slow, const IslandNote& note,
                Bodies<3>& bodies, StepData<3>& now)
     {
         stepped = has_rows_ = false;
@@ -55,7 +57,9 @@ struct WideIsland {
             stand(here.active, part.local.u, here.u_star, here.length);
         solver.sweeps = sweeps;
         solver.sweeps.max_sweeps = stays ? standing : note.sweeps;
-        solver.sweeps.tolerance = stays ? enough : note.until / now.length;
+        solver.sweeps.tolerance =
+            stays ? enough(note, slow, sweeps.tolerance) : note.until / now.length;
+        solver.momentum = stays;
         solver.solve(part.local, part.now);
         part.scatter(bodies, now);
     }
@@ -75,6 +79,19 @@ struct WideIsland {
     }
 
 private:
+    /// Noise of sweeps is no reason to stay awake; but what an exact solve can settle
+    /// is left to it.
+    /// \param tolerance  of the islands [ℓ/s]
+    Real enough(const IslandNote& note, Real slow, Real tolerance) const
+    {
+        if (!(slow > 0)) return tolerance;
+        if (!note.may_be_exact) return tolerance / 10;
+        const StepData<3>& here = part.now;
+        const bool rests =
+            are_slow(here.active, part.local.u, slow * here.length, here.length);
+        return rests && note.to_settle == 0 ? tolerance / 1000 : tolerance;
+    }
+
     bool has_rows_ = false;  ///< those of this sub-step are in `part`
 };
 

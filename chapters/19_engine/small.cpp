@@ -86,7 +86,7 @@ void step(World& d, double h)
     std::vector<double> rest(K + 1, INFINITY);  // of each island
     for (int k = 0; k < K; ++k)
         if (of[k] < K) rest[of[k]] = std::min(rest[of[k]], d.rest[k]);
-    const auto sleeps = [&](int k) { return rest[of[k]] >= 0.5; };  // (10.8)
+    const auto sleeps = [&](int k) { return rest[of[k]] >= 0.5; };  // (10.7)
     std::erase_if(contacts, [&](auto& c) { return sleeps(c.a) && sleeps(c.b); });
     for (int k = 0; k < K; ++k)
         if (!sleeps(k)) d.u[2 * k + 1] -= 9.81 * h;  // u*, (3.4)

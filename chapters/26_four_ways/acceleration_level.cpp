@@ -5,6 +5,9 @@
 
 #include "chapters/05_lemke/lemke.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
+#include "chapters/13_friction/coulomb_residual.hpp"
+
+#include <Eigen/LU>
 
 namespace rigid {
 
@@ -107,13 +110,18 @@ Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x
 
     // W = M⁻¹ Jᵀ of each row, with the drag of what slides; A = J W, q = J a + k
     const auto m = static_cast<Index>(rows_.size());
-    MatX W = MatX::Zero(a.size(), m), A(m, m);
+    MatX W(a.size(), m), A(m, m);
+    VecX column(a.size());
     for (Index j = 0; j < m; ++j) {
-        VecX column = VecX::Zero(a.size());
+        column.setZero();
         rows_[static_cast<std::size_t>(j)].apply(1, column);
         if (const Real mu = slip_[static_cast<std::size_t>(j)]; mu != 0)
             drags_[static_cast<std::size_t>(j)].apply(-mu, column);
         W.col(j) = column;
+        for (Index i = 0; i < m; ++i) {
+            const Row<3>& row = rows_[static_cast<std::size_t>(i)];
+            A(i, j) = row.velocity(column) - row.bias;
+        }
     }
     mlcp_.q.resize(m);
     mlcp_.lo.resize(m);
@@ -122,18 +130,21 @@ Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x
         const Row<3>& row = rows_[static_cast<std::size_t>(i)];
         mlcp_.q[i] = row.velocity(a);
         mlcp_.lo[i] = row.lo, mlcp_.hi[i] = row.hi;
-        for (Index j = 0; j < m; ++j)
-            A(i, j) = row.velocity(VecX(W.col(j))) - row.bias;
     }
     if (symmetric) A = ((A + A.transpose()) / 2).eval();  // to the bit
     mlcp_.A = A.sparseView();
-    if (symmetric) solution_ = dantzig(mlcp_);
-    else if (boxes_.empty()) solution_ = lemke(mlcp_);
-    else {  // guesses first: two corners that stick repeat each other's row
+    if (symmetric) {
+        solution_ = dantzig(mlcp_);
+    } else if (!as_before(A)) {
         solution_.lambda.setZero(m);
-        find_(mlcp_, boxes_, 1e-9 * length_, solution_);
-        if (solution_.status != Status::solved)
-            walk_(mlcp_, boxes_, 1e-9 * length_, solution_);
+        if (boxes_.empty()) {
+            solution_ = lemke(mlcp_);
+        } else {  // guesses first: two corners that stick repeat each other's row
+            find_(mlcp_, boxes_, 1e-9 * length_, solution_);
+            if (solution_.status != Status::solved)
+                walk_(mlcp_, boxes_, 1e-9 * length_, solution_);
+        }
+        guess_ = solution_.lambda;
     }
     work.pivots += solution_.iterations;
     if (solution_.status != Status::solved) return solution_.status;
@@ -142,6 +153,54 @@ Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x
     return Status::solved;
 }
 //! [accelerations]
+
+//! [as_before]
+/// What pushed, stuck and gave way a moment ago does so now: one factor, and a look.
+bool AccelerationLevel::as_before(const MatX& A)
+{
+    const Index m = A.rows();
+    solution_.status = Status::iteration_limit;
+    solution_.residual = infinity;
+    if (guess_.size() != m) return false;
+    MatX columns = A;  // a row at its bound rides on that of its normal
+    VecX lambda = guess_, at_bound = VecX::Zero(m);
+    std::vector<char> is_bound(static_cast<std::size_t>(m), 0);
+    for (const FrictionBox& box : boxes_) {
+        const Real most = box.mu * lambda[box.normal];
+        if (std::abs(lambda[box.row]) < most * (1 - 1e-12)) continue;
+        is_bound[static_cast<std::size_t>(box.row)] = 1;
+        if (most > 0) at_bound[box.row] = lambda[box.row] > 0 ? box.mu : -box.mu;
+        lambda[box.row] = at_bound[box.row] * lambda[box.normal];
+        columns.col(box.normal) += at_bound[box.row] * A.col(box.row);
+    }
+    std::vector<Index> free;
+    for (Index i = 0; i < m; ++i)
+        if (is_bound[static_cast<std::size_t>(i)] == 0 &&
+            (mlcp_.lo[i] < 0 || lambda[i] > 0))
+            free.push_back(i);
+    // the change alone: where rows repeat each other it keeps to what they shared
+    const auto n = static_cast<Index>(free.size());
+    MatX block(n, n);
+    VecX right(n);
+    for (Index i = 0; i < n; ++i) {
+        const Index row = free[static_cast<std::size_t>(i)];
+        right[i] = -mlcp_.q[row];
+        for (Index j = 0; j < m; ++j) right[i] -= A(row, j) * lambda[j];
+        for (Index j = 0; j < n; ++j)
+            block(i, j) = columns(row, free[static_cast<std::size_t>(j)]);
+    }
+    const VecX change = Eigen::FullPivLU<MatX>(block).solve(right);
+    for (Index i = 0; i < n; ++i)
+        lambda[free[static_cast<std::size_t>(i)]] += change[i];
+    for (const FrictionBox& box : boxes_)
+        if (is_bound[static_cast<std::size_t>(box.row)] != 0)
+            lambda[box.row] = at_bound[box.row] * lambda[box.normal];
+    if (!accept_coulomb(mlcp_, boxes_, {1e-9, 1e-9 * length_}, lambda, solution_))
+        return false;
+    guess_ = solution_.lambda;
+    return true;
+}
+//! [as_before]
 
 bool AccelerationLevel::impact(JointedScene& scene)
 {
@@ -226,7 +285,7 @@ Status AccelerationLevel::advance(JointedScene& scene, Real h)
 {
     require_step(h);
     require_valid(settings);
-    require_valid(scene.bodies);
+    require_valid_motion(scene);
     for (const PointJoint& joint : scene.joints)
         if (has_error(joint.kind) == false)
             throw std::invalid_argument(
@@ -247,22 +306,31 @@ Status AccelerationLevel::advance(JointedScene& scene, Real h)
         Status status = move(scene, left, x, u);
         if (status != Status::solved) return status;
         Real part = left;
-        if (open(scene, x, u) < 0) {  // halve until no number fits in between
+        if (Real here = open(scene, x, u); here < 0) {
+            // the moment: by secants of what opens, by halves where it jumps
             ++work.events;
-            Real before = 0, after = left;
-            for (int i = 0; i < 60; ++i) {
-                const Real middle = (before + after) / 2;
-                if (!(before < middle && middle < after)) break;
-                x = bodies.x, u = bodies.u;
-                status = move(scene, middle, x, u);
+            Real before = 0, there = open(scene, bodies.x, bodies.u);
+            int side = 0;
+            for (int i = 0; i < 200 && part - before > 1e-13 * h; ++i) {
+                const Real middle = (before + part) / 2;
+                Real at = middle;
+                if (i % 4 != 3 && there > 0 && there < infinity)
+                    at = part - here * (part - before) / (here - there);
+                if (!(before < at && at < part)) at = middle;
+                if (!(before < at && at < part)) break;
+                VecX x_at = bodies.x, u_at = bodies.u;
+                status = move(scene, at, x_at, u_at);
                 if (status != Status::solved) return status;
-                (open(scene, x, u) < 0 ? after : before) = middle;
-                if (after - before < 1e-13 * h) break;
+                const Real value = open(scene, x_at, u_at);
+                if (value < 0) {  // the end that stays counts half from then on
+                    if (side < 0) there /= 2;
+                    part = at, here = value, side = -1;
+                    x = x_at, u = u_at;
+                } else {
+                    if (side > 0) here /= 2;
+                    before = at, there = value, side = 1;
+                }
             }
-            part = after;
-            x = bodies.x, u = bodies.u;
-            status = move(scene, part, x, u);
-            if (status != Status::solved) return status;
         }
         bodies.x = x, bodies.u = u;
         left -= part;

@@ -8,7 +8,8 @@
 ///     sticks     |f_t| ≤ μ f, a_t = 0
 ///
 /// (26.4), (26.5). Without friction A is symmetric and Dantzig's pivots find f (chapter 9), as in \cite baraff1994; with it
-/// Lemke's algorithm does. Where neither finds an answer the run ends there, and its status says so.
+/// what pushed a moment ago is tried first, then chapter 13's guesses or Lemke's algorithm. Where none finds an answer the run
+/// ends there, and its status says so.
 #pragma once
 
 #include "chapters/13_friction/impact_laws.hpp"
@@ -65,6 +66,7 @@ private:
         int slides = 0;         ///< sign of v_t; 0: sticks
     };
 
+    bool as_before(const MatX& A);
     bool impact(JointedScene& scene);
     Status move(const JointedScene& scene, Real h, VecX& x, VecX& u);
     /// How far the state is from its next event: below zero is past one.
@@ -81,6 +83,7 @@ private:
     FindByStewartTrinkle walk_;
     Mlcp mlcp_;
     Solution solution_;
+    VecX guess_;  ///< the last forces with friction [N]
     Real length_ = 1;
 };
 

@@ -31,6 +31,15 @@ struct PushJoint {
 void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
                       Real margin, std::vector<PushJoint>& found);
 
+/// The door of the ways that are no step of chapter 3's: throws std::invalid_argument, naming what makes no sense.
+inline void require_valid_motion(const JointedScene& scene)
+{
+    require_valid(scene.bodies);
+    require_valid_surfaces(scene);
+    if (!scene.gravity.allFinite())
+        throw std::invalid_argument("gravity is not finite");
+}
+
 /// C, J of the normal where the bodies are.
 inline Constraint<3> gap_of(const PushJoint& joint, const VecX& x)
 {

@@ -3,26 +3,74 @@
 
 #include "chapters/26_four_ways/reduced_motion.hpp"
 
+#include <Eigen/LU>
+
 namespace rigid {
+
+namespace {
+
+constexpr Index no_joint = -2;  // besides world: hangs on nothing
+
+/// A body without mass that a rail carries: what hangs on it has a coordinate more.
+Index add_carrier(JointedScene& tree, Index rail_of, const Vec2& at,
+                  const Vec2& axis)
+{
+    const Index carrier = add_body(tree, disc(1), Mass{1, {0, 0}, 1}, at);
+    RigidJoint rail;
+    rail.kind = JointKind::prismatic;
+    rail.a = rail_of, rail.b = carrier;
+    rail.axis = axis;
+    add_joint(tree, rail);
+    return carrier;
+}
+
+}  // namespace
 
 TreeAndLoops split_loops(const JointedScene& scene)
 {
     TreeAndLoops parts;
-    parts.tree = scene;
-    parts.tree.joints.clear(), parts.tree.placed.clear(), parts.tree.owner.clear();
-    std::vector<char> hangs(static_cast<std::size_t>(scene.bodies.count()), 0);
+    JointedScene& tree = parts.tree;
+    tree = scene;
+    tree.joints.clear(), tree.placed.clear(), tree.owner.clear();
+    const Index count = scene.bodies.count();
+    std::vector<Index> hangs_on(static_cast<std::size_t>(count), no_joint);
+    const auto on = [&](Index k) -> Index& {
+        return hangs_on[static_cast<std::size_t>(k)];
+    };
+    const auto carries = [&](Index b, Index a) {
+        while (a != no_joint && a != world && a != b) a = on(a);
+        return a == b;
+    };
     for (const PlacedJoint& placed : scene.placed) {
         const RigidJoint& joint = placed.joint;
-        char& done = hangs[static_cast<std::size_t>(joint.b)];
-        if (!done) {
-            done = 1;
-            add_joint(parts.tree, joint);
+        const bool is_coordinate = joint.kind == JointKind::revolute ||
+                                   joint.kind == JointKind::prismatic ||
+                                   joint.kind == JointKind::weld;
+        if (is_coordinate && scene.bodies.can_move(joint.b) &&
+            on(joint.b) == no_joint && !carries(joint.b, joint.a)) {
+            on(joint.b) = joint.a;
+            add_joint(tree, joint);
             continue;
         }
-        for (int i = 0; i < placed.count; ++i)
-            parts.loops.push_back(
-                scene.joints[static_cast<std::size_t>(placed.first + i)]);
+        for (int i = 0; i < placed.count; ++i) {
+            const PointJoint& row =
+                scene.joints[static_cast<std::size_t>(placed.first + i)];
+            if (row.kind == ConstraintKind::bilateral) parts.loops.push_back(row);
+        }
     }
+    for (Index k = 0; k < count; ++k) parts.carried.push_back(k);
+    for (Index k = 0; k < count; ++k) {
+        if (!scene.bodies.can_move(k) || on(k) != no_joint) continue;
+        const Vec2 at = scene.bodies.position(k).head<2>();
+        const Index x = add_carrier(tree, world, {at.x(), 0}, {1, 0}),
+                    y = add_carrier(tree, x, at, {0, 1});
+        RigidJoint centre;
+        centre.a = y, centre.b = k;
+        add_joint(tree, centre);
+        parts.carried.insert(parts.carried.end(), {k, k});
+    }
+    for (Index k = count; k < tree.bodies.count(); ++k)
+        tree.bodies.inverse_mass.segment<3>(3 * k).setConstant(infinity);
     return parts;
 }
 
@@ -34,12 +82,13 @@ ReducedMotion::ReducedMotion(const JointedScene& scene)
             throw std::invalid_argument(
                 "a joint has a motor or a spring; coordinates of joints take their "
                 "forces from outside");
-    q_ = tree_.coordinates(scene.bodies.x);
-    x_ = scene.bodies.x, u_ = scene.bodies.u;
+    const Bodies<3>& bodies = parts_.tree.bodies;
+    x_ = bodies.x, u_ = bodies.u;
+    q_ = tree_.coordinates(x_);
     c_.setZero(u_.size());
     motion_ = c_;
     // the rates nearest to the velocities that the bodies have
-    dq_ = tree_.nearest(x_, scene.bodies.inverse_mass, u_, c_, motion_);
+    dq_ = tree_.nearest(x_, bodies.inverse_mass, u_, c_, motion_);
     u_ = motion_;
 }
 
@@ -53,15 +102,17 @@ VecX ReducedMotion::forward_dynamics(const VecX& q, const VecX& dq, const VecX& 
     f_.setZero(u_.size());
     for (Index k = 0; k < scene.bodies.count(); ++k)
         if (scene.bodies.can_move(k)) f_.segment<2>(3 * k) = scene.gravity;
-    // the force of a joint, on its body and against its parent
+    // the force of a joint, on its body and against its parent; that on a carrier is
+    // one on what it carries, and what pushes against one ends at the world
     for (std::size_t i = 0; i < links_.size(); ++i) {
         const Real t = tau.size() > 0 ? tau[static_cast<Index>(i)] : 0;
         if (t == 0) continue;
         const RigidJoint& joint = links_[i].joint;
-        Constraint<3> c = joint_constraint(x_, coordinate_row(joint));
-        f_.segment<3>(3 * c.b) +=
-            scene.bodies.apply_inverse_mass(c.b, t * c.Jb.transpose());
-        if (c.a != world)
+        const Constraint<3> c = joint_constraint(x_, coordinate_row(joint));
+        const Index b = carried_by(c.b);
+        f_.segment<3>(3 * b) +=
+            scene.bodies.apply_inverse_mass(b, t * c.Jb.transpose());
+        if (c.a != world && carried_by(c.a) == c.a)
             f_.segment<3>(3 * c.a) +=
                 scene.bodies.apply_inverse_mass(c.a, t * c.Ja.transpose());
     }
@@ -164,9 +215,13 @@ Status ReducedMotion::accelerations(const VecX& q, const VecX& dq, VecX& ddq)
     couple(rows);
     for (std::size_t i = 0; i < rows.size(); ++i)
         mlcp_.q[static_cast<Index>(i)] = rows[i].velocity(a);
-    solution_.lambda.setZero(mlcp_.q.size());
-    find_(mlcp_, std::span<const FrictionBox>{}, 0, solution_);
-    if (solution_.status != Status::solved) return solution_.status;
+    // none has a bound, and joints that are given twice repeat their rows: any answer
+    // of theirs moves the tree alike
+    const MatX A = mlcp_.A;
+    solution_.lambda = -Eigen::FullPivLU<MatX>(A).solve(mlcp_.q);
+    const Verification found =
+        verify(mlcp_, solution_.lambda, {1e-9, 1e-9 * typical_length(parts_.tree)});
+    if (!found.solved) return Status::infeasible;
     for (std::size_t i = 0; i < rows.size(); ++i)
         ddq += solution_.lambda[static_cast<Index>(i)] * answers_[i];
     return Status::solved;
@@ -175,6 +230,7 @@ Status ReducedMotion::accelerations(const VecX& q, const VecX& dq, VecX& ddq)
 Status ReducedMotion::advance(JointedScene& scene, Real h)
 {
     require_step(h);
+    require_valid_motion(scene);
     Bodies<3>& bodies = scene.bodies;
     const Real length = typical_length(scene);
     Status status = Status::solved;
@@ -184,6 +240,12 @@ Status ReducedMotion::advance(JointedScene& scene, Real h)
                                         std::abs(bodies.u[3 * k + 2]) * length);
     if (touches)
         find_push_joints(scene, filter, 0.02 * length + 2 * h * fastest, near_);
+    std::erase_if(near_, [&](const PushJoint& one) {  // limits that are far
+        if (one.touches) return false;
+        const Constraint<3> c = gap_of(one, bodies.x);
+        const Real rate = bilateral(c, bodies.inverse_mass).velocity(bodies.u);
+        return c.C > 0.02 + 2 * h * std::abs(rate);
+    });
     const bool pushed = touches && !near_.empty();
     if (!pushed) {  // the tree and its loops alone: order four
         VecX k1, k2, k3, k4;
@@ -199,7 +261,6 @@ Status ReducedMotion::advance(JointedScene& scene, Real h)
         dq_ = v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     } else {
         // q̇* of the forces, then the rows of velocities: loops, limits, contacts
-        const VecX before = dq_;
         const VecX ddq = forward_dynamics(q_, dq_, {});
         dq_ += h * ddq;
         std::vector<Row<3>> rows;
@@ -236,8 +297,10 @@ Status ReducedMotion::advance(JointedScene& scene, Real h)
             dq_ += solution_.lambda[static_cast<Index>(i)] * answers_[i];
         q_ += h * dq_;
     }
-    tree_.place(q_, bodies.x);
-    tree_.move(dq_, bodies.x, bodies.u);
+    tree_.place(q_, x_);
+    tree_.move(dq_, x_, u_);
+    bodies.x = x_.head(bodies.x.size());
+    bodies.u = u_.head(bodies.u.size());
     return status;
 }
 

@@ -6,7 +6,8 @@
 ///     A = J H⁻¹ Jᵀ                      of loops and contacts, a recursion for each row
 ///
 /// (26.8), (26.12), (26.13). Where nothing but the tree holds, a step is of order four. Loops keep their rows on accelerations;
-/// contacts and limits are an MLCP of velocities (chapter 3), in these coordinates. \cite featherstone2008
+/// contacts and limits are an MLCP of velocities (chapter 3), in these coordinates. A body that hangs on no joint floats: it is
+/// given a rail along x, on that a rail along y, and a pin, which have no mass: three coordinates. \cite featherstone2008
 #pragma once
 
 #include "chapters/13_friction/friction_solver.hpp"
@@ -18,13 +19,18 @@ namespace rigid {
 
 /// A scene as a tree: the joints that close loops are taken out, their rows kept apart.
 struct TreeAndLoops {
-    JointedScene tree;
+    JointedScene
+        tree;  ///< the scene's bodies, then two carriers for each that floats
     std::vector<PointJoint> loops;
+    std::vector<Index>
+        carried;  ///< of each body: itself; of a carrier, what it carries
 };
 
-/// The first joint that a body hangs on, in the order of the scene, is the tree's. Joints of the tree that are none of
-/// coordinates are refused by ReducedTree.
+//! [split]
+/// A joint is the tree's if its body b hangs on none yet and carries not its body a; revolute, prismatic and weld joints alone.
+/// All others are rows. A body without one floats.
 TreeAndLoops split_loops(const JointedScene& scene);
+//! [split]
 
 class ReducedMotion {
 public:
@@ -34,8 +40,7 @@ public:
     CollisionFilter filter;
     std::int64_t recursions = 0;  ///< up and down the tree, so far
 
-    /// \throws std::invalid_argument  for what is no tree of revolute, prismatic and weld joints from the world, besides loops;
-    ///                                for motors and springs
+    /// \throws std::invalid_argument  for motors and springs
     explicit ReducedMotion(const JointedScene& scene);
 
     /// Advances by h seconds, and writes places and velocities of the bodies into the scene. The status is that of the last
@@ -45,7 +50,11 @@ public:
     const VecX& q() const { return q_; }
     const VecX& dq() const { return dq_; }
 
+    /// Of the tree, the bodies that float among them.
+    Index coordinates() const { return q_.size(); }
+
     /// d²q/dt² at (q, dq) under the weight and the forces τ of the joints [N, N m], without rows: down, up, down.
+    /// \param tau  empty: none
     VecX forward_dynamics(const VecX& q, const VecX& dq, const VecX& tau);
 
     /// τ for which the joints accelerate so: recursive Newton-Euler, (26.13).
@@ -55,6 +64,11 @@ private:
     Status accelerations(const VecX& q, const VecX& dq, VecX& ddq);
     /// q̇ of each row's unit impulse, and A = J H⁻¹ Jᵀ.
     void couple(std::vector<Row<3>>& rows);
+
+    Index carried_by(Index body) const
+    {
+        return parts_.carried[static_cast<std::size_t>(body)];
+    }
 
     TreeAndLoops parts_;
     ReducedTree tree_;

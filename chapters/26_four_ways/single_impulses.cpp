@@ -93,7 +93,7 @@ Status SingleImpulses::advance(JointedScene& scene, Real h)
 {
     require_step(h);
     require_valid(settings);
-    require_valid(scene.bodies);
+    require_valid_motion(scene);
     if (!scene.joints.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.joints.size()) +
@@ -135,7 +135,7 @@ Status SingleImpulses::advance(JointedScene& scene, Real h)
         OneImpulse lambda;
         ++collisions;
         if (-before.n * std::max(e, Real{0}) > hop || !(hop > 0)) {
-            lambda = one_contact(A, before, mu, 0);  // (13.14)
+            lambda = one_contact(A, before, mu, 0);  // (13.27)
             lambda.n *= 1 + e, lambda.t *= 1 + e;
         } else {
             ++micro;

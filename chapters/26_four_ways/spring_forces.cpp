@@ -18,7 +18,8 @@ void require_valid(const PenaltySprings& springs)
     for (const auto& [name, ratio] :
          {std::pair{"the damping ratio of joints", springs.joint_ratio},
           std::pair{"the damping ratio of contacts", springs.contact_ratio},
-          std::pair{"the damping ratio of friction", springs.friction_ratio}})
+          std::pair{"the damping ratio of friction", springs.friction_ratio},
+          std::pair{"the stiffness of Hertz's law", springs.hertz}})
         require(name, ratio, ratio >= 0,
                 "; it must be zero or positive, and finite");
 }
@@ -54,10 +55,21 @@ void SpringForces::rows(const JointedScene& scene, const StepSettings& settings,
         const bool open = pushes && c.C > 0;
         c.stiffness = springs.stiffness;
         if (c.Jb.head<2>().isZero(0)) c.stiffness *= now.length * now.length;
-        c.damping = open ? 0 : 2 * ratio * std::sqrt(c.stiffness / A);
-        row.softness = 1 / (h * (h * c.stiffness + c.damping));
-        row.bias = c.stiffness * c.C / (h * c.stiffness + c.damping);
-        if (drags) row.bias -= c.damping * c.speed / (h * c.stiffness + c.damping);
+        Real slope = c.stiffness;  // df/dC, what the end of the step meets
+        if (springs.hertz > 0 && source.of == Source::Of::contact) {
+            // a spring along a contact is as stiff as the one across it
+            const Real gap =
+                drags ? now.constraints[static_cast<std::size_t>(row.bounded_by)].C
+                      : c.C;
+            const HertzSpring spring =
+                hertz_spring(springs.hertz, std::max(-gap, 1e-9 * now.length));
+            c.stiffness = drags ? spring.tangent : spring.secant;
+            slope = spring.tangent;
+        }
+        c.damping = open ? 0 : 2 * ratio * std::sqrt(slope / A);
+        row.softness = 1 / (h * (h * slope + c.damping));
+        row.bias = c.stiffness * c.C / (h * slope + c.damping);
+        if (drags) row.bias -= c.damping * c.speed / (h * slope + c.damping);
         if (!open) c.kind = ConstraintKind::spring;
     }
 }

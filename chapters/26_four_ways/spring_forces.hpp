@@ -2,6 +2,7 @@
 /// A constraint as a spring: the penalty method, with its force at the start of the step or at its end.
 ///
 ///     f = −(k C + c dC/dt)                    joints; contacts only where C < 0 and f > 0
+///     f = K (−C)^{3/2}                        the same with Hertz's law
 ///     f_t = −(k s + c v_t), |f_t| ≤ μ f_n     s: how far the point has moved since it stuck
 ///
 /// (26.1) to (26.3), (26.10). Both are stages of chapter 3's step: a correction that makes every row a spring, and two solvers. The
@@ -45,10 +46,35 @@ struct PenaltySprings {
     /// the same of contacts; those of a surface with e > 0 have damping_ratio_of(e)
     Real contact_ratio = 0.2;
     Real friction_ratio = 0.7;  ///< of the springs along a contact
+    /// Hertz's law: contacts push with K (−C)^{3/2}; 0: with k [N/m^{3/2}]
+    Real hertz = 0;
 };
 
 /// Throws std::invalid_argument, naming the setting and its value, unless all make sense.
 void require_valid(const PenaltySprings& springs);
+
+//! [hertz]
+/// Two elastic balls, or one and a floor: f = K d^{3/2} at the overlap d.
+struct HertzSpring {
+    Real secant = 0;   ///< f/d [N/m]
+    Real tangent = 0;  ///< df/dd, what (26.3) asks for [N/m]
+};
+inline HertzSpring hertz_spring(Real K, Real d)
+{
+    const Real secant = K * std::sqrt(d);
+    return {secant, 1.5 * secant};
+}
+/// The deepest overlap of a mass m that arrives with v [m], and how long it
+/// touches [s]: ½ m v² = ⅖ K d^{5/2}, and 2 ∫ ds/√(1 − s^{5/2}) from 0 to 1.
+inline Real hertz_overlap(Real m, Real K, Real v)
+{
+    return pow(5 * m * v * v / (4 * K), 0.4);
+}
+inline Real hertz_time(Real m, Real K, Real v)
+{
+    return 2.943275184324705 * hertz_overlap(m, K, v) / v;
+}
+//! [hertz]
 
 //! [stretch]
 /// How far a contact's point has moved along since it stuck, from step to step.

@@ -20,21 +20,6 @@ JointedScene of(const RoughScene& rough)
     return scene;
 }
 
-/// Each body on a rail along the axis, through where it is.
-JointedScene on_rails(JointedScene scene, const Vec2& axis)
-{
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        RigidJoint rail;
-        rail.kind = JointKind::prismatic;
-        rail.b = k;
-        rail.at_a = scene.bodies.position(k).head<2>();
-        rail.axis = axis;
-        rail.angle = scene.bodies.x[3 * k + 2];
-        add_joint(scene, rail);
-    }
-    return scene;
-}
-
 /// An angle under its own equation, by chapter 1's method of order four.
 template <class Rate>
 Real angle_after(State<1> s, Real t, const Rate& rate)
@@ -180,7 +165,6 @@ WayScene bouncing_ball()
     way.scene.walls.push_back({{0, 1}, 0});
     add_body(way.scene, disc(0.1), Mass{1, {0, 0}, 0.005}, {0, 1.1});
     cover(way.scene, {0, 0.8, 0, 0});
-    way.in_coordinates = on_rails(way.scene, {0, 1});
     way.time = 2;
     way.error = [](const JointedScene& s) {
         return std::abs(s.bodies.x[1] - 0.1 - 0.260741728327057);  // D1
@@ -196,7 +180,6 @@ WayScene stack_of_five()
     static_cast<RigidScene&>(rough) = box_stack(5);
     cover(rough, {0.5, 0, 0, 0});
     way.scene = of(rough);
-    way.in_coordinates = on_rails(way.scene, {0, 1});
     way.error = [start = way.scene.bodies.x](const JointedScene& s) {
         Real most = 0;
         for (Index k = 0; k < 5; ++k)
@@ -233,7 +216,6 @@ WayScene newtons_cradle()
                  {k == 0 ? -0.1 : 0.2 * k, 0});
     scene.bodies.u[0] = 1;
     cover(scene, {0, 1, 0, 0});
-    way.in_coordinates = on_rails(scene, {1, 0});
     way.time = 0.3;
     way.unit = "m/s";
     way.error = [](const JointedScene& s) {

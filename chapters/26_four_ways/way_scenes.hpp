@@ -19,9 +19,6 @@ struct WayScene {
     std::string name;
     JointedScene scene;
     CollisionFilter filter;
-    /// the same bodies where each hangs on a joint of its own, for reduced
-    /// coordinates; no body: they take the scene itself
-    JointedScene in_coordinates;
     Real time = 1;         ///< when the error is measured [s]
     Real stiffness = 1e5;  ///< of springs in place of its constraints [N/m]
     bool keeps_energy = false;
@@ -48,7 +45,7 @@ WayScene sliding_block();
 WayScene bouncing_ball();
 /// Five boxes of 1 m and 1 kg: the largest way of any in 1 s.
 WayScene stack_of_five();
-/// The rod that jams (13.12), its end sliding to the left at 1 m/s: the speed of the end along the floor after 20 ms [m/s].
+/// The rod that jams (13.11), its end sliding to the left at 1 m/s: the speed of the end along the floor after 20 ms [m/s].
 WayScene jammed_rod();
 /// Five balls in a row, e = 1 (C8): the largest error of a velocity, beside the experiment's, after 0.3 s [m/s].
 WayScene newtons_cradle();

@@ -5,6 +5,7 @@
 
 #include "chapters/16_soft_constraints/soft_method.hpp"
 #include "chapters/26_four_ways/acceleration_level.hpp"
+#include "chapters/26_four_ways/push_joints.hpp"
 #include "chapters/26_four_ways/reduced_motion.hpp"
 #include "chapters/26_four_ways/single_impulses.hpp"
 #include "chapters/26_four_ways/spring_forces.hpp"
@@ -100,10 +101,7 @@ std::unique_ptr<WayRun::Stepper> stepper(Way way, const JointedScene& scene,
 }  // namespace
 
 WayRun::WayRun(Way way, const WayScene& scene, const WaySettings& settings)
-    : scene_(way == Way::coordinates && scene.in_coordinates.bodies.count() > 0
-                 ? scene.in_coordinates
-                 : scene.scene),
-      stepper_(stepper(way, scene_, scene.filter, settings))
+    : scene_(scene.scene), stepper_(stepper(way, scene_, scene.filter, settings))
 {
     if (way == Way::single && !scene_.joints.empty()) {
         SingleImpulses probe;  // refuses joints by its own sentence
@@ -126,6 +124,31 @@ std::string refusal(Way way, const WayScene& scene)
     return {};
 }
 
+WayDrift drift_of(const WayScene& way, const JointedScene& scene)
+{
+    WayDrift drift;
+    const Bodies<3>& bodies = scene.bodies;
+    for (const PointJoint& joint : scene.joints)
+        if (joint.kind == ConstraintKind::bilateral) {
+            const Constraint<3> c = joint_constraint(bodies.x, joint);
+            drift.C = std::max(drift.C, std::abs(c.C));
+            drift.rate = std::max(
+                drift.rate,
+                std::abs(bilateral(c, bodies.inverse_mass).velocity(bodies.u)));
+        }
+    std::vector<PushJoint> near;
+    const Real closed = 1e-6 * typical_length(scene);
+    find_push_joints(scene, way.filter, closed, near);
+    for (const PushJoint& push : near) {
+        const Constraint<3> c = gap_of(push, bodies.x);
+        if (c.C > closed) continue;
+        drift.C = std::max(drift.C, -c.C);
+        drift.rate = std::max(
+            drift.rate, -bilateral(c, bodies.inverse_mass).velocity(bodies.u));
+    }
+    return drift;
+}
+
 WayResult run_way(Way way, const WayScene& scene, Real h,
                   const WaySettings& settings)
 {
@@ -143,6 +166,7 @@ WayResult run_way(Way way, const WayScene& scene, Real h,
         }
         result.error = scene.error(run.scene());
         result.energy_gain = energy(run.scene()) - before;
+        result.drift = drift_of(scene, run.scene());
         // but for the doll, which only loses, no scene has more than 15 J to move with
         if (!(result.error < 100) || !(result.energy_gain < 15))
             result.why_not = "it flies apart";

@@ -74,9 +74,17 @@ inline bool can_take(Way way, const WayScene& scene)
     return refusal(way, scene).empty();
 }
 
+/// How far its constraints are from what they say: the largest over all joints and closed contacts.
+struct WayDrift {
+    Real C = 0;     ///< a joint's error, an overlap [m, rad]
+    Real rate = 0;  ///< dC/dt of joints, an approach of contacts [m/s, rad/s]
+};
+WayDrift drift_of(const WayScene& way, const JointedScene& scene);
+
 /// What a run of a scene came to.
 struct WayResult {
     Real error = infinity;  ///< of WayScene::error
+    WayDrift drift;         ///< at the end
     Real energy_gain =
         0;  ///< over what there was of kinetic and potential energy to lose at the start
     std::string why_not;  ///< the sentence; empty: it went through

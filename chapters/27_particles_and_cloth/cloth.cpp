@@ -101,12 +101,28 @@ void require_valid(const ClothScene& cloth)
         require_not_negative(cloth.shapes[i].radius, "the radius of " + who);
         require_not_negative(cloth.shapes[i].half.minCoeff(),
                              "half the size of " + who);
+        const bool is_mesh = cloth.shapes[i].shape == ClothSolid::Shape::mesh;
+        if (is_mesh != (cloth.shapes[i].mesh != nullptr))
+            throw std::invalid_argument(
+                who + (is_mesh ? " is a mesh without triangles; it needs a mesh"
+                               : " is no mesh; it must not have one"));
     }
     if (!cloth.gravity.allFinite() || !cloth.wind.allFinite())
         throw std::invalid_argument("gravity or wind is not finite");
     require_not_negative(cloth.air, "the drag of the air");
     require_not_negative(cloth.drag, "the drag");
     require_not_negative(cloth.thickness, "the thickness of the cloth");
+    require_not_negative(cloth.self_friction,
+                         "the friction of the cloth on itself");
+    require_not_negative(cloth.self_thickness,
+                         "the thickness of the cloth against itself");
+    for (std::size_t i = 0; i < cloth.springs.size(); ++i)
+        if (!(2 * cloth.self_thickness <= cloth.springs[i].length))
+            throw std::invalid_argument(
+                "the thickness of the cloth against itself is " +
+                shortest(cloth.self_thickness) + " m, and the length of spring " +
+                std::to_string(i) + " " + shortest(cloth.springs[i].length) +
+                " m; it must be at most half of that");
 }
 
 void require_extensible(const ClothScene& cloth)

@@ -11,8 +11,10 @@
 #pragma once
 
 #include "chapters/20_turning_in_space/space_bodies.hpp"
+#include "chapters/25_world_in_space/triangle_mesh.hpp"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace rigid {
@@ -52,7 +54,7 @@ struct ClothHinge {
 
 /// What a particle touches. Lengths are in the axes of the body that it belongs to.
 struct ClothSolid {
-    enum class Shape : unsigned char { wall, ball, capsule, box };
+    enum class Shape : unsigned char { wall, ball, capsule, box, mesh };
     Shape shape = Shape::ball;
     Vec3 half = {
         0, 0,
@@ -60,11 +62,16 @@ struct ClothSolid {
     Real radius =
         0;  ///< of a ball, of a capsule, of the rounded edges of a box [m]
     Real friction = 0;  ///< μ
+    /// of a mesh: its triangles have one side, to which particles are pushed
+    std::shared_ptr<const TriangleMesh> mesh = nullptr;
 };
 
 struct ClothScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};  ///< the particles
+    /// where they were made: what is straight there is a thread, however it lies now;
+    /// of another size than the particles: where they are
+    std::vector<Vec3> made_at;
     std::vector<ClothSpring> springs;
     std::vector<ClothBend> bends;
     std::vector<ClothHinge> hinges;
@@ -78,6 +85,9 @@ struct ClothScene {
     Real drag =
         0;  ///< part of its velocity that a particle loses in a second [1/s]
     Real thickness = 0;  ///< how far particles stay away from solids [m]
+    /// how far triangles and edges stay away from each other [m]; 0: they pass
+    Real self_thickness = 0;
+    Real self_friction = 0;  ///< μ of cloth on itself
     /// raised by tear(), and by each change of rows or masses while the cloth moves
     int changes = 0;
 

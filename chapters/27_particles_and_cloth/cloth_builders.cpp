@@ -16,6 +16,8 @@ int add_particle(ClothScene& cloth, const Vec3& at, Real mass)
     const Index k = cloth.bodies.count();
     cloth.bodies.resize(k + 1);
     cloth.bodies.position(k) = at;
+    if (cloth.made_at.size() == static_cast<std::size_t>(k))
+        cloth.made_at.push_back(at);
     cloth.bodies.inverse_mass.segment<3>(3 * k).setConstant(mass > 0 ? 1 / mass
                                                                      : 0);
     return static_cast<int>(k);
@@ -140,18 +142,20 @@ int add_solid(ClothScene& cloth, const ClothSolid& shape, Real mass, const Vec3&
     cloth.shapes.push_back(shape);
     if (mass != 0) {
         if (!(mass > 0) || shape.shape == ClothSolid::Shape::wall ||
-            shape.shape == ClothSolid::Shape::capsule)
+            shape.shape == ClothSolid::Shape::mesh)
             throw std::invalid_argument(
                 "the mass of a solid is " + shortest(mass) +
-                " kg; a ball or a box may have a positive one, and what "
+                " kg; a ball, a capsule or a box may have a positive one, and what "
                 "cannot move zero");
         // of a box with its rounded edges, as if they were sharp
-        const Vec3 e = 2 * (shape.half + Vec3::Constant(shape.radius));
-        const Vec3 q = e.cwiseAbs2();
-        const Vec3 I =
-            shape.shape == ClothSolid::Shape::ball
-                ? Vec3(Vec3::Constant(0.4 * mass * shape.radius * shape.radius))
-                : Vec3(mass / 12 * Vec3(q[1] + q[2], q[2] + q[0], q[0] + q[1]));
+        const Hull hull =
+            shape.shape == ClothSolid::Shape::box
+                ? solid_box(2 * (shape.half + Vec3::Constant(shape.radius)))
+            : shape.shape == ClothSolid::Shape::ball
+                ? solid_ball(shape.radius)
+                : Hull{{-shape.half, shape.half}, {}, shape.radius};
+        const SolidMass solid = mass_of(hull, 1);
+        const Vec3 I = mass / solid.mass * solid.inertia.diagonal();
         cloth.solids.inverse_mass.segment<6>(6 * k) << Vec3::Constant(1 / mass),
             I.cwiseInverse();
     }

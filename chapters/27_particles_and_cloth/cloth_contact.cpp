@@ -21,6 +21,41 @@ void ClothTouch::begin(ClothScene& cloth, Real h)
     contacts.clear();
 }
 
+//! [mesh]
+ClothGap gap_to(const TriangleMesh& mesh, const Vec3& p, Real reach,
+                std::vector<int>& stack, std::vector<int>& near)
+{
+    const Vec3 around = Vec3::Constant(reach);
+    mesh.near({p - around, p + around}, stack, near);
+    ClothGap best{infinity, {0, 1, 0}};
+    Real least = reach, farthest = 0;
+    bool border = false;
+    for (const int t : near) {
+        const Vec3 a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p,
+                   c = mesh.corner(t, 2) - p;
+        const auto w = nearest_of_triangle({a, b, c});
+        const Vec3 d = -(w[0] * a + w[1] * b + w[2] * c);
+        const Real size = d.norm(), along = d.dot(mesh.normal(t));
+        // the same point of two triangles, to rounding
+        const bool nearer = size < least - 1e-9 * reach;
+        if (!nearer && !(size < least + 1e-9 * reach)) continue;
+        if (nearer) border = false;
+        for (std::size_t k = 0; k < 3; ++k)
+            border =
+                border || (w[k] == 0 &&
+                           mesh.beyond[static_cast<std::size_t>(t)][(k + 1) % 3] ==
+                               TriangleMesh::nobody);
+        if (!nearer && !(std::abs(along) > farthest)) continue;
+        least = std::min(size, least), farthest = std::abs(along);
+        const Real side = along < 0 ? -1 : 1;
+        best = {side * size,
+                size > 1e-9 * reach ? Vec3(side / size * d) : mesh.normal(t)};
+    }
+    if (border && best.gap < 0) best.gap = infinity;
+    return best;
+}
+//! [mesh]
+
 //! [find]
 void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
 {
@@ -36,7 +71,15 @@ void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
             if (!(w > 0)) continue;
             // where it comes to, seen from the solid as it has moved
             const Vec3 p = x.segment<3>(3 * i) - v;
-            const ClothGap near = gap_to(shape, axes.transpose() * (p - centre));
+            const Vec3 local = axes.transpose() * (p - centre);
+            // through a mesh a particle may have come as far as it has moved
+            const ClothGap near =
+                shape.shape == ClothSolid::Shape::mesh
+                    ? gap_to(*shape.mesh, local,
+                             margin + cloth.thickness +
+                                 (p - x0.segment<3>(3 * i)).norm(),
+                             stack, this->near)
+                    : gap_to(shape, local);
             const Real gap = near.gap - cloth.thickness;
             if (!(gap < margin)) continue;
             ClothContact c;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chapters/27_particles_and_cloth/cloth.hpp"
+#include "chapters/27_particles_and_cloth/nearest_parts.hpp"
 
 namespace rigid {
 
@@ -36,6 +37,12 @@ inline ClothGap gap_to(const ClothSolid& s, const Vec3& p)
 }
 //! [gap]
 
+/// The same of a mesh, whose triangles are looked at within `reach`; infinite if there
+/// are none. Of several nearest triangles, at an edge or a corner, the one says the side
+/// whose plane is farthest away; beyond its border a mesh has no back.
+ClothGap gap_to(const TriangleMesh& mesh, const Vec3& p, Real reach,
+                std::vector<int>& stack, std::vector<int>& near);
+
 //! [contact]
 struct ClothContact {
     int particle = 0, solid = 0;
@@ -55,8 +62,9 @@ struct ClothTouch {
     std::vector<Mat3> R;  ///< of the solids at the start of the sub-step
     VecX moved;           ///< δ of each: centre [m], turn in its axes [rad]
     std::vector<ClothContact> contacts;
-    Real margin = 0;       ///< particles that come as near have a row [m]
-    bool reaction = true;  ///< false: solids do not feel the cloth
+    Real margin = 0;               ///< particles that come as near have a row [m]
+    bool reaction = true;          ///< false: solids do not feel the cloth
+    std::vector<int> stack, near;  ///< memory for the trees of meshes
 
     /// Solids at the start of a sub-step, with gravity in their velocities: δ = h u.
     void begin(ClothScene& cloth, Real h);

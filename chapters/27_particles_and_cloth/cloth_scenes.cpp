@@ -3,6 +3,7 @@
 
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
 
+#include "chapters/25_world_in_space/mesh_scenes.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid {
@@ -172,6 +173,42 @@ ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
     add_solid(cloth, solid, mass, {0.1, 0.8, 0.05},
               box ? Vec3(0.3, 0.2, 0.1) : Vec3(0, 0, 0));
     cloth.thickness = 0.01;
+    return cloth;
+}
+
+ClothScene folding_sheet(int squares, Real stiffness, Real thickness, Real friction)
+{
+    ClothScene cloth;
+    ClothSolid floor;
+    floor.shape = ClothSolid::Shape::wall, floor.friction = 0.5;
+    add_solid(cloth, floor, 0, {0, 0, 0});
+    add_sheet(cloth, {-0.5, 1.05, 0}, right, down,
+              square_sheet(squares, 1, stiffness, 2e-5));
+    // not quite flat, so that it knows where to fold
+    for (int k = 0; k < cloth.count(); ++k) {
+        const Vec3 p = cloth.bodies.position(k);
+        cloth.bodies.position(k).z() +=
+            0.01 * sin(7 * p.y()) + 0.01 * p.x() * p.y();
+    }
+    cloth.thickness = 0.005;
+    cloth.self_thickness = thickness, cloth.self_friction = friction;
+    cloth.drag = 0.5;
+    return cloth;
+}
+
+ClothScene sheet_on_mesh(int squares, Real side, Real stiffness, Real friction)
+{
+    ClothScene cloth;
+    ClothSolid ground;
+    ground.shape = ClothSolid::Shape::mesh, ground.friction = friction;
+    ground.mesh = height_field(24, 24, 0.1, [](Real x, Real z) {
+        return 0.3 * sin(2.5 * x) * cos(2 * z);
+    });
+    add_solid(cloth, ground, 0, {0, 0, 0});
+    add_sheet(cloth, {-side / 2, 0.4, -side / 2}, right, near,
+              square_sheet(squares, side, stiffness, 1e-4));
+    cloth.thickness = 0.005;
+    cloth.drag = 0.5;
     return cloth;
 }
 

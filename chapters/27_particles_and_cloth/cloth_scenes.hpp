@@ -40,6 +40,14 @@ ClothScene tablecloth(int squares, Real stiffness, Real friction);
 ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
                           bool pinned);
 
+/// A sheet of 1 m that falls on its lower edge and folds on itself, which it must not pass through.
+/// \param thickness  against itself [m]; 0: it passes
+ClothScene folding_sheet(int squares, Real stiffness, Real thickness,
+                         Real friction = 0.2);
+
+/// A sheet of so many metres above a ground of triangles: a pit and a hill.
+ClothScene sheet_on_mesh(int squares, Real side, Real stiffness, Real friction);
+
 /// A walk of 0.6 by 4 m between two walls, and a box that falls on it.
 ClothScene rope_bridge(int squares, Real stiffness, Real mass);
 

@@ -48,10 +48,10 @@ void require_valid(const ClothSettings& s)
         throw std::invalid_argument("the number of sub-steps is " +
                                     std::to_string(s.substeps) +
                                     "; it must be one or more");
-    if (s.sweeps < 0 || s.limit_sweeps < 0)
+    if (s.sweeps < 0 || s.limit_passes < 0)
         throw std::invalid_argument(
             "the number of sweeps is " +
-            std::to_string(std::min(s.sweeps, s.limit_sweeps)) +
+            std::to_string(std::min(s.sweeps, s.limit_passes)) +
             "; it must be zero or more");
     if (!(s.pbd_share > 0 && s.pbd_share <= 1))
         throw std::invalid_argument("the share of a visit is " +
@@ -72,7 +72,8 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
                   cloth.hinges.size(),
                   cloth.changes,
                   settings.method,
-                  settings.part()};
+                  settings.part(),
+                  cloth.self_thickness};
     if (now == key_) return;
     // a cloth that has torn was whole before
     if (key_.changes < 0 || now.changes == key_.changes) require_valid(cloth);
@@ -85,6 +86,7 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
     for (const ClothSpring& s : cloth.springs)
         shortest_spring = std::min(shortest_spring, s.length);
     touch.margin = cloth.springs.empty() ? 0.01 : shortest_spring / 4;
+    if (cloth.self_thickness > 0) self.prepare(cloth);
     exact.lambda.resize(0);
     key_ = now;
 }
@@ -120,6 +122,25 @@ void ClothMemory::go_on_from_the_middle(Bodies<3>& bodies) const
         if (c.lambda > 0) go_on(c.particle, -0.5);
 }
 
+//! [draw_back]
+/// (27.24): until no spring is beyond its limit, with the contacts between.
+void ClothMemory::draw_back(const ClothScene& cloth, const ClothSettings& settings,
+                            VecX& x)
+{
+    if (!(settings.strain_limit < infinity)) return;
+    drawn_back = x;
+    limit.strain = settings.strain_limit, limit.stiff = settings.limit_stiffness;
+    for (int pass = 0; pass < settings.limit_passes && limit.find(cloth, x);
+         ++pass) {
+        for (int s = 0; s < 3; ++s) limit.draw_back(cloth, x);
+        touch.visit(cloth, x);
+        self.visit(cloth, x);
+        drawn += static_cast<std::int64_t>(limit.beyond.size());
+    }
+    drawn_back = x - drawn_back;
+}
+//! [draw_back]
+
 //! [solve]
 /// From y to x: the rows that the method solves together, and how far.
 void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
@@ -138,11 +159,12 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
         rows.share = settings.pbd_share;
         rows.keep_lambda = settings.keep_lambda;
         rows.begin(cloth);
-        threads.lambda.setZero();
+        if (settings.method == ClothMethod::threads) threads.begin();
         for (int s = 0; s < settings.sweeps; ++s) {
             if (settings.method == ClothMethod::threads) threads.sweep(cloth, h, x);
             rows.sweep(cloth, h, x, settings.method != ClothMethod::threads);
             touch.visit(cloth, x);
+            self.visit(cloth, x);
         }
         visits += count * settings.sweeps;
         break;
@@ -202,22 +224,31 @@ void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
         }
         now.y = now.x0 + (middle ? h / 2 : h) * bodies.u;
         now.touch.begin(cloth, h);
+        if (cloth.self_thickness > 0) now.self.begin(cloth, now.x0, now.y);
+        else now.self.rows.clear();
         bodies.x = now.y;
         const bool with_rows = sweeps_rows(settings.method);
         if (with_rows) now.touch.find(cloth, now.x0, now.y);
         now.solve(cloth, settings, bodies.x);
         if (middle) bodies.x = 2 * bodies.x - now.x0;
-        for (int s = 0;
-             s < settings.limit_sweeps && settings.strain_limit < infinity; ++s)
-            limit_strain(cloth, settings.strain_limit, bodies.x);
-        if (!with_rows) now.touch.find(cloth, now.x0, bodies.x);
-        if (!with_rows || settings.strain_limit < infinity)
+        if (!with_rows) {
+            now.touch.find(cloth, now.x0, bodies.x);
             now.touch.visit(cloth, bodies.x);
+            now.self.visit(cloth, bodies.x);
+        }
+        now.drawn_back.setZero(bodies.x.size());
+        if (part + 1 == settings.substeps) now.draw_back(cloth, settings, bodies.x);
+        // what the limit draws back it does once a step, not once a sub-step
         for (Index k = 0; k < bodies.count(); ++k)
-            if (bodies.inverse_mass[3 * k] > 0)
+            if (bodies.inverse_mass[3 * k] > 0) {
+                const Vec3 drawn = now.drawn_back.segment<3>(3 * k);
                 bodies.velocity(k) =
-                    (bodies.position(k) - now.x0.segment<3>(3 * k)) / h;
+                    (bodies.position(k) - drawn - now.x0.segment<3>(3 * k)) / h +
+                    drawn / settings.h;
+            }
         if (middle) now.go_on_from_the_middle(bodies);
+        now.self.calm(cloth);
+        if (cloth.self_thickness > 0) now.self.stop(cloth, now.x0, bodies.x);
         now.touch.end(cloth, h);
         if (settings.strength < infinity) {
             now.torn += tear(cloth, settings.strength);

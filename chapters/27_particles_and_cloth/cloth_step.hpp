@@ -11,6 +11,7 @@
 
 #include "chapters/27_particles_and_cloth/cloth_contact.hpp"
 #include "chapters/27_particles_and_cloth/cloth_newton.hpp"
+#include "chapters/27_particles_and_cloth/cloth_self.hpp"
 #include "chapters/27_particles_and_cloth/cloth_threads.hpp"
 #include "chapters/27_particles_and_cloth/exact_rows.hpp"
 #include "chapters/27_particles_and_cloth/particle_descent.hpp"
@@ -51,9 +52,10 @@ struct ClothSettings {
     Real pbd_share = 1;            ///< s of (27.9)
     bool keep_lambda = true;       ///< false: the mistake of section 27.4
     Real strain_limit = infinity;  ///< springs are drawn back to 1 + this
-    int limit_sweeps = 1;
-    Real strength = infinity;  ///< springs tear beyond 1 + this
-    bool reaction = true;      ///< false: solids do not feel the cloth
+    Real limit_stiffness = 0;      ///< those of at least this k [N/m]
+    int limit_passes = 50;         ///< at the end of a step, each with its contacts
+    Real strength = infinity;      ///< springs tear beyond 1 + this
+    bool reaction = true;          ///< false: solids do not feel the cloth
 
     Real part() const { return h / substeps; }
 };
@@ -70,11 +72,14 @@ struct ClothMemory {
     ClothNewton newton;
     ExactRows exact;
     ClothTouch touch;
-    VecX x0, u0, y, force;
+    ClothSelf self;  ///< unless the thickness against itself is zero
+    StrainLimit limit;
+    VecX x0, u0, y, force, drawn_back;
     // Counted since the memory was made.
     std::int64_t visits = 0;  ///< of rows
     std::int64_t solves = 0;  ///< linear systems
     int torn = 0;
+    std::int64_t drawn = 0;  ///< springs that were beyond their limit, pass by pass
     bool solved =
         true;  ///< false: an iteration of the last step met its limit first
 
@@ -82,6 +87,7 @@ private:
     friend void step(ClothScene&, const ClothSettings&, ClothMemory&);
     void prepare(const ClothScene& cloth, const ClothSettings& settings);
     void solve(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
+    void draw_back(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
     /// u ← 2 u − u₀, (27.15)
     void go_on_from_the_middle(Bodies<3>& bodies) const;
 
@@ -90,7 +96,7 @@ private:
         std::size_t particles = 0, springs = 0, bends = 0, hinges = 0;
         int changes = -1;
         ClothMethod method = ClothMethod::xpbd;
-        Real h = 0;
+        Real h = 0, self_thickness = 0;
         bool operator==(const Key&) const = default;
     } key_;
 };

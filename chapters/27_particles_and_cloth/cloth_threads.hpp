@@ -4,36 +4,62 @@
 ///     (A + Γ) ΔΛ = −(C + Γ Λ),   A tridiagonal: A_ii = 1/m_i + 1/m_{i+1},   A_{i,i+1} = −n_i·n_{i+1}/m_{i+1}    (27.16)
 ///
 /// XPBD with blocks: its fixed point is the same. What crawls along a thread row by row, through n rows in n² sweeps, goes
-/// through it in one.
+/// through it in one. Threads that share no particle are solved side by side, eight in a bundle, one in each lane.
 #pragma once
 
+#include "chapters/17_wide_sweeps/lanes.hpp"
 #include "chapters/27_particles_and_cloth/cloth.hpp"
 
 namespace rigid {
 
 class ClothThreads {
 public:
-    VecX lambda;  ///< Λ of each spring [N s²]
-
     /// Parts the springs into threads: from each spring that has none on, both ways,
     /// by the spring that turns least, by less than 60°, and never to a particle that
-    /// the thread has.
+    /// the thread has. Soft threads come first: what is visited last is right last.
     void find(const ClothScene& cloth);
+    /// Λ = 0, at the start of a (sub-)step.
+    void begin();
     /// Each thread once.
     void sweep(const ClothScene& cloth, Real h, VecX& x);
 
-    std::size_t count() const { return first_.empty() ? 0 : first_.size() - 1; }
+    std::size_t count() const { return count_; }
+    std::size_t bundles() const { return bundles_.size(); }
 
 private:
-    /// a spring of a thread, run through from p to q
-    struct Link {
-        int spring = 0, p = 0, q = 0;
+    static constexpr int lanes = 8;
+    using Many = Lanes<Real, lanes>;
+    /// a thread: its particles, and the springs between them
+    struct Thread {
+        std::vector<int> particles, springs;
+        Real stiffness = 0;
     };
-    std::vector<Link> links_;         ///< thread after thread
-    std::vector<std::size_t> first_;  ///< of each thread, and the end
-    // of one thread
-    std::vector<Vec3> n_;
-    std::vector<Real> pivot_, inverse_, right_, beside_;
+    /// of a bundle: the most links of its threads, where they begin
+    struct Bundle {
+        std::size_t links = 0, first = 0, particle = 0;
+        int threads = 0;
+    };
+    /// What does not change: Lengths and compliances 1/k, Λ; a thread that has ended
+    /// has links of no length between its last particle and itself.
+    struct Link {
+        Many length, compliance, lambda;
+    };
+    struct Place {
+        Many x, y, z, w;
+    };
+    struct Bar {
+        Many x, y, z, inverse, right, beside;
+    };
+    std::vector<Thread> threads_of(const ClothScene& cloth) const;
+    void add(const ClothScene& cloth, const std::vector<const Thread*>& bundle);
+    void solve(const Bundle& bundle, Real h, const VecX& w, VecX& x);
+
+    std::vector<Bundle> bundles_;
+    std::vector<int> at_;  ///< particles: lane by lane, place by place
+    std::vector<Link> links_;
+    std::vector<Place> places_;  ///< of one bundle
+    std::vector<Bar> bars_;
+    std::size_t count_ = 0;
 };
 
 }  // namespace rigid

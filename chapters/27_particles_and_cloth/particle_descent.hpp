@@ -1,5 +1,5 @@
 /// \file particle_descent.hpp
-/// One particle at a time, with all its rows: vertex block descent, chapter 16's (16.26) in space.
+/// One particle at a time, with all its rows: vertex block descent, chapter 16's (16.28) in space.
 ///
 ///     Δx = H⁻¹ f,   f = −m (x − y)/h² + Σ forces of its rows,   H = m/h² + Σ ∂² of its rows           (27.12)
 ///

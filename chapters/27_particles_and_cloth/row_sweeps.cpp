@@ -72,22 +72,35 @@ void RowSweeps::sweep(const ClothScene& cloth, Real h, VecX& x, bool with_spring
 //! [sweep]
 
 //! [limit]
-int limit_strain(const ClothScene& cloth, Real strain, VecX& x)
+bool StrainLimit::find(const ClothScene& cloth, const VecX& x)
+{
+    beyond.clear();
+    int i = 0;
+    for (const ClothSpring& s : cloth.springs) {
+        const Real most = (1 + strain) * s.length;
+        if (s.stiffness >= stiff &&
+            (x.segment<3>(3 * s.b) - x.segment<3>(3 * s.a)).squaredNorm() >
+                most * most)
+            beyond.push_back(i);
+        ++i;
+    }
+    return !beyond.empty();
+}
+
+void StrainLimit::draw_back(const ClothScene& cloth, VecX& x) const
 {
     const VecX& w = cloth.bodies.inverse_mass;
-    int drawn = 0;
-    for (const ClothSpring& s : cloth.springs) {
+    for (const int i : beyond) {
+        const ClothSpring& s = cloth.springs[static_cast<std::size_t>(i)];
         auto a = x.segment<3>(3 * s.a), b = x.segment<3>(3 * s.b);
         const Vec3 d = b - a;
-        const Real length = d.norm(), over = length - (1 + strain) * s.length;
+        const Real length = d.norm(), over = length - (1 + 0.9 * strain) * s.length;
         const Real A = w[3 * s.a] + w[3 * s.b];
         if (!(over > 0) || !(A > 0)) continue;
         const Vec3 P = d * (over / (A * length));
         a += w[3 * s.a] * P;
         b -= w[3 * s.b] * P;
-        ++drawn;
     }
-    return drawn;
 }
 //! [limit]
 

@@ -34,9 +34,19 @@ struct RowSweeps {
     void sweep(const ClothScene& cloth, Real h, VecX& x, bool with_springs = true);
 };
 
-/// Springs beyond (1 + strain) L are drawn back to it, one after the other: rows with
-/// Λ ≤ 0 and γ = 0 (27.24).
-/// \return  how many were
-int limit_strain(const ClothScene& cloth, Real strain, VecX& x);
+//! [limit]
+/// Springs beyond (1 + strain) L are drawn back: rows with Λ ≤ 0 and γ = 0 (27.24).
+struct StrainLimit {
+    Real strain = infinity;
+    Real stiff = 0;  ///< springs of at least this k [N/m]: threads, not diagonals
+    std::vector<int> beyond;
+
+    /// Those that are beyond it now. \return  whether there are any
+    bool find(const ClothScene& cloth, const VecX& x);
+    /// Each of those once, to nine tenths of the strain if it is beyond that: its
+    /// neighbours take up a part of what it gives.
+    void draw_back(const ClothScene& cloth, VecX& x) const;
+};
+//! [limit]
 
 }  // namespace rigid

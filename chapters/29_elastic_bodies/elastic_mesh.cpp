@@ -287,6 +287,115 @@ ElasticMesh<3> block_mesh(const Vec<3>& corner, const Vec<3>& size, int nx, int 
     return mesh;
 }
 
+ElasticMesh<3> ball_mesh(const Vec<3>& centre, Real radius, int finer, int shells)
+{
+    const Real golden = (1 + std::sqrt(5.0)) / 2;
+    std::vector<Vec<3>> points;  // of the icosahedron, then of its finer ones
+    for (const Real a : {-1.0, 1.0})
+        for (const Real b : {-golden, golden}) {
+            points.emplace_back(0, a, b);
+            points.emplace_back(a, b, 0);
+            points.emplace_back(b, 0, a);
+        }
+    std::vector<std::array<int, 3>> faces;  // three corners at the distance 2
+    const auto are_near = [&points](int i, int j) {
+        return (points[static_cast<std::size_t>(i)] -
+                points[static_cast<std::size_t>(j)])
+                   .squaredNorm() < 4.1;
+    };
+    for (int i = 0; i < 12; ++i)
+        for (int j = i + 1; j < 12; ++j)
+            for (int k = j + 1; k < 12; ++k)
+                if (are_near(i, j) && are_near(j, k) && are_near(i, k))
+                    faces.push_back({i, j, k});
+    for (int time = 0; time < finer; ++time) {
+        std::map<std::array<int, 2>, int> middles;
+        const auto middle = [&](int a, int b) {
+            const auto [found, is_new] =
+                middles.emplace(std::array{std::min(a, b), std::max(a, b)},
+                                static_cast<int>(points.size()));
+            if (is_new) {
+                const Vec<3> sum = points[static_cast<std::size_t>(a)] +
+                                   points[static_cast<std::size_t>(b)];
+                points.push_back(sum);
+            }
+            return found->second;
+        };
+        std::vector<std::array<int, 3>> next;
+        for (const auto& [a, b, c] : faces) {
+            const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            next.insert(next.end(),
+                        {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        }
+        faces = std::move(next);
+        // a sum lies inside of the ball: the next middles are between points of its surface
+        for (Vec<3>& p : points) p /= p.norm();
+    }
+    for (Vec<3>& p : points) p /= p.norm();
+    ElasticMesh<3> mesh;
+    const int each = static_cast<int>(points.size());
+    mesh.rest.resize(3 * (1 + shells * each));
+    mesh.rest.segment<3>(0) = centre;
+    for (int s = 1; s <= shells; ++s)
+        for (int i = 0; i < each; ++i)
+            mesh.rest.segment<3>(3 * (1 + (s - 1) * each + i)) =
+                centre + radius * s / shells * points[static_cast<std::size_t>(i)];
+    const auto add = [&mesh](std::array<int, 4> corners) {
+        const Vec<3> o = mesh.at(corners[0]);
+        const Vec<3> a = mesh.at(corners[1]) - o, b = mesh.at(corners[2]) - o,
+                     c = mesh.at(corners[3]) - o;
+        if (a.cross(b).dot(c) < 0) std::swap(corners[2], corners[3]);
+        mesh.elements.insert(mesh.elements.end(), corners.begin(), corners.end());
+    };
+    for (std::array<int, 3> face : faces) {
+        // in the order of their numbers, so that neighbours cut their common side alike
+        std::sort(face.begin(), face.end());
+        const auto [a, b, c] = face;
+        add({0, 1 + a, 1 + b, 1 + c});
+        for (int s = 1; s < shells; ++s) {
+            const int low = 1 + (s - 1) * each, high = low + each;
+            add({low + a, low + b, low + c, high + c});
+            add({low + a, low + b, high + b, high + c});
+            add({low + a, high + a, high + b, high + c});
+        }
+    }
+    return mesh;
+}
+
+std::vector<std::array<int, 3>> surface_triangles(const ElasticMesh<3>& mesh)
+{
+    // the corners of a face from outside, and the nodes in the middle of its sides
+    constexpr int face[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    constexpr int middle[4][4] = {
+        {-1, 4, 5, 7}, {4, -1, 6, 8}, {5, 6, -1, 9}, {7, 8, 9, -1}};
+    std::map<std::array<int, 3>, int> count;
+    const auto key = [&mesh](int e, const int(&f)[3]) {
+        std::array<int, 3> corners{mesh.node(e, f[0]), mesh.node(e, f[1]),
+                                   mesh.node(e, f[2])};
+        std::sort(corners.begin(), corners.end());
+        return corners;
+    };
+    for (int e = 0; e < mesh.count(); ++e)
+        for (const auto& f : face) ++count[key(e, f)];
+    std::vector<std::array<int, 3>> found;
+    for (int e = 0; e < mesh.count(); ++e)
+        for (const auto& f : face) {
+            if (count[key(e, f)] > 1) continue;
+            const int a = mesh.node(e, f[0]), b = mesh.node(e, f[1]),
+                      c = mesh.node(e, f[2]);
+            if (mesh.order == 1) {
+                found.push_back({a, b, c});
+                continue;
+            }
+            const int ab = mesh.node(e, middle[f[0]][f[1]]),
+                      bc = mesh.node(e, middle[f[1]][f[2]]),
+                      ca = mesh.node(e, middle[f[2]][f[0]]);
+            found.insert(found.end(),
+                         {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        }
+    return found;
+}
+
 std::vector<std::array<int, 2>> outline(const ElasticMesh<2>& mesh)
 {
     // the two ends of each side of an element, and the node in its middle

@@ -96,9 +96,17 @@ ElasticMesh<2> lattice_mesh(Real side, int columns, int rows);
 ElasticMesh<3> block_mesh(const Vec<3>& corner, const Vec<3>& size, int nx, int ny,
                           int nz);
 
+/// A ball: an icosahedron whose triangles are quartered `finer` times, in shells around its
+/// centre.
+ElasticMesh<3> ball_mesh(const Vec<3>& centre, Real radius, int finer, int shells);
+
 /// The outline of a plane mesh: pairs of nodes with the body to their left, from node to
 /// node along the edge (a quadratic edge is two pairs).
 std::vector<std::array<int, 2>> outline(const ElasticMesh<2>& mesh);
+
+/// The surface of a mesh in space: triangles of nodes, counterclockwise from outside (a
+/// quadratic one is four).
+std::vector<std::array<int, 3>> surface_triangles(const ElasticMesh<3>& mesh);
 
 /// The nodes on the surface of a mesh, ascending.
 template <int Dim>

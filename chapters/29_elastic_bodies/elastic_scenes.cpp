@@ -131,4 +131,18 @@ ElasticScene struck_bar(StrainLaw law, Real young)
     return scene;
 }
 
+ElasticBody<2> chime()
+{
+    ElasticBody<2> bar(quadratic(rectangle_mesh({0, -0.003}, {0.3, 0.006}, 24, 1)),
+                       {.young = 2e11,
+                        .poisson = 0.3,
+                        .density = 7800,
+                        .law = StrainLaw::linear,
+                        .plane_stress = true});
+    for (int i = 0; i < bar.model.nodes(); ++i)
+        if (bar.at(i).x() > 0.29) bar.v[2 * i + 1] = 1;
+    bar.mass_damping = 1, bar.stiffness_damping = 1e-7;
+    return bar;
+}
+
 }  // namespace rigid

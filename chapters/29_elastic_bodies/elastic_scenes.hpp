@@ -30,4 +30,7 @@ ElasticScene bridge_with_car(StrainLaw law, Real young, Real speed);
 /// A free bar of 1 m × 0.05 m, of which one end was struck: it moves at 1 m/s across.
 ElasticScene struck_bar(StrainLaw law, Real young);
 
+/// A free bar of steel, 0.3 m × 6 mm, of which one end was struck: its first tone is 347 Hz.
+ElasticBody<2> chime();
+
 }  // namespace rigid

@@ -27,6 +27,10 @@ void require_valid(const ElasticBody<Dim>& body, const NewtonOnEnergy& settings)
             throw std::invalid_argument("the damping by " + std::string(name) +
                                         " is " + shortest(value) +
                                         "; it must be zero or positive");
+    if (!(settings.stale >= 0 && settings.stale < 1))
+        throw std::invalid_argument(
+            "the share that a stale factor has to take the residual to is " +
+            shortest(settings.stale) + "; it must be from 0 to 1");
     if (!(settings.tolerance > 0 && settings.linear_tolerance > 0))
         throw std::invalid_argument(
             "the tolerance is " +
@@ -147,16 +151,17 @@ bool ElasticSolver<Dim>::has_kept(const ElasticBody<Dim>& body) const
            kept_.mass == model.material().density &&
            kept_.alpha == body.mass_damping &&
            kept_.beta == body.stiffness_damping &&
-           model.material().law == StrainLaw::linear && kept_.fixed == body.fixed &&
-           kept_.rest == model.mesh().rest;
+           kept_.law == model.material().law && kept_.fixed == body.fixed &&
+           kept_.rest == model.mesh().rest &&
+           (kept_.law == StrainLaw::linear || (settings.stale > 0 && !renew_));
 }
 
 template <int Dim>
 void ElasticSolver<Dim>::keep(const ElasticBody<Dim>& body)
 {
     const ElasticModel<Dim>& model = body.model;
-    if (model.material().law != StrainLaw::linear) return;
     kept_.has = true, kept_.is_lumped = model.is_lumped();
+    kept_.law = model.material().law;
     kept_.rest = model.mesh().rest, kept_.lame = model.lame();
     kept_.tau = tau_, kept_.mass = model.material().density;
     kept_.alpha = body.mass_damping, kept_.beta = body.stiffness_damping;
@@ -176,7 +181,7 @@ bool ElasticSolver<Dim>::prepare(const ElasticBody<Dim>& body)
         for (std::size_t i = 0; i < H_.value.size(); ++i)
             H_.value[i] += tau_ * B_.value[i];
     fix<Dim>(body.fixed, H_);
-    kept_.has = false;
+    kept_.has = renew_ = false;
     if (!is_direct) return true;
     ++report.factorisations;
     if (!factor.factor(H_) && !soften(body)) return false;
@@ -232,12 +237,14 @@ void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
             return;
         }
         const Real slope = ordered_dot(r, change_);  // G falls by that at first
+        const Real last = report.residual;
         before_ = body.x;
         for (Real s = 1;; s /= 2) {
             body.x = before_ + s * change_;
             const Real next = look(body);
             if (next <= G - 1e-4 * s * slope + rounding_) {
                 G = next;
+                judge(last, report.residual, settings.tolerance);
                 break;
             }
             ++report.halvings;

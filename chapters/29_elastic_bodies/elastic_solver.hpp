@@ -59,6 +59,9 @@ struct NewtonOnEnergy {
     int most_linear = 2000;  ///< their iterations
     /// a body that stays linear keeps its factor from step to step
     bool keeps_factor = true;
+    /// the factor of another shape serves as long as each iteration takes the residual
+    /// down to this share of itself; 0: each iteration has its own
+    Real stale = 0;
 };
 
 /// Throws std::invalid_argument, naming the thing and the value, for lists of another
@@ -97,6 +100,13 @@ public:
     /// H at body.x, factored or as a matrix. Returns false if it is not definite.
     bool prepare(const ElasticBody<Dim>& body);
     VecX r;  ///< −∇G [kg m], zero where a freedom is fixed
+    /// Whether an iteration that took the residual from `before` to `now` was good enough
+    /// for its factor to serve the next one as well, NewtonOnEnergy::stale.
+    /// \param enough  below it there is nothing to judge by
+    void judge(Real before, Real now, Real enough)
+    {
+        renew_ = !(now <= settings.stale * before || now <= enough);
+    }
     /// The residual of r: with the impulses of contacts it is less.
     Real residual_of(const ElasticBody<Dim>& body, const VecX& r_left) const;
     /// Bytes that it keeps.
@@ -116,11 +126,12 @@ private:
     BlockMatrix<Dim> H_, B_;
     ConjugateGradients cg_;
     Real rounding_ = 0;  ///< of G
-    bool damped_ = false;
+    bool damped_ = false, renew_ = false;
     BlockPattern analysed_;  ///< what the factor's order is of
     /// What the factor at hand is of, if it may be kept.
     struct {
         bool has = false, is_lumped = false;
+        StrainLaw law = StrainLaw::linear;
         VecX rest;
         Lame lame;
         Real tau = -1, alpha = 0, beta = 0, mass = 0;

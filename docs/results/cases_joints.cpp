@@ -9,7 +9,7 @@
 namespace rigid::results {
 namespace {
 
-/// Where the load of a chain is at the end of each step: RK4 of its equations in the coordinates of its joints (15.17).
+/// Where the load of a chain is at the end of each step: RK4 of its equations in the coordinates of its joints (15.26).
 std::vector<Vec2> path_of_load(const JointedScene& start, int steps, Real h)
 {
     // 0.13 ms beside the 1 ms of the fastest swing of a link: to 1e-6 m after a second, by halves and quarters

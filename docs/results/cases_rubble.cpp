@@ -56,7 +56,7 @@ auto from_matrix(Find find)
     };
 }
 
-/// Algorithm 13.1, cold each time.
+/// Algorithm 13.2, cold each time.
 struct ByGuesses {
     FrictionMemory memory;
     std::int64_t operator()(Mlcp& mlcp, std::span<const FrictionBox> boxes, Solution& solution)

@@ -1,5 +1,5 @@
 // Chapter 10 steps a scene: chapter 8's step without what needs nothing. The world is built before the clock starts,
-// as those of the other engines are. Errors are corrected apart from the impulses that are remembered, as section 8.6
+// as those of the other engines are. Errors are corrected apart from the impulses that are remembered, as section 8.5
 // wants it.
 #include "docs/results/runs.hpp"
 

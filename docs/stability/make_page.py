@@ -32,7 +32,8 @@ from matrix_table import Table
 CHAPTERS = {3: "03_mlcp_formulation", 4: "04_pgs", 5: "05_lemke", 6: "06_sequential_impulse", 7: "07_baumgarte",
             8: "08_warm_starting", 9: "09_active_sets", 10: "10_skipping_work",
             11: "11_rotation", 12: "12_contact_manifolds", 13: "13_friction",
-            14: "14_joints", 15: "15_trees", 16: "16_soft_constraints", 19: "19_engine", 25: "25_world_in_space"}
+            14: "14_joints", 15: "15_trees", 16: "16_soft_constraints", 19: "19_engine", 25: "25_world_in_space",
+            26: "26_four_ways"}
 
 
 def chapter(number):

@@ -6,7 +6,8 @@ import statistics
 COLUMNS = {  # what the columns of each chapter stand under in the figures
     3: "3. MLCP", 4: "4. Gauss-Seidel", 5: "5. Lemke", 6: "6. Impulses", 7: "7. Baumgarte", 8: "8. Warm starting",
     9: "9. Active sets", 10: "10. Skipping", 11: "11. Rotation", 12: "12. Manifolds", 13: "13. Friction",
-    14: "14. Joints", 15: "15. Trees", 16: "16. Soft constraints", 19: "19. The engine", 25: "25. Space"}
+    14: "14. Joints", 15: "15. Trees", 16: "16. Soft constraints", 19: "19. The engine", 25: "25. Space",
+    26: "26. Four ways"}
 
 
 class Table:

@@ -139,7 +139,7 @@ def doors(page):
     return DOORS.sub(three, page, count=1)
 
 
-WAYS_ON = re.compile(r'<p\s*>((?:<a class="anchor" id="[^"]*"></a>)?)\s*(<a class="el" href="index\.html">Contents</a>(?: · <a\b[^>]*>[^<]*</a>)+)</p>')
+WAYS_ON = re.compile(r'<p\s*>((?:<a class="anchor" id="[^"]*"></a>)?)\s*(<a class="el" href="index\.html">Contents</a>(?: · <a\b[^>]*>[^<]*</a>)+)\s*</p>')
 
 
 def ways_on(page):

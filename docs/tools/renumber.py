@@ -72,7 +72,7 @@ class Renumbering:
     def label(self, kind, old):
         if (kind, old) in self.labels:
             return self.labels[kind, old]
-        part = re.match(r"(\d+\.\d+)([a-z])$", old)  # (17.4b) goes with (17.4)
+        part = re.match(r"(\d+\.\d+)([a-z])$", old)  # (17.10b) goes with (17.10)
         if part and (kind, part[1]) in self.labels:
             return self.labels[kind, part[1]] + part[2]
         of, rest = old.split(".", 1)

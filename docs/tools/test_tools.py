@@ -1032,6 +1032,8 @@ class Front(Folder):
         line = '<p ><a class="anchor" id="md_a"></a> <a class="el" href="index.html">Contents</a> · <a class="el" href="b.html">Next: Rows</a></p>'
         self.assertEqual(finish_html.ways_on(line), '<a class="anchor" id="md_a"></a><nav class="ways-on" aria-label="Chapters">'
                          '<a class="el" href="index.html">Contents</a><a class="el" rel="next" href="b.html">Rows</a></nav>')
+        # Doxygen leaves a blank before the end of a page's last paragraph
+        self.assertEqual(finish_html.ways_on(line.replace("</p>", " </p>")), finish_html.ways_on(line))
         other = '<p ><a class="el" href="index.html">Contents</a> of a box</p>'
         self.assertEqual(finish_html.ways_on(other), other)
 

@@ -128,7 +128,7 @@ TEST_CASE("the small program of chapter 5 has the numbers of the text and the li
         CHECK(small05::lemke(circle, VecX::Constant(3, -1), VecX::Zero(3), third, 100) <= 6);
         CHECK((third - VecX::Constant(3, 1.0 / 3)).norm() < 1e-15);
     }
-    // (5.23): exactly 2ⁿ pivots; here n = 2.
+    // (5.20): exactly 2ⁿ pivots; here n = 2.
     CHECK(small05::lemke(MatX{{1, 2}, {0, 1}}, VecX{{-6, -4}}, lo, z) == 4);
 
     const Real farthest = farthest_in_a_run(

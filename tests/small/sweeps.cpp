@@ -76,7 +76,7 @@ TEST_CASE("the small programs of chapters 4 and 6 make the same sweeps and the s
 
 TEST_CASE("the small program of chapter 7 has the numbers of the text and the library's to 1e-12")
 {
-    // By hand, (7.5) and (7.13).
+    // By hand, (7.5) and (7.9).
     small07::Discs two{VecX{{0, 0, 0.11, 0}}, VecX::Zero(4), VecX::Ones(4), VecX::Constant(2, 0.05), 2, {}};
     for (int n = 0; n < 30; ++n) {
         CHECK(small07::error(two) == Approx(0.01 * std::pow(0.8, n)).margin(1e-12));
@@ -111,6 +111,18 @@ TEST_CASE("the small program of chapter 8 has the numbers of the text and the li
     CHECK(small08::step(two, 1.0 / 60, 0.2) == 1);
     two.g *= 1.01;
     CHECK(small08::step(two, 1.0 / 60, 0.2) == 13);
+    // By hand, section 8.4: the overlap of two discs [g h²] with one sweep a step; 1e-12 of a radius is rounding.
+    const auto overlaps = [](bool warm, const std::vector<Real>& expected) {
+        small08::Discs d = small08::column(2);
+        for (const Real overlap : expected) {
+            if (!warm) d.contacts.clear();
+            small08::step(d, 1.0 / 60, 0, 1);
+            CHECK(0.2 - (d.x[3] - d.x[1]) == Approx(overlap * d.g / 3600).margin(1e-13));
+            CHECK(std::abs(d.x[1] - 0.1) < 1e-13);  // the floor is visited last
+        }
+    };
+    overlaps(false, {1, 2.5, 4.25, 6.125, 8.0625, 10.03125});
+    overlaps(true, {1, 2, 2.5, 2.5, 2.25, 2, 1.875, 1.875});
     small08::Discs twenty = small08::column(20);
     for (const int sweeps : {1685, 112, 1, 1, 1, 1})
         CHECK(small08::step(twenty, 1.0 / 60, 0) == sweeps);  // no error is corrected

@@ -1,5 +1,6 @@
 /// \file jointed.hpp
-/// The third stability matrix: bodies on joints, under the methods of chapters 14 to 16 and the engine of chapter 19.
+/// The third stability matrix: bodies on joints, under the methods of chapters 14 to 16, the engine of chapter 19 and
+/// the ways of chapter 26.
 ///
 /// Machinery, judge and levels are those of the first; the gap of a joint is that of its frame, its rope or its limit.
 #pragma once

@@ -15,18 +15,21 @@ struct Case {
     Task task;
 };
 
-/// Whether a scene has joints with springs, which not every method knows.
-enum class Springs : bool { none, some };
+/// What drives the joints of a scene, which not every method knows.
+enum class Drives { none, springs, motors };
 
 JointedStress stress_of(const std::string& name, const std::string& what, const Values& values,
                         const std::string& unit, const std::function<Case(Real)>& make,
-                        Springs springs = Springs::none)
+                        Drives drives = Drives::none)
 {
     return stress_over<JointedScene>(
         name, what, values, unit, {3, 3, 3, 3, 3},
         [=](const JointedMethod& method, Real value, std::uint64_t seed) -> std::optional<Verdict> {
-            if (springs == Springs::some && !method.springs) return std::nullopt;
+            if ((drives == Drives::springs && !method.springs) ||
+                (drives == Drives::motors && !method.motors))
+                return std::nullopt;
             Case now = make(value);
+            if (static_cast<Index>(now.scene.joints.size()) > method.most_rows) return std::nullopt;
             perturb(now.scene, seed, now.task.size);
             return judge(std::move(now.scene), now.task, method.start(std::make_shared<const Wish>()));
         });
@@ -118,7 +121,8 @@ JointedStress fighting_motors()
     return stress_of(
         "motors at odds",
         "a rod on a pin, two motors of this torque that want +10 and −10 rad/s: it stays, two seconds",
-        {1, 1e2, 1e4, 1e6, 1e8}, "N m", [](Real torque) {
+        {1, 1e2, 1e4, 1e6, 1e8}, "N m",
+        [](Real torque) {
             Case now{{}, moving()};
             now.scene.gravity.setZero();
             const Index rod = add_rod(now.scene);
@@ -131,7 +135,8 @@ JointedStress fighting_motors()
             now.task.stays = true;
             now.task.energy = inertia_at_the_pin * 50;  // of the rod at 10 rad/s
             return now;
-        });
+        },
+        Drives::motors);
 }
 
 JointedStress crossed_limits()
@@ -214,29 +219,31 @@ JointedStress beam()
 
 JointedStress thrown_doll()
 {
-    return stress_of("doll that spins",
-                     "a doll of ten limbs, thrown so that it spins at ω, without weight: two seconds",
-                     {1, 10, 50, 200, 1e3}, "rad/s", [](Real spin) {
-                         Case now{{}, moving(0.3)};
-                         JointedScene& scene = now.scene;
-                         scene.gravity.setZero();
-                         add_ragdoll(scene, {0, 0});
-                         for (Polygon& shape : scene.shapes) shape = disc(0.01);  // limbs that do not touch
-                         Vec2 centre(0, 0);
-                         Real mass = 0;
-                         for (Index k = 0; k < scene.bodies.count(); ++k) {
-                             const Real m = 1 / scene.bodies.inverse_mass[3 * k];
-                             centre += m * scene.bodies.position(k).head<2>();
-                             mass += m;
-                         }
-                         centre /= mass;
-                         for (Index k = 0; k < scene.bodies.count(); ++k) {
-                             const Vec2 arm = scene.bodies.position(k).head<2>() - centre;
-                             scene.bodies.velocity(k) << -spin * arm.y(), spin * arm.x(), spin;
-                         }
-                         now.task.energy = energy(scene);
-                         return now;
-                     });
+    return stress_of(
+        "doll that spins", "a doll of ten limbs, thrown so that it spins at ω, without weight: two seconds",
+        {1, 10, 50, 200, 1e3}, "rad/s",
+        [](Real spin) {
+            Case now{{}, moving(0.3)};
+            JointedScene& scene = now.scene;
+            scene.gravity.setZero();
+            add_ragdoll(scene, {0, 0});
+            for (Polygon& shape : scene.shapes) shape = disc(0.01);  // limbs that do not touch
+            Vec2 centre(0, 0);
+            Real mass = 0;
+            for (Index k = 0; k < scene.bodies.count(); ++k) {
+                const Real m = 1 / scene.bodies.inverse_mass[3 * k];
+                centre += m * scene.bodies.position(k).head<2>();
+                mass += m;
+            }
+            centre /= mass;
+            for (Index k = 0; k < scene.bodies.count(); ++k) {
+                const Vec2 arm = scene.bodies.position(k).head<2>() - centre;
+                scene.bodies.velocity(k) << -spin * arm.y(), spin * arm.x(), spin;
+            }
+            now.task.energy = energy(scene);
+            return now;
+        },
+        Drives::motors);  // friction in its joints
 }
 
 /// What is to move for ever, in steps of these lengths.
@@ -306,11 +313,11 @@ JointedStress stiff_spring()
             now.task.lift = now.task.energy = 0.5 * stiffness * 0.01;  // what the spring holds
             return now;
         },
-        Springs::some);
+        Drives::springs);
 }
 
 /// A rod on a pin with limits and a motor, a weld, a rope, over a floor.
-JointedScene some_joints(std::uint64_t seed)
+JointedScene some_joints(std::uint64_t seed, bool motor)
 {
     JointedScene scene;
     scene.walls = {{{0, 1}, -3}};
@@ -318,7 +325,7 @@ JointedScene some_joints(std::uint64_t seed)
                 weight = add_body(scene, disc(0.2), 10, {1.2, -0.9});
     RigidJoint hinge = pin(world, {0, 0}, rod, {-0.5, 0});
     hinge.lower = -1, hinge.upper = 2;
-    hinge.motor.force = 5;
+    if (motor) hinge.motor.force = 5;
     add_joint(scene, hinge);
     RigidJoint weld = pin(rod, {0.5, 0}, box_, {-0.2, 0});
     weld.kind = JointKind::weld;
@@ -336,7 +343,7 @@ JointedStress bad_joints()
 {
     return bad_input_of<JointedScene>(
         [](const JointedMethod& method, int level, std::uint64_t seed) -> std::optional<Verdict> {
-            const JointedScene scene = some_joints(seed);
+            const JointedScene scene = some_joints(seed, method.motors);
             FieldsOf<JointedScene> joints = fields_of_rows_and_walls(scene);
             const FieldsOf<JointedScene> surfaces = fields_of_surfaces(scene);
             joints.insert(joints.end(), surfaces.begin(), surfaces.end());

@@ -1,7 +1,7 @@
 /// \file judge.hpp
 /// How well a method held a scene: 3 within the accuracy tolerance; 2 the scene holds (gaps below 5 % of a size,
 /// order kept); 1 finite and not above the energy of its start by more than 1 %, but the task failed; 0 not a number, an
-/// explosion, or an answer that calls itself right and isn't.
+/// explosion, a method that cannot go on, or an answer that calls itself right and isn't.
 ///
 /// Where the exact motion keeps its energy both signs count: 3 within 1 %, 2 within 10 %, 1 more is lost, 0 more is
 /// gained.
@@ -154,6 +154,8 @@ Verdict judge(Scene scene, const Task& task, const StepOf<std::type_identity_t<S
             step(scene, task.h);
         } catch (const SilentError&) {
             return {lost, silent, infinity};
+        } catch (const Stopped&) {
+            return {lost, "stops", infinity};
         } catch (const std::invalid_argument&) {  // the state is not finite: the door says so
             return {lost, "not finite", infinity};
         }

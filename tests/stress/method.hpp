@@ -31,6 +31,11 @@ struct SilentError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A method that cannot go on, and says so.
+struct Stopped : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A number that a method lets its caller set.
 struct Setting {
     std::string name;
@@ -54,6 +59,7 @@ struct MethodOf {
     bool walls_only = false;        ///< bodies touch walls and never each other
     bool friction = false;          ///< it knows friction
     bool springs = true;            ///< of joints
+    bool motors = true;             ///< of joints
     Index most_rows = 1'000'000;    ///< beyond that a step would take seconds: the cell stays empty
     std::vector<Setting> settings;  ///< their values point nowhere: only names
     std::function<StepOf<Scene>(std::shared_ptr<const Wish>)> start;

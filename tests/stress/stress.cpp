@@ -266,7 +266,7 @@ int main(int argc, char** argv)
     app.add_flag("--energy", options.energy, "what is gained and lost where energy never changes: per cent");
     app.add_flag("--turning", options.turning, "bodies that turn, under the methods of chapters 11 to 13");
     app.add_flag("--joints", options.joints,
-                 "bodies on joints, under the methods of chapters 14, 15, 16 and 19");
+                 "bodies on joints, under the methods of chapters 14, 15, 16, 19 and 26");
     app.add_flag("--space", options.space, "bodies in space, under the methods of chapter 25");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -14,7 +14,7 @@
 namespace rigid {
 
 struct CasesFromLast : PlainSolver {
-    /// links are cases like contacts, instead of being solved apart (3.23)
+    /// links are cases like contacts, instead of being solved apart (3.14c)
     bool links_too = false;
     MatrixSolver<std::function<void(const Mlcp&, Solution&)>> by_matrix;
     std::vector<Contact> last_contacts;

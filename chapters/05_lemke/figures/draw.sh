@@ -33,7 +33,7 @@ fi
 # Pictures of scenes.
 run --scene two_contacts --steps 3 --svg "$out/ch05_cones.svg"
 run --scene tableau --set family=6 rows=8 --steps 3 --svg "$out/ch05_tableau.svg"
-run --scene box_stack --set boxes=4 --steps 100 --svg "$out/ch05_stack.svg"
+run --scene box_stack --set boxes=2 jostle=1 --steps 100 --svg "$out/ch05_stack.svg"
 run --scene heavy_top --method lemke,gauss_seidel --set rows=5 --steps 480 --svg "$out/ch05_heavy_top.svg"
 
 # Pivots against n. A walk that is done stands still, so a run may be longer than its walk.

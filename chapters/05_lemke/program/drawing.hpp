@@ -66,7 +66,7 @@ inline void heat_map(Canvas& canvas, const Vec2& top_left, Real width,
         }
 
     const bool words = n <= 16;
-    const Real letters = std::clamp(220 * cell, Real{9}, Real{14});
+    const Real letters = std::clamp(120 * cell, Real{9}, Real{14});
     for (Index row = 0; words && row < n; ++row) {
         const Index variable = tableau.basic[static_cast<std::size_t>(row)];
         canvas.text(centre(row, 0) - Vec2(0.62 * cell, 0.15 * cell),

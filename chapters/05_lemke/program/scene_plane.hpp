@@ -1,5 +1,5 @@
 /// \file scene_plane.hpp
-/// Two rows: left the complementary cones of the plane of q, right the path of z.
+/// Two rows: left the complementary cones of the plane of q, right the path of z, and the disc in its corner.
 #pragma once
 
 #include "chapters/05_lemke/program/walk_run.hpp"
@@ -32,6 +32,7 @@ public:
     {
         draw_cones(canvas);
         draw_path(canvas);
+        if (A_(0, 1) == A_(1, 0) && std::abs(A_(0, 1)) < 2) draw_corner(canvas);
         canvas.text({0, -1.27}, paint::told(walk_.walk), 14, paint::label,
                     Align::centre);
     }
@@ -142,6 +143,27 @@ private:
         for (std::size_t k = 0; k < walked.size(); ++k)
             canvas.disc(walked[k], k + 1 == walked.size() ? 0.035 : 0.02,
                         {Colour::red, 1, 1, Paint::filled});
+    }
+
+    /// The disc between the two walls whose normals have the product a12 / 2, and the impulses that it gets.
+    void draw_corner(Canvas& canvas) const
+    {
+        constexpr Real radius = 0.2, newton_second = 0.1;  // lengths in the picture
+        const Vec2 centre(1.72, 0.78);
+        canvas.disc(centre, radius, {Colour::blue, 1.5, 0.9});
+        const Real c = std::sqrt((1 + A_(0, 1) / 2) / 2), s = std::sqrt(1 - c * c);
+        for (const int i : {0, 1}) {
+            const Vec2 n(i == 0 ? s : -s, c), touch = centre - radius * n;
+            const Vec2 up = i == 0 ? Vec2(-c, s) : Vec2(c, s);  // along the wall
+            canvas.segment(touch - radius * s / c * up, touch + 0.3 * up,
+                           {Colour::ink, 2, 1});
+            canvas.text(touch - 0.1 * n + 0.05 * up - Vec2(0, 0.04),
+                        "z" + paint::subscript(i + 1), 13, paint::label,
+                        Align::centre);
+            if (const Real z = path_.back().z[i]; z > 0)
+                canvas.arrow(touch, touch + newton_second * z * n,
+                             {Colour::red, 2.5, 1});
+        }
     }
 
     /// w_i + z0 = 0 within 0 … reach, where it can be seen.

@@ -12,7 +12,7 @@ namespace {
 const std::vector<std::string> all_ways = {"baumgarte", "relaxation",
                                            "split_impulse", "projection"};
 
-/// (7.13): how high a disc hops that lay so deep in the floor.
+/// (7.9): how high a disc hops that lay so deep in the floor.
 Theory hop(Real depth)
 {
     return
@@ -51,7 +51,7 @@ Demo crowd_scene()
         });
 }
 
-/// (7.12) or (7.19) for rows in a line; 0 where another way corrects.
+/// (7.8) or (7.21) for rows in a line; 0 where another way corrects.
 Theory sag_theory(const DiscScene& scene)
 {
     StepData<2> now;
@@ -124,7 +124,7 @@ Demo hanging_scene()
     return sagging_scene(
         "hanging_chain",
         "A chain that hangs: too few sweeps, and it sags by a formula",
-        {{0, -1}, {0.6, 1.4}}, tunables::links(10, 1, 200),
+        {{0, -1.45}, {0.6, 1.85}}, tunables::links(10, 1, 200),
         [](Index N, Real R) { return never_meeting(hanging_chain(N, R)); }, 20);
 }
 

@@ -132,7 +132,8 @@ inline Demo one_row_scene(bool circle)
     scene.columns = {
         {"error", "m", "distance from the wire, outwards", Plot::linear},
         {"theory", "m",
-         circle ? "(7.3) or (7.8), without gravity; 0 for the other ways" : "(7.5)",
+         circle ? "(7.3) or (7.17), without gravity; 0 for the other ways"
+                : "(7.5)",
          Plot::linear, "error"},
         {"lambda", "N s", "impulse of the row"},
         {"kinetic", "J", "kinetic energy", Plot::linear}};

@@ -54,7 +54,10 @@ inline void draw_caption(Canvas& canvas, const SceneState& state)
         paint::draw_line_of_text(canvas, state, {-0.95, 0.93}, 0.056, number, words,
                                  style);
     };
-    line(0, "off by " + significant(off, 2) + " mm",
+    line(0,
+         "off by " +
+             (off < 10 ? significant(off, 2) : std::to_string(std::lround(off))) +
+             " mm",
          off < 1 ? paint::label : paint::impulse);
     line(1, std::to_string(state.now.visits) + " row visits", paint::label);
 }

@@ -111,7 +111,7 @@ Demo removed_scene()
         });
 }
 
-/// (8.10), of the mode that grows most. All rows are bilateral: the theory holds to the letter.
+/// (8.18), of the mode that grows most. All rows are bilateral: the theory holds to the letter.
 Real chain_rate(Index N, const WarmMethod& method)
 {
     const bool in_the_bias = method.correction.method == Stabilizer::baumgarte;

@@ -37,12 +37,10 @@ if [ -n "$table" ]; then
 fi
 
 # Pictures of scenes.
-run --scene plane --steps 3 --svg "$out/ch09_plane.svg"
 run --scene cycle --steps 1 --svg "$out/ch09_cycle.svg"
 run --scene fill --steps 1 --svg "$out/ch09_fill.svg"
 run --scene guess --method active_sets,dantzig --set levels=4 --seed 5 --steps 1 --svg "$out/ch09_guess.svg"
 run --scene long_chain --method active_sets,gauss_seidel --steps 1500 --svg "$out/ch09_chain.svg"
-run --scene ten_discs --steps 700 --svg "$out/ch09_ten_discs.svg"
 
 # Guesses and pivots against n.
 counts() { # name, kind of pile, jostle, levels …

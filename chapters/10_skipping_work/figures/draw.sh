@@ -28,7 +28,6 @@ fi
 # Pictures of scenes.
 run --scene rain --set discs=2000 --steps 528 --svg "$out/ch10_asleep.svg"
 plot ch10_skin_pair
-plot ch10_islands
 run --scene columns --steps 410 --svg "$out/ch10_columns.svg"
 
 # The counters of the rain, step by step, with sleep and without.

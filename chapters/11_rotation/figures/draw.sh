@@ -4,7 +4,6 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene rod --steps 1 --svg "$out/ch11_rod.svg"
 run --scene percussion --steps 5 --svg "$out/ch11_percussion.svg"
 run --scene double --method rattle --steps 1680 --svg "$out/ch11_double.svg"
 run --scene ladder --steps 200 --svg "$out/ch11_ladder.svg"

@@ -65,6 +65,13 @@ inline Demo double_scene()
                 add_pin(setup.scene, k == 0 ? world : other - 1,
                         k == 0 ? Vec2(0, 0) : Vec2(0.5, 0), other, {-0.5, 0});
             }
+            setup.picture = [](Canvas& canvas, const RigidState& s) {
+                const VecX& x = s.scene.bodies.x;  // the second one over its rods
+                for (const Index k : {2, 3})
+                    canvas.segment(point_of(x, k, {-0.5, 0}),
+                                   point_of(x, k, {0.5, 0}),
+                                   {Colour::orange, 5, 1});
+            };
             setup.traced = 1;
             setup.traced_point = {0.5, 0};
             setup.measure = [](const RigidState& s) -> std::vector<Real> {

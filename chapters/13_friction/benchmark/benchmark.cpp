@@ -4,7 +4,7 @@
 ///                       time of those that were [µs each]; guesses and factorisations of ours
 ///     thousand          1,000 problems of 1 to 2,000 contacts: solved to 1e-8 m/s, not solved and said so (unsolved),
 ///                       called solved and not (broken); half an hour
-///     heaps             1,000 random heaps that fall, 120 steps each: steps that break (13.19) or, where fast bodies are
+///     heaps             1,000 random heaps that fall, 120 steps each: steps that break (13.14) or, where fast bodies are
 ///                       stopped or overlaps repaid, that raise the energy, and steps without an answer
 ///     visit             a row visit [ns] of sweeps over rows of which half are friction, beside the same rows with
 ///                       fixed bounds
@@ -133,8 +133,8 @@ void thousand(benchmark::State& state)
                    {"us_each", solved > 0 ? time / solved : infinity}});
 }
 
-/// Heaps in motion by exact friction: does a step ever keep more energy than (13.19)?
-/// \param repay  with Baumgarte's bias, which (13.19) leaves out
+/// Heaps in motion by exact friction: does a step ever keep more energy than (13.14)?
+/// \param repay  with Baumgarte's bias, which (13.14) leaves out
 /// \param stop   fast bodies are stopped; with either a step counts that raises the
 ///               energy
 void heaps(benchmark::State& state, bool repay, bool stop)

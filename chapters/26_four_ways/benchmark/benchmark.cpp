@@ -4,8 +4,11 @@
 ///                     the energy gained [J]. A run that flies apart has the error 10
 ///     beads/WAY/N     a chain of N rods, 240 steps a second: time of a step for each rod [ns], for how ways grow
 ///
+///     SCENE/PEER/N    the same of an engine that is installed: ODE, Bullet, Bullet's trees
+///
 /// With --tables it prints the tables of the text instead.
 
+#include "chapters/26_four_ways/benchmark/peer_ways.hpp"
 #include "chapters/26_four_ways/program/who_can.hpp"
 
 #include <benchmark/benchmark.h>
@@ -20,12 +23,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::array rates{30, 60, 120, 240, 480, 960, 1920, 3840};  // 1/h
+
 Real microseconds(Clock::time_point since)
 {
     return std::chrono::duration<Real, std::micro>(Clock::now() - since).count();
 }
 
-void measure(benchmark::State& state, Way way, const WayScene& scene)
+/// \param run  WayResult(Real h)
+template <class Run>
+void measure(benchmark::State& state, const WayScene& scene, const Run& run)
 {
     const Real h = 1.0 / static_cast<Real>(state.range(0));
     Real best = infinity;
@@ -33,7 +40,7 @@ void measure(benchmark::State& state, Way way, const WayScene& scene)
     for (auto _ : state)
         for (int round = 0; round < 5; ++round) {
             const auto start = Clock::now();
-            result = run_way(way, scene, h, settings_of(scene));
+            result = run(h);
             best = std::min(best, microseconds(start));
             if (best > 1e5) break;  // a tenth of a second needs no second look
         }
@@ -62,23 +69,40 @@ void grow(benchmark::State& state, Way way)
     state.counters["us"] = state.counters["error"] = state.counters["energy"] = 0;
 }
 
+/// \param run  WayResult(Real h)
+template <class Run>
+void list(const WayScene& scene, const std::string& way, const Run& run)
+{
+    std::string name = scene.name + "/" + way;
+    for (char& c : name)
+        if (c == ' ' || c == '\'') c = '_';
+    auto* const one = benchmark::RegisterBenchmark(
+        name.c_str(),
+        [scene, run](benchmark::State& state) { measure(state, scene, run); });
+    for (const int n : rates) one->Args({n});
+    one->Iterations(1);
+}
+
+template <class Peer>
+void list_peer(const WayScene& scene)
+{
+    if (Peer::can_take(scene))
+        list(scene, Peer::name,
+             [scene](Real h) { return run_peer<Peer>(scene, h); });
+}
+
 void list()
 {
-    for (const WayScene& scene : way_scenes())
-        for (const Way way : all_ways) {
-            if (!can_take(way, scene)) continue;
-            std::string name = scene.name;
-            for (char& c : name)
-                if (c == ' ') c = '_';
-            auto* const one = benchmark::RegisterBenchmark(
-                (name + "/" + std::string(to_string(way))).c_str(),
-                [way, scene](benchmark::State& state) {
-                    measure(state, way, scene);
+    for (const WayScene& scene : way_scenes()) {
+        for (const Way way : all_ways)
+            if (can_take(way, scene))
+                list(scene, std::string(to_string(way)), [way, scene](Real h) {
+                    return run_way(way, scene, h, settings_of(scene));
                 });
-            for (const int n : {30, 60, 120, 240, 480, 960, 1920, 3840})
-                one->Args({n});
-            one->Iterations(1);
-        }
+        for_each_peer([&scene]<class Peer>(std::type_identity<Peer>) {
+            list_peer<Peer>(scene);
+        });
+    }
     for (const Way way : {Way::spring, Way::end_spring, Way::acceleration,
                           Way::impulses, Way::positions, Way::coordinates}) {
         auto* const one = benchmark::RegisterBenchmark(
@@ -95,15 +119,36 @@ void print(const char* title, const std::vector<std::string>& lines)
     for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }
 
+/// Error and energy gained of each engine at 240 steps a second: one line a scene and engine.
+std::vector<std::string> peer_table()
+{
+    std::vector<std::string> lines;
+    for (const WayScene& scene : way_scenes())
+        for_each_peer([&]<class Peer>(std::type_identity<Peer>) {
+            if (!Peer::can_take(scene)) return;
+            const WayResult result = run_peer<Peer>(scene, 1.0 / 240);
+            const bool went = result.why_not.empty();
+            lines.push_back(line_of(
+                {scene.name, Peer::name, went ? one_digit(result.error) : "gone",
+                 went && scene.keeps_energy ? signed_digit(result.energy_gain)
+                                            : "–"}));
+        });
+    return lines;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
     if (argc == 2 && std::strcmp(argv[1], "--tables") == 0) {
-        print("error at 240 steps a second", error_table(way_scenes(), 1.0 / 240));
-        print("energy gained at 240 steps a second",
-              energy_table(way_scenes(), 1.0 / 240));
-        print("longest step within 0.05", step_table(without_doll(), 0.05));
+        const std::vector<WayScene> scenes = way_scenes();
+        const Real h = 1.0 / 240;
+        print("error at 240 steps a second", error_table(scenes, h));
+        print("energy gained at 240 steps a second", energy_table(scenes, h));
+        print("|C| and |dC/dt| at 240 steps a second", drift_table(scenes, h));
+        print("order in h", order_table(scenes));
+        print("longest step within 0.05", step_table(scenes, 0.05));
+        print("engines at 240 steps a second", peer_table());
         return 0;
     }
     list();

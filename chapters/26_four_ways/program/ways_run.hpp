@@ -62,8 +62,7 @@ public:
         }
         for (Index k = 0; k < scene.bodies.count(); ++k)
             paint_rigid_body(canvas, scene, k);
-        if (given_.in_coordinates.bodies.count() == 0)
-            paint_rigid_joints(canvas, scene);
+        paint_rigid_joints(canvas, scene);
     }
 
 private:

@@ -22,6 +22,17 @@ inline std::string one_digit(Real value)
     return short_text;
 }
 
+inline std::string signed_digit(Real value)
+{
+    return (value < 0 ? "−" : "+") + one_digit(std::abs(value));
+}
+
+/// |C| and |dC/dt|.
+inline std::string drift_cell(const WayDrift& drift)
+{
+    return one_digit(drift.C) + ", " + one_digit(drift.rate);
+}
+
 /// What a run came to, in a word: its error, or why there is none.
 inline std::string cell(Way way, const WayScene& scene, const WayResult& result)
 {
@@ -53,14 +64,6 @@ inline std::vector<std::string> error_table(const std::vector<WayScene>& scenes,
         lines.push_back(line_of(cells));
     }
     return lines;
-}
-
-/// A doll by accelerations has thousands of events, and takes ten seconds.
-inline std::vector<WayScene> without_doll()
-{
-    std::vector<WayScene> scenes = way_scenes();
-    std::erase_if(scenes, [](const WayScene& one) { return one.name == "doll"; });
-    return scenes;
 }
 
 /// 1/h of the longest step, of 1/15, 1/30 … 1/3840 s, from which on every shorter one ends within `most` of the truth.
@@ -96,9 +99,54 @@ inline std::vector<std::string> energy_table(const std::vector<WayScene>& scenes
         for (const Way way : all_ways) {
             const WayResult result = run_way(way, scene, h, settings_of(scene));
             std::string word = cell(way, scene, result);
-            if (result.why_not.empty())
-                word = (result.energy_gain < 0 ? "−" : "+") +
-                       one_digit(std::abs(result.energy_gain));
+            if (result.why_not.empty()) word = signed_digit(result.energy_gain);
+            cells.push_back(word);
+        }
+        lines.push_back(line_of(cells));
+    }
+    return lines;
+}
+
+/// How far its constraints are off at its end.
+inline std::vector<std::string> drift_table(const std::vector<WayScene>& scenes,
+                                            Real h)
+{
+    std::vector<std::string> lines;
+    for (const WayScene& scene : scenes) {
+        std::vector<std::string> cells{scene.name};
+        for (const Way way : all_ways) {
+            const WayResult result = run_way(way, scene, h, settings_of(scene));
+            cells.push_back(result.why_not.empty() ? drift_cell(result.drift)
+                                                   : cell(way, scene, result));
+        }
+        lines.push_back(line_of(cells));
+    }
+    return lines;
+}
+
+/// The order in h: log₂ of the ratio of the errors at 960 and 1920 steps a second. None where an error is rounding, is not of the
+/// step (the sag of springs), or falls by less than a fifth.
+inline std::vector<std::string> order_table(const std::vector<WayScene>& scenes)
+{
+    std::vector<std::string> lines;
+    for (const WayScene& scene : scenes) {
+        std::vector<std::string> cells{scene.name};
+        for (const Way way : all_ways) {
+            const auto error = [&](int n) {
+                return run_way(way, scene, 1.0 / n, settings_of(scene)).error;
+            };
+            std::string word = "–";
+            if (can_take(way, scene)) {
+                const Real coarse = error(960), fine = error(1920);
+                if (fine < 1e-11 || !(coarse < 1)) word = "·";
+                else if (!(coarse > 1.2 * fine)) word = "·";
+                else {
+                    char text[16];
+                    std::snprintf(text, sizeof text, "%.1f",
+                                  std::log2(coarse / fine));
+                    word = text;
+                }
+            }
             cells.push_back(word);
         }
         lines.push_back(line_of(cells));

@@ -5,12 +5,19 @@
 ///                             part of the kinetic energy of the reference; rows visited in a step
 ///     grow/METHOD/SQUARES     a sheet on a ball: the median of the time of a step [µs], stretch of its threads
 ///                             [%], mean and largest; of projective dynamics the entries of the factor for each particle
+///     front/METHOD/SUBSTEPS   the same of 10,000 particles, by which way a largest stretch of 1 % is met; `_limit` has a
+///                             limit of strain of 1 %
+///     self/THICKNESS/SQUARES  a sheet that falls on its edge and folds: the mean time of a step [µs], without and with
+///                             rows of its own
+///     sleep/AWAKE/SQUARES     a sheet that rests on a ball: the time of a step, without and with sleep
+///
+/// `bt_soft` is Bullet's btSoftBody, where that is installed.
 ///
 /// The reference is the implicit midpoint with a hundredth of the step, by Newton's method to 1e-11 m. Of `xpbd`, `particles`
 /// and `projective` ten sweeps, of `small` and `threads` one. Time is that of the processor.
 
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
-#include "chapters/27_particles_and_cloth/cloth_step.hpp"
+#include "chapters/27_particles_and_cloth/cloth_sleep.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -19,6 +26,11 @@
 #include <map>
 #include <string>
 #include <vector>
+
+#if defined(RIGID_HAS_BULLET) && __has_include(<BulletSoftBody/btSoftBody.h>)
+#include "chapters/27_particles_and_cloth/benchmark/peer_soft_body.hpp"
+#define RIGID_HAS_BULLET_CLOTH
+#endif
 
 using namespace rigid;
 
@@ -62,6 +74,24 @@ Found run(const std::string& scene, ClothSettings how, int count)
     return found;
 }
 
+#ifdef RIGID_HAS_BULLET_CLOTH
+Found run_bullet(const std::string& scene, int substeps)
+{
+    Found found;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        found.cloth = given(scene);
+        BulletCloth bullet(found.cloth, substeps, 10);
+        const std::clock_t before = std::clock();
+        for (int n = 0; n < steps; ++n) bullet.step(1.0 / 60);
+        const Real time = static_cast<Real>(std::clock() - before) / CLOCKS_PER_SEC;
+        found.microseconds = std::min(found.microseconds, 1e6 * time / steps);
+        bullet.read(found.cloth);
+        found.lost = !(found.cloth.bodies.x.cwiseAbs().maxCoeff() < 100);
+    }
+    return found;
+}
+#endif
+
 const ClothScene& reference(const std::string& scene)
 {
     static std::map<std::string, ClothScene> known;
@@ -77,9 +107,11 @@ const ClothScene& reference(const std::string& scene)
 ClothSettings settings_of(const std::string& method, int substeps)
 {
     ClothSettings how;
-    how.method = cloth_method(method == "small" ? "xpbd" : method);
+    const std::string name = method.substr(0, method.find("_limit"));
+    how.method = cloth_method(name == "small" ? "xpbd" : name);
     how.substeps = substeps;
-    how.sweeps = method == "small" || method == "threads" ? 1 : 10;
+    how.sweeps = name == "small" || name == "threads" ? 1 : 10;
+    if (name != method) how.strain_limit = 0.01, how.limit_stiffness = 500;
     return how;
 }
 
@@ -106,9 +138,16 @@ void compare(benchmark::State& state, const std::string& scene,
              const std::string& method)
 {
     Found found;
-    for (auto _ : state)
-        found = run(scene, settings_of(method, static_cast<int>(state.range(0))),
-                    steps);
+    const int substeps = static_cast<int>(state.range(0));
+    for (auto _ : state) {
+#ifdef RIGID_HAS_BULLET_CLOTH
+        if (method == "bt_soft") {
+            found = run_bullet(scene, substeps);
+            continue;
+        }
+#endif
+        found = run(scene, settings_of(method, substeps), steps);
+    }
     const ClothScene& exact = reference(scene);
     const Real way = (found.cloth.bodies.x - exact.bodies.x).norm() /
                      std::sqrt(static_cast<Real>(exact.count()));
@@ -130,11 +169,11 @@ void compare(benchmark::State& state, const std::string& scene,
             .particles = static_cast<Real>(exact.count())});
 }
 
-void grow(benchmark::State& state, const std::string& method)
+/// Steps of a sheet of 2 m that falls on a ball.
+void fall_on_ball(benchmark::State& state, const std::string& method, int squares,
+                  int substeps)
 {
-    const int squares = static_cast<int>(state.range(0));
     const Real k = 1000;
-    const int substeps = method == "small" || method == "threads" ? 8 : 1;
     Real largest = 0, mean = 0, entries = 0;
     std::vector<Real> times;  // of the second half
     int particles = 1;
@@ -164,6 +203,58 @@ void grow(benchmark::State& state, const std::string& method)
                    .entries = entries});
 }
 
+void grow(benchmark::State& state, const std::string& method)
+{
+    fall_on_ball(state, method, static_cast<int>(state.range(0)),
+                 method == "small" || method == "threads" ? 8 : 1);
+}
+void front(benchmark::State& state, const std::string& method)
+{
+    fall_on_ball(state, method, 99, static_cast<int>(state.range(0)));
+}
+
+void fold(benchmark::State& state, bool with_rows)
+{
+    const int squares = static_cast<int>(state.range(0));
+    Real time = 0;
+    int particles = 1;
+    const int count = 60;
+    for (auto _ : state) {
+        ClothScene cloth =
+            folding_sheet(squares, 500, with_rows ? 0.2 / squares : 0);
+        particles = cloth.count();
+        ClothMemory memory;
+        const std::clock_t before = std::clock();
+        for (int n = 0; n < count; ++n)
+            step(cloth, settings_of("threads", 8), memory);
+        time = static_cast<Real>(std::clock() - before) / CLOCKS_PER_SEC;
+    }
+    report(state,
+           {.us = 1e6 * time / count, .particles = static_cast<Real>(particles)});
+}
+
+void rest(benchmark::State& state, bool sleeps)
+{
+    Real time = 0;
+    int particles = 1;
+    const int count = 200;
+    for (auto _ : state) {
+        ClothScene cloth =
+            sheet_on_ball(static_cast<int>(state.range(0)), 1.2, 500, 0.5);
+        cloth.drag = 4;
+        particles = cloth.count();
+        SleepingCloth sleeping;
+        if (!sleeps) sleeping.time = infinity;
+        const ClothSettings how = settings_of("threads", 8);
+        for (int n = 0; n < 400; ++n) sleeping.step(cloth, how);
+        const std::clock_t before = std::clock();
+        for (int n = 0; n < count; ++n) sleeping.step(cloth, how);
+        time = static_cast<Real>(std::clock() - before) / CLOCKS_PER_SEC;
+    }
+    report(state,
+           {.us = 1e6 * time / count, .particles = static_cast<Real>(particles)});
+}
+
 const bool registered = [] {
     for (const char* scene : {"sheet", "strip", "flag", "ball"})
         for (const char* method :
@@ -190,6 +281,38 @@ const bool registered = [] {
         for (const int squares : {10, 31, 99, 315}) one->Args({squares});
         one->Iterations(1);
     }
+    for (const char* method : {"small", "small_limit", "threads", "threads_limit",
+                               "particles", "projective", "implicit"}) {
+        auto* const one = benchmark::RegisterBenchmark(
+            (std::string("front/") + method).c_str(),
+            [method](benchmark::State& state) { front(state, method); });
+        const bool sweeps = std::string(method).starts_with("small") ||
+                            std::string(method).starts_with("threads");
+        for (const int substeps : {1, 2, 4, 8, 10, 12, 20, 40})
+            if (sweeps ? substeps >= 4 : substeps <= 4) one->Args({substeps});
+        one->Iterations(1);
+    }
+    for (const bool with : {false, true}) {
+        auto* const fold_ = benchmark::RegisterBenchmark(
+            with ? "self/with" : "self/without",
+            [with](benchmark::State& state) { fold(state, with); });
+        for (const int squares : {20, 40}) fold_->Args({squares});
+        fold_->Iterations(1);
+        auto* const rest_ = benchmark::RegisterBenchmark(
+            with ? "sleep/with" : "sleep/without",
+            [with](benchmark::State& state) { rest(state, with); });
+        rest_->Args({40})->Iterations(1);
+    }
+#ifdef RIGID_HAS_BULLET_CLOTH
+    // its cloth has no bends by a slope and no wind like ours: sheet and ball
+    for (const char* scene : {"sheet", "ball"}) {
+        auto* const one = benchmark::RegisterBenchmark(
+            (std::string(scene) + "/bt_soft").c_str(),
+            [scene](benchmark::State& state) { compare(state, scene, "bt_soft"); });
+        for (const int substeps : {1, 2, 4, 8, 16, 32}) one->Args({substeps});
+        one->Iterations(1);
+    }
+#endif
     return true;
 }();
 

@@ -25,6 +25,7 @@ fi
 # Pictures of scenes.
 run --scene ball --set squares=30 --steps 150 --svg "$out/ch27_ball.svg"
 run --scene trampoline --set mass=5 --steps 42 --svg "$out/ch27_trampoline.svg"
+run --scene fold --set squares=24 --set thickness=16 --steps 36 --svg "$out/ch27_fold.svg"
 run --scene tear --set strength=15 --steps 75 --svg "$out/ch27_tear.svg"
 
 # The first mass after one step against the number of sweeps.

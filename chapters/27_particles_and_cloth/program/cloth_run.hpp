@@ -65,7 +65,7 @@ public:
         how.substeps = static_cast<int>(settings["substeps"]);
         how.sweeps = static_cast<int>(settings["sweeps"]);
         if (const Real limit = value_or(settings, "limit", 0); limit > 0)
-            how.strain_limit = limit / 100;
+            how.strain_limit = limit / 100, how.limit_stiffness = state_.stiff;
         if (const Real strength = value_or(settings, "strength", 0); strength > 0)
             how.strength = strength / 100;
         rigid::step(state_.cloth, how, state_.memory);
@@ -92,6 +92,18 @@ public:
         for (Index k = 0; k < cloth.solids.count(); ++k) {
             const ClothSolid& s = cloth.shapes[static_cast<std::size_t>(k)];
             if (s.shape == ClothSolid::Shape::wall) continue;
+            if (s.shape == ClothSolid::Shape::mesh) {
+                const Mat3 axes = rotation_of(cloth.solids.x, k);
+                const Vec3 centre = centre_of(cloth.solids.x, k);
+                const auto place = [&](int t, int i) -> Vec3 {
+                    // its large triangles would show through the cloth
+                    return centre + axes * s.mesh->corner(t, i) - Vec3(0, 0.06, 0);
+                };
+                for (int t = 0; t < s.mesh->count(); ++t)
+                    picture.facet({place(t, 0), place(t, 1), place(t, 2)},
+                                  Colour::orange);
+                continue;
+            }
             Hull hull;
             if (s.shape == ClothSolid::Shape::box)
                 hull = solid_box(2 * (s.half + Vec3::Constant(s.radius)));

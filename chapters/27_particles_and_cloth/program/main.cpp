@@ -11,7 +11,8 @@ int main(int argc, char** argv)
         program.scenes = {hung_demo_of_cloth(), chain_demo(),      flag_demo(),
                           curtain_demo(),       tablecloth_demo(), ball_demo(),
                           trampoline_demo(),    bridge_demo(),     banner_demo(),
-                          tear_demo(),          drum_demo(),       strip_demo()};
+                          fold_demo(),          hills_demo(),      tear_demo(),
+                          drum_demo(),          strip_demo()};
         return program;
     };
     return run_program(make, argc, argv);

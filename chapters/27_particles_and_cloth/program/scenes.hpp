@@ -19,16 +19,23 @@ sheet_demo(const std::string& name, const std::string& summary, const View& view
            std::function<ClothScene(const Settings&)> make,
            std::function<void(ClothState&, const Settings&)> change = {})
 {
-    Demo scene = cloth_demo(name, summary, view, 8, 1,
-                            [=, make = std::move(make)](const Settings& settings) {
-                                ClothSetup setup;
-                                setup.cloth = make(settings);
-                                setup.camera = camera;
-                                setup.ground = ground;
-                                setup.measure = cloth_measures;
-                                setup.change = change;
-                                return setup;
-                            });
+    Demo scene = cloth_demo(
+        name, summary, view, 8, 1,
+        [=, make = std::move(make)](const Settings& settings) {
+            ClothSetup setup;
+            setup.cloth = make(settings);
+            setup.camera = camera;
+            setup.ground = ground;
+            setup.measure = cloth_measures;
+            if (name == "fold")
+                setup.measure = [](const ClothState& state) {
+                    auto all = cloth_measures(state);
+                    all.push_back(static_cast<Real>(state.memory.self.stopped));
+                    return all;
+                };
+            setup.change = change;
+            return setup;
+        });
     scene.tunables.push_back(squares_tunable(squares, 100));
     scene.tunables.push_back(stiffness_tunable(k));
     scene.tunables.push_back(
@@ -156,6 +163,36 @@ inline Demo ball_demo()
         {"mu", "", "friction", 0.3, 0, 2, Numbers::real, OnChange::restarts});
     scene.tunables.push_back({"spin", "rad/s", "of the ball", 3, -20, 20,
                               Numbers::real, OnChange::restarts});
+    return scene;
+}
+
+inline Demo fold_demo()
+{
+    Demo scene =
+        sheet_demo("fold", "A sheet falls on its edge and folds on itself",
+                   {{0, 0.35}, {1.1, 0.75}}, looks({0, 0, 0}, 6, 0.6, 0.25), 1, 14,
+                   500, [](const Settings& s) {
+                       return folding_sheet(squares_of(s), s["stiffness"],
+                                            s["thickness"] / 1000, s["mu"]);
+                   });
+    scene.tunables.push_back({"thickness", "mm", "against itself; 0: it passes", 12,
+                              0, 30, Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"mu", "", "friction on itself", 0.2, 0, 2,
+                              Numbers::real, OnChange::restarts});
+    scene.columns.push_back(
+        {"stopped", "", "particles that stopped before they met", Plot::linear});
+    return scene;
+}
+
+inline Demo hills_demo()
+{
+    Demo scene = sheet_demo(
+        "hills", "A cloth falls on a ground of triangles", {{0, 0}, {1.3, 0.9}},
+        looks({0, 0, 0}, 6, 0.5, 0.5), 0, 40, 1000, [](const Settings& s) {
+            return sheet_on_mesh(squares_of(s), 1.6, s["stiffness"], s["mu"]);
+        });
+    scene.tunables.push_back(
+        {"mu", "", "friction", 0.4, 0, 2, Numbers::real, OnChange::restarts});
     return scene;
 }
 

@@ -2,15 +2,19 @@
 ///
 ///     SCENE/LAW/RULE/SOLVE/STEPS   time of a step [µs]; error of the tip after half a second [shares of its way]
 ///     net/METHOD/SWEEPS            a net of springs that is also a sheet: one second, error beside the converged step
-///     tets/LAW/SOLVE               10,080 tetrahedra, a step of 1/60 s: time [ms], residual, linear systems
-///     memory/…                     bytes an element, of the model and of the solver
+///     beam/METHOD/STEPS            a cantilever of 480 tetrahedra that falls for half a second, beside Bullet's
+///     sag/METHOD/STEPS             the same at rest: damped until it stands, or at once
+///     tets/LAW/SOLVE               10,080 tetrahedra, a step of 1/60 s: time [ms], residual, linear systems, bytes
+///     soft/SCENE                   a step of tetrahedra with contacts, and its rows
 ///
 /// light, heavy: a strip of 1 m × 0.1 m that falls by 1 % and by 40 % of its length. The reference is the neo-Hookean law on
 /// the same mesh by midpoint with 1/3840 s: what is left is the error of the step and of the law.
 
-#include "chapters/16_soft_constraints/xpbd.hpp"
+#include "chapters/29_elastic_bodies/benchmark/springs.hpp"
 #include "chapters/29_elastic_bodies/elastic_scenes.hpp"
+#include "chapters/29_elastic_bodies/elastic_space_scenes.hpp"
 #include "chapters/29_elastic_bodies/vibration.hpp"
+#include "tests/peers/bullet_deformable.hpp"
 
 #ifdef RIGID_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -38,7 +42,8 @@ void clear(benchmark::State& state)
 {
     for (const char* name :
          {"us", "ms", "ms_whole", "solve_ms", "error", "residual", "systems",
-          "inner", "bytes_model", "bytes_solver", "nodes", "blocks"})
+          "inner", "factors", "bytes_model", "bytes_solver", "nodes", "blocks",
+          "rows"})
         state.counters[name] = 0;
 }
 
@@ -113,105 +118,6 @@ void falls(benchmark::State& state, const std::string& scene, StrainLaw law,
     state.counters["inner"] = inner / steps;
 }
 
-// ------------------------------------------------------------------------------------ a net that is a sheet
-
-struct LatticeScene {
-    static constexpr int dof = 2;
-    Bodies<2> bodies{0};
-    std::vector<std::array<int, 2>> edges;
-    std::vector<Real> stiffness, length;
-};
-
-Constraint<2> constraint_at(const LatticeScene& scene, const StepData<2>&,
-                            std::size_t i, const VecX& x)
-{
-    Constraint<2> c;
-    const auto [a, b] = scene.edges[i];
-    const Vec2 ab = x.segment<2>(2 * b) - x.segment<2>(2 * a);
-    c.a = a, c.b = b, c.C = ab.norm() - scene.length[i];
-    c.Jb = ab.normalized().transpose(), c.Ja = -c.Jb;
-    return c;
-}
-
-ElasticBody<2> lattice()
-{
-    ElasticBody<2> body(lattice_mesh(1.0 / 32, 33, 5), {.young = 1e6,
-                                                        .poisson = 1.0 / 3,
-                                                        .law = StrainLaw::linear,
-                                                        .plane_stress = true});
-    body.model.lump();
-    for (int i = 0; i < body.model.nodes(); ++i)
-        if (body.at(i).x() < 0.02) body.hold(i);
-    body.gravity = {0, -0.2};
-    return body;
-}
-
-/// Sag of the far lower corner after a second of 60 steps, by XPBD.
-Real net_sag(int sweeps, Real& us)
-{
-    const ElasticBody<2> body = lattice();
-    const ElasticMesh<2>& mesh = body.model.mesh();
-    LatticeScene scene;
-    scene.bodies = Bodies<2>(mesh.nodes());
-    scene.bodies.x = mesh.rest;
-    for (int i = 0; i < mesh.nodes(); ++i)
-        for (int c = 0; c < 2; ++c)
-            scene.bodies.inverse_mass[2 * i + c] =
-                body.fixed[static_cast<std::size_t>(2 * i)]
-                    ? 0
-                    : 1 / body.model.mass_at(i);
-    std::map<std::array<int, 2>, Real> edges;
-    for (int e = 0; e < mesh.count(); ++e)
-        for (const auto& [i, j] : edges_of_element<2>()) {
-            const int a = mesh.node(e, i), b = mesh.node(e, j);
-            edges[{std::min(a, b), std::max(a, b)}] += std::sqrt(3.0) / 4 * 1e6;
-        }
-    Xpbd xpbd;
-    xpbd.sweeps = sweeps;
-    xpbd.velocity_pass = false;
-    FreeVelocities none;
-    StepData<2> now;
-    const Real h = 1.0 / 60;
-    for (int k = 0; k < mesh.nodes(); ++k) now.active.push_back(k);
-    for (const auto& [edge, k] : edges) {
-        scene.edges.push_back(edge), scene.stiffness.push_back(k);
-        scene.length.push_back((mesh.at(edge[1]) - mesh.at(edge[0])).norm());
-    }
-    const auto start = Clock::now();
-    for (int n = 0; n < 60; ++n) {
-        for (int i = 0; i < mesh.nodes(); ++i)
-            if (scene.bodies.can_move(i)) scene.bodies.u[2 * i + 1] -= 0.2 * h;
-        now.rows.clear();
-        now.constraints.resize(scene.edges.size());
-        for (std::size_t i = 0; i < scene.edges.size(); ++i) {
-            const Constraint<2> c = constraint_at(scene, now, i, scene.bodies.x);
-            Row<2> row = bilateral(c, scene.bodies.inverse_mass, c.C / h);
-            row.softness = 1 / (h * h * scene.stiffness[i]);
-            now.rows.push_back(row);
-        }
-        xpbd.move(scene, {.h = h}, none, now);
-    }
-    us = 1e6 * since(start) / 60;
-    return mesh.rest[2 * 32 + 1] - scene.bodies.x[2 * 32 + 1];
-}
-
-Real sheet_sag(StrainLaw law, LinearSolve solve, Real tolerance, Real& us)
-{
-    ElasticBody<2> linear = lattice();
-    ElasticBody<2> body(
-        linear.model.mesh(),
-        {.young = 1e6, .poisson = 1.0 / 3, .law = law, .plane_stress = true});
-    body.model.lump();
-    body.fixed = linear.fixed, body.gravity = linear.gravity;
-    ElasticSolver<2> solver;
-    solver.settings.solve = solve;
-    solver.settings.tolerance = tolerance;
-    const auto start = Clock::now();
-    for (int n = 0; n < 60; ++n) solver.step(body, 1.0 / 60);
-    us = 1e6 * since(start) / 60;
-    return body.model.mesh().rest[2 * 32 + 1] - body.x[2 * 32 + 1];
-}
-
 // ---------------------------------------------------------------------------------------- tetrahedra
 
 ElasticBody<3> many_tetrahedra(StrainLaw law)
@@ -224,9 +130,11 @@ ElasticBody<3> many_tetrahedra(StrainLaw law)
     return body;
 }
 
-void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int most)
+void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int most,
+                Real stale)
 {
-    Real best = infinity, residual = 0, systems = 0, inner = 0;
+    Real best = infinity, residual = 0, systems = 0, inner = 0, factors = 0,
+         sum = 0;
     std::size_t bytes = 0, model = 0;
     int nodes = 0, count = 0;
     std::int64_t blocks = 0;
@@ -237,6 +145,7 @@ void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int m
         solver.settings.most = most;
         solver.settings.tolerance = 1e-6;
         solver.settings.linear_tolerance = 1e-2;
+        solver.settings.stale = stale;
         for (int n = 0; n < 20; ++n) {
             const auto start = Clock::now();
             solver.step(body, 1.0 / 60);
@@ -245,6 +154,8 @@ void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int m
             residual = std::max(residual, solver.report.residual);
             systems += solver.report.iterations / 15.0,
                 inner += solver.report.linear_iterations / 15.0;
+            factors += solver.report.factorisations / 15.0;
+            sum += since(start) / 15;
         }
         bytes = solver.bytes(), model = body.model.bytes(),
         nodes = body.model.nodes(), count = body.model.mesh().count();
@@ -252,6 +163,8 @@ void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int m
     }
     clear(state);
     state.counters["ms"] = 1e3 * best;
+    state.counters["ms_whole"] = 1e3 * sum;
+    state.counters["factors"] = factors;
     state.counters["residual"] = residual;
     state.counters["systems"] = systems;
     state.counters["inner"] = inner;
@@ -259,6 +172,131 @@ void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int m
     state.counters["bytes_solver"] = static_cast<Real>(bytes) / count;
     state.counters["nodes"] = nodes;
     state.counters["blocks"] = static_cast<Real>(blocks);
+}
+
+// ------------------------------------------------------------------------------- a beam beside Bullet's
+
+ElasticBody<3> beam(StrainLaw law)
+{
+    ElasticBody<3> body(block_mesh({0, 0, 0}, {1, 0.1, 0.1}, 20, 2, 2),
+                        {.young = 1e6, .poisson = 0.3, .law = law});
+    body.model.lump();  // as Bullet has it
+    for (int i = 0; i < body.model.nodes(); ++i)
+        if (body.at(i).x() < 1e-9) body.hold(i);
+    body.gravity = {0, -0.05, 0};  // so light that all laws agree
+    return body;
+}
+
+int end_of(const ElasticBody<3>& body)
+{
+    for (int i = 0; i < body.model.nodes(); ++i)
+        if ((body.model.mesh().at(i) - Vec3(1, 0, 0)).norm() < 1e-9) return i;
+    return 0;
+}
+
+/// The tip after half a second, or at rest.
+Vec3 beam_reference(bool at_rest)
+{
+    static std::map<bool, Vec3> known;
+    if (const auto found = known.find(at_rest); found != known.end())
+        return found->second;
+    ElasticBody<3> body = beam(StrainLaw::corotational);
+    ElasticSolver<3> solver;
+    solver.settings.tolerance = 1e-12;
+    solver.settings.rule = TimeRule::implicit_midpoint;
+    if (at_rest) solver.rest(body);
+    else
+        for (int n = 0; n < 960; ++n) solver.step(body, seconds / 960);
+    return known[at_rest] = body.at(end_of(body));
+}
+
+constexpr Real beam_damping = 0.02;  ///< β [s] of what has to come to rest
+
+void note_beam(benchmark::State& state, const Vec3& tip, bool at_rest, int steps,
+               Real time)
+{
+    const Vec3 truth = beam_reference(at_rest);
+    clear(state);
+    state.counters["us"] = 1e6 * time / std::max(1, steps);
+    state.counters["ms_whole"] = 1e3 * time;
+    state.counters["error"] = (tip - truth).norm() / (truth - Vec3(1, 0, 0)).norm();
+}
+
+void beam_falls(benchmark::State& state, StrainLaw law, TimeRule rule,
+                LinearSolve solve, bool at_rest)
+{
+    const auto steps = static_cast<int>(state.range(0));
+    const Real h = at_rest ? 1.0 / 60 : seconds / std::max(1, steps);
+    Real best = infinity;
+    Vec3 tip(0, 0, 0);
+    for (auto _ : state)
+        for (int repeat = 0; repeat < 3; ++repeat) {
+            ElasticBody<3> body = beam(law);
+            if (at_rest) body.stiffness_damping = beam_damping;
+            ElasticSolver<3> solver;
+            solver.settings.rule = rule, solver.settings.solve = solve;
+            solver.settings.tolerance = 1e-7, solver.settings.stale = 0.3;
+            const auto start = Clock::now();
+            if (steps == 0) solver.rest(body);
+            for (int n = 0; n < steps; ++n) solver.step(body, h);
+            best = std::min(best, since(start));
+            tip = body.at(end_of(body));
+        }
+    note_beam(state, tip, at_rest, steps, best);
+}
+
+#ifdef RIGID_HAS_BULLET
+void bullet_falls(benchmark::State& state, StrainLaw law, int newton, bool at_rest)
+{
+    const auto steps = static_cast<int>(state.range(0));
+    const Real h = at_rest ? 1.0 / 60 : seconds / steps;
+    Real best = infinity;
+    Vec3 tip(0, 0, 0);
+    for (auto _ : state)
+        for (int repeat = 0; repeat < 3; ++repeat) {
+            const ElasticBody<3> body = beam(law);
+            BulletDeformable bullet(body, newton, at_rest ? beam_damping : 0);
+            const auto start = Clock::now();
+            for (int n = 0; n < steps; ++n) bullet.step(h);
+            best = std::min(best, since(start));
+            tip = bullet.at(end_of(body));
+        }
+    note_beam(state, tip, at_rest, steps, best);
+}
+#endif
+
+// ------------------------------------------------------------------------------- contacts in space
+
+template <class Make, class Move>
+void soft_step(benchmark::State& state, const Make& make, const Move& move,
+               int from, int to, Real stale)
+{
+    Real sum = 0, rows = 0, systems = 0, factors = 0, residual = 0;
+    int tetrahedra = 0;
+    for (auto _ : state) {
+        ElasticSpace scene = make();
+        tetrahedra = scene.elastic.model.mesh().count();
+        ElasticSolids contacts;
+        contacts.solver.settings.stale = stale;
+        for (int n = 0; n < to; ++n) {
+            move(scene, n / 60.0);
+            const auto start = Clock::now();
+            contacts.step(scene, 1.0 / 60);
+            if (n < from) continue;
+            sum += since(start) / (to - from);
+            rows += static_cast<Real>(contacts.rows.size()) / (to - from);
+            systems += Real{1} * contacts.report.iterations / (to - from);
+            factors += Real{1} * contacts.report.factorisations / (to - from);
+            residual = std::max(residual, contacts.report.residual);
+        }
+    }
+    clear(state);
+    state.counters["ms"] = 1e3 * sum;
+    state.counters["rows"] = rows;
+    state.counters["systems"] = systems;
+    state.counters["factors"] = factors;
+    state.counters["residual"] = residual;
+    state.counters["nodes"] = tetrahedra;
 }
 
 /// The factor of one and the same matrix by this book, by Eigen and by CHOLMOD.
@@ -362,43 +400,147 @@ const bool registered = [] {
         for (const int steps : {15, 30, 60}) modal->Arg(steps);
         modal->Iterations(1);
     }
-    auto* const net =
-        benchmark::RegisterBenchmark("net/xpbd", [](benchmark::State& state) {
-            Real us = 0, none = 0, sag = 0;
-            const Real truth =
-                sheet_sag(StrainLaw::linear, LinearSolve::direct, 1e-12, none);
-            for (auto _ : state)
-                sag = net_sag(static_cast<int>(state.range(0)), us);
-            clear(state);
-            state.counters["us"] = us;
-            state.counters["error"] = std::abs(sag / truth - 1);
-        });
-    for (const int sweeps : {10, 100, 1000, 10000}) net->Arg(sweeps);
-    net->Iterations(1);
+    const auto add_net = [](const char* name, ClothMethod method,
+                            std::initializer_list<int> counts) {
+        auto* const one =
+            benchmark::RegisterBenchmark(name, [method](benchmark::State& state) {
+                Real us = 0, none = 0, sag = 0;
+                const Real truth = sheet_sag(StrainLaw::corotational,
+                                             LinearSolve::direct, 1e-12, 0, none);
+                for (auto _ : state)
+                    sag = net_sag(method, static_cast<int>(state.range(0)), us);
+                clear(state);
+                state.counters["us"] = us;
+                state.counters["error"] = std::abs(sag / truth - 1);
+            });
+        for (const int count : counts) one->Arg(count);
+        one->Iterations(1);
+    };
+    add_net("net/xpbd", ClothMethod::xpbd, {10, 30, 100, 300, 1000, 3000, 10000});
+    add_net("net/vbd", ClothMethod::particles,
+            {10, 30, 100, 300, 1000, 3000, 10000});
+    add_net("net/projective", ClothMethod::projective, {1, 3, 10, 30, 100});
+    add_net("net/springs_newton", ClothMethod::newton, {1});
     for (const auto& [law_name, law] : laws)
         for (const auto& [solve_name, solve] : solves)
-            benchmark::RegisterBenchmark(
-                (std::string("net/") + law_name + "/" + solve_name).c_str(),
-                [law = law, solve = solve](benchmark::State& state) {
-                    Real us = 0, none = 0, sag = 0;
-                    const Real truth = sheet_sag(StrainLaw::linear,
-                                                 LinearSolve::direct, 1e-12, none);
-                    for (auto _ : state) sag = sheet_sag(law, solve, 1e-7, us);
-                    state.counters["us"] = us,
-                    state.counters["error"] = std::abs(sag / truth - 1);
-                })
-                ->Iterations(1);
-    for (const auto& [law_name, law] : laws)
-        for (const auto& [solve_name, solve] : solves)
-            for (const int most : {1, 20})
+            for (const Real tolerance : {1e-3, 1e-5, 1e-7})
                 benchmark::RegisterBenchmark(
-                    (std::string("tets/") + law_name + "/" + solve_name +
-                     (most == 1 ? "/one" : "/all"))
+                    (std::string("net/") + law_name + "/" + solve_name + "/" +
+                     (tolerance > 1e-4   ? "3"
+                      : tolerance > 1e-6 ? "5"
+                                         : "7"))
                         .c_str(),
-                    [law = law, solve = solve, most](benchmark::State& state) {
-                        tetrahedra(state, law, solve, most);
+                    [law = law, solve = solve, tolerance](benchmark::State& state) {
+                        Real us = 0, none = 0, sag = 0;
+                        const Real truth =
+                            sheet_sag(StrainLaw::corotational, LinearSolve::direct,
+                                      1e-12, 0, none);
+                        for (auto _ : state)
+                            sag = sheet_sag(law, solve, tolerance, 0.3, us);
+                        clear(state);
+                        state.counters["us"] = us,
+                        state.counters["error"] = std::abs(sag / truth - 1);
                     })
                     ->Iterations(1);
+    for (const bool at_rest : {false, true}) {
+        const std::string kind = at_rest ? "sag/" : "beam/";
+        const auto arguments = [at_rest](auto* one, bool is_book) {
+            if (at_rest && is_book) one->Arg(0);
+            for (const int steps : {30, 60, 120, 240})
+                one->Arg(at_rest ? 4 * steps : steps);
+            one->Iterations(1);
+        };
+        for (const auto& [law_name, law] : laws)
+            for (const TimeRule rule :
+                 {TimeRule::implicit_euler, TimeRule::implicit_midpoint})
+                for (const auto& [solve_name, solve] : solves) {
+                    if (at_rest && rule == TimeRule::implicit_midpoint) continue;
+                    arguments(
+                        benchmark::RegisterBenchmark(
+                            (kind + law_name +
+                             (rule == TimeRule::implicit_euler ? "/euler/"
+                                                               : "/midpoint/") +
+                             solve_name)
+                                .c_str(),
+                            [law = law, rule, solve = solve,
+                             at_rest](benchmark::State& state) {
+                                beam_falls(state, law, rule, solve, at_rest);
+                            }),
+                        true);
+                }
+#ifdef RIGID_HAS_BULLET
+        for (const StrainLaw law :
+             {StrainLaw::corotational, StrainLaw::neo_hookean})
+            for (const int newton : {1, 10})
+                arguments(benchmark::RegisterBenchmark(
+                              (kind + "bullet/" + std::string(to_string(law)) +
+                               "/" + std::to_string(newton))
+                                  .c_str(),
+                              [law, newton, at_rest](benchmark::State& state) {
+                                  bullet_falls(state, law, newton, at_rest);
+                              }),
+                          false);
+#endif
+    }
+    for (const Real stale : {0.0, 0.3}) {
+        const std::string kept = stale > 0 ? "/kept" : "/new";
+        const auto stands = [](ElasticSpace&, Real) {};
+        benchmark::RegisterBenchmark(
+            ("soft/ball" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] {
+                        return soft_ball_scene(StrainLaw::corotational, 3e4, 0.2);
+                    },
+                    stands, 10, 50, stale);
+            })
+            ->Iterations(1);
+        benchmark::RegisterBenchmark(
+            ("soft/jelly" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] { return space_jelly_scene(StrainLaw::neo_hookean, 2e4); },
+                    stands, 10, 50, stale);
+            })
+            ->Iterations(1);
+        benchmark::RegisterBenchmark(
+            ("soft/mattress" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] { return mattress_scene(StrainLaw::corotational, 4e4, 12); },
+                    stands, 60, 120, stale);
+            })
+            ->Iterations(1);
+        benchmark::RegisterBenchmark(
+            ("soft/fingers" + kept).c_str(),
+            [=](benchmark::State& state) {
+                soft_step(
+                    state,
+                    [] {
+                        return soft_fingers_scene(StrainLaw::corotational, 5e4, 8);
+                    },
+                    move_fingers, 40, 84, stale);
+            })
+            ->Iterations(1);
+    }
+    for (const auto& [law_name, law] : laws)
+        for (const auto& [solve_name, solve] : solves)
+            for (const std::string how : {"one", "all", "kept"}) {
+                if (how == "kept" &&
+                    (solve != LinearSolve::direct || law == StrainLaw::linear))
+                    continue;
+                benchmark::RegisterBenchmark(
+                    (std::string("tets/") + law_name + "/" + solve_name + "/" + how)
+                        .c_str(),
+                    [law = law, solve = solve, how](benchmark::State& state) {
+                        tetrahedra(state, law, solve, how == "one" ? 1 : 20,
+                                   how == "kept" ? 0.5 : 0);
+                    })
+                    ->Iterations(1);
+            }
     benchmark::RegisterBenchmark("factor/book", own_factor)->Iterations(1);
     benchmark::RegisterBenchmark(
         "factor/eigen",

@@ -1,3 +1,4 @@
+measure_beside(29_elastic_bodies_benchmark bullet)
 # CHOLMOD's supernodal factor beside the book's, where SuiteSparse is installed.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)

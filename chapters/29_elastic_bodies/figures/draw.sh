@@ -9,13 +9,26 @@ if [ -n "$table" ]; then # a file for each scene and method: time of half a seco
             split($1, part, "/")
             print $column["ms_whole"], $column["error"] > (dir "/" part[1] "_" part[2] "_" part[3] "_" part[4])
         }'
+    tr -d '"' <"$table" | awk -F, -v dir="$data" '
+        /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+        /^net\// {
+            split($1, part, "/")
+            kind = part[2] ~ /xpbd|vbd|projective|springs/ ? part[2] : part[2] "_" part[3]
+            print $column["us"], $column["error"] > (dir "/net_" kind)
+        }
+        /^beam\// {
+            split($1, part, "/")
+            print $column["ms_whole"], $column["error"] > (dir "/beam_" part[2] "_" part[3] "_" part[4])
+        }'
     plot ch29_pareto
+    plot ch29_net
     exit
 fi
 
 # Pictures of scenes.
 run --scene triangle --set pull=0.1 --steps 1 --svg "$out/ch29_triangle.svg"
 run --scene jelly --method neo_hookean --steps 116 --svg "$out/ch29_jelly.svg"
+run --scene jelly_in_space --method neo_hookean --steps 70 --svg "$out/ch29_space.svg"
 run --scene bridge --method corotational --steps 250 --svg "$out/ch29_bridge.svg"
 
 # Locking: sag over theory against elements through the height.

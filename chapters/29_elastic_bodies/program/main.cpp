@@ -1,6 +1,11 @@
 // Chapter 29. Elastic bodies: the program.
 #include "chapters/29_elastic_bodies/elastic_loads.hpp"
-#include "chapters/29_elastic_bodies/program/elastic_run.hpp"
+#include "chapters/29_elastic_bodies/elastic_sound.hpp"
+#include "chapters/29_elastic_bodies/program/elastic_space_run.hpp"
+
+#include <fstream>
+#include <iostream>
+#include <string_view>
 
 namespace rigid {
 namespace {
@@ -310,19 +315,122 @@ Demo bar_demo()
         });
 }
 
+const std::vector<std::string> turning = {"corotational", "neo_hookean"};
+
+Demo solid_ball_demo()
+{
+    return solid_demo(
+        "ball_in_space", "A soft ball rolls down a slope",
+        {{0.9, -0.1}, {1.5, 0.9}}, 1.0 / 60, turning,
+        {modulus(3e4), number("slope", "rad", "angle of the slope", 0.2, 0, 0.6),
+         number("mu", "", "friction", 0.8, 0, 2)},
+        {{"x", "m", "of its centre", Plot::linear},
+         {"y", "m", "of its centre", Plot::linear}},
+        [](const Settings& settings) {
+            SolidSetup setup{soft_ball_scene(law_of(settings), settings["young"],
+                                             settings["slope"], settings["mu"]),
+                             {{0, 0, 0}, 7, 0.3, 0.15},
+                             0,
+                             {},
+                             {}};
+            setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
+                const Vec3 p = middle_of(s.elastic);
+                return {p.x(), p.y()};
+            };
+            return setup;
+        });
+}
+
+Demo solid_jelly_demo()
+{
+    return solid_demo(
+        "jelly_in_space", "Jelly falls down stairs of triangles",
+        {{0.1, -0.1}, {1.3, 0.9}}, 1.0 / 120, {"neo_hookean", "corotational"},
+        {modulus(2e4)},
+        {{"x", "m", "of its centre", Plot::linear},
+         {"y", "m", "of its centre", Plot::linear}},
+        [](const Settings& settings) {
+            SolidSetup setup{space_jelly_scene(law_of(settings), settings["young"]),
+                             {{0.4, 0.6, 0}, 6, 0.6, 0.35},
+                             0,
+                             {},
+                             {}};
+            setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
+                const Vec3 p = middle_of(s.elastic);
+                return {p.x(), p.y()};
+            };
+            return setup;
+        });
+}
+
+Demo fingers_demo()
+{
+    return solid_demo(
+        "fingers", "Soft fingers in space lift a box", {{0, 0}, {0.9, 0.7}},
+        1.0 / 60, turning,
+        {modulus(5e4), number("mass", "kg", "of the box", 8, 1, 100)},
+        {{"height", "m", "of the box", Plot::linear}},
+        [](const Settings& settings) {
+            SolidSetup setup{soft_fingers_scene(law_of(settings), settings["young"],
+                                                settings["mass"]),
+                             {{0, 0.4, 0}, 4, 0.5, 0.3},
+                             1,
+                             {},
+                             move_fingers};
+            setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
+                return {s.bodies.x[1]};
+            };
+            return setup;
+        });
+}
+
+Demo mattress_demo()
+{
+    return solid_demo(
+        "mattress", "A box falls onto a mattress", {{0, 0}, {0.7, 0.5}}, 1.0 / 60,
+        turning, {modulus(4e4), number("mass", "kg", "of the box", 12, 1, 100)},
+        {{"height", "m", "of the box", Plot::linear}},
+        [](const Settings& settings) {
+            SolidSetup setup{mattress_scene(law_of(settings), settings["young"],
+                                            settings["mass"]),
+                             {{0, 0.2, 0}, 3, 0.6, 0.4},
+                             0.6,
+                             {},
+                             {}};
+            setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
+                return {s.bodies.x[1]};
+            };
+            return setup;
+        });
+}
+
+/// --wav FILE: two seconds of a bar of steel, 0.3 m × 6 mm, that is struck at one end.
+int write_bar(const char* name)
+{
+    ElasticBody<2> bar = chime();
+    std::ofstream file(name, std::ios::binary);
+    write_wave(file, sound_of(bar, 12, 1, 2));
+    if (file.flush()) return 0;
+    std::cerr << "the file " << name << " cannot be written\n";
+    return 2;
+}
+
 }  // namespace
 }  // namespace rigid
 
 int main(int argc, char** argv)
 {
     using namespace rigid;
+    if (argc > 2 && std::string_view(argv[1]) == "--wav") return write_bar(argv[2]);
     const auto make = [] {
         Program program;
         program.name = "29_elastic_bodies";
         program.title = "Chapter 29. Elastic bodies";
-        program.scenes = {triangle_demo(), cantilever_demo(), strip_demo(),
-                          spinning_demo(), ball_demo(),       jelly_demo(),
-                          gripper_demo(),  bridge_demo(),     bar_demo()};
+        program.scenes = {triangle_demo(),   cantilever_demo(),  strip_demo(),
+                          spinning_demo(),   ball_demo(),        jelly_demo(),
+                          gripper_demo(),    bridge_demo(),      bar_demo(),
+                          solid_ball_demo(), solid_jelly_demo(), fingers_demo(),
+                          mattress_demo()};
         return program;
     };
     return run_program(make, argc, argv);

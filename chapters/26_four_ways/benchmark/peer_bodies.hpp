@@ -1,0 +1,45 @@
+/// \file peer_bodies.hpp
+/// What the adapters of peer_ways.hpp ask a scene: masses, sizes, and which scenes are a tree on the world.
+#pragma once
+
+#include "chapters/15_trees/reduced.hpp"
+#include "chapters/26_four_ways/ways.hpp"
+#include "common/elementary.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rigid {
+
+inline Real mass_of_body(const JointedScene& scene, Index k)
+{
+    return 1 / scene.bodies.inverse_mass[3 * k];
+}
+inline Real inertia_of_body(const JointedScene& scene, Index k)
+{
+    return 1 / scene.bodies.inverse_mass[3 * k + 2];
+}
+/// Half its sides in the plane, of a box whose centre is its centroid.
+inline Vec2 half_sides(const Polygon& shape)
+{
+    Vec2 half(0, 0);
+    for (const Vec2& vertex : shape.vertices)
+        half = half.cwiseMax(vertex.cwiseAbs());
+    return half;
+}
+inline bool is_disc(const Polygon& shape) { return shape.vertices.size() == 1; }
+
+/// Painlevé's rod and the doll are not tried.
+inline bool is_for_engines(const WayScene& way)
+{
+    return way.name != "doll" && way.name != "Painleve's rod";
+}
+/// Revolute joints from the world, no loop, no contact.
+inline bool is_tree_of_pins(const WayScene& way)
+{
+    return way.name == "pendulum" || way.name == "double pendulum" ||
+           way.name == "heavy chain";
+}
+
+}  // namespace rigid

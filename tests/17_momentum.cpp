@@ -1,0 +1,128 @@
+/// Chapter 17: sweeps that go further where they go on in one direction.
+
+#include "tests/wide_problems.hpp"
+
+#include "tests/catch.hpp"
+
+#include "chapters/17_wide_sweeps/line_rates.hpp"
+
+#include <cmath>
+
+using namespace rigid;
+
+namespace {
+
+template <int L>
+WideSolver<3, Real, L> with_momentum()
+{
+    WideSolver<3, Real, L> solver;
+    solver.momentum = true;
+    return solver;
+}
+
+}  // namespace
+
+TEST_CASE("with the best momentum the slowest error of a line shrinks by 1 − sin θ a sweep", "[idea]")
+{
+    const int N = 40;
+    const LineModes modes(N, 1);
+    // bodies of 1 kg, the ends fixed: A has 2 on its diagonal and −1 beside it
+    std::vector<Row<2>> rows = line_rows(N + 1);
+    WideSolver<2> solver;
+    bundle_rows(rows, N + 1, solver.bundles);
+    solver.colour(Bodies<2>(N + 1), [&] {
+        StepData<2> now;
+        now.rows = rows;
+        return now;
+    }());
+    // rows that a colour visits first have the mode's odd places
+    VecX lambda = modes.coloured(), u = VecX::Zero(2 * (N + 1));
+    for (int i = 0; i < N; ++i) rows[static_cast<std::size_t>(i)].apply(lambda[i], u);
+    fill(WideProblem<2>{rows}, solver.bundles, lambda, u, solver.wide);
+    SweepMomentum<2, Real, full_lanes<Real>> momentum;
+    momentum.begin(solver.wide);
+    const Real s = std::sqrt(1 - modes.rate()), z = 1 - s, beta = modes.best_momentum();
+    CHECK(s == Approx(rigid::sin(pi / (N + 1))).epsilon(1e-13));
+    const VecX start = lambda;
+    for (int k = 1; k <= 60; ++k) {
+        if (k > 1) momentum.extrapolate(beta, solver.wide);
+        wide_sweep(solver.wide, Real{0}, 1);
+        solver.take_out(WideProblem<2>{rows}, u, lambda);
+        // (17.13): a double root, begun by a sweep without momentum
+        const Real part = std::pow(z, k) * (1 + k * s);
+        INFO("sweep " << k);
+        // rounding of 60 sweeps over errors of size 1
+        REQUIRE((lambda - part * start).cwiseAbs().maxCoeff() < 1e-13);
+    }
+}
+
+TEST_CASE("momentum takes a cold pyramid to its answer in a sixth of the sweeps", "[idea]")
+{
+    Problem p = pyramid_problem(12);
+    p.now.solution.lambda.setZero();
+    const Answer plain = answer(p, with_momentum<4>(), 1, 1e-6),  // one sweep has nothing to go on
+        same_plain = answer(p, WideSolver<3, Real, 4>{}, 1, 1e-6);
+    CHECK(same(plain, same_plain));
+    const Answer slow = answer(p, WideSolver<3, Real, 4>{}, 20000, 1e-6),
+                 quick = answer(p, with_momentum<4>(), 20000, 1e-6);
+    REQUIRE(slow.status == Status::solved);
+    REQUIRE(quick.status == Status::solved);
+    CHECK(6 * quick.iterations < slow.iterations);
+    CHECK(natural_residual(p.now.rows, quick.lambda, quick.u) == quick.residual);
+}
+
+TEST_CASE("momentum has the same bits in any number of lanes", "[house]")
+{
+    const Problem p = pyramid_problem(8);
+    const Answer one = answer(p, with_momentum<1>(), 70);
+    CHECK_FALSE(same(one, answer(p, WideSolver<3, Real, 1>{}, 70)));
+    CHECK(same(one, answer(p, with_momentum<2>(), 70)));
+    CHECK(same(one, answer(p, with_momentum<4>(), 70)));
+    CHECK(same(one, answer(p, with_momentum<8>(), 70)));
+}
+
+TEST_CASE("λ and u belong together whatever momentum has done", "[idea]")
+{
+    const Problem p = pyramid_problem(8);
+    const auto drift = [&](auto solver) {
+        solver.momentum = true;
+        const Answer found = answer(p, solver, 200);
+        VecX u = p.now.u_star;
+        for (std::size_t i = 0; i < p.now.rows.size(); ++i)
+            p.now.rows[i].apply(found.lambda[static_cast<Index>(i)], u);
+        return (found.u - u).cwiseAbs().maxCoeff();
+    };
+    // sums of 400 sweeps' changes of speeds of 0.2 m/s; floats take u from λ after each pass
+    CHECK(drift(WideSolver<3>{}) < 1e-12);
+    CHECK(drift(WideSolver<3, float>{}) < 1e-12);
+}
+
+TEST_CASE("momentum finds what sweeps find, and where it gains nothing it loses little", "[idea]")
+{
+    Random random(17);
+    int more = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        Problem p;
+        VecX inverse_mass;
+        const Index bodies = 30;
+        p.now.rows = random_rows(random, bodies, 60, inverse_mass);
+        p.scene.bodies = Bodies<3>(bodies);
+        p.scene.bodies.inverse_mass = inverse_mass;
+        for (int k = 0; k < bodies; ++k) p.now.active.push_back(k);
+        p.now.u_star = VecX::NullaryExpr(3 * bodies, [&] { return random.uniform(-1, 1); });
+        for (Index i = 0; i < 3 * bodies; ++i)
+            if (!(inverse_mass[i] > 0)) p.now.u_star[i] = 0;
+        p.now.length = 1;
+        const Answer plain = answer(p, WideSolver<3>{}, 4000, 1e-8), other = [&] {
+            WideSolver<3> solver;
+            solver.momentum = true;
+            return answer(p, solver, 4000, 1e-8);
+        }();
+        INFO("trial " << trial << ": " << plain.iterations << " and " << other.iterations << " sweeps");
+        if (plain.status == Status::solved) CHECK(other.status == Status::solved);
+        // windows of 256 sweeps that were of no use, each followed by one without momentum
+        CHECK(other.iterations <= 4 * plain.iterations + 512);
+        more += other.iterations > plain.iterations;
+    }
+    CHECK(more < 15);
+}

@@ -1,0 +1,471 @@
+// Chapter 27: cloth on meshes, cloth on itself, cloth at rest.
+#include "tests/no_allocation.hpp"
+
+#include "chapters/25_world_in_space/mesh_scenes.hpp"
+#include "chapters/27_particles_and_cloth/cloth_sleep.hpp"
+#include "common/random.hpp"
+#include "tests/cloths.hpp"
+#include "tests/order.hpp"
+
+#include <set>
+
+using namespace rigid;
+
+namespace {
+
+std::vector<std::array<int, 2>> edges_of(const ClothScene& cloth)
+{
+    std::set<std::array<int, 2>> edges;
+    for (const auto& t : cloth.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            edges.insert({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+    return {edges.begin(), edges.end()};
+}
+
+/// How often an edge goes through a triangle that it has no corner of: both ends on different sides of its plane, and all
+/// three volumes of one sign.
+int crossings(const ClothScene& cloth)
+{
+    const auto at = [&](int p) -> Vec3 { return cloth.bodies.position(p); };
+    const auto edges = edges_of(cloth);
+    int count = 0;
+    for (const auto& t : cloth.triangles) {
+        const Vec3 a = at(t[0]), b = at(t[1]), c = at(t[2]), N = cross(b - a, c - a);
+        for (const auto& e : edges) {
+            if (std::find(t.begin(), t.end(), e[0]) != t.end() ||
+                std::find(t.begin(), t.end(), e[1]) != t.end())
+                continue;
+            const Vec3 p = at(e[0]), q = at(e[1]), d = q - p;
+            if (N.dot(p - a) * N.dot(q - a) >= 0) continue;
+            const Real u = d.dot(cross(a - p, b - p)), v = d.dot(cross(b - p, c - p)),
+                       w = d.dot(cross(c - p, a - p));
+            count += (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+        }
+    }
+    return count;
+}
+
+struct Fall {
+    int crossings = 0;
+    std::size_t rows = 0;
+    std::int64_t stopped = 0, unsure = 0;
+};
+
+/// A sheet that falls on its edge, for so many steps of 1/60 s.
+Fall fall(Real thickness, ClothMethod method, int substeps, int steps, Real speed = 0)
+{
+    ClothScene cloth = folding_sheet(12, 500, thickness);
+    for (int k = 0; k < cloth.count(); ++k) cloth.bodies.velocity(k) << 0, -speed, 0;
+    Fall found;
+    ClothMemory memory;
+    ClothSettings how;
+    how.method = method, how.substeps = substeps, how.sweeps = 2;
+    for (int n = 0; n < steps; ++n) {
+        step(cloth, how, memory);
+        found.crossings = std::max(found.crossings, crossings(cloth));
+        found.rows = std::max(found.rows, memory.self.rows.size());
+    }
+    found.stopped = memory.self.stopped, found.unsure = memory.self.unsure;
+    return found;
+}
+
+/// A sheet and a smaller one above it that flies down and across, both free, nothing else.
+ClothScene two_sheets(Real friction)
+{
+    ClothScene cloth;
+    cloth.gravity.setZero();
+    SheetSpec spec;
+    spec.columns = spec.rows = 8, spec.spacing = 0.1, spec.stiffness = 500, spec.shear = 50;
+    add_sheet(cloth, {-0.4, 0, -0.4}, {1, 0, 0}, {0, 0, 1}, spec);
+    spec.columns = spec.rows = 5;
+    const int first = add_sheet(cloth, {-0.2, 0.06, -0.3}, Vec3(1, 0.1, 0).normalized(), {0, 0, 1}, spec);
+    for (int k = first; k < cloth.count(); ++k) cloth.bodies.velocity(k) << 0.4, -2, 0.3;
+    cloth.self_thickness = 0.02, cloth.self_friction = friction;
+    return cloth;
+}
+
+Vec3 angular(const ClothScene& cloth)
+{
+    Vec3 sum(0, 0, 0);
+    for (Index k = 0; k < cloth.bodies.count(); ++k)
+        sum += cross(cloth.bodies.position(k), cloth.bodies.velocity(k)) / cloth.bodies.inverse_mass[3 * k];
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("nearest points of a particle and a triangle and of two edges are those of a fine search",
+          "[house]")
+{
+    Random random(4);
+    for (int n = 0; n < 60; ++n) {
+        std::array<Vec3, 4> x;
+        for (Vec3& p : x)
+            for (Index i = 0; i < 3; ++i) p[i] = random.uniform(-1, 1);
+        if (n % 10 == 0) x[3] = x[2] + (x[1] - x[0]);  // edges side by side
+        for (const bool edges : {false, true}) {
+            const ClothNear near = nearest(x, edges);
+            Real least = infinity;
+            const int N = 60;
+            for (int i = 0; i <= N; ++i)
+                for (int j = 0; j <= N; ++j) {
+                    const Real s = Real(i) / N, t = Real(j) / N;
+                    if (!edges && s + t > 1 + 1e-12) continue;
+                    const Vec3 d = edges ? Vec3(x[0] + s * (x[1] - x[0]) - x[2] - t * (x[3] - x[2]))
+                                         : Vec3(x[0] - x[1] - s * (x[2] - x[1]) - t * (x[3] - x[1]));
+                    least = std::min(least, d.norm());
+                }
+            CAPTURE(n, edges);
+            CHECK(near.d.norm() <= least + 1e-12);
+            CHECK(near.d.norm() > least - 0.06);  // half a step of each, of edges up to 3.5 long
+            CHECK(near.w[0] + near.w[1] + near.w[2] + near.w[3] == Approx(0).margin(1e-14));
+        }
+    }
+}
+
+TEST_CASE("a sheet that falls on its edge folds and does not pass through itself", "[idea]")
+{
+    using M = ClothMethod;
+    // without rows of its own it does: the test can fail
+    CHECK(fall(0, M::threads, 8, 45).crossings > 20);
+    for (const M method : {M::threads, M::xpbd, M::projective}) {
+        const Fall found = fall(0.015, method, 8, 45);
+        CAPTURE(to_string(method));
+        CHECK(found.crossings == 0);
+        CHECK(found.rows > 100);  // it lies on itself
+        CHECK(found.unsure == 0);
+    }
+}
+
+TEST_CASE("what would pass within one large step is stopped", "[idea]")
+{
+    // 10 m/s and 1/60 s: 17 cm a step, ten times the thickness, and rows of one sweep
+    const Fall found = fall(0.015, ClothMethod::xpbd, 1, 40, 10);
+    CHECK(found.crossings == 0);
+    CHECK(found.stopped > 0);
+    CHECK(found.unsure == 0);
+}
+
+TEST_CASE(
+    "two sheets that hit each other keep their momentum and their angular momentum to the order of the step",
+    "[idea]")
+{
+    for (const Real friction : {0.0, 0.5}) {
+        std::vector<Real> off;
+        for (const int substeps : {4, 8, 16, 32}) {
+            ClothScene cloth = two_sheets(friction);
+            ClothMemory memory;
+            ClothSettings how;
+            how.method = ClothMethod::threads, how.substeps = substeps, how.sweeps = 2;
+            const Vec3 before = momentum(cloth), turning = angular(cloth);
+            std::size_t rows = 0;
+            for (int n = 0; n < 12; ++n) {
+                step(cloth, how, memory);
+                rows = std::max(rows, memory.self.rows.size());
+            }
+            CAPTURE(friction, substeps);
+            CHECK(rows > 10);
+            CHECK(cloth.bodies.u.segment<3>(3 * 40)[1] < -0.1);                // the lower sheet was hit
+            CHECK((momentum(cloth) - before).norm() < 1e-12 * before.norm());  // rounding of 384 sub-steps
+            CHECK(memory.self.stopped == 0);
+            off.push_back((angular(cloth) - turning).norm() / turning.norm());
+        }
+        CAPTURE(friction, off[0], off[1], off[2], off[3]);
+        if (friction == 0) {
+            // implicit Euler takes impulses where the particles will be: first order in h
+            CHECK(off[3] < off[0] / 3);
+            CHECK(off[3] < 0.02);
+        } else {
+            // both forces of a friction act as far from each other as the cloth is thick: a couple that no step makes
+            // smaller, of 0.02 m in a sheet that is hit 0.3 m from its middle
+            CHECK(off[3] < 0.02 / 0.3);
+        }
+    }
+}
+
+TEST_CASE("parts that are near and move apart are left alone", "[idea]")
+{
+    ClothScene cloth = two_sheets(0.5);
+    const int first = 81;  // of the upper sheet
+    for (int k = first; k < cloth.count(); ++k) {
+        cloth.bodies.position(k).y() -= 0.039;
+        cloth.bodies.velocity(k) << 0.4, 1, 0.3;
+    }
+    ClothMemory memory;
+    ClothSettings how;
+    how.h = 1e-4, how.method = ClothMethod::threads, how.sweeps = 1;
+    step(cloth, how, memory);
+    CHECK(memory.self.rows.size() > 3);
+    for (int k = first; k < cloth.count(); ++k)  // rounding of x near 1 m over h
+        CHECK((cloth.bodies.velocity(k) - Vec3(0.4, 1, 0.3)).norm() < 1e-10);
+}
+
+TEST_CASE("what a limit draws back is a velocity of the whole step", "[idea]")
+{
+    ClothScene cloth;
+    cloth.gravity.setZero();
+    add_particle(cloth, {0, 0, 0}, 1);
+    add_particle(cloth, {1.2, 0, 0}, 1);
+    cloth.springs.push_back({0, 1, 1, 1e-6});
+    ClothMemory memory;
+    ClothSettings how;
+    how.h = 0.1, how.substeps = 4, how.method = ClothMethod::threads, how.sweeps = 1;
+    how.strain_limit = 0.1;
+    step(cloth, how, memory);
+    // from 1.2 to nine tenths of the strain, half by each; the spring's own pull is 1e-8 m/s
+    CHECK(cloth.bodies.x[3] - cloth.bodies.x[0] == Approx(1.09).epsilon(1e-6));
+    CHECK(cloth.bodies.u[3] == Approx(-0.055 / 0.1).epsilon(1e-6));
+    CHECK(cloth.bodies.u[0] == Approx(0.055 / 0.1).epsilon(1e-6));
+}
+
+TEST_CASE("points are as far from a mesh as from the solid that it is the surface of", "[idea]")
+{
+    // a box of triangles, one side each
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 0.5 : -0.5, i & 4 ? 0.7 : -0.7));
+    const auto mesh = triangle_mesh(corners, {{0, 4, 2},
+                                              {4, 6, 2},
+                                              {1, 3, 5},
+                                              {5, 3, 7},
+                                              {0, 1, 4},
+                                              {4, 1, 5},
+                                              {2, 6, 3},
+                                              {6, 7, 3},
+                                              {0, 2, 1},
+                                              {1, 2, 3},
+                                              {4, 5, 6},
+                                              {5, 7, 6}});
+    const ClothSolid box{ClothSolid::Shape::box, {1, 0.5, 0.7}, 0, 0};
+    std::vector<int> stack, near;
+    Random random(8);
+    int outside = 0;
+    for (int n = 0; n < 500; ++n) {
+        const Vec3 p(random.uniform(-1.5, 1.5), random.uniform(-1, 1), random.uniform(-1.2, 1.2));
+        const ClothGap here = gap_to(*mesh, p, 3, stack, near), there = gap_to(box, p);
+        CHECK(here.gap == Approx(there.gap).margin(1e-12));
+        outside += there.gap > 0;
+        if (there.gap > 1e-6) CHECK((here.normal - there.normal).norm() < 1e-9);
+    }
+    CHECK(outside > 100);
+    CHECK(outside < 450);
+    CHECK(gap_to(*mesh, Vec3(5, 0, 0), 1, stack, near).gap == infinity);
+    // beyond its border a ground has no back: a point just below it beside the border is not inside
+    const auto ground = flat_mesh(2, 2, 0.5);
+    CHECK(gap_to(*ground, Vec3(0.1, -0.01, 0.1), 0.1, stack, near).gap == Approx(-0.01));
+    CHECK(gap_to(*ground, Vec3(0.51, -0.01, 0.1), 0.1, stack, near).gap == infinity);
+}
+
+TEST_CASE("a sheet comes to rest on hills and none of it is below them", "[idea]")
+{
+    ClothScene cloth = sheet_on_mesh(20, 1.6, 1000, 0.4);
+    ClothMemory memory;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 8, how.sweeps = 1;
+    std::vector<int> stack, near;
+    Real deepest = 1;
+    for (int n = 0; n < 90; ++n) {
+        step(cloth, how, memory);
+        for (int k = 0; k < cloth.count(); ++k)
+            deepest = std::min(deepest,
+                               gap_to(*cloth.shapes[0].mesh, cloth.bodies.position(k), 0.1, stack, near).gap);
+    }
+    CHECK(memory.touch.contacts.size() > 200);
+    // contacts are visited last: each particle is at its thickness, to rounding of a few triangles' normals
+    CHECK(deepest > 0.9 * cloth.thickness);
+    CHECK(cloth.bodies.u.cwiseAbs().maxCoeff() < 0.05);
+}
+
+TEST_CASE("a particle on an inclined mesh slides in every direction as the disc of friction says", "[idea]")
+{
+    const Real h = 0.01, mu = 0.5, g = 9.81, slope = 0.6;
+    for (const Real direction : {0.0, 0.7, 2.0}) {
+        ClothScene cloth;
+        ClothSolid ground;
+        ground.shape = ClothSolid::Shape::mesh, ground.friction = mu;
+        ground.mesh = flat_mesh(8, 8, 0.5);
+        add_solid(cloth, ground, 0, {0, 0, 0});
+        add_particle(cloth, {0.03, 0, 0.05}, 0.3);
+        cloth.gravity = g * Vec3(rigid::sin(slope) * rigid::cos(direction), -rigid::cos(slope),
+                                 rigid::sin(slope) * rigid::sin(direction));
+        ClothMemory memory;
+        ClothSettings how;
+        how.h = h;
+        for (int n = 0; n < 50; ++n) step(cloth, how, memory);
+        const Real speed = g * (rigid::sin(slope) - mu * rigid::cos(slope)) * 50 * h;
+        const Vec3 u = cloth.bodies.velocity(0);
+        CHECK(u.y() == Approx(0).margin(1e-12));
+        CHECK(u.x() == Approx(speed * rigid::cos(direction)).margin(1e-11));
+        CHECK(u.z() == Approx(speed * rigid::sin(direction)).margin(1e-11));
+    }
+}
+
+TEST_CASE("a capsule that can move has the inertia of its closed form and is caught", "[idea]")
+{
+    ClothSolid capsule{ClothSolid::Shape::capsule, {0, 0.3, 0}, 0.2, 0.5};  // wider than a square
+    ClothScene cloth = catching_sheet(12, 1000, 1, false, true);
+    cloth.solids.resize(0), cloth.shapes.clear();
+    add_solid(cloth, capsule, 2, {0, 0.5, 0}, {0.3, 0, 1.2});
+    // a cylinder of 0.6 m and a ball of its two ends, by their volumes
+    const Real r = 0.2, L = 0.6, cylinder = r * r * L, ball = 4 * r * r * r / 3, all = cylinder + ball;
+    const Real axial = 2 / all * (cylinder * r * r / 2 + ball * 2 * r * r / 5);
+    CHECK(1 / cloth.solids.inverse_mass[4] == Approx(axial).epsilon(1e-12));
+    ClothMemory memory;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 8, how.sweeps = 1;
+    for (int n = 0; n < 120; ++n) step(cloth, how, memory);
+    CHECK(cloth.solids.x[1] > -0.7);
+    CHECK(memory.touch.contacts.size() > 3);
+}
+
+TEST_CASE("ten thousand threads' limit is kept by the largest stretch", "[idea]")
+{
+    // a smaller sheet than that of the benchmark; its threads are as stiff against their weight
+    ClothScene cloth = sheet_on_ball(40, 2, 1000, 0.3);
+    ClothMemory memory;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 10, how.sweeps = 1;
+    how.strain_limit = 0.01, how.limit_stiffness = 500;
+    Real largest = 0;
+    for (int n = 0; n < 90; ++n) {
+        step(cloth, how, memory);
+        if (n >= 60) largest = std::max(largest, largest_stretch(cloth, 500));
+    }
+    CHECK(largest < 0.0101);
+    CHECK(memory.drawn > 0);
+}
+
+TEST_CASE("a sheet that rests sleeps and the other one has the same bits as without", "[idea]")
+{
+    ClothScene cloth = sheet_on_ball(10, 1.0, 500, 0.5);
+    const int first = cloth.count();
+    SheetSpec spec;
+    spec.columns = spec.rows = 6, spec.spacing = 0.1, spec.bending = 1e-4, spec.stiffness = 300;
+    add_sheet(cloth, {3, 0, 0}, {1, 0, 0}, {0, 0, 1}, spec);
+    pin(cloth, first);
+    cloth.bodies.velocity(first) << 0, 0, 0.3;  // its pin never rests
+    ClothScene plain = cloth;
+    SleepingCloth sleeping;
+    ClothMemory memory;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 4, how.sweeps = 1;
+    const auto both = [&](int steps) {
+        for (int n = 0; n < steps; ++n) {
+            sleeping.step(cloth, how);
+            step(plain, how, memory);
+        }
+        return 3 * (cloth.count() - first);
+    };
+    const int rest = both(300);
+    CHECK(sleeping.parts() == 2);
+    CHECK(sleeping.asleep() == 1);
+    CHECK(sleeping.asleep(0));
+    CHECK(sleeping.skipped > 100 * first);
+    // what moves has the same bits
+    CHECK(cloth.bodies.x.tail(rest) == plain.bodies.x.tail(rest));
+    CHECK(cloth.bodies.u.tail(rest) == plain.bodies.u.tail(rest));
+    // what sleeps is where it would be, to a few times of what counts as still
+    CHECK((cloth.bodies.x - plain.bodies.x).cwiseAbs().maxCoeff() < 3 * sleeping.still);
+    const VecX slept = cloth.bodies.x.head(3 * first);
+    both(20);
+    CHECK(cloth.bodies.x.head(3 * first) == slept);  // it does not creep
+}
+
+TEST_CASE("a cloth that sleeps wakes for wind for its pins for a hand and for what comes near", "[idea]")
+{
+    const auto asleep = [](SleepingCloth& sleeping) {
+        ClothScene cloth = hung_sheet(5, 300, 1e-3);
+        cloth.drag = 5;
+        ClothSolid ball;
+        ball.radius = 0.2;
+        add_solid(cloth, ball, 0, {0, -0.5, 2});
+        ClothSettings how;
+        how.method = ClothMethod::threads, how.substeps = 4, how.sweeps = 2;
+        for (int n = 0; n < 600 && sleeping.asleep() == 0; ++n) sleeping.step(cloth, how);
+        CHECK(sleeping.asleep() == 1);
+        sleeping.step(cloth, how);
+        CHECK(sleeping.asleep() == 1);
+        return cloth;
+    };
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 4, how.sweeps = 2;
+    const auto wakes = [&](const std::function<void(ClothScene&)>& change, int within) {
+        SleepingCloth sleeping;
+        ClothScene cloth = asleep(sleeping);
+        change(cloth);
+        int n = 0;
+        while (sleeping.wakings == 0 && n < 200) sleeping.step(cloth, how), ++n;
+        CHECK(n <= within);
+    };
+    wakes([](ClothScene& c) { c.air = 0.7, c.wind = {0, 0, 3}; }, 1);
+    wakes([](ClothScene& c) { c.gravity *= 2; }, 1);
+    wakes([](ClothScene& c) { c.bodies.velocity(0) << 0.1, 0, 0; }, 1);
+    wakes([](ClothScene& c) { c.bodies.velocity(20) << 0, 0, 1; }, 1);
+    wakes([](ClothScene& c) { c.bodies.f[3 * 20] = 1; }, 1);
+    // a ball of 0.2 m from 2 m off at 2 m/s: before a second has passed, and not at once
+    int n = 0;
+    SleepingCloth sleeping;
+    ClothScene cloth = asleep(sleeping);
+    cloth.solids.u[2] = -2;
+    while (sleeping.wakings == 0 && n < 200) sleeping.step(cloth, how), ++n;
+    CHECK(n > 20);
+    CHECK(n < 60);
+    CHECK(cloth.solids.x[2] > 0.19);  // not yet there
+}
+
+TEST_CASE("a steady step with a limit and with sleep asks for no memory", "[house]")
+{
+    ClothScene cloth = sheet_on_ball(12, 1.2, 300, 0.3, 1);
+    const int first = cloth.count();
+    SheetSpec spec;
+    spec.columns = spec.rows = 4;
+    add_sheet(cloth, {3, 0, 0}, {1, 0, 0}, {0, -1, 0}, spec);
+    for (int i = 0; i <= 4; ++i) pin(cloth, first + i);
+    SleepingCloth sleeping;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 4, how.sweeps = 1, how.strain_limit = 0.01;
+    for (int n = 0; n < 150; ++n) sleeping.step(cloth, how);
+    CHECK(sleeping.asleep() == 1);  // the sheet that hangs; the ball turns
+    sleeping.memory.touch.contacts.reserve(2 * sleeping.memory.touch.contacts.size() + 100);
+    sleeping.memory.limit.beyond.reserve(cloth.springs.size());
+    int asked = 0;
+    {
+        const NoAllocation none;
+        for (int n = 0; n < 5; ++n) sleeping.step(cloth, how);
+        asked = NoAllocation::violations();
+    }
+    CHECK(asked == 0);
+}
+
+TEST_CASE("a thickness or a mesh or a sleep that makes no sense is refused with a sentence", "[house]")
+{
+    const auto says = [](const std::function<void(ClothScene&)>& spoil, const std::string& sentence) {
+        ClothScene cloth = folding_sheet(4, 500, 0.01);
+        spoil(cloth);
+        ClothMemory memory;
+        CHECK(refusal([&] { step(cloth, {}, memory); }) == sentence);
+    };
+    says([](ClothScene& c) { c.self_thickness = 0.2; },
+         "the thickness of the cloth against itself is 0.2 m, and the length of spring 0 0.25 m; it must be "
+         "at most "
+         "half of that");
+    says([](ClothScene& c) { c.self_friction = -1; },
+         "the friction of the cloth on itself is -1; it must be zero or positive and finite");
+    says([](ClothScene& c) { c.shapes[0].shape = ClothSolid::Shape::mesh; },
+         "solid 0 is a mesh without triangles; it needs a mesh");
+    ClothScene cloth = hung_sheet(3, 100);
+    ClothSolid mesh;
+    mesh.shape = ClothSolid::Shape::mesh, mesh.mesh = flat_mesh(2, 2, 1);
+    CHECK(refusal([&] {
+              add_solid(cloth, mesh, 1, {0, 0, 0});
+          }) == "the mass of a solid is 1 kg; a ball, a capsule or a box may have a positive one, and what "
+                "cannot move "
+                "zero");
+    SleepingCloth sleeping;
+    ClothSettings how;
+    how.strength = 0.1;
+    CHECK(refusal([&] { sleeping.step(cloth, how); }) ==
+          "the strength of a cloth that may sleep is 0.1; it must be infinite: what tears changes rows while "
+          "parts are "
+          "left out");
+}
