@@ -16,12 +16,6 @@ void push_at(Bodies<3>& bodies, Index k, const Vec2& at, const Vec2& impulse)
     bodies.velocity(k) += bodies.apply_inverse_mass(k, P);
 }
 
-/// What of the thickness of a cell is water's, as its level says.
-Real thickness_of(const ShallowWater& water, Index cell)
-{
-    return water.level[cell] - water.bed[cell];
-}
-
 /// Between two walls, with water enough that it may have a velocity.
 bool is_open(const ShallowWater& water, Index face)
 {
@@ -37,6 +31,8 @@ void FloatSettings::require_valid() const
         throw std::invalid_argument(std::string(name) + " is " + shortest(value) +
                                     "; it must be " + right);
     };
+    if (!(lid >= 0 && lid <= 0.95))
+        refuse("the part of a hull that lifts the surface", lid, "from 0 to 0.95");
     if (!(drag >= 0) || !std::isfinite(drag))
         refuse("the drag", drag, "zero or positive and finite");
     if (!(friction >= 0) || !std::isfinite(friction))
@@ -92,18 +88,57 @@ void Floating::find_slices(const RigidScene& scene, const ShallowWater& water)
 }
 //! [slices]
 
+//! [levels]
+/// One round of Newton's method for (28.19). Returns the largest change [m].
+Real Floating::solve_levels(ShallowWater& water)
+{
+    const Real sigma = settings.lid;
+    Real most = 0;
+    for (Index i = 0; i < water.cells(); ++i) {
+        const Real free = water.bed[i] + water.depth[i];
+        Real next = free;
+        if (under_[i] > 0 && water.depth[i] > 0) {
+            const Real off = free + sigma * under_[i] - water.level[i];
+            // bodies may overlap: no waterline is wider than its cell
+            next = water.level[i] + off / (1 - sigma * std::min(width_[i], 1.0));
+            // b is at most the depth below the surface
+            next =
+                std::clamp(next, free, free + water.depth[i] * sigma / (1 - sigma));
+        }
+        most = std::max(most, std::abs(next - water.level[i]));
+        water.level[i] = next;
+    }
+    return most;
+}
+//! [levels]
+
 void Floating::find(const RigidScene& scene, ShallowWater& water)
 {
     settings.require_valid();
     place_outlines(scene);
-    // below a hull the level is what the last step found; elsewhere that of the water
-    for (Index i = 0; i < water.cells(); ++i)
-        if (!settings.displace || i >= under_.size() || !(under_[i] > 0))
-            water.level[i] = water.bed[i] + water.depth[i];
-    find_slices(scene, water);
-    for (Index i = 0; i < water.cells(); ++i)  // and where a hull has left the cell
-        if (!(under_[i] > 0)) water.level[i] = water.bed[i] + water.depth[i];
+    rounds = 0;
+    do {
+        find_slices(scene, water);
+        ++rounds;
+        // two at least, so that slices are those of the levels: pushed by those of a
+        // step ago, a body would gain energy
+    } while ((solve_levels(water) > 1e-9 || rounds < 2) && rounds < 10);
     find_edges(scene, water);
+
+    // what each has of the slope at a face: together the whole depth there
+    share_.setZero(water.cells() + 1);
+    for (Index f = 1; f < water.cells(); ++f) {
+        const Real under = (under_[f - 1] + under_[f]) / 2;
+        water.part[f] = 1;
+        if (!(under > 0) || !is_open(water, f)) continue;
+        const Real depth = (water.depth[f - 1] + water.depth[f]) / 2;
+        const Real whole = (water.level[f - 1] - water.bed[f - 1] + water.level[f] -
+                            water.bed[f]) /
+                           2;
+        const Real pushed = std::min(under, whole);
+        share_[f] = pushed / under;
+        water.part[f] = (whole - pushed) / depth;
+    }
 }
 
 void Floating::displace(const RigidScene& scene, ShallowWater& water)
@@ -113,7 +148,7 @@ void Floating::displace(const RigidScene& scene, ShallowWater& water)
     place_outlines(scene);
     find_slices(scene, water);
     for (Index i = 0; i < water.cells(); ++i) {
-        const Real displaced = settings.displace ? under_[i] : 0;
+        const Real displaced = settings.lid * under_[i];
         if (displaced > 0 && !(displaced < water.depth[i]))
             throw std::invalid_argument(
                 "bodies displace " + shortest(displaced) + " m of the " +
@@ -157,157 +192,15 @@ void Floating::find_edges(const RigidScene& scene, const ShallowWater& water)
     }
 }
 
-//! [find_levels]
-/// Writes what HullLevels needs to know, and takes levels and volumes from it.
-void Floating::find_levels(const RigidScene& scene, ShallowWater& water, Real h)
-{
-    const Index n = water.cells();
-    const Real lambda = h / water.dx;
-    hulls.clear();
-    number_.assign(static_cast<std::size_t>(n), -1);
-    // the flow through a face before its slope pushes, and the depth that it has
-    const auto depth_at = [&](Index f) {
-        if (f == 0) return water.depth[0];
-        if (f == n) return water.depth[n - 1];
-        const Real next =
-            water.u[f] - lambda * water.g * (water.level[f] - water.level[f - 1]);
-        return water.depth[next >= 0 ? f - 1 : f];
-    };
-    for (Index i = 0; i < n; ++i) {
-        if (!(under_[i] > 0)) continue;
-        number_[static_cast<std::size_t>(i)] = static_cast<int>(hulls.cells.size());
-        const Real thickness = water.level[i] - water.bed[i] - under_[i];
-        const Real out =
-            lambda * (depth_at(i + 1) * water.u[i + 1] - depth_at(i) * water.u[i]);
-        hulls.cells.push_back(
-            {water.level[i],
-             HullLevels::repayable(water.depth[i] - thickness,
-                                   thickness_of(water, i), water.g, h),
-             -out, std::min(width_[i], 1.0)});
-    }
-    const auto own = [&](Index i) {
-        return std::max(thickness_of(water, i) - under_[i], 0.0);
-    };
-    for (Index f = 1; f < n; ++f) {
-        const int a = number_[static_cast<std::size_t>(f - 1)],
-                  b = number_[static_cast<std::size_t>(f)];
-        if ((a < 0 && b < 0) || !is_open(water, f)) continue;
-        const Real mine = (own(f - 1) + own(f)) / 2,
-                   mean = (water.depth[f - 1] + water.depth[f]) / 2;
-        hulls.faces.push_back(
-            {a, b, lambda * lambda * water.g * mine / mean * depth_at(f),
-             water.level[f] - water.level[f - 1]});
-    }
-    for (Index k = 0; k < scene.bodies.count(); ++k) {
-        const Real light = scene.bodies.inverse_mass[3 * k + 1],
-                   turns = scene.bodies.inverse_mass[3 * k + 2];
-        HullLevels::Body body;
-        body.moves = light > 0;
-        if (body.moves)
-            body.mass =
-                Vec3(1 / light, turns > 0 ? 1 / turns : 1e30, 1).asDiagonal();
-        const auto u = scene.bodies.velocity(k);
-        // what moves falls in this step, too; others go where they are driven
-        body.velocity = {u[1] + (body.moves ? h * scene.gravity.y() : 0), u[2], 0};
-        hulls.bodies.push_back(body);
-    }
-    for (const Slice& s : slices)
-        hulls.slices.push_back(
-            {number_[static_cast<std::size_t>(s.cell)],
-             static_cast<int>(s.body),
-             s.below.area,
-             s.below.width / water.dx / std::max(width_[s.cell], 1.0),
-             {1, s.below.middle - scene.bodies.position(s.body)[0], 0}});
-    // what the skin's motion adds to a slice beside the rise of its waterline: a hull
-    // that goes ahead, or turns, comes into a column through its sides
-    const auto cell_of = [&](Index i) -> HullLevels::Cell& {
-        return hulls
-            .cells[static_cast<std::size_t>(number_[static_cast<std::size_t>(i)])];
-    };
-    for (const WetEdge& e : edges)
-        if (under_[e.cell] > 0)
-            cell_of(e.cell).inflow +=
-                h / water.dx * e.length *
-                velocity_at(scene.bodies, e.body, e.middle).dot(e.normal);
-    for (const HullLevels::Slice& s : hulls.slices) {
-        const auto u = scene.bodies.velocity(s.body);
-        hulls.cells[static_cast<std::size_t>(s.cell)].inflow +=
-            h * s.width * (s.rising[0] * u[1] + s.rising[1] * u[2]);
-    }
-    hulls.solve(h, water.density * water.g, water.dx);
-    for (Index i = 0; i < n; ++i)
-        if (const int c = number_[static_cast<std::size_t>(i)]; c >= 0)
-            water.level[i] = hulls.cells[static_cast<std::size_t>(c)].level;
-}
-//! [find_levels]
-
 //! [push_bodies]
-/// (28.18), and (28.20) for the water beside and below hulls.
-void Floating::push_both(RigidScene& scene, ShallowWater& water, Real h)
-{
-    const Index n = water.cells();
-    // the thickness of bodies at the end of the step
-    under_.setZero(n);
-    for (std::size_t s = 0; s < slices.size(); ++s)
-        under_[slices[s].cell] += hulls.slices[s].volume / water.dx;
-    rise_.setZero(n + 1), before_ = water.u;
-    push_water(water, h);
-    for (Index f = 1; f < n; ++f) {
-        const Real under = (under_[f - 1] + under_[f]) / 2;
-        if (number_[static_cast<std::size_t>(f - 1)] < 0 &&
-            number_[static_cast<std::size_t>(f)] < 0)
-            continue;
-        if (!is_open(water, f)) continue;
-        const Real mean = (water.depth[f - 1] + water.depth[f]) / 2,
-                   whole = (water.level[f - 1] - water.bed[f - 1] + water.level[f] -
-                            water.bed[f]) /
-                           2,
-                   pushed = std::min(under, whole),
-                   slope = (water.level[f] - water.level[f - 1]) / water.dx;
-        rise_[f] = under > 0 ? pushed / under * slope : 0;
-        water.u[f] = (before_[f] - h * water.g * (whole - pushed) / mean * slope) /
-                     (1 + h * water.damping[f]);
-    }
-    const Real weight = h * water.density * water.g;
-    for (std::size_t s = 0; s < slices.size(); ++s) {
-        const Slice& slice = slices[s];
-        const Vec2 up(-(rise_[slice.cell] + rise_[slice.cell + 1]) / 2, 1);
-        const Submerged& below = slice.below;
-        push_at(scene.bodies, slice.body, below.centroid, weight * below.area * up);
-        // what the waterline has risen by in this step
-        const Real more = hulls.slices[s].volume - below.area;
-        if (below.width > 0)
-            push_at(scene.bodies, slice.body,
-                    {below.middle, water.level[slice.cell]}, weight * more * up);
-    }
-    // The next step cuts at these levels. The blow of a hull that hits the water is
-    // no height: where hulls cover cells whole it is left out.
-    Real low = infinity, high = -infinity;
-    for (Index f = 1; f < n; ++f) {
-        const bool a = number_[static_cast<std::size_t>(f - 1)] < 0,
-                   b = number_[static_cast<std::size_t>(f)] < 0;
-        if (a == b) continue;
-        const Real open = water.level[a ? f - 1 : f];
-        low = std::min(low, open), high = std::max(high, open);
-    }
-    for (Index i = 0; i < n; ++i)
-        if (number_[static_cast<std::size_t>(i)] >= 0 && width_[i] > 0.999 &&
-            low <= high) {
-            const Real room = (high - water.bed[i]) / 4;
-            water.level[i] = std::clamp(water.level[i], low - room, high + room);
-        }
-}
-//! [push_bodies]
-
-//! [archimedes]
-/// Bodies in water that takes no notice of them.
 void Floating::push_bodies(RigidScene& scene, const ShallowWater& water,
                            Real h) const
 {
     const Real weight = h * water.density * water.g;
     const auto rise = [&](Index f) {
-        return is_open(water, f) ? (water.level[f] - water.level[f - 1]) / water.dx
-                                 : 0;
+        return is_open(water, f)
+                   ? share_[f] * (water.level[f] - water.level[f - 1]) / water.dx
+                   : 0;
     };
     for (const Slice& slice : slices) {
         const Real slope = (rise(slice.cell) + rise(slice.cell + 1)) / 2;
@@ -315,7 +208,7 @@ void Floating::push_bodies(RigidScene& scene, const ShallowWater& water,
                 weight * slice.below.area * Vec2(-slope, 1));
     }
 }
-//! [archimedes]
+//! [push_bodies]
 
 //! [drag]
 void Floating::drag(RigidScene& scene, ShallowWater& water, Real h) const
@@ -357,13 +250,22 @@ void Floating::push(RigidScene& scene, ShallowWater& water, Real h)
     // first: a body that is held up already, and not yet pulled down by its weight,
     // would be braked at rest
     drag(scene, water, h);
-    if (settings.displace) {
-        find_levels(scene, water, h);
-        push_both(scene, water, h);
-    } else {
-        push_water(water, h);
-        push_bodies(scene, water, h);
+    push_water(water, h);
+    push_bodies(scene, water, h);
+}
+
+Real Floating::stable_step(const ShallowWater& water) const
+{
+    Real fastest = 0;
+    for (Index i = 0; i < water.cells(); ++i) {
+        const Real flow = std::max(std::abs(water.u[i]), std::abs(water.u[i + 1]));
+        const bool covered = i < under_.size() && under_[i] > 0;
+        const Real lifted =
+            covered ? 1 - settings.lid * std::min(width_[i], 1.0) : 1;
+        fastest =
+            std::max(fastest, flow + std::sqrt(water.g * water.depth[i] / lifted));
     }
+    return water.dx / fastest;
 }
 
 }  // namespace rigid

@@ -10,7 +10,6 @@
 #pragma once
 
 #include "chapters/11_rotation/rigid_scene.hpp"
-#include "chapters/28_waves/hull_levels.hpp"
 #include "chapters/28_waves/hydrostatics.hpp"
 #include "chapters/28_waves/shallow_water.hpp"
 
@@ -19,7 +18,7 @@
 namespace rigid {
 
 struct FloatSettings {
-    bool displace = true;  ///< false: the water takes no notice of bodies
+    Real lid = 0.5;  ///< σ, 0 … 0.95: 0 = bodies make no waves
     Real drag = 1;  ///< of an edge that goes ahead, 0 … : ½ ρ drag v_n² a metre
     Real friction = 0.01;  ///< along an edge, of the same form
 
@@ -46,24 +45,26 @@ public:
     FloatSettings settings;
     std::vector<Slice> slices;  ///< of the last find()
     std::vector<WetEdge> edges;
-    HullLevels hulls;  ///< of the last push()
+    int rounds = 0;  ///< of Newton's method for the levels, in the last find()
 
-    /// Where bodies and water meet now.
+    /// Where bodies and water meet now, and the levels of the water with it, (28.19).
     void find(const RigidScene& scene, ShallowWater& water);
 
     /// Takes out the water that bodies displace, so that its levels are those that it had without them.
     /// Throws std::invalid_argument where a hull leaves no water below it.
     void displace(const RigidScene& scene, ShallowWater& water);
 
-    /// Drag brakes one against the other; levels under hulls are found, (28.19); slopes push the water and the bodies.
+    /// Drag brakes one against the other, then slopes push the water (push_water()) and the bodies.
     void push(RigidScene& scene, ShallowWater& water, Real h);
+
+    /// Of water and bodies: under a lid waves are 1/√(1 − σ) times as fast.
+    Real stable_step(const ShallowWater& water) const;
 
 private:
     void find_slices(const RigidScene& scene, const ShallowWater& water);
     void find_edges(const RigidScene& scene, const ShallowWater& water);
-    void find_levels(const RigidScene& scene, ShallowWater& water, Real h);
+    Real solve_levels(ShallowWater& water);
     void place_outlines(const RigidScene& scene);
-    void push_both(RigidScene& scene, ShallowWater& water, Real h);
     void push_bodies(RigidScene& scene, const ShallowWater& water, Real h) const;
     void drag(RigidScene& scene, ShallowWater& water, Real h) const;
 
@@ -72,10 +73,9 @@ private:
     std::vector<Real> radius_;
     std::vector<Vec2> strip_, half_, wet_;
     Polygon memory_;
-    VecX under_, width_;       ///< b and its derivative with η, of each cell
-    VecX rise_, before_;       ///< of each face: the slope that pushes bodies, u
-    std::vector<int> number_;  ///< of each cell among those under hulls
-    VecX wet_length_;          ///< of each body [m]
+    VecX under_, width_;  ///< b and its derivative with η, of each cell
+    VecX share_;          ///< of the bodies' thickness that is pushed, of each face
+    VecX wet_length_;     ///< of each body [m]
 };
 
 }  // namespace rigid

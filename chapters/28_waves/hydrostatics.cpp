@@ -19,13 +19,9 @@ Submerged measure_below(const std::vector<Vec2>& corners, Real level,
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec2 &a = corners[i],
                    &b = corners[i + 1 < corners.size() ? i + 1 : 0];
-        if (a.y() == level && b.y() == level) {
-            const Real width = std::abs(b.x() - a.x());
-            found.width += width;
-            found.middle += width * (a.x() + b.x()) / 2;
-        }
+        if (a.y() == level && b.y() == level)
+            found.width += std::abs(b.x() - a.x());
     }
-    if (found.width > 0) found.middle /= found.width;
     return found;
 }
 

@@ -13,28 +13,25 @@
 
 namespace rigid {
 
-/// Which side of a vertical or level line is kept, or of a plane in space.
-enum class Keep { right_of, left_of, below, beyond, before };
+/// Which side of a vertical or level line is kept.
+enum class Keep { right_of, left_of, below };
 
 //! [cut]
-/// The part of a convex polygon on one side of a line x = bound or y = bound, in
-/// space of a plane, z = bound too; its new corners are on it to the bit.
-template <class Point>
-inline void cut(const std::vector<Point>& corners, Keep side, Real bound,
-                std::vector<Point>& kept)
+/// The part of a convex polygon on one side of a line x = bound or y = bound; its
+/// new corners are on it to the bit.
+inline void cut(const std::vector<Vec2>& corners, Keep side, Real bound,
+                std::vector<Vec2>& kept)
 {
-    const Index axis = side == Keep::below                            ? 1
-                       : side == Keep::beyond || side == Keep::before ? 2
-                                                                      : 0;
-    const Real sign = side == Keep::right_of || side == Keep::beyond ? 1 : -1;
+    const Index axis = side == Keep::below ? 1 : 0;
+    const Real sign = side == Keep::right_of ? 1 : -1;
     kept.clear();
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point &a = corners[i],
-                    &b = corners[i + 1 < corners.size() ? i + 1 : 0];
+        const Vec2 &a = corners[i],
+                   &b = corners[i + 1 < corners.size() ? i + 1 : 0];
         const Real sa = sign * (a[axis] - bound), sb = sign * (b[axis] - bound);
         if (sa >= 0) kept.push_back(a);
         if ((sa > 0 && sb < 0) || (sa < 0 && sb > 0)) {
-            Point p = a + sa / (sa - sb) * (b - a);
+            Vec2 p = a + sa / (sa - sb) * (b - a);
             p[axis] = bound;  // to the bit
             kept.push_back(p);
         }
@@ -47,7 +44,6 @@ struct Submerged {
     Real area = 0;           ///< [m²]
     Vec2 centroid = {0, 0};  ///< the centre of buoyancy B [m]
     Real width = 0;          ///< of the waterline [m]
-    Real middle = 0;         ///< x of its middle [m]
 };
 
 /// Area and centroid of a polygon that has been cut, and the length of its edges on the line y = level.

@@ -1,18 +1,25 @@
 // The functions of shallow_water.hpp.
 #include "chapters/28_waves/shallow_water.hpp"
 
-#include "chapters/28_waves/water_rows.hpp"
-
 #include <algorithm>
 
 namespace rigid {
 namespace {
 
-using water_rows::Side;
+/// Below it there is no water that could have a velocity: a face of less is at rest [m].
+constexpr Real dry = 1e-12;
 
 Real mean_depth(const ShallowWater& water, Index face)
 {
     return (water.depth[face - 1] + water.depth[face]) / 2;
+}
+
+/// Water on one side, and on the other a dry bed that is higher: nothing flows.
+bool is_shore(const ShallowWater& water, Index face)
+{
+    const Index l = face - 1, r = face;
+    return (water.depth[r] <= dry && water.bed[r] >= water.level[l]) ||
+           (water.depth[l] <= dry && water.bed[l] >= water.level[r]);
 }
 
 }  // namespace
@@ -33,7 +40,8 @@ ShallowWater::ShallowWater(Index cells, Real length, Real still_depth)
     dx = length / static_cast<Real>(cells);
     bed = VecX::Zero(cells);
     depth = level = VecX::Constant(cells, still_depth);
-    u = damping = carried = flux = giving = VecX::Zero(cells + 1);
+    u = damping = carried = flux = VecX::Zero(cells + 1);
+    part = VecX::Ones(cells + 1);
 }
 
 Index ShallowWater::cell_at(Real x) const
@@ -68,6 +76,7 @@ void require_valid(const ShallowWater& water)
     sized(water.level, n, "level");
     sized(water.u, n + 1, "u");
     sized(water.damping, n + 1, "damping");
+    sized(water.part, n + 1, "part");
     for (Index i = 0; i < n; ++i)
         if (water.depth[i] < 0)
             throw std::invalid_argument("depth[" + std::to_string(i) + "] is " +
@@ -107,19 +116,10 @@ Real energy(const ShallowWater& water)
 
 Real stable_step(const ShallowWater& water)
 {
-    constexpr Index block = 256;
-    Real speed[block];
     Real fastest = 0;
-    for (Index start = 0; start < water.cells(); start += block) {
-        const Index count = std::min(block, water.cells() - start);
-        const Real* __restrict r = water.depth.data() + start;
-        const Real* __restrict u = water.u.data() + start;
-        for (Index i = 0; i < count; ++i) speed[i] = water.g * r[i];
-        Eigen::Map<Eigen::ArrayXd> root(speed, count);
-        root = root.sqrt();  // rounded correctly by IEEE 754
-        for (Index i = 0; i < count; ++i)
-            speed[i] += water_rows::larger_size(u[i], u[i + 1]);
-        fastest = std::max(fastest, water_rows::largest(count, speed));
+    for (Index i = 0; i < water.cells(); ++i) {
+        const Real flow = std::max(std::abs(water.u[i]), std::abs(water.u[i + 1]));
+        fastest = std::max(fastest, flow + std::sqrt(water.g * water.depth[i]));
     }
     return water.dx / fastest;
 }
@@ -127,13 +127,16 @@ Real stable_step(const ShallowWater& water)
 //! [push]
 void push_water(ShallowWater& water, Real h)
 {
-    const Index n = water.cells();
-    const Side low{water.bed.data(), water.depth.data(), water.level.data()};
-    const Side high{low.bed + 1, low.depth + 1, low.level + 1};
-    Real* __restrict u = water.u.data();
-    const Real* __restrict damping = water.damping.data();
-    water_rows::push_faces(n - 1, h * water.g / water.dx, low, high, u + 1);
-    for (Index f = 1; f < n; ++f) u[f] /= 1 + h * damping[f];
+    const Real slope_to_speed = h * water.g / water.dx;
+    for (Index f = 1; f < water.cells(); ++f) {
+        if (!(mean_depth(water, f) > dry) || is_shore(water, f)) {
+            water.u[f] = 0;
+            continue;
+        }
+        const Real rise = water.level[f] - water.level[f - 1];
+        water.u[f] -= slope_to_speed * water.part[f] * rise;  // (28.15)
+        water.u[f] /= 1 + h * water.damping[f];
+    }
 }
 //! [push]
 
@@ -141,30 +144,37 @@ void push_water(ShallowWater& water, Real h)
 void carry_water(ShallowWater& water, Real h)
 {
     const Index n = water.cells();
-    const Real lambda = h / water.dx;
-    Real *__restrict r = water.depth.data(), *__restrict u = water.u.data(),
-                     *__restrict q = water.flux.data(),
-                     *__restrict P = water.carried.data(),
-                     *__restrict give = water.giving.data();
-    for (Index i = 0; i < n; ++i)
-        give[i] =
-            water_rows::giving(r[i], lambda * (water_rows::outwards(u[i + 1]) +
-                                               water_rows::outwards(-u[i])));
-    // through a wall that moves, water of the depth beside it comes or goes
-    q[0] = u[0] * give[0];
-    water_rows::fluxes(n - 1, u + 1, give, give + 1, q + 1);
-    q[n] = u[n] * give[n - 1];
-    // (28.17): momentum goes with the water, at the speed of where it comes from
-    Real* __restrict middle = give;  // free by now
-    water_rows::carry(n, q, q + 1, u, u + 1, middle);
-    for (Index f = 1; f < n; ++f)
-        P[f] = (r[f - 1] + r[f]) / 2 * u[f] - lambda * (middle[f] - middle[f - 1]);
-    for (Index i = 0; i < n; ++i) {  // (28.16)
-        const Real left = r[i] - lambda * (q[i + 1] - q[i]);
-        r[i] = left > 0 ? left : 0;
+    VecX &q = water.flux, &P = water.carried, &u = water.u, &r = water.depth;
+    for (Index f = 0; f <= n; ++f) {
+        const Index from =
+            u[f] >= 0 ? std::max<Index>(f - 1, 0) : std::min(f, n - 1);
+        q[f] = u[f] * r[from];
     }
-    for (Index f = 1; f < n; ++f)
-        u[f] = water_rows::velocity(P[f], (r[f - 1] + r[f]) / 2);
+    // no cell gives more than it has
+    for (Index i = 0; i < n; ++i) {
+        const Real out = h * (std::max(q[i + 1], 0.0) - std::min(q[i], 0.0));
+        if (out <= r[i] * water.dx) continue;
+        const Real part = r[i] * water.dx / out;
+        if (q[i + 1] > 0) q[i + 1] *= part;
+        if (q[i] < 0) q[i] *= part;
+    }
+    // (28.17): momentum goes with the water, at the speed of where it comes from
+    const auto carried_through = [&](Index i) {
+        const Real mean = (q[i] + q[i + 1]) / 2;
+        return mean * (mean >= 0 ? u[i] : u[i + 1]);
+    };
+    Real into = carried_through(0);
+    for (Index f = 1; f < n; ++f) {
+        const Real out_of = carried_through(f);
+        P[f] = mean_depth(water, f) * u[f] - h / water.dx * (out_of - into);
+        into = out_of;
+    }
+    for (Index i = 0; i < n; ++i)  // (28.16)
+        r[i] = std::max(r[i] - h / water.dx * (q[i + 1] - q[i]), 0.0);
+    for (Index f = 1; f < n; ++f) {
+        const Real mean = mean_depth(water, f);
+        u[f] = mean > dry ? P[f] / mean : 0;
+    }
 }
 //! [carry]
 

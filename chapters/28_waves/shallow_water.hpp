@@ -29,9 +29,11 @@ struct ShallowWater {
     VecX
         u;  ///< N + 1, of the faces [m/s]; the first and the last are the walls' own
     VecX damping;  ///< N + 1, of a sponge [1/s]
+    /// N + 1: the part of the water's depth at a face that is pushed by the slope there; less than 1 under a hull that
+    /// presses on the ground (floating.hpp)
+    VecX part;
     VecX carried;  ///< N + 1, memory: r u of a face after the last step [m²/s]
     VecX flux;     ///< N + 1, memory: q of the last step [m²/s]
-    VecX giving;   ///< N + 1, memory
 
     /// Level water of this depth over a level bed, between two walls.
     /// Throws std::invalid_argument for no cells, a length that is not positive, a depth that is negative.

@@ -1,7 +1,9 @@
 // Chapter 28 in one file, grown from chapter 12: masses feel only their neighbours.
 // A string of them carries waves; so do columns of water, and bodies float on them.
+//
+//     string   v_i += h c²/Δx² (y_{i-1} - 2 y_i + y_{i+1}),   y_i += h v_i
+//     water    u_f -= h g (η_{i+1} - η_i)/Δx,       r_i -= h (q_{i+1} - q_i)/Δx
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -33,10 +35,12 @@ String at_rest(const Vec& y, double h)
     leapfrog(s, -h / 2);
     return {1, 1, y, s.v};
 }
+
 struct Water {
     double dx, g;
     Vec depth, level, u;  // of cells [m], [m]; of the faces between them [m/s]
 };
+
 struct Body {
     Polygon corners;  // from the centroid
     Vector3d x, u, inverse_mass;
@@ -65,10 +69,8 @@ Polygon placed(const Body& b)
 
 struct Slice {
     int body, cell;
-    double area = 0, after = 0;  // now and at the end of the step
+    double area = 0, width = 0;  // under water, and of its waterline
     Vector2d middle = {0, 0};
-    double width = 0, at = 0;  // of its waterline, in cells, and the middle of that
-    Vector2d in = {0, 0};      // its left side less its right one, and that times y
 };
 
 // What of body k is under water in cell i.
@@ -83,84 +85,39 @@ Slice slice(const Water& w, const Polygon& whole, int k, int i)
         const double area = (e.x() * f.y() - e.y() * f.x()) / 2;
         s.area += area;
         s.middle += area * (e + f) / 3;
-        if (std::min(a.y(), b.y()) > w.level[i] - 1e-12) {
-            s.width += std::abs(b.x() - a.x()) / w.dx;
-            s.at = (a.x() + b.x()) / 2;
-        }
-        // along a side of the cell: down on its left, up on its right
-        const double side = std::round(a.x() / w.dx) * w.dx;
-        if (std::abs(a.x() - side) + std::abs(b.x() - side) < 1e-12)
-            s.in += (a.y() - b.y()) * Vector2d(1, (a.y() + b.y()) / 2);
+        if (std::min(a.y(), b.y()) > w.level[i] - 1e-12)
+            s.width += std::abs(b.x() - a.x());
     }
     if (s.area > 0) s.middle = p[0] + s.middle / s.area;
     return s;
 }
 
-// (28.19): the levels below hulls press the water out of their way. Unknown are the
-// changes of all levels, then each hull's heave and turn at the step's end.
-void find_levels(Water& w, const std::vector<Body>& bodies,
-                 std::vector<Slice>& slices, double h)
+// (28.19) by Newton's method: bodies lift the surface by half what they displace.
+std::vector<Slice> find_slices(Water& w, const std::vector<Body>& bodies,
+                               Vec& under)
 {
-    const int n = w.depth.size(), K = bodies.size();
-    const double t = h / w.dx, weight = h * 1000 * w.g * w.dx;
-    Vec b = 0 * w.depth;  // the thickness of bodies in each cell
-    for (const Slice& s : slices) b[s.cell] += s.area / w.dx;
-    w.level = (b.array() > 0).select(w.level, w.depth);  // where a hull has left
-    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n + 2 * K, n + 2 * K);
-    Vec right = Vec::Zero(n + 2 * K);
-    const Vec most = h / 10 * (w.g * w.level).cwiseSqrt();
-    right.head(n) = ((w.depth - w.level + b) / 5).cwiseMax(-most).cwiseMin(most);
-    for (int f = 1; f < n; ++f) {  // water passes between two cells
-        const double rise = w.level[f] - w.level[f - 1];
-        const double deep = w.depth[w.u[f] - t * w.g * rise >= 0 ? f - 1 : f];
-        const double own = (w.level - b).segment(f - 1, 2).sum();
-        const double all = w.depth.segment(f - 1, 2).sum(),
-                     pass = t * t * w.g * deep * own / all;
-        for (int i = f - 1; i <= f; ++i) {
-            if (b[i] == 0) continue;  // open water keeps its level in this
-            right[i] += (i < f ? 1 : -1) * (pass * rise - t * deep * w.u[f]);
-            A(i, i) += pass;
-            A(i, 2 * f - 1 - i) -= pass;
-        }
+    std::vector<Slice> found;
+    for (int round = 0; round < 6; ++round) {
+        Vec width = under = 0 * w.depth;
+        found.clear();
+        for (int k = 0; k < int(bodies.size()); ++k)
+            for (int i = 0; i < w.depth.size(); ++i) {
+                const Slice s = slice(w, placed(bodies[k]), k, i);
+                if (s.area > 0) found.push_back(s);
+                under[i] += s.area / w.dx;
+                width[i] += s.width / w.dx;
+            }
+        w.level.array() +=
+            (w.depth + under / 2 - w.level).array() / (1 - width.array() / 2);
     }
-    for (int k = 0; k < K; ++k) {
-        const Vector2d m = A.diagonal().segment<2>(n + 2 * k) =
-            bodies[k].inverse_mass.tail<2>().cwiseInverse();
-        right.segment<2>(n + 2 * k) =
-            m.cwiseProduct(bodies[k].u.tail<2>() - Vector2d(h * w.g, 0));
-    }
-    for (const Slice& s : slices) {
-        const Body& hull = bodies[s.body];
-        const Vector2d J(1, s.at - hull.x[0]);  // how its waterline rises
-        const int row = n + 2 * s.body;
-        A(s.cell, s.cell) -= s.width;
-        A.block<1, 2>(s.cell, row) += h * s.width * J.transpose();
-        A.block<2, 1>(row, s.cell) -= weight * s.width * J;
-        A.block<2, 2>(row, row) += h * weight * s.width * J * J.transpose();
-        right.segment<2>(row) += weight * s.area / w.dx * J;
-        right[s.cell] += t * (s.in[0] * (hull.u[0] + hull.u[2] * hull.x[1]) -
-                              s.in[1] * hull.u[2]);  // through its sides
-    }
-    const Vec x = A.partialPivLu().solve(right);
-    w.level += x.head(n);
-    for (Slice& s : slices) {
-        const Vector2d J(1, s.at - bodies[s.body].x[0]);
-        const double higher = x[s.cell] - h * J.dot(x.segment<2>(n + 2 * s.body));
-        s.after = std::max(s.area + w.dx * s.width * higher, 0.0);
-    }
+    return found;
 }
 
 void step(Water& w, std::vector<Body>& bodies, double h)
 {
     const int n = w.depth.size();
-    std::vector<Slice> slices;
-    for (int k = 0; k < int(bodies.size()); ++k)
-        for (int i = 0; i < n; ++i)
-            if (const Slice s = slice(w, placed(bodies[k]), k, i); s.area > 0)
-                slices.push_back(s);
-    find_levels(w, bodies, slices, h);
-    Vec under = 0 * w.depth;  // and at the end of the step
-    for (const Slice& s : slices) under[s.cell] += s.after / w.dx;
+    Vec under;  // b, the thickness of bodies in each cell
+    const std::vector<Slice> slices = find_slices(w, bodies, under);
     const auto mean = [](const Vec& v, int f) { return (v[f - 1] + v[f]) / 2; };
     // Slopes push: (28.15), where bodies have their share of the depth, (28.20).
     Vec slope = Vec::Zero(n + 1);
@@ -171,14 +128,16 @@ void step(Water& w, std::vector<Body>& bodies, double h)
     }
     for (const Slice& s : slices) {  // (28.18): Archimedes, slice by slice
         Body& b = bodies[s.body];
-        const Vector2d more = (s.after - s.area) * Vector2d(s.at, w.level[s.cell]),
-                       r = s.area * s.middle + more - s.after * b.x.head<2>(),
-                       F = 1000 * w.g * Vector2d(-mean(slope, s.cell + 1), 1);
-        const double torque = r.x() * F.y() - r.y() * F.x();
-        b.u += h * b.inverse_mass.cwiseProduct(
-                       Vector3d(s.after * F.x(), s.after * F.y(), torque));
+        const Vector2d r = s.middle - b.x.head<2>(),
+                       J = h * 1000 * w.g * s.area *
+                           Vector2d(-mean(slope, s.cell + 1), 1);
+        b.u += b.inverse_mass.cwiseProduct(
+            Vector3d(J.x(), J.y(), r.x() * J.y() - r.y() * J.x()));
     }
-    for (Body& b : bodies) b.x += h * (b.u -= Vector3d(0, h * w.g, 0));
+    for (Body& b : bodies) {
+        b.u[1] -= h * w.g;
+        b.x += h * b.u;
+    }
     // Water flows, (28.16), and takes its momentum along, (28.17).
     Vec q(n + 1), P(n + 1);
     for (int f = 0; f <= n; ++f)
@@ -191,7 +150,6 @@ void step(Water& w, std::vector<Body>& bodies, double h)
         P[f] = mean(w.depth, f) * w.u[f] - h / w.dx * (through(f) - through(f - 1));
     w.depth -= h / w.dx * (q.tail(n) - q.head(n));
     for (int f = 1; f < n; ++f) w.u[f] = P[f] / mean(w.depth, f);
-    w.level = (under.array() > 0).select(w.level, w.depth);
 }
 
 // A box of half the water's density, upright and half under water, tilted a little.
@@ -210,7 +168,7 @@ Water pond(int n, const std::vector<Body>& bodies)
     Water w{8.0 / n, 9.81, Vec::Ones(n), Vec::Ones(n), Vec::Zero(n + 1)};
     for (const Body& b : bodies)
         for (int i = 0; i < n; ++i)
-            w.depth[i] -= slice(w, placed(b), 0, i).area / w.dx;
+            w.depth[i] -= slice(w, placed(b), 0, i).area / (2 * w.dx);
     for (Vec* v : {&w.depth, &w.level}) v->head(n / 6).array() += 0.3;
     return w;
 }
@@ -234,14 +192,16 @@ int main(int count, char** word)
         for (double t = 0; y > 0 && t < 4; t += 0.005) step(w, boxes, 0.005);
         out << "<g transform='translate(0 " << y << ") scale(1 -1)'>\n"
             << "<path stroke='#808080' d='M0 1.5V0H8V1.5'/>\n"
-            << "<path stroke='#4477AA' d='M0 " << w.level[0];
+            << "<polyline stroke='#4477AA' points='";
         for (int i = 0; i < w.level.size(); ++i)
-            out << 'L' << w.dx * (i + 0.5) << ' ' << w.level[i] << ' ';
+            out << w.dx * (i + 0.5) << ',' << w.level[i] << ' ';
+        out << "'/>\n";
         for (const Body& b : boxes) {
-            out << "'/>\n<path fill='#EE7733' d='M";
-            for (const Vector2d& p : placed(b)) out << p.x() << ' ' << p.y() << ' ';
+            out << "<polygon stroke='#EE7733' points='";
+            for (const Vector2d& p : placed(b)) out << p.x() << ',' << p.y() << ' ';
+            out << "'/>\n";
         }
-        out << "'/>\n</g>\n";
+        out << "</g>\n";
     }
     out << "</svg>\n";
     for (const Body& b : boxes)

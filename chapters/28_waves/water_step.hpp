@@ -1,5 +1,5 @@
 /// \file water_step.hpp
-/// One step of bodies and water together, in the plane and in space, with the step of chapters 3 to 14 as it is.
+/// One step of bodies and water together, with the step of chapters 3 to 14 as it is.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step.hpp"
@@ -8,14 +8,14 @@
 namespace rigid {
 
 //! [water_step]
-/// Slices; drag, levels and slopes for both; then contacts and joints move the
+/// Slices and levels; slopes and drag on both; then contacts and joints move the
 /// bodies, and velocities the water. Throws std::invalid_argument for a step beyond
-/// stable_step(water), before anything changes.
-template <class Scene, class Water, class Afloat, class Method, class Now>
-void step(Scene& scene, Water& water, Afloat& floating,
-          const StepSettings& settings, Method&& method, Now& now)
+/// Floating::stable_step(), before anything changes.
+template <class Scene, class Method>
+void step(Scene& scene, ShallowWater& water, Floating& floating,
+          const StepSettings& settings, Method&& method, StepData<3>& now)
 {
-    const Real longest = stable_step(water);
+    const Real longest = floating.stable_step(water);
     if (settings.h > longest * (1 + 1e-12))
         throw std::invalid_argument("the time step is " + shortest(settings.h) +
                                     " s; a wave passes a whole cell in " +

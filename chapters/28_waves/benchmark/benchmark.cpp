@@ -1,7 +1,6 @@
 // Chapter 28. Waves: run time against error for strings, and what a cell costs on membranes, in water and under hulls.
 #include "chapters/28_waves/membrane.hpp"
 #include "chapters/28_waves/modes.hpp"
-#include "chapters/28_waves/sea_scenes.hpp"
 #include "chapters/28_waves/spectral.hpp"
 #include "chapters/28_waves/water_scenes.hpp"
 #include "common/elementary.hpp"
@@ -143,49 +142,6 @@ void water(benchmark::State& state)
     report(state, best * 1e6, 0, best * 1e9 / static_cast<Real>(n), 0);
 }
 BENCHMARK(water)->Arg(1000)->Arg(100000)->Iterations(100);
-
-/// Two directions: 56 bytes a cell are four numbers read and three written.
-void grid(benchmark::State& state)
-{
-    const auto n = static_cast<Index>(state.range(0));
-    const auto size = static_cast<Real>(n);
-    ShallowGrid water(n, n, 1, 1);
-    add_mound(water, 0.4 * size, 0.5 * size, 0.2 * size, 0.5);
-    Real best = infinity;
-    for ([[maybe_unused]] const auto& _ : state) {
-        const auto start = std::chrono::steady_clock::now();
-        step(water, 0.1);
-        best = std::min(best, std::chrono::duration<Real>(
-                                  std::chrono::steady_clock::now() - start)
-                                  .count());
-    }
-    const Real cells = size * size;
-    report(state, best * 1e6, 0, best * 1e9 / cells, 56 * cells / best * 1e-9);
-}
-BENCHMARK(grid)->Arg(100)->Arg(300)->Arg(1000)->Arg(3000)->Iterations(60);
-
-/// A boat, a duck and a raft in space: all but contacts and the water's own step.
-void solids(benchmark::State& state)
-{
-    SeaScene all = sea(static_cast<Index>(state.range(0)), 12, 1.2);
-    add_boat(all, -3, 1.5);
-    add_duck(all, 1.5, 2.6);
-    add_raft(all, 1.5, -2, 3, 2);
-    SolidFloating floating;
-    floating.displace(all.scene, all.water);
-    Real best = infinity;
-    for ([[maybe_unused]] const auto& _ : state) {
-        const auto start = std::chrono::steady_clock::now();
-        floating.find(all.scene, all.water);
-        floating.push(all.scene, all.water, 1.0 / 240);
-        best = std::min(best, std::chrono::duration<Real>(
-                                  std::chrono::steady_clock::now() - start)
-                                  .count());
-    }
-    report(state, best * 1e6, 0,
-           best * 1e9 / static_cast<Real>(floating.slices.size()), 0);
-}
-BENCHMARK(solids)->Arg(48)->Arg(96)->Iterations(40);
 
 void afloat(benchmark::State& state)
 {

@@ -2,7 +2,6 @@
 #include "chapters/28_waves/program/dispersion_run.hpp"
 #include "chapters/28_waves/program/pond_run.hpp"
 #include "chapters/28_waves/program/pool_run.hpp"
-#include "chapters/28_waves/program/sea_demos.hpp"
 
 int main(int argc, char** argv)
 {
@@ -13,8 +12,7 @@ int main(int argc, char** argv)
         program.title = "Chapter 28. Waves";
         program.scenes = {string_demo(), dispersion_demo(), pool_demo(),
                           dam_demo(),    boxes_demo(),      boat_demo(),
-                          raft_demo(),   duck_demo(),       sea_demo(),
-                          crates_demo()};
+                          raft_demo(),   duck_demo()};
         return program;
     };
     return run_program(make, argc, argv);

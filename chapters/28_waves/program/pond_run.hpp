@@ -20,7 +20,7 @@ public:
     PondRun(PondSetup setup, const Settings& settings)
         : all_(std::move(setup.pond)), watched_(setup.watched)
     {
-        floating_.settings = {settings["displace"] > 0, settings["drag"], 0.01};
+        floating_.settings = {settings["lid"], settings["drag"], 0.01};
         cover(all_.scene, {0.3, 0, 0, 0});
         still_ = all_.water.depth[0];
         floating_.displace(all_.scene, all_.water);
@@ -41,10 +41,11 @@ public:
 
     void step(const Settings& settings, const Input& input) override
     {
+        floating_.settings.lid = settings["lid"];
         floating_.settings.drag = settings["drag"];
-        const int parts =
-            std::max(1, static_cast<int>(std::ceil(
-                            settings.h / (0.9 * stable_step(all_.water)))));
+        const int parts = std::max(
+            1, static_cast<int>(std::ceil(
+                   settings.h / (0.9 * floating_.stable_step(all_.water)))));
         StepSettings how{.h = settings.h / parts};
         const bool on_body = input.pressed && hold(input.pointer, how);
         for (int n = 0; n < parts; ++n) {
@@ -126,8 +127,8 @@ inline Demo pond_demo(const std::string& name, const std::string& summary,
         tunables.end(),
         {{"waves", "m", "height of waves from the left wall", 0.1, 0, 0.5},
          {"period", "s", "of these waves", 2, 0.5, 10},
-         wave_number("displace", "", "1: bodies make waves; 0: they do not", 1, 0,
-                     1, Numbers::whole),
+         {"lid", "", "part of what a hull displaces that lifts the surface", 0.5, 0,
+          0.9},
          {"drag", "", "of what goes ahead", 1, 0, 10},
          wave_number("sponge", "1/s", "damping at the right end", 4, 0, 20)});
     Demo scene =
