@@ -277,8 +277,10 @@ TEST_CASE("the row of a contact is the derivative of its gap", "[idea]")
     Random random(11);
     for (int n = 0; n < 100; ++n) {
         SolidScene scene;
-        for (int k = 0; k < 2; ++k)
-            add_body(scene, {solid_box({1, 0.7, 0.4})}, 1.0, any_vector(random, 2), any_vector(random, 2));
+        for (int k = 0; k < 2; ++k) {
+            const Vec3 at = any_vector(random, 2), theta = any_vector(random, 2);
+            add_body(scene, {solid_box({1, 0.7, 0.4})}, 1.0, at, theta);
+        }
         const VecX& x0 = scene.bodies.x;
         SpaceContact contact;
         contact.a = n % 2 == 0 ? world : 0, contact.b = 1;

@@ -54,8 +54,8 @@ TEST_CASE(
     int apart = 0, overlapping = 0;
     for (int i = 0; i < 200; ++i) {
         const SolidForm fa = form_of(any_hull(random, 4 + i % 5)), fb = form_of(any_hull(random, 4 + i % 3));
-        const PlacedSolid a = placed(fa, {0, 0, 0}, any_vector(random, 2)),
-                          b = placed(fb, any_vector(random, 1.5), any_vector(random, 2));
+        const Vec3 theta_a = any_vector(random, 2), at = any_vector(random, 1.5), theta_b = any_vector(random, 2);
+        const PlacedSolid a = placed(fa, {0, 0, 0}, theta_a), b = placed(fb, at, theta_b);
         const small22::Solid sa = solid_of(a), sb = solid_of(b);
         const Nearest near = nearest_points(a, b);
         const small22::Nearest same = small22::nearest_points(sa, sb);
