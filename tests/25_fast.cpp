@@ -57,7 +57,7 @@ MovingSolid any_motion(Random& random, const std::vector<SolidForm>& forms, Real
 
 }  // namespace
 
-TEST_CASE("the gap of two solids never closes faster than (25.57)", "[house]")
+TEST_CASE("the gap of two solids never closes faster than (25.7)", "[house]")
 {
     Random random(3);
     SolidImpactMemory memory;

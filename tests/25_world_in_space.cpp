@@ -69,7 +69,7 @@ TEST_CASE("balls of a cradle that are apart hand their speed on to the last", "[
 
 TEST_CASE("balls that touch share the impact as the law of one instant has it", "[idea]")
 {
-    // (25.72): the first returns at 3/5 of its speed, and the four go together at 2/5
+    // (25.9): the first returns at 3/5 of its speed, and the four go together at 2/5
     SpaceScene scene = struck(1, 1, 0);
     TouchingCones method = bouncing(1);
     StepData<6> now;

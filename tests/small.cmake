@@ -1,7 +1,7 @@
 # The small programs (./book small N): each compiled alone as a reader does, without a warning, and held to the library.
 add_catch_tests(small small FILES tests/small/bodies.cpp tests/small/matrix.cpp tests/small/sweeps.cpp
                              tests/small/skipping.cpp tests/small/turning.cpp tests/small/jointed.cpp
-                             tests/small/soft_and_wide.cpp tests/small/engine_and_space.cpp tests/small/turning_in_space.cpp
+                             tests/small/soft_and_wide.cpp tests/small/islands_and_engine.cpp tests/small/turning_in_space.cpp tests/small/world_in_space.cpp
                              tests/small/solids_in_space.cpp
                              tests/small/ways.cpp
                              tests/small/cloth.cpp tests/small/waves.cpp tests/small/elastic.cpp tests/small/sentences.cpp)

@@ -2,7 +2,7 @@
 /// A car: a box on four wheels. One joint holds a wheel, up and down on a strut and around its axle: a slider and a
 /// hinge at once.
 ///
-///     strut   F = −k C − d Ċ      C the wheel's way up along the strut     (25.71)
+///     strut   F = −k C − d Ċ      C the wheel's way up along the strut     (25.10)
 #pragma once
 
 #include "chapters/21_joints_in_space/joint_makers.hpp"
@@ -30,7 +30,7 @@ struct Car {
 /// wheels, and joint i holds wheel i + 1.
 SpaceScene car_on_floor(const Car& car, Real mu);
 
-/// (25.71) of all struts, for a step of length h that comes after it. A step longer
+/// (25.10) of all struts, for a step of length h that comes after it. A step longer
 /// than 2 m/d of a wheel is unstable: with the values above, 1/42 s.
 void push_struts(SpaceScene& scene, const Car& car, Real h);
 

@@ -2,7 +2,7 @@
 /// Solids that go so far in a step that they could be on the other side of something: they are stopped on their way.
 ///
 ///     fast:   ‖Δc‖ + max ‖δ × p̄‖ > ½ ρ,   ρ the inner radius
-///     stopped at τ:   ω = I⁻¹ R(τ)ᵀ R(1) I ω,  the angular momentum stays;   v by (12.10)                (25.58)
+///     stopped at τ:   ω = I⁻¹ R(τ)ᵀ R(1) I ω,  the angular momentum stays;   v by (12.10)                (25.8)
 ///
 /// As in chapter 12, whose rounds for fast bodies among each other are used. What hangs on a joint is never stopped: that
 /// would tear it off.
@@ -34,7 +34,7 @@ struct FastSolids {
 //! [fast_solids]
 
 //! [put_back]
-/// (25.58) for the bodies that were stopped.
+/// (25.8) for the bodies that were stopped.
 template <class Motion>
 void put_back(Bodies<6>& bodies, Real h, const std::vector<Row<6>>& rows,
               const Motion& motion, FastSolids& fast)

@@ -1,10 +1,10 @@
 /// \file mesh_touch.hpp
 /// Where a solid touches a mesh: triangle by triangle, but as one surface.
 ///
-///     m pushes at p   ⟺   m·d ≤ 0 for all directions d in which the mesh goes on from p                  (25.93)
+///     m pushes at p   ⟺   m·d ≤ 0 for all directions d in which the mesh goes on from p                  (25.2)
 ///
-/// Each triangle answers as a flat solid with one face, collide(). An answer that (25.93) forbids is that of its face alone,
-/// for as much of the solid as lies over it, (25.94). What has one normal is one manifold, of four points.
+/// Each triangle answers as a flat solid with one face, collide(). An answer that (25.2) forbids is that of its face alone,
+/// for as much of the solid as lies over it, (25.3). What has one normal is one manifold, of four points.
 #pragma once
 
 #include "chapters/23_faces_that_touch/solid_touch.hpp"
@@ -18,9 +18,9 @@ namespace rigid {
 /// What becomes of an answer of a triangle.
 enum class Answer : unsigned char { stays, of_its_face, of_a_neighbour };
 
-/// (25.93) for a normal m of triangle t: at its corners that lie farthest along m,
+/// (25.2) for a normal m of triangle t: at its corners that lie farthest along m,
 /// one, two or all three. A triangle that may not push along m answers with its own
-/// normal, unless a neighbour's is nearer to m, (25.94).
+/// normal, unless a neighbour's is nearer to m, (25.3).
 Answer answer_of(const TriangleMesh& mesh, int t, const Vec3& m);
 
 /// Points with one normal, before four are chosen.

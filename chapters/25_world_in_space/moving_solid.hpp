@@ -1,8 +1,8 @@
 /// \file moving_solid.hpp
 /// When two solids that move and turn first come within a given distance: chapter 12's conservative advancement.
 ///
-///     c(τ) = c₀ + τ Δc,   R(τ) = R₀ exp(τ δ)                                                          (25.56)
-///     r = n·(Δc_a − Δc_b) + max ‖δ_a × p̄‖ + max ‖δ_b × p̄‖   over the corners p̄ of each                 (25.57)
+///     c(τ) = c₀ + τ Δc,   R(τ) = R₀ exp(τ δ)                                                          (25.6)
+///     r = n·(Δc_a − Δc_b) + max ‖δ_a × p̄‖ + max ‖δ_b × p̄‖   over the corners p̄ of each                 (25.7)
 #pragma once
 
 #include "chapters/12_contact_manifolds/time_of_impact.hpp"
@@ -13,7 +13,7 @@
 namespace rigid {
 
 //! [moving]
-/// A body on its way through a step, (25.56).
+/// A body on its way through a step, (25.6).
 struct MovingSolid {
     const std::vector<SolidForm>* forms = nullptr;
     Vec3 from = {0, 0, 0}, way = {0, 0, 0};  ///< of its centroid [m]
@@ -98,7 +98,7 @@ struct SolidImpactMemory {
 };
 
 //! [impact]
-/// (12.9) with (25.57).
+/// (12.9) with (25.7).
 inline Impact time_of_impact(const MovingSolid& a, const SolidForm& of_a,
                              const MovingSolid& b, const SolidForm& of_b,
                              Real target, Real tolerance, SolidImpactMemory& memory)

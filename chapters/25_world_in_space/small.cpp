@@ -1,224 +1,159 @@
-// Chapter 25 in one file, grown from chapter 20: solids that touch.
-// A block of J has six columns, angles are added as rotations, friction is a disc.
+// Chapter 25 in one file, grown from chapter 24: sweeps side by side.
+// What moves no body in common can change places: the same order, the same bits.
 //
-//     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
-//     corner on a wall: λ_n ≥ 0, w_n ≥ 0, λ_n w_n = 0,   ‖λ_t‖ ≤ μ λ_n, against w_t
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <cmath>
+//     level of a visit = 1 + the highest level so far of the bodies that it moves
+#include <Eigen/Core>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <numbers>
+#include <numeric>
 #include <vector>
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
-using Mat = Eigen::MatrixXd;
-using Rows = Eigen::Matrix<double, 3, 6>;  // along t1, t2 and n
 
-struct Contact {
-    int a, b, name;  // body b, a wall a: -1, -2, …, and which corner of b
-    Rows J;          // of body b, (23.3)
-    double C;        // gap [m]
-    Vector3d bias = {0, 0, 0}, lambda = {0, 0, 0};  // [m/s], [N s]
+struct Row {
+    int a, b;    // balls; b = -1: a wall
+    Vector3d n;  // from b to a
+    double bias, lambda = 0;
+    int level = 0;
 };
 
-struct Bodies {
-    Vec x, u, inverse_mass;  // six a body: x, rotation vector; v, ω; 1/m, 1/I
-    std::vector<Eigen::Matrix3Xd> corners;  // from the centroid, in its own axes
-    Mat walls;  // columns n, c: where n·p ≥ c it is free
-    double g = 9.81, mu = 0.5;
-    std::vector<Contact> contacts = {};  // of the last step
+struct Balls {
+    Vec x, u;  // three a ball; all of them 1 kg and of the radius 1/2
+    double g = 9.81;
 };
 
-// (20.6): the rotation of a rotation vector.
-Eigen::Quaterniond exp(const Vector3d& theta)
+// (25.1): the level of each row, in the order of the sweep.
+void find_levels(std::vector<Row>& rows, int balls)
 {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
-}
-
-// (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
-Vector3d add(const Vector3d& theta, const Vector3d& delta)
-{
-    const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
-    return sum.angle() * sum.axis();
-}
-
-// (20.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
-// momentum stays where it is, and the axes turn.
-Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
-{
-    const Vector3d L = omega.cwiseQuotient(inverse);
-    Vector3d xi = omega;
-    for (int n = 0; n < 20; ++n) xi = inverse.cwiseProduct(exp(-h / 2 * xi) * L);
-    omega = inverse.cwiseProduct(exp(-h * xi) * L);
-    return h * xi;
-}
-
-// Corners and walls, with gaps below 2 cm.
-std::vector<Contact> find_contacts(const Bodies& d)
-{
-    std::vector<Contact> found;
-    for (int b = 0; b < int(d.corners.size()); ++b)
-        for (int k = 0; k < d.corners[b].cols(); ++k)
-            for (int i = 0; i < d.walls.cols(); ++i) {
-                const Vector3d n = d.walls.col(i).head<3>();
-                const Vector3d r = d.corners[b].col(k);
-                const auto R = exp(d.x.segment<3>(6 * b + 3)).toRotationMatrix();
-                const double C =
-                    n.dot(d.x.segment<3>(6 * b) + R * r) - d.walls(3, i);
-                if (C >= 0.02) continue;
-                Eigen::Matrix3d D;  // t1, t2 and n as rows
-                D << n.unitOrthogonal(), n.cross(n.unitOrthogonal()), n;
-                D.transposeInPlace();
-                Eigen::Matrix3d cross;
-                cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-                Rows J;
-                J << D, -D * R * cross;
-                found.push_back({-1 - i, b, k, J, C});
-            }
-    return found;
-}
-
-// (24.2): the nearest point of the disc.
-Vector2d nearest(const Vector2d& lambda, double radius)
-{
-    return lambda.norm() > radius ? Vector2d(lambda * (radius / lambda.norm()))
-                                  : lambda;
-}
-
-// One visit: the disc of friction, (24.4), then the normal, (6.2) to (6.5).
-void visit(Contact& c, Bodies& d)
-{
-    auto u = d.u.segment<6>(6 * c.b);
-    const Rows W = c.J * d.inverse_mass.segment<6>(6 * c.b).asDiagonal();
-    const Eigen::Matrix3d A = W * c.J.transpose();
-    const Eigen::Matrix2d At = A.topLeftCorner<2, 2>();
-    const double half = At.trace() / 2;
-    const double L = half + std::sqrt(half * half - At.determinant());
-    const double radius = d.mu * c.lambda[2];
-    Vector3d w = c.J * u + c.bias, next = c.lambda;
-    next.head<2>() -= At.inverse() * w.head<2>();
-    if (next.head<2>().norm() > radius)
-        next.head<2>() = nearest(c.lambda.head<2>() - w.head<2>() / L, radius);
-    u += W.transpose() * (next - c.lambda);
-    w = c.J * u + c.bias;
-    const double push = std::max(0.0, next[2] - w[2] / A(2, 2)) - next[2];
-    u += W.row(2).transpose() * push;
-    next[2] += push;
-    c.lambda = next;
-}
-
-void step(Bodies& d, double h, double beta, int sweeps)
-{
-    const int K = d.corners.size();
-    for (int k = 0; k < K; ++k) d.u[6 * k + 2] -= d.g * h;  // u*, (3.4)
-    std::vector<Contact> contacts = find_contacts(d);
-    for (Contact& c : contacts) {
-        c.bias[2] = (c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
-        for (const Contact& old : d.contacts)  // its key is who touches whom, where
-            if (old.a == c.a && old.b == c.b && old.name == c.name) {
-                c.lambda = old.lambda;
-                d.u.segment<6>(6 * c.b) +=
-                    d.inverse_mass.segment<6>(6 * c.b).cwiseProduct(
-                        c.J.transpose() * c.lambda);
-            }
+    std::vector<int> highest(balls, 0);  // so far, of each ball
+    for (Row& row : rows) {
+        row.level = highest[row.a];
+        if (row.b >= 0) row.level = std::max(row.level, highest[row.b]);
+        highest[row.a] = ++row.level;
+        if (row.b >= 0) highest[row.b] = row.level;
     }
+}
+
+// One visit, (6.2) to (6.5).
+void visit(Row& row, Balls& d)
+{
+    auto ua = d.u.segment<3>(3 * row.a);
+    double w = row.n.dot(ua) + row.bias;
+    if (row.b >= 0) w -= row.n.dot(d.u.segment<3>(3 * row.b));
+    const double A = row.b >= 0 ? 2 : 1;
+    const double change = std::max(0.0, row.lambda - w / A) - row.lambda;
+    row.lambda += change;
+    ua += change * row.n;
+    if (row.b >= 0) d.u.segment<3>(3 * row.b) -= change * row.n;
+}
+
+// Balls that touch, and the sides of a pit: |x| and |y| up to 1.6, the floor at 0.
+std::vector<Row> find_rows(const Balls& d, double h)
+{
+    std::vector<Row> rows;
+    const int K = d.x.size() / 3;
+    const auto add = [&](int a, int b, const Vector3d& n, double gap) {
+        if (gap < 0.02) rows.push_back({a, b, n, (gap < 0 ? 0.2 : 1) * gap / h});
+    };
+    for (int a = 0; a < K; ++a) {
+        const Vector3d x = d.x.segment<3>(3 * a);
+        add(a, -1, {0, 0, 1}, x.z() - 0.5);
+        for (const int i : {0, 1})
+            for (const int side : {-1, 1})
+                add(a, -1, -side * Vector3d::Unit(i), 1.6 - side * x[i] - 0.5);
+        for (int b = 0; b < a; ++b) {
+            const Vector3d way = x - d.x.segment<3>(3 * b);
+            add(a, b, way.normalized(), way.norm() - 1);
+        }
+    }
+    return rows;
+}
+
+// A step. By levels the rows of one level are visited backwards: any order will do.
+std::vector<Row> step(Balls& d, double h, int sweeps, bool by_levels)
+{
+    for (int k = 0; k < d.u.size() / 3; ++k)
+        d.u[3 * k + 2] -= d.g * h;  // u*, (3.4)
+    std::vector<Row> rows = find_rows(d, h);
+    find_levels(rows, d.x.size() / 3);
+    std::vector<int> order(rows.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (by_levels)
+        std::sort(order.begin(), order.end(), [&rows](int i, int j) {
+            return rows[i].level != rows[j].level ? rows[i].level < rows[j].level
+                                                  : i > j;
+        });
     for (int n = 0; n < sweeps; ++n)
-        for (Contact& c : contacts) visit(c, d);
-    for (int k = 0; k < K; ++k) {
-        d.x.segment<3>(6 * k) += h * d.u.segment<3>(6 * k);  // (1.10)
-        Vector3d omega = d.u.segment<3>(6 * k + 3);
-        const Vector3d delta = turn(d.inverse_mass.segment<3>(6 * k + 3), omega, h);
-        d.x.segment<3>(6 * k + 3) = add(d.x.segment<3>(6 * k + 3), delta);
-        d.u.segment<3>(6 * k + 3) = omega;
-    }
-    d.contacts = contacts;
+        for (const int i : order) visit(rows[i], d);
+    d.x += h * d.u;  // (1.10)
+    return rows;
 }
 
-// A uniform box with the edges e at a place.
-void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
+// Layers of nine, a little beside each other.
+Balls poured(int count)
 {
-    for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
-        v->conservativeResize(6 * d.corners.size() + 6);
-    d.x.tail<6>() << at, 0, 0, 0;
-    d.u.tail<6>().setZero();
-    const Vector3d q = e.cwiseAbs2();
-    const Vector3d I = mass / 12 * Vector3d(q[1] + q[2], q[2] + q[0], q[0] + q[1]);
-    d.inverse_mass.tail<6>() << Vector3d::Constant(1 / mass), I.cwiseInverse();
-    d.corners.push_back(Eigen::Matrix3Xd(3, 8));
-    for (int k = 0; k < 8; ++k)
-        d.corners.back().col(k) << e[0] * ((k % 4 % 3 > 0) - 0.5),
-            e[1] * ((k / 2 % 2) - 0.5), e[2] * (k / 4 - 0.5);
-}
-
-double spin_energy(const Bodies& d)
-{
-    const Vector3d omega = d.u.segment<3>(3);
-    const Vector3d inverse = d.inverse_mass.segment<3>(3);
-    return omega.cwiseAbs2().cwiseQuotient(inverse).sum() / 2;
-}
-
-// A book of 0.7 kg that spins about its middle axis, with a wobble.
-Bodies book(double spin, double wobble)
-{
-    Bodies d{{}, {}, {}, {}, Mat(4, 0), 0};
-    add_box(d, {0.16, 0.24, 0.04}, 0.7, {0, 0, 1});
-    d.u.tail<3>() << spin, spin * wobble, spin * wobble;
+    Balls d{Vec(3 * count), Vec::Zero(3 * count)};
+    for (int k = 0; k < count; ++k)
+        d.x.segment<3>(3 * k) << 1.05 * (k % 3 - 1) + 0.01 * (k % 5),
+            1.05 * (k / 3 % 3 - 1) + 0.01 * (k % 7), 0.6 + 1.1 * (k / 9);
     return d;
+}
+
+// Five rows on four balls, of section 25.1.
+std::vector<Row> five_rows()
+{
+    std::vector<Row> rows;
+    for (const auto& [a, b] : {std::pair{0, -1}, {1, 0}, {2, -1}, {2, 1}, {3, -1}})
+        rows.push_back({a, b, {0, 0, 1}, 0});
+    find_levels(rows, 4);
+    return rows;
 }
 
 int main(int count, char** word)
 {
-    // By hand, section 20.1: the moments of a book, and when it turns over.
-    for (const double wobble : {0.1, 0.01}) {
-        Bodies d = book(1, wobble);
-        int n = 0;
-        for (; d.u[3] > 0; ++n) step(d, 0.001, 0, 0);
-        std::printf("I %.1f %.1f %.1f; wobble %g: over after %.2f turns\n",
-                    1e4 / d.inverse_mass[3], 1e4 / d.inverse_mass[4],
-                    1e4 / d.inverse_mass[5], wobble,
-                    n * 0.001 / 2 / std::numbers::pi);
+    const std::vector<Row> five = five_rows();
+    for (std::size_t i = 0; i < five.size(); ++i)
+        std::printf("row %zu: level %d\n", i + 1, five[i].level);
+    // Both orders, of a hundred balls that are poured.
+    Balls one_by_one = poured(100), side_by_side = one_by_one;
+    std::vector<Row> rows;
+    for (int n = 0; n < 240; ++n) {
+        step(one_by_one, 1.0 / 120, 30, false);
+        rows = step(side_by_side, 1.0 / 120, 30, true);
     }
-    Bodies middle = book(12, 0.1), first = middle;
-    const double E = spin_energy(middle);
-    for (int n = 0; n < 1600; ++n) {
-        step(middle, 0.005, 0, 0);
-        const Vector3d inverse = first.inverse_mass.tail<3>();
-        const Vector3d omega = first.u.tail<3>(), L = omega.cwiseQuotient(inverse);
-        first.u.tail<3>() -=
-            0.005 * inverse.cwiseProduct(omega.cross(L));  // (20.17)
-    }
-    std::printf("energy after 8 s: %.4f, explicit %.4f\n", spin_energy(middle) / E,
-                spin_energy(first) / E);
-    // Friction is a disc: a block slides as far in any direction, v²/(2 μ g).
-    for (const double degrees : {0.0, 30.0, 45.0}) {
-        Bodies d{{}, {}, {}, {}, Vec{{0, 0, 1, 0}}};
-        add_box(d, {1, 1, 0.2}, 1, {0, 0, 0.1});
-        const double a = degrees * std::numbers::pi / 180;
-        d.u.head<2>() << 2 * std::cos(a), 2 * std::sin(a);
-        for (int n = 0; n < 480; ++n) step(d, 1.0 / 240, 0.2, 20);
-        std::printf("%g degrees: %.4f m, %.4f degrees\n", degrees,
-                    d.x.head<2>().norm(),
-                    std::atan2(d.x[1], d.x[0]) * 180 / std::numbers::pi);
-    }
-    // The book falls on a floor.
-    std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
-    out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='300' stroke-width='0.008' viewBox='-0.25 -1.25 0.8 1.4'>\n";
-    Bodies d = book(12, 0.1);
-    d.walls = Vec{{0, 0, 1, 0}}, d.g = 9.81, d.u[0] = 0.7;
-    for (int n = 0; n <= 480; ++n, step(d, 1.0 / 240, 0.2, 20)) {
-        if (n % 24 || (n > 140 && n < 480)) continue;
-        const auto R = exp(d.x.tail<3>()).toRotationMatrix();
-        const Eigen::Matrix3Xd p = (R * d.corners[0]).colwise() + d.x.head<3>();
-        out << "<path stroke='" << (n < 480 ? "#4477AA" : "#CC3311") << "' d='";
-        for (const int k : {0, 1, 2, 3, 0, 4, 5, 6, 7, 4, 5, 1, 2, 6, 7, 3})
-            out << (k == 0 ? 'M' : 'L') << p(0, k) + 0.3 * p(1, k) << ' '
-                << -p(2, k) - 0.3 * p(1, k);
-        out << "'/>\n";
-    }
+    int levels = 0;
+    for (const Row& row : rows) levels = std::max(levels, row.level);
+    std::printf("%zu rows in %d levels; the same bits: %s\n", rows.size(), levels,
+                one_by_one.x == side_by_side.x && one_by_one.u == side_by_side.u
+                    ? "yes"
+                    : "no");
+    // The five rows in their order, and by levels.
+    std::ofstream out(count < 2 ? "" : word[1]);
+    out << "<svg xmlns='http://www.w3.org/2000/svg' width='560' "
+           "stroke-width='0.06' "
+           "stroke-linecap='round' viewBox='-0.8 -0.8 11.6 5.6'>\n";
+    for (const double right : {0.0, 6.0})
+        for (int k = 0; k < 4; ++k)
+            out << "<path stroke='#808080' stroke-dasharray='0.06 0.14' d='M"
+                << right + 1.3 * k << " -0.3V4.4'/>\n";
+    for (std::size_t i = 0; i < five.size(); ++i)
+        for (const bool by_levels : {false, true}) {
+            const Row& row = five[i];
+            const char* const colours[] = {"#4477AA", "#EE7733", "#CC3311"};
+            const double y = by_levels ? 1.6 * (row.level - 1) + 0.4 : double(i);
+            const double from =
+                (by_levels ? 6 : 0) + 1.3 * (row.b < 0 ? row.a : row.b);
+            const double to = (by_levels ? 6 : 0) + 1.3 * row.a;
+            out << "<g stroke='" << colours[row.level - 1] << "' fill='"
+                << colours[row.level - 1] << "'><path d='M" << from << ' ' << y
+                << 'H' << to << "'/>";
+            for (const double x : {from, to})
+                out << "<circle cx='" << x << "' cy='" << y << "' r='0.16'/>";
+            out << "<text stroke='none' font-family='sans-serif' font-size='0.42' "
+                   "x='"
+                << from - 0.55 << "' y='" << y + 0.15 << "'>" << i + 1
+                << "</text></g>\n";
+        }
     out << "</svg>\n";
-    std::printf("the book lies at z = %.4f m, fastest at %.1e\n", d.x[2],
-                d.u.cwiseAbs().maxCoeff());
 }

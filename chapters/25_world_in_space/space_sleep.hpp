@@ -1,7 +1,7 @@
 /// \file space_sleep.hpp
 /// Solids that rest sleep: chapters 10 and 12 with 6 in place of 2 and 3.
 ///
-///     at rest   ‖(v, ω r)‖ ≤ v_rest,  r = the way from the centroid to the farthest point       (10.7), (25.55)
+///     at rest   ‖(v, ω r)‖ ≤ v_rest,  r = the way from the centroid to the farthest point       (10.7), (25.5)
 #pragma once
 
 #include "chapters/12_contact_manifolds/awake_manifolds.hpp"
@@ -11,7 +11,7 @@
 namespace rigid {
 
 //! [measured]
-/// (25.55): no point of the body is faster than ‖v‖ + ‖ω‖ r. What has no hull has
+/// (25.5): no point of the body is faster than ‖v‖ + ‖ω‖ r. What has no hull has
 /// the size that its inertia needs.
 inline Vec<6> measured_velocity(const SpaceScene& scene, Index k, const Vec<6>& u)
 {

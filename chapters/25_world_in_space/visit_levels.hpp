@@ -1,7 +1,7 @@
 /// \file visit_levels.hpp
 /// Which visits of a sweep can be made side by side while the sweep stays the same to the bit.
 ///
-///     level of a visit = 1 + the highest level so far of the bodies that it moves                       (25.96)
+///     level of a visit = 1 + the highest level so far of the bodies that it moves                       (25.1)
 ///
 /// Visits of one level move no body in common, so none changes what another reads, and their order among each other makes
 /// no difference. Each comes after all visits that it follows on a body. So every body meets its rows in the order of the
@@ -57,7 +57,7 @@ struct VisitLevels {
         levels = 0;
     }
 
-    /// Cuts the rows of an island into runs, and gives each its level, (25.96).
+    /// Cuts the rows of an island into runs, and gives each its level, (25.1).
     /// \param first   the number of its first row among all
     /// \param bodies  what of them cannot move has no level
     void add(const ConeRows& rows, int island, std::size_t first,

@@ -1,12 +1,9 @@
-/// The small programs of chapters 18 to 25, islands, a world of boxes and bodies in space, beside the library.
+/// The small programs of chapters 18 and 19, islands and a world of boxes, beside the library.
 
 #include "tests/small/alone.hpp"
 
-#include "chapters/06_sequential_impulse/sequential_impulse.hpp"
 #include "chapters/18_islands/island_shape.hpp"
 #include "chapters/19_engine/world_scenes.hpp"
-#include "chapters/20_turning_in_space/tumbling.hpp"
-#include "chapters/24_friction_is_a_disc/friction_cone.hpp"
 #include "tests/catch.hpp"
 
 #define main small_main
@@ -15,9 +12,6 @@ namespace small18 {
 }
 namespace small19 {
 #include "chapters/19_engine/small.cpp"
-}
-namespace small25 {
-#include "chapters/25_world_in_space/small.cpp"
 }
 #undef main
 
@@ -204,66 +198,4 @@ TEST_CASE("the small program of chapter 19 names and wakes as a world of the lib
     d.x[0] += 1e-300;
     CHECK(small19::hash(again) != small19::hash(d));
     for (const int k : {0, 2, 3, 4}) CHECK(asleep(tower[std::size_t(k)].first.place));
-}
-
-TEST_CASE("the small program of chapter 25 has the numbers of the text and the library's to 1e-12")
-{
-    // Section 20.1.
-    small25::Bodies d = small25::book(12, 0.1);
-    const Vec3 I = d.inverse_mass.tail<3>().cwiseInverse();
-    CHECK((I - Vec3(34.5, 15.9, 48.5) * 1e-4).cwiseAbs().maxCoeff() < 0.05e-4);
-    for (const auto& [wobble, turns] : {std::pair{0.1, 0.74}, {0.01, 1.38}}) {
-        small25::Bodies slow = small25::book(1, wobble);
-        int n = 0;
-        for (; slow.u[3] > 0 && n < 20000; ++n) small25::step(slow, 0.001, 0, 0);
-        CHECK(n * 0.001 / (2 * pi) == Approx(turns).margin(0.005));
-    }
-    Vec3 theta(0, 0, 0), omega = d.u.tail<3>();
-    for (int n = 0; n < 100; ++n) {
-        small25::step(d, 0.005, 0, 0);
-        tumble(Tumbling::middle, I, 0.005, theta, omega);
-        REQUIRE((d.u.tail<3>() - omega).norm() < 1e-11);  // 12 rad/s, to 1e-12 of it
-        REQUIRE((d.x.tail<3>() - theta).norm() < 1e-12);
-    }
-}
-
-TEST_CASE(
-    "the small program of chapter 25 visits a point as the library does and stops alike in all directions")
-{
-    small25::Bodies d{{}, {}, {}, {}, VecX{{0, 0, 1, 0}}};
-    small25::add_box(d, {1, 0.8, 0.2}, 1, {0, 0, 0.1});
-    d.u << 2, 1, -0.3, 0.1, 0.2, 0.5;
-    std::vector<small25::Contact> contacts = small25::find_contacts(d);
-    REQUIRE(contacts.size() == 4);
-    VecX u = d.u;
-    std::vector<Row<6>> rows;
-    for (const small25::Contact& c : contacts)
-        for (const int i : {0, 1, 2}) {
-            Constraint<6> constraint;
-            constraint.a = world, constraint.b = 0;
-            constraint.Jb = c.J.row(i);
-            rows.push_back(bilateral(constraint, d.inverse_mass, 0));
-            if (i == 2) rows.back().lo = 0;
-        }
-    std::vector<SolverRow<6>> visited;
-    prepare<6>(rows, {}, VecX::Zero(Index(rows.size())), visited);
-    for (int n = 0; n < 100; ++n)
-        for (std::size_t k = 0; k < contacts.size(); ++k) {
-            visit_disc(disc_of_rows(visited, 3 * k), &visited[3 * k], d.mu * visited[3 * k + 2].lambda, u);
-            visit(visited[3 * k + 2], u);
-            small25::visit(contacts[k], d);
-            REQUIRE((d.u - u).cwiseAbs().maxCoeff() < 1e-12);
-        }
-    CHECK(contacts[0].lambda.head<2>().norm() > 0);
-
-    for (const Real angle : {0.0, pi / 6, pi / 4}) {
-        small25::Bodies block{{}, {}, {}, {}, VecX{{0, 0, 1, 0}}};
-        small25::add_box(block, {1, 1, 0.2}, 1, {0, 0, 0.1});
-        block.u.head<2>() << 2 * std::cos(angle), 2 * std::sin(angle);
-        for (int n = 0; n < 480; ++n) small25::step(block, 1.0 / 240, 0.2, 20);
-        // v²/(2 μ g), less half a step's way: symplectic Euler brakes first
-        CHECK(block.x.head<2>().norm() == Approx(2 / 9.81 * 2 - 2.0 / 480).margin(2e-4));
-        CHECK(std::atan2(block.x[1], block.x[0]) == Approx(angle).margin(2e-3));
-        CHECK(block.u.norm() < 1e-3);
-    }
 }
