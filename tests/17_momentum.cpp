@@ -97,7 +97,7 @@ TEST_CASE("λ and u belong together whatever momentum has done", "[idea]")
     CHECK(drift(WideSolver<3, float>{}) < 1e-12);
 }
 
-TEST_CASE("momentum finds what sweeps find, and where it gains nothing it loses little", "[idea]")
+TEST_CASE("momentum finds what sweeps find and loses little where it gains nothing", "[idea]")
 {
     Random random(17);
     int more = 0;

@@ -260,7 +260,7 @@ TEST_CASE("a ball that falls and is stopped has the energy of its height", "[hou
 
 TEST_CASE("where nothing is fast nothing is looked for and the bits are the same", "[house]")
 {
-    for (const SpaceScene& start : {box_stack(4, 0.1, 0.5), block_on_slope(10, 0.3, 0.1)}) {
+    for (const auto& start : {box_stack(4, 0.1, 0.5), block_on_slope(10, 0.3, 0.1)}) {
         SpaceScene scene = start, other = start;
         TouchingCones method = stopping(), none;
         StepData<6> now;

@@ -241,7 +241,8 @@ TEST_CASE("points are as far from a mesh as from the solid that it is the surfac
     Random random(8);
     int outside = 0;
     for (int n = 0; n < 500; ++n) {
-        const Vec3 p(random.uniform(-1.5, 1.5), random.uniform(-1, 1), random.uniform(-1.2, 1.2));
+        const Real x = random.uniform(-1.5, 1.5), y = random.uniform(-1, 1), z = random.uniform(-1.2, 1.2);
+        const Vec3 p(x, y, z);
         const ClothGap here = gap_to(*mesh, p, 3, stack, near), there = gap_to(box, p);
         CHECK(here.gap == Approx(there.gap).margin(1e-12));
         outside += there.gap > 0;

@@ -65,8 +65,7 @@ struct WideSolver : PlainSolver {
     int pass = 20;
     /// sweeps go further where they go on in one direction, (17.11)
     bool momentum = false;
-    /// to break it: all bundles have one colour
-    bool careless = false;
+    bool careless = false;  ///< to break it: all bundles have one colour
 
     // What is kept from step to step.
     Bundles bundles;

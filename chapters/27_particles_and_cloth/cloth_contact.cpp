@@ -73,19 +73,19 @@ void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
             const Vec3 p = x.segment<3>(3 * i) - v;
             const Vec3 local = axes.transpose() * (p - centre);
             // through a mesh a particle may have come as far as it has moved
-            const ClothGap near =
+            const ClothGap here =
                 shape.shape == ClothSolid::Shape::mesh
                     ? gap_to(*shape.mesh, local,
                              margin + cloth.thickness +
                                  (p - x0.segment<3>(3 * i)).norm(),
-                             stack, this->near)
+                             stack, near)
                     : gap_to(shape, local);
-            const Real gap = near.gap - cloth.thickness;
+            const Real gap = here.gap - cloth.thickness;
             if (!(gap < margin)) continue;
             ClothContact c;
             c.particle = i, c.solid = s;
-            c.normal = axes * near.normal;
-            c.arm = p - near.gap * c.normal - centre;
+            c.normal = axes * here.normal;
+            c.arm = p - here.gap * c.normal - centre;
             c.offset = c.normal.dot(p) - gap;
             c.from = x0.segment<3>(3 * i);
             c.A = c.At = w;

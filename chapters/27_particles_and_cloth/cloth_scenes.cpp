@@ -10,7 +10,7 @@ namespace rigid {
 
 namespace cloth_parts {
 
-const Vec3 right(1, 0, 0), down(0, -1, 0), near(0, 0, 1);
+const Vec3 right(1, 0, 0), down(0, -1, 0), forwards(0, 0, 1);
 
 SheetSpec square_sheet(int squares, Real side, Real stiffness, Real bending)
 {
@@ -46,7 +46,7 @@ ClothScene hung_masses(int masses, Real stiffness)
 ClothScene hung_sheet(int squares, Real stiffness, Real bending)
 {
     ClothScene cloth;
-    add_sheet(cloth, {-0.5, 0, 0}, right, near,
+    add_sheet(cloth, {-0.5, 0, 0}, right, forwards,
               square_sheet(squares, 1, stiffness, bending));
     pin(cloth, 0), pin(cloth, squares);
     return cloth;
@@ -79,7 +79,7 @@ ClothScene clamped_strip(int segments, int rows, Bending how, bool alternate,
     spec.stiffness = spec.shear = 1e6 * segments;
     spec.bending = 1 / (rows * l);
     spec.how = how, spec.alternate = alternate;
-    add_sheet(cloth, {-l, 0, 0}, right, near, spec);
+    add_sheet(cloth, {-l, 0, 0}, right, forwards, spec);
     for (int j = 0; j <= rows; ++j)
         for (const int i : {0, 1}) pin(cloth, i + (segments + 2) * j);
     const auto at_wall = [&](int p) {
@@ -131,7 +131,7 @@ ClothScene sheet_on_ball(int squares, Real side, Real stiffness, Real friction,
     ball.radius = 0.5, ball.friction = friction;
     add_solid(cloth, ball, 0, {0, 0, 0});
     cloth.solids.u.segment<3>(3) << 0, spin, 0;
-    add_sheet(cloth, {-side / 2, 0.52, -side / 2}, right, near,
+    add_sheet(cloth, {-side / 2, 0.52, -side / 2}, right, forwards,
               square_sheet(squares, side, stiffness, 0));
     cloth.thickness = 0.005;
     cloth.drag = 0.5;
@@ -148,7 +148,7 @@ ClothScene tablecloth(int squares, Real stiffness, Real friction)
     table.friction = floor.friction = friction;
     add_solid(cloth, table, 0, {0, 0.4, 0});
     add_solid(cloth, floor, 0, {0, 0, 0});
-    add_sheet(cloth, {-0.8, 0.9, -0.8}, right, near,
+    add_sheet(cloth, {-0.8, 0.9, -0.8}, right, forwards,
               square_sheet(squares, 1.6, stiffness, 1e-4));
     cloth.thickness = 0.005;
     cloth.drag = 0.5;
@@ -161,7 +161,7 @@ ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
     ClothScene cloth;
     SheetSpec spec = square_sheet(squares, 2, stiffness, 0);
     spec.shear = stiffness / 10;
-    add_sheet(cloth, {-1, 0, -1}, right, near, spec);
+    add_sheet(cloth, {-1, 0, -1}, right, forwards, spec);
     for (int j = 0; j <= squares && pinned; ++j)
         for (int i = 0; i <= squares; ++i)
             if (i == 0 || j == 0 || i == squares || j == squares)
@@ -205,7 +205,7 @@ ClothScene sheet_on_mesh(int squares, Real side, Real stiffness, Real friction)
         return 0.3 * sin(2.5 * x) * cos(2 * z);
     });
     add_solid(cloth, ground, 0, {0, 0, 0});
-    add_sheet(cloth, {-side / 2, 0.4, -side / 2}, right, near,
+    add_sheet(cloth, {-side / 2, 0.4, -side / 2}, right, forwards,
               square_sheet(squares, side, stiffness, 1e-4));
     cloth.thickness = 0.005;
     cloth.drag = 0.5;
@@ -218,7 +218,7 @@ ClothScene rope_bridge(int squares, Real stiffness, Real mass)
     SheetSpec spec = square_sheet(squares, 4, stiffness, 0);
     spec.rows = std::max(1, 3 * squares / 20);
     spec.density = 4;
-    add_sheet(cloth, {-2, 0, -0.3}, right, near, spec);
+    add_sheet(cloth, {-2, 0, -0.3}, right, forwards, spec);
     for (int j = 0; j <= spec.rows; ++j) {
         pin(cloth, (squares + 1) * j);
         pin(cloth, (squares + 1) * j + squares);

@@ -143,7 +143,7 @@ inline std::vector<std::string> order_table(const std::vector<WayScene>& scenes)
                 else {
                     char text[16];
                     std::snprintf(text, sizeof text, "%.1f",
-                                  std::log2(coarse / fine));
+                                  rigid::log2(coarse / fine));
                     word = text;
                 }
             }

@@ -2,7 +2,7 @@
 /// One scene of tetrahedra under one of this chapter's laws.
 #pragma once
 
-#include "chapters/20_turning_in_space/program/solid_picture.hpp"
+#include "chapters/25_world_in_space/program/space_picture.hpp"
 #include "chapters/29_elastic_bodies/elastic_space_scenes.hpp"
 #include "chapters/29_elastic_bodies/program/elastic_run.hpp"
 
@@ -13,7 +13,7 @@
 
 namespace rigid {
 
-struct SolidSetup {
+struct ElasticSetup {
     ElasticSpace scene;
     Camera camera;
     Real ground = 0;  ///< half the side of the floor that is drawn [m]; 0: none
@@ -32,7 +32,7 @@ inline Vec3 middle_of(const ElasticBody<3>& body)
 
 class ElasticSpaceRun : public Run {
 public:
-    ElasticSpaceRun(SolidSetup setup, const Settings& settings)
+    ElasticSpaceRun(ElasticSetup setup, const Settings& settings)
         : setup_(std::move(setup)),
           triangles_(surface_triangles(setup_.scene.elastic.model.mesh()))
     {
@@ -86,7 +86,7 @@ public:
         }
         SolidPicture picture(camera_, Skin::opaque);
         if (setup_.ground > 0) picture.ground(setup_.ground, 0);
-        for (const auto& mesh : scene.meshes) picture.mesh(*mesh);
+        for (const auto& mesh : scene.meshes) draw_mesh(picture, *mesh);
         for (Index k = 0; k < scene.bodies.count(); ++k)
             for (const Hull& hull : scene.shapes[static_cast<std::size_t>(k)])
                 picture.hull(hull, centre_of(scene.bodies.x, k),
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    SolidSetup setup_;
+    ElasticSetup setup_;
     ElasticSolids contacts_;
     std::vector<std::array<int, 3>> triangles_;
     Camera camera_;
@@ -110,7 +110,7 @@ private:
 inline Demo solid_demo(const std::string& name, const std::string& summary,
                        const View& view, Real h, std::vector<std::string> methods,
                        std::vector<Tunable> tunables, std::vector<Column> columns,
-                       std::function<SolidSetup(const Settings&)> setup)
+                       std::function<ElasticSetup(const Settings&)> setup)
 {
     tunables.push_back(
         {"camera", "°", "where the eye is, around the scene", 0, -180, 180});
