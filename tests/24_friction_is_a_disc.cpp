@@ -82,9 +82,9 @@ TEST_CASE("J of a contact is the derivative of its gap and of its slide", "[idea
         const Vec3 of_a = fixed(contact.a), of_b = fixed(1), t1 = across(contact.normal);
         for (const int part : {push_part, int{first_tangent}, int{second_tangent}}) {
             const Vec3 t = part == first_tangent ? t1 : cross(contact.normal, t1);
-            const Constraint<6> c =
-                part == push_part ? push_constraint(contact, here)
-                                  : drag_constraint(contact, here, static_cast<SpacePart>(part), 0);
+            const Constraint<6> c = part == push_part
+                                        ? push_constraint(contact, here)
+                                        : drag_constraint(contact, here, static_cast<SpacePart>(part), 0);
             for (Index k = 0; k < 12; ++k) {
                 const auto value = [&](Real d) {
                     VecX x = scene.bodies.x;

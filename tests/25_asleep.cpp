@@ -65,7 +65,8 @@ SpaceScene two_stacks(int boxes)
 
 TEST_CASE("a stack and a heap and solids hung on joints come to rest and then cost nothing", "[house]")
 {
-    for (SpaceScene scene : {SpaceScene(box_stack(6, 0.1, 0.5)), SpaceScene(mixed_heap(30, 0.5, 3)), hung_boxes()}) {
+    for (SpaceScene scene :
+         {SpaceScene(box_stack(6, 0.1, 0.5)), SpaceScene(mixed_heap(30, 0.5, 3)), hung_boxes()}) {
         SleepingCones method;
         if (!scene.joints.empty()) method = exact_sleep();
         StepData<6> now;
@@ -85,7 +86,8 @@ TEST_CASE("a stack and a heap and solids hung on joints come to rest and then co
 
 TEST_CASE("a step of solids has the bits of one that lets none sleep until the first falls asleep", "[house]")
 {
-    for (SpaceScene scene : {SpaceScene(box_stack(4, 0.1, 0.5)), SpaceScene(mixed_heap(12, 0.5, 5)), hung_boxes()}) {
+    for (SpaceScene scene :
+         {SpaceScene(box_stack(4, 0.1, 0.5)), SpaceScene(mixed_heap(12, 0.5, 5)), hung_boxes()}) {
         SpaceScene other = scene;
         SleepingCones method;
         TouchingCones awake;

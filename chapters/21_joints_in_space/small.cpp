@@ -14,9 +14,9 @@ using Vec = Eigen::VectorXd;
 using Six = Eigen::Matrix<double, 6, 1>;
 
 struct Joint {
-    int a, b;                      // bodies; a = -1: the world
-    Vector3d at_a, at_b;           // its point in either body's axes
-    Quaterniond from_a, to_b;      // from the joint's axes to those of the body
+    int a, b;                  // bodies; a = -1: the world
+    Vector3d at_a, at_b;       // its point in either body's axes
+    Quaterniond from_a, to_b;  // from the joint's axes to those of the body
     Six lo, hi;                // of x, y, z, twist, swing y, swing z
     int motor = -1;            // which of these it drives
     double speed = 0, force = 0;
@@ -173,9 +173,14 @@ Joint join(const Bodies& d, int a, int b, const Vector3d& at, const Vector3d& ax
     const auto [xa, qa] = place(d, a);
     const auto [xb, qb] = place(d, b);
     const auto frame = Quaterniond::FromTwoVectors(Vector3d::UnitX(), axis);
-    const Six any = Six::Constant(INFINITY);
-    Joint joint{a, b, qa.conjugate() * (at - xa), qb.conjugate() * (at - xb),
-                qa.conjugate() * frame, qb.conjugate() * frame, -any, any};
+    Joint joint{a,
+                b,
+                qa.conjugate() * (at - xa),
+                qb.conjugate() * (at - xb),
+                qa.conjugate() * frame,
+                qb.conjugate() * frame,
+                Six::Constant(-INFINITY),
+                Six::Constant(INFINITY)};
     for (const int i : locked) joint.lo[i] = joint.hi[i] = 0;
     return joint;
 }

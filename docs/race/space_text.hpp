@@ -10,8 +10,8 @@
 ///      "gravity": […]}
 #pragma once
 
-#include "chapters/25_world_in_space/benchmark/peer_shapes.hpp"
 #include "chapters/21_joints_in_space/joint_makers.hpp"
+#include "chapters/25_world_in_space/benchmark/peer_shapes.hpp"
 #include "docs/race/texts.hpp"
 
 namespace rigid::race {

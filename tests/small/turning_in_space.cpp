@@ -65,7 +65,7 @@ TEST_CASE("the small program of chapter 21 measures a joint as the library does"
     small21::Bodies d{{}, {}, {}, 0};
     JointedSolids scene;
     for (const auto& [at, theta] : {std::pair{Vec3(0.1, 0.2, -0.3), Vec3(0.4, -0.9, 0.3)},
-                                   {Vec3(1.2, -0.4, 0.5), Vec3(-0.2, 0.6, 1.1)}}) {
+                                    {Vec3(1.2, -0.4, 0.5), Vec3(-0.2, 0.6, 1.1)}}) {
         small21::add_box(d, {1, 2, 3}, 6, at);
         d.x.tail<3>() = theta;
         add_body(scene, {solid_box({1, 2, 3})}, 1.0, at);
@@ -79,8 +79,7 @@ TEST_CASE("the small program of chapter 21 measures a joint as the library does"
         moved.x += VecX::LinSpaced(12, -0.2, 0.3);
         for (int i = 0; i < 6; ++i) {
             const small21::Row row = small21::coordinate(moved, joint, i);
-            const Constraint<6> c =
-                coordinate_of(frames_of(moved.x, same), same, static_cast<Coordinate>(i));
+            const Constraint<6> c = coordinate_of(frames_of(moved.x, same), same, static_cast<Coordinate>(i));
             CHECK(row.C == Approx(c.C).margin(1e-12));
             CHECK((row.Jb.transpose() - c.Jb).norm() < 1e-12);
             if (a >= 0) CHECK((row.Ja.transpose() - c.Ja).norm() < 1e-12);

@@ -36,14 +36,16 @@ void steps(benchmark::State& state)
         step(scene, {.h = 1.0 / 240}, method, now);
         visits += now.visits, ++count;
     }
-    state.counters["visits"] =
-        static_cast<Real>(visits) / static_cast<Real>(count);
+    state.counters["visits"] = static_cast<Real>(visits) / static_cast<Real>(count);
 }
 
 }  // namespace
 
 BENCHMARK(rows)->RangeMultiplier(4)->Range(4, 64);
-BENCHMARK_TEMPLATE(steps, SpaceExact)->Name("exact")->RangeMultiplier(4)->Range(4, 64);
+BENCHMARK_TEMPLATE(steps, SpaceExact)
+    ->Name("exact")
+    ->RangeMultiplier(4)
+    ->Range(4, 64);
 BENCHMARK_TEMPLATE(steps, SpaceIslands)
     ->Name("islands")
     ->RangeMultiplier(4)

@@ -47,8 +47,8 @@ namespace {
 void begin(benchmark::State& state)
 {
     for (const char* const name :
-         {"us_step", "overlap", "gap", "over", "gained",
-          "crept", "moved", "visits", "guesses", "unsolved"})
+         {"us_step", "overlap", "gap", "over", "gained", "crept", "moved", "visits",
+          "guesses", "unsolved"})
         state.counters[name] = std::numeric_limits<Real>::quiet_NaN();
 }
 

@@ -2,8 +2,8 @@
 /// One scene of cloth, under one of this chapter's methods.
 #pragma once
 
-#include "chapters/22_distance_of_solids/convex_hull.hpp"
 #include "chapters/20_turning_in_space/program/solid_picture.hpp"
+#include "chapters/22_distance_of_solids/convex_hull.hpp"
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
 #include "chapters/27_particles_and_cloth/cloth_step.hpp"
 #include "common/program/demo_of.hpp"
