@@ -13,7 +13,7 @@
 
 namespace rigid {
 
-struct ElasticSetup {
+struct ElasticSpaceSetup {
     ElasticSpace scene;
     Camera camera;
     Real ground = 0;  ///< half the side of the floor that is drawn [m]; 0: none
@@ -32,7 +32,7 @@ inline Vec3 middle_of(const ElasticBody<3>& body)
 
 class ElasticSpaceRun : public Run {
 public:
-    ElasticSpaceRun(ElasticSetup setup, const Settings& settings)
+    ElasticSpaceRun(ElasticSpaceSetup setup, const Settings& settings)
         : setup_(std::move(setup)),
           triangles_(surface_triangles(setup_.scene.elastic.model.mesh()))
     {
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    ElasticSetup setup_;
+    ElasticSpaceSetup setup_;
     ElasticSolids contacts_;
     std::vector<std::array<int, 3>> triangles_;
     Camera camera_;
@@ -110,7 +110,7 @@ private:
 inline Demo solid_demo(const std::string& name, const std::string& summary,
                        const View& view, Real h, std::vector<std::string> methods,
                        std::vector<Tunable> tunables, std::vector<Column> columns,
-                       std::function<ElasticSetup(const Settings&)> setup)
+                       std::function<ElasticSpaceSetup(const Settings&)> setup)
 {
     tunables.push_back(
         {"camera", "°", "where the eye is, around the scene", 0, -180, 180});

@@ -327,12 +327,13 @@ Demo solid_ball_demo()
         {{"x", "m", "of its centre", Plot::linear},
          {"y", "m", "of its centre", Plot::linear}},
         [](const Settings& settings) {
-            ElasticSetup setup{soft_ball_scene(law_of(settings), settings["young"],
-                                               settings["slope"], settings["mu"]),
-                               {{0, 0, 0}, 7, 0.3, 0.15},
-                               0,
-                               {},
-                               {}};
+            ElasticSpaceSetup setup{
+                soft_ball_scene(law_of(settings), settings["young"],
+                                settings["slope"], settings["mu"]),
+                {{0, 0, 0}, 7, 0.3, 0.15},
+                0,
+                {},
+                {}};
             setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
                 const Vec3 p = middle_of(s.elastic);
                 return {p.x(), p.y()};
@@ -343,47 +344,47 @@ Demo solid_ball_demo()
 
 Demo solid_jelly_demo()
 {
-    return solid_demo("jelly_in_space", "Jelly falls down stairs of triangles",
-                      {{0.1, -0.1}, {1.3, 0.9}}, 1.0 / 120,
-                      {"neo_hookean", "corotational"}, {modulus(2e4)},
-                      {{"x", "m", "of its centre", Plot::linear},
-                       {"y", "m", "of its centre", Plot::linear}},
-                      [](const Settings& settings) {
-                          ElasticSetup setup{space_jelly_scene(law_of(settings),
-                                                               settings["young"]),
-                                             {{0.4, 0.6, 0}, 6, 0.6, 0.35},
-                                             0,
-                                             {},
-                                             {}};
-                          setup.measure =
-                              [](const ElasticSpace& s) -> std::vector<Real> {
-                              const Vec3 p = middle_of(s.elastic);
-                              return {p.x(), p.y()};
-                          };
-                          return setup;
-                      });
+    return solid_demo(
+        "jelly_in_space", "Jelly falls down stairs of triangles",
+        {{0.1, -0.1}, {1.3, 0.9}}, 1.0 / 120, {"neo_hookean", "corotational"},
+        {modulus(2e4)},
+        {{"x", "m", "of its centre", Plot::linear},
+         {"y", "m", "of its centre", Plot::linear}},
+        [](const Settings& settings) {
+            ElasticSpaceSetup setup{
+                space_jelly_scene(law_of(settings), settings["young"]),
+                {{0.4, 0.6, 0}, 6, 0.6, 0.35},
+                0,
+                {},
+                {}};
+            setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
+                const Vec3 p = middle_of(s.elastic);
+                return {p.x(), p.y()};
+            };
+            return setup;
+        });
 }
 
 Demo fingers_demo()
 {
-    return solid_demo("fingers", "Soft fingers in space lift a box",
-                      {{0, 0}, {0.9, 0.7}}, 1.0 / 60, turning,
-                      {modulus(5e4), number("mass", "kg", "of the box", 8, 1, 100)},
-                      {{"height", "m", "of the box", Plot::linear}},
-                      [](const Settings& settings) {
-                          ElasticSetup setup{soft_fingers_scene(law_of(settings),
-                                                                settings["young"],
-                                                                settings["mass"]),
-                                             {{0, 0.4, 0}, 4, 0.5, 0.3},
-                                             1,
-                                             {},
-                                             move_fingers};
-                          setup.measure =
-                              [](const ElasticSpace& s) -> std::vector<Real> {
-                              return {s.bodies.x[1]};
-                          };
-                          return setup;
-                      });
+    return solid_demo(
+        "fingers", "Soft fingers in space lift a box", {{0, 0}, {0.9, 0.7}},
+        1.0 / 60, turning,
+        {modulus(5e4), number("mass", "kg", "of the box", 8, 1, 100)},
+        {{"height", "m", "of the box", Plot::linear}},
+        [](const Settings& settings) {
+            ElasticSpaceSetup setup{soft_fingers_scene(law_of(settings),
+                                                       settings["young"],
+                                                       settings["mass"]),
+                                    {{0, 0.4, 0}, 4, 0.5, 0.3},
+                                    1,
+                                    {},
+                                    move_fingers};
+            setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
+                return {s.bodies.x[1]};
+            };
+            return setup;
+        });
 }
 
 Demo mattress_demo()
@@ -393,12 +394,13 @@ Demo mattress_demo()
         turning, {modulus(4e4), number("mass", "kg", "of the box", 12, 1, 100)},
         {{"height", "m", "of the box", Plot::linear}},
         [](const Settings& settings) {
-            ElasticSetup setup{mattress_scene(law_of(settings), settings["young"],
-                                              settings["mass"]),
-                               {{0, 0.2, 0}, 3, 0.6, 0.4},
-                               0.6,
-                               {},
-                               {}};
+            ElasticSpaceSetup setup{mattress_scene(law_of(settings),
+                                                   settings["young"],
+                                                   settings["mass"]),
+                                    {{0, 0.2, 0}, 3, 0.6, 0.4},
+                                    0.6,
+                                    {},
+                                    {}};
             setup.measure = [](const ElasticSpace& s) -> std::vector<Real> {
                 return {s.bodies.x[1]};
             };
