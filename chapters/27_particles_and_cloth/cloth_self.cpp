@@ -36,7 +36,7 @@ std::array<Vec3, 4> corners(const ClothParts& parts, const VecX& x)
 
 }  // namespace cloth_self
 
-using cloth_self::at, cloth_self::corners, cloth_self::farthest;
+using namespace cloth_self;
 
 //! [nearest]
 ClothNear nearest(const std::array<Vec3, 4>& x, bool edges)
