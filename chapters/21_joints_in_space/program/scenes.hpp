@@ -3,37 +3,10 @@
 #pragma once
 
 #include "chapters/21_joints_in_space/gyroscope.hpp"
+#include "chapters/21_joints_in_space/program/hung_demo.hpp"
 #include "chapters/21_joints_in_space/program/space_run.hpp"
 
 namespace rigid {
-
-/// A chain that swings: energy, joints, and rows visited.
-/// \param make      the scene and how it is looked at
-/// \param tunables  of the scene; those of the step are added
-inline Demo hung_demo(const std::string& name, const std::string& summary,
-                      const View& view,
-                      const std::function<JointSetup(const Settings&)>& make,
-                      const std::vector<Tunable>& tunables)
-{
-    Demo scene = joint_demo(
-        name, summary, view, 1.0 / 240, {"exact", "islands"},
-        [make](const Settings& settings) {
-            JointSetup setup = make(settings);
-            setup.measure = [](const JointState& s) -> std::vector<Real> {
-                return {energy(s.scene) - s.energy, largest_joint_error(s.scene),
-                        static_cast<Real>(s.now.visits)};
-            };
-            return setup;
-        });
-    scene.tunables.insert(scene.tunables.end(), tunables.begin(), tunables.end());
-    scene.tunables.push_back(
-        {"substeps", "", "parts of a step", 4, 1, 64, Numbers::whole});
-    scene.columns = {
-        {"energy_error", "J", "energy minus that of the start", Plot::linear},
-        {"joint_error", "m", "largest of a locked coordinate", Plot::logarithmic},
-        {"visits", "", "rows visited", Plot::linear}};
-    return scene;
-}
 
 inline Demo top_scene()
 {
@@ -74,7 +47,7 @@ inline Demo top_scene()
 
 inline Demo chain_scene()
 {
-    return hung_demo(
+    return hung_demo<JointedSolids, JointSteps>(
         "chain",
         "Rods on ball joints and constant-velocity joints swing out of the plane",
         {{0, -1.6}, {4.6, 3.2}},
@@ -166,7 +139,7 @@ inline Demo gyroscope_scene()
 
 inline Demo plates_scene()
 {
-    return hung_demo(
+    return hung_demo<JointedSolids, JointSteps>(
         "plates", "Plates on hinges swing in one plane, however they are pushed",
         {{0, 0}, {6.4, 4.8}},
         [](const Settings& settings) {

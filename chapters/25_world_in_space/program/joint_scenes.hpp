@@ -2,9 +2,9 @@
 /// What hangs and touches: Newton's cradle, and a chain with a heavy end.
 #pragma once
 
+#include "chapters/21_joints_in_space/program/hung_demo.hpp"
 #include "chapters/24_friction_is_a_disc/program/touch_scenes.hpp"
 #include "chapters/25_world_in_space/cradle.hpp"
-#include "chapters/25_world_in_space/program/hung_demo.hpp"
 #include "chapters/25_world_in_space/program/space_run.hpp"
 
 namespace rigid {
@@ -58,7 +58,7 @@ inline Demo cradle_scene()
 
 inline Demo heavy_scene()
 {
-    Demo scene = hung_demo(
+    Demo scene = hung_demo<SpaceScene, SpaceSteps>(
         "heavy_end", "A chain of light links with a heavy ball at its end",
         {{0, 0}, {7.2, 5.4}},
         [](const Settings& settings) {

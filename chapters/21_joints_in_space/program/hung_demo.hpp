@@ -1,23 +1,27 @@
 /// \file hung_demo.hpp
-/// A chain that swings: energy, joints, and rows visited.
+/// A chain that swings: energy, joints, and rows visited; for the methods of chapter 21 and of those after it.
 #pragma once
 
-#include "chapters/25_world_in_space/program/space_run.hpp"
+#include "chapters/20_turning_in_space/program/solid_run.hpp"
+#include "chapters/21_joints_in_space/joint_coordinates.hpp"
 
 namespace rigid {
 
+/// A chain that swings: energy, joints, and rows visited.
+/// \tparam Steps   the methods of its chapter
 /// \param make      the scene and how it is looked at
 /// \param tunables  of the scene; those of the step are added
-inline Demo hung_demo(const std::string& name, const std::string& summary,
-                      const View& view,
-                      const std::function<SpaceSetup(const Settings&)>& make,
-                      const std::vector<Tunable>& tunables)
+template <class Scene, class Steps>
+Demo hung_demo(const std::string& name, const std::string& summary,
+               const View& view,
+               const std::function<SolidSetup<Scene>(const Settings&)>& make,
+               const std::vector<Tunable>& tunables)
 {
-    Demo scene = space_demo(
+    Demo scene = solid_demo<Scene, Steps>(
         name, summary, view, 1.0 / 240, {"exact", "islands"},
         [make](const Settings& settings) {
-            SpaceSetup setup = make(settings);
-            setup.measure = [](const SpaceState& s) -> std::vector<Real> {
+            SolidSetup<Scene> setup = make(settings);
+            setup.measure = [](const SolidState<Scene>& s) -> std::vector<Real> {
                 return {energy(s.scene) - s.energy, largest_joint_error(s.scene),
                         static_cast<Real>(s.now.visits)};
             };
