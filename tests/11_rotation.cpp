@@ -836,7 +836,7 @@ TEST_CASE("a wall without direction and a shape that was spoilt are refused with
     CHECK(stepped() == "the offset of wall 1 is nan; it must be finite");
     scene.walls.clear();
     CHECK_NOTHROW(require_valid(scene));
-    // A step does not look at shapes each time: whoever changes one calls require_valid(scene).
+    // A step does not look at shapes each time: code that changes one calls require_valid(scene).
     scene.shapes[0].radius = -1;
     CHECK(sentence_of([&] { require_valid(scene); }) ==
           "the shape of body 0: the radius of the polygon is -1 m; it must be between 0 and 1e75");

@@ -71,6 +71,42 @@ TEST_CASE("momentum takes a cold pyramid to its answer in a sixth of the sweeps"
     CHECK(natural_residual(p.now.rows, quick.lambda, quick.u) == quick.residual);
 }
 
+TEST_CASE("momentum pulls at no contact and leaves friction its bound", "[idea]")
+{
+    Problem p = pyramid_problem(8);
+    VecX& lambda = p.now.solution.lambda;
+    lambda.setZero();
+    WideSolver<3> solver;
+    bundle_rows(p.now.rows, p.scene.bodies.count(), solver.bundles);
+    solver.colour(p.scene.bodies, p.now);
+    const WideProblem<3> problem{p.now.rows};
+    VecX u = p.now.u_star;
+    fill(problem, solver.bundles, lambda, u, solver.wide);
+    SweepMomentum<3, Real, full_lanes<Real>> momentum;
+    momentum.begin(solver.wide);
+    int stopped = 0;
+    VecX before = lambda;
+    for (int k = 0; k < 30; ++k) {
+        wide_sweep(solver.wide, Real{0}, 1);
+        solver.take_out(problem, u, lambda);
+        const VecX further = lambda + 0.9 * (lambda - before);
+        before = lambda;
+        momentum.extrapolate(0.9, solver.wide);
+        solver.take_out(problem, u, lambda);
+        for (std::size_t i = 0; i < p.now.rows.size(); ++i) {
+            const Row<3>& row = p.now.rows[i];
+            const auto n = static_cast<Index>(i);
+            // friction goes first, and has the bound that its normal gave it then
+            const Real reach = row.bounded_by < 0 ? 0 : row.friction * before[row.bounded_by];
+            const Real lo = row.lo - reach, hi = row.hi + reach;
+            REQUIRE(lambda[n] >= lo);
+            REQUIRE(lambda[n] <= hi);
+            stopped += further[n] < lo || further[n] > hi;
+        }
+    }
+    CHECK(stopped > 50);  // so many would have gone beyond
+}
+
 TEST_CASE("momentum has the same bits in any number of lanes", "[house]")
 {
     const Problem p = pyramid_problem(8);

@@ -77,7 +77,7 @@ int step(Discs& d, double h, double beta, int most = 100000)
     std::vector<Contact> contacts = find_contacts(d);
     for (Contact& c : contacts) {
         c.bias = (c.lo < 0 || c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
-        for (const Contact& old : d.contacts)  // its key is who touches whom
+        for (const Contact& old : d.contacts)  // its key: which two touch
             if (old.a == c.a && old.b == c.b) push(c, c.lambda = old.lambda, d);
     }
     int sweeps = 0;

@@ -99,7 +99,7 @@ int step(Discs& d, double h, double beta)
         J.block<1, 2>(i, 2 * c.b) = c.n.transpose();
         b[i] = (c.lo < 0 || c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
         lo[i] = c.lo;
-        for (const Contact& old : d.contacts)  // its key is who touches whom
+        for (const Contact& old : d.contacts)  // its key: which two touch
             if (old.a == c.a && old.b == c.b)
                 active[i] = c.lo < 0 || old.lambda > 0;
     }

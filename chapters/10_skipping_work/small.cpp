@@ -125,7 +125,7 @@ void step(Discs& d, double h, int skip, int most = 100000, double enough = 1e-6)
     std::vector<std::vector<Contact*>> rows(K);
     for (Contact& c : contacts) {
         c.bias = (c.C < 0 ? 0.2 : 1) * c.C / h;  // (7.4), (3.30)
-        for (const Contact& old : d.contacts)    // its key is who touches whom
+        for (const Contact& old : d.contacts)    // its key: which two touch
             if (old.a == c.a && old.b == c.b) push(c, c.lambda = old.lambda, d);
         rows[skip > 0 ? island[c.b] : 0].push_back(&c);
     }

@@ -35,7 +35,7 @@ inline void evaluate_constraints(const RigidScene& scene, StepData<3>& now)
 /// thing, unless they make sense.
 void require_bodies(const RigidScene& scene);
 
-/// The whole scene, shapes as well: for whoever makes a scene or changes it in the middle of a run. Throws
+/// The whole scene, shapes as well: for code that makes a scene or changes it in the middle of a run. Throws
 /// std::invalid_argument, with a sentence that names the thing, unless it makes sense.
 void require_valid(const RigidScene& scene);
 

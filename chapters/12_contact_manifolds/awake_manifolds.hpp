@@ -152,7 +152,7 @@ private:
 
     //! [changed]
     /// What has been changed wakes, and what touched it or hangs on it: one pass for
-    /// all of them. A pair of two sleepers concerns nobody who was awake.
+    /// all of them. A pair of two sleepers concerns no body that was awake.
     void wake_the_changed(const Scene& scene)
     {
         if (changed_.empty()) return;

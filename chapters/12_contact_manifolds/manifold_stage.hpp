@@ -207,7 +207,7 @@ private:
                finder.asks[static_cast<std::size_t>(pair.b)] != 0;
     }
 
-    /// Pairs of the step before that nobody asks for any more are kept apart.
+    /// Pairs of the step before of which neither body looks any more are kept apart.
     void put_to_rest()
     {
         woke_ = finder.asked != asked_before_;

@@ -1,5 +1,5 @@
 /// \file scene_watch.hpp
-/// What has been changed in a scene since the last step, by whoever may change it: the bodies that this concerns are to
+/// What has been changed in a scene since the last step, by any code that may change it: the bodies that this concerns are to
 /// be woken.
 ///
 /// A sleeper is not looked at, so nothing in the step itself would notice that the body under it is gone. The watch keeps a

@@ -130,7 +130,7 @@ int step(Bodies& d, double h, double beta, int most = 100000)
     std::vector<Contact> contacts = find_contacts(d);
     for (Contact& c : contacts) {
         c.bias = (c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
-        for (const Contact& old : d.contacts)  // its key is who touches whom, where
+        for (const Contact& old : d.contacts)     // its key: which two touch, where
             if (old.a == c.a && old.b == c.b && old.name == c.name)
                 push(c, c.lambda = old.lambda, d);
     }

@@ -136,7 +136,7 @@ void step(Bodies& d, double h, int sweeps)
     for (Contact& c : contacts) {
         if (c.normal < 0)  // (3.30), (7.4): but 5 mm of an overlap may stay
             c.bias = c.C > 0 ? c.C / h : 0.2 * std::min(c.C + 0.005, 0.0) / h;
-        for (const Contact& old : d.contacts)  // its key is who touches whom, where
+        for (const Contact& old : d.contacts)  // its key: which two touch, where
             if (old.a == c.a && old.b == c.b && old.name == c.name)
                 push(c, c.lambda = old.lambda, d);
     }

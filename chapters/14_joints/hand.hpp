@@ -16,7 +16,7 @@
 namespace rigid {
 
 /// Mass of all bodies that joints hold together with body k [kg].
-/// Throws std::invalid_argument unless there is such a body; nobody holds the world.
+/// Throws std::invalid_argument unless there is such a body; the world is not held.
 inline Real held_mass(const JointedScene& scene, Index k)
 {
     if (k < 0 || k >= scene.bodies.count())

@@ -87,7 +87,7 @@ void step(Discs& d, double h, bool xpbd, int sweeps)
     for (Contact& c : contacts) {
         c.bias = c.C / h;
         c.gamma = 1 / (h * h * c.k);           // (16.6), (16.22)
-        for (const Contact& old : d.contacts)  // its key is who touches whom
+        for (const Contact& old : d.contacts)  // its key: which two touch
             if (old.a == c.a && old.b == c.b && old.lo == c.lo && !xpbd)
                 push(c, c.lambda = old.lambda, d, d.u);
     }

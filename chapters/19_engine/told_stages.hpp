@@ -1,5 +1,5 @@
 /// \file told_stages.hpp
-/// The engine's method, telling whoever asks which stage begins. It has no clock: a caller that wants times reads its own.
+/// The engine's method, telling a listener which stage begins. It has no clock: a caller that wants times reads its own.
 #pragma once
 
 #include "chapters/19_engine/world_state.hpp"

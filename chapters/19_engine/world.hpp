@@ -37,7 +37,7 @@ public:
 
     /// One time step. What it did is in work(), what happened in events().
     /// \param h         [s]; need not be the same each time
-    /// \param listener  is told which stage begins; empty = nobody is
+    /// \param listener  is told which stage begins; empty = none
     void step(Real h, const StageListener& listener = {});
     //! [world]
     /// Seconds since the beginning, and steps.

@@ -37,7 +37,7 @@ struct SolidPairs {
 
     bool looks(Index k) const { return asks[static_cast<std::size_t>(k)] != 0; }
 
-    /// Who looks. Pairs that nobody asks for any more are kept apart.
+    /// Which bodies look. Pairs of which neither does any more are kept apart.
     void mark(const JointedSolids& scene, std::span<const int> bodies);
 
     /// Forms of what is new, and all of them that are looked at where the bodies are.

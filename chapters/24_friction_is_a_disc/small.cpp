@@ -116,7 +116,7 @@ void step(Bodies& d, double h, double beta, int sweeps)
     std::vector<Contact> contacts = find_contacts(d);
     for (Contact& c : contacts) {
         c.bias[2] = (c.C < 0 ? beta : 1) * c.C / h;  // (7.4), (3.30)
-        for (const Contact& old : d.contacts)  // its key is who touches whom, where
+        for (const Contact& old : d.contacts)  // its key: which two touch, where
             if (old.a == c.a && old.b == c.b && old.name == c.name) {
                 c.lambda = old.lambda;
                 d.u.segment<6>(6 * c.b) +=

@@ -93,7 +93,7 @@ void leapfrog(Membrane& m, Real h)
         Real* v = m.v.data() + m.at(0, j);
         for_each_pull(
             m, j, [=](Index i, Real pull) { v[i] = kept * v[i] + gain * pull; });
-        if (j > edge) move(j - 1);  // nobody needs its old places any more
+        if (j > edge) move(j - 1);  // its old places are not needed any more
     }
     move(m.ny - edge);
 }

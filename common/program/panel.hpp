@@ -23,7 +23,7 @@ struct PanelState {
     std::string record_folder;
     long frames_recorded = 0;
     Real frames_per_second = 0;
-    const PartWatch* watch = nullptr;  ///< of the steps; null = nobody looks at a clock
+    const PartWatch* watch = nullptr;  ///< of the steps; null = no clock is read
     std::string message;               ///< what happened in the last seconds, such as a picture saved
 };
 

@@ -309,7 +309,7 @@ void register_beside(const std::string& name, int ratio)
 #endif
 }
 
-/// Dolls fall on stairs, nobody sleeps.
+/// Dolls fall on stairs, no body sleeps.
 struct Ragdolls {
     JointedScene scene;
     std::vector<std::pair<Index, Index>> apart;

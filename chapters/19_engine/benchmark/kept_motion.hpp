@@ -1,5 +1,5 @@
 /// \file kept_motion.hpp
-/// A motion as a list of frames, whoever made it, and what can be read of it that has to be kept.
+/// A motion as a list of frames, of any engine, and what can be read of it that has to be kept.
 ///
 ///     kept = f(motion of the engine),    error = |kept − f(right motion)|
 ///
