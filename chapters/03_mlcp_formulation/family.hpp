@@ -6,7 +6,7 @@
 ///
 /// Written with nonnegative unknowns (distances from the bounds, and the w of the rows that are at
 /// a bound) it is E v = f, v ≥ 0. The least ‖E v − f‖² over v ≥ 0 answers it: zero means yes.
-/// \cite lawson1974, chapter 28
+/// \cite lawson1974, chapter 29
 #pragma once
 
 #include "chapters/03_mlcp_formulation/cases.hpp"

@@ -4,7 +4,7 @@
 
 #ifdef RIGID_HAS_BULLET
 
-#include "chapters/29_elastic_bodies/elastic_solver.hpp"
+#include "chapters/30_elastic_bodies/elastic_solver.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletSoftBody/btDeformableBodySolver.h>

@@ -72,7 +72,7 @@ namespace said_disc {
 #include "chapters/24_friction_is_a_disc/small.cpp"
 }
 namespace said23 {
-#include "chapters/28_waves/small.cpp"
+#include "chapters/29_waves/small.cpp"
 }
 #undef main
 

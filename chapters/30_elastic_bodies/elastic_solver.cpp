@@ -1,0 +1,313 @@
+#include "chapters/30_elastic_bodies/elastic_solver.hpp"
+
+#include "common/bodies.hpp"
+
+namespace rigid {
+
+template <int Dim>
+void require_valid(const ElasticBody<Dim>& body, const NewtonOnEnergy& settings)
+{
+    const auto size = body.model.mesh().rest.size();
+    for (const auto& [list, name] :
+         {std::pair{&body.x, "x"}, {&body.v, "v"}, {&body.load, "load"}}) {
+        if (list->size() != size)
+            throw std::invalid_argument(
+                std::string(name) + " of an elastic body has " +
+                std::to_string(list->size()) + " entries; its mesh has " +
+                std::to_string(size));
+        require_finite(*list, name);
+    }
+    if (body.fixed.size() != static_cast<std::size_t>(size))
+        throw std::invalid_argument(
+            "fixed has " + std::to_string(body.fixed.size()) +
+            " entries; the mesh has " + std::to_string(size));
+    for (const auto& [value, name] : {std::pair{body.mass_damping, "mass"},
+                                      {body.stiffness_damping, "stiffness"}})
+        if (!(value >= 0 && value < infinity))
+            throw std::invalid_argument("the damping by " + std::string(name) +
+                                        " is " + shortest(value) +
+                                        "; it must be zero or positive");
+    if (!(settings.stale >= 0 && settings.stale < 1))
+        throw std::invalid_argument(
+            "the share that a stale factor has to take the residual to is " +
+            shortest(settings.stale) + "; it must be from 0 to 1");
+    if (!(settings.tolerance > 0 && settings.linear_tolerance > 0))
+        throw std::invalid_argument(
+            "the tolerance is " +
+            shortest(std::min(settings.tolerance, settings.linear_tolerance)) +
+            "; it must be positive");
+}
+
+template <int Dim>
+Real ElasticBody<Dim>::kinetic_energy() const
+{
+    VecX Mv;
+    model.multiply_mass(v, Mv);
+    return ordered_dot(v, Mv) / 2;
+}
+
+template <int Dim>
+Real ElasticBody<Dim>::potential_energy() const
+{
+    Real sum = -ordered_dot(load, x);
+    for (int i = 0; i < model.nodes(); ++i)
+        for (int c = 0; c < Dim; ++c)
+            sum -= model.mass_at(i) * gravity[c] * x[Dim * i + c];
+    return sum;
+}
+
+template <int Dim>
+void ElasticSolver<Dim>::begin(ElasticBody<Dim>& body, Real tau)
+{
+    const ElasticModel<Dim>& model = body.model;
+    tau_ = tau;
+    report = {};
+    x0_ = body.x;
+    f_ = body.load;
+    for (int i = 0; i < model.nodes(); ++i)
+        for (int c = 0; c < Dim; ++c)
+            f_[Dim * i + c] += model.mass_at(i) * body.gravity[c];
+    y_ = x0_ + tau * body.v;
+    if (settings.solve == LinearSolve::direct && !(analysed_ == model.pattern())) {
+        analysed_ = model.pattern();
+        factor.analyse(analysed_);
+        kept_.has = false;
+    }
+    damped_ = tau > 0 && (body.mass_damping > 0 || body.stiffness_damping > 0);
+    if (damped_) {
+        B_.reset(model.pattern());
+        model.add_mass(body.mass_damping, B_);
+        model.add_stiffness(x0_, body.stiffness_damping, true, B_);
+    }
+    before_ = body.x;
+    if (tau > 0) {
+        // where it would go by itself, if that is not worse than where it is
+        for (Index i = 0; i < y_.size(); ++i)
+            if (body.fixed[static_cast<std::size_t>(i)]) body.x[i] = y_[i];
+        before_ = body.x;
+        const Real here = look(body);
+        body.x = y_;
+        if (!(look(body) < here)) body.x = before_;
+    }
+}
+
+template <int Dim>
+Real ElasticSolver<Dim>::look(const ElasticBody<Dim>& body)
+{
+    const ElasticModel<Dim>& model = body.model;
+    r = f_;
+    const Real elastic = model.add_forces(body.x, r);
+    difference_ = body.x - x0_;
+    const Real work = ordered_dot(f_, difference_);
+    const Real share = tau_ > 0 ? tau_ * tau_ : 1;
+    Real G = share * (elastic - work), size = share * (elastic + std::abs(work));
+    r *= share;
+    if (tau_ > 0) {
+        if (damped_) {
+            B_.multiply(difference_, product_);
+            const Real lost = tau_ / 2 * ordered_dot(difference_, product_);
+            G += lost, size += lost;
+            r -= tau_ * product_;
+        }
+        difference_ = body.x - y_;
+        model.multiply_mass(difference_, product_);
+        const Real inertia = ordered_dot(difference_, product_) / 2;
+        G += inertia, size += inertia;
+        r -= product_;
+    }
+    for (Index i = 0; i < r.size(); ++i)
+        if (body.fixed[static_cast<std::size_t>(i)]) r[i] = 0;
+    rounding_ = 1e-13 * size;
+    report.residual = residual_of(body, r);
+    return G;
+}
+
+template <int Dim>
+Real ElasticSolver<Dim>::residual_of(const ElasticBody<Dim>& body,
+                                     const VecX& r_left) const
+{
+    const ElasticModel<Dim>& model = body.model;
+    Real largest = 0;
+    for (int i = 0; i < model.nodes(); ++i) {
+        const Real scale = tau_ > 0 ? model.inertia_at(i) * model.edge() +
+                                          tau_ * tau_ * model.force_scale(i)
+                                    : model.force_scale(i);
+        for (int c = 0; c < Dim; ++c) {
+            const Real share = std::abs(r_left[Dim * i + c]) / scale;
+            if (!(share <= largest)) largest = share;  // also takes over a NaN
+        }
+    }
+    return largest;
+}
+
+template <int Dim>
+bool ElasticSolver<Dim>::has_kept(const ElasticBody<Dim>& body) const
+{
+    const ElasticModel<Dim>& model = body.model;
+    return settings.keeps_factor && kept_.has && kept_.tau == tau_ &&
+           kept_.is_lumped == model.is_lumped() &&
+           kept_.lame.mu == model.lame().mu &&
+           kept_.lame.lambda == model.lame().lambda &&
+           kept_.mass == model.material().density &&
+           kept_.alpha == body.mass_damping &&
+           kept_.beta == body.stiffness_damping &&
+           kept_.law == model.material().law && kept_.fixed == body.fixed &&
+           kept_.rest == model.mesh().rest &&
+           (kept_.law == StrainLaw::linear || (settings.stale > 0 && !renew_));
+}
+
+template <int Dim>
+void ElasticSolver<Dim>::keep(const ElasticBody<Dim>& body)
+{
+    const ElasticModel<Dim>& model = body.model;
+    kept_.has = true, kept_.is_lumped = model.is_lumped();
+    kept_.law = model.material().law;
+    kept_.rest = model.mesh().rest, kept_.lame = model.lame();
+    kept_.tau = tau_, kept_.mass = model.material().density;
+    kept_.alpha = body.mass_damping, kept_.beta = body.stiffness_damping;
+    kept_.fixed = body.fixed;
+}
+
+template <int Dim>
+bool ElasticSolver<Dim>::prepare(const ElasticBody<Dim>& body)
+{
+    const ElasticModel<Dim>& model = body.model;
+    const bool is_direct = settings.solve == LinearSolve::direct;
+    if (is_direct && has_kept(body)) return true;
+    H_.reset(model.pattern());
+    model.add_stiffness(body.x, tau_ > 0 ? tau_ * tau_ : 1, true, H_);
+    if (tau_ > 0) model.add_mass(1, H_);
+    if (damped_)
+        for (std::size_t i = 0; i < H_.value.size(); ++i)
+            H_.value[i] += tau_ * B_.value[i];
+    fix<Dim>(body.fixed, H_);
+    kept_.has = renew_ = false;
+    if (!is_direct) return true;
+    ++report.factorisations;
+    if (!factor.factor(H_) && !soften(body)) return false;
+    keep(body);
+    return true;
+}
+
+template <int Dim>
+bool ElasticSolver<Dim>::soften(const ElasticBody<Dim>& body)
+{
+    const ElasticModel<Dim>& model = body.model;
+    if (tau_ > 0 || model.material().law == StrainLaw::linear) return false;
+    for (Real share = 1e-3; share < 10; share *= 10) {
+        for (int i = 0; i < model.nodes(); ++i)
+            for (int c = 0; c < Dim; ++c)
+                H_.block(model.pattern()
+                             .start[static_cast<std::size_t>(i)])[c * Dim + c] +=
+                    share * model.force_scale(i) / model.edge();
+        ++report.factorisations;
+        if (factor.factor(H_)) return true;
+    }
+    return false;
+}
+
+template <int Dim>
+bool ElasticSolver<Dim>::direction(ElasticBody<Dim>& body)
+{
+    if (!prepare(body)) return false;
+    if (settings.solve == LinearSolve::direct) {
+        change_ = r;
+        factor.solve(change_);
+        return true;
+    }
+    cg_.tolerance = settings.linear_tolerance, cg_.most = settings.most_linear;
+    cg_.solve(H_, r, change_);  // as far as it came it points downhill
+    report.linear_iterations += cg_.iterations;
+    return cg_.iterations > 0;
+}
+
+//! [minimise]
+/// Algorithm 30.1: Newton's method with steps that are halved until G falls.
+template <int Dim>
+void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
+{
+    Real G = look(body);
+    // Once at least: against a stiff material a load may be less than the tolerance.
+    while (report.residual > settings.tolerance ||
+           (report.iterations == 0 && report.residual > 1e-15)) {
+        if (report.iterations == settings.most) return;
+        ++report.iterations;
+        if (!direction(body)) {
+            report.status = Status::singular;
+            return;
+        }
+        const Real slope = ordered_dot(r, change_);  // G falls by that at first
+        const Real last = report.residual;
+        before_ = body.x;
+        for (Real s = 1;; s /= 2) {
+            body.x = before_ + s * change_;
+            const Real next = look(body);
+            if (next <= G - 1e-4 * s * slope + rounding_) {
+                G = next;
+                judge(last, report.residual, settings.tolerance);
+                break;
+            }
+            ++report.halvings;
+            if (s < 1e-9) {  // nothing is lower: as far as it came
+                body.x = before_;
+                look(body);
+                return;
+            }
+        }
+    }
+    report.status =
+        std::isfinite(report.residual) ? Status::solved : Status::iteration_limit;
+}
+//! [minimise]
+
+//! [step]
+template <int Dim>
+void ElasticSolver<Dim>::step(ElasticBody<Dim>& body, Real h)
+{
+    require_step(h);
+    require_valid(body, settings);
+    const bool is_euler = settings.rule == TimeRule::implicit_euler;
+    const Real tau = is_euler ? h : h / 2;
+    begin(body, tau);
+    minimise(body);
+    for (Index i = 0; i < body.x.size(); ++i) {
+        if (body.fixed[static_cast<std::size_t>(i)]) {
+            body.x[i] = x0_[i] + h * body.v[i];
+            continue;
+        }
+        const Real mean = (body.x[i] - x0_[i]) / tau;
+        body.v[i] = is_euler ? mean : 2 * mean - body.v[i];
+        if (!is_euler) body.x[i] += tau * mean;
+    }
+}
+//! [step]
+
+template <int Dim>
+void ElasticSolver<Dim>::rest(ElasticBody<Dim>& body)
+{
+    require_valid(body, settings);
+    begin(body, 0);
+    minimise(body);
+    body.v.setZero();
+}
+
+template <int Dim>
+std::size_t ElasticSolver<Dim>::bytes() const
+{
+    constexpr std::size_t block = Dim * Dim * sizeof(Real);
+    return H_.value.size() * sizeof(Real) + B_.value.size() * sizeof(Real) +
+           static_cast<std::size_t>(factor.blocks()) * (block + sizeof(int)) +
+           static_cast<std::size_t>(8 * r.size()) * sizeof(Real);
+}
+
+template struct ElasticBody<1>;
+template struct ElasticBody<2>;
+template struct ElasticBody<3>;
+template void require_valid(const ElasticBody<1>&, const NewtonOnEnergy&);
+template void require_valid(const ElasticBody<2>&, const NewtonOnEnergy&);
+template void require_valid(const ElasticBody<3>&, const NewtonOnEnergy&);
+template class ElasticSolver<1>;
+template class ElasticSolver<2>;
+template class ElasticSolver<3>;
+
+}  // namespace rigid

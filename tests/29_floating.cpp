@@ -1,0 +1,427 @@
+/// Chapter 29: shallow water, and bodies that float on it: mass, momentum, dam breaks, Archimedes, which box capsizes.
+
+#include "tests/catch.hpp"
+#include "tests/no_allocation.hpp"
+#include "tests/order.hpp"
+#include "tests/sentence.hpp"
+
+#include "chapters/15_trees/tree_method.hpp"
+#include "chapters/29_waves/water_scenes.hpp"
+#include "chapters/29_waves/water_step.hpp"
+#include "chapters/29_waves/wave_line.hpp"
+#include "common/elementary.hpp"
+#include "common/random.hpp"
+
+using namespace rigid;
+
+namespace {
+
+/// A dam at x = 0 in 20 m of water, one second after it broke.
+ShallowWater broken_dam(Index cells, Real right)
+{
+    ShallowWater water(cells, 20, right);
+    water.origin = -10;
+    water.depth.head(cells / 2).setConstant(1);
+    const auto steps = static_cast<int>(cells);  // at most 0.63 of a cell a step, at 2√(gH)
+    for (int n = 0; n < steps; ++n) step(water, 1.0 / steps);
+    return water;
+}
+
+Real error_of_dam(const ShallowWater& water, Real right)
+{
+    Real sum = 0;
+    for (Index i = 0; i < water.cells(); ++i)
+        sum += water.dx * std::abs(water.depth[i] - dam_break(1, right, water.g, water.x_of(i), 1).depth);
+    return sum;
+}
+
+/// A body alone, without contacts: gravity, then x.
+void fall(JointedScene& scene, Real h)
+{
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        scene.bodies.velocity(k).head<2>() += h * scene.gravity;
+        scene.bodies.integrate(k, scene.bodies.velocity(k), h);
+    }
+}
+
+/// Momentum along x of water and bodies [N s].
+Real whole_momentum(const WaterScene& all)
+{
+    Real sum = momentum(all.water);
+    for (Index k = 0; k < all.scene.bodies.count(); ++k)
+        sum += all.scene.bodies.velocity(k)[0] / all.scene.bodies.inverse_mass[3 * k];
+    return sum;
+}
+
+void take(WaterScene& all, Floating& floating, Real h, int steps, bool touching = false)
+{
+    JointTrees<Manifolds> method;
+    never_stop(method.contacts);
+    if (!touching) method.contacts.finder.filter.set_meets(0, 0, false);
+    StepData<3> now;
+    for (int n = 0; n < steps; ++n) step(all.scene, all.water, floating, {.h = h}, method, now);
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------------ water alone
+
+TEST_CASE("a small wave on shallow water is the string's leapfrog with c the root of gH", "[idea]")
+{
+    const Index N = 32;
+    ShallowWater water(N, 1, 1);
+    water.g = 1;
+    const Real k = 3 * pi, a = 1e-7, h = 0.5 * water.dx;
+    for (Index i = 0; i < N; ++i) water.depth[i] += a * rigid::cos(k * water.x_of(i));
+    level_water(water);
+    for (Index f = 1; f < N; ++f) water.u[f] = h / 2 * (water.level[f] - water.level[f - 1]) / water.dx;
+    const Real omega = leapfrog_frequency(k, 1, water.dx, h), start = water.depth[3] - 1;
+    for (int n = 1; n <= 200; ++n) {
+        step(water, h);
+        // the square of the amplitude, times the radians that it went
+        REQUIRE(std::abs(water.depth[3] - 1 - start * rigid::cos(omega * h * n)) < a * a * 30);
+    }
+}
+
+TEST_CASE(
+    "water keeps its mass to rounding over a hundred thousand steps and at rest stays at rest over any bed",
+    "[idea]")
+{
+    Random random(5);
+    const Index N = 60;
+    ShallowWater rest(N, 6, 1), moving(N, 6, 1);
+    for (Index i = 0; i < N; ++i) {
+        const Real x = rest.x_of(i) - 3;
+        // an island in the middle, rough everywhere
+        rest.bed[i] = 1.5 * rigid::exp(-x * x) + 0.1 * random.uniform();
+        rest.depth[i] = std::max(0.0, 1 - rest.bed[i]);
+        moving.bed[i] = rest.bed[i];
+        moving.depth[i] = rest.depth[i] > 0 ? rest.depth[i] + 0.2 * random.uniform() : 0;
+    }
+    const Real at_rest = volume(rest), in_motion = volume(moving);
+    Real least = 1;
+    for (int n = 0; n < 100000; ++n) {
+        step(rest, 0.01);
+        step(moving, 0.01);
+        least = std::min(least, moving.depth.minCoeff());
+    }
+    // 1e5 roundings of either sign; a rounding of the level is 1e-16 m, which g h / Δx makes a speed of 1e-16 a step
+    CHECK(rest.u.cwiseAbs().maxCoeff() < 1e-11);
+    CHECK(volume(rest) == Approx(at_rest).epsilon(1e-12));
+    CHECK(volume(moving) == Approx(in_motion).epsilon(1e-12));
+    CHECK(least >= 0);
+}
+
+TEST_CASE("water over a level bed keeps its momentum to rounding", "[idea]")
+{
+    ShallowWater water(200, 20, 1);
+    for (Index i = 0; i < 200; ++i) {
+        const Real x = water.x_of(i) - 10;
+        water.depth[i] += std::abs(x) < 2 ? 0.5 * (4 - x * x) / 4 : 0;
+        if (std::abs(x) < 1 && i > 0) water.u[i] = 0.7 + x;
+    }
+    const Real start = momentum(water);
+    // 150 steps of 0.01 s: nothing has reached the ends, whose water pushes equally at both
+    for (int n = 0; n < 150; ++n) step(water, 0.01);
+    REQUIRE(water.depth[0] == 1);
+    REQUIRE(water.depth[199] == 1);
+    CHECK(start > 100);
+    CHECK(momentum(water) == Approx(start).epsilon(1e-12));  // 150 steps of 200 roundings
+}
+
+TEST_CASE("a dam break tends to the solutions of Ritter and of Stoker", "[idea]")
+{
+    for (const Real right : {0.0, 0.1}) {
+        std::vector<Real> errors;
+        for (const Index n : {100, 200, 400, 800})
+            errors.push_back(error_of_dam(broken_dam(n, right), right));
+        // the first order at best: a corner of the exact solution moves by a cell
+        CHECK(order_of(errors) == Approx(0.75).margin(0.2));
+        CHECK(errors.back() < 0.06);
+    }
+    const ShallowWater water = broken_dam(400, 0);
+    CHECK(volume(water) == Approx(10).epsilon(1e-12));
+    CHECK(water.depth.minCoeff() >= 0);
+}
+
+TEST_CASE("the exact dam break has the reference front and its own jumps", "[idea]")
+{
+    const Real g = 9.81, front = 6.26418390534633;
+    CHECK(dam_break(1, 0, g, front * 1.0001, 1).depth == 0);
+    CHECK(dam_break(1, 0, g, front * 0.9999, 1).depth > 0);
+    CHECK(dam_break(1, 0, g, 0, 1).depth == Approx(4.0 / 9).epsilon(1e-14));
+    CHECK(dam_break(1, 0, g, 0, 1).u == Approx(2.0 / 3 * std::sqrt(g)).epsilon(1e-14));
+    // mass and momentum that pass the bore: (r u) and (r u² + g r²/2) jump by its speed times the jump of r and of r u
+    const DamBreak m = dam_break(1, 0.1, g, 2, 1);
+    Real speed = 2;
+    while (dam_break(1, 0.1, g, speed, 1).u > 0) speed += 1e-4;
+    CHECK(m.depth * m.u == Approx(speed * (m.depth - 0.1)).epsilon(1e-3));  // the bore is found to 1e-4 m/s
+    CHECK(m.depth * m.u * m.u + g / 2 * (m.depth * m.depth - 0.01) ==
+          Approx(speed * m.depth * m.u).epsilon(1e-3));
+    CHECK(m.u == Approx(2 * (std::sqrt(g) - std::sqrt(g * m.depth))).epsilon(1e-12));
+}
+
+TEST_CASE("water of any depths and speeds never becomes negative or infinite", "[idea]")
+{
+    Random random(8);
+    for (int round = 0; round < 30; ++round) {
+        const Real size = rigid::pow(10.0, random.uniform(-3, 3));
+        ShallowWater water(20, 20 * size, 0);
+        for (Index i = 0; i < 20; ++i) {
+            water.bed[i] = size * random.uniform(0, 2);
+            water.depth[i] = random.uniform() < 0.3 ? 0 : size * random.uniform();
+        }
+        for (Index f = 1; f < 20; ++f) water.u[f] = std::sqrt(9.81 * size) * random.uniform(-2, 2);
+        const Real whole = volume(water);
+        for (int n = 0; n < 300; ++n) step(water, 0.9 * stable_step(water));
+        CHECK(water.depth.minCoeff() >= 0);
+        CHECK(water.depth.allFinite());
+        CHECK(water.u.allFinite());
+        CHECK(volume(water) == Approx(whole).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("water that is mirrored moves mirrored", "[idea]")
+{
+    Random random(6);
+    ShallowWater water(30, 3, 0), mirrored = water;
+    for (Index i = 0; i < 30; ++i) {
+        water.depth[i] = random.uniform();
+        mirrored.depth[29 - i] = water.depth[i];
+    }
+    for (int n = 0; n < 200; ++n) step(water, 0.01), step(mirrored, 0.01);
+    for (Index i = 0; i < 30; ++i) CHECK(water.depth[i] == Approx(mirrored.depth[29 - i]).margin(1e-12));
+}
+
+// ------------------------------------------------------------------------------------------------ Archimedes
+
+TEST_CASE("a polygon under water has the area centroid and waterline of its pieces", "[idea]")
+{
+    const std::vector<Vec2> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, diamond{{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    const Submerged half = submerged(square, 0.5), tip = submerged(diamond, -0.5),
+                    all = submerged(diamond, 3);
+    CHECK(half.area == 1);
+    CHECK(half.centroid == Vec2(1, 0.25));
+    CHECK(half.width == 2);
+    CHECK(tip.area == Approx(0.25).epsilon(1e-15));
+    CHECK(tip.centroid.y() == Approx(-2.0 / 3).epsilon(1e-15));
+    CHECK(tip.width == Approx(1).epsilon(1e-15));
+    CHECK(all.area == Approx(2).epsilon(1e-15));
+    CHECK(all.width == 0);
+    CHECK(submerged(square, -1).area == 0);
+}
+
+TEST_CASE(
+    "a box that is let go heaves with the frequency of its waterline and floats at the draught of Archimedes",
+    "[idea]")
+{
+    // in water that nothing moves: symplectic Euler on one spring, ω² = ρ g W / m
+    WaterScene all = pond(40, 10, 2);
+    Floating floating;
+    floating.settings = {0, 0, 0};
+    add_floating_box(all, 0, 0.5, 2, 0.6, 0);
+    const Real rest = all.scene.bodies.x[1], a = 0.05, h = 1.0 / 120;
+    const Real omega = std::sqrt(9.81 / box_draught(0.5, 0.6)), slowed = 2 / h * rigid::asin(omega * h / 2);
+    all.scene.bodies.x[1] += a;
+    all.scene.bodies.u[1] = h / 2 * omega * omega * a;
+    for (int n = 1; n <= 1000; ++n) {
+        floating.find(all.scene, all.water);
+        floating.push(all.scene, all.water, h);
+        fall(all.scene, h);
+        // sums of the size of its place, 1.95 m
+        REQUIRE(std::abs(all.scene.bodies.x[1] - rest - a * rigid::cos(slowed * h * n)) < 1e-12);
+    }
+    CHECK(rest == Approx(2 - 0.3 + 0.25).epsilon(1e-15));
+}
+
+TEST_CASE("the box with the metacentre below its centre capsizes and the other one stays upright", "[idea]")
+{
+    CHECK(box_metacentric_height(1, 1, 0.5) == Approx(1.0 / 6 - 0.25).epsilon(1e-14));
+    // at half the density of water a box turns over below a width of √1.5 of its height
+    CHECK(std::abs(box_metacentric_height(std::sqrt(1.5), 1, 0.5)) < 1e-15);
+    for (const Real ratio : {1.1, 1.2, 1.25, 1.4}) {
+        WaterScene all = pond(80, 8, 1);
+        Floating floating;
+        add_floating_box(all, 0.01, 0.5, ratio, 0.5, 0.02);
+        floating.displace(all.scene, all.water);
+        Real most = 0;
+        for (int n = 0; n < 4800; ++n) {
+            floating.find(all.scene, all.water);
+            floating.push(all.scene, all.water, 1.0 / 240);
+            fall(all.scene, 1.0 / 240);
+            carry_water(all.water, 1.0 / 240);
+            most = std::max(most, std::abs(all.scene.bodies.x[2]));
+        }
+        INFO(ratio);
+        if (box_metacentric_height(ratio, 1, 0.5) < 0) CHECK(most > 0.1);
+        else CHECK(most < 0.021);  // of 0.02 at the start
+    }
+}
+
+// ------------------------------------------------------------------------------------------------ both together
+
+TEST_CASE("water and bodies keep the momentum of both and the water its volume to rounding", "[idea]")
+{
+    for (const Real lid : {0.0, 0.5, 0.8}) {
+        WaterScene all = pond(300, 100, 1);
+        all.scene.walls.clear();
+        Floating floating;
+        floating.settings.lid = lid;
+        add_floating_box(all, 0, 0.5, 2, 0.6, 0.3);
+        add_floating_box(all, 2.2, 0.5, 1.6, 0.5, 0.1);
+        add_raft(all, 6, 4);
+        floating.displace(all.scene, all.water);
+        all.scene.bodies.u[0] = 1;  // one swims, and a wave comes
+        for (Index i = 0; i < 300; ++i) {
+            const Real x = all.water.x_of(i) + 5;
+            if (std::abs(x) < 4) all.water.depth[i] += 0.2 * (1 - x * x / 16);
+        }
+        const Real start = whole_momentum(all), whole = volume(all.water);
+        take(all, floating, 1.0 / 240, 1200);
+        REQUIRE(all.water.depth[0] == 1);  // nothing has come to the walls
+        REQUIRE(all.water.depth[299] == 1);
+        CHECK(start == Approx(300));
+        // 1200 steps; water of 1e5 kg exchanges some 1e3 N s with the bodies in each wave
+        CHECK(whole_momentum(all) == Approx(start).epsilon(1e-11));
+        CHECK(volume(all.water) == Approx(whole).epsilon(1e-13));
+        CHECK(std::abs(all.scene.bodies.u[0] - 1) > 0.1);  // and something was exchanged
+    }
+}
+
+TEST_CASE("bodies afloat lift the level by what they displace and come to rest in it", "[idea]")
+{
+    for (const Real lid : {0.2, 0.8}) {
+        WaterScene all = pond(64, 8, 1);
+        Floating floating;
+        floating.settings.lid = lid;
+        add_floating_box(all, 0.03, 0.5, 2, 0.6, 0);
+        floating.displace(all.scene, all.water);
+        take(all, floating, 1.0 / 240, 240);
+        // in balance from the start: to what Newton's method leaves
+        CHECK((all.water.level.array() - 1).abs().maxCoeff() < 1e-8);
+        CHECK(all.scene.bodies.x[1] == Approx(1 - 0.3 + 0.25).margin(1e-8));
+        CHECK(volume(all.water) == Approx(8 - lid * 0.3).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a box that is let go above its rest sends waves out and comes to rest", "[idea]")
+{
+    for (const Real lid : {0.0, 0.5}) {
+        WaterScene all = pond(800, 200, 1);
+        all.scene.walls.clear();
+        Floating floating;
+        floating.settings = {lid, 0, 0};
+        add_floating_box(all, 0, 0.4, 2.5, 0.5, 0);
+        floating.displace(all.scene, all.water);
+        all.scene.bodies.x[1] += 0.02;
+        take(all, floating, 1.0 / 480, 480 * 4);
+        Real late = 0;
+        for (int n = 0; n < 480; ++n) {
+            take(all, floating, 1.0 / 480, 1);
+            late = std::max(late, std::abs(all.scene.bodies.x[1] - 1));
+        }
+        const Real outside = std::abs(all.water.level[all.water.cell_at(8)] - 1);
+        INFO(lid);
+        if (lid > 0) {
+            CHECK(late < 1e-3);  // waves have taken its energy, nothing else can
+            CHECK(outside < 1e-2);
+        } else CHECK(late > 0.018);  // nothing takes it
+    }
+}
+
+TEST_CASE("drag brakes a body against the water and never turns it round", "[idea]")
+{
+    for (const Real density : {1.0, 600.0}) {  // the light one would be turned round by an explicit step
+        WaterScene all = pond(64, 16, 2);
+        Floating floating;
+        add_body(all.scene, disc(0.2), density, {0, 1});
+        all.scene.gravity = {0, 0};
+        all.water.g = 1e-9;
+        all.scene.bodies.u[0] = 5;
+        Real before = 5;
+        for (int n = 0; n < 100; ++n) {
+            floating.find(all.scene, all.water);
+            floating.push(all.scene, all.water, 1.0 / 60);
+            const Real now = all.scene.bodies.u[0];
+            REQUIRE(now < before);
+            REQUIRE(now > 0);
+            before = now;
+        }
+        CHECK(before < 2.5);
+    }
+}
+
+TEST_CASE("a boat a raft and a duck float upright on waves", "[idea]")
+{
+    WaterScene all = pond(160, 20, 1.5);
+    Floating floating;
+    const Index boat = add_boat(all, -4), raft = add_raft(all, 1, 5), duck = add_duck(all, 6);
+    floating.displace(all.scene, all.water);
+    JointTrees<Manifolds> method;
+    never_stop(method.contacts);
+    StepData<3> now;
+    Real most = 0, gap = 0;
+    for (int n = 0; n < 1200; ++n) {
+        all.water.u[0] = 0.5 * rigid::sin(2 * pi * n / 480.0);
+        step(all.scene, all.water, floating, {.h = 1.0 / 240}, method, now);
+        for (const Index k : {boat, raft, duck})
+            most = std::max(most, std::abs(all.scene.bodies.x[3 * k + 2]));
+        gap = std::max(gap, largest_joint_error(all.scene));
+    }
+    CHECK(most > 0.01);
+    CHECK(most < 0.7);
+    CHECK(gap < 1e-3);
+    CHECK(all.scene.bodies.x.allFinite());
+}
+
+// ------------------------------------------------------------------------------------------------ house
+
+TEST_CASE("a step of water and bodies asks for no memory once it runs", "[house]")
+{
+    WaterScene all = pond(64, 8, 1);
+    Floating floating;
+    add_floating_box(all, 0.03, 0.5, 2, 0.6, 0.2);
+    add_floating_box(all, 1.53, 0.5, 1, 0.6, 0.2);
+    const auto one = [&] {
+        floating.find(all.scene, all.water);
+        floating.push(all.scene, all.water, 1.0 / 240);
+        fall(all.scene, 1.0 / 240);
+        carry_water(all.water, 1.0 / 240);
+    };
+    for (int n = 0; n < 200; ++n) one();
+    int violations = 0;
+    {
+        const NoAllocation forbidden;
+        for (int n = 0; n < 20; ++n) one();
+        violations = NoAllocation::violations();
+    }
+    CHECK(violations == 0);
+}
+
+TEST_CASE("water and floating bodies that make no sense are refused by name", "[house]")
+{
+    CHECK(sentence_of([] { ShallowWater(1, 1, 1); }) == "the water has 1 cells; it must have two or more");
+    CHECK(sentence_of([] { ShallowWater(4, 1, -1); }) ==
+          "the depth of the water is -1 m; it must be zero or positive and finite");
+    ShallowWater water(4, 4, 1);
+    CHECK(sentence_of([&] { step(water, 1); }) ==
+          "the time step is 1 s; a wave passes a whole cell in " + shortest(1 / std::sqrt(9.81)) + " s");
+    water.depth[2] = -1;
+    CHECK(sentence_of([&] { require_valid(water); }) == "depth[2] is -1 m; it must be zero or positive");
+    CHECK(
+        sentence_of([] { dam_break(1, 2, 9.81, 0, 1); }).starts_with("a dam between depths of 1 m and 2 m"));
+    CHECK(sentence_of([] { box_draught(1, 1.5); }) ==
+          "the box has 1.5 of the water's density; it floats between 0 and 1");
+    FloatSettings settings;
+    settings.lid = 1;
+    CHECK(sentence_of([&] { settings.require_valid(); }) ==
+          "the part of a hull that lifts the surface is 1; it must be from 0 to 0.95");
+    settings = {0.5, -1, 0};
+    CHECK(sentence_of([&] { settings.require_valid(); }) ==
+          "the drag is -1; it must be zero or positive and finite");
+    WaterScene all = pond(16, 8, 0.2);
+    add_body(all.scene, box(2, 2), 900.0, {0, 0.2});
+    Floating floating;
+    floating.settings.lid = 0.95;
+    CHECK(sentence_of([&] { floating.displace(all.scene, all.water); }).starts_with("bodies displace "));
+}

@@ -1,0 +1,572 @@
+/// Chapter 30: how elastic bodies move, swing, turn and touch.
+
+#include "tests/no_allocation.hpp"
+// first: it counts what Eigen asks for
+
+#include "tests/catch.hpp"
+#include "tests/order.hpp"
+#include "tests/sentence.hpp"
+
+#include "chapters/30_elastic_bodies/elastic_loads.hpp"
+#include "chapters/30_elastic_bodies/elastic_scenes.hpp"
+#include "chapters/30_elastic_bodies/elastic_sound.hpp"
+#include "chapters/30_elastic_bodies/vibration.hpp"
+#include "common/random.hpp"
+
+#include <sstream>
+
+using namespace rigid;
+
+namespace {
+
+/// A beam of 1 m × d in the plane, of n quadratic boxes; E = 1e6 Pa, ν = 0, 1000 kg/m³.
+ElasticBody<2> beam(Real d, int n, StrainLaw law = StrainLaw::linear, bool held = true)
+{
+    const ElasticMesh<2> mesh = quadratic(rectangle_mesh({0, -d / 2}, {1, d}, n, 1));
+    ElasticBody<2> body(mesh, {.young = 1e6, .poisson = 0, .law = law});
+    for (int i = 0; held && i < mesh.nodes(); ++i)
+        if (mesh.at(i).x() < 1e-9) body.hold(i);
+    return body;
+}
+
+/// ω of a slender beam [rad/s]: (βL)² √(EI/ρA)
+Real beam_omega(Real beta, Real d) { return beta * beta * std::sqrt(1e6 / 1000 * d * d / 12); }
+
+/// A body whose parts have no speed but that of its first vibration, and its ω.
+Real start_swinging(ElasticBody<2>& body, int mode)
+{
+    const Vibration<2> vibration = vibrations_of(body, mode + 1, 1e-12);
+    REQUIRE(vibration.status == Status::solved);
+    body.x += 1e-3 * vibration.shapes.col(mode);
+    return vibration.omega[mode];
+}
+
+/// Σ x × M v about the origin [kg m²/s].
+Real angular_momentum(const ElasticBody<2>& body)
+{
+    VecX p;
+    body.model.multiply_mass(body.v, p);
+    Real sum = 0;
+    for (int i = 0; i < body.model.nodes(); ++i) sum += cross2(body.at(i), p.segment<2>(2 * i));
+    return sum;
+}
+
+/// A free patch of rubber that turns, flies and wobbles.
+ElasticBody<2> thrown(StrainLaw law)
+{
+    ElasticBody<2> body(rectangle_mesh({0, 0}, {0.6, 0.4}, 4, 3), {.young = 1e4, .law = law});
+    for (int i = 0; i < body.model.nodes(); ++i) {
+        const Vec2 p = body.at(i);
+        body.v.segment<2>(2 * i) = 5 * perpendicular(p) + Vec2(1, 2) + Vec2(3 * p.x() * p.y(), -2 * p.x());
+    }
+    return body;
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------ vibrations
+
+TEST_CASE("a bar of equal elements with consistent mass swings as E10 says", "[idea]")
+{
+    const int n = 12;
+    const Real E = 3, rho = 2, edge = 1.0 / n;
+    ElasticBody<1> bar(bar_mesh(1, n), {.young = E, .density = rho});
+    bar.hold(0), bar.hold(n);
+    const Vibration<1> found = vibrations_of(bar, n - 1, 1e-12);
+    REQUIRE(found.status == Status::solved);
+    for (int k = 1; k < n; ++k) {
+        const Real c = std::cos(k * pi * edge);
+        // (30.18); squares of ω to some ulp of the largest
+        CHECK(found.omega[k - 1] * found.omega[k - 1] ==
+              Approx(6 / (edge * edge) * E / rho * (1 - c) / (2 + c)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("clamped and free beams swing at the tones of Euler and Bernoulli as they get thin", "[idea]")
+{
+    const Real held[] = {1.875104068711961, 4.694091132974175},
+               loose[] = {4.730040744862704, 7.853204624095838};
+    for (const Real d : {0.04, 0.02}) {
+        const Vibration<2> clamped = vibrations_of(beam(d, 20), 2),
+                           free = vibrations_of(beam(d, 20, StrainLaw::linear, false), 5);
+        REQUIRE(clamped.status == Status::solved);
+        REQUIRE(free.status == Status::solved);
+        // what turns and shears costs (βd)²·(1 + E·6/5G)/24, by Timoshenko at most 1.2 % here; ν = 0
+        for (int k = 0; k < 2; ++k) {
+            CHECK(clamped.omega[k] ==
+                  Approx(beam_omega(held[k], d)).epsilon(0.2 * held[k] * held[k] * d * d + 2e-4));
+            CHECK(free.omega[k + 3] ==
+                  Approx(beam_omega(loose[k], d)).epsilon(0.2 * loose[k] * loose[k] * d * d + 2e-4));
+        }
+        for (int k = 0; k < 3; ++k)
+            CHECK(free.omega[k] < 1e-3 * free.omega[3]);  // it flies and turns: no tone
+    }
+}
+
+TEST_CASE("vibrations are normed and independent", "[house]")
+{
+    const ElasticBody<2> body = beam(0.1, 8);
+    const Vibration<2> found = vibrations_of(body, 6);
+    VecX one, product;
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) {
+            one = found.shapes.col(j);
+            body.model.multiply_mass(one, product);
+            CHECK(found.shapes.col(i).dot(product) == Approx(i == j ? 1 : 0).margin(1e-10));
+        }
+    CHECK(sentence_of([&] { vibrations_of(body, 0); }) ==
+          "the number of vibrations is 0; it must be from 1 to 96");
+}
+
+TEST_CASE("a struck bar sounds at the tones of a free bar and damping takes the high ones first", "[idea]")
+{
+    const Real L = 0.4, d = 0.008, E = 2e11, rho = 7800, alpha = 0.2, beta = 2e-7;
+    ElasticBody<2> bar(quadratic(rectangle_mesh({0, -d / 2}, {L, d}, 20, 1)),
+                       {.young = E, .poisson = 0, .density = rho, .law = StrainLaw::linear});
+    int ear = 0;
+    for (int i = 0; i < bar.model.nodes(); ++i) {
+        if (bar.at(i).x() > 0.97 * L) bar.v[2 * i + 1] = 1;  // struck at its right end
+        if ((bar.at(i) - Vec2(0, -d / 2)).norm() < 1e-9) ear = 2 * i + 1;
+    }
+    bar.mass_damping = alpha, bar.stiffness_damping = beta;
+    const int rate = 44100;
+    std::ostringstream out;
+    write_wave(out, sound_of(bar, 12, ear, 1.0, rate), rate);
+    const std::string file = out.str();
+    const auto number = [&file](std::size_t at, int bytes) {
+        std::uint32_t n = 0;
+        for (int i = 0; i < bytes; ++i)
+            n |=
+                static_cast<std::uint32_t>(static_cast<unsigned char>(file[at + static_cast<std::size_t>(i)]))
+                << (8 * i);
+        return n;
+    };
+    REQUIRE(file.size() == 44 + 2 * 44100);
+    CHECK(file.substr(0, 4) == "RIFF");
+    CHECK(number(4, 4) == file.size() - 8);
+    CHECK(file.substr(8, 8) == "WAVEfmt ");
+    CHECK(number(16, 4) == 16);
+    CHECK(number(20, 2) == 1);  // plain numbers
+    CHECK(number(22, 2) == 1);
+    CHECK(number(24, 4) == 44100);
+    CHECK(number(28, 4) == 88200);
+    CHECK(number(32, 2) == 2);
+    CHECK(number(34, 2) == 16);
+    CHECK(file.substr(36, 4) == "data");
+    CHECK(number(40, 4) == 88200);
+    std::vector<Real> s;
+    Real loudest = 0;
+    for (std::size_t i = 44; i < file.size(); i += 2)
+        s.push_back(static_cast<std::int16_t>(number(i, 2))), loudest = std::max(loudest, std::abs(s.back()));
+    CHECK(loudest == Approx(0.9 * 32767).margin(1));
+    // how much of a frequency a part of a second has, under a cosine that lets its ends fade
+    const auto share = [&s](Real f, Real from, Real length) {
+        const auto first = static_cast<std::size_t>(from * rate), n = static_cast<std::size_t>(length * rate);
+        Real re = 0, im = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Real fade = 1 - std::cos(2 * pi * static_cast<Real>(i) / static_cast<Real>(n)),
+                       angle = 2 * pi * f * static_cast<Real>(i) / rate;
+            re += fade * s[first + i] * std::cos(angle), im += fade * s[first + i] * std::sin(angle);
+        }
+        return std::hypot(re, im);
+    };
+    const Vibration<2> tones = vibrations_of(bar, 6);
+    const Real ratio[] = {1, 2.7565, 5.4039};  // (β_k/β_1)² of the free beam
+    Real heard[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Real expected = tones.omega[static_cast<Index>(k) + 3] / (2 * pi);
+        Real best = 0;
+        int at = 0;
+        for (int i = -8; i <= 8; ++i)
+            if (const Real here = share(expected + i, 0, 0.5); here > best) best = here, at = i;
+        // a parabola through three logarithms finds the top to some hundredths of a hertz
+        const Real l = std::log(share(expected + at - 1, 0, 0.5)),
+                   r = std::log(share(expected + at + 1, 0, 0.5));
+        heard[k] = expected + at + (l - r) / (2 * (l - 2 * std::log(best) + r));
+        CHECK(heard[k] == Approx(expected).margin(0.3));
+        // shear and turning lower a tone by (β d/L)²·3.4/24, at most 0.7 %; what linear meshes add is less
+        const Real beta_k = k == 0 ? 4.7300 : k == 1 ? 7.8532 : 10.9956, part = beta_k * d / L;
+        CHECK(heard[k] / heard[0] == Approx(ratio[k]).epsilon(3.4 / 24 * part * part + 1e-3));
+        // half a second later: e^{−½(α + βω²)·½ s}; 16 bits of what is left are a hundredth
+        const Real omega = 2 * pi * expected, c = alpha + beta * omega * omega;
+        CHECK(share(expected, 0.5, 0.25) / share(expected, 0, 0.25) ==
+              Approx(std::exp(-c / 4)).epsilon(0.02));
+    }
+    CHECK(sentence_of([&] { sound_of(bar, 6, -1, 1.0); }) ==
+          "the freedom to listen to is -1; there are " + std::to_string(bar.x.size()));
+    CHECK(sentence_of([&] { sound_of(bar, 6, ear, -1.0); }) ==
+          "a sound of -1 s at 44100 samples a second; both must be positive");
+    CHECK(sentence_of([&] { write_wave(out, {}); }) == "a sound has no samples; it must have one");
+}
+
+TEST_CASE("one freedom swings by its closed form whatever the damping", "[idea]")
+{
+    for (const Real omega : {0.0, 2.0, 50.0})
+        for (const Real c : {0.0, 0.3, 4.0, 300.0}) {
+            Real q = 0.3, v = -0.7, q2 = q, v2 = v;
+            const Real force = 1.7, h = 0.05;
+            swing(omega, c, force, h, q, v);
+            for (int i = 0; i < 7; ++i) swing(omega, c, force, h / 7, q2, v2);
+            CHECK(q == Approx(q2).epsilon(1e-11));  // a step is as good as seven
+            CHECK(v == Approx(v2).epsilon(1e-11).margin(1e-12));
+            // and it obeys the equation: central differences, e² of the fourth derivative
+            const Real e = 1e-5, before = q, speed = v;
+            swing(omega, c, force, e, q, v);
+            Real last = q, fast = v;
+            swing(omega, c, force, e, last, fast);
+            CHECK((fast - speed) / (2 * e) ==
+                  Approx(force - c * v - omega * omega * q).epsilon(1e-5).margin(1e-5));
+            CHECK((last - before) / (2 * e) == Approx(v).epsilon(1e-5).margin(1e-5));
+        }
+}
+
+// ------------------------------------------------------------------------------------- time steps
+
+TEST_CASE("implicit Euler keeps 1 over 1 + h²ω² of a vibration's energy a step and midpoint all", "[idea]")
+{
+    for (const int mode : {0, 2}) {
+        ElasticBody<2> euler = beam(0.1, 6);
+        const Real omega = start_swinging(euler, mode);
+        ElasticBody<2> midpoint = euler;
+        const Real h = 0.3 / omega;
+        ElasticSolver<2> first, second;
+        first.settings.tolerance = second.settings.tolerance = 1e-13;
+        second.settings.rule = TimeRule::implicit_midpoint;
+        const auto energy = [](const ElasticBody<2>& b) { return b.kinetic_energy() + b.elastic_energy(); };
+        const Real start = energy(euler);
+        Real expected = start;
+        for (int n = 0; n < 20; ++n) {
+            first.step(euler, h);
+            second.step(midpoint, h);
+            expected /= 1 + h * h * omega * omega;
+            CHECK(energy(euler) ==
+                  Approx(expected).epsilon(
+                      1e-6));  // a displacement of 1e-5 m of coordinates of 1 m: 1e-11, squared in E
+            CHECK(energy(midpoint) == Approx(start).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("Rayleigh's damping acts on a vibration as its closed form says", "[idea]")
+{
+    ElasticBody<2> body = beam(0.1, 6);
+    const Real omega = start_swinging(body, 0), h = 0.2 / omega;
+    body.mass_damping = 0.5, body.stiffness_damping = 0.01;
+    const Real c = body.mass_damping + body.stiffness_damping * omega * omega;
+    const Vibration<2> vibration = vibrations_of(body, 1, 1e-12);
+    ElasticSolver<2> solver;
+    solver.settings.tolerance = 1e-13;
+    Real q = 1e-3, v = 0;
+    for (int n = 0; n < 10; ++n) {
+        solver.step(body, h);
+        // (1 + h c + h²ω²) q' = (1 + h c) q + h v
+        const Real next = ((1 + h * c) * q + h * v) / (1 + h * c + h * h * omega * omega);
+        v = (next - q) / h, q = next;
+        VecX product;
+        body.model.multiply_mass(body.x - body.model.mesh().rest, product);
+        CHECK(vibration.shapes.col(0).dot(product) ==
+              Approx(std::copysign(q, vibration.shapes.col(0).dot(product))).epsilon(1e-6).margin(1e-9));
+    }
+}
+
+TEST_CASE("the steps have the orders one and two", "[idea]")
+{
+    for (const TimeRule rule : {TimeRule::implicit_euler, TimeRule::implicit_midpoint}) {
+        const auto run = [rule](int steps) {
+            ElasticBody<2> body = thrown(StrainLaw::neo_hookean);
+            ElasticSolver<2> solver;
+            solver.settings.rule = rule;
+            solver.settings.tolerance = 1e-12;
+            for (int n = 0; n < steps; ++n) solver.step(body, 0.05 / steps);
+            return body.x;
+        };
+        const VecX exact = [&run] {  // by midpoint, extrapolated once
+            return VecX((4 * run(512) - run(256)) / 3);
+        }();
+        std::vector<Real> errors;
+        const bool is_euler = rule == TimeRule::implicit_euler;
+        const VecX truth = is_euler ? VecX(2 * run(1024) - run(512)) : exact;
+        for (const int steps : {16, 32, 64, 128}) errors.push_back((run(steps) - truth).norm());
+        CHECK(order_of(errors) == Approx(is_euler ? 1 : 2).margin(0.15));
+    }
+}
+
+TEST_CASE("midpoint keeps momentum and angular momentum of a body that flies", "[idea]")
+{
+    for (const StrainLaw law : {StrainLaw::corotational, StrainLaw::neo_hookean}) {
+        ElasticBody<2> body = thrown(law);
+        ElasticSolver<2> solver;
+        solver.settings.rule = TimeRule::implicit_midpoint;
+        solver.settings.tolerance = 1e-13;
+        const Real start = angular_momentum(body);
+        VecX p;
+        body.model.multiply_mass(body.v, p);
+        const Vec2 momentum = p.reshaped(2, p.size() / 2).rowwise().sum();
+        for (int n = 0; n < 100; ++n) {
+            solver.step(body, 1.0 / 240);
+            REQUIRE(solver.report.status == Status::solved);
+        }
+        CHECK(angular_momentum(body) == Approx(start).epsilon(1e-10));  // what Newton leaves, 100 times
+        body.model.multiply_mass(body.v, p);
+        const Vec2 after = p.reshaped(2, p.size() / 2).rowwise().sum();
+        CHECK((after - momentum).norm() < 1e-10 * momentum.norm());
+    }
+}
+
+TEST_CASE("a disc that turns keeps its size by the laws that turn and flies apart by the linear one",
+          "[idea]")
+{
+    for (const StrainLaw law : {StrainLaw::linear, StrainLaw::corotational, StrainLaw::neo_hookean}) {
+        ElasticScene scene = spinning_scene(law, 1e6, 6);
+        ElasticSolver<2> solver;
+        solver.settings.rule = TimeRule::implicit_midpoint;
+        const Real energy = scene.elastic.kinetic_energy();
+        for (int n = 0; n < 60; ++n) solver.step(scene.elastic, 1.0 / 60);
+        const Real size = (scene.elastic.at(scene.elastic.model.nodes() - 1) - scene.elastic.at(0)).norm();
+        if (law == StrainLaw::linear) {
+            // every node goes straight on, and no strain is seen: r √(1 + (ωt)²)
+            CHECK(size == Approx(0.5 * std::sqrt(37.0)).epsilon(1e-9));
+            CHECK(scene.elastic.elastic_energy() < 1e-9 * energy);
+        } else {
+            // it grows by ρω²r²/E, half a percent and less of it
+            CHECK(size == Approx(0.5).epsilon(0.02));
+            CHECK(scene.elastic.kinetic_energy() + scene.elastic.elastic_energy() ==
+                  Approx(energy).epsilon(0.02));  // of what is not linear midpoint keeps it to h²
+        }
+    }
+}
+
+TEST_CASE("a strip that bends under its own weight is the elastica of P6", "[idea]")
+{
+    // Γ = q L³/EI = 1 and 5 of a strip of 1 m × 0.02 m; ν = 0 and thin, so little shear
+    const Real d = 0.02,
+               tips[2][3] = {{1, 0.991246395347, 0.123471401983}, {5, 0.846657179954, 0.495905044622}};
+    for (const auto& [gamma, tip_x, tip_y] : tips)
+        for (const StrainLaw law : {StrainLaw::corotational, StrainLaw::neo_hookean}) {
+            ElasticBody<2> body = beam(d, 30, law);
+            ElasticSolver<2> solver;
+            solver.settings.most = 200;
+            for (int part = 1; part <= 10; ++part) {
+                body.gravity = {0, -gamma * 1e6 * d * d / 12 / 1000 * part / 10};
+                solver.rest(body);
+                REQUIRE(solver.report.status == Status::solved);
+            }
+            int tip = 0;
+            for (int i = 0; i < body.model.nodes(); ++i)
+                if ((body.model.mesh().at(i) - Vec2(1, 0)).norm() < 1e-9) tip = i;
+            CHECK(body.at(tip).x() ==
+                  Approx(tip_x).margin(2e-3));  // (d/L)² of shear and stretch, and the mesh
+            CHECK(-body.at(tip).y() == Approx(tip_y).margin(2e-3));
+        }
+}
+
+TEST_CASE("a linear body keeps its factor and the bits are those without", "[house]")
+{
+    ElasticBody<2> kept = thrown(StrainLaw::linear), fresh = kept;
+    ElasticSolver<2> one, other;
+    other.settings.keeps_factor = false;
+    int factorisations = 0;
+    for (int n = 0; n < 20; ++n) {
+        one.step(kept, 1.0 / 60), other.step(fresh, 1.0 / 60);
+        factorisations += one.report.factorisations;
+        CHECK(other.report.factorisations == 1);
+    }
+    CHECK(factorisations == 1);
+    one.step(kept, 1.0 / 90), other.step(fresh, 1.0 / 90);  // another step, another matrix
+    CHECK(one.report.factorisations == 1);
+    CHECK(kept.x == fresh.x);
+    CHECK(kept.v == fresh.v);
+}
+
+TEST_CASE("a factor of another shape serves where it still brings the residual down", "[house]")
+{
+    for (const StrainLaw law : {StrainLaw::corotational, StrainLaw::neo_hookean}) {
+        ElasticBody<2> fresh(rectangle_mesh({0, 0}, {0.6, 0.2}, 6, 2), {.young = 1e4, .law = law});
+        for (int i = 0; i < fresh.model.nodes(); ++i)
+            if (fresh.at(i).x() < 1e-9) fresh.hold(i);
+        fresh.gravity = {0, -0.5};
+        fresh.stiffness_damping = 0.02;
+        ElasticBody<2> kept = fresh;
+        ElasticSolver<2> one, other;
+        one.settings.tolerance = other.settings.tolerance = 1e-11;
+        other.settings.stale = 0.3;
+        int ones = 0, others = 0;
+        for (int n = 0; n < 60; ++n) {
+            one.step(fresh, 1.0 / 60), other.step(kept, 1.0 / 60);
+            REQUIRE(one.report.status == Status::solved);
+            REQUIRE(other.report.status == Status::solved);
+            ones += one.report.factorisations, others += other.report.factorisations;
+        }
+        CHECK((fresh.x - kept.x).cwiseAbs().maxCoeff() < 1e-7);  // both are answers to 1e-11 in 60 steps
+        CHECK(others < ones / 2);
+        kept.fixed[kept.fixed.size() - 1] = 1;  // another matrix
+        other.step(kept, 1.0 / 60);
+        CHECK(other.report.factorisations > 0);
+    }
+}
+
+TEST_CASE("a step allocates nothing", "[house]")
+{
+    for (const StrainLaw law : {StrainLaw::linear, StrainLaw::corotational, StrainLaw::neo_hookean})
+        for (const LinearSolve solve : {LinearSolve::direct, LinearSolve::conjugate_gradients}) {
+            ElasticBody<2> body = thrown(law);
+            body.stiffness_damping = 1e-3;
+            ElasticSolver<2> solver;
+            solver.settings.solve = solve;
+            solver.step(body, 1.0 / 60);
+            const NoAllocation watch;
+            for (int n = 0; n < 5; ++n) solver.step(body, 1.0 / 60);
+            CHECK(NoAllocation::violations() == 0);
+        }
+}
+
+TEST_CASE("conjugate gradients take the step of the factor", "[idea]")
+{
+    ElasticBody<2> direct = thrown(StrainLaw::neo_hookean), iterated = direct;
+    ElasticSolver<2> one, other;
+    other.settings.solve = LinearSolve::conjugate_gradients;
+    one.settings.tolerance = other.settings.tolerance = 1e-12;
+    for (int n = 0; n < 20; ++n) one.step(direct, 1.0 / 60), other.step(iterated, 1.0 / 60);
+    CHECK((direct.x - iterated.x).norm() < 1e-8);  // both are within the tolerance times twenty steps
+    CHECK(other.report.linear_iterations > 0);
+}
+
+TEST_CASE("a body by all of its vibrations moves as the linear one does with small steps", "[idea]")
+{
+    ElasticBody<2> body = beam(0.2, 3);
+    const int all = static_cast<int>(std::count(body.fixed.begin(), body.fixed.end(), char{0}));
+    body.gravity = {0, -1};
+    ElasticBody<2> modes = body;
+    ModalBody<2> modal(modes, all);
+    REQUIRE(modal.vibration.status == Status::solved);
+    ElasticSolver<2> solver;
+    solver.settings.rule = TimeRule::implicit_midpoint;
+    for (int n = 0; n < 400; ++n) solver.step(body, 5e-4);
+    for (int n = 0; n < 4; ++n) modal.step(modes, 0.05);
+    const Real moved = (modes.x - body.model.mesh().rest).norm();
+    CHECK((body.x - modes.x).norm() < 0.01 * moved);  // what midpoint's h² leaves of the fast vibrations
+}
+
+TEST_CASE("bad steps and states are refused and change nothing", "[house]")
+{
+    ElasticBody<2> body = thrown(StrainLaw::corotational);
+    const VecX before = body.x;
+    ElasticSolver<2> solver;
+    CHECK(sentence_of([&] { solver.step(body, 0); }) ==
+          "the time step h is 0 s; it must be positive and finite");
+    body.stiffness_damping = -1;
+    CHECK(sentence_of([&] { solver.step(body, 0.1); }) ==
+          "the damping by stiffness is -1; it must be zero or positive");
+    body.stiffness_damping = 0;
+    body.load.resize(3);
+    CHECK(sentence_of([&] { solver.step(body, 0.1); }) ==
+          "load of an elastic body has 3 entries; its mesh has 40");
+    CHECK(body.x == before);
+}
+
+// --------------------------------------------------------------------------------- rigid bodies
+
+TEST_CASE("a box on a soft column presses it by m g H over E A", "[idea]")
+{
+    // ν = 0: a column under pressure is a bar. Weight of its own it has none.
+    ElasticScene scene(ElasticBody<2>(rectangle_mesh({0, 0}, {0.4, 0.5}, 4, 5),
+                                      {.young = 2e4, .poisson = 0, .law = StrainLaw::linear}));
+    scene.skin = 0;
+    for (int i = 0; i < scene.elastic.model.nodes(); ++i)
+        if (scene.elastic.at(i).y() < 1e-9) scene.elastic.hold(i);
+    scene.elastic.stiffness_damping = 0.05;
+    add_body(scene, box(0.4, 0.2), 10 / 0.08, {0.2, 0.6});
+    ElasticContacts contacts;
+    for (int n = 0; n < 400; ++n) contacts.step(scene, 1.0 / 60);
+    CHECK(contacts.report.status == Status::solved);
+    const Real sunk = 10 * 9.81 * 0.5 / (2e4 * 0.4);
+    // what the pushing out of overlaps leaves is less than a part in a thousand
+    CHECK(0.6 - scene.bodies.x[1] == Approx(sunk).epsilon(5e-3));
+    CHECK(std::abs(scene.bodies.x[2]) < 1e-6);
+    Real weight = 0;
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i)
+        if (contacts.rows[i].rigid.bounded_by < 0)
+            weight += contacts.solution.lambda[static_cast<Index>(i)] * 60;
+    CHECK(weight == Approx(98.1).epsilon(1e-3));
+}
+
+TEST_CASE("a step with contacts allocates nothing", "[house]")
+{
+    ElasticScene scene(ElasticBody<2>(rectangle_mesh({0, 0}, {0.4, 0.5}, 4, 5),
+                                      {.young = 2e4, .poisson = 0.3, .law = StrainLaw::neo_hookean}));
+    for (int i = 0; i < scene.elastic.model.nodes(); ++i)
+        if (scene.elastic.at(i).y() < 1e-9) scene.elastic.hold(i);
+    scene.elastic.gravity = scene.gravity;
+    scene.elastic.stiffness_damping = 0.01;
+    add_body(scene, box(0.2, 0.2), Real{100}, {0.23, 0.62}, 0.2);
+    ElasticContacts contacts;
+    for (int n = 0; n < 100; ++n) contacts.step(scene, 1.0 / 60);
+    REQUIRE(contacts.rows.size() > 2);
+    const NoAllocation watch;
+    for (int n = 0; n < 5; ++n) contacts.step(scene, 1.0 / 60);
+    CHECK(NoAllocation::violations() == 0);
+}
+
+TEST_CASE("an impact between soft and rigid keeps the momentum of both", "[idea]")
+{
+    for (const StrainLaw law : {StrainLaw::linear, StrainLaw::neo_hookean}) {
+        ElasticScene scene(ElasticBody<2>(disc_mesh({0, 0}, 0.3, 3), {.young = 2e4, .law = law}));
+        scene.gravity = {0, 0};
+        for (int i = 0; i < scene.elastic.model.nodes(); ++i) scene.elastic.v[2 * i] = 3;
+        add_body(scene, box(0.3, 0.4), 500, {0.6, 0.1});
+        const auto momentum = [&scene] {
+            VecX p;
+            scene.elastic.model.multiply_mass(scene.elastic.v, p);
+            return Vec2(Vec2(p.reshaped(2, p.size() / 2).rowwise().sum()) +
+                        scene.bodies.u.head<2>() / scene.bodies.inverse_mass[0]);
+        };
+        const Vec2 before = momentum();
+        ElasticContacts contacts;
+        contacts.tolerance = 1e-11;
+        for (int n = 0; n < 60; ++n) contacts.step(scene, 1.0 / 120);
+        CHECK(scene.bodies.u[0] > 0.5);                              // it was hit
+        CHECK((momentum() - before).norm() < 1e-7 * before.norm());  // what Newton leaves, 60 times
+    }
+}
+
+TEST_CASE("soft fingers lift a box and a bridge bends under a car", "[idea]")
+{
+    ElasticScene gripper = gripper_scene(StrainLaw::corotational, 5e4, 20);
+    ElasticContacts contacts;
+    for (int n = 0; n < 192; ++n) {
+        move_gripper(gripper, n / 120.0);
+        contacts.step(gripper, 1.0 / 120);
+    }
+    CHECK(gripper.bodies.x[1] ==
+          Approx(0.15 + 0.4).margin(0.05));  // 0.8 s at 0.5 m/s, less what the fingers give
+
+    ElasticScene bridge = bridge_with_car(StrainLaw::corotational, 1e7, 4);
+    ElasticContacts other;
+    Real lowest = 0;
+    for (int n = 0; n < 240; ++n) {
+        other.step(bridge, 1.0 / 120);
+        for (int i = 0; i < bridge.elastic.model.nodes(); ++i)
+            lowest = std::min(lowest, bridge.elastic.at(i).y() - bridge.elastic.model.mesh().at(i).y());
+    }
+    CHECK(bridge.bodies.x[6] > 0);  // it is over the middle
+    CHECK(lowest < -0.02);
+    CHECK(lowest > -0.4);
+}
+
+TEST_CASE("a soft ball rolls and does not slide where the slope is gentle", "[idea]")
+{
+    // a solid ball that rolls: a = ⅔ g sin α of a disc; a soft one loses some of it
+    const Real angle = 0.1;
+    ElasticScene scene = ball_scene(StrainLaw::corotational, 2e5, angle);
+    scene.elastic.stiffness_damping = 0;
+    ElasticContacts contacts;
+    for (int n = 0; n < 120; ++n) contacts.step(scene, 1.0 / 120);
+    VecX p;
+    scene.elastic.model.multiply_mass(scene.elastic.v, p);
+    const Vec2 v = Vec2(p.reshaped(2, p.size() / 2).rowwise().sum()) / scene.elastic.model.mass();
+    const Real rolling = 2.0 / 3 * 9.81 * std::sin(angle), sliding = 9.81 * std::sin(angle);
+    const Real along = v.dot(Vec2(std::cos(angle), -std::sin(angle)));
+    CHECK(along < rolling * 1.05);
+    CHECK(along > 0.6 * rolling);
+    CHECK(along < sliding);
+}
