@@ -67,7 +67,7 @@ target_link_libraries(rigid_base PUBLIC rigid_options)
 # The engine (19) is no chapter that a later one uses; it is only in the library's own, because it is in no test's memory.
 function(add_chapter_libraries prefix base)
   set(last ${base})
-  foreach(number RANGE 1 29)
+  foreach(number RANGE 1 30)
     if(number LESS 10)
       set(number 0${number})
     endif()

@@ -31,7 +31,7 @@ function(add_catch_tests name label)
   add_executable(test_${name} ${arg_FILES})
   compile_together(test_${name})
   # of a chapter: its library and those before it; else all, and the engine
-  if(name MATCHES "^(0[1-9]|1[0-8]|2[0-46-9])_")
+  if(name MATCHES "^(0[1-9]|1[0-8]|2[0-46-9]|30)_")
     target_link_libraries(test_${name} PRIVATE ${rigid_chapter_up_to_${CMAKE_MATCH_1}} rigid_test_main)
   else()
     target_link_libraries(test_${name} PRIVATE ${rigid_chapter_libraries} rigid_chapter_19 rigid_test_main)
