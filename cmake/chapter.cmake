@@ -37,7 +37,6 @@ function(add_chapter chapter)
 
   if(COMMAND add_catch_tests AND EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cpp)
     file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${number}_*.cpp)   # one executable a chapter
-    list(FILTER tests EXCLUDE REGEX "_trace\\.cpp$")
     add_catch_tests(${chapter} ch${number} FILES ${tests})
     if(EXISTS ${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)   # tests that run the program
       include(${PROJECT_SOURCE_DIR}/tests/${chapter}.cmake)

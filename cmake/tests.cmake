@@ -30,11 +30,13 @@ function(add_catch_tests name label)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "FILES")
   add_executable(test_${name} ${arg_FILES})
   compile_together(test_${name})
-  # of a chapter: its library and those before it; else all, and the engine
+  # of a chapter: its library and those before it; what is about all of them: all; else those of the plane
   if(name MATCHES "^(0[1-9]|1[0-8]|2[0-46-9]|30)_")
     target_link_libraries(test_${name} PRIVATE ${rigid_chapter_up_to_${CMAKE_MATCH_1}} rigid_test_main)
-  else()
+  elseif(name MATCHES "^25_|^small$")
     target_link_libraries(test_${name} PRIVATE ${rigid_chapter_libraries} rigid_chapter_19 rigid_test_main)
+  else()
+    target_link_libraries(test_${name} PRIVATE rigid_chapter_19 rigid_test_main)
   endif()
   if(TARGET rigid_precompiled)
     target_precompile_headers(test_${name} REUSE_FROM rigid_test_main)
@@ -47,40 +49,3 @@ function(add_program_test label chapter name)
   add_test(NAME "${label}: ${chapter} ${name}" COMMAND ${chapter} ${ARGN})
   set_tests_properties("${label}: ${chapter} ${name}" PROPERTIES LABELS ${label} TIMEOUT 300)
 endfunction()
-
-# add_same_bits_test(LABEL CHAPTER NAME): tests/CHAPTER_trace.cpp prints the same without and with optimisation. The one
-# is compiled without any (the library, too: nothing optimised is linked in), the other as the release build compiles.
-function(add_same_bits_test label chapter name)
-  if(MSVC)
-    return()
-  endif()
-  string(SUBSTRING ${chapter} 0 2 number)
-  foreach(level plain optimised)
-    add_executable(${chapter}_trace_${level} tests/${chapter}_trace.cpp)
-    if(level STREQUAL optimised AND CMAKE_BUILD_TYPE STREQUAL "Release")
-      target_link_libraries(${chapter}_trace_${level} PRIVATE ${rigid_chapter_up_to_${number}} rigid_common)
-      precompile(${chapter}_trace_${level})
-    else()
-      target_link_libraries(${chapter}_trace_${level} PRIVATE ${rigid_${level}_up_to_${number}})
-      target_precompile_headers(${chapter}_trace_${level} REUSE_FROM rigid_${level})
-    endif()
-    add_dependencies(test_${chapter} ${chapter}_trace_${level})   # ./book test N builds test_NN
-  endforeach()
-  add_test(NAME "${label}: ${name}"
-           COMMAND ${CMAKE_COMMAND} -DFIRST=$<TARGET_FILE:${chapter}_trace_plain>
-                   -DSECOND=$<TARGET_FILE:${chapter}_trace_optimised>
-                   -P ${PROJECT_SOURCE_DIR}/tests/04_pgs_same_output.cmake)
-  set_tests_properties("${label}: ${name}" PROPERTIES LABELS ${label} TIMEOUT 300)
-endfunction()
-
-# What the traces of all chapters share at one level: the physics below the engine, and a precompiled header.
-foreach(level plain optimised)
-  add_library(rigid_${level} STATIC EXCLUDE_FROM_ALL ${rigid_base_sources})
-  target_link_libraries(rigid_${level} PUBLIC rigid_options)
-  target_compile_options(rigid_${level} PUBLIC $<IF:$<STREQUAL:${level},plain>,-O0,-O2>)
-  target_precompile_headers(rigid_${level} PRIVATE cmake/precompiled/standard.hpp <Eigen/Dense> <Eigen/Sparse>)
-  add_chapter_libraries(rigid_${level} rigid_${level})
-  foreach(library ${rigid_${level}_libraries})
-    target_precompile_headers(${library} REUSE_FROM rigid_${level})
-  endforeach()
-endforeach()

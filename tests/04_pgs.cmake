@@ -12,8 +12,6 @@ add_program_test(ch04 04_pgs "refuses a bounded problem for conjugate gradients"
                  ${PROJECT_SOURCE_DIR}/tests/problems/spd_s5.mlcp --method cg)
 set_tests_properties("ch04: 04_pgs refuses a bounded problem for conjugate gradients" PROPERTIES WILL_FAIL ON)
 
-add_same_bits_test(ch04 04_pgs "600 steps of the ten discs are the same bits without and with optimisation")
-
 # Without --method a problem with contacts is solved too: the default is the chapter's own method.
 add_program_test(ch04 04_pgs "solves a problem with bounds without being told how" --headless --problem
                  ${PROJECT_SOURCE_DIR}/tests/problems/fric_boxed_s4.mlcp)

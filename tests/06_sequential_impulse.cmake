@@ -9,5 +9,3 @@ endforeach()
 add_program_test(ch06 06_sequential_impulse "refuses a restitution above one" --headless --scene triangle
                  --set restitution=1.5 --steps 1)
 set_tests_properties("ch06: 06_sequential_impulse refuses a restitution above one" PROPERTIES WILL_FAIL ON)
-
-add_same_bits_test(ch06 06_sequential_impulse "runs in every order are the same bits without and with optimisation")

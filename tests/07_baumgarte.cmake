@@ -9,8 +9,6 @@ add_program_test(ch07 07_baumgarte "gives up where beta makes the error grow for
                  --method baumgarte --set beta=2.5 --steps 3000)
 set_tests_properties("ch07: 07_baumgarte gives up where beta makes the error grow forever" PROPERTIES WILL_FAIL ON)
 
-add_same_bits_test(ch07 07_baumgarte "five ways to correct give the same bits without and with optimisation")
-
 # A column of one disc and a chain of one link: the theory of the scene looks at the second body only where there is one.
 foreach(scene_and_count column:discs hanging_chain:links)
   string(REPLACE ":" ";" pair ${scene_and_count})

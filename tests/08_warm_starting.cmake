@@ -9,5 +9,3 @@ add_program_test(ch08 08_warm_starting "runs two starts side by side in every or
                  --method cold,best_multiple --set order=3 repaid_by=4 substeps=4 keep=2 --steps 60 --csv -)
 add_program_test(ch08 08_warm_starting "refuses a warm start factor above one" --headless --set factor=1.5 --steps 2)
 set_tests_properties("ch08: 08_warm_starting refuses a warm start factor above one" PROPERTIES WILL_FAIL ON)
-
-add_same_bits_test(ch08 08_warm_starting "300 warm steps of two scenes are the same bits without and with optimisation")

@@ -32,5 +32,3 @@ foreach(method active_sets dantzig)
   set_tests_properties("ch09: 09_active_sets says by ${method} that a problem has no answer" PROPERTIES
     PASS_REGULAR_EXPRESSION "status infeasible")
 endforeach()
-
-add_same_bits_test(ch09 09_active_sets "ten discs, a column and a pyramid are the same bits without and with optimisation")
