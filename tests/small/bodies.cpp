@@ -7,6 +7,7 @@
 #include "chapters/02_velocity_constraints/constraints.hpp"
 #include "chapters/02_velocity_constraints/curves.hpp"
 #include "tests/catch.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small01 {
@@ -105,3 +106,37 @@ TEST_CASE("the small program of chapter 2 has the numbers of the text and the li
         CHECK(off < most);
     }
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers spring(Numbers in)
+{
+    Numbers out;
+    for (const small01::Method& method : {small01::Method{"explicit", small01::explicit_euler, ""},
+                                          {"symplectic", small01::symplectic_euler, ""},
+                                          {"implicit", small01::implicit_euler, ""}}) {
+        small01::Body body{1, 0};
+        for (int n = 0; n < 12; ++n) method.step(body, in["h"], 1);
+        out[method.name] = small01::energy(body, 1) / small01::energy({1, 0}, 1);
+    }
+    return out;
+}
+
+Numbers stiff_spring(Numbers in)
+{
+    small02::Body body{{1, 0}, {0, 1}};
+    double farthest = 0;
+    for (int n = 0; n < 1000; ++n) {
+        small02::spring_step(body, 0.01, 1000 * in["k"]);
+        farthest = std::max(farthest, std::abs(body.x.norm() - 1));
+    }
+    return {{"distance", farthest < 1 ? 1000 * farthest : farthest < 1000 ? farthest : farthest / 1000}};
+}
+
+const Sentence says_spring("spring", spring, 1e-12);  // the same operations, in another order
+const Sentence says_stiff_spring("stiff_spring", stiff_spring,
+                                 1e-6);  // 1000 steps of a spring that explodes magnify their rounding
+
+}  // namespace

@@ -5,6 +5,7 @@
 #include "chapters/18_islands/island_shape.hpp"
 #include "chapters/19_engine/world_scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small18 {
@@ -199,3 +200,18 @@ TEST_CASE("the small program of chapter 19 names and wakes as a world of the lib
     CHECK(small19::hash(again) != small19::hash(d));
     for (const int k : {0, 2, 3, 4}) CHECK(asleep(tower[std::size_t(k)].first.place));
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers tower(Numbers in)
+{
+    const int boxes = static_cast<int>(in["boxes"]);
+    const rigid::IslandShape shape{boxes, 4 * boxes, 4 * boxes, 0, boxes, boxes, in["ratio"]};
+    return {{"sweeps", shape.price_of_sweeps()}, {"exact", shape.price_of_exact()}};
+}
+
+const Sentence says_tower("tower", tower, 1e-12);
+
+}  // namespace

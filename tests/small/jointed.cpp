@@ -8,6 +8,7 @@
 #include "chapters/15_trees/joint_factor.hpp"
 #include "tests/catch.hpp"
 #include "tests/small/quiet_sweeps.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small14 {
@@ -164,3 +165,36 @@ TEST_CASE("the small program of chapter 15 solves at once what its sweeps only a
     CHECK(gap[0] > 0.02);
     CHECK(gap[1] < 2e-6);
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers door(Numbers in)
+{
+    small14::Bodies d = small14::door(in["gap"] / 1000);
+    d.inverse_mass.tail<3>() *= 3 / in["mass"];
+    small14::step(d, 0.1, 1);
+    return {{"pin", d.rows[1].lambda},
+            {"stop", d.rows[2].lambda},
+            {"motor", d.rows[3].lambda},
+            {"omega", d.u[5]}};
+}
+
+Numbers two_rods(Numbers in)
+{
+    small15::Bodies d{{}, {}, {}, {}, 1};
+    small15::add_rod(d, 1, 1, 0);
+    small15::add_rod(d, 1, in["mass"], 0);
+    small15::step(d, 1, 0);
+    return {{"first", d.pins[0].lambda[1]},
+            {"second", d.pins[1].lambda[1]},
+            {"turn1", 9.81 * d.u[2]},
+            {"turn2", 9.81 * d.u[5]},
+            {"end", -d.u[2]}};
+}
+
+const Sentence says_door("door", door, 1e-5);  // sweeps to 1e-6 rad/s
+const Sentence says_two_rods("two_rods", two_rods, 1e-9);
+
+}  // namespace

@@ -7,6 +7,7 @@
 #include "chapters/04_pgs/sweeps.hpp"
 #include "chapters/05_lemke/lemke.hpp"
 #include "tests/small/library_run.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small03 {
@@ -141,3 +142,40 @@ TEST_CASE("the small program of chapter 5 has the numbers of the text and the li
         });
     CHECK(farthest < 1e-12);  // both are exact
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers corner(Numbers in)
+{
+    const Eigen::MatrixXd J{{0, 1}, {0.6, 0.8}}, A = J * J.transpose();
+    const Eigen::VectorXd u{{in["x"], in["y"]}};
+    Eigen::VectorXd lambda;
+    REQUIRE(small03::enumerate(A, J * u, two_zeros, lambda) > 0);
+    const Eigen::VectorXd v = u + J.transpose() * lambda;
+    return {{"floor", lambda[0]}, {"ramp", lambda[1]}, {"x", v[0]}, {"y", v[1]}};
+}
+
+Numbers column(Numbers in)
+{
+    const double mass = in["mass"];
+    const Eigen::MatrixXd A{{1, -1}, {-1, 1 + 1 / mass}};
+    Eigen::VectorXd lambda = two_zeros;
+    for (int n = 0; n < in["sweeps"]; ++n) small04::pgs(A, Eigen::VectorXd{{-1, 0}}, two_zeros, lambda, 1);
+    return {{"first", lambda[0]}, {"second", lambda[1]}, {"missing", 100 * (1 - lambda[0] / (1 + mass))}};
+}
+
+Numbers cones(Numbers in)
+{
+    const Eigen::MatrixXd A{{2, 1}, {1, 2}};
+    Eigen::VectorXd z = two_zeros;
+    const int pivots = small05::lemke(A, Eigen::VectorXd{{in["q1"], in["q2"]}}, two_zeros, z);
+    return {{"pivots", pivots}, {"z1", z[0]}, {"z2", z[1]}};
+}
+
+const Sentence says_corner("corner", corner, 1e-12);
+const Sentence says_column("column", column, 1e-12);
+const Sentence says_cones("cones", cones, 1e-12);
+
+}  // namespace

@@ -6,6 +6,7 @@
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "tests/small/library_run.hpp"
 #include "tests/small/quiet_sweeps.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small08_again {
@@ -128,3 +129,26 @@ TEST_CASE("the small program of chapter 10 lets columns sleep and wakes them whe
     for (int k = 95; k < 100; ++k)  // the last column stands where ten sweeps from zero have left it
         CHECK((d.x - small10::columns().x).segment<2>(2 * k).norm() < 1e-6);
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers guess(Numbers in)
+{
+    const Eigen::MatrixXd A{{2, 1}, {1, 2}};
+    const Eigen::VectorXd q{{-5, in["q2"]}};
+    Eigen::VectorXd first, lambda;
+    std::vector<bool> once(2, true), active(2, true);
+    small09::guess(A, q, two_zeros, once, first, 1);
+    const int guesses = small09::guess(A, q, two_zeros, active, lambda);
+    return {{"first1", first[0]},
+            {"first2", first[1]},
+            {"guesses", guesses},
+            {"answer1", lambda[0]},
+            {"answer2", lambda[1]}};
+}
+
+const Sentence says_guess("guess", guess, 1e-12);
+
+}  // namespace

@@ -8,6 +8,7 @@
 #include "chapters/16_soft_constraints/xpbd.hpp"
 #include "chapters/17_wide_sweeps/waits.hpp"
 #include "tests/catch.hpp"
+#include "tests/small/sentences.hpp"
 
 #include <bit>
 #include <chrono>
@@ -204,3 +205,48 @@ TEST_CASE("the small program of chapter 17 has every bit of chapter 6's in one l
     CHECK(one.x != given.x);  // another order, another error below the tolerance
     CHECK((one.x - given.x).cwiseAbs().maxCoeff() < 1e-3);
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers oscillator(Numbers in)
+{
+    const double omega = 2 * std::numbers::pi * in["hertz"], h = 1.0 / 60;
+    Numbers out;
+    for (const bool implicit : {false, true}) {
+        double x = 0.01, v = 0;
+        for (int n = 1; n <= 10; ++n) {
+            v = implicit ? rigid::implicit_velocity(x, v, {in["hertz"], in["zeta"]}, h)
+                         : v - h * (omega * omega * x + 2 * in["zeta"] * omega * v);
+            x += h * v;
+            if (n == 1) out[implicit ? "implicit" : "explicit"] = 1000 * x;
+        }
+        out[implicit ? "implicit10" : "explicit10"] = 1000 * x;
+    }
+    return out;
+}
+
+Numbers line(Numbers in)
+{
+    const int bodies = static_cast<int>(in["bodies"]);
+    std::vector<rigid::Row<2>> rows(static_cast<std::size_t>(bodies - 1));
+    std::vector<int> coloured;
+    for (int i = 0; i < bodies - 1; ++i) {
+        rigid::Row<2>& row = rows[static_cast<std::size_t>(i)];
+        row.a = i;
+        row.b = i + 1;
+        row.Wa.setOnes();
+        row.Wb.setOnes();
+    }
+    for (const int first : {0, 1})
+        for (int i = first; i < bodies - 1; i += 2) coloured.push_back(i);
+    return {{"rows", rows.size()},
+            {"chain", rigid::longest_chain(rows, {}, bodies)},
+            {"coloured", rigid::longest_chain<2>(rows, coloured, bodies)}};
+}
+
+const Sentence says_oscillator("oscillator", oscillator, 1e-12);
+const Sentence says_line("line", line, 0);
+
+}  // namespace

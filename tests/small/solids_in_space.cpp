@@ -8,6 +8,7 @@
 #include "common/random.hpp"
 #include "tests/catch.hpp"
 #include "tests/placed_solids.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small22 {
@@ -204,3 +205,45 @@ TEST_CASE(
         CHECK(block.u.norm() < 1e-3);
     }
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers triangles(Numbers in)
+{
+    const double up = in["up"];
+    return {{"distance", small22::nearest_points(small22::triangle(0, 0, 4, 4, 1, 3),
+                                                 small22::triangle(5, 1 + up, 8, 2 + up, 5, 5 + up))
+                             .distance}};
+}
+
+Numbers squares(Numbers in)
+{
+    const double right = in["right"], x[] = {0.5, 1.75, 0.5, -0.75}, y[] = {-0.75, 0.5, 1.75, 0.5};
+    std::vector<small23::Corner> polygon;
+    for (int k = 0; k < 4; ++k) polygon.push_back({{x[k] + right, y[k], 0}, k, k});
+    for (int k = 0; k < 4; ++k) {
+        const Eigen::Vector3d out(k == 0 ? 1 : k == 2 ? -1 : 0, k == 1 ? 1 : k == 3 ? -1 : 0, 0);
+        polygon = small23::cut(polygon, out, out, k);
+    }
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        twice += polygon[i].at.cross(polygon[(i + 1) % polygon.size()].at).z();
+    return {{"area", twice / 2}};
+}
+
+Numbers hoop(Numbers in)
+{
+    small24::Bodies d = small24::hoop(1.8, in["across"]);
+    small24::Contact c = small24::find_contacts(d)[0];
+    c.lambda[2] = 1;
+    small24::visit(c, d);
+    return {{"along", -small24::drag(c)[0]}, {"aside", -small24::drag(c)[1]}};
+}
+
+const Sentence says_triangles("triangles", triangles, 1e-12);
+const Sentence says_squares("squares", squares, 1e-12);
+const Sentence says_hoop("hoop", hoop, 1e-12);
+
+}  // namespace

@@ -4,6 +4,7 @@
 
 #include "tests/small/library_run.hpp"
 #include "tests/small/quiet_sweeps.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small04_again {
@@ -136,3 +137,56 @@ TEST_CASE("the small program of chapter 8 has the numbers of the text and the li
     for (int n = 0; n < 2000; ++n) small08::step(warm, 1.0 / 60, 0, 10);
     CHECK(3.9 - warm.x[39] == Approx(0.0508212574362).margin(1e-5));
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers visits(Numbers in)
+{
+    small06::Discs two{Eigen::VectorXd::Zero(4),
+                       Eigen::VectorXd{{0, -1, 0, -1}},
+                       Eigen::VectorXd::Ones(4),
+                       Eigen::VectorXd::Ones(2),
+                       0,
+                       {}};
+    two.inverse_mass.tail<2>() /= in["mass"];
+    small06::Contact rows[]{{-1, 0, {0, 1}, 0, 0}, {0, 1, {0, 1}, 0, 0}};
+    for (int k = 0; k < in["visits"]; ++k) small06::visit(rows[k % 2], two);
+    return {{"lower", two.u[1]}, {"upper", two.u[3]}};
+}
+
+Numbers long_link(Numbers in)
+{
+    small07::Discs two{Eigen::VectorXd{{0, 0, 0.11, 0}},
+                       Eigen::VectorXd::Zero(4),
+                       Eigen::VectorXd::Ones(4),
+                       Eigen::VectorXd{{0.05, 0.05}},
+                       2,
+                       {}};
+    Numbers out;
+    for (int n = 0; n <= 20; ++n) {
+        if (n == 4) out["after4"] = 1000 * small07::find_contacts(two)[0].C;
+        if (n == 20) out["after20"] = 1000 * small07::find_contacts(two)[0].C;
+        small07::step(two, 1.0 / 60, in["beta"]);
+    }
+    return out;
+}
+
+Numbers two_discs(Numbers in)
+{
+    small08::Discs warm = small08::column(2);
+    for (int n = 0; n < 2; ++n) small08::step(warm, 1.0 / 60, 0.2);
+    small08::Discs cold = warm;
+    cold.contacts.clear();
+    warm.g = cold.g = 9.81 * (1 + in["percent"] / 100);
+    return {{"cold", small08::step(cold, 1.0 / 60, 0.2)}, {"warm", small08::step(warm, 1.0 / 60, 0.2)}};
+}
+
+const Sentence says_visits("visits", visits, 1e-12);
+const Sentence says_long_link(
+    "link", long_link,
+    1e-3);  // the row is solved to 1e-6 m/s, a sixtieth of a second long, in each of twenty steps, in millimetres: 3.3e-4
+const Sentence says_two_discs("two_discs", two_discs, 0);
+
+}  // namespace

@@ -8,6 +8,7 @@
 #include "chapters/13_friction/slopes.hpp"
 #include "tests/catch.hpp"
 #include "tests/small/quiet_sweeps.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small11 {
@@ -215,3 +216,43 @@ TEST_CASE("the small program of chapter 13 makes the visits of the library to 1e
     CHECK(tower.u.cwiseAbs().maxCoeff() < 1e-3);
     CHECK((tower.x - small13::boxes(10, 0, 0.6).x).cwiseAbs().maxCoeff() < 0.01);
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers rod(Numbers in)
+{
+    small11::Bodies d{{}, {}, {}, {}, Eigen::VectorXd{{0, 1, 0}}};
+    const double angle = in["angle"] * degree;
+    small11::add_box(d, 0.5, 0, 1, {0, 0.5 * std::sin(angle), angle});
+    d.u[1] = -1;
+    small11::Contact c = small11::find_contacts(d).at(0);
+    c.bias = in["e"] * c.J.dot(d.u);
+    small11::visit(c, d);
+    return {{"lambda", c.lambda}, {"v", d.u[1]}, {"omega", d.u[2]}};
+}
+
+Numbers across(Numbers in)
+{
+    small12::Bodies d{{}, {}, {}, {}, 10};
+    small12::add_box(d, 2, 1, INFINITY, {0, 0, 0});
+    small12::add_box(d, 1, 0.5, 3, {in["x"], 1.49, 0});
+    small12::step(d, 0.1, 0);
+    REQUIRE(d.contacts.size() == 2);
+    const bool first = d.contacts[0].p.x() < d.contacts[1].p.x();
+    return {{"left", d.contacts[first ? 0 : 1].lambda}, {"right", d.contacts[first ? 1 : 0].lambda}};
+}
+
+Numbers slope(Numbers in)
+{
+    small13::Bodies d = small13::boxes(1, in["angle"] * degree, in["mu"], 10);
+    small13::step(d, 0.1, 1000);
+    return {{"speed", d.u.segment<2>(3).norm()}, {"limit", std::atan(in["mu"]) / degree}};
+}
+
+const Sentence says_rod("rod", rod, 1e-12);
+const Sentence says_across("across", across, 1e-5);  // sweeps to 1e-6 m/s on 3 kg
+const Sentence says_slope("slope", slope, 1e-9);     // a thousand sweeps
+
+}  // namespace

@@ -5,6 +5,7 @@
 #include "chapters/20_turning_in_space/tumbling.hpp"
 #include "chapters/21_joints_in_space/joint_makers.hpp"
 #include "tests/catch.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small20 {
@@ -86,3 +87,32 @@ TEST_CASE("the small program of chapter 21 measures a joint as the library does"
         }
     }
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+/// What the row of the first swing turns about, in the axes of the door.
+Numbers hinge(Numbers in)
+{
+    const small21::Bodies d = small21::door(in["angle"] * std::numbers::pi / 180, 0);
+    const small21::Row row = small21::coordinate(d, d.joints[0], 4);
+    return {{"lean", std::atan2(-row.Jb[5], row.Jb[4]) * 180 / std::numbers::pi}};
+}
+
+Numbers book(Numbers in)
+{
+    const auto moment = [](double b, double c) { return 0.7 / 12 * (b * b + c * c); };
+    const rigid::Vec3 inertia(moment(0.24, 0.04), moment(0.16, 0.04), moment(0.16, 0.24));
+    rigid::Vec3 theta(0, 0, 0), omega(1, in["wobble"] / 100, in["wobble"] / 100);
+    int n = 0;
+    for (; omega[0] > 0 && n < 20000; ++n)
+        rigid::tumble(rigid::Tumbling::middle, inertia, 0.001, theta, omega);
+    return {{"turns", n * 0.001 / (2 * std::numbers::pi)}};
+}
+
+const Sentence says_hinge("hinge", hinge, 1e-12);
+const Sentence says_book("book", book,
+                         3e-4);  // whole steps of a thousandth of a second, which is 1.6e-4 turns
+
+}  // namespace

@@ -5,6 +5,7 @@
 #include "chapters/29_waves/floating.hpp"
 #include "chapters/29_waves/wave_line.hpp"
 #include "tests/catch.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small29 {
@@ -65,3 +66,22 @@ TEST_CASE("the small program of chapter 29 moves water and boxes as the library 
     }
     CHECK(std::abs(boxes[1].x[2]) > 0.03);  // and something happened
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers three_masses(Numbers in)
+{
+    small29::String masses = small29::at_rest(Eigen::VectorXd{{0, 0, 1, 0, 0}}, in["h"]);
+    double farthest = 1;
+    for (int n = 0; n < 40; ++n) {
+        small29::leapfrog(masses, in["h"]);
+        farthest = std::max(farthest, masses.y.cwiseAbs().maxCoeff());
+    }
+    return {{"farthest", farthest}};
+}
+
+const Sentence says_three_masses("three_masses", three_masses, 1e-12);
+
+}  // namespace

@@ -7,6 +7,7 @@
 #include "chapters/26_four_ways/spring_forces.hpp"
 #include "chapters/26_four_ways/ways.hpp"
 #include "tests/catch.hpp"
+#include "tests/small/sentences.hpp"
 
 #define main small_main
 namespace small26 {
@@ -103,3 +104,23 @@ TEST_CASE("the small program of chapter 26 moves its bead as the library does in
     tree.move(dq, pinned.bodies.x, pinned.bodies.u);
     CHECK(apart(small, pinned) <= 1e-10);  // the point has an inertia of 1e-12 kg m²
 }
+
+namespace {
+
+// What the sentences of these chapters say.
+
+Numbers bead_ways(Numbers in)
+{
+    const auto off = [&](void (*step)(small26::Body&, double, double)) {
+        small26::Body body = small26::by_hand();
+        step(body, in["h"], 0);
+        return 1000 * small26::off(body);
+    };
+    return {{"spring", off(small26::spring_step)},
+            {"inside", -off(small26::acceleration_step)},
+            {"velocity", off(small26::row_step)}};
+}
+
+const Sentence says_bead_ways("bead_ways", bead_ways, 1e-9);  // millimetres off a radius of a metre
+
+}  // namespace
