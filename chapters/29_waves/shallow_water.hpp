@@ -34,6 +34,7 @@ struct ShallowWater {
     VecX part;
     VecX carried;  ///< N + 1, memory: r u of a face after the last step [m²/s]
     VecX flux;     ///< N + 1, memory: q of the last step [m²/s]
+    VecX giving;   ///< N, memory: how deep the water is that may leave a cell [m]
 
     /// Level water of this depth over a level bed, between two walls.
     /// Throws std::invalid_argument for no cells, a length that is not positive, a depth that is negative.
