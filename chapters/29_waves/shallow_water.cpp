@@ -139,7 +139,7 @@ void push_water(ShallowWater& water, Real h)
     for (Index r = 1; r < water.cells(); ++r) {  // of the face left of cell r
         const Index l = r - 1;
         const Real pushed =
-            u[r] - slope_to_speed * part[r] * (level[r] - level[l]);  // (29.15)
+            u[r] - slope_to_speed * part[r] * (level[r] - level[l]);  // (29.11)
         Real held = 1 + h * damping[r];
         // water on one side, and on the other a dry bed that is higher: a shore
         held = (depth[r] <= dry) & (bed[r] >= level[l]) ? infinity : held;
@@ -170,13 +170,13 @@ void carry_water(ShallowWater& water, Real h)
     for (Index f = 1; f < n; ++f)
         q[f] = u[f] * (u[f] >= 0 ? give[f - 1] : give[f]);
     q[n] = u[n] * give[n - 1];
-    // (29.17): momentum goes with the water, at the speed of where it comes from
+    // (29.13): momentum goes with the water, at the speed of where it comes from
     Real* __restrict middle = give;  // whose depths are used by now
     for (Index i = 0; i < n; ++i)
         middle[i] = carried_by((q[i] + q[i + 1]) / 2, u[i], u[i + 1]);
     for (Index f = 1; f < n; ++f)
         P[f] = (r[f - 1] + r[f]) / 2 * u[f] - lambda * (middle[f] - middle[f - 1]);
-    for (Index i = 0; i < n; ++i) {  // (29.16)
+    for (Index i = 0; i < n; ++i) {  // (29.12)
         const Real left = r[i] - lambda * (q[i + 1] - q[i]);
         r[i] = left > 0 ? left : 0;
     }
