@@ -258,7 +258,8 @@ TEST_CASE("the box with the metacentre below its centre capsizes and the other o
     }
 }
 
-TEST_CASE("a boat that is tilted and let go on still water rolls less and less and never turns over", "[idea]")
+TEST_CASE("a boat that is tilted and let go on still water rolls less and less and never turns over",
+          "[idea]")
 {
     // nothing brakes it but the waves that it makes; they come back from both walls, and must not tilt it farther
     for (const Real lid : {0.5, 0.8})

@@ -167,8 +167,7 @@ void carry_water(ShallowWater& water, Real h)
     for (Index i = 0; i < n; ++i) give[i] = r[i] / give[i];
     // through a wall that moves, water of the depth beside it comes or goes
     q[0] = u[0] * give[0];
-    for (Index f = 1; f < n; ++f)
-        q[f] = u[f] * (u[f] >= 0 ? give[f - 1] : give[f]);
+    for (Index f = 1; f < n; ++f) q[f] = u[f] * (u[f] >= 0 ? give[f - 1] : give[f]);
     q[n] = u[n] * give[n - 1];
     // (29.13): momentum goes with the water, at the speed of where it comes from
     Real* __restrict middle = give;  // whose depths are used by now
