@@ -258,6 +258,38 @@ TEST_CASE("the box with the metacentre below its centre capsizes and the other o
     }
 }
 
+TEST_CASE("a boat that is tilted and let go on still water rolls less and less and never turns over",
+          "[idea]")
+{
+    // nothing brakes it but the waves that it makes; they come back from both walls, and must not tilt it farther
+    for (const Real lid : {0.5, 0.8})
+        for (const Real tilt : {0.02, 0.3}) {
+            WaterScene all = pond(128, 16, 1.5);
+            Floating floating;
+            floating.settings = {lid, 0, 0};
+            const Polygon hull{{{-0.8, -0.35}, {0.8, -0.35}, {1.2, 0.3}, {-1.2, 0.3}}, 0};
+            add_body(all.scene, hull, Mass{600, {0, -0.15}, 220}, {0.03, 0});
+            // its draught d: 1.6 d + 0.4 d² / 0.65 = 600 / 1000, and its centre is 0.2 m above its bottom
+            all.scene.bodies.position(0)[1] = 1.5 - 0.33279 + 0.2;
+            floating.displace(all.scene, all.water);
+            all.scene.bodies.position(0)[2] = tilt;
+            Real most = 0, late = 0;
+            for (int n = 0; n < 30 * 240; ++n) {
+                floating.find(all.scene, all.water);
+                floating.push(all.scene, all.water, 1.0 / 240);
+                fall(all.scene, 1.0 / 240);
+                carry_water(all.water, 1.0 / 240);
+                const Real now = std::abs(all.scene.bodies.x[2]);
+                most = std::max(most, now);
+                if (n >= 20 * 240) late = std::max(late, now);
+            }
+            INFO(lid << ", " << tilt);
+            CHECK(most <= tilt);
+            CHECK(late < 0.7 * tilt);  // what waves take from it they take soon: a third at least
+            CHECK(late > 0.1 * tilt);  // and they come back
+        }
+}
+
 // ------------------------------------------------------------------------------------------------ both together
 
 TEST_CASE("water and bodies keep the momentum of both and the water its volume to rounding", "[idea]")

@@ -89,7 +89,7 @@ void Floating::find_slices(const RigidScene& scene, const ShallowWater& water)
 //! [slices]
 
 //! [levels]
-/// One round of Newton's method for (29.19). Returns the largest change [m].
+/// One round of Newton's method for (29.15). Returns the largest change [m].
 Real Floating::solve_levels(ShallowWater& water)
 {
     const Real sigma = settings.lid;

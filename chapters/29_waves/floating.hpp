@@ -2,7 +2,7 @@
 /// Rigid bodies in shallow water: what each does to the other, slice by slice.
 ///
 ///     J = h ρ g A_i (−∂η/∂x, 1)   on a body, at the centroid of the slice A_i of it that is under water in cell i
-///     η_i = bed_i + r_i + σ b_i,   b_i = Σ A_i / Δx,                               σ < 1, (29.19)
+///     η_i = bed_i + r_i + σ b_i,   b_i = Σ A_i / Δx,                               σ < 1, (29.15)
 ///
 /// A hull lifts the surface where it displaces water; that is how it makes waves. σ = 1 would be a rigid lid, under which the
 /// surface has no height of its own; σ less than 1 is a soft one, as in chapter 16. What the slope and the drag give to a body
@@ -47,7 +47,7 @@ public:
     std::vector<WetEdge> edges;
     int rounds = 0;  ///< of Newton's method for the levels, in the last find()
 
-    /// Where bodies and water meet now, and the levels of the water with it, (29.19).
+    /// Where bodies and water meet now, and the levels of the water with it, (29.15).
     void find(const RigidScene& scene, ShallowWater& water);
 
     /// Takes out the water that bodies displace, so that its levels are those that it had without them.

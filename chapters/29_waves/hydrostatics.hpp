@@ -2,7 +2,7 @@
 /// What of a polygon is under water: its area, the middle of it, the width of the waterline; and whether it floats upright.
 ///
 ///     F = ρ g A  upwards at the centroid of A            Archimedes
-///     GM = BM − BG,   BM = W³ / 12 A                     the metacentre M of a waterline of the width W above B, (29.21)
+///     GM = BM − BG,   BM = W³ / 12 A                     the metacentre M of a waterline of the width W above B, (29.17)
 ///
 /// A polygon is cut by straight lines, one after the other; each cut of a convex polygon leaves a convex one.
 #pragma once
@@ -68,14 +68,14 @@ inline Real box_draught(Real height, Real part)
     return part * height;
 }
 
-/// GM of a uniform box that floats upright, (29.22); it is stable where this is positive [m].
+/// GM of a uniform box that floats upright, (29.18); it is stable where this is positive [m].
 inline Real box_metacentric_height(Real width, Real height, Real part)
 {
     if (!(width > 0 && width < infinity))
         throw std::invalid_argument("the box is " + shortest(width) +
                                     " m wide; it must be positive and finite");
     const Real draught = box_draught(height, part);
-    return width * width / (12 * draught) - (height - draught) / 2;  // (29.22)
+    return width * width / (12 * draught) - (height - draught) / 2;  // (29.18)
 }
 
 }  // namespace rigid

@@ -79,7 +79,7 @@ StiffnessMatrix drum_stiffness(Index intervals, Real radius, Real c)
                 else {  // to the rim, in intervals
                     const Real rim =
                         std::sqrt(static_cast<Real>(n * n) - across * across);
-                    stiff = k / (rim - outwards);  // (29.14)
+                    stiff = k / (rim - outwards);  // (29.21)
                 }
                 entries.emplace_back(self, self, stiff);
             };

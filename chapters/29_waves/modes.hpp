@@ -20,7 +20,7 @@ using StiffnessMatrix = Eigen::SparseMatrix<Real>;
 StiffnessMatrix rectangle_stiffness(Index nx, Index ny, Real a, Real b, Real c);
 
 /// K of a drum of this radius with a fixed rim, on a square grid through its centre whose interval is radius / intervals. A
-/// link that meets the rim ends there: it is shorter, and stiffer in proportion (29.14). \cite gibou2002
+/// link that meets the rim ends there: it is shorter, and stiffer in proportion (29.21). \cite gibou2002
 StiffnessMatrix drum_stiffness(Index intervals, Real radius, Real c);
 
 struct Modes {

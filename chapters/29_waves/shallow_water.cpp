@@ -14,12 +14,12 @@ Real mean_depth(const ShallowWater& water, Index face)
     return (water.depth[face - 1] + water.depth[face]) / 2;
 }
 
-/// Water on one side, and on the other a dry bed that is higher: nothing flows.
-bool is_shore(const ShallowWater& water, Index face)
+Real outwards(Real u) { return u > 0 ? u : 0; }
+
+/// What a flow carries at the velocity of the face it comes from.
+Real carried_by(Real flow, Real left, Real right)
 {
-    const Index l = face - 1, r = face;
-    return (water.depth[r] <= dry && water.bed[r] >= water.level[l]) ||
-           (water.depth[l] <= dry && water.bed[l] >= water.level[r]);
+    return flow * (flow >= 0 ? left : right);
 }
 
 }  // namespace
@@ -41,6 +41,7 @@ ShallowWater::ShallowWater(Index cells, Real length, Real still_depth)
     bed = VecX::Zero(cells);
     depth = level = VecX::Constant(cells, still_depth);
     u = damping = carried = flux = VecX::Zero(cells + 1);
+    giving = VecX::Zero(cells);
     part = VecX::Ones(cells + 1);
 }
 
@@ -116,26 +117,35 @@ Real energy(const ShallowWater& water)
 
 Real stable_step(const ShallowWater& water)
 {
-    Real fastest = 0;
-    for (Index i = 0; i < water.cells(); ++i) {
-        const Real flow = std::max(std::abs(water.u[i]), std::abs(water.u[i + 1]));
-        fastest = std::max(fastest, flow + std::sqrt(water.g * water.depth[i]));
-    }
-    return water.dx / fastest;
+    const Index n = water.cells();
+    const auto u = water.u.array().abs();
+    const auto fastest =
+        u.head(n).max(u.tail(n)) + (water.g * water.depth.array()).sqrt();
+    return water.dx / fastest.maxCoeff();
 }
+
+// In the loops of a step each entry has one result and no branch, so that a compiler
+// makes lanes of them; the bits are the same with lanes of any width. What is divided
+// by infinity is zero: at a face without water nothing moves.
 
 //! [push]
 void push_water(ShallowWater& water, Real h)
 {
     const Real slope_to_speed = h * water.g / water.dx;
-    for (Index f = 1; f < water.cells(); ++f) {
-        if (!(mean_depth(water, f) > dry) || is_shore(water, f)) {
-            water.u[f] = 0;
-            continue;
-        }
-        const Real rise = water.level[f] - water.level[f - 1];
-        water.u[f] -= slope_to_speed * water.part[f] * rise;  // (29.15)
-        water.u[f] /= 1 + h * water.damping[f];
+    const Real *bed = water.bed.data(), *depth = water.depth.data(),
+               *level = water.level.data(), *part = water.part.data(),
+               *damping = water.damping.data();
+    Real* __restrict u = water.u.data();
+    for (Index r = 1; r < water.cells(); ++r) {  // of the face left of cell r
+        const Index l = r - 1;
+        const Real pushed =
+            u[r] - slope_to_speed * part[r] * (level[r] - level[l]);  // (29.11)
+        Real held = 1 + h * damping[r];
+        // water on one side, and on the other a dry bed that is higher: a shore
+        held = (depth[r] <= dry) & (bed[r] >= level[l]) ? infinity : held;
+        held = (depth[l] <= dry) & (bed[l] >= level[r]) ? infinity : held;
+        held = (depth[l] + depth[r]) / 2 > dry ? held : infinity;
+        u[r] = pushed / held;
     }
 }
 //! [push]
@@ -144,36 +154,34 @@ void push_water(ShallowWater& water, Real h)
 void carry_water(ShallowWater& water, Real h)
 {
     const Index n = water.cells();
-    VecX &q = water.flux, &P = water.carried, &u = water.u, &r = water.depth;
-    for (Index f = 0; f <= n; ++f) {
-        const Index from =
-            u[f] >= 0 ? std::max<Index>(f - 1, 0) : std::min(f, n - 1);
-        q[f] = u[f] * r[from];
-    }
-    // no cell gives more than it has
+    const Real lambda = h / water.dx;
+    Real *__restrict r = water.depth.data(), *__restrict u = water.u.data(),
+                     *__restrict q = water.flux.data(),
+                     *__restrict P = water.carried.data(),
+                     *__restrict give = water.giving.data();
+    // how deep the water is that leaves a cell: none gives more than it has
     for (Index i = 0; i < n; ++i) {
-        const Real out = h * (std::max(q[i + 1], 0.0) - std::min(q[i], 0.0));
-        if (out <= r[i] * water.dx) continue;
-        const Real part = r[i] * water.dx / out;
-        if (q[i + 1] > 0) q[i + 1] *= part;
-        if (q[i] < 0) q[i] *= part;
+        const Real parting = lambda * (outwards(u[i + 1]) + outwards(-u[i]));
+        give[i] = parting > 1 ? parting : 1;
     }
-    // (29.17): momentum goes with the water, at the speed of where it comes from
-    const auto carried_through = [&](Index i) {
-        const Real mean = (q[i] + q[i + 1]) / 2;
-        return mean * (mean >= 0 ? u[i] : u[i + 1]);
-    };
-    Real into = carried_through(0);
-    for (Index f = 1; f < n; ++f) {
-        const Real out_of = carried_through(f);
-        P[f] = mean_depth(water, f) * u[f] - h / water.dx * (out_of - into);
-        into = out_of;
+    for (Index i = 0; i < n; ++i) give[i] = r[i] / give[i];
+    // through a wall that moves, water of the depth beside it comes or goes
+    q[0] = u[0] * give[0];
+    for (Index f = 1; f < n; ++f) q[f] = u[f] * (u[f] >= 0 ? give[f - 1] : give[f]);
+    q[n] = u[n] * give[n - 1];
+    // (29.13): momentum goes with the water, at the speed of where it comes from
+    Real* __restrict middle = give;  // whose depths are used by now
+    for (Index i = 0; i < n; ++i)
+        middle[i] = carried_by((q[i] + q[i + 1]) / 2, u[i], u[i + 1]);
+    for (Index f = 1; f < n; ++f)
+        P[f] = (r[f - 1] + r[f]) / 2 * u[f] - lambda * (middle[f] - middle[f - 1]);
+    for (Index i = 0; i < n; ++i) {  // (29.12)
+        const Real left = r[i] - lambda * (q[i + 1] - q[i]);
+        r[i] = left > 0 ? left : 0;
     }
-    for (Index i = 0; i < n; ++i)  // (29.16)
-        r[i] = std::max(r[i] - h / water.dx * (q[i + 1] - q[i]), 0.0);
     for (Index f = 1; f < n; ++f) {
-        const Real mean = mean_depth(water, f);
-        u[f] = mean > dry ? P[f] / mean : 0;
+        const Real mean = (r[f - 1] + r[f]) / 2;
+        u[f] = P[f] / (mean > dry ? mean : infinity);
     }
 }
 //! [carry]

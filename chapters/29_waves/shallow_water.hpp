@@ -6,8 +6,8 @@
 /// Depths r belong to cells, velocities u to the faces between them. A step is again the two lines of chapter 1: slopes
 /// change velocities, velocities carry water (and its momentum) from cell to cell.
 ///
-///     u_f ← u_f − h g (η_{i+1} − η_i) / Δx                       (29.15)
-///     r_i ← r_i − (h / Δx) (q_{i+1} − q_i),   q_f = u_f r_upwind   (29.16)
+///     u_f ← u_f − h g (η_{i+1} − η_i) / Δx                       (29.11)
+///     r_i ← r_i − (h / Δx) (q_{i+1} − q_i),   q_f = u_f r_upwind   (29.12)
 ///
 /// What leaves a cell enters its neighbour, so mass is kept to rounding, and momentum where the bed is level; no depth
 /// becomes negative, and water at rest stays at rest over any bed. \cite stelling2003
@@ -34,6 +34,7 @@ struct ShallowWater {
     VecX part;
     VecX carried;  ///< N + 1, memory: r u of a face after the last step [m²/s]
     VecX flux;     ///< N + 1, memory: q of the last step [m²/s]
+    VecX giving;   ///< N, memory: how deep the water is that may leave a cell [m]
 
     /// Level water of this depth over a level bed, between two walls.
     /// Throws std::invalid_argument for no cells, a length that is not positive, a depth that is negative.
@@ -61,11 +62,11 @@ Real energy(const ShallowWater& water);
 /// The longest time in which no wave passes a whole cell, Δx / max(|u| + √(g r)) [s]; infinite where all is dry.
 Real stable_step(const ShallowWater& water);
 
-/// (29.15): slopes change velocities. A face beyond which the bed is dry and higher than the water is a wall.
+/// (29.11): slopes change velocities. A face beyond which the bed is dry and higher than the water is a wall.
 /// \param h  [s]
 void push_water(ShallowWater& water, Real h);
 
-/// (29.16), (29.17): velocities carry water and its momentum. No cell gives more than it has, whatever h is.
+/// (29.12), (29.13): velocities carry water and its momentum. No cell gives more than it has, whatever h is.
 void carry_water(ShallowWater& water, Real h);
 
 /// η = bed + r, where no body floats.
@@ -81,7 +82,7 @@ struct DamBreak {
 };
 
 /// A dam at x = 0 breaks at t = 0; at rest the water is `left` deep behind it and `right` < `left` before it. On a dry bed
-/// (right = 0) it is Ritter's solution of 1892, (29.23), else Stoker's of 1957, with a bore.
+/// (right = 0) it is Ritter's solution of 1892, (29.22), else Stoker's of 1957, with a bore.
 /// Throws std::invalid_argument unless 0 ≤ right < left and t > 0.
 DamBreak dam_break(Real left, Real right, Real g, Real x, Real t);
 

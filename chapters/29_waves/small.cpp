@@ -92,7 +92,7 @@ Slice slice(const Water& w, const Polygon& whole, int k, int i)
     return s;
 }
 
-// (29.19) by Newton's method: bodies lift the surface by half what they displace.
+// (29.15) by Newton's method: bodies lift the surface by half what they displace.
 std::vector<Slice> find_slices(Water& w, const std::vector<Body>& bodies,
                                Vec& under)
 {
@@ -119,14 +119,14 @@ void step(Water& w, std::vector<Body>& bodies, double h)
     Vec under;  // b, the thickness of bodies in each cell
     const std::vector<Slice> slices = find_slices(w, bodies, under);
     const auto mean = [](const Vec& v, int f) { return (v[f - 1] + v[f]) / 2; };
-    // Slopes push: (29.15), where bodies have their share of the depth, (29.20).
+    // Slopes push: (29.11), where bodies have their share of the depth, (29.16).
     Vec slope = Vec::Zero(n + 1);
     for (int f = 1; f < n; ++f) {
         slope[f] = (w.level[f] - w.level[f - 1]) / w.dx;
         const double own = mean(w.level, f) - mean(under, f);
         w.u[f] -= h * w.g * slope[f] * own / mean(w.depth, f);
     }
-    for (const Slice& s : slices) {  // (29.18): Archimedes, slice by slice
+    for (const Slice& s : slices) {  // (29.14): Archimedes, slice by slice
         Body& b = bodies[s.body];
         const Vector2d r = s.middle - b.x.head<2>(),
                        J = h * 1000 * w.g * s.area *
@@ -138,7 +138,7 @@ void step(Water& w, std::vector<Body>& bodies, double h)
         b.u[1] -= h * w.g;
         b.x += h * b.u;
     }
-    // Water flows, (29.16), and takes its momentum along, (29.17).
+    // Water flows, (29.12), and takes its momentum along, (29.13).
     Vec q(n + 1), P(n + 1);
     for (int f = 0; f <= n; ++f)
         q[f] = w.u[f] * w.depth[std::clamp(w.u[f] >= 0 ? f - 1 : f, 0, n - 1)];

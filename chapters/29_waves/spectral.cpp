@@ -88,7 +88,7 @@ void SpectralStep::step(WaveLine& line)
     const Index N = transform_.intervals();
     transform_.apply(line.y);
     transform_.apply(line.v);
-    for (Index k = 1; k < N; ++k) {  // (29.12)
+    for (Index k = 1; k < N; ++k) {  // (29.19)
         const Real a = line.y[k], b = line.v[k];
         const Real back = 2 / static_cast<Real>(N);
         line.y[k] = back * (a * cosine_[k] + b / omega_[k] * sine_[k]);

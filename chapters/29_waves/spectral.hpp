@@ -2,7 +2,7 @@
 /// A string as a sum of sines, each of which is one mass on a spring: what it does in any time is known.
 ///
 ///     y_i = (2/N) Σ_k a_k sin(π i k / N),   a_k = Σ_i y_i sin(π i k / N)
-///     a ← a cos ωt + (b/ω) sin ωt,   b ← b cos ωt − a ω sin ωt           (29.12), b of the velocities
+///     a ← a cos ωt + (b/ω) sin ωt,   b ← b cos ωt − a ω sin ωt           (29.19), b of the velocities
 ///
 /// The sums are taken by the fast Fourier transform in N log N operations.
 #pragma once

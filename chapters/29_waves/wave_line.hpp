@@ -4,7 +4,7 @@
 ///     m dv_i/dt = (T/Δx) (y_{i−1} − 2 y_i + y_{i+1}),   m = ρ Δx      →      ∂²y/∂t² = c² ∂²y/∂x²,   c² = T/ρ
 ///
 /// Leapfrog takes it by the two lines of chapter 1, (29.4); the trapezoidal rule and all between it and implicit Euler solve
-/// a tridiagonal system, (29.10). What either does to a wave of the length 2π/k is known in closed form:
+/// a tridiagonal system, (29.9). What either does to a wave of the length 2π/k is known in closed form:
 ///
 ///     sin(ω h / 2) = C sin(k Δx / 2)  leapfrog,    tan(ω h / 2) = C sin(k Δx / 2)  trapezoidal,    C = c h / Δx
 ///
@@ -78,7 +78,7 @@ struct ThetaMemory {
     VecX diagonal, right;
 };
 
-/// (29.10): forces and velocities are taken at the part θ of the step: ½ is the trapezoidal rule, 1 implicit Euler.
+/// (29.9): forces and velocities are taken at the part θ of the step: ½ is the trapezoidal rule, 1 implicit Euler.
 /// Places and velocities are of one time.
 /// Throws std::invalid_argument for a θ that is not from ½ to 1, and for a step that is not positive.
 void theta_step(WaveLine& line, Real h, Real theta, ThetaMemory& memory);
@@ -87,7 +87,7 @@ void theta_step(WaveLine& line, Real h, Real theta, ThetaMemory& memory);
 void add_sponge(WaveLine& line, Index points, Real most, bool at_left,
                 bool at_right);
 
-/// The angular frequency [rad/s] of a wave of wave number k [rad/m] on masses in exact time, (29.6), …
+/// The angular frequency [rad/s] of a wave of wave number k [rad/m] on masses in exact time, (29.7), …
 inline Real masses_frequency(Real k, Real c, Real dx)
 {
     return 2 * c / dx * sin(k * dx / 2);
@@ -99,13 +99,13 @@ inline Real leapfrog_frequency(Real k, Real c, Real dx, Real h)
     return 2 / h * asin(c * h / dx * sin(k * dx / 2));
 }
 
-/// … and under the trapezoidal rule, (29.11).
+/// … and under the trapezoidal rule, (29.10).
 inline Real trapezoidal_frequency(Real k, Real c, Real dx, Real h)
 {
     return 2 / h * atan(c * h / dx * sin(k * dx / 2));
 }
 
-/// The part of the amplitude of a wave that comes back from an open end under leapfrog, (29.13); 0 at C = 1.
+/// The part of the amplitude of a wave that comes back from an open end under leapfrog, (29.20); 0 at C = 1.
 inline Real open_end_reflection(Real k, Real c, Real dx, Real h)
 {
     const Real C = c * h / dx, a = leapfrog_frequency(k, c, dx, h) * h;

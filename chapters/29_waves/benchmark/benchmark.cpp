@@ -141,7 +141,7 @@ void water(benchmark::State& state)
     }
     report(state, best * 1e6, 0, best * 1e9 / static_cast<Real>(n), 0);
 }
-BENCHMARK(water)->Arg(1000)->Arg(100000)->Iterations(100);
+BENCHMARK(water)->Arg(1000)->Arg(100000)->Arg(1000000)->Iterations(100);
 
 void afloat(benchmark::State& state)
 {

@@ -98,7 +98,7 @@ inline Demo dispersion_demo()
                      {"trapezoidal", "", "its speed over c", Plot::linear},
                      {"sines", "", "its speed over c", Plot::linear},
                      {"leapfrog_exact", "", "by (29.5)"},
-                     {"trapezoidal_exact", "", "by (29.11)"}};
+                     {"trapezoidal_exact", "", "by (29.10)"}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<DispersionRun>(settings);
     };

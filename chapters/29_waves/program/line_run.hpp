@@ -40,7 +40,7 @@ public:
         for (Index i = 1; i < N; ++i)
             line_.y[i] = start_at(line_.dx * static_cast<Real>(i));
         if (method_ == "leapfrog") {
-            h_ = std::min(h_, line_.dx / line_.c);  // (29.7)
+            h_ = std::min(h_, line_.dx / line_.c);  // (29.6)
             start_leapfrog(line_, h_);
         }
         if (method_ == "sines")
