@@ -52,9 +52,9 @@ SimbodyWorld::SimbodyWorld(const std::vector<SimbodyLink>& links, const std::vec
     }
     for (const SimbodyLoop& loop : loops)
         for (const int axis : {0, 1})
-            SimTK::Constraint::PointInPlane(
-                in_->of(loop.a), SimTK::UnitVec3(SimTK::CoordinateAxis(axis)),
-                loop.at_a[static_cast<std::size_t>(axis)], in_->of(loop.b), in_space(loop.at_b));
+            SimTK::Constraint::PointInPlane(in_->of(loop.a), SimTK::UnitVec3(SimTK::CoordinateAxis(axis)),
+                                            loop.at_a[static_cast<std::size_t>(axis)], in_->of(loop.b),
+                                            in_space(loop.at_b));
     in_->start = in_->system.realizeTopology();
     in_->system.realizeModel(in_->start);
     for (const SimbodyLink& link : links) {

@@ -34,15 +34,15 @@ std::vector<JointedMethod> jointed_methods()
     rattle.springs = false;
     std::vector<JointedMethod> all = {
         by_sweeps("joint sweeps", {Stabilizer::baumgarte, 10, 0, 1, infinity, 0.2}),
-            by_sweeps("joint small steps", {Stabilizer::projection, 1, 1, 8, infinity, 1}),
-            jointed(15, "trees", exactly(1), JointTrees<Manifolds>{}),
-            jointed(15, "trees substeps", exactly(8), JointTrees<Manifolds>{}, 8),
-            jointed(15, "trees that sleep", exactly(1), SkippingJoints{}),
-            rattle,
-            jointed(16, "soft small steps", "8 sweeps in 8 substeps", soft, 8, NothingSaid{}),
-            jointed(16, "xpbd", "8 sweeps in 8 substeps", PositionSweeps<Manifolds>{}, 8, NothingSaid{}),
-            jointed(16, "block descent", "10 sweeps", descent, 1, NothingSaid{}),
-            engine_method<JointedScene>("engine", {})};
+        by_sweeps("joint small steps", {Stabilizer::projection, 1, 1, 8, infinity, 1}),
+        jointed(15, "trees", exactly(1), JointTrees<Manifolds>{}),
+        jointed(15, "trees substeps", exactly(8), JointTrees<Manifolds>{}, 8),
+        jointed(15, "trees that sleep", exactly(1), SkippingJoints{}),
+        rattle,
+        jointed(16, "soft small steps", "8 sweeps in 8 substeps", soft, 8, NothingSaid{}),
+        jointed(16, "xpbd", "8 sweeps in 8 substeps", PositionSweeps<Manifolds>{}, 8, NothingSaid{}),
+        jointed(16, "block descent", "10 sweeps", descent, 1, NothingSaid{}),
+        engine_method<JointedScene>("engine", {})};
     // Impulses one at a time are not among them: what is joined never collides.
     for (JointedMethod& way : ways_with_joints()) all.push_back(std::move(way));
     return all;

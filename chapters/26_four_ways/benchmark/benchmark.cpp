@@ -119,8 +119,7 @@ template <class Peer>
 void list_peer(const WayScene& scene)
 {
     if (Peer::can_take(scene))
-        list(scene, Peer::name,
-             [scene](Real h) { return timed<Peer>(scene, h); });
+        list(scene, Peer::name, [scene](Real h) { return timed<Peer>(scene, h); });
 }
 
 void list()
@@ -128,9 +127,8 @@ void list()
     for (const WayScene& scene : way_scenes()) {
         for (const Way way : all_ways)
             if (can_take(way, scene))
-                list(scene, std::string(to_string(way)), [way, scene](Real h) {
-                    return timed(way, scene, h);
-                });
+                list(scene, std::string(to_string(way)),
+                     [way, scene](Real h) { return timed(way, scene, h); });
         for_each_peer([&scene]<class Peer>(std::type_identity<Peer>) {
             list_peer<Peer>(scene);
         });

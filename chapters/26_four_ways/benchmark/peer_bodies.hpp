@@ -57,10 +57,11 @@ struct HangingBodies {
         links = links_of(split_loops(scene).tree);
         q = motion.q(), dq = motion.dq();
         for (const PlacedJoint& placed : scene.placed)
-            if (std::none_of(links.begin(), links.end(), [&](const ReducedLink& link) {
-                    return link.joint.a == placed.joint.a &&
-                           link.joint.b == placed.joint.b;
-                }))
+            if (std::none_of(links.begin(), links.end(),
+                             [&](const ReducedLink& link) {
+                                 return link.joint.a == placed.joint.a &&
+                                        link.joint.b == placed.joint.b;
+                             }))
                 loops.push_back(placed.joint);
     }
 };

@@ -29,7 +29,8 @@ public:
         const VecX& q = scene.placed.empty() ? scene.bodies.x : tree.q;
         const VecX& dq = scene.placed.empty() ? scene.bodies.u : tree.dq;
         for (Index i = 0; i < q.size(); ++i) {
-            const int joint = mj_name2id(model_, mjOBJ_JOINT, name_of("j", i).c_str());
+            const int joint =
+                mj_name2id(model_, mjOBJ_JOINT, name_of("j", i).c_str());
             data_->qpos[model_->jnt_qposadr[joint]] = q[i];
             data_->qvel[model_->jnt_dofadr[joint]] = dq[i];
         }
@@ -60,7 +61,8 @@ public:
         mj_fwdPosition(model_, data_);
         mj_fwdVelocity(model_, data_);
         for (Index k = 0; k < scene.bodies.count(); ++k) {
-            const int body = mj_name2id(model_, mjOBJ_BODY, name_of("b", k).c_str());
+            const int body =
+                mj_name2id(model_, mjOBJ_BODY, name_of("b", k).c_str());
             const mjtNum *x = data_->xpos + 3 * body, *R = data_->xmat + 9 * body;
             std::array<mjtNum, 6> v;  // turn, then motion
             mj_objectVelocity(model_, data_, mjOBJ_XBODY, body, v.data(), 0);
@@ -79,10 +81,12 @@ private:
     {
         const auto files = std::make_unique<mjVFS>();
         mj_defaultVFS(files.get());
-        mj_makeEmptyFileVFS(files.get(), "scene.xml", static_cast<int>(text.size()));
+        mj_makeEmptyFileVFS(files.get(), "scene.xml",
+                            static_cast<int>(text.size()));
         std::memcpy(files->filedata[0], text.data(), text.size());
         std::array<char, 1000> fault{};
-        mjModel* const model = mj_loadXML("scene.xml", files.get(), fault.data(), 1000);
+        mjModel* const model =
+            mj_loadXML("scene.xml", files.get(), fault.data(), 1000);
         mj_deleteVFS(files.get());
         if (!model) throw std::runtime_error(fault.data());
         return model;
@@ -118,7 +122,8 @@ private:
         return out.str();
     }
     static void write_what_hangs_on(int parent, const JointedScene& scene,
-                                    const HangingBodies& tree, std::ostringstream& out)
+                                    const HangingBodies& tree,
+                                    std::ostringstream& out)
     {
         for (std::size_t i = 0; i < tree.links.size(); ++i) {
             if (tree.links[i].parent != parent) continue;
@@ -157,11 +162,14 @@ private:
         out << std::setprecision(17) << "<inertial pos='0 0 0' mass='"
             << mass_of_body(scene, k) << "' diaginertia='" << I << ' ' << I << ' '
             << I << "'/>";
-        if (!scene.placed.empty()) return out.str();  // what is joined never touches
+        if (!scene.placed.empty())
+            return out.str();  // what is joined never touches
         const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
         const Vec2 half = half_sides(shape);
         if (is_disc(shape)) out << "<geom type='sphere' size='" << shape.radius;
-        else out << "<geom type='box' size='" << half.x() << ' ' << half.y() << " 0.5";
+        else
+            out << "<geom type='box' size='" << half.x() << ' ' << half.y()
+                << " 0.5";
         out << '\'' << friction_of(scene);
         return out.str();
     }

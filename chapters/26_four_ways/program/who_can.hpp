@@ -78,7 +78,8 @@ std::vector<std::string> longest_steps(const std::vector<WayScene>& scenes,
         for (const Way way : all_ways) {
             std::string longest = "–";
             for (int n = 3840; can_take(way, scene) && n >= 15; n /= 2) {
-                if (!will_do(run_way(way, scene, 1.0 / n, settings_of(scene)))) break;
+                if (!will_do(run_way(way, scene, 1.0 / n, settings_of(scene))))
+                    break;
                 longest = std::to_string(n);
             }
             cells.push_back(longest);
