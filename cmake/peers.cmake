@@ -1,5 +1,5 @@
 # measure_beside(TARGET PEER…): gives a benchmark the programs that it measures beside the book, where they are
-# installed: odeint bullet siconos ode box2d chipmunk. The code asks for RIGID_HAS_ODEINT and so on.
+# installed: odeint bullet siconos ode simbody mujoco box2d chipmunk. The code asks for RIGID_HAS_ODEINT and so on.
 if(NOT benchmark_FOUND)
   return()
 endif()
@@ -59,6 +59,25 @@ endif()
 add_peer(ode "ODE (libode-dev)" RIGID_ODE_HAS_DANTZIG)
 if(TARGET rigid_peer_ode)
   target_link_libraries(rigid_peer_ode INTERFACE PkgConfig::ODE)
+endif()
+
+# Simbody 3.7's headers are none of C++20: one source alone sees them.
+find_package(Simbody CONFIG QUIET)
+if(Simbody_FOUND)
+  add_library(rigid_peer_simbody STATIC EXCLUDE_FROM_ALL tests/peers/simbody_world.cpp)
+  set_target_properties(rigid_peer_simbody PROPERTIES CXX_STANDARD 17)
+  target_include_directories(rigid_peer_simbody PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_include_directories(rigid_peer_simbody SYSTEM PRIVATE ${Simbody_INCLUDE_DIR})
+  target_link_libraries(rigid_peer_simbody PRIVATE ${Simbody_LIBRARIES})
+  target_compile_definitions(rigid_peer_simbody INTERFACE RIGID_HAS_SIMBODY)
+else()
+  message(STATUS "Simbody (libsimbody-dev) not found: the benchmarks run without it")
+endif()
+
+find_package(mujoco CONFIG QUIET)
+add_peer(mujoco "MuJoCo (libmujoco-dev)" TARGET mujoco::mujoco)
+if(TARGET rigid_peer_mujoco)
+  target_link_libraries(rigid_peer_mujoco INTERFACE mujoco::mujoco)
 endif()
 
 find_path(SICONOS_INCLUDE_DIR LinearComplementarityProblem.h PATH_SUFFIXES siconos/numerics)

@@ -460,7 +460,7 @@ TEST_CASE("five balls in a row bounce one after the other or all together", "[ho
         return found;
     };
     CHECK((speeds(Way::single) - VecX::Unit(5, 4)).norm() <= 1e-12);    // as the experiment
-    CHECK((speeds(Way::impulses) - VecX::Unit(5, 4)).norm() <= 1e-12);  // reflections of chapter 14
+    CHECK((speeds(Way::impulses) - VecX::Unit(5, 4)).norm() <= 1e-12);  // reflections of chapter 15
     VecX together = VecX::Constant(5, 0.4);
     together[0] = -0.6;  // C8: −(N − 2)/N, 2/N
     for (const Way way : {Way::acceleration, Way::coordinates})

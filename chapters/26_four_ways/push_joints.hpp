@@ -1,5 +1,5 @@
 /// \file push_joints.hpp
-/// Contacts as joints that only push: their C, J and second derivative are those of chapters 11 and 14, at any positions.
+/// Contacts as joints that only push: their C, J and second derivative are those of chapters 11 and 15, at any positions.
 ///
 ///     corner on a wall            along       C = n·p_b − c − ρ
 ///     corner over a side          turning     n turns with the body of the side

@@ -1,7 +1,7 @@
 /// \file reduced_motion.hpp
 /// A constraint as a coordinate that is not there: motion in the coordinates of joints, with rows only for what is left.
 ///
-///     d²q/dt² = H⁻¹ (τ − bias)          the articulated-body recursion of chapter 14, never H itself
+///     d²q/dt² = H⁻¹ (τ − bias)          the articulated-body recursion of chapter 15, never H itself
 ///     τ = Σ up the tree                 recursive Newton-Euler, its inverse: the check
 ///     A = J H⁻¹ Jᵀ                      of loops and contacts, a recursion for each row
 ///

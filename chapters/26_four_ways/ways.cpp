@@ -149,27 +149,42 @@ WayDrift drift_of(const WayScene& way, const JointedScene& scene)
     return drift;
 }
 
+int steps_of(const WayScene& scene, Real h)
+{
+    return static_cast<int>(std::ceil(scene.time / h - 1e-9));
+}
+
+std::string advance_to_end(WayRun& run, const WayScene& scene, int steps)
+{
+    for (int i = 0; i < steps; ++i) {
+        const Status status = run.advance(scene.time / steps);
+        if (status == Status::solved) continue;
+        return is_finite(run.scene()) ? std::string(to_string(status))
+                                      : "it flies apart";
+    }
+    return {};
+}
+
+WayResult result_of(const WayScene& scene, const JointedScene& end)
+{
+    WayResult result;
+    result.error = scene.error(end);
+    result.energy_gain = energy(end) - energy(scene.scene);
+    // but for the doll, which only loses, no scene has more than 15 J to move with
+    if (!(result.error < 100) || !(result.energy_gain < 15))
+        result.why_not = "it flies apart";
+    else result.drift = drift_of(scene, end);
+    return result;
+}
+
 WayResult run_way(Way way, const WayScene& scene, Real h,
                   const WaySettings& settings)
 {
     WayResult result;
-    const auto steps = static_cast<int>(std::ceil(scene.time / h - 1e-9));
     try {
         WayRun run(way, scene, settings);
-        const Real before = energy(run.scene());
-        for (int i = 0; i < steps; ++i) {
-            const Status status = run.advance(scene.time / steps);
-            if (status == Status::solved) continue;
-            result.why_not = is_finite(run.scene()) ? std::string(to_string(status))
-                                                    : "it flies apart";
-            return result;
-        }
-        result.error = scene.error(run.scene());
-        result.energy_gain = energy(run.scene()) - before;
-        result.drift = drift_of(scene, run.scene());
-        // but for the doll, which only loses, no scene has more than 15 J to move with
-        if (!(result.error < 100) || !(result.energy_gain < 15))
-            result.why_not = "it flies apart";
+        result.why_not = advance_to_end(run, scene, steps_of(scene, h));
+        if (result.why_not.empty()) result = result_of(scene, run.scene());
     } catch (const std::invalid_argument& refused) {
         result.why_not = refused.what();
     }

@@ -5,7 +5,7 @@
 ///     end spring    the same at its end: soft rows                         spring_forces.hpp, chapter 16
 ///     acceleration  d²C/dt² = 0, ≥ 0; order four between events            acceleration_level.hpp
 ///     single        impulses one at a time                                 single_impulses.hpp
-///     impulses      J u + b = 0, ≥ 0, all at once: chapters 3 to 14        JointTrees
+///     impulses      J u + b = 0, ≥ 0, all at once: chapters 3 to 15        JointTrees
 ///     positions     C(x) = 0, ≥ 0, row by row: chapter 16                  XPBD
 ///     coordinates   C is not there                                         reduced_motion.hpp
 #pragma once
@@ -89,6 +89,16 @@ struct WayResult {
         0;  ///< over what there was of kinetic and potential energy to lose at the start
     std::string why_not;  ///< the sentence; empty: it went through
 };
+
+/// Steps a run to the time of its scene, in so many steps. Returns the sentence why it could not, empty if it could.
+std::string advance_to_end(WayRun& run, const WayScene& scene, int steps);
+
+/// What came of a scene that was run to its time.
+/// \param end  its state there
+WayResult result_of(const WayScene& scene, const JointedScene& end);
+
+/// How many steps of h lead to the time of a scene, the last ones a little shorter where h does not fit.
+int steps_of(const WayScene& scene, Real h);
 
 /// Runs a scene to its time in steps of h.
 WayResult run_way(Way way, const WayScene& scene, Real h,

@@ -16,4 +16,8 @@ using JointedStress = StressOf<JointedScene>;
 std::vector<JointedMethod> jointed_methods();
 std::vector<JointedStress> jointed_stresses();
 
+/// The ways of chapter 26 as columns of this matrix, and of the one of bodies that turn.
+std::vector<JointedMethod> ways_with_joints();
+std::vector<TurningMethod> ways_of_turning();
+
 }  // namespace rigid::stress

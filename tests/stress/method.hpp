@@ -58,6 +58,7 @@ struct MethodOf {
     bool links_only = false;        ///< it knows no contacts
     bool walls_only = false;        ///< bodies touch walls and never each other
     bool friction = false;          ///< it knows friction
+    bool joints = true;             ///< it knows joints
     bool springs = true;            ///< of joints
     bool motors = true;             ///< of joints
     Index most_rows = 1'000'000;    ///< beyond that a step would take seconds: the cell stays empty

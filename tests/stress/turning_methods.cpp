@@ -1,7 +1,7 @@
 #include "chapters/12_contact_manifolds/manifold_method.hpp"
 #include "tests/stress/engine_column.hpp"
+#include "tests/stress/jointed.hpp"
 #include "tests/stress/stepping.hpp"
-#include "tests/stress/turning.hpp"
 #include "tests/stress/turning_honest.hpp"
 
 namespace rigid::stress {
@@ -101,6 +101,7 @@ std::vector<TurningMethod> turning_methods()
         if (method.name.find("exact") != std::string::npos) method.most_rows = 330;
     all.back().most_rows = 60;  // pivots of a dense tableau
     all.push_back(engine_method<RoughScene>("engine", {}));
+    for (TurningMethod& way : ways_of_turning()) all.push_back(std::move(way));
     return all;
 }
 

@@ -61,6 +61,7 @@ TurningStress stress_of(const std::string& name, const std::string& what, const 
                 return std::nullopt;
             Case now = make(value);
             if (rows_of(now.scene) > method.most_rows) return std::nullopt;
+            if (!now.scene.joints.empty() && !method.joints) return std::nullopt;
             perturb(now.scene, seed, now.task.size, now.masses);
             return judge(std::move(now.scene), now.task, method.start(std::make_shared<const Wish>()));
         });

@@ -2,10 +2,11 @@
 /// What the adapters of peer_ways.hpp ask a scene: masses, sizes, and which scenes are a tree on the world.
 #pragma once
 
-#include "chapters/15_trees/reduced.hpp"
+#include "chapters/26_four_ways/reduced_motion.hpp"
 #include "chapters/26_four_ways/ways.hpp"
 #include "common/elementary.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -41,5 +42,28 @@ inline bool is_tree_of_pins(const WayScene& way)
     return way.name == "pendulum" || way.name == "double pendulum" ||
            way.name == "heavy chain";
 }
+
+/// The joints of a scene as a tree on the world, its coordinates and their rates, and the pins that close loops. None where there
+/// are no joints.
+struct HangingBodies {
+    std::vector<ReducedLink> links;  ///< parents first
+    VecX q, dq;
+    std::vector<RigidJoint> loops;
+
+    explicit HangingBodies(const JointedScene& scene)
+    {
+        if (scene.placed.empty()) return;
+        const ReducedMotion motion(scene);
+        links = links_of(split_loops(scene).tree);
+        q = motion.q(), dq = motion.dq();
+        for (const PlacedJoint& placed : scene.placed)
+            if (std::none_of(links.begin(), links.end(),
+                             [&](const ReducedLink& link) {
+                                 return link.joint.a == placed.joint.a &&
+                                        link.joint.b == placed.joint.b;
+                             }))
+                loops.push_back(placed.joint);
+    }
+};
 
 }  // namespace rigid

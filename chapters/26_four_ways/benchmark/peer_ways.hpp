@@ -5,6 +5,8 @@
 ///     ODE             impulses, all at once, by its exact step
 ///     Bullet          impulses, by its ten sweeps
 ///     Bullet's trees  coordinates of joints: btMultiBody
+///     Simbody         coordinates of joints, of order four
+///     MuJoCo          coordinates of joints, soft accelerations for all else
 #pragma once
 
 #include "chapters/26_four_ways/benchmark/peer_bodies.hpp"
@@ -15,6 +17,13 @@
 #ifdef RIGID_HAS_BULLET
 #include "chapters/26_four_ways/benchmark/peer_bullet.hpp"
 #include "chapters/26_four_ways/benchmark/peer_bullet_trees.hpp"
+#endif
+
+#ifdef RIGID_HAS_SIMBODY
+#include "chapters/26_four_ways/benchmark/peer_simbody.hpp"
+#endif
+#ifdef RIGID_HAS_MUJOCO
+#include "chapters/26_four_ways/benchmark/peer_mujoco.hpp"
 #endif
 
 #include <type_traits>
@@ -33,25 +42,12 @@ void for_each_peer([[maybe_unused]] const One& one)
     one(std::type_identity<BulletWays>{});
     one(std::type_identity<BulletTreeWays>{});
 #endif
-}
-
-/// A run to the time of the scene, as run_way().
-template <class Peer>
-WayResult run_peer(const WayScene& way, Real h)
-{
-    const auto steps = static_cast<int>(std::ceil(way.time / h - 1e-9));
-    JointedScene scene = way.scene;
-    const Real before = energy(scene);
-    WayResult result;
-    Peer peer(way);
-    for (int i = 0; i < steps; ++i) peer.step(way.time / steps);
-    peer.read(scene);
-    result.error = way.error(scene);
-    result.energy_gain = energy(scene) - before;
-    result.drift = drift_of(way, scene);
-    if (!(result.error < 100) || !(result.energy_gain < 15))
-        result.why_not = "it flies apart";
-    return result;
+#ifdef RIGID_HAS_SIMBODY
+    one(std::type_identity<SimbodyWays>{});
+#endif
+#ifdef RIGID_HAS_MUJOCO
+    one(std::type_identity<MujocoWays>{});
+#endif
 }
 
 }  // namespace rigid

@@ -66,9 +66,11 @@ inline std::vector<std::string> error_table(const std::vector<WayScene>& scenes,
     return lines;
 }
 
-/// 1/h of the longest step, of 1/15, 1/30 … 1/3840 s, from which on every shorter one ends within `most` of the truth.
-inline std::vector<std::string> step_table(const std::vector<WayScene>& scenes,
-                                           Real most)
+/// 1/h of the longest step, of 1/15, 1/30 … 1/3840 s, from which on every shorter one will do: one line a scene.
+/// \param will_do  bool(const WayResult&)
+template <class WillDo>
+std::vector<std::string> longest_steps(const std::vector<WayScene>& scenes,
+                                       const WillDo& will_do)
 {
     std::vector<std::string> lines;
     for (const WayScene& scene : scenes) {
@@ -76,9 +78,8 @@ inline std::vector<std::string> step_table(const std::vector<WayScene>& scenes,
         for (const Way way : all_ways) {
             std::string longest = "–";
             for (int n = 3840; can_take(way, scene) && n >= 15; n /= 2) {
-                const WayResult result =
-                    run_way(way, scene, 1.0 / n, settings_of(scene));
-                if (!result.why_not.empty() || !(result.error <= most)) break;
+                if (!will_do(run_way(way, scene, 1.0 / n, settings_of(scene))))
+                    break;
                 longest = std::to_string(n);
             }
             cells.push_back(longest);
@@ -86,6 +87,22 @@ inline std::vector<std::string> step_table(const std::vector<WayScene>& scenes,
         lines.push_back(line_of(cells));
     }
     return lines;
+}
+
+/// Which ends within `most` of the truth.
+inline std::vector<std::string> step_table(const std::vector<WayScene>& scenes,
+                                           Real most)
+{
+    return longest_steps(scenes, [most](const WayResult& result) {
+        return result.why_not.empty() && result.error <= most;
+    });
+}
+
+/// Which goes through: nothing flies apart, and each step has an answer.
+inline std::vector<std::string> stable_table(const std::vector<WayScene>& scenes)
+{
+    return longest_steps(
+        scenes, [](const WayResult& result) { return result.why_not.empty(); });
 }
 
 /// The energy that each way has gained at its end [J], of the scenes that keep theirs.
