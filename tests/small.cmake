@@ -41,9 +41,9 @@ endif()
 
 # The reader's guide says how many lines each has and how many of them are new.
 if(Python3_FOUND)
-  add_test(NAME "small: the reader's guide and the texts count the lines of the small programs"
+  add_test(NAME "small: the guide and the texts count the lines of the small programs"
            COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/tests/small/programs.py)
-  set_tests_properties("small: the reader's guide and the texts count the lines of the small programs" PROPERTIES LABELS small TIMEOUT 60)
+  set_tests_properties("small: the guide and the texts count the lines of the small programs" PROPERTIES LABELS small TIMEOUT 60)
 endif()
 
 # What the library buys: the table of the reader's guide.

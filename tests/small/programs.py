@@ -74,7 +74,7 @@ def tables(text, all_programs, seconds):
         old, begin, end = rows(text, heading)
         new = []
         for number in wanted:
-            cells = old.get(number, ["", "", "", "", "", "", UNSAID] if heading == PROGRAMS else [UNSAID])
+            cells = old.get(number, ["", "", "", "", "", "–", UNSAID] if heading == PROGRAMS else [UNSAID])
             if heading == PROGRAMS:
                 cells = [*counted(all_programs, number), seconds.get(number, cells[5]), cells[6]]
             if cells[-1] in ("", UNSAID):
