@@ -39,6 +39,13 @@ if(Python3_FOUND)
   set_tests_properties("small: the hand-outs compile and the small programs fit their holes" PROPERTIES LABELS small TIMEOUT 300)
 endif()
 
+# The reader's guide says how many lines each has and how many of them are new.
+if(Python3_FOUND)
+  add_test(NAME "small: the guide and the texts count the lines of the small programs"
+           COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/tests/small/programs.py)
+  set_tests_properties("small: the guide and the texts count the lines of the small programs" PROPERTIES LABELS small TIMEOUT 60)
+endif()
+
 # What the library buys: the table of the reader's guide.
 add_executable(small_table EXCLUDE_FROM_ALL tests/small/table.cpp)
 target_link_libraries(small_table PRIVATE rigid_physics)

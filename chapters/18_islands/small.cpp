@@ -1,6 +1,5 @@
 // Chapter 18 in one file, grown from chapter 13: islands of boxes.
 // An island is solved exactly where it stands, swept where it moves, or it sleeps.
-//
 //     normal: λ ≥ 0, w ≥ 0, λ w = 0     tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -12,7 +11,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
 using Mat = Eigen::MatrixXd;
-using Box = Eigen::Matrix<double, 2, 4>;  // corners, counterclockwise
+using Polygon = Eigen::Matrix2Xd;  // corners, counterclockwise
 
 struct Contact {
     int a, b;       // two bodies
@@ -22,7 +21,7 @@ struct Contact {
 
 struct Bodies {
     Vec x, u, inverse_mass;         // three numbers a body: x, y, angle
-    std::vector<Box> corners = {};  // from the centroid, at angle 0
+    std::vector<Polygon> corners;   // from the centroid, at angle 0
     std::vector<double> rest = {};  // for how long each body has rested [s]
     double g = 9.81, mu = 0.6;
     int exact = 0, swept = 0, slept = 0;  // islands so far
@@ -37,7 +36,7 @@ struct Island {
 };
 
 // (11.1): the corners of body b where it is now.
-Box placed(const Bodies& d, int b)
+Polygon placed(const Bodies& d, int b)
 {
     const Eigen::Matrix2d R(Eigen::Rotation2Dd(d.x[3 * b + 2]));
     return (R * d.corners[b]).colwise() + d.x.segment<2>(3 * b);
@@ -46,7 +45,7 @@ Box placed(const Bodies& d, int b)
 // Two faces have an interval along t = n⊥, (12.3): its ends are the points.
 void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
 {
-    const Box P = placed(d, a), Q = placed(d, b);
+    const Polygon P = placed(d, a), Q = placed(d, b);
     double best = -INFINITY;
     Vector2d n;
     for (int k = 0; k < 8; ++k) {  // (12.1): the normals of a, then those of b
@@ -61,14 +60,15 @@ void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
     int i, j;  // the edges that face each other begin here
     (n.transpose() * (P + P(Eigen::all, next))).maxCoeff(&i);
     (n.transpose() * (Q + Q(Eigen::all, next))).minCoeff(&j);
-    const auto at = [&](const Box& p, int k, double tau) {  // on edge k
-        const Vector2d v = p.col(k), along = p.col(next[k]) - v;
-        return Vector2d(v + (tau - t.dot(v)) / t.dot(along) * along);
+    const int i2 = (i + 1) % P.cols(), j2 = (j + 1) % Q.cols();
+    const auto at = [&](const Vector2d& v, const Vector2d& w, double tau) {
+        return Vector2d(v + (tau - t.dot(v)) / t.dot(w - v) * (w - v));
     };
-    const double low = std::max(t.dot(P.col(i)), t.dot(Q.col(next[j])));
-    const double high = std::min(t.dot(P.col(next[i])), t.dot(Q.col(j)));
+    const double low = std::max(t.dot(P.col(i)), t.dot(Q.col(j2)));
+    const double high = std::min(t.dot(P.col(i2)), t.dot(Q.col(j)));
     for (const double tau : {high, low}) {
-        const Vector2d pa = at(P, i, tau), pb = at(Q, j, tau), p = (pa + pb) / 2;
+        const Vector2d pa = at(P.col(i), P.col(i2), tau);
+        const Vector2d pb = at(Q.col(j), Q.col(j2), tau), p = (pa + pb) / 2;
         const double C = n.dot(pb - pa);
         if (low <= high && C < 0.02) found.push_back({a, b, p, n, C});
     }
@@ -165,7 +165,7 @@ void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
         v->conservativeResize(3 * d.corners.size() + 3);
     d.x.tail<3>() = at, d.u.tail<3>().setZero();
     d.inverse_mass.tail<3>() = Vector3d(1, 1, 3 / (w * w + h * h)) / mass;
-    d.corners.push_back(Box{{-w, w, w, -w}, {-h, -h, h, h}});
+    d.corners.push_back(Polygon{{-w, w, w, -w}, {-h, -h, h, h}});
     d.rest.push_back(0);
 }
 

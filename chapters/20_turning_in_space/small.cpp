@@ -9,7 +9,7 @@
 #include <fstream>
 #include <numbers>
 #include <vector>
-using Eigen::Vector3d;
+using Eigen::Quaterniond, Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
 
 struct Bodies {
@@ -18,9 +18,9 @@ struct Bodies {
 };
 
 // (20.6): the rotation of a rotation vector.
-Eigen::Quaterniond exp(const Vector3d& theta)
+Quaterniond exp(const Vector3d& theta)
 {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
+    return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
 // (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
@@ -43,8 +43,9 @@ Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
 
 void step(Bodies& d, double h)
 {
-    for (int k = 0; k < d.x.size() / 6; ++k) {
-        d.u[6 * k + 2] -= d.g * h;                           // u*, (3.4)
+    const int K = d.x.size() / 6;
+    for (int k = 0; k < K; ++k) d.u[6 * k + 2] -= d.g * h;  // u*, (3.4)
+    for (int k = 0; k < K; ++k) {
         d.x.segment<3>(6 * k) += h * d.u.segment<3>(6 * k);  // (1.10)
         Vector3d omega = d.u.segment<3>(6 * k + 3);
         const Vector3d delta = turn(d.inverse_mass.segment<3>(6 * k + 3), omega, h);

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
+using Eigen::Quaterniond, Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
 using Mat = Eigen::MatrixXd;
 
@@ -35,9 +35,9 @@ struct Nearest {
 };
 
 // (20.6): the rotation of a rotation vector.
-Eigen::Quaterniond exp(const Vector3d& theta)
+Quaterniond exp(const Vector3d& theta)
 {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
+    return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
 // The corner that lies farthest along n; of several the first.

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <vector>
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
+using Eigen::Quaterniond, Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -35,9 +35,9 @@ struct Bodies {
 };
 
 // (20.6): the rotation of a rotation vector.
-Eigen::Quaterniond exp(const Vector3d& theta)
+Quaterniond exp(const Vector3d& theta)
 {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
+    return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
 Vector3d centre(const Bodies& d, int k) { return d.x.segment<3>(6 * k); }

@@ -1,4 +1,4 @@
-// Chapter 24 in one file, grown from chapter 23: friction is a disc.
+// Chapter 24 in one file, grown from chapter 20: friction is a disc.
 // Two rows across the normal have one bound. Boxes touch walls by their corners.
 //
 //     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
@@ -10,8 +10,8 @@
 #include <fstream>
 #include <numbers>
 #include <vector>
+using Eigen::Quaterniond, Eigen::Vector3d;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
 using Mat = Eigen::MatrixXd;
 using Rows = Eigen::Matrix<double, 3, 6>;  // along t1, t2 and n
@@ -32,9 +32,9 @@ struct Bodies {
 };
 
 // (20.6): the rotation of a rotation vector.
-Eigen::Quaterniond exp(const Vector3d& theta)
+Quaterniond exp(const Vector3d& theta)
 {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
+    return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
 // (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
@@ -111,7 +111,7 @@ void visit(Contact& c, Bodies& d)
 
 void step(Bodies& d, double h, double beta, int sweeps)
 {
-    const int K = d.corners.size();
+    const int K = d.x.size() / 6;
     for (int k = 0; k < K; ++k) d.u[6 * k + 2] -= d.g * h;  // u*, (3.4)
     std::vector<Contact> contacts = find_contacts(d);
     for (Contact& c : contacts) {
@@ -140,7 +140,7 @@ void step(Bodies& d, double h, double beta, int sweeps)
 void add_box(Bodies& d, const Vector3d& e, double mass, const Vector3d& at)
 {
     for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
-        v->conservativeResize(6 * d.corners.size() + 6);
+        v->conservativeResize(v->size() + 6);
     d.x.tail<6>() << at, 0, 0, 0;
     d.u.tail<6>().setZero();
     const Vector3d q = e.cwiseAbs2();

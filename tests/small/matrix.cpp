@@ -141,6 +141,8 @@ TEST_CASE("the small program of chapter 5 has the numbers of the text and the li
             });
         });
     CHECK(farthest < 1e-12);  // both are exact
+    // section 5.9: ties that rounding decides may add or save some
+    CHECK(work_of_the_text<small05::Discs>(small05::ten_discs, small05::step) == Approx(4109).epsilon(0.02));
 }
 
 namespace {

@@ -126,6 +126,10 @@ TEST_CASE("the small program of chapter 10 lets columns sleep and wakes them whe
     CHECK(sleepers() > 20);
     CHECK(sleepers() < 95);
     CHECK(2 * d.moved < awake.moved);
+    // what section 10.9 says, in three digits; one or the other disc may sleep a step earlier
+    CHECK(double(awake.pairs) == Approx(30500).epsilon(0.02));
+    CHECK(double(d.pairs) == Approx(15400).epsilon(0.02));
+    CHECK(double(d.visits) == Approx(82000).epsilon(0.02));
     for (int k = 95; k < 100; ++k)  // the last column stands where ten sweeps from zero have left it
         CHECK((d.x - small10::columns().x).segment<2>(2 * k).norm() < 1e-6);
 }

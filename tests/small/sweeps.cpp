@@ -132,6 +132,20 @@ TEST_CASE("the small program of chapter 8 has the numbers of the text and the li
     const Real farthest = farthest_in_a_run(
         small08::ten_discs(), [](small08::Discs& d) { return small08::step(d, 1.0 / 240, 0.2); }, method);
     CHECK(farthest < 1e-12);
+    // section 8.3
+    int forgetful = 0;
+    const auto remembered = [](small08::Discs& d, Real h) { return small08::step(d, h, 0.2); };
+    small08::Discs cold = small08::ten_discs();
+    for (int n = 0; n < 480; ++n) cold.contacts.clear(), forgetful += remembered(cold, 1.0 / 240);
+    CHECK(forgetful == 14380);
+    CHECK(work_of_the_text<small08::Discs>(small08::ten_discs, remembered) == 10949);
+    small08::Discs sunk = small08::column(20), stands = sunk;
+    for (int n = 0; n < 480; ++n) {
+        sunk.contacts.clear();
+        small08::step(sunk, 1.0 / 60, 0, 10), small08::step(stands, 1.0 / 60, 0, 10);
+    }
+    CHECK(sunk.x[39] == Approx(1.02).margin(0.005));
+    CHECK(stands.x[39] == Approx(3.85).margin(0.005));
     // Ten sweeps a step hold the column at rest where (8.8) says, 50.8212574362 mm below its place.
     small08::Discs warm = small08::column(20);
     for (int n = 0; n < 2000; ++n) small08::step(warm, 1.0 / 60, 0, 10);
