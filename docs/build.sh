@@ -47,6 +47,7 @@ check_texts() {
     python3 docs/architecture/draw.py --check docs/architecture/figures/architecture.svg || faulty=1
     python3 docs/tools/check_version.py || faulty=1
     python3 docs/tools/check_text.py || faulty=1
+    python3 docs/tools/redirects.py --check || faulty=1
     ! command -v node >/dev/null 2>&1 || sentences || faulty=1
     return $faulty
 }
@@ -133,5 +134,7 @@ if [ -d build/docs/demos ]; then
         done
     fi
 fi
+# Old addresses of chapters lead on.
+python3 docs/tools/redirects.py build/docs/html
 python3 docs/tools/check_html.py build/docs/html
 say "the site is build/docs/html/index.html"

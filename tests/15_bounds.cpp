@@ -101,7 +101,7 @@ TEST_CASE("the joints eliminated leave the matrix that the whole one leaves", "[
     Random random(9);
     for (int round = 0; round < 30; ++round) {
         JointedScene scene = driven_tree(random, 3 + round % 6, round % 3);
-        // the bridge of section 15.3: a loop
+        // the bridge of section 15.B: a loop
         if (round % 2) pin(scene, world, scene.bodies.count() - 1, {2.5, 0});
         Trees method;
         method.correction.stiff = false;

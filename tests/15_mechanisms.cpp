@@ -17,7 +17,7 @@ TEST_CASE("a four-bar linkage keeps its energy for ten seconds also through the 
         for (const Real angle : {0.0, 1.0}) {
             JointedScene scene = cranks_scene(cranks, angle, 8);
             JointRattle<AllBodies> method;
-            // near the line of all bars: more than 3 (h ω / 2)², half a step's angle (section 15.3)
+            // near the line of all bars: more than 3 (h ω / 2)², half a step's angle (section 15.B)
             method.solver.joints.rank_tolerance = 1e-5;
             const Real before = energy(scene);
             Real largest = 0;

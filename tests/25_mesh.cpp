@@ -141,7 +141,7 @@ Real distance_by_force(const TriangleMesh& mesh, int t, const Vec3& p)
 
 }  // namespace
 
-TEST_CASE("what slides and rolls over a floor of triangles goes as on a plane", "[house]")
+TEST_CASE("what slides and rolls over a floor of triangles goes as on a plane", "[idea]")
 {
     const Ground mesh = floor_of_triangles();
     for (const Real mu : {0.0, 0.5})
@@ -163,7 +163,7 @@ TEST_CASE("triangles that answer each for itself stop what slides over them", "[
 }
 
 TEST_CASE("the nearest point of a mesh is among its contacts and all of them are nearest around them",
-          "[house]")
+          "[idea]")
 {
     Random random(5);
     OnMesh on;
@@ -210,7 +210,7 @@ TEST_CASE("the nearest point of a mesh is among its contacts and all of them are
     CHECK(over_corners > 3);
 }
 
-TEST_CASE("a ridge pushes between the normals of its faces and a valley along both", "[house]")
+TEST_CASE("a ridge pushes between the normals of its faces and a valley along both", "[idea]")
 {
     // two faces that meet along z, at 45° each
     const auto roof = [](Real high) {
@@ -238,7 +238,73 @@ TEST_CASE("a ridge pushes between the normals of its faces and a valley along bo
     CHECK((on.memory.manifolds[1].normal - Vec3(c, c, 0)).norm() < 1e-12);
 }
 
-TEST_CASE("a box that leans over the edge of a step is not thrown up by the side of the step", "[house]")
+TEST_CASE("a triangle answers for itself or with its face or leaves it to a neighbour", "[idea]")
+{
+    // a pyramid whose top is at the origin, of four faces; they fall by 45°, or rise
+    const auto pyramid = [](Real top) {
+        return triangle_mesh({{0, 0, 0}, {1, -top, 1}, {1, -top, -1}, {-1, -top, -1}, {-1, -top, 1}},
+                             {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}});
+    };
+    const Ground peak = pyramid(1), pit = pyramid(-1), flat = pyramid(0);
+    const Vec3 n = peak->normal(0), up(0, 1, 0);
+    REQUIRE((n - Vec3(1, 1, 0).normalized()).norm() < 1e-15);
+    // its own normal, and what comes from behind
+    CHECK(answer_of(*peak, 0, n) == Answer::of_its_face);
+    CHECK(answer_of(*peak, 0, -n) == Answer::of_a_neighbour);
+    // at the peak: whatever leans less than the faces
+    CHECK(answer_of(*peak, 0, up) == Answer::stays);
+    CHECK(answer_of(*peak, 0, Vec3(0.3, 1, 0.2).normalized()) == Answer::stays);
+    // the edge between the faces 0 and 1 goes along (1, -1, -1): between their normals, and beyond them
+    const Vec3 g = peak->normal(1);
+    CHECK(answer_of(*peak, 0, (2 * n + g).normalized()) == Answer::stays);
+    CHECK(answer_of(*peak, 0, (2 * g - n).normalized()) == Answer::of_a_neighbour);
+    // an edge where the mesh ends pushes any way that the triangle alone allows
+    CHECK(answer_of(*peak, 0, Vec3(1, -0.2, 0).normalized()) == Answer::stays);
+    // flat: nothing but the normal, at an edge and at a corner
+    CHECK(answer_of(*flat, 0, Vec3(-0.2, 1, 0).normalized()) == Answer::of_its_face);
+    CHECK(answer_of(*flat, 0, Vec3(-0.2, 1, -0.4).normalized()) == Answer::of_its_face);
+    CHECK(answer_of(*flat, 0, up) == Answer::of_its_face);
+    // a valley: what is between the normals is answered by the face
+    const Vec3 a = pit->normal(0), b = pit->normal(1);
+    CHECK(answer_of(*pit, 0, (2 * a + b).normalized()) == Answer::of_its_face);
+}
+
+TEST_CASE(
+    "a normal stays if the point of the whole mesh that is nearest to a point along it is where it began",
+    "[idea]")
+{
+    Random random(2525);
+    int stayed = 0, forbidden = 0;
+    for (int round = 0; round < 60; ++round) {
+        const Ground bumps = bumpy(random, 4, 0.5, 0.4);
+        // one of the nine inner vertices, raised
+        const int v = 6 + 5 * (round % 3) + round / 3 % 3;
+        std::vector<Vec3> vertices = bumps->vertices;
+        vertices[static_cast<std::size_t>(v)].y() += random.uniform(0, 0.6);
+        const Ground mesh = triangle_mesh(vertices, bumps->triangles);
+        const Vec3 p = mesh->vertex(v), m = (Vec3(0, 1, 0) + any_vector(random, 0.6)).normalized();
+        const Vec3 out = p + 0.01 * m;
+        Real nearest = infinity;
+        for (int t = 0; t < mesh->count(); ++t) nearest = std::min(nearest, distance_by_force(*mesh, t, out));
+        const Real short_of = 0.01 - nearest;
+        if (short_of > 1e-8 && short_of < 1e-5) continue;  // as good as on the border
+        for (int k = mesh->first[static_cast<std::size_t>(v)];
+             k < mesh->first[static_cast<std::size_t>(v) + 1]; ++k) {
+            const int t = mesh->at[static_cast<std::size_t>(k)];
+            // of the triangle alone it is the corner v that lies farthest along m, by something
+            bool is_top = true;
+            for (const int i : mesh->triangle(t))
+                is_top = is_top && (i == v || m.dot(mesh->vertex(i) - p) < -1e-3);
+            if (!is_top || mesh->normal(t).dot(m) <= 0) continue;
+            CHECK((answer_of(*mesh, t, m) == Answer::stays) == (short_of <= 1e-8));
+            short_of <= 1e-8 ? ++stayed : ++forbidden;
+        }
+    }
+    CHECK(stayed > 20);
+    CHECK(forbidden > 20);
+}
+
+TEST_CASE("a box that leans over the edge of a step is not thrown up by the side of the step", "[idea]")
 {
     // the side of the step faces x, its top is the ground; ten strips of both, of a metre
     std::vector<Vec3> vertices;
@@ -272,8 +338,7 @@ TEST_CASE("a box that leans over the edge of a step is not thrown up by the side
     }
 }
 
-TEST_CASE("a box that is deeper in a floor than it reaches over an edge has the corners of a plane",
-          "[house]")
+TEST_CASE("a box that is deeper in a floor than it reaches over an edge has the corners of a plane", "[idea]")
 {
     const Ground mesh = floor_of_triangles();
     Random random(10);
@@ -395,7 +460,7 @@ TEST_CASE("a hundred solids poured into a bowl of triangles stay above it", "[ho
     CHECK(deepest < 0.003);  // bodies of half a metre; 1 mm is the slop
 }
 
-TEST_CASE("a ball in a trough of flat strips loses half the energy where strips are half as wide", "[house]")
+TEST_CASE("a ball in a trough of flat strips loses half the energy where strips are half as wide", "[idea]")
 {
     // strips along z of a cylinder of 4 m: each inner edge turns the way of a ball by an angle φ, and takes
     // sin² φ of its energy; as many edges as 1/φ
@@ -509,7 +574,7 @@ TEST_CASE("triangles that share no vertices are one surface where their corners 
     }
 }
 
-TEST_CASE("a triangle has one side", "[house]")
+TEST_CASE("a triangle has one side", "[idea]")
 {
     SpaceScene scene;
     scene.gravity = {0, 9.81, 0};  // from below

@@ -59,6 +59,56 @@ void compare(SpaceScene scene, TouchingCones one_by_one, int steps, int substeps
 
 }  // namespace
 
+TEST_CASE("five rows by hand have the levels of the text", "[idea][wide]")
+{
+    std::vector<int> highest(4, 0);
+    // A and the wall, B and A, C and the wall, C and B, D and the wall: section 25.1
+    CHECK(next_level(highest, 0, world) == 1);
+    CHECK(next_level(highest, 1, 0) == 2);
+    CHECK(next_level(highest, 2, world) == 1);
+    CHECK(next_level(highest, 2, 1) == 3);
+    CHECK(next_level(highest, world, 3) == 1);
+    CHECK(highest == std::vector<int>{2, 3, 3, 1});
+}
+
+TEST_CASE("the level of a visit is the length of the longest chain of visits that it waits for",
+          "[idea][wide]")
+{
+    Random random(25);
+    for (int round = 0; round < 50; ++round) {
+        const int bodies = 2 + round % 9;
+        std::vector<int> highest(static_cast<std::size_t>(bodies), 0);
+        std::vector<std::pair<Index, Index>> rows;
+        std::vector<int> chain;  // of each row, by force: over all rows before it
+        for (int i = 0; i < 40; ++i) {
+            const auto any = [&] { return static_cast<Index>(random.uniform(0, 1) * bodies); };
+            const Index a = any(), other = any(), b = i % 5 == 0 || other == a ? world : other;
+            int longest = 0;
+            for (std::size_t k = 0; k < rows.size(); ++k) {
+                const auto& [c, d] = rows[k];
+                const bool meet = a == c || a == d || (b != world && (b == c || b == d));
+                if (meet) longest = std::max(longest, chain[k]);
+            }
+            rows.emplace_back(a, b), chain.push_back(longest + 1);
+            CHECK(next_level(highest, i % 2 == 0 ? a : b, i % 2 == 0 ? b : a) == chain.back());
+        }
+    }
+}
+
+TEST_CASE("a wall that is swept level by level has the bits of one that is swept row by row", "[idea][wide]")
+{
+    // no more than the order: whether lanes do it is the book's own matter
+    SpaceScene scene = brick_wall(3, 3, 0.6), other = scene;
+    TouchingCones one_by_one, by_levels;
+    one_by_one.solver.wide = false;
+    StepData<6> now, then;
+    for (int i = 0; i < 20; ++i) {
+        step(scene, {.h = sixtieth}, one_by_one, now);
+        step(other, {.h = sixtieth}, by_levels, then);
+        REQUIRE(same_bits(scene.bodies.u, other.bodies.u));
+    }
+}
+
 TEST_CASE("sweeps side by side give the bits of sweeps one by one", "[house][wide]")
 {
     TouchingCones method;

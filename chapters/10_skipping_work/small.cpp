@@ -167,7 +167,7 @@ Discs columns()
 
 int main(int count, char** word)
 {
-    // By hand, section 10.5: eight bodies, but 2 and 5 are fixed and join nothing.
+    // By hand, section 10.3: eight bodies, but 2 and 5 are fixed and join nothing.
     const int joined[][2]{{2, 1}, {0, 3}, {2, 4}, {5, 4}, {3, 6}};
     std::vector<Contact> rows{{-1, 1, {0, 1}, 0, 0}};
     const Mat at{{1, 1},  {-2, -1}, {-1, 1}, {2, 1},

@@ -3,7 +3,7 @@
 ///
 ///     w = A λ + q,   q = w_now − A λ_now
 ///
-/// What section 10.4 does for islands without friction. Here λ itself is the unknown and not its correction: the bounds of
+/// What section 10.C does for islands without friction. Here λ itself is the unknown and not its correction: the bounds of
 /// friction are a cone around zero, and not around λ_now.
 #pragma once
 

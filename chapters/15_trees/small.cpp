@@ -1,6 +1,6 @@
-// Chapter 15 in one file, grown from chapter 11: pins, limits, and trees of pins.
-// A tree is solved from the leaves to the root and back.
-//     pin: J u + J_p u_p + b = 0, (15.3)        limit: λ ≥ 0, w ≥ 0, λ w = 0
+// Chapter 15 in one file, grown from chapter 11: bodies that hang on pins, a tree.
+// It is solved from the leaves to the root and back.
+//     J u + J_p u_p + b = 0 for each pin, (15.3)
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
@@ -17,9 +17,8 @@ using Path = std::pair<const char*, std::vector<Vector2d>>;  // a colour and poi
 struct Pin {
     int parent;             // of the body that it holds; -1: the world
     Vector2d above, below;  // the point in the parent, or the world; in the body
-    double lower = -INFINITY, upper = INFINITY;  // limits of the angle between both
     Rows J = Rows::Zero(), Jp = Rows::Zero();
-    Vector2d C = {0, 0}, lambda = {0, 0}, pushed = {0, 0};  // [m]; [N s], [N m s]
+    Vector2d C = {0, 0}, lambda = {0, 0};  // [m], [N s]
 };
 
 struct Bodies {
@@ -44,7 +43,7 @@ void find_rows(Bodies& d)
         Pin& pin = d.pins[k];
         const Vector2d r = turned(d.x[3 * k + 2], pin.below);
         pin.J = rows(r), pin.Jp.setZero();
-        pin.lambda.setZero(), pin.pushed.setZero();
+        pin.lambda.setZero();
         pin.C = d.x.segment<2>(3 * k) + r - pin.above;
         if (pin.parent < 0) continue;
         const Vector2d rp = turned(d.x[3 * pin.parent + 2], pin.above);
@@ -67,26 +66,6 @@ void visit(Bodies& d, int k, double h)
     pin.lambda += change;
     d.u.segment<3>(3 * k) += W.transpose() * change;
     d.u.segment<3>(3 * p) += Wp.transpose() * change;
-}
-
-// q − lower ≥ 0 and upper − q ≥ 0. Returns by how much a row was off [rad/s].
-double visit_limits(Bodies& d, int k, double h)
-{
-    Pin& pin = d.pins[k];
-    double off = 0;
-    const int i = 3 * k + 2, j = 3 * pin.parent + 2;
-    for (int side = 0; side < 2 && pin.parent >= 0; ++side) {
-        const double sense = side == 0 ? 1 : -1, q = d.x[i] - d.x[j];
-        const double C = side == 0 ? q - pin.lower : pin.upper - q;
-        const double w = sense * (d.u[i] - d.u[j]) + C / h;
-        const double A = d.inverse_mass[i] + d.inverse_mass[j];
-        const double change = std::max(-pin.pushed[side], -w / A);
-        pin.pushed[side] += change;
-        d.u[i] += sense * d.inverse_mass[i] * change;
-        d.u[j] -= sense * d.inverse_mass[j] * change;
-        off = std::max(off, A * std::abs(change));
-    }
-    return off;
 }
 
 // All pins at once.
@@ -119,21 +98,14 @@ void solve_tree(Bodies& d, double h)
     }
 }
 
-// With sweeps over the pins, or, if there are none, with the tree; the limits sweep
-// over what the pins leave, (15.9).
+// With sweeps over the pins, or, if there are none, with the tree.
 void step(Bodies& d, double h, int sweeps)
 {
     for (int k = 1; k < d.u.size(); k += 3) d.u[k] -= d.g * h;  // u*, (3.4)
     find_rows(d);
-    double off = 1;
-    for (int n = 0; sweeps > 0 ? n < sweeps : off > 1e-12; ++n) {
-        off = 0;
-        if (sweeps == 0) solve_tree(d, h);
-        for (int k = 0; k < int(d.pins.size()); ++k) {
-            if (sweeps > 0) visit(d, k, h);
-            off = std::max(off, visit_limits(d, k, h));
-        }
-    }
+    if (sweeps == 0) solve_tree(d, h);
+    for (int n = 0; n < sweeps; ++n)
+        for (int k = 0; k < int(d.pins.size()); ++k) visit(d, k, h);
     d.x += h * d.u;  // (1.10)
 }
 
@@ -155,21 +127,26 @@ void add_rod(Bodies& d, double L, double mass, double angle)
 
 int main(int count, char** word)
 {
-    // By hand, section 15.1: two level rods, g h = 1 m/s; then the joint is locked.
+    // By hand, section 15.1: two level rods, g h = 1 m/s; then a quarter of a
+    // kilogram in the second one's place, a rod that hangs by its middle.
     std::vector<Path> paths;
-    for (const double limit : {9.0, 0.0}) {
+    for (const bool replaced : {false, true}) {
         Bodies d{{}, {}, {}, {}, 1};
-        for (int k = 0; k < 2; ++k) add_rod(d, 1, 1, 0);
-        d.pins[1].lower = -(d.pins[1].upper = limit);
+        add_rod(d, 1, 1, 0), add_rod(d, 1, replaced ? 0.25 : 1, 0);
+        if (replaced) d.pins[1].below.setZero(), d.x[3] = 1;
         step(d, 1, 0);
         const Vector2d first = d.pins[0].lambda, second = d.pins[1].lambda;
         std::printf("lambda %.4f, %.4f N s; omega %.4f, %.4f rad/s\n", first.y(),
                     second.y(), d.u[2], d.u[5]);
-        const Vector2d wall(limit > 1 ? 0 : 2.3, 0), level = wall + Vector2d(1, 0);
+        const Vector2d wall(replaced ? 2.3 : 0, 0), level = wall + Vector2d(1, 0);
         for (const double t : {0.0, 0.1, 0.2, 0.3}) {  // how they begin to turn
             const Vector2d pin = wall + turned(t * d.u[2], {1, 0});
-            paths.push_back({t > 0 ? "#4477AA" : "#808080",
-                             {wall, pin, pin + turned(t * d.u[5], {1, 0})}});
+            std::vector<Vector2d> drawn{wall, pin};
+            if (!replaced) drawn.push_back(pin + turned(t * d.u[5], {1, 0}));
+            for (int side = 0; replaced && side < 5; ++side)  // the weight
+                drawn.push_back(pin +
+                                turned(side * std::numbers::pi / 2, {0.05, 0}));
+            paths.push_back({t > 0 ? "#4477AA" : "#808080", drawn});
         }
         paths.push_back({"#CC3311", {wall, wall + first}});
         paths.push_back({"#CC3311", {level, level + second}});
@@ -190,7 +167,7 @@ int main(int count, char** word)
     }
     std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='500' stroke-width='0.03' viewBox='-0.1 -0.6 4.6 1.3'>\n";
+           "width='500' stroke-width='0.025' viewBox='-0.1 -0.45 3.6 1'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';

@@ -1,5 +1,5 @@
 /// \file loaded_solids.hpp
-/// A loaded joint is stiff across its load, in space: chapter 15's section 15.6 with a matrix for a number.
+/// A loaded joint is stiff across its load, in space: chapter 15's section 15.E with a matrix for a number.
 ///
 ///     K = (f·r) 1 − ½ (f rᵀ + r fᵀ)                       f on the body at the arm r, in the body's own axes   (21.10)
 ///     κᵢ = max(0, Kᵢᵢ + Σ |Kᵢⱼ|),    Iᵢ → max(Iᵢ, h² κᵢ)                          (21.11), (21.12)

@@ -18,10 +18,53 @@ namespace rigid {
 /// What becomes of an answer of a triangle.
 enum class Answer : unsigned char { stays, of_its_face, of_a_neighbour };
 
+//! [answer]
 /// (25.2) for a normal m of triangle t: at its corners that lie farthest along m,
 /// one, two or all three. A triangle that may not push along m answers with its own
 /// normal, unless a neighbour's is nearer to m, (25.3).
-Answer answer_of(const TriangleMesh& mesh, int t, const Vec3& m);
+inline Answer answer_of(const TriangleMesh& mesh, int t, const Vec3& m)
+{
+    const Real same = 1e-6;  // a sine: what the nearest points of two cores leave
+    const Vec3& n = mesh.normal(t);
+    if (n.dot(m) < -same) return Answer::of_a_neighbour;  // it has one side
+    const auto slope = [&](const Vec3& from, const Vec3& to) {
+        return m.dot(to - from) / (to - from).norm();
+    };
+    int top = 0;
+    for (int k = 1; k < 3; ++k)
+        if (m.dot(mesh.corner(t, k) - mesh.corner(t, top)) > 0) top = k;
+    const int next = (top + 1) % 3, last = (top + 2) % 3;
+    const Vec3& p = mesh.corner(t, top);
+    const bool along_next = slope(p, mesh.corner(t, next)) >= -same,
+               along_last = slope(p, mesh.corner(t, last)) >= -same;
+    if (along_next && along_last) return Answer::of_its_face;
+    bool may_push = true;
+    Real nearest = n.dot(m);
+    if (along_next || along_last) {
+        // an edge: the mesh goes on beyond it
+        const int edge = along_next ? top : last;
+        const int g = mesh.beyond[static_cast<std::size_t>(t)]
+                                 [static_cast<std::size_t>(edge)];
+        if (g == TriangleMesh::nobody) return Answer::stays;
+        const Vec3 e =
+            (mesh.corner(t, (edge + 1) % 3) - mesh.corner(t, edge)).normalized();
+        may_push = m.dot(cross(e, mesh.normal(g))) <= same;
+        nearest = std::max(nearest, mesh.normal(g).dot(m));
+    } else {
+        // a corner: along the edges of all triangles there
+        const int v = mesh.triangle(t)[static_cast<std::size_t>(top)];
+        for (int k = mesh.first[static_cast<std::size_t>(v)];
+             k < mesh.first[static_cast<std::size_t>(v) + 1]; ++k) {
+            const int g = mesh.at[static_cast<std::size_t>(k)];
+            for (const int i : mesh.triangle(g))
+                if (i != v) may_push = may_push && slope(p, mesh.vertex(i)) <= same;
+            nearest = std::max(nearest, mesh.normal(g).dot(m));
+        }
+    }
+    if (may_push) return Answer::stays;
+    return nearest > n.dot(m) + 1e-9 ? Answer::of_a_neighbour : Answer::of_its_face;
+}
+//! [answer]
 
 /// Points with one normal, before four are chosen.
 struct MeshManifold {

@@ -9,17 +9,15 @@ namespace rigid {
 void VisitLevels::add(const ConeRows& rows, int island, std::size_t first,
                       const Bodies<6>& bodies)
 {
+    const auto moved = [&bodies](int place) {
+        return bodies.can_move(place / 6) ? Index{place / 6} : world;
+    };
     first_run[static_cast<std::size_t>(island)] = static_cast<int>(runs.size());
     for (std::size_t k = 0; k < rows.rows.size();) {
         LevelRun run = run_at(rows, k);
         run.island = island;
         run.first = static_cast<int>(first + k);
-        for (const int place : {rows.rows[k].a, rows.rows[k].b})
-            if (bodies.can_move(place / 6))
-                run.level = std::max(run.level, of_body(place));
-        ++run.level;
-        for (const int place : {rows.rows[k].a, rows.rows[k].b})
-            if (bodies.can_move(place / 6)) of_body(place) = run.level;
+        run.level = next_level(level, moved(rows.rows[k].a), moved(rows.rows[k].b));
         levels = std::max(levels, run.level);
         runs.push_back(run);
         k += static_cast<std::size_t>(run.rows());

@@ -10,6 +10,7 @@
 
 #include "chapters/24_friction_is_a_disc/cone_rows.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -21,6 +22,24 @@ enum class RunKind : unsigned char {
     bounded,  ///< rows that another one bounds, each for itself
     discs     ///< pairs of rows that share a disc
 };
+
+//! [level]
+/// (25.1): the level of a visit. It is then the highest level so far of the bodies
+/// that the visit moves.
+/// \param highest  of each body; 0 before the first visit
+/// \param a, b     the two bodies; world: none, or one that cannot move
+inline int next_level(std::vector<int>& highest, Index a, Index b)
+{
+    int level = 0;
+    for (const Index k : {a, b})
+        if (k != world)
+            level = std::max(level, highest[static_cast<std::size_t>(k)]);
+    ++level;
+    for (const Index k : {a, b})
+        if (k != world) highest[static_cast<std::size_t>(k)] = level;
+    return level;
+}
+//! [level]
 
 //! [run]
 /// Neighbours among the rows, of one kind and between the same two bodies: their
@@ -67,8 +86,6 @@ struct VisitLevels {
     void sort();
 
 private:
-    int& of_body(int place) { return level[static_cast<std::size_t>(place / 6)]; }
-
     static RunKind kind_at(const ConeRows& p, std::size_t k)
     {
         return p.disc(k)            ? RunKind::discs

@@ -2,6 +2,7 @@
 
     docs/results/make_page.py TABLE PAGE
     docs/results/make_page.py --check TABLE PAGE     only says whether the page is that of the table
+    docs/results/make_page.py --tables TABLE         prints the long tables: what each method needs in each scene, and what failed
 """
 
 import pathlib
@@ -76,14 +77,18 @@ def verdict(table, scene, target, others, root):
         if other in need:
             reach.append((need[other] / least, words(other)))
         else:
-            best = best_error(curves[other])
-            never.append(f"{words(other)} ({'at best ' + power(best) if best < FAILED else 'falls'})")
-    beside = ", ".join(f"{name} ×{amount(ratio)}" for ratio, name in sorted(reach))
+            never.append(words(other))
+    reach.sort()
+    beside = ", ".join(f"{name} ×{amount(ratio)}" for ratio, name in reach[:MOST_BESIDE])
+    if len(reach) > MOST_BESIDE:
+        beside += f" to {reach[-1][1]} ×{amount(reach[-1][0])}"
+    never = [name for name in never if name.removesuffix(", with its sleep") not in never or not name.endswith(", with its sleep")]
     if never:
         beside += ("; " if beside else "") + "never: " + ", ".join(never)
     return (f"**{words(method)}**, {chapter_link(chapter, root)}", amount(least), beside)
 
 
+MOST_BESIDE = 3  # of the other methods that reach an error; and the last of them
 ENGINES = ("box2d", "box2d_sleeping", "chipmunk", "chipmunk_sleeping")
 WHEN = [
     # what a reader has, scene, error wanted, with what to compare
@@ -202,9 +207,27 @@ def reach_table(table, scenes, target, axis="time"):
     return lines
 
 
+def short_table(table, scenes, target):
+    """A line for each scene: the three cheapest ways to an error, and the cheapest of another program."""
+    lines = ["| scene | least | next | then | another program |", "|---|---|---|---|---|"]
+    for scene, title in scenes.items():
+        if scene not in table.scenes():
+            continue
+        entries = tables.cheapest(table, scene, target)
+        ours = [entry for entry in entries if entry[1] in BOOK][:3]
+        peer = best_of(entries, ("peer",))
+        cells = [f"{words(entry[2])} {amount(entry[0])}" for entry in ours] + ["–"] * (3 - len(ours))
+        if ours:
+            cells[0] = f"**{cells[0]}**"
+        there = any(key[0] == "peer" for key in table.curves(scene))
+        cells.append(f"{words(peer[2])} {amount(peer[0])}" if peer else "never" if there else "")
+        lines.append(f"| {title} | " + " | ".join(cells) + " |")
+    return lines
+
+
 def order_table(table, scenes):
     there = {scene: title for scene, title in scenes.items() if scene in table.scenes()}
-    methods = list(dict.fromkeys(key for scene in there for key in table.curves(scene)))
+    methods = list(dict.fromkeys(key for scene in there for key in table.curves(scene) if key[0] != "peer"))
     lines = ["| chapter | method | " + " | ".join(there.values()) + " |", "|---|---|" + "---:|" * len(there)]
     for key in methods:
         cells = []
@@ -216,22 +239,33 @@ def order_table(table, scenes):
     return lines
 
 
-def growth_table(table, name, parameter, sizes, rest, target, letter="N"):
-    """How the time to reach an error grows with the size of a scene."""
+def growth(table, name, parameter, sizes, rest, target):
+    """{method: (exponent with which the time to reach an error grows with a parameter of a scene, or None where it never gets there)}."""
     scenes = [" ".join(f"{name} {parameter}={size} {rest}".split()) for size in sizes]
     if any(scene not in table.scenes() for scene in scenes):
-        return []
-    lines = ["| chapter | method | " + " | ".join(f"{parameter} {size}".replace("_", " ") for size in sizes) + " | grows like |",
-             "|---|---|" + "---:|" * (len(sizes) + 1)]
+        return {}
+    found = {}
     for key in table.curves(scenes[0]):
         values = [tables.to_reach(table.curves(scene).get(key, []), target) for scene in scenes]
-        if all(value is None for value in values):
-            continue
-        fitted = tables.slope([(size, value) for size, value in zip(sizes, values) if value])
-        cells = [amount(value) if value else "never" for value in values]
-        lines.append(f"| {'' if key[0] == 'peer' else key[0]} | {words(key[1])} | " + " | ".join(cells) +
-                     (f" | ${letter}^{{{round(fitted, 1) + 0.0:.1f}}}$ |" if fitted is not None else " | |"))
-    return lines
+        if any(values):
+            found[key] = tables.slope([(size, value) for size, value in zip(sizes, values)]) if all(values) else None
+    return found
+
+
+def growth_table(table, target):
+    """How the time of one step of a chain grows with its links and with the mass at its end."""
+    links = growth(table, "chain", "links", (10, 40, 200), "end_mass=1", target)
+    masses = growth(table, "chain links=40", "end_mass", (1, 10, 100, 1000), "", target)
+
+    def cell(found, key, letter):
+        if key not in found:
+            return ""
+        return "not all reached" if found[key] is None else f"${letter}^{{{round(found[key], 1) + 0.0:.1f}}}$"
+    lines = ["| chapter | method | with the links | with the mass |", "|---|---|---:|---:|"]
+    lines += [f"| {'' if key[0] == 'peer' else key[0]} | {words(key[1])} | {cell(links, key, 'N')} | {cell(masses, key, 'R')} |"
+              for key in dict.fromkeys([*links, *masses])
+              if key[1] in ("one_shot", "direct", "gauss_seidel", "sor", "conjugate_gradients", "active_sets", "dantzig", "ode_dantzig", "bullet_gauss_seidel")]
+    return lines if links and masses else []
 
 
 def failures(table):
@@ -246,10 +280,6 @@ def failures(table):
         lines.append(f"| {'' if chapter == 'peer' else chapter} | {words(method)} | `{scene}` | {len(points)} | "
                      f"{power(min(p.error for p in points))} | {ends} |")
     return lines
-
-
-def details(summary, lines):
-    return ["<details>", f"<summary>{summary}</summary>", "", *lines, "", "</details>", ""]
 
 
 GROUPS = [
@@ -329,14 +359,27 @@ def group(table, name, title, text):
         return []
     pieces = [f"## {title}", "", text, ""] + picture(name, [scenes[scene] for scene in there])
     main = 1e-2 if name.endswith("runs") else 1e-4
-    pieces += [f"Time to reach an error of {power(main)} (least in bold):", ""] + reach_table(table, scenes, main) + [""]
-    for target in ((1e-1,) if name.endswith("runs") else ()) + (1e-2, 1e-4, 1e-6):
-        if target != main:
-            pieces += details(f"The same for an error of {target:g}", reach_table(table, scenes, target))
-    if any(point.instructions for scene in there for curve in table.curves(scene).values() for point in curve):
-        pieces += details(f"Thousand instructions to reach an error of {main:g}",
-                          reach_table(table, scenes, main, "instructions"))
+    pieces += [f"Time to reach an error of {power(main)}:", ""] + short_table(table, scenes, main) + [""]
     return pieces
+
+
+def long_tables(table):
+    """What the page has no room for."""
+    import draw
+    pieces = []
+    for name, title, _ in GROUPS:
+        scenes = draw.GROUPS[name][2]
+        there = [scene for scene in scenes if scene in table.scenes()]
+        if not there:
+            continue
+        pieces += [f"# {title}", ""]
+        for target in ((1e-1,) if name.endswith("runs") else ()) + (1e-2, 1e-4, 1e-6):
+            pieces += [f"Time to reach an error of {target:g}:", "", *reach_table(table, scenes, target), ""]
+        if any(point.instructions for scene in there for curve in table.curves(scene).values() for point in curve):
+            main = 1e-2 if name.endswith("runs") else 1e-4
+            pieces += [f"Thousand instructions to reach an error of {main:g}:", "", *reach_table(table, scenes, main, "instructions"), ""]
+    pieces += ["# What failed", "", "Runs with an error above 1 that had more than four sweeps.", "", *failures(table)]
+    return "\n".join(pieces)
 
 
 def before_the_nudge(table):
@@ -360,12 +403,15 @@ def page(table, root):
     pieces = ["# Run time against error", "", WAYS_ON, "",
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "
               "`./book bench` from [its table](results/results.csv); no number on this page was typed in.", "",
-              *before_the_nudge(table), "## Which method, when", "", *chosen, "",
+              *before_the_nudge(table), "## Which method, when", "",
+              "In words: what is smooth takes a step of high order; what stands takes small steps, and sleeps as soon as it rests; a heavy load on light things takes an "
+              "exact answer, whose price does not depend on the masses; so does friction that has to hold. Sweeps remain for what is poured, where another step follows "
+              "before any answer is worth its digits.", "", *chosen, "",
               "One time unit is a thousand row visits, measured in the same process (`docs/results/baseline.hpp`)" +
               (f"; on the machine of this table {table.microseconds} µs" if table.microseconds else "") + ". A column, a chain "
               "or a heap runs for five seconds (the one heap and the swinging chain for one) in steps of 1/60 s, and its error is a share of 0.1 m, the "
               "length of a link and the radius of a disc. What rests is set off by a nanometre, disc by disc in directions drawn by lot: a chain that hangs straight "
-              "to the last bit has nothing that could tear it. *Never*: not within what was tried; the best error is in parentheses. *Falls*: discs have changed places.",
+              "to the last bit has nothing that could tear it. *Never*: not within what was tried. A factor below 1: another program is faster. *To* names the slowest that gets there.",
               "", "## Where the book loses", ""]
     if compared:
         pieces += [f"Other programs were measured in the same run on the same problems: {compared} times a scene and an error that one of them reaches: "
@@ -392,30 +438,28 @@ def page(table, root):
             pieces += ["How the error falls with the work: the fitted exponents. For fixed steps that are small enough they are the orders of the methods. 2 means: twice the work, a quarter of the error.", ""]
             pieces += order_table(table, draw.GROUPS[name][2]) + [""]
         if name == "chains":
-            pieces += [f"How the time to reach {power(1e-2)} grows with the number of links, end mass 1 kg:", ""]
-            pieces += growth_table(table, "chain", "links", (10, 40, 200), "end_mass=1", 1e-2) + [""]
-            pieces += [f"And with the end mass $R$, 40 links:", ""]
-            pieces += growth_table(table, "chain links=40", "end_mass", (1, 10, 100, 1000), "", 1e-2, "R") + [""]
+            grows = growth_table(table, 1e-2)
+            if grows:
+                pieces += [f"How the time to reach {power(1e-2)} grows with the number of links $N$ (10, 40, 200 with 1 kg at the end) and with the mass $R$ at the end "
+                           "(1 to 1000 kg, 40 links):", "", *grows, ""]
     there = [draw.BY_WORK[scene][0] for scene in draw.BY_WORK if scene in table.scenes()]
     pieces += ["## By counted work", "", "Time belongs to a machine, counted work does not. Methods of one unit side by side, which is where it can be compared:", ""]
     pieces += picture("work", there)
-    pieces += ["## What failed", "", "All runs with an error above 1 that had more than four sweeps: an answer that is as wrong as none.", ""]
-    pieces += details("Failures", failures(table))
     pieces += ["## What was counted, and against what", "", "No error is measured against the method itself.", "",
                "| scene | error | reference |", "|---|---|---|"]
     pieces += [f"| `{scene}` | {what} | {against} |" for scene, (what, against) in ERRORS.items()
                if any(point.scene.split()[0] == scene for point in table.points)]
-    units = {}
-    for point in table.points:
-        units.setdefault(point.unit, set()).add(words(point.method))
-    pieces += ["", "The work of each run is counted in the unit of its kind; across kinds compare instructions or time.", "",
-               "| unit | what it is | methods |", "|---|---|---|"]
-    pieces += [f"| {unit} | {UNITS[unit]} | {', '.join(sorted(methods))} |" for unit, methods in sorted(units.items())]
+    used = {point.unit for point in table.points}
+    pieces += ["", "The work of each run is counted in the unit of its kind; across kinds compare instructions or time: " +
+               "; ".join(f"*{unit}*, {UNITS[unit]}" for unit in sorted(used)) + ".", ""]
     instructions = sum(1 for point in table.points if point.instructions)
-    pieces += ["", f"The table has {len(table.points)} runs on {len(table.scenes())} scenes. Of {instructions} of them callgrind counted the instructions; "
+    failed = sum(1 for point in table.points if point.error > 1 and point.given.get("sweeps") not in ("1", "4"))
+    pieces += [f"The table has {len(table.points)} runs on {len(table.scenes())} scenes. Of {instructions} of them callgrind counted the instructions; "
                "runs that take more than 3000 time units are left to the clock. Everything was made by the release build, portable code, so that work, "
                "instructions and time belong to the same program. Columns of the table: `chapter, method, scene, parameters, h, sweeps, work, instructions, "
-               "time_ratio, error, status`; what was not measured is empty.", "",
+               "time_ratio, error, status`; what was not measured is empty. "
+               f"{failed} runs that had more than four sweeps have an error above 1: an answer that is as wrong as none. What each method needs in each "
+               "scene, and which runs failed, is printed by `python3 docs/results/make_page.py --tables docs/results/results.csv`.", "",
                "## Make it yourself", "",
                "```sh", "./book bench            # some minutes; goes on where it was stopped",
                "./book bench --quick    # some seconds", "ctest --preset release -L results   # is the counted work what it was?", "```", "", WAYS_ON, ""]
@@ -423,6 +467,9 @@ def page(table, root):
 
 
 def main():
+    if len(sys.argv) == 3 and sys.argv[1] == "--tables":
+        print(long_tables(tables.Table(sys.argv[2])))
+        return
     if len(sys.argv) not in (3, 4) or len(sys.argv) == 4 and sys.argv[1] != "--check":
         raise SystemExit(__doc__)
     root = pathlib.Path(__file__).resolve().parent.parent.parent

@@ -1,8 +1,8 @@
-"""Writes docs/stability.md from page.txt, the matrix and the mark. Every number of the page is looked up here.
+"""Writes docs/stability.md from page.txt, the matrix and the mark, and stability_in_depth.md beside it from in_depth.txt. Every number of a cell is looked up here.
 
     docs/stability/make_page.py MATRIX MARK PAGE
 
-In page.txt stands, between « and »:
+In these texts stands, between « and »:
 
     total METHOD                     mean of all stresses, in per cent
     row METHOD / STRESS              mean of the five levels, in per cent, and the lowest score
@@ -44,7 +44,7 @@ def percent(found):
     return f"{100 * found[0]:.0f} ({found[1]})" if found else "does not apply"
 
 
-ENERGY = """Nothing brakes these three linkages, so their exact energy never changes: a double pendulum of unit rods, a four-bar linkage of 30.9 J, and a chain of ten links that swings from level. Ten seconds in steps of 1/60 s, the worst of four perturbations of the masses; gains and losses in per cent of what goes up and down. In the rows of the table above that bear their names both signs count: up to 1 % is accurate, up to 10 % holds, a larger loss is a failure and a larger gain an explosion. A method that only ever loses looks stable everywhere else; here it comes to rest. `rattle` is [chapter 9](../chapters/09_active_sets/in_depth.md#9j-a-repair-that-does-no-work)'s step whose repair does no work."""
+ENERGY = """Nothing brakes these three linkages, so their exact energy never changes: a double pendulum of unit rods, a four-bar linkage of 30.9 J, and a chain of ten links that swings from level. Ten seconds in steps of 1/60 s, the worst of four perturbations of the masses; gains and losses in per cent of what goes up and down. In the rows of the [matrix](stability.md) that bear their names both signs count: up to 1 % is accurate, up to 10 % holds, a larger loss is a failure and a larger gain an explosion. A method that only ever loses looks stable everywhere else; here it comes to rest. `rattle` is [chapter 9](../chapters/09_active_sets/in_depth.md#9j-a-repair-that-does-no-work)'s step whose repair does no work."""
 
 
 class Page:
@@ -164,9 +164,10 @@ def main():
     if len(sys.argv) != 4:
         raise SystemExit(__doc__)
     page = Page(sys.argv[1], sys.argv[2])
-    words = (pathlib.Path(__file__).parent / "page.txt").read_text(encoding="utf-8")
-    words = re.sub("«([^»]*)»", lambda found: page.fill(found.group(1)), words)
-    pathlib.Path(sys.argv[3]).write_text(words, encoding="utf-8")
+    there = pathlib.Path(sys.argv[3])
+    for text, file in (("page.txt", there), ("in_depth.txt", there.with_name(f"{there.stem}_in_depth.md"))):
+        words = (pathlib.Path(__file__).parent / text).read_text(encoding="utf-8")
+        file.write_text(re.sub("«([^»]*)»", lambda found: page.fill(found.group(1)), words), encoding="utf-8")
 
 
 main()

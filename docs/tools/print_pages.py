@@ -15,7 +15,7 @@ import re
 from booktext import ROOT, TextError, chapter_texts, chapters, page_id, run_tool
 
 BEFORE = ["primer", "map"]
-AFTER = ["notation", "conventions", "results", "stability", "citelist"]
+AFTER = ["notation", "conventions", "results", "stability", "stability_in_depth", "citelist"]
 CONTENTS = re.compile(r'<div class="contents">(.*)</div><!-- contents -->', re.S)
 TITLE = re.compile(r'<div class="title">(.*?)</div>', re.S)
 

@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 
+import redirects
 from booktext import ROOT, TextError, run_tool, slug
 
 NO_TEXT = {".svg", ".png", ".gif", ".webp", ".mlcp", ".csv", ".bib"}
@@ -147,7 +148,7 @@ def renumber(root, chapters, labels):
     files = [path for path in tracked(root) if path.is_file() and not path.is_symlink()]
     it = Renumbering(root, files, chapters, labels)
     for path in files:
-        if path.suffix in NO_TEXT - {".csv"}:
+        if path.suffix in NO_TEXT - {".csv"} or path == root / redirects.LIST:
             continue
         try:
             old = path.read_text(encoding="utf-8")
@@ -166,6 +167,11 @@ def renumber(root, chapters, labels):
         while folder != root and not any(folder.iterdir()):
             folder.rmdir()
             folder = folder.parent
+    names = {old.relative_to(root).parts[1]: new.relative_to(root).parts[1] for old, new in moves
+             if old.parent.parent == root / "chapters"}
+    if names and (root / redirects.LIST).is_file():  # the site's old addresses lead on
+        text = (root / redirects.LIST).read_text(encoding="utf-8")
+        (root / redirects.LIST).write_text(redirects.followed(text, names), encoding="utf-8")
     return len(moves)
 
 

@@ -25,7 +25,7 @@ LETTERS = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "Delta": "
            "sigma": "σ", "tau": "τ", "varphi": "φ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "Omega": "Ω",
            "le": "≤", "leq": "≤", "ge": "≥", "geq": "≥", "ne": "≠", "cdot": "·", "times": "×", "to": "→", "infty": "∞",
            "pm": "±", "approx": "≈", "perp": "⊥", "in": "∈", "sum": "Σ", "top": "ᵀ", "sqrt": "√"}
-TABLES = {"results.html", "stability.html"}  # mostly numbers: their sentences are found, not their tables
+TABLES = {"results.html", "stability.html", "stability_in_depth.html"}  # mostly numbers: their sentences are found, not their tables
 UNSEEN = {"script", "style", "svg", "nav", "button", "select"}
 UNSEEN_CLASSES = {"fragment", "origin", "demo", "toc", "header", "footer", "ttc"}
 EMPTY = {"br", "img", "hr", "input", "meta", "link", "source", "col", "wbr"}

@@ -4,6 +4,7 @@
     docs/build.sh test
 """
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,7 @@ import finish_html  # noqa: E402
 import make_index  # noqa: E402
 import print_pages  # noqa: E402
 import put_table  # noqa: E402
+import redirects  # noqa: E402
 import renumber  # noqa: E402
 import search_texts  # noqa: E402
 import sentences  # noqa: E402
@@ -1072,8 +1074,13 @@ class Numbers(unittest.TestCase):
                 for path in self.root.rglob("*") if path.is_file() and ".git/" not in str(path)}
 
     def test_two_chapters_change_places_and_back(self):
+        (self.root / "docs").mkdir()
+        (self.root / redirects.LIST).write_text("09_old 01_one\n", encoding="utf-8")
+        self.git("add", "-A")
         renumber.renumber(self.root, {1: 2, 2: 1}, {})
         there = self.now()
+        self.assertEqual(there.pop("docs/redirects.txt"), "09_old 02_one\n01_one 02_one\n02_two 01_two\n")
+        (self.root / redirects.LIST).unlink()
         self.assertEqual(there["README.md"],
                          "| [2. One](chapters/02_one/README.md) | [1. Two](chapters/01_two/README.md#11-here) |\n")
         self.assertEqual(there["chapters/02_one/README.md"],
@@ -1101,6 +1108,57 @@ class Numbers(unittest.TestCase):
         with self.assertRaisesRegex(TextError, "the same number"):
             renumber.renumber(self.root, {1: 2}, {})
         self.assertEqual(self.now(), self.TEXTS)
+
+
+class Redirects(unittest.TestCase):
+    """Old addresses of chapters."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name).resolve()
+        for name in ("chapters/02_one", "chapters/03_two", "docs", "site"):
+            (self.root / name).mkdir(parents=True)
+        for name in ("02_one", "03_two"):
+            (self.root / "chapters" / name / "README.md").write_text("# A chapter\n", encoding="utf-8")
+            (self.root / "site" / f"ch{name}.html").write_text("", encoding="utf-8")
+        (self.root / "site/ch03_two_in_depth.html").write_text("", encoding="utf-8")
+        (self.root / "site/index.html").write_text("", encoding="utf-8")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def list(self, text):
+        (self.root / redirects.LIST).write_text(text, encoding="utf-8")
+
+    def test_each_old_address_leads_to_a_page_that_is_there(self):
+        self.list("# old and new\n01_one 02_one\n02_two 03_two\n")
+        self.assertEqual(redirects.write(self.root, self.root / "site"), 4)
+        leads = {path.name: re.search(r'url=([^"]*)"', path.read_text(encoding="utf-8"))
+                 for path in (self.root / "site").glob("*.html")}
+        self.assertEqual({name: to[1] for name, to in leads.items() if to},
+                         {"ch01_one.html": "ch02_one.html", "ch01_one_in_depth.html": "ch02_one.html", "ch02_two.html": "ch03_two.html",
+                          "ch02_two_in_depth.html": "ch03_two_in_depth.html"})
+        self.assertIn(">chapter 3, two, in depth</a>", (self.root / "site/ch02_two_in_depth.html").read_text(encoding="utf-8"))
+        self.assertEqual(check_html.check(self.root / "site"), [])
+
+    def test_a_list_that_leads_nowhere_is_refused(self):
+        for text, why in (("01_one\n", "is not the old and the present name"), ("01_one 04_none\n", "no such chapter"),
+                          ("02_one 03_two\n", "a chapter of today"), ("01_one 02_one\n01_one 03_two\n", "twice")):
+            self.list(text)
+            with self.assertRaisesRegex(TextError, why):
+                redirects.read_list(self.root)
+
+    def test_a_page_that_the_site_lacks_is_refused(self):
+        self.list("01_one 02_one\n")
+        (self.root / "site/ch02_one.html").unlink()
+        with self.assertRaisesRegex(TextError, "has no ch02_one.html"):
+            redirects.write(self.root, self.root / "site")
+
+    def test_the_list_follows_chapters_that_move(self):
+        there = redirects.followed("# old\n01_one 02_one\n", {"02_one": "03_one", "03_two": "02_two"})
+        self.assertEqual(there, "# old\n01_one 03_one\n02_one 03_one\n03_two 02_two\n")
+        back = redirects.followed(there, {"03_one": "02_one", "02_two": "03_two"})
+        self.assertEqual(back, "# old\n01_one 02_one\n02_two 03_two\n03_one 02_one\n")
 
 
 class Paper(unittest.TestCase):

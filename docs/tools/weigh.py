@@ -34,7 +34,7 @@ def main():
     known = {}
     print(f"{'page':44}{'page':>8}{'with all':>10}{'demos':>8}   kB in gzip")
     for page in sorted(folder.glob("*.html")):
-        if not re.fullmatch(r"index|ch\d\d_\w+|results|stability|race|primer|notation", page.stem):
+        if not re.fullmatch(r"index|ch\d\d_\w+|results|stability|stability_in_depth|race|primer|notation", page.stem):
             continue
         text = page.read_text(encoding="utf-8")
         parts = {folder / urllib.parse.unquote(a) for a in FETCHED.findall(text) if not re.match(r"[a-z]+:", a)}

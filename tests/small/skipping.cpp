@@ -81,7 +81,7 @@ TEST_CASE("the small program of chapter 9 makes fewer guesses from the last answ
 
 TEST_CASE("the small program of chapter 10 skips and leaves every bit of chapter 8's")
 {
-    // By hand, section 10.5, and the library's union-find on the same rows.
+    // By hand, section 10.3, and the library's union-find on the same rows.
     const std::vector<small10::Contact> rows{
         {0, 3, {0, 1}, 0, 0}, {3, 6, {0, 1}, 0, 0}, {-1, 1, {0, 1}, 0, 0}};
     CHECK(small10::islands(rows, 8) == std::vector<int>{0, 1, 2, 0, 4, 5, 0, 7});

@@ -23,7 +23,7 @@ template <class Solving, class Honest = HonestTurning>
 JointedMethod jointed(int chapter, const std::string& name, const std::string& budget, Solving by,
                       int substeps = 1, const Honest& honest = {})
 {
-    never_stop(touching(by.contacts));  // section 15.4
+    never_stop(touching(by.contacts));  // section 15.C
     auto method = stepping<JointedScene>(chapter, name, budget, by, substeps, honest);
     method.friction = true;
     return method;

@@ -10,6 +10,7 @@ foreach(command IN ITEMS "draw.py;${tool}/matrix.csv;${FOLDER}"
   endif()
 endforeach()
 foreach(pair IN ITEMS "stability.md;${SOURCE}/docs/stability.md"
+                      "stability_in_depth.md;${SOURCE}/docs/stability_in_depth.md"
                       "stability_overview.svg;${tool}/figures/stability_overview.svg"
                       "stability_matrix.svg;${tool}/figures/stability_matrix.svg"
                       "stability_turning.svg;${tool}/figures/stability_turning.svg"

@@ -1,4 +1,4 @@
-# The pair by hand of section 10.3: radius, margin, skin and distance in metres.
+# The pair by hand of section 10.B: radius, margin, skin and distance in metres.
 radius = 0.1; margin = 0.02; skin = 0.01; apart = 0.25
 touch = 2 * radius + margin
 list = touch + 2 * skin
