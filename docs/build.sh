@@ -44,6 +44,7 @@ check_texts() {
     python3 docs/tools/make_index.py --check || faulty=1
     python3 chapters/19_engine/benchmark/make_table.py --check || faulty=1
     python3 chapters/26_four_ways/benchmark/make_table.py --check || faulty=1
+    python3 chapters/30_elastic_bodies/benchmark/make_table.py --check || faulty=1
     python3 docs/architecture/draw.py --check docs/architecture/figures/architecture.svg || faulty=1
     python3 docs/tools/check_version.py || faulty=1
     python3 docs/tools/check_text.py || faulty=1
@@ -67,6 +68,7 @@ sync)
     python3 docs/tools/make_index.py
     python3 chapters/19_engine/benchmark/make_table.py
     python3 chapters/26_four_ways/benchmark/make_table.py
+    python3 chapters/30_elastic_bodies/benchmark/make_table.py
     exec python3 docs/architecture/draw.py docs/architecture/figures/architecture.svg
     ;;
 test) exec python3 docs/tools/test_tools.py ;;

@@ -65,7 +65,7 @@ void patch_test(const ElasticMesh<Dim>& mesh, StrainLaw law)
 }
 
 /// A cantilever of 1 m and height d; returns its tip's sag under 1 N over that of Euler and
-/// Bernoulli with Timoshenko's shear, (30.16).
+/// Bernoulli with Timoshenko's shear, (30.15).
 Real sag_ratio(int nx, int ny, int order, Real d, Real nu, Diagonals diagonals = Diagonals::alternate)
 {
     ElasticMesh<2> mesh = rectangle_mesh({0, -d / 2}, {1, d}, nx, ny, diagonals);
@@ -181,7 +181,7 @@ TEST_CASE("a triangle with equal sides in a sheet of ν = 1/3 is three springs",
         for (const auto& [i, j] : edges_of_element<2>()) {
             const int a = mesh.node(e, i), b = mesh.node(e, j);
             const Vec2 n = mesh.at(b) - mesh.at(a);
-            const Mat<2> k = spring_of_lattice(1) * n * n.transpose();  // (30.7)
+            const Mat<2> k = spring_of_lattice(1) * n * n.transpose();  // (30.25)
             for (const auto& [p, q, sign] :
                  {std::tuple{a, a, 1}, {b, b, 1}, {std::max(a, b), std::min(a, b), -1}})
                 for (int r = 0; r < 4; ++r)
@@ -220,7 +220,7 @@ TEST_CASE("turns and stretches of any matrix make it again and the turn is one",
 
 TEST_CASE("a thin cantilever of linear triangles locks and one of quadratic triangles does not", "[idea]")
 {
-    // (30.16) is Timoshenko's beam; what is left at the clamp is 0.5 % at this height
+    // (30.15) is Timoshenko's beam; what is left at the clamp is 0.5 % at this height
     CHECK(sag_ratio(10, 1, 1, 0.1, 0) < 0.45);
     CHECK(sag_ratio(40, 4, 1, 0.1, 0) == Approx(0.842).margin(0.001));  // as Figure 30.2 has it
     CHECK(sag_ratio(10, 1, 2, 0.1, 0) == Approx(1).margin(0.01));
@@ -245,6 +245,28 @@ TEST_CASE(
     CHECK(quadratic < 1.005);
 }
 
+TEST_CASE("the table of locking in section 30.H is what the meshes give", "[house]")
+{
+    constexpr Diagonals alternate = Diagonals::alternate, parallel = Diagonals::parallel;
+    const struct {
+        int order;
+        Real nu;
+        Diagonals diagonals;
+        std::array<Real, 4> ratios;  // with 1, 2, 4 and 8 boxes through the height
+    } lines[] = {{1, 0, alternate, {0.250, 0.570, 0.842, 0.955}},
+                 {1, 0.4999, alternate, {0.292, 0.667, 0.859, 0.945}},
+                 {1, 0.4999, parallel, {0.013, 0.013, 0.017, 0.029}},
+                 {2, 0, alternate, {0.998, 1.000, 1.000, 1.000}},
+                 {2, 0.4999, parallel, {0.840, 0.944, 0.972, 0.980}}};
+    for (const auto& [order, nu, diagonals, ratios] : lines)
+        for (int i = 0, n = 1; i < 4; ++i, n *= 2) {
+            CAPTURE(order, nu, n);
+            CHECK(sag_ratio(10 * n, n, order, 0.1, nu, diagonals) ==
+                  Approx(ratios[static_cast<std::size_t>(i)]).margin(0.001));  // of the program's corner
+        }
+    CHECK(sag_ratio(10, 1, 1, 0.01, 0) == Approx(0.007).margin(0.0005));  // section 30.5
+}
+
 // ------------------------------------------------------------------------------------ closed forms
 
 TEST_CASE("a block that is pulled to 1.5 is neo-Hooke's block", "[idea]")
@@ -265,7 +287,7 @@ TEST_CASE("a block that is pulled to 1.5 is neo-Hooke's block", "[idea]")
     solver.settings.tolerance = 1e-13;
     solver.rest(body);
     REQUIRE(solver.report.status == Status::solved);
-    const PulledBlock known = pulled_block(lame_of(rubber, 3), stretch);  // (30.23)
+    const PulledBlock known = pulled_block(lame_of(rubber, 3), stretch);  // (30.20)
     for (int p = 0; p < body.model.points(); ++p) {
         Real density = 0;
         const Mat<3> F = body.model.deformation(body.x, p), P = body.model.stress(F, density);

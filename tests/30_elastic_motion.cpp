@@ -76,7 +76,7 @@ TEST_CASE("a bar of equal elements with consistent mass swings as E10 says", "[i
     REQUIRE(found.status == Status::solved);
     for (int k = 1; k < n; ++k) {
         const Real c = std::cos(k * pi * edge);
-        // (30.18); squares of ω to some ulp of the largest
+        // (30.23); squares of ω to some ulp of the largest
         CHECK(found.omega[k - 1] * found.omega[k - 1] ==
               Approx(6 / (edge * edge) * E / rho * (1 - c) / (2 + c)).epsilon(1e-12));
     }
@@ -101,6 +101,20 @@ TEST_CASE("clamped and free beams swing at the tones of Euler and Bernoulli as t
         for (int k = 0; k < 3; ++k)
             CHECK(free.omega[k] < 1e-3 * free.omega[3]);  // it flies and turns: no tone
     }
+}
+
+TEST_CASE("the tones that section 30.I states are those of its beam and of its bar", "[house]")
+{
+    const Vibration<2> free = vibrations_of(beam(0.02, 20, StrainLaw::linear, false), 5);
+    // βL of (βL)² √(EI/ρA), four digits
+    CHECK(std::sqrt(free.omega[3] / beam_omega(1, 0.02)) == Approx(4.729).margin(0.0005001));
+    CHECK(std::sqrt(free.omega[4] / beam_omega(1, 0.02)) == Approx(7.853).margin(0.0005001));
+    CHECK(free.iterations >= 5);
+    CHECK(free.iterations <= 10);
+    const Vibration<2> bar = vibrations_of(chime(), 6);
+    CHECK(bar.omega[3] / (2 * pi) == Approx(347).margin(0.5));
+    CHECK(bar.omega[4] / bar.omega[3] == Approx(2.754).margin(0.0005001));
+    CHECK(bar.omega[5] / bar.omega[3] == Approx(5.394).margin(0.0005001));
 }
 
 TEST_CASE("vibrations are normed and independent", "[house]")

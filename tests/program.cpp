@@ -187,6 +187,12 @@ TEST_CASE("options that lack something or contradict each other are refused")
     require_refused({"--set", "g=4", "beads=2", "g=4"}, {"g is set twice"});
     require_refused({"--problem", "x.mlcp", "--scene", "fall"}, {"--scene", "--problem"});
     require_refused({"--problem", "x.mlcp", "--method", "magic"}, {"\"magic\"", "enumerate, schur"});
+    require_refused({"--echo"}, {"--echo", "has no value"});
+    require_refused({"--echo", ""}, {"--echo", "file name"});
+    require_refused({"--echo", "a.txt", "--scene", "fall"}, {"--scene", "--echo"});
+    require_refused({"--echo", "a.txt", "--method", "explicit"}, {"--echo", "no other option"});
+    require_refused({"--echo", "a.txt", "--problem", "x.mlcp"}, {"--echo", "no other option"});
+    require_refused({"--echo", "/no/such/folder/a.txt"}, {"/no/such/folder/a.txt", "can't be written"});
 }
 
 TEST_CASE("a file that cannot be written is refused before the first step")
@@ -332,9 +338,10 @@ TEST_CASE("help and the list of scenes name everything there is")
     const Said help = run({"--help"});
     CHECK(help.code == 0);
     CHECK(help.err.empty());
-    for (const char* word : {"--scene", "--set", "--method", "--headless", "--record", "--dark", "--problem",
-                             "fall", "steered", "g=8 m/s²", "Gravity; between 0 and 16 m/s²", "beads=1",
-                             "symplectic, explicit", "height [m]", "enumerate, schur"}) {
+    for (const char* word :
+         {"--scene", "--set", "--method", "--headless", "--record", "--dark", "--problem", "--echo FILE",
+          "Write a word and end", "fall", "steered", "g=8 m/s²", "Gravity; between 0 and 16 m/s²", "beads=1",
+          "symplectic, explicit", "height [m]", "enumerate, schur"}) {
         CAPTURE(word);
         CHECK(contains(help.out, word));
     }
@@ -387,6 +394,18 @@ TEST_CASE("a problem from a file goes to the method that was named")
           "status solved by schur\n");
     require_refused({"--problem", "bad.mlcp"}, {"bad.mlcp:1", "\"bad\""});
     require_refused({"--problem", "none.mlcp"}, {"none.mlcp", "can't be read"});
+}
+
+TEST_CASE("a file of the program's own is written without a scene")
+{
+    const Folder folder;
+    const Said said = run({"--echo", "word.txt"});
+    CHECK(said.code == 0);
+    CHECK(said.out.empty());
+    CHECK(said.err.empty());
+    std::string word;
+    std::ifstream("word.txt") >> word;
+    CHECK(word == "heard");
 }
 
 // ---- the table --------------------------------------------------------------------------------

@@ -98,6 +98,7 @@ inline Program program()
         return 0;
     };
     result.problem_methods = {"enumerate", "schur"};
+    result.own_files = {{"--echo", "Write a word and end", [](std::ostream& file) { file << "heard\n"; }}};
     return result;
 }
 

@@ -1,7 +1,7 @@
 /// \file block_ldlt.hpp
 /// A symmetric positive definite matrix of blocks as L D Lᵀ, in an order that fills in little.
 ///
-///     L_ki = Y_iᵀ D_i⁻¹,   D_k = A_kk − Σ L_ki Y_i,   Y = what the rows before leave of column k   (30.24)
+///     L_ki = Y_iᵀ D_i⁻¹,   D_k = A_kk − Σ L_ki Y_i,   Y = what the rows before leave of column k   (30.21)
 ///
 /// Row after row ("up-looking") \cite davis2006, ch. 4, with a block of Dim × Dim where
 /// chapter 9's SparseLdlt has a number: the list of where entries are is Dim² times as

@@ -1,8 +1,8 @@
 /// \file compliant_rows.hpp
 /// A row on nodes of an elastic body and on rigid bodies, and the step that has such rows.
 ///
-///     H Δx = −∇G + h Jᵀ λ,   u = u* + M⁻¹ Jᵀ λ,   w = J (ẋ, u) + b                (30.21)
-///     A = J_x H⁻¹ J_xᵀ + J_u M⁻¹ J_uᵀ                                            (30.22)
+///     H Δx = −∇G + h Jᵀ λ,   u = u* + M⁻¹ Jᵀ λ,   w = J (ẋ, u) + b                (30.18)
+///     A = J_x H⁻¹ J_xᵀ + J_u M⁻¹ J_uᵀ                                            (30.19)
 ///
 /// H, the matrix of Newton's step, stands where a rigid body has its M: a push moves all
 /// of the elastic body within the step. Each iteration of Newton solves the problem of
@@ -66,7 +66,7 @@ protected:
     void iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies, Real h,
                  const Solve& solve);
 
-    /// (30.22): A_ij, after find_answers(); the lower half counts for both, so that A is
+    /// (30.19): A_ij, after find_answers(); the lower half counts for both, so that A is
     /// symmetric to the bit.
     Real entry(std::size_t i, std::size_t j) const;
 
@@ -113,7 +113,7 @@ void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies,
         if (!same) find_answers(body);
         solve(v_, bodies.u, same);
         add_answers(h, body);
-        // (30.21) at the new place: is it an answer?
+        // (30.18) at the new place: is it an answer?
         solver.look(body);
         left_ = solver.r;
         for (std::size_t i = 0; i < rows.size(); ++i)

@@ -148,7 +148,7 @@ void ElasticContacts::find_rows(const ElasticScene& scene, Real h)
 //! [find]
 
 //! [rows]
-/// (30.22) and chapter 13: λ of all rows at the velocities v and u.
+/// (30.19) and chapter 13: λ of all rows at the velocities v and u.
 void ElasticContacts::solve_rows(const VecX& v, const VecX& u, bool same)
 {
     const auto m = static_cast<Index>(rows.size());

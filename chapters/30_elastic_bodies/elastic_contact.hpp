@@ -1,8 +1,8 @@
 /// \file elastic_contact.hpp
 /// An elastic body and rigid bodies in the plane by the same rows.
 ///
-///     H Δx = −∇G + h Jᵀ λ,   u = u* + M⁻¹ Jᵀ λ,   w = J (ẋ, u) + b                (30.21)
-///     A = J_x H⁻¹ J_xᵀ + J_u M⁻¹ J_uᵀ                                            (30.22)
+///     H Δx = −∇G + h Jᵀ λ,   u = u* + M⁻¹ Jᵀ λ,   w = J (ẋ, u) + b                (30.18)
+///     A = J_x H⁻¹ J_xᵀ + J_u M⁻¹ J_uᵀ                                            (30.19)
 ///
 /// H, the matrix of Newton's step, stands where a rigid body has its M: a push moves all of
 /// the elastic body within the step. Each iteration of Newton solves the Coulomb problem

@@ -30,7 +30,7 @@ void add_edge_load(ElasticBody<2>& body, const IsLoaded& is_loaded,
     }
 }
 
-/// (30.16): P L³/3EI of bending and 6 P L/5GA of shear, of a beam of 1 m width that cannot
+/// (30.15): P L³/3EI of bending and 6 P L/5GA of shear, of a beam of 1 m width that cannot
 /// grow wider (E/(1 − ν²) in place of E).
 inline Real cantilever_sag(const ElasticMaterial& m, Real length, Real height,
                            Real load)
@@ -41,11 +41,11 @@ inline Real cantilever_sag(const ElasticMaterial& m, Real length, Real height,
            6 * load * length / (5 * G * height);
 }
 
-/// (30.7): the springs of a lattice of triangles of equal sides that is a sheet of
+/// (30.25): the springs of a lattice of triangles of equal sides that is a sheet of
 /// modulus E and ν = 1/3: each triangle gives an edge √3/4 · E [N/m], of 1 m thickness.
 inline Real spring_of_lattice(Real young) { return std::sqrt(3.0) / 4 * young; }
 
-/// (30.23): a block of the neo-Hookean law, pulled to `stretch` and free at its sides.
+/// (30.20): a block of the neo-Hookean law, pulled to `stretch` and free at its sides.
 struct PulledBlock {
     Real across = 1;  ///< the stretch of its sides
     Real stress = 0;  ///< force over the area at rest [Pa]

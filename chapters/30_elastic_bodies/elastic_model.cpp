@@ -270,7 +270,7 @@ void ElasticModel<Dim>::add_stiffness(const VecX& x, Real scale, bool projected,
             for (int b = 0; b <= a; ++b, ++slot) {
                 const Vec<Dim>&ta = t[static_cast<std::size_t>(a)],
                       &tb = t[static_cast<std::size_t>(b)];
-                Mat<Dim> k;  // (30.15) in the axes of the stretches
+                Mat<Dim> k;  // (30.22) in the axes of the stretches
                 for (int i = 0; i < Dim; ++i)
                     for (int j = 0; j < Dim; ++j)
                         k(i, j) = at.hessian(i, j) * ta[i] * tb[j];

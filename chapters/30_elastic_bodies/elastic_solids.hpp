@@ -2,7 +2,7 @@
 /// An elastic body of tetrahedra and the rigid bodies of chapter 25 by the same rows.
 ///
 ///     J_x = s_i n   on the nodes i of the point, Σ s_i = 1;   J_u of a rigid body as (23.3), (24.1)
-///     A = J_x H⁻¹ J_xᵀ + J_u M⁻¹ J_uᵀ,   discs of friction (24.3)                    (30.22)
+///     A = J_x H⁻¹ J_xᵀ + J_u M⁻¹ J_uᵀ,   discs of friction (24.3)                    (30.19)
 ///
 /// A node of the surface is a ball as thick as the skin, and a triangle of the surface
 /// a flat solid; both meet walls, hulls and grounds of triangles by the functions of

@@ -1,7 +1,7 @@
 /// \file elastic_sound.hpp
 /// What a body that was struck sounds like: its vibrations at one place, and a file of them.
 ///
-///     s(t) = Σ φ_k(node) q̇_k(t),   q_k by (30.20): exact at each sample, whatever the rate
+///     s(t) = Σ φ_k(node) q̇_k(t),   q_k by (30.24): exact at each sample, whatever the rate
 ///
 /// Tones above half the rate cannot be written by it and are left out.
 #pragma once

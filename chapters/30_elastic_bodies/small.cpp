@@ -66,7 +66,7 @@ Strained strained(const Soft& s, const std::array<int, 3>& corners,
     out.energy =
         t.area * (s.mu * out.strain.squaredNorm() + s.lambda / 2 * trace * trace);
     out.twist = s.linear
-                    ? 0  // (30.15)
+                    ? 0  // (30.22)
                     : std::max(0.0, 2 * s.mu + (2 * s.lambda * trace - 4 * s.mu) /
                                                    std::max(r, 1e-6));
     return out;

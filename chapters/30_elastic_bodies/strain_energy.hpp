@@ -6,7 +6,7 @@
 ///     neo-Hookean   Ψ = ½ μ (‖F‖² − d) − μ (J − 1) + ½ (λ + μ) (J − 1)²,   J = det F  (30.14)
 ///
 /// The last two depend on the stretches σ alone, F = U diag(σ) Vᵀ. With g = ∂Ψ/∂σ and
-/// H = ∂²Ψ/∂σ² the derivatives in F are (30.15): stretches along the axes cost H, a
+/// H = ∂²Ψ/∂σ² the derivatives in F are (30.22): stretches along the axes cost H, a
 /// twist in the plane of two axes (g_i + g_j)/(σ_i + σ_j), and a flip (a shear that does
 /// not turn) (g_i − g_j)/(σ_i − σ_j). \cite smith2018 \cite smith2019
 /// The linear law is the corotational one that never looks again: σ = 1, U = V = I.
@@ -71,7 +71,7 @@ struct StretchedLaw {
 };
 
 //! [law]
-/// (30.15) of the corotational and of the neo-Hookean law.
+/// (30.22) of the corotational and of the neo-Hookean law.
 template <int Dim>
 StretchedLaw<Dim> law_at(StrainLaw law, const Lame& lame, const Vec<Dim>& sigma)
 {

@@ -162,7 +162,7 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
 //! [swing]
 void swing(Real omega, Real c, Real force, Real h, Real& q, Real& speed)
 {
-    // (30.20): about where the force holds it; d² = ω² − c²/4
+    // (30.24): about where the force holds it; d² = ω² − c²/4
     if (!(omega * h > 1e-12)) {  // it does not swing: a body that flies
         const Real left = c > 0 ? -expm1(-c * h) / c : h;  // ∫ e^{−ct}
         const Real pushed = c > 0 ? (h - left) / c : h * h / 2;

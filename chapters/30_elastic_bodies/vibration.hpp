@@ -1,8 +1,8 @@
 /// \file vibration.hpp
 /// The ways in which an elastic body swings by itself, and a body of few of them.
 ///
-///     K φ = ω² M φ,   φ_iᵀ M φ_j = δ_ij                                           (30.17)
-///     x = x_rest + Σ φ_k q_k,   q̈_k + (α + β ω_k²) q̇_k + ω_k² q_k = φ_kᵀ f          (30.19)
+///     K φ = ω² M φ,   φ_iᵀ M φ_j = δ_ij                                           (30.16)
+///     x = x_rest + Σ φ_k q_k,   q̈_k + (α + β ω_k²) q̇_k + ω_k² q_k = φ_kᵀ f          (30.17)
 ///
 /// K is the stiffness at rest. A block of vectors is multiplied by (K + σM)⁻¹ M, and
 /// within it the small problem is solved whole, until its vectors stand still (subspace
@@ -31,7 +31,7 @@ template <int Dim>
 Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
                              Real tolerance = 1e-9);
 
-/// One freedom after h under a constant force: exact, (30.20).
+/// One freedom after h under a constant force: exact, (30.24).
 /// \param c  damping [1/s], q̈ + c q̇ + ω² q = force
 void swing(Real omega, Real c, Real force, Real h, Real& q, Real& speed);
 

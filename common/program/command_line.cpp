@@ -300,6 +300,10 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
         app.add_option("--problem", options.problem,
                        "Solve the problem in this file instead of running a scene")
             ->type_name("FILE");
+    std::vector<std::string> own_names(program.own_files.size());
+    for (std::size_t i = 0; i < own_names.size(); ++i)
+        app.add_option(program.own_files[i].option, own_names[i], program.own_files[i].help)
+            ->type_name("FILE");
 
     try {
         app.parse(argc, argv);
@@ -316,8 +320,8 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
         options.answer = list_of_scenes(program);
         return options;
     }
-    if (program.solve_problem && app.count("--problem") > 0) {
-        if (options.problem.empty()) refuse("--problem is \"\"; it must be a file name");
+    const auto require_no_scene = [&](const std::string& option, const std::string& file, const char* right) {
+        if (file.empty()) refuse(option + " is \"\"; it must be a file name");
         for (const auto& [name, given] : {std::pair{"--scene", !scene_name.empty()},
                                           {"--set", !assignments.empty()},
                                           {"--steps", !steps_text.empty()},
@@ -328,7 +332,19 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
                                           {"--record", !options.record.empty()},
                                           {"--every", !every_text.empty()},
                                           {"--dark", options.dark}})
-            if (given) refuse(std::string(name) + " is for scenes; with --problem only --method can stand");
+            if (given) refuse(std::string(name) + " is for scenes; with " + option + right);
+    };
+    for (std::size_t i = 0; i < own_names.size(); ++i) {
+        const std::string& option = program.own_files[i].option;
+        if (app.count(option) == 0) continue;
+        require_no_scene(option, own_names[i], " no other option can stand");
+        if (!methods.empty() || !options.problem.empty() || options.own_file != nullptr)
+            refuse(option + " writes a file and ends; no other option can stand beside it");
+        options.own_file = &program.own_files[i], options.own_name = own_names[i];
+    }
+    if (options.own_file != nullptr) return options;
+    if (program.solve_problem && app.count("--problem") > 0) {
+        require_no_scene("--problem", options.problem, " only --method can stand");
         const std::vector<std::string> words = split_methods(methods);
         if (words.size() > 1)
             refuse("--method names " + std::to_string(words.size()) +

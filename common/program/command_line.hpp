@@ -26,6 +26,9 @@ struct Options {
 
     std::string problem;  ///< a file
     std::string problem_method;
+
+    const OwnFile* own_file = nullptr;  ///< not null: write it as `own_name` and end
+    std::string own_name;
 };
 
 /// Throws std::invalid_argument with one sentence that names the thing, its value and what would be right.

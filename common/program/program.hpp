@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -135,6 +136,13 @@ struct Demo {
 
 inline constexpr std::size_t most_panes = 4;  ///< methods side by side in a window
 
+/// A file of the program's own that is written instead of running a scene, by an option of its own (--wav FILE).
+struct OwnFile {
+    std::string option;  ///< "--wav"
+    std::string help;    ///< one line
+    std::function<void(std::ostream&)> write;
+};
+
 struct Program {
     std::string name;          ///< of the executable, 01_euler_integration
     std::string title;         ///< "Chapter 1. Euler integration"
@@ -143,6 +151,7 @@ struct Program {
     /// the answer and returns the exit code. `problem_methods` are the names that it takes, the default one first.
     std::function<int(const std::string& file, const std::string& method)> solve_problem;
     std::vector<std::string> problem_methods;
+    std::vector<OwnFile> own_files;
 };
 
 }  // namespace rigid

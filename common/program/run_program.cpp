@@ -59,12 +59,22 @@ int solve(const Program& program, const Options& options)
     return program.solve_problem(options.problem, options.problem_method);
 }
 
+int write_own_file(const OwnFile& own, const std::string& name)
+{
+    require_writable("the file of " + own.option, name);
+    std::ofstream file(name, std::ios::binary);
+    own.write(file);
+    if (!file.flush()) throw std::runtime_error(name + " can't be written any further; is the disk full?");
+    return 0;
+}
+
 int run(const Program& program, const Options& options)
 {
     if (!options.answer.empty()) {
         std::cout << options.answer << std::flush;
         return 0;
     }
+    if (options.own_file != nullptr) return write_own_file(*options.own_file, options.own_name);
     if (!options.problem.empty()) return solve(program, options);
     require_different_files(options);
     if (options.headless) return run_headless(program, options);

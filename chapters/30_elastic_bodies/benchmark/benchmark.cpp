@@ -6,6 +6,8 @@
 ///     sag/METHOD/STEPS             the same at rest: damped until it stands, or at once
 ///     tets/LAW/SOLVE               10,080 tetrahedra, a step of 1/60 s: time [ms], residual, linear systems, bytes
 ///     soft/SCENE                   a step of tetrahedra with contacts, and its rows
+///     factor/PROGRAM               one matrix factored and solved: time [ms], numbers in the factor, residual
+///     ccx/ORDER                    rest and vibrations of a cantilever by CalculiX: time, largest difference from the book's
 ///
 /// light, heavy: a strip of 1 m × 0.1 m that falls by 1 % and by 40 % of its length. The reference is the neo-Hookean law on
 /// the same mesh by midpoint with 1/3840 s: what is left is the error of the step and of the law.
@@ -15,6 +17,7 @@
 #include "chapters/30_elastic_bodies/elastic_space_scenes.hpp"
 #include "chapters/30_elastic_bodies/vibration.hpp"
 #include "tests/peers/bullet_deformable.hpp"
+#include "tests/peers/calculix.hpp"
 
 #ifdef RIGID_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -43,7 +46,7 @@ void clear(benchmark::State& state)
     for (const char* name :
          {"us", "ms", "ms_whole", "solve_ms", "error", "residual", "systems",
           "inner", "factors", "bytes_model", "bytes_solver", "nodes", "blocks",
-          "rows"})
+          "rows", "fill", "tones"})
         state.counters[name] = 0;
 }
 
@@ -299,25 +302,6 @@ void soft_step(benchmark::State& state, const Make& make, const Move& move,
     state.counters["nodes"] = tetrahedra;
 }
 
-/// The factor of one and the same matrix by this book, by Eigen and by CHOLMOD.
-template <class Factor, class Solve>
-void time_factor(benchmark::State& state, const Factor& factor, const Solve& solve)
-{
-    Real first = infinity, second = infinity;
-    for (auto _ : state)
-        for (int n = 0; n < 3; ++n) {
-            auto start = Clock::now();
-            factor();
-            first = std::min(first, since(start));
-            start = Clock::now();
-            solve();
-            second = std::min(second, since(start));
-        }
-    clear(state);
-    state.counters["ms"] = 1e3 * first;
-    state.counters["solve_ms"] = 1e3 * second;
-}
-
 struct Matrices {
     ElasticBody<3> body = many_tetrahedra(StrainLaw::linear);
     BlockMatrix<3> H;
@@ -348,15 +332,51 @@ struct Matrices {
     }
 };
 
+/// The factor of one and the same matrix by this book, by Eigen and by CHOLMOD.
+/// \param solve  returns what it made of b
+template <class Factor, class Solve>
+void time_factor(benchmark::State& state, const Matrices& m, const Factor& factor,
+                 const Solve& solve)
+{
+    Real first = infinity, second = infinity;
+    VecX x;
+    for (auto _ : state)
+        for (int n = 0; n < 3; ++n) {
+            auto start = Clock::now();
+            factor();
+            first = std::min(first, since(start));
+            start = Clock::now();
+            x = solve();
+            second = std::min(second, since(start));
+        }
+    clear(state);
+    const VecX left = m.sparse.selfadjointView<Eigen::Lower>() * x - m.b;
+    state.counters["ms"] = 1e3 * first;
+    state.counters["solve_ms"] = 1e3 * second;
+    state.counters["residual"] = left.norm() / m.b.norm();
+}
+
+#ifdef RIGID_CHOLMOD
+Real fill_of(Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<Real>>& solver)
+{
+    return solver.cholmod().lnz;
+}
+#endif
+Real fill_of(Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>>& solver)
+{
+    return static_cast<Real>(solver.matrixL().nestedExpression().nonZeros());
+}
+
 template <class Solver>
 void eigen_factor(benchmark::State& state)
 {
     Matrices m;
     Solver solver;
     solver.analyzePattern(m.sparse);
-    VecX x;
     time_factor(
-        state, [&] { solver.factorize(m.sparse); }, [&] { x = solver.solve(m.b); });
+        state, m, [&] { solver.factorize(m.sparse); },
+        [&] { return VecX(solver.solve(m.b)); });
+    state.counters["fill"] = fill_of(solver);
 }
 
 void own_factor(benchmark::State& state)
@@ -364,11 +384,55 @@ void own_factor(benchmark::State& state)
     Matrices m;
     BlockLdlt<3> solver;
     solver.analyse(m.body.model.pattern());
-    VecX x;
     time_factor(
-        state, [&] { solver.factor(m.H); }, [&] { x = m.b, solver.solve(x); });
+        state, m, [&] { solver.factor(m.H); },
+        [&] {
+            VecX x = m.b;
+            solver.solve(x);
+            return x;
+        });
     state.counters["blocks"] = static_cast<Real>(solver.blocks());
+    state.counters["fill"] = 9 * static_cast<Real>(solver.blocks());
 }
+
+#ifdef RIGID_CALCULIX
+/// Linear or quadratic tetrahedra: rest, and its six slowest vibrations.
+void beside_calculix(benchmark::State& state, int order)
+{
+    const ElasticBody<3> light = beam(StrainLaw::linear);
+    const ElasticMesh<3>& mesh = light.model.mesh();
+    ElasticBody<3> body(order == 1 ? mesh : quadratic(mesh),
+                        {.young = 1e6, .poisson = 0.3, .law = StrainLaw::linear});
+    for (int i = 0; i < body.model.nodes(); ++i)
+        if (body.at(i).x() < 1e-9) body.hold(i);
+    body.gravity = light.gravity;
+    Real off = 0, whole = 0, tones = 0, own = infinity;
+    CalculixAnswer other;
+    for (auto _ : state) {
+        other = by_calculix(body, 6);
+        ElasticBody<3> at_rest = body;
+        ElasticSolver<3> solver;
+        const auto start = Clock::now();
+        solver.rest(at_rest);
+        const Vibration<3> swings = vibrations_of(body, 6);
+        own = since(start);
+        const VecX moved = at_rest.x - body.x;
+        off = (moved - other.moved).cwiseAbs().maxCoeff();
+        whole = moved.cwiseAbs().maxCoeff();
+        for (Index k = 0; k < 6; ++k)
+            tones =
+                std::max(tones, std::abs(other.omega[static_cast<std::size_t>(k)] /
+                                             swings.omega[k] -
+                                         1));
+    }
+    clear(state);
+    state.counters["ms"] = 1e3 * own;
+    state.counters["ms_whole"] = 1e3 * other.seconds;
+    state.counters["error"] = off / whole;
+    state.counters["tones"] = tones;
+    state.counters["nodes"] = body.model.nodes();
+}
+#endif
 
 const bool registered = [] {
     const std::pair<const char*, StrainLaw> laws[] = {
@@ -528,16 +592,17 @@ const bool registered = [] {
     }
     for (const auto& [law_name, law] : laws)
         for (const auto& [solve_name, solve] : solves)
-            for (const std::string how : {"one", "all", "kept"}) {
-                if (how == "kept" &&
+            for (const std::string how : {"one", "all", "kept", "kept_one"}) {
+                const bool keeps = how.starts_with("kept");
+                if (keeps &&
                     (solve != LinearSolve::direct || law == StrainLaw::linear))
                     continue;
                 benchmark::RegisterBenchmark(
                     (std::string("tets/") + law_name + "/" + solve_name + "/" + how)
                         .c_str(),
-                    [law = law, solve = solve, how](benchmark::State& state) {
-                        tetrahedra(state, law, solve, how == "one" ? 1 : 20,
-                                   how == "kept" ? 0.5 : 0);
+                    [law = law, solve = solve, most = how.ends_with("one") ? 1 : 20,
+                     stale = keeps ? 0.5 : 0.0](benchmark::State& state) {
+                        tetrahedra(state, law, solve, most, stale);
                     })
                     ->Iterations(1);
             }
@@ -551,6 +616,13 @@ const bool registered = [] {
         "factor/cholmod",
         eigen_factor<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<Real>>>)
         ->Iterations(1);
+#endif
+#ifdef RIGID_CALCULIX
+    for (const int order : {1, 2})
+        benchmark::RegisterBenchmark(
+            ("ccx/" + std::to_string(order)).c_str(),
+            [order](benchmark::State& state) { beside_calculix(state, order); })
+            ->Iterations(1);
 #endif
     return true;
 }();

@@ -7,3 +7,8 @@ if(CHOLMOD_INCLUDE_DIR AND CHOLMOD_LIBRARY)
   target_link_libraries(30_elastic_bodies_benchmark PRIVATE ${CHOLMOD_LIBRARY})
   target_compile_definitions(30_elastic_bodies_benchmark PRIVATE RIGID_CHOLMOD)
 endif()
+# CalculiX's statics beside the book's, where it is installed.
+find_program(CALCULIX_PROGRAM ccx)
+if(CALCULIX_PROGRAM)
+  target_compile_definitions(30_elastic_bodies_benchmark PRIVATE RIGID_CALCULIX="${CALCULIX_PROGRAM}")
+endif()

@@ -1,5 +1,5 @@
 /// \file springs.hpp
-/// The sheet of equal triangles that is also a net of springs, (30.7): by the methods of chapter 27, and by elements.
+/// The sheet of equal triangles that is also a net of springs, (30.25): by the methods of chapter 27, and by elements.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/cloth_step.hpp"

@@ -21,7 +21,7 @@ plot data.'/net_xpbd' using 1:2 with linespoints lw 1.2 pt 7 ps 0.5 lc rgb '#EE7
      data.'/net_corotational_cg' using 1:2 with linespoints lw 1.2 pt 7 ps 0.5 lc rgb '#228833' title 'corotational, CG'
 set xlabel 'time of half a second [ms]' tc rgb '#808080'
 set ylabel 'error of the tip' tc rgb '#808080'
-set xrange [1:3000]
+set xrange [5:20000]
 set yrange [1e-7:1]
 set title 'a beam, 480 tetrahedra' tc rgb '#808080'
 plot data.'/beam_corotational_euler_direct' using 1:2 with linespoints lw 1.2 pt 7 ps 0.5 lc rgb '#66CCEE' title 'corotational, Euler', \

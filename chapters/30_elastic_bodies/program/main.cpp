@@ -3,9 +3,7 @@
 #include "chapters/30_elastic_bodies/elastic_sound.hpp"
 #include "chapters/30_elastic_bodies/program/elastic_space_run.hpp"
 
-#include <fstream>
-#include <iostream>
-#include <string_view>
+#include <ostream>
 
 namespace rigid {
 namespace {
@@ -104,7 +102,7 @@ Demo triangle_demo()
     return scene;
 }
 
-/// How far a cantilever sags, over what (30.16) says.
+/// How far a cantilever sags, over what (30.15) says.
 Demo cantilever_demo()
 {
     Tunable through = number("through", "", "boxes through its height", 2, 1, 16),
@@ -119,7 +117,7 @@ Demo cantilever_demo()
         {through, order, parallel,
          number("nu", "", "Poisson's ratio", 0, -0.5, 0.4999),
          number("height", "m", "of the beam", 0.1, 0.005, 0.3)},
-        {{"ratio", "", "sag over (30.16)", Plot::linear}},
+        {{"ratio", "", "sag over (30.15)", Plot::linear}},
         [](const Settings& settings) {
             const Real d = settings["height"];
             const int n = static_cast<int>(settings["through"]);
@@ -408,15 +406,11 @@ Demo mattress_demo()
         });
 }
 
-/// --wav FILE: two seconds of a bar of steel, 0.3 m × 6 mm, that is struck at one end.
-int write_bar(const char* name)
+/// Two seconds of a bar of steel, 0.3 m × 6 mm, that is struck at one end.
+void write_bar(std::ostream& file)
 {
     ElasticBody<2> bar = chime();
-    std::ofstream file(name, std::ios::binary);
     write_wave(file, sound_of(bar, 12, 1, 2));
-    if (file.flush()) return 0;
-    std::cerr << "the file " << name << " cannot be written\n";
-    return 2;
 }
 
 }  // namespace
@@ -425,7 +419,6 @@ int write_bar(const char* name)
 int main(int argc, char** argv)
 {
     using namespace rigid;
-    if (argc > 2 && std::string_view(argv[1]) == "--wav") return write_bar(argv[2]);
     const auto make = [] {
         Program program;
         program.name = "30_elastic_bodies";
@@ -435,6 +428,8 @@ int main(int argc, char** argv)
                           gripper_demo(),    bridge_demo(),      bar_demo(),
                           solid_ball_demo(), solid_jelly_demo(), fingers_demo(),
                           mattress_demo()};
+        program.own_files = {
+            {"--wav", "Write the sound of a struck bar and end", write_bar}};
         return program;
     };
     return run_program(make, argc, argv);
