@@ -1,4 +1,4 @@
-// Chapter 27: the methods beside each other, contact, tearing, what is refused.
+// Chapter 27: the methods beside each other, limits, tearing, what is refused.
 #include "tests/no_allocation.hpp"
 
 #include "common/random.hpp"
@@ -173,87 +173,6 @@ TEST_CASE("a fold of two triangles has a jump of slope of twice the sine of half
     }
 }
 
-TEST_CASE("a particle on a slope holds below the angle of friction and slides above it in every direction",
-          "[idea]")
-{
-    const Real h = 0.01, mu = 0.5, g = 9.81;
-    for (const Real slope : {0.4, 0.6})  // radians; atan 0.5 = 0.4636
-        for (const Real direction : {0.0, 0.7, 2.0}) {
-            ClothScene cloth;
-            ClothSolid wall;
-            wall.shape = ClothSolid::Shape::wall, wall.friction = mu;
-            add_solid(cloth, wall, 0, {0, 0, 0});
-            add_particle(cloth, {0, 0, 0}, 0.3);
-            cloth.gravity = g * Vec3(rigid::sin(slope) * rigid::cos(direction), -rigid::cos(slope),
-                                     rigid::sin(slope) * rigid::sin(direction));
-            ClothMemory memory;
-            ClothSettings how;
-            how.h = h;
-            for (int n = 0; n < 50; ++n) step(cloth, how, memory);
-            const Real speed = std::max(Real{0}, g * (rigid::sin(slope) - mu * rigid::cos(slope))) * 50 * h;
-            const Vec3 u = cloth.bodies.velocity(0);
-            CHECK(u.y() == Approx(0).margin(1e-14));
-            CHECK(u.x() == Approx(speed * rigid::cos(direction)).margin(1e-12));
-            CHECK(u.z() == Approx(speed * rigid::sin(direction)).margin(1e-12));
-        }
-}
-
-TEST_CASE("points are as far from each shape as its surface is", "[idea]")
-{
-    using Shape = ClothSolid::Shape;
-    const ClothSolid ball{Shape::ball, {0, 0, 0}, 0.5, 0}, capsule{Shape::capsule, {0, 1, 0}, 0.5, 0},
-        box{Shape::box, {1, 2, 3}, 0.5, 0};
-    const auto is = [](const ClothGap& found, Real gap, const Vec3& n) {
-        CHECK(found.gap == Approx(gap).margin(1e-15));
-        CHECK((found.normal - n).norm() < 1e-15);
-    };
-    is(gap_to(ball, {0, 0, 2}), 1.5, {0, 0, 1});
-    is(gap_to(ball, {0.3, 0, 0}), -0.2, {1, 0, 0});
-    is(gap_to(capsule, {0.4, 0.9, 0.3}), 0, {0.8, 0, 0.6});
-    is(gap_to(capsule, {0, -2, 0}), 0.5, {0, -1, 0});
-    is(gap_to(box, {2, 0, 0}), 0.5, {1, 0, 0});
-    is(gap_to(box, {4, 2, 7}), 4.5, {0.6, 0, 0.8});
-    is(gap_to(box, {0, -1.9, 0}), -0.6, {0, -1, 0});
-}
-
-TEST_CASE("a sheet and the solid that it catches keep their momentum", "[idea]")
-{
-    for (const bool box : {false, true})
-        for (const ClothMethod method : {ClothMethod::xpbd, ClothMethod::threads}) {
-            ClothScene cloth = catching_sheet(12, 500, 2, box, false);
-            cloth.gravity.setZero();
-            cloth.solids.u << 0.3, -4, 0.2, 1, 2, -1;
-            const Vec3 before = momentum(cloth);
-            ClothMemory memory;
-            ClothSettings how;
-            how.method = method, how.substeps = 8, how.sweeps = 1;
-            std::size_t touched = 0;
-            for (int n = 0; n < 40; ++n) {
-                step(cloth, how, memory);
-                touched = std::max(touched, memory.touch.contacts.size());
-            }
-            CHECK(touched > 10);
-            CHECK(cloth.solids.u[1] > -3.9);                                   // it has been braked
-            CHECK((momentum(cloth) - before).norm() < 1e-12 * before.norm());  // rounding of 320 sub-steps
-        }
-}
-
-TEST_CASE("a pinned sheet holds a ball of many times its weight", "[idea]")
-{
-    ClothScene cloth = catching_sheet(16, 2000, 5, false, true);
-    ClothMemory memory;
-    ClothSettings how;
-    how.method = ClothMethod::threads, how.substeps = 10, how.sweeps = 1;
-    Real lowest = 1;
-    for (int n = 0; n < 240; ++n) {
-        step(cloth, how, memory);
-        lowest = std::min(lowest, cloth.solids.x[1]);
-    }
-    CHECK(lowest > -0.7);  // and has not fallen through
-    CHECK(lowest < 0.2);
-    CHECK(std::abs(cloth.solids.x[0]) < 0.5);
-}
-
 TEST_CASE("a triangle falls in still air as the square of its speed brakes it", "[idea]")
 {
     ClothScene cloth;
@@ -294,6 +213,24 @@ TEST_CASE("threads beyond their limit are drawn back to it and keep their moment
     limit.draw_back(free, free.bodies.x);
     for (Index k = 0; k < free.bodies.count(); ++k) sum += free.bodies.position(k) - old.segment<3>(3 * k);
     CHECK(sum.norm() < 1e-14);
+}
+
+TEST_CASE("what a limit draws back is a velocity of the whole step", "[idea]")
+{
+    ClothScene cloth;
+    cloth.gravity.setZero();
+    add_particle(cloth, {0, 0, 0}, 1);
+    add_particle(cloth, {1.2, 0, 0}, 1);
+    cloth.springs.push_back({0, 1, 1, 1e-6});
+    ClothMemory memory;
+    ClothSettings how;
+    how.h = 0.1, how.substeps = 4, how.method = ClothMethod::threads, how.sweeps = 1;
+    how.strain_limit = 0.1;
+    step(cloth, how, memory);
+    // from 1.2 to nine tenths of the strain, half by each; the spring's own pull is 1e-8 m/s
+    CHECK(cloth.bodies.x[3] - cloth.bodies.x[0] == Approx(1.09).epsilon(1e-6));
+    CHECK(cloth.bodies.u[3] == Approx(-0.055 / 0.1).epsilon(1e-6));
+    CHECK(cloth.bodies.u[0] == Approx(0.055 / 0.1).epsilon(1e-6));
 }
 
 TEST_CASE("what tears takes its triangles and bends along and falls apart", "[idea]")
@@ -370,13 +307,12 @@ TEST_CASE("a steady step of rows threads particles one matrix and conjugate grad
     using M = ClothMethod;
     for (const M method :
          {M::explicit_euler, M::pbd, M::xpbd, M::threads, M::particles, M::projective, M::implicit_euler}) {
-        ClothScene cloth = sheet_on_ball(16, 1.2, 100, 0.3, 1);
+        ClothScene cloth = hung_sheet(16, 100);
         cloth.air = 0.1, cloth.triangles.resize(10);
         ClothMemory memory;
         ClothSettings how;
         how.method = method, how.sweeps = 2, how.h = 1.0 / 600;
-        for (int n = 0; n < 150; ++n) step(cloth, how, memory);
-        memory.touch.contacts.reserve(2 * memory.touch.contacts.size() + 100);
+        for (int n = 0; n < 30; ++n) step(cloth, how, memory);
         int asked = 0;
         {
             const NoAllocation none;
@@ -421,8 +357,6 @@ TEST_CASE("a cloth that makes no sense is refused with a sentence", "[house]")
         "triangle 0 has no area");
     says([](ClothScene& c, ClothSettings&) { c.bodies.x[7] = std::nan(""); },
          "x[7] is nan; it must be a finite number");
-    says([](ClothScene& c, ClothSettings&) { c.shapes.push_back({}); },
-         "there are 1 shapes for 0 solids; each needs one");
     says([](ClothScene&, ClothSettings& s) { s.substeps = 0; },
          "the number of sub-steps is 0; it must be one or more");
     says([](ClothScene&, ClothSettings& s) { s.h = -1; },

@@ -1,5 +1,5 @@
 /// \file cloths.hpp
-/// What the tests of chapter 27 do with a cloth.
+/// What the tests of chapters 27 and 28 do with a cloth.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"

@@ -4,7 +4,7 @@ add_catch_tests(small small FILES tests/small/bodies.cpp tests/small/matrix.cpp 
                              tests/small/soft_and_wide.cpp tests/small/islands_and_engine.cpp tests/small/turning_in_space.cpp tests/small/world_in_space.cpp
                              tests/small/solids_in_space.cpp
                              tests/small/ways.cpp
-                             tests/small/cloth.cpp tests/small/waves.cpp tests/small/elastic.cpp tests/small/sentences.cpp)
+                             tests/small/cloth.cpp tests/small/touching.cpp tests/small/waves.cpp tests/small/elastic.cpp tests/small/sentences.cpp)
 set_target_properties(test_small PROPERTIES UNITY_BUILD OFF)   # each has names of its own
 
 if(NOT MSVC AND NOT CMAKE_CROSSCOMPILING)

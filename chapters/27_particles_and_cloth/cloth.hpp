@@ -10,11 +10,11 @@
 /// moves with its velocity, whatever pulls.
 #pragma once
 
-#include "chapters/20_turning_in_space/space_bodies.hpp"
-#include "chapters/25_world_in_space/triangle_mesh.hpp"
+#include "chapters/20_turning_in_space/rotation.hpp"
+#include "common/bodies.hpp"
 
 #include <array>
-#include <memory>
+#include <string>
 #include <vector>
 
 namespace rigid {
@@ -52,20 +52,6 @@ struct ClothHinge {
 };
 //! [rows]
 
-/// What a particle touches. Lengths are in the axes of the body that it belongs to.
-struct ClothSolid {
-    enum class Shape : unsigned char { wall, ball, capsule, box, mesh };
-    Shape shape = Shape::ball;
-    Vec3 half = {
-        0, 0,
-        0};  ///< of a box: half its edges; of a capsule: (0, half its straight part, 0) [m]
-    Real radius =
-        0;  ///< of a ball, of a capsule, of the rounded edges of a box [m]
-    Real friction = 0;  ///< μ
-    /// of a mesh: its triangles have one side, to which particles are pushed
-    std::shared_ptr<const TriangleMesh> mesh = nullptr;
-};
-
 struct ClothScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};  ///< the particles
@@ -76,18 +62,12 @@ struct ClothScene {
     std::vector<ClothBend> bends;
     std::vector<ClothHinge> hinges;
     std::vector<std::array<int, 3>> triangles;  ///< what the wind blows at
-    Bodies<6> solids{0};             ///< 1/m zero: moves as its velocity says
-    std::vector<ClothSolid> shapes;  ///< of the solids, one each
-    Vec3 gravity = {0, -9.81, 0};    ///< [m/s²]
-    Vec3 wind = {0, 0, 0};           ///< [m/s]
+    Vec3 gravity = {0, -9.81, 0};               ///< [m/s²]
+    Vec3 wind = {0, 0, 0};                      ///< [m/s]
     Real air =
         0;  ///< half the density of the air times the drag of a plate [kg/m³]
     Real drag =
         0;  ///< part of its velocity that a particle loses in a second [1/s]
-    Real thickness = 0;  ///< how far particles stay away from solids [m]
-    /// how far triangles and edges stay away from each other [m]; 0: they pass
-    Real self_thickness = 0;
-    Real self_friction = 0;  ///< μ of cloth on itself
     /// raised by tear(), and by each change of rows or masses while the cloth moves
     int changes = 0;
 
@@ -95,9 +75,12 @@ struct ClothScene {
 };
 
 /// Throws std::invalid_argument, with a sentence that names the row or the particle, unless all numbers are finite, springs
-/// have a positive length and stiffness between two particles that are there, bends and hinges likewise, triangles have an
-/// area, and there is a shape for each solid.
+/// have a positive length and stiffness between two particles that are there, bends and hinges likewise, and triangles have
+/// an area.
 void require_valid(const ClothScene& cloth);
+
+/// Throws std::invalid_argument unless a value is finite and zero or positive: "WHAT is -1; it must be …".
+void require_not_negative(Real value, const std::string& what);
 
 /// Throws std::invalid_argument if a spring is inextensible: only methods of rows take those.
 void require_extensible(const ClothScene& cloth);
@@ -113,7 +96,7 @@ ClothBend bend_of(const ClothHinge& hinge, const VecX& x);
 
 /// Energy of the rows at x [J].
 Real row_energy(const ClothScene& cloth, const VecX& x);
-/// Kinetic energy, height and rows [J]; the solids', too.
+/// Kinetic energy, height and rows [J].
 Real energy(const ClothScene& cloth);
 /// Adds −∂E/∂x of the rows at x to f [N].
 void add_row_forces(const ClothScene& cloth, const VecX& x, VecX& f);
@@ -126,7 +109,7 @@ Real largest_stretch(const ClothScene& cloth, Real stiff = 0);
 /// The mean of all, those below 0 as 0.
 Real mean_stretch(const ClothScene& cloth, Real stiff = 0);
 
-/// Momentum of particles and solids that can move [N s].
+/// Momentum of the particles that can move [N s].
 Vec3 momentum(const ClothScene& cloth);
 
 /// Tears what is stretched beyond 1 + strain: the spring goes, and with it the

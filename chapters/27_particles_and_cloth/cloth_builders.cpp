@@ -3,8 +3,6 @@
 
 #include "chapters/27_particles_and_cloth/cloth_builders.hpp"
 
-#include "chapters/20_turning_in_space/inertia.hpp"
-
 namespace rigid {
 
 int add_particle(ClothScene& cloth, const Vec3& at, Real mass)
@@ -46,6 +44,16 @@ int add_rope(ClothScene& cloth, const Vec3& from, const Vec3& to,
                                {1 / length, -2 / length, 1 / length, 0},
                                spec.bending / length});
     return first;
+}
+
+SheetSpec square_sheet(int squares, Real side, Real stiffness, Real bending)
+{
+    SheetSpec spec;
+    spec.columns = spec.rows = squares;
+    spec.spacing = side / std::max(squares, 1);
+    spec.stiffness = stiffness, spec.shear = stiffness / 100;
+    spec.bending = bending;
+    return spec;
 }
 
 int add_sheet(ClothScene& cloth, const Vec3& corner, const Vec3& first,
@@ -130,36 +138,6 @@ int add_sheet(ClothScene& cloth, const Vec3& corner, const Vec3& first,
                      2 * spec.bending});
         }
     return from;
-}
-
-int add_solid(ClothScene& cloth, const ClothSolid& shape, Real mass, const Vec3& at,
-              const Vec3& theta)
-{
-    const Index k = cloth.solids.count();
-    cloth.solids.resize(k + 1);
-    cloth.solids.position(k) << at, theta;
-    cloth.solids.inverse_mass.segment<6>(6 * k).setZero();
-    cloth.shapes.push_back(shape);
-    if (mass != 0) {
-        if (!(mass > 0) || shape.shape == ClothSolid::Shape::wall ||
-            shape.shape == ClothSolid::Shape::mesh)
-            throw std::invalid_argument(
-                "the mass of a solid is " + shortest(mass) +
-                " kg; a ball, a capsule or a box may have a positive one, and what "
-                "cannot move zero");
-        // of a box with its rounded edges, as if they were sharp
-        const Hull hull =
-            shape.shape == ClothSolid::Shape::box
-                ? solid_box(2 * (shape.half + Vec3::Constant(shape.radius)))
-            : shape.shape == ClothSolid::Shape::ball
-                ? solid_ball(shape.radius)
-                : Hull{{-shape.half, shape.half}, {}, shape.radius};
-        const SolidMass solid = mass_of(hull, 1);
-        const Vec3 I = mass / solid.mass * solid.inertia.diagonal();
-        cloth.solids.inverse_mass.segment<6>(6 * k) << Vec3::Constant(1 / mass),
-            I.cwiseInverse();
-    }
-    return static_cast<int>(k);
 }
 
 }  // namespace rigid

@@ -1,5 +1,5 @@
 /// \file cloth_builders.hpp
-/// Ropes and sheets of particles, and what they may lie on.
+/// Ropes and sheets of particles.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/cloth.hpp"
@@ -48,16 +48,14 @@ struct SheetSpec {
 };
 //! [sheet]
 
+/// A square of so many squares a side, its diagonals a hundredth as stiff. \param side  [m]
+SheetSpec square_sheet(int squares, Real side, Real stiffness, Real bending);
+
 /// Squares with a diagonal each, from a corner along two directions (of length one):
 /// particle i + (columns + 1) j lies i squares along the first and j along the second.
 /// Every edge is a spring.
 /// \return  the number of the first particle
 int add_sheet(ClothScene& cloth, const Vec3& corner, const Vec3& first,
               const Vec3& second, const SheetSpec& spec);
-
-/// A solid that the cloth may touch; mass zero: it cannot move but by its velocity.
-/// \param shape  its `half` as in ClothSolid
-int add_solid(ClothScene& cloth, const ClothSolid& shape, Real mass, const Vec3& at,
-              const Vec3& theta = {0, 0, 0});
 
 }  // namespace rigid

@@ -3,7 +3,6 @@
 
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
 
-#include "chapters/25_world_in_space/mesh_scenes.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid {
@@ -11,16 +10,6 @@ namespace rigid {
 namespace cloth_parts {
 
 const Vec3 right(1, 0, 0), down(0, -1, 0), forwards(0, 0, 1);
-
-SheetSpec square_sheet(int squares, Real side, Real stiffness, Real bending)
-{
-    SheetSpec spec;
-    spec.columns = spec.rows = squares;
-    spec.spacing = side / std::max(squares, 1);
-    spec.stiffness = stiffness, spec.shear = stiffness / 100;
-    spec.bending = bending;
-    return spec;
-}
 
 void set_speed(ClothScene& cloth, int particle, const Vec3& u)
 {
@@ -123,117 +112,6 @@ ClothScene curtain(int squares, Real stiffness)
     return cloth;
 }
 
-ClothScene sheet_on_ball(int squares, Real side, Real stiffness, Real friction,
-                         Real spin)
-{
-    ClothScene cloth;
-    ClothSolid ball;
-    ball.radius = 0.5, ball.friction = friction;
-    add_solid(cloth, ball, 0, {0, 0, 0});
-    cloth.solids.u.segment<3>(3) << 0, spin, 0;
-    add_sheet(cloth, {-side / 2, 0.52, -side / 2}, right, forwards,
-              square_sheet(squares, side, stiffness, 0));
-    cloth.thickness = 0.005;
-    cloth.drag = 0.5;
-    return cloth;
-}
-
-ClothScene tablecloth(int squares, Real stiffness, Real friction)
-{
-    ClothScene cloth;
-    ClothSolid table, floor;
-    table.shape = ClothSolid::Shape::box;
-    table.half = {0.48, 0.38, 0.48}, table.radius = 0.02;
-    floor.shape = ClothSolid::Shape::wall;
-    table.friction = floor.friction = friction;
-    add_solid(cloth, table, 0, {0, 0.4, 0});
-    add_solid(cloth, floor, 0, {0, 0, 0});
-    add_sheet(cloth, {-0.8, 0.9, -0.8}, right, forwards,
-              square_sheet(squares, 1.6, stiffness, 1e-4));
-    cloth.thickness = 0.005;
-    cloth.drag = 0.5;
-    return cloth;
-}
-
-ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
-                          bool pinned)
-{
-    ClothScene cloth;
-    SheetSpec spec = square_sheet(squares, 2, stiffness, 0);
-    spec.shear = stiffness / 10;
-    add_sheet(cloth, {-1, 0, -1}, right, forwards, spec);
-    for (int j = 0; j <= squares && pinned; ++j)
-        for (int i = 0; i <= squares; ++i)
-            if (i == 0 || j == 0 || i == squares || j == squares)
-                pin(cloth, i + (squares + 1) * j);
-    ClothSolid solid;
-    solid.friction = 0.4;
-    solid.radius = box ? 0.02 : 0.25;
-    if (box) solid.shape = ClothSolid::Shape::box, solid.half = {0.23, 0.15, 0.18};
-    add_solid(cloth, solid, mass, {0.1, 0.8, 0.05},
-              box ? Vec3(0.3, 0.2, 0.1) : Vec3(0, 0, 0));
-    cloth.thickness = 0.01;
-    return cloth;
-}
-
-ClothScene folding_sheet(int squares, Real stiffness, Real thickness, Real friction)
-{
-    ClothScene cloth;
-    ClothSolid floor;
-    floor.shape = ClothSolid::Shape::wall, floor.friction = 0.5;
-    add_solid(cloth, floor, 0, {0, 0, 0});
-    add_sheet(cloth, {-0.5, 1.05, 0}, right, down,
-              square_sheet(squares, 1, stiffness, 2e-5));
-    // not quite flat, so that it knows where to fold
-    for (int k = 0; k < cloth.count(); ++k) {
-        const Vec3 p = cloth.bodies.position(k);
-        cloth.bodies.position(k).z() +=
-            0.01 * sin(7 * p.y()) + 0.01 * p.x() * p.y();
-    }
-    cloth.thickness = 0.005;
-    cloth.self_thickness = thickness, cloth.self_friction = friction;
-    cloth.drag = 0.5;
-    return cloth;
-}
-
-ClothScene sheet_on_mesh(int squares, Real side, Real stiffness, Real friction)
-{
-    ClothScene cloth;
-    ClothSolid ground;
-    ground.shape = ClothSolid::Shape::mesh, ground.friction = friction;
-    ground.mesh = height_field(24, 24, 0.1, [](Real x, Real z) {
-        return 0.3 * sin(2.5 * x) * cos(2 * z);
-    });
-    add_solid(cloth, ground, 0, {0, 0, 0});
-    add_sheet(cloth, {-side / 2, 0.4, -side / 2}, right, forwards,
-              square_sheet(squares, side, stiffness, 1e-4));
-    cloth.thickness = 0.005;
-    cloth.drag = 0.5;
-    return cloth;
-}
-
-ClothScene rope_bridge(int squares, Real stiffness, Real mass)
-{
-    ClothScene cloth;
-    SheetSpec spec = square_sheet(squares, 4, stiffness, 0);
-    spec.rows = std::max(1, 3 * squares / 20);
-    spec.density = 4;
-    add_sheet(cloth, {-2, 0, -0.3}, right, forwards, spec);
-    for (int j = 0; j <= spec.rows; ++j) {
-        pin(cloth, (squares + 1) * j);
-        pin(cloth, (squares + 1) * j + squares);
-    }
-    // it sags: the pins stand closer than it is long
-    for (int k = 0; k < cloth.count(); ++k) cloth.bodies.position(k).x() *= 0.95;
-    ClothSolid box;
-    box.shape = ClothSolid::Shape::box;
-    box.half = {0.2, 0.15, 0.2}, box.radius = 0.02, box.friction = 0.6;
-    add_solid(cloth, box, mass, {0.4, 0.6, 0}, {0, 0.4, 0});
-    cloth.thickness = 0.02;
-    cloth.drag = 0.2;
-    return cloth;
-}
-
 ClothScene banner(int squares, Real stiffness)
 {
     ClothScene cloth;
@@ -266,30 +144,6 @@ ClothScene torn_sheet(int squares, Real stiffness, Real speed)
             return (s.a == middle && s.b == middle + 1);
         });
     }
-    return cloth;
-}
-
-ClothScene rope_on_drum(int segments, Real stiffness, Real friction, Real pull)
-{
-    ClothScene cloth;
-    cloth.gravity.setZero();
-    ClothSolid drum;
-    drum.shape = ClothSolid::Shape::capsule;
-    drum.half = {0, 0.3, 0}, drum.radius = 0.5, drum.friction = friction;
-    add_solid(cloth, drum, 0, {0, 0, 0}, {pi / 2, 0, 0});
-    for (int i = 0; i <= segments; ++i) {
-        const Real angle = pi * (1 - Real(i) / segments);
-        add_particle(cloth, {0.5 * cos(angle), 0.5 * sin(angle), 0},
-                     0.12 / segments);
-    }
-    const Real length = sin(pi / (2 * segments));  // of a chord
-    for (int i = 0; i < segments; ++i)
-        cloth.springs.push_back({i, i + 1, length, stiffness});
-    cloth.bodies.f.head<3>() << 0, -pull, 0;
-    const int winch = add_particle(cloth, {0.5, -0.2, 0}, 0);
-    cloth.springs.push_back({segments, winch, 0.2, stiffness});
-    set_speed(cloth, winch, {0, -0.05, 0});
-    cloth.drag = 5;
     return cloth;
 }
 

@@ -28,40 +28,11 @@ ClothScene flag(int squares, Real stiffness, Real wind);
 /// 1 m wide, 1.4 m long, pinned along its upper edge at every second particle.
 ClothScene curtain(int squares, Real stiffness);
 
-/// A sheet of so many metres above a ball of half a metre that turns with the given spin about the vertical.
-ClothScene sheet_on_ball(int squares, Real side, Real stiffness, Real friction,
-                         Real spin = 0);
-
-/// A sheet of 2 m above a table of 1 m.
-ClothScene tablecloth(int squares, Real stiffness, Real friction);
-
-/// A sheet of 2 m, pinned all around or free, and above it a ball (or a box) that can move.
-/// \param mass  of the solid [kg]
-ClothScene catching_sheet(int squares, Real stiffness, Real mass, bool box,
-                          bool pinned);
-
-/// A sheet of 1 m that falls on its lower edge and folds on itself, which it must not pass through.
-/// \param thickness  against itself [m]; 0: it passes
-ClothScene folding_sheet(int squares, Real stiffness, Real thickness,
-                         Real friction = 0.2);
-
-/// A sheet of so many metres above a ground of triangles: a pit and a hill.
-ClothScene sheet_on_mesh(int squares, Real side, Real stiffness, Real friction);
-
-/// A walk of 0.6 by 4 m between two walls, and a box that falls on it.
-ClothScene rope_bridge(int squares, Real stiffness, Real mass);
-
 /// 1 by 1.6 m, its lower edge ten times as heavy, on two pins that a crane moves.
 ClothScene banner(int squares, Real stiffness);
 
 /// A sheet of 1 m that is pinned at two sides, of which one moves away.
 ClothScene torn_sheet(int squares, Real stiffness, Real speed);
-
-//! [drum]
-/// A rope over half of a fixed drum of half a metre, with so much pull at one end; a winch draws at the other end at
-/// 0.05 m/s. Its last spring goes to the winch.
-ClothScene rope_on_drum(int segments, Real stiffness, Real friction, Real pull);
-//! [drum]
 
 /// Pull in a spring [N].
 Real tension(const ClothScene& cloth, std::size_t spring);

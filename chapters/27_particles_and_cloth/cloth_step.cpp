@@ -72,8 +72,7 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
                   cloth.hinges.size(),
                   cloth.changes,
                   settings.method,
-                  settings.part(),
-                  cloth.self_thickness};
+                  settings.part()};
     if (now == key_) return;
     // a cloth that has torn was whole before
     if (key_.changes < 0 || now.changes == key_.changes) require_valid(cloth);
@@ -82,11 +81,6 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
         projective.prepare(cloth, settings.part());
     if (settings.method == ClothMethod::threads) threads.find(cloth);
     if (settings.method == ClothMethod::particles) particles.find(cloth);
-    Real shortest_spring = infinity;
-    for (const ClothSpring& s : cloth.springs)
-        shortest_spring = std::min(shortest_spring, s.length);
-    touch.margin = cloth.springs.empty() ? 0.01 : shortest_spring / 4;
-    if (cloth.self_thickness > 0) self.prepare(cloth);
     exact.lambda.resize(0);
     key_ = now;
 }
@@ -111,35 +105,49 @@ void add_wind(const ClothScene& cloth, VecX& f)
 }
 //! [wind]
 
-void ClothMemory::go_on_from_the_middle(Bodies<3>& bodies) const
+//! [begin]
+void ClothMemory::begin(ClothScene& cloth, const ClothSettings& settings)
 {
-    const auto go_on = [&](Index k, Real sign) {
-        bodies.velocity(k) += sign * (bodies.velocity(k) - u0.segment<3>(3 * k));
-    };
-    for (Index k = 0; k < bodies.count(); ++k) go_on(k, 1);
-    // what touches comes to rest on the solid, and does not bounce back
-    for (const ClothContact& c : touch.contacts)
-        if (c.lambda > 0) go_on(c.particle, -0.5);
+    Bodies<3>& bodies = cloth.bodies;
+    const Real h = settings.part();
+    const bool middle = settings.method == ClothMethod::midpoint;
+    x0 = bodies.x, u0 = bodies.u;
+    force = bodies.f;
+    if (cloth.air > 0) add_wind(cloth, force);
+    if (settings.method == ClothMethod::explicit_euler)
+        add_row_forces(cloth, bodies.x, force);
+    for (Index k = 0; k < bodies.count(); ++k) {
+        const Real w = bodies.inverse_mass[3 * k];
+        if (!(w > 0)) continue;
+        bodies.velocity(k) +=
+            (middle ? h / 2 : h) * (cloth.gravity + w * force.segment<3>(3 * k));
+        bodies.velocity(k) /= 1 + h * cloth.drag;
+    }
+    y = x0 + (middle ? h / 2 : h) * bodies.u;
+    bodies.x = y;
+}
+//! [begin]
+
+void ClothMemory::begin_sweeps(const ClothScene& cloth,
+                               const ClothSettings& settings)
+{
+    rows.positions_alone = settings.method == ClothMethod::pbd;
+    rows.share = settings.pbd_share;
+    rows.keep_lambda = settings.keep_lambda;
+    rows.begin(cloth);
+    if (settings.method == ClothMethod::threads) threads.begin();
+    visits += settings.sweeps *
+              static_cast<std::int64_t>(cloth.springs.size() + cloth.bends.size() +
+                                        cloth.hinges.size());
 }
 
-//! [draw_back]
-/// (27.24): until no spring is beyond its limit, with the contacts between.
-void ClothMemory::draw_back(const ClothScene& cloth, const ClothSettings& settings,
-                            VecX& x)
+void ClothMemory::sweep(const ClothScene& cloth, const ClothSettings& settings,
+                        VecX& x)
 {
-    if (!(settings.strain_limit < infinity)) return;
-    drawn_back = x;
-    limit.strain = settings.strain_limit, limit.stiff = settings.limit_stiffness;
-    for (int pass = 0; pass < settings.limit_passes && limit.find(cloth, x);
-         ++pass) {
-        for (int s = 0; s < 3; ++s) limit.draw_back(cloth, x);
-        touch.visit(cloth, x);
-        self.visit(cloth, x);
-        drawn += static_cast<std::int64_t>(limit.beyond.size());
-    }
-    drawn_back = x - drawn_back;
+    const bool by_threads = settings.method == ClothMethod::threads;
+    if (by_threads) threads.sweep(cloth, settings.part(), x);
+    rows.sweep(cloth, settings.part(), x, !by_threads);
 }
-//! [draw_back]
 
 //! [solve]
 /// From y to x: the rows that the method solves together, and how far.
@@ -155,19 +163,7 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
     case ClothMethod::pbd:
     case ClothMethod::xpbd:
     case ClothMethod::threads:
-        rows.positions_alone = settings.method == ClothMethod::pbd;
-        rows.share = settings.pbd_share;
-        rows.keep_lambda = settings.keep_lambda;
-        rows.begin(cloth);
-        if (settings.method == ClothMethod::threads) threads.begin();
-        for (int s = 0; s < settings.sweeps; ++s) {
-            if (settings.method == ClothMethod::threads) threads.sweep(cloth, h, x);
-            rows.sweep(cloth, h, x, settings.method != ClothMethod::threads);
-            touch.visit(cloth, x);
-            self.visit(cloth, x);
-        }
-        visits += count * settings.sweeps;
-        break;
+        break;  // sweep()
     case ClothMethod::particles:
         for (int s = 0; s < settings.sweeps; ++s) particles.sweep(cloth, y, h, x);
         visits += 2 * count * settings.sweeps;
@@ -199,63 +195,29 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
 }
 //! [solve]
 
-//! [step]
-void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& now)
+//! [end]
+void ClothMemory::end(ClothScene& cloth, const ClothSettings& settings) const
 {
-    require_valid(settings);
-    now.prepare(cloth, settings);
     Bodies<3>& bodies = cloth.bodies;
     const Real h = settings.part();
-    const bool middle = settings.method == ClothMethod::midpoint;
-    now.touch.reaction = settings.reaction;
-    now.solved = true;
-    for (int part = 0; part < settings.substeps; ++part) {
-        now.x0 = bodies.x, now.u0 = bodies.u;
-        now.force = bodies.f;
-        if (cloth.air > 0) add_wind(cloth, now.force);
-        if (settings.method == ClothMethod::explicit_euler)
-            add_row_forces(cloth, bodies.x, now.force);
-        for (Index k = 0; k < bodies.count(); ++k) {
-            const Real w = bodies.inverse_mass[3 * k];
-            if (!(w > 0)) continue;
-            bodies.velocity(k) += (middle ? h / 2 : h) *
-                                  (cloth.gravity + w * now.force.segment<3>(3 * k));
-            bodies.velocity(k) /= 1 + h * cloth.drag;
+    // what the limit draws back it does once a step, not once a sub-step
+    for (Index k = 0; k < bodies.count(); ++k)
+        if (bodies.inverse_mass[3 * k] > 0) {
+            const Vec3 back = drawn_back.segment<3>(3 * k);
+            bodies.velocity(k) =
+                (bodies.position(k) - back - x0.segment<3>(3 * k)) / h +
+                back / settings.h;
         }
-        now.y = now.x0 + (middle ? h / 2 : h) * bodies.u;
-        now.touch.begin(cloth, h);
-        if (cloth.self_thickness > 0) now.self.begin(cloth, now.x0, now.y);
-        else now.self.rows.clear();
-        bodies.x = now.y;
-        const bool with_rows = sweeps_rows(settings.method);
-        if (with_rows) now.touch.find(cloth, now.x0, now.y);
-        now.solve(cloth, settings, bodies.x);
-        if (middle) bodies.x = 2 * bodies.x - now.x0;
-        if (!with_rows) {
-            now.touch.find(cloth, now.x0, bodies.x);
-            now.touch.visit(cloth, bodies.x);
-            now.self.visit(cloth, bodies.x);
-        }
-        now.drawn_back.setZero(bodies.x.size());
-        if (part + 1 == settings.substeps) now.draw_back(cloth, settings, bodies.x);
-        // what the limit draws back it does once a step, not once a sub-step
-        for (Index k = 0; k < bodies.count(); ++k)
-            if (bodies.inverse_mass[3 * k] > 0) {
-                const Vec3 drawn = now.drawn_back.segment<3>(3 * k);
-                bodies.velocity(k) =
-                    (bodies.position(k) - drawn - now.x0.segment<3>(3 * k)) / h +
-                    drawn / settings.h;
-            }
-        if (middle) now.go_on_from_the_middle(bodies);
-        now.self.calm(cloth);
-        if (cloth.self_thickness > 0) now.self.stop(cloth, now.x0, bodies.x);
-        now.touch.end(cloth, h);
-        if (settings.strength < infinity) {
-            now.torn += tear(cloth, settings.strength);
-            now.prepare(cloth, settings);
-        }
-    }
+    if (settings.method != ClothMethod::midpoint) return;
+    for (Index k = 0; k < bodies.count(); ++k)  // u ← 2 u − u₀, (27.15)
+        bodies.velocity(k) += bodies.velocity(k) - u0.segment<3>(3 * k);
 }
-//! [step]
+//! [end]
+
+void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& memory)
+{
+    NothingTouched touch;
+    step(cloth, settings, memory, touch);
+}
 
 }  // namespace rigid

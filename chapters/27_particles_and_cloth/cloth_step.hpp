@@ -3,15 +3,14 @@
 ///
 ///     u* = u + h M⁻¹ f,   y = x₀ + h u*                            forces and inertia
 ///     x  from y and the rows                                        which of them together, and how far: the method
-///     contacts, with row sweeps between the sweeps, else after      (27.25)
+///     what it touches, with row sweeps between the sweeps, else after
 ///     u  = (x − x₀)/h
 ///
-/// Each (sub-)step. A bad setting or cloth is refused before anything moves.
+/// Each (sub-)step. A bad setting or cloth is refused before anything moves. What a cloth touches is a stage: nothing at all
+/// (NothingTouched), or what chapter 28 has.
 #pragma once
 
-#include "chapters/27_particles_and_cloth/cloth_contact.hpp"
 #include "chapters/27_particles_and_cloth/cloth_newton.hpp"
-#include "chapters/27_particles_and_cloth/cloth_self.hpp"
 #include "chapters/27_particles_and_cloth/cloth_threads.hpp"
 #include "chapters/27_particles_and_cloth/exact_rows.hpp"
 #include "chapters/27_particles_and_cloth/particle_descent.hpp"
@@ -40,7 +39,7 @@ enum class ClothMethod : unsigned char {
 /// As the programs call it; throws std::invalid_argument for a name that none has.
 ClothMethod cloth_method(std::string_view name);
 std::string_view to_string(ClothMethod method);
-/// PBD, XPBD and threads: contacts are rows between theirs.
+/// PBD, XPBD and threads: what the cloth touches are rows between theirs.
 bool sweeps_rows(ClothMethod method);
 /// Also those that take a stiffness that is infinite.
 bool takes_hard_rows(ClothMethod method);
@@ -53,9 +52,8 @@ struct ClothSettings {
     bool keep_lambda = true;       ///< false: the mistake of section 27.4
     Real strain_limit = infinity;  ///< springs are drawn back to 1 + this
     Real limit_stiffness = 0;      ///< those of at least this k [N/m]
-    int limit_passes = 50;         ///< at the end of a step, each with its contacts
-    Real strength = infinity;      ///< springs tear beyond 1 + this
-    bool reaction = true;          ///< false: solids do not feel the cloth
+    int limit_passes = 50;     ///< at the end of a step, each with what it touches
+    Real strength = infinity;  ///< springs tear beyond 1 + this
 
     Real part() const { return h / substeps; }
 };
@@ -71,8 +69,6 @@ struct ClothMemory {
     Projective projective;
     ClothNewton newton;
     ExactRows exact;
-    ClothTouch touch;
-    ClothSelf self;  ///< unless the thickness against itself is zero
     StrainLimit limit;
     VecX x0, u0, y, force, drawn_back;
     // Counted since the memory was made.
@@ -83,20 +79,26 @@ struct ClothMemory {
     bool solved =
         true;  ///< false: an iteration of the last step met its limit first
 
-private:
-    friend void step(ClothScene&, const ClothSettings&, ClothMemory&);
+    // The parts of step(), in this order.
+    /// Refuses, and makes what does not change: factors, threads, colours.
     void prepare(const ClothScene& cloth, const ClothSettings& settings);
+    /// u*, x₀ and y; x = y.
+    void begin(ClothScene& cloth, const ClothSettings& settings);
+    /// Λ = 0; then one pass of a method of rows.
+    void begin_sweeps(const ClothScene& cloth, const ClothSettings& settings);
+    void sweep(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
+    /// From y to x by any other method.
     void solve(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
-    void draw_back(const ClothScene& cloth, const ClothSettings& settings, VecX& x);
-    /// u ← 2 u − u₀, (27.15)
-    void go_on_from_the_middle(Bodies<3>& bodies) const;
+    /// u = (x − x₀)/h, with (27.25) and (27.15).
+    void end(ClothScene& cloth, const ClothSettings& settings) const;
 
+private:
     /// what the factor, the threads and the colours were made for
     struct Key {
         std::size_t particles = 0, springs = 0, bends = 0, hinges = 0;
         int changes = -1;
         ClothMethod method = ClothMethod::xpbd;
-        Real h = 0, self_thickness = 0;
+        Real h = 0;
         bool operator==(const Key&) const = default;
     } key_;
 };
@@ -104,7 +106,80 @@ private:
 /// (27.23): the drag of the air on each triangle.
 void add_wind(const ClothScene& cloth, VecX& f);
 
+//! [nothing]
+/// The stage of a cloth that touches nothing. What is not empty in another one:
+struct NothingTouched {
+    /// Refuses what makes no sense; once for each set of rows.
+    void prepare(const ClothScene&) {}
+    /// At the start of a sub-step of h, in which the cloth would go from x0 to y.
+    void begin(ClothScene&, Real, const VecX&, const VecX&) {}
+    /// What it touches if it comes from x0 to x.
+    void find(const ClothScene&, const VecX&, const VecX&) {}
+    /// One visit of each row.
+    void visit(const ClothScene&, VecX&) {}
+    /// Of the midpoint, which has gone on from u0: what touches does not bounce.
+    void rest_in_the_middle(ClothScene&, const VecX&) {}
+    /// With the velocities, and x0 of the sub-step.
+    void end(ClothScene&, Real, const VecX&) {}
+};
+//! [nothing]
+
+//! [step]
 /// One step. Throws std::invalid_argument as require_valid() does.
+template <class Scene, class Touch>
+void step(Scene& cloth, const ClothSettings& settings, ClothMemory& now,
+          Touch& touch)
+{
+    require_valid(settings);
+    now.prepare(cloth, settings);
+    touch.prepare(cloth);
+    VecX& x = cloth.bodies.x;
+    const Real h = settings.part();
+    const bool with_rows = sweeps_rows(settings.method),
+               middle = settings.method == ClothMethod::midpoint;
+    now.solved = true;
+    for (int part = 0; part < settings.substeps; ++part) {
+        now.begin(cloth, settings);
+        touch.begin(cloth, h, now.x0, now.y);
+        if (with_rows) {
+            touch.find(cloth, now.x0, now.y);
+            now.begin_sweeps(cloth, settings);
+            for (int s = 0; s < settings.sweeps; ++s) {
+                now.sweep(cloth, settings, x);
+                touch.visit(cloth, x);
+            }
+        } else {
+            now.solve(cloth, settings, x);
+            if (middle) x = 2 * x - now.x0;
+            touch.find(cloth, now.x0, x);
+            touch.visit(cloth, x);
+        }
+        now.drawn_back.setZero(x.size());
+        if (part + 1 == settings.substeps && settings.strain_limit < infinity) {
+            now.drawn_back = x;
+            now.limit.strain = settings.strain_limit;
+            now.limit.stiff = settings.limit_stiffness;
+            for (int n = 0; n < settings.limit_passes && now.limit.find(cloth, x);
+                 ++n) {  // (27.24)
+                for (int s = 0; s < 3; ++s) now.limit.draw_back(cloth, x);
+                touch.visit(cloth, x);
+                now.drawn += static_cast<std::int64_t>(now.limit.beyond.size());
+            }
+            now.drawn_back = x - now.drawn_back;
+        }
+        now.end(cloth, settings);
+        if (middle) touch.rest_in_the_middle(cloth, now.u0);
+        touch.end(cloth, h, now.x0);
+        if (settings.strength < infinity) {
+            now.torn += tear(cloth, settings.strength);
+            now.prepare(cloth, settings);
+            touch.prepare(cloth);
+        }
+    }
+}
+//! [step]
+
+/// A step of a cloth that touches nothing.
 void step(ClothScene& cloth, const ClothSettings& settings, ClothMemory& memory);
 
 }  // namespace rigid

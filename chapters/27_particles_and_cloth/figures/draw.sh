@@ -5,27 +5,20 @@
 if [ -n "$table" ]; then # a file for each scene and method: time of a step, error of the position
     tr -d '"' <"$table" | awk -F, -v dir="$data" '
         /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-        /^(sheet|strip|flag|ball)\// {
+        /^(sheet|strip|flag)\// {
             split($1, part, "/")
             error = $column["position"]
             if (!(error <= 1)) error = 1 # what is lost, at the edge
             time = $column["us"]
             if (time < 6) time = 6 # it was lost at once
             print time, error > (dir "/" part[1] "_" part[2])
-        }
-        /^grow\// {
-            split($1, part, "/")
-            print $column["particles"], $column["us"] / 1000 > (dir "/grow_" part[2])
         }'
     plot ch27_pareto
-    plot ch27_grow
     exit
 fi
 
 # Pictures of scenes.
-run --scene ball --set squares=30 --steps 150 --svg "$out/ch27_ball.svg"
-run --scene trampoline --set mass=5 --steps 42 --svg "$out/ch27_trampoline.svg"
-run --scene fold --set squares=24 --set thickness=16 --steps 36 --svg "$out/ch27_fold.svg"
+run --scene flag --set squares=30 --set wind=12 --steps 100 --svg "$out/ch27_flag.svg"
 run --scene tear --set strength=15 --steps 75 --svg "$out/ch27_tear.svg"
 
 # The first mass after one step against the number of sweeps.

@@ -1,9 +1,9 @@
 /// \file cloth_run.hpp
-/// One scene of cloth, under one of this chapter's methods.
+/// One scene of cloth, under one of this chapter's methods. Scenes of cloth that touches have more in their state; what that
+/// is draws itself.
 #pragma once
 
 #include "chapters/20_turning_in_space/program/solid_picture.hpp"
-#include "chapters/22_distance_of_solids/convex_hull.hpp"
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
 #include "chapters/27_particles_and_cloth/cloth_step.hpp"
 #include "common/program/demo_of.hpp"
@@ -17,22 +17,29 @@
 
 namespace rigid {
 
-struct ClothState {
-    ClothScene cloth;
-    ClothMemory memory;
+template <class Cloth, class Memory>
+struct ClothStateOf {
+    using Scene = Cloth;
+    Cloth cloth;
+    Memory memory;
     Real t = 0;
     Real energy = 0;  ///< at the start [J]
     Real stiff = 0;   ///< springs that count as threads have at least this k [N/m]
 };
+using ClothState = ClothStateOf<ClothScene, ClothMemory>;
 
+template <class State>
 struct ClothSetup {
-    ClothScene cloth;
+    typename State::Scene cloth;
     Camera camera;
     Real ground = 0;    ///< half the side of the floor that is drawn [m]; 0: none
     bool mesh = false;  ///< springs are drawn, too
-    std::function<std::vector<Real>(const ClothState&)> measure;
-    std::function<void(ClothState&, const Settings&)> change;
+    std::function<std::vector<Real>(const State&)> measure;
+    std::function<void(State&, const Settings&)> change;
 };
+
+/// What a cloth touches; this one nothing.
+inline void draw_solids(SolidPicture&, const ClothScene&) {}
 
 /// A tunable that not every scene has.
 inline Real value_or(const Settings& settings, const char* name, Real other)
@@ -40,9 +47,10 @@ inline Real value_or(const Settings& settings, const char* name, Real other)
     return settings.tunables.contains(name) ? settings[name] : other;
 }
 
+template <class State>
 class ClothRun : public Run {
 public:
-    ClothRun(ClothSetup setup, const Settings&) : setup_(std::move(setup))
+    ClothRun(ClothSetup<State> setup, const Settings&) : setup_(std::move(setup))
     {
         state_.cloth = setup_.cloth;
         state_.energy = energy(state_.cloth);
@@ -68,7 +76,8 @@ public:
             how.strain_limit = limit / 100, how.limit_stiffness = state_.stiff;
         if (const Real strength = value_or(settings, "strength", 0); strength > 0)
             how.strength = strength / 100;
-        rigid::step(state_.cloth, how, state_.memory);
+        using rigid::step;  // of a cloth that touches: its own
+        step(state_.cloth, how, state_.memory);
         for (Index k = 0; k < state_.cloth.bodies.count(); ++k)
             if (!state_.cloth.bodies.position(k).allFinite())
                 throw StepFailure("the position of particle " + std::to_string(k) +
@@ -86,36 +95,10 @@ public:
 
     void draw(Canvas& canvas) const override
     {
-        const ClothScene& cloth = state_.cloth;
+        const auto& cloth = state_.cloth;
         SolidPicture picture(camera_, Skin::opaque);
         if (setup_.ground > 0) picture.ground(setup_.ground, 0);
-        for (Index k = 0; k < cloth.solids.count(); ++k) {
-            const ClothSolid& s = cloth.shapes[static_cast<std::size_t>(k)];
-            if (s.shape == ClothSolid::Shape::wall) continue;
-            if (s.shape == ClothSolid::Shape::mesh) {
-                const Mat3 axes = rotation_of(cloth.solids.x, k);
-                const Vec3 centre = centre_of(cloth.solids.x, k);
-                const auto place = [&](int t, int i) -> Vec3 {
-                    // its large triangles would show through the cloth
-                    return centre + axes * s.mesh->corner(t, i) - Vec3(0, 0.06, 0);
-                };
-                for (int t = 0; t < s.mesh->count(); ++t)
-                    picture.facet({place(t, 0), place(t, 1), place(t, 2)},
-                                  Colour::orange);
-                continue;
-            }
-            Hull hull;
-            if (s.shape == ClothSolid::Shape::box)
-                hull = solid_box(2 * (s.half + Vec3::Constant(s.radius)));
-            else {
-                hull.vertices = {-s.half, s.half};
-                if (s.half.isZero(0)) hull.vertices.pop_back();
-                hull.radius =
-                    0.88 * s.radius;  // its slices would show through the cloth
-            }
-            picture.hull(hull, centre_of(cloth.solids.x, k),
-                         rotation_of(cloth.solids.x, k), Colour::orange);
-        }
+        draw_solids(picture, cloth);
         const auto at = [&cloth](int p) -> Vec3 {
             return cloth.bodies.position(p);
         };
@@ -170,8 +153,8 @@ private:
         bodies.velocity(held_) = way * (size > most ? most / size : 1) / settings.h;
     }
 
-    ClothSetup setup_;
-    ClothState state_;
+    ClothSetup<State> setup_;
+    State state_;
     Camera camera_;
     int held_ = -1;
     Real inverse_mass_ = 0;
@@ -183,11 +166,12 @@ inline const std::vector<std::string> cloth_methods{
     "threads", "xpbd",     "pbd",   "particles", "projective", "implicit",
     "newton",  "midpoint", "exact", "forgotten", "explicit"};
 
-inline Demo cloth_demo(const std::string& name, const std::string& summary,
-                       const View& view, int substeps, int sweeps,
-                       std::function<ClothSetup(const Settings&)> setup)
+template <class State>
+Demo cloth_demo(const std::string& name, const std::string& summary,
+                const View& view, int substeps, int sweeps,
+                std::function<ClothSetup<State>(const Settings&)> setup)
 {
-    Demo scene = demo_of<ClothRun>(
+    Demo scene = demo_of<ClothRun<State>>(
         name, summary, view, 1.0 / 60, cloth_methods,
         {{"camera", "°", "where the eye is, around the scene", 0, -180, 180},
          {"substeps", "", "of a step", static_cast<Real>(substeps), 1, 200,
@@ -203,14 +187,13 @@ inline Demo cloth_demo(const std::string& name, const std::string& summary,
 inline const std::vector<Column> cloth_columns{
     {"stretch", "%", "of the thread that is stretched most", Plot::linear},
     {"mean", "%", "stretch of the threads", Plot::linear},
-    {"energy", "J", "less that of the start", Plot::linear},
-    {"contacts", "", "particles near a solid", Plot::linear}};
+    {"energy", "J", "less that of the start", Plot::linear}};
 
-inline std::vector<Real> cloth_measures(const ClothState& s)
+template <class State>
+std::vector<Real> cloth_measures(const State& s)
 {
     return {100 * largest_stretch(s.cloth, s.stiff),
-            100 * mean_stretch(s.cloth, s.stiff), energy(s.cloth) - s.energy,
-            static_cast<Real>(s.memory.touch.contacts.size())};
+            100 * mean_stretch(s.cloth, s.stiff), energy(s.cloth) - s.energy};
 }
 
 }  // namespace rigid

@@ -1,5 +1,5 @@
 /// \file line_scenes.hpp
-/// Masses under each other, a rope over a drum, a strip.
+/// Masses under each other, a strip.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/program/cloth_run.hpp"
@@ -23,10 +23,10 @@ inline Camera looks(const Vec3& target, Real distance, Real azimuth, Real height
 /// The example by hand.
 inline Demo chain_demo()
 {
-    Demo scene = cloth_demo(
+    Demo scene = cloth_demo<ClothState>(
         "masses", "Masses under each other on springs, by hand",
         {{0, -1.6}, {1.6, 1.9}}, 1, 1, [](const Settings& settings) {
-            ClothSetup setup;
+            ClothSetup<ClothState> setup;
             setup.cloth = hung_masses(static_cast<int>(settings["masses"]),
                                       settings["stiffness"]);
             setup.camera = looks({0, 0, 0}, 20, 0, 0);
@@ -48,39 +48,12 @@ inline Demo chain_demo()
     return scene;
 }
 
-inline Demo drum_demo()
-{
-    Demo scene = cloth_demo(
-        "drum", "A rope is drawn over a drum: T2/T1 is e^(mu pi)",
-        {{0, 0.05}, {1, 0.75}}, 10, 10, [](const Settings& settings) {
-            ClothSetup setup;
-            setup.cloth = rope_on_drum(static_cast<int>(settings["segments"]), 2e4,
-                                       settings["mu"], 10);
-            setup.camera = looks({0, 0, 0}, 8, 0.2, 0.1);
-            setup.measure = [](const ClothState& s) -> std::vector<Real> {
-                return {tension(s.cloth, s.cloth.springs.size() - 1) / 10,
-                        exp(s.cloth.shapes[0].friction * pi),
-                        100 * largest_stretch(s.cloth)};
-            };
-            return setup;
-        });
-    scene.tunables.push_back({"segments", "", "of the rope on the drum", 60, 4, 400,
-                              Numbers::whole, OnChange::restarts});
-    scene.tunables.push_back(
-        {"mu", "", "friction", 0.3, 0, 1, Numbers::real, OnChange::restarts});
-    scene.columns = {
-        {"ratio", "", "of both pulls", Plot::linear},
-        {"ratio_exact", "", "e to the power of mu times pi", Plot::linear, "ratio"},
-        {"stretch", "%", "of the spring that is stretched most", Plot::linear}};
-    return scene;
-}
-
 inline Demo strip_demo()
 {
-    Demo scene = cloth_demo(
+    Demo scene = cloth_demo<ClothState>(
         "strip", "A strip that is clamped at one end bends under its weight",
         {{0.55, -0.35}, {0.85, 0.6}}, 1, 10, [](const Settings& settings) {
-            ClothSetup setup;
+            ClothSetup<ClothState> setup;
             const int n = static_cast<int>(settings["segments"]);
             const auto how =
                 settings["angle"] > 0 ? Bending::angle : Bending::quadratic;

@@ -1,5 +1,5 @@
 /// \file scenes.hpp
-/// Sheets that hang, fall, catch and tear.
+/// Sheets that hang, wave and tear.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/program/line_scenes.hpp"
@@ -13,29 +13,25 @@ inline Tunable squares_tunable(Real squares, Real most)
 }
 
 /// A scene of a sheet: how it is made, seen, and what changes while it runs.
-inline Demo
-sheet_demo(const std::string& name, const std::string& summary, const View& view,
-           const Camera& camera, Real ground, Real squares, Real k,
-           std::function<ClothScene(const Settings&)> make,
-           std::function<void(ClothState&, const Settings&)> change = {})
+template <class State>
+Demo sheet_demo(
+    const std::string& name, const std::string& summary, const View& view,
+    const Camera& camera, Real ground, Real squares, Real k,
+    std::function<typename State::Scene(const Settings&)> make,
+    std::function<void(State&, const Settings&)> change = {},
+    std::function<std::vector<Real>(const State&)> measure = cloth_measures<State>)
 {
-    Demo scene = cloth_demo(
-        name, summary, view, 8, 1,
-        [=, make = std::move(make)](const Settings& settings) {
-            ClothSetup setup;
-            setup.cloth = make(settings);
-            setup.camera = camera;
-            setup.ground = ground;
-            setup.measure = cloth_measures;
-            if (name == "fold")
-                setup.measure = [](const ClothState& state) {
-                    auto all = cloth_measures(state);
-                    all.push_back(static_cast<Real>(state.memory.self.stopped));
-                    return all;
-                };
-            setup.change = change;
-            return setup;
-        });
+    Demo scene =
+        cloth_demo<State>(name, summary, view, 8, 1,
+                          [=, make = std::move(make)](const Settings& settings) {
+                              ClothSetup<State> setup;
+                              setup.cloth = make(settings);
+                              setup.camera = camera;
+                              setup.ground = ground;
+                              setup.measure = measure;
+                              setup.change = change;
+                              return setup;
+                          });
     scene.tunables.push_back(squares_tunable(squares, 100));
     scene.tunables.push_back(stiffness_tunable(k));
     scene.tunables.push_back(
@@ -51,16 +47,16 @@ inline int squares_of(const Settings& settings)
 
 inline Demo hung_demo_of_cloth()
 {
-    return sheet_demo("sheet", "A sheet on two corners", {{0, -0.45}, {1.1, 0.8}},
-                      looks({0, 0, 0.2}, 6, 0.5, 0.3), 0, 20, 500,
-                      [](const Settings& s) {
-                          return hung_sheet(squares_of(s), s["stiffness"]);
-                      });
+    return sheet_demo<ClothState>(
+        "sheet", "A sheet on two corners", {{0, -0.45}, {1.1, 0.8}},
+        looks({0, 0, 0.2}, 6, 0.5, 0.3), 0, 20, 500, [](const Settings& s) {
+            return hung_sheet(squares_of(s), s["stiffness"]);
+        });
 }
 
 inline Demo flag_demo()
 {
-    Demo scene = sheet_demo(
+    Demo scene = sheet_demo<ClothState>(
         "flag", "A flag in the wind", {{0.5, -0.35}, {1, 0.75}},
         looks({0, 0, 0}, 6, 0.35, 0.15), 0, 24, 1000,
         [](const Settings& s) {
@@ -76,7 +72,7 @@ inline Demo flag_demo()
 
 inline Demo curtain_demo()
 {
-    return sheet_demo(
+    return sheet_demo<ClothState>(
         "curtain", "A curtain is drawn", {{-0.1, -0.7}, {1, 0.9}},
         looks({0, 0, 0}, 6, 0.3, 0.2), 0, 24, 1000,
         [](const Settings& s) { return curtain(squares_of(s), s["stiffness"]); },
@@ -93,53 +89,9 @@ inline Demo curtain_demo()
         });
 }
 
-inline Demo tablecloth_demo()
-{
-    Demo scene = sheet_demo(
-        "tablecloth", "A cloth falls on a table", {{0, 0.45}, {1.2, 0.8}},
-        looks({0, 0, 0}, 6, 0.6, 0.45), 1.4, 32, 1000, [](const Settings& s) {
-            return tablecloth(squares_of(s), s["stiffness"], s["mu"]);
-        });
-    scene.tunables.push_back(
-        {"mu", "", "friction", 0.5, 0, 2, Numbers::real, OnChange::restarts});
-    return scene;
-}
-
-inline Demo trampoline_demo()
-{
-    Demo scene = sheet_demo(
-        "trampoline", "A sheet catches what falls on it", {{0, 0.1}, {1.5, 1}},
-        looks({0, 0, 0}, 7, 0.5, 0.35), 0, 24, 500, [](const Settings& s) {
-            return catching_sheet(squares_of(s), s["stiffness"], s["mass"],
-                                  s["box"] > 0, s["pinned"] > 0);
-        });
-    scene.tunables.push_back({"mass", "kg", "of what falls", 1, 0.01, 100,
-                              Numbers::real, OnChange::restarts});
-    scene.tunables.push_back({"box", "", "a box in place of a ball", 0, 0, 1,
-                              Numbers::whole, OnChange::restarts});
-    scene.tunables.push_back(
-        {"pinned", "", "all around", 1, 0, 1, Numbers::whole, OnChange::restarts});
-    scene.methods = {"threads", "xpbd",
-                     "pbd"};  // contacts that push back are rows of these
-    return scene;
-}
-
-inline Demo bridge_demo()
-{
-    Demo scene = sheet_demo(
-        "bridge", "A box falls on a rope bridge", {{0, -0.1}, {2.3, 1.1}},
-        looks({0, -0.3, 0}, 9, 0.35, 0.2), 0, 40, 20000, [](const Settings& s) {
-            return rope_bridge(squares_of(s), s["stiffness"], s["mass"]);
-        });
-    scene.tunables.push_back({"mass", "kg", "of the box", 5, 0.1, 100,
-                              Numbers::real, OnChange::restarts});
-    scene.methods = {"threads", "xpbd", "pbd"};
-    return scene;
-}
-
 inline Demo banner_demo()
 {
-    return sheet_demo(
+    return sheet_demo<ClothState>(
         "banner", "A crane swings a banner", {{0, -0.8}, {1.5, 1.1}},
         looks({0, 0, 0}, 7, 0.4, 0.1), 0, 20, 2000,
         [](const Settings& s) { return banner(squares_of(s), s["stiffness"]); },
@@ -151,59 +103,14 @@ inline Demo banner_demo()
         });
 }
 
-inline Demo ball_demo()
-{
-    Demo scene = sheet_demo(
-        "ball", "A cloth falls on a ball that turns", {{0, -0.1}, {1.3, 0.95}},
-        looks({0, 0, 0}, 7, 0.5, 0.4), 0, 40, 1000, [](const Settings& s) {
-            return sheet_on_ball(squares_of(s), 1.6, s["stiffness"], s["mu"],
-                                 s["spin"]);
-        });
-    scene.tunables.push_back(
-        {"mu", "", "friction", 0.3, 0, 2, Numbers::real, OnChange::restarts});
-    scene.tunables.push_back({"spin", "rad/s", "of the ball", 3, -20, 20,
-                              Numbers::real, OnChange::restarts});
-    return scene;
-}
-
-inline Demo fold_demo()
-{
-    Demo scene =
-        sheet_demo("fold", "A sheet falls on its edge and folds on itself",
-                   {{0, 0.35}, {1.1, 0.75}}, looks({0, 0, 0}, 6, 0.6, 0.25), 1, 14,
-                   500, [](const Settings& s) {
-                       return folding_sheet(squares_of(s), s["stiffness"],
-                                            s["thickness"] / 1000, s["mu"]);
-                   });
-    scene.tunables.push_back({"thickness", "mm", "against itself; 0: it passes", 12,
-                              0, 30, Numbers::real, OnChange::restarts});
-    scene.tunables.push_back({"mu", "", "friction on itself", 0.2, 0, 2,
-                              Numbers::real, OnChange::restarts});
-    scene.columns.push_back(
-        {"stopped", "", "particles that stopped before they met", Plot::linear});
-    return scene;
-}
-
-inline Demo hills_demo()
-{
-    Demo scene = sheet_demo(
-        "hills", "A cloth falls on a ground of triangles", {{0, 0}, {1.3, 0.9}},
-        looks({0, 0, 0}, 6, 0.5, 0.5), 0, 40, 1000, [](const Settings& s) {
-            return sheet_on_mesh(squares_of(s), 1.6, s["stiffness"], s["mu"]);
-        });
-    scene.tunables.push_back(
-        {"mu", "", "friction", 0.4, 0, 2, Numbers::real, OnChange::restarts});
-    return scene;
-}
-
 inline Demo tear_demo()
 {
-    Demo scene =
-        sheet_demo("tear", "A sheet is pulled apart, or by your hand",
-                   {{0.1, -0.5}, {1, 0.75}}, looks({0, 0, 0}, 6, 0.2, 0.1), 0, 24,
-                   1000, [](const Settings& s) {
-                       return torn_sheet(squares_of(s), s["stiffness"], s["speed"]);
-                   });
+    Demo scene = sheet_demo<ClothState>(
+        "tear", "A sheet is pulled apart, or by your hand",
+        {{0.1, -0.5}, {1, 0.75}}, looks({0, 0, 0}, 6, 0.2, 0.1), 0, 24, 1000,
+        [](const Settings& s) {
+            return torn_sheet(squares_of(s), s["stiffness"], s["speed"]);
+        });
     scene.tunables.push_back(
         {"strength", "%", "stretch that tears a thread; 0: none does", 15, 0, 200});
     scene.tunables.push_back({"speed", "m/s", "of the right edge", 0.2, 0, 2,

@@ -1,19 +1,19 @@
 /// \file cloth_self.hpp
 /// Cloth against itself: a particle and a triangle, or two edges, with a thickness.
 ///
-///     d = Σ wᵢ xᵢ,  Σ wᵢ = 0,   C = n·d − thickness ≥ 0,   ΔΛ = −C/A clamped so that Λ ≥ 0,   A = Σ wᵢ²/mᵢ          (27.28)
+///     d = Σ wᵢ xᵢ,  Σ wᵢ = 0,   C = n·d − thickness ≥ 0,   ΔΛ = −C/A clamped so that Λ ≥ 0,   A = Σ wᵢ²/mᵢ          (28.3)
 ///
 /// with the weights and the direction of the nearest points at the start of the sub-step. A row alone promises nothing. What
 /// does is this: if the corners of one part move by less than r_a and those of the other by less than r_b, seen from any
 /// translation, then so does every point of them, and
 ///
-///     r_a + r_b < d   ⟹   they do not meet on the way                                                            (27.29)
+///     r_a + r_b < d   ⟹   they do not meet on the way                                                            (28.4)
 ///
-/// A pair for which that fails is followed along its way in steps that (27.29) allows, and stops before it meets.
+/// A pair for which that fails is followed along its way in steps that (28.4) allows, and stops before it meets.
 #pragma once
 
-#include "chapters/27_particles_and_cloth/cloth.hpp"
-#include "chapters/27_particles_and_cloth/nearest_parts.hpp"
+#include "chapters/28_cloth_that_touches/nearest_parts.hpp"
+#include "chapters/28_cloth_that_touches/touching_cloth.hpp"
 
 namespace rigid {
 
@@ -78,7 +78,7 @@ private:
     std::vector<int> first_, items_, cell_of_;
 };
 
-/// A row of (27.28).
+/// A row of (28.3).
 struct ClothSelfRow {
     ClothParts parts;
     std::array<Real, 4> w{};
@@ -102,15 +102,15 @@ public:
     std::size_t pairs() const { return pairs_.size(); }
 
     /// For a cloth whose triangles have changed.
-    void prepare(const ClothScene& cloth);
+    void prepare(const TouchingCloth& cloth);
     /// The rows of a sub-step from x0, where y is what it would be without rows.
-    void begin(const ClothScene& cloth, const VecX& x0, const VecX& y);
+    void begin(const TouchingCloth& cloth, const VecX& x0, const VecX& y);
     /// One visit of each row, normal then disc.
-    void visit(const ClothScene& cloth, VecX& x);
+    void visit(const TouchingCloth& cloth, VecX& x);
     /// What pushed an overlap out is no velocity: parts that were pushed do not part.
-    void calm(ClothScene& cloth) const;
+    void calm(TouchingCloth& cloth) const;
     /// Stops what would meet on the straight way from x0 to x. Velocities stay.
-    void stop(const ClothScene& cloth, const VecX& x0, VecX& x);
+    void stop(const TouchingCloth& cloth, const VecX& x0, VecX& x);
 
 private:
     /// A particle, a triangle or an edge, and its way.
@@ -130,7 +130,7 @@ private:
         for (const char one : halted_) stopped += one;
     }
     Real free_part(const ClothParts& parts, const VecX& x0, const VecX& x) const;
-    bool halt_pairs(const ClothScene& cloth, const VecX& x0, VecX& x,
+    bool halt_pairs(const TouchingCloth& cloth, const VecX& x0, VecX& x,
                     const Vec3& all);
 
     std::vector<std::array<int, 2>> edges_;

@@ -1,14 +1,14 @@
 /// \file cloth_contact.hpp
 /// A particle against a solid: one row along the normal and the disc of friction, in positions.
 ///
-///     C = n·(x − s) ≥ 0,   ΔΛ = −C/A clamped so that Λ ≥ 0,   A = 1/m + n·(1/m_b + …) n              (27.25)
+///     C = n·(x − s) ≥ 0,   ΔΛ = −C/A clamped so that Λ ≥ 0,   A = 1/m + n·(1/m_b + …) n              (28.1)
 ///     ‖Λ_t‖ ≤ μ Λ,  against the way that the particle has slid on the solid
 ///
 /// s moves with the solid. A solid that can move gets −P and its moment, so what the cloth gains it loses.
 #pragma once
 
-#include "chapters/27_particles_and_cloth/cloth.hpp"
-#include "chapters/27_particles_and_cloth/nearest_parts.hpp"
+#include "chapters/28_cloth_that_touches/nearest_parts.hpp"
+#include "chapters/28_cloth_that_touches/touching_cloth.hpp"
 
 namespace rigid {
 
@@ -63,36 +63,38 @@ struct ClothTouch {
     VecX moved;           ///< δ of each: centre [m], turn in its axes [rad]
     std::vector<ClothContact> contacts;
     Real margin = 0;               ///< particles that come as near have a row [m]
-    bool reaction = true;          ///< false: solids do not feel the cloth
     std::vector<int> stack, near;  ///< memory for the trees of meshes
 
     /// Solids at the start of a sub-step, with gravity in their velocities: δ = h u.
-    void begin(ClothScene& cloth, Real h);
+    void begin(TouchingCloth& cloth, Real h);
     /// The contacts of particles that are at x and came from x0.
-    void find(const ClothScene& cloth, const VecX& x0, const VecX& x);
-    /// One visit of each contact, normal then disc.
-    void visit(const ClothScene& cloth, VecX& x);
+    void find(const TouchingCloth& cloth, const VecX& x0, const VecX& x);
+    /// One visit of each tie, and of each contact, normal then disc.
+    void visit(const TouchingCloth& cloth, VecX& x);
     /// Solids get the velocity of δ, calm(), and move by δ.
-    void end(ClothScene& cloth, Real h);
+    void end(TouchingCloth& cloth, Real h);
     /// What pushed an overlap out is no velocity: a contact that pushed does not part.
-    void calm(ClothScene& cloth) const;
+    void calm(TouchingCloth& cloth) const;
 
-    /// How far the point of a contact has moved with its solid [m].
-    Vec3 way(const ClothContact& c) const
+    /// How far a point of a solid has moved with it [m]. \param arm  from its centre
+    Vec3 way(int solid, const Vec3& arm) const
     {
-        const auto k = static_cast<std::size_t>(c.solid);
-        return moved.segment<3>(6 * c.solid) +
-               cross(R[k] * moved.segment<3>(6 * c.solid + 3), c.arm);
+        const auto k = static_cast<std::size_t>(solid);
+        return moved.segment<3>(6 * solid) +
+               cross(R[k] * moved.segment<3>(6 * solid + 3), arm);
     }
-    /// Adds P [N s²] to the solid of a contact.
-    void push(const ClothScene& cloth, const ClothContact& c, const Vec3& P)
+    /// Adds P [N s²] to a solid at the end of an arm.
+    void push(const TouchingCloth& cloth, int solid, const Vec3& arm, const Vec3& P)
     {
-        const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * c.solid);
-        const auto k = static_cast<std::size_t>(c.solid);
-        moved.segment<3>(6 * c.solid) += inverse.head<3>().cwiseProduct(P);
-        moved.segment<3>(6 * c.solid + 3) +=
-            inverse.tail<3>().cwiseProduct(R[k].transpose() * cross(c.arm, P));
+        const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * solid);
+        const auto k = static_cast<std::size_t>(solid);
+        moved.segment<3>(6 * solid) += inverse.head<3>().cwiseProduct(P);
+        moved.segment<3>(6 * solid + 3) +=
+            inverse.tail<3>().cwiseProduct(R[k].transpose() * cross(arm, P));
     }
+
+private:
+    void visit_ties(const TouchingCloth& cloth, VecX& x);
 };
 
 }  // namespace rigid

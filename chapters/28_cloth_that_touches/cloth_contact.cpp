@@ -1,13 +1,15 @@
 // The functions of cloth_contact.hpp.
 #include "common/eigen_instances.hpp"
 
-#include "chapters/27_particles_and_cloth/cloth_contact.hpp"
+#include "chapters/28_cloth_that_touches/cloth_contact.hpp"
+
+#include "chapters/16_soft_constraints/block_solve.hpp"
 
 #include <algorithm>
 
 namespace rigid {
 
-void ClothTouch::begin(ClothScene& cloth, Real h)
+void ClothTouch::begin(TouchingCloth& cloth, Real h)
 {
     Bodies<6>& solids = cloth.solids;
     const auto K = static_cast<std::size_t>(solids.count());
@@ -57,9 +59,15 @@ ClothGap gap_to(const TriangleMesh& mesh, const Vec3& p, Real reach,
 //! [mesh]
 
 //! [find]
-void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
+void ClothTouch::find(const TouchingCloth& cloth, const VecX& x0, const VecX& x)
 {
     contacts.clear();
+    const auto tied = [&cloth](int particle, int solid) {
+        return std::any_of(cloth.ties.begin(), cloth.ties.end(),
+                           [&](const ClothTie& t) {
+                               return t.particle == particle && t.solid == solid;
+                           });
+    };
     for (int s = 0; s < static_cast<int>(cloth.solids.count()); ++s) {
         const ClothSolid& shape = cloth.shapes[static_cast<std::size_t>(s)];
         const Mat3& axes = R[static_cast<std::size_t>(s)];
@@ -81,7 +89,7 @@ void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
                              stack, near)
                     : gap_to(shape, local);
             const Real gap = here.gap - cloth.thickness;
-            if (!(gap < margin)) continue;
+            if (!(gap < margin) || tied(i, s)) continue;
             ClothContact c;
             c.particle = i, c.solid = s;
             c.normal = axes * here.normal;
@@ -89,7 +97,7 @@ void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
             c.offset = c.normal.dot(p) - gap;
             c.from = x0.segment<3>(3 * i);
             c.A = c.At = w;
-            if (reaction && inverse[0] > 0) {
+            if (inverse[0] > 0) {
                 const Vec3 lever = axes.transpose() * cross(c.arm, c.normal);
                 c.A +=
                     inverse[0] + lever.dot(inverse.tail<3>().cwiseProduct(lever));
@@ -102,23 +110,49 @@ void ClothTouch::find(const ClothScene& cloth, const VecX& x0, const VecX& x)
 }
 //! [find]
 
-//! [visit]
-void ClothTouch::visit(const ClothScene& cloth, VecX& x)
+//! [ties]
+/// Three rows that pull as well: x − (c + R at) = 0, with (w + 1/m_b) 1 − [r]× I⁻¹ [r]×.
+void ClothTouch::visit_ties(const TouchingCloth& cloth, VecX& x)
 {
+    for (const ClothTie& t : cloth.ties) {
+        const Mat3& axes = R[static_cast<std::size_t>(t.solid)];
+        const Vec3 arm = axes * t.at;
+        const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * t.solid);
+        auto at = x.segment<3>(3 * t.particle);
+        const Real w = cloth.bodies.inverse_mass[3 * t.particle];
+        if (!(w > 0 || inverse[0] > 0)) continue;
+        Mat3 turns;  // Rᵀ [r]×
+        for (int i = 0; i < 3; ++i)
+            turns.col(i) = axes.transpose() * cross(arm, Vec3::Unit(i));
+        const Mat3 A = (w + inverse[0]) * Mat3::Identity() +
+                       turns.transpose() * inverse.tail<3>().asDiagonal() * turns;
+        const Vec3 d =
+            at - centre_of(cloth.solids.x, t.solid) - arm - way(t.solid, arm);
+        const Vec3 P = solve_definite<3>(A, -d);
+        at += w * P;
+        push(cloth, t.solid, arm, -P);
+    }
+}
+//! [ties]
+
+//! [visit]
+void ClothTouch::visit(const TouchingCloth& cloth, VecX& x)
+{
+    visit_ties(cloth, x);
     for (ClothContact& c : contacts) {
         auto at = x.segment<3>(3 * c.particle);
         const Real w = cloth.bodies.inverse_mass[3 * c.particle];
         const Real mu = cloth.shapes[static_cast<std::size_t>(c.solid)].friction;
-        const Real C = c.normal.dot(at - way(c)) - c.offset;
+        const Real C = c.normal.dot(at - way(c.solid, c.arm)) - c.offset;
         const Real push_by = std::max(Real{0}, c.lambda - C / c.A) - c.lambda;
         c.lambda += push_by;
         Vec3 P = push_by * c.normal;
         if (push_by != 0) {
             at += w * P;
-            if (reaction) push(cloth, c, -P);
+            push(cloth, c.solid, c.arm, -P);
         }
         if (!(mu > 0) || (c.lambda == 0 && c.slide.isZero(0))) continue;
-        Vec3 slid = at - c.from - way(c);
+        Vec3 slid = at - c.from - way(c.solid, c.arm);
         slid -= c.normal.dot(slid) * c.normal;
         Vec3 next = c.slide - slid / c.At;
         const Real size = next.norm(), most = mu * c.lambda;
@@ -126,16 +160,16 @@ void ClothTouch::visit(const ClothScene& cloth, VecX& x)
         P = next - c.slide;
         c.slide = next;
         at += w * P;
-        if (reaction) push(cloth, c, -P);
+        push(cloth, c.solid, c.arm, -P);
     }
 }
 //! [visit]
 
-void ClothTouch::end(ClothScene& cloth, Real h)
+void ClothTouch::end(TouchingCloth& cloth, Real h)
 {
     Bodies<6>& solids = cloth.solids;
     for (Index k = 0; k < solids.count(); ++k)
-        if (reaction && solids.inverse_mass[6 * k] > 0)
+        if (solids.inverse_mass[6 * k] > 0)
             solids.velocity(k) = moved.segment<6>(6 * k) / h;
     calm(cloth);
     for (Index k = 0; k < solids.count(); ++k)
@@ -143,7 +177,7 @@ void ClothTouch::end(ClothScene& cloth, Real h)
 }
 
 //! [calm]
-void ClothTouch::calm(ClothScene& cloth) const
+void ClothTouch::calm(TouchingCloth& cloth) const
 {
     for (const ClothContact& c : contacts) {
         if (!(c.lambda > 0)) continue;
@@ -155,7 +189,6 @@ void ClothTouch::calm(ClothScene& cloth) const
         if (!(parts > 0)) continue;
         const Vec3 P = -parts / c.A * c.normal;
         u += cloth.bodies.inverse_mass[3 * c.particle] * P;
-        if (!reaction) continue;
         const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * c.solid);
         v.head<3>() -= inverse.head<3>().cwiseProduct(P);
         v.tail<3>() -=

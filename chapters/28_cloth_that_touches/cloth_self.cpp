@@ -1,7 +1,7 @@
 // The functions of cloth_self.hpp.
 #include "common/eigen_instances.hpp"
 
-#include "chapters/27_particles_and_cloth/cloth_self.hpp"
+#include "chapters/28_cloth_that_touches/cloth_self.hpp"
 
 #include <algorithm>
 
@@ -95,7 +95,7 @@ void PointGrid::fill(const std::vector<Vec3>& points, Real cell)
     first_[total] = static_cast<int>(points.size());
 }
 
-void ClothSelf::prepare(const ClothScene& cloth)
+void ClothSelf::prepare(const TouchingCloth& cloth)
 {
     triangles_ = cloth.triangles;
     edges_.clear();
@@ -129,7 +129,7 @@ ClothSelf::Part ClothSelf::part_of(const std::array<int, N>& p, const VecX& x,
     return part;
 }
 
-/// Lists a pair unless (27.29) says that it stays apart by `extra`, seen from the way
+/// Lists a pair unless (28.4) says that it stays apart by `extra`, seen from the way
 /// of the first.
 bool ClothSelf::add(const ClothParts& parts, const Part& a, const Part& b,
                     const VecX& x, Real extra)
@@ -214,7 +214,7 @@ Real ClothSelf::strayed(const VecX& x)
 }
 
 //! [begin]
-void ClothSelf::begin(const ClothScene& cloth, const VecX& x0, const VecX& y)
+void ClothSelf::begin(const TouchingCloth& cloth, const VecX& x0, const VecX& y)
 {
     // A list is made for the ways of some sub-steps. It has all pairs that may come
     // near, as long as nothing strays from those by more than half of the slack.
@@ -254,7 +254,7 @@ void ClothSelf::begin(const ClothScene& cloth, const VecX& x0, const VecX& y)
 //! [begin]
 
 //! [visit]
-void ClothSelf::visit(const ClothScene& cloth, VecX& x)
+void ClothSelf::visit(const TouchingCloth& cloth, VecX& x)
 {
     const VecX& inverse = cloth.bodies.inverse_mass;
     for (ClothSelfRow& row : rows) {
@@ -281,7 +281,7 @@ void ClothSelf::visit(const ClothScene& cloth, VecX& x)
 }
 //! [visit]
 
-void ClothSelf::calm(ClothScene& cloth) const
+void ClothSelf::calm(TouchingCloth& cloth) const
 {
     for (const ClothSelfRow& row : rows) {
         if (!(row.lambda > 0)) continue;
@@ -298,7 +298,7 @@ void ClothSelf::calm(ClothScene& cloth) const
 }
 
 //! [free_part]
-/// The part of its way that a pair may go: in steps of nine tenths of what (27.29) allows, until it is at its end or at a
+/// The part of its way that a pair may go: in steps of nine tenths of what (28.4) allows, until it is at its end or at a
 /// tenth of the distance that it began with.
 Real ClothSelf::free_part(const ClothParts& parts, const VecX& x0,
                           const VecX& x) const
@@ -331,7 +331,7 @@ Real ClothSelf::free_part(const ClothParts& parts, const VecX& x0,
 //! [stop]
 /// Stops pairs before they meet, until none of those that are listed is in danger.
 /// \return  whether any has stopped
-bool ClothSelf::halt_pairs(const ClothScene& cloth, const VecX& x0, VecX& x,
+bool ClothSelf::halt_pairs(const TouchingCloth& cloth, const VecX& x0, VecX& x,
                            const Vec3& all)
 {
     // of its way less a mean a particle goes a part; a pin goes all of it
@@ -375,7 +375,7 @@ bool ClothSelf::halt_pairs(const ClothScene& cloth, const VecX& x0, VecX& x,
     }
 }
 
-void ClothSelf::stop(const ClothScene& cloth, const VecX& x0, VecX& x)
+void ClothSelf::stop(const TouchingCloth& cloth, const VecX& x0, VecX& x)
 {
     halted_.assign(static_cast<std::size_t>(cloth.count()), 0);
     way_ = x - x0;

@@ -5,26 +5,27 @@
 ///     sleeps  if no particle of it has been farther than `still` from where it was, for `time`
 ///     wakes   if anything that its step depends on changes, or comes near
 ///
-/// The step is that of cloth_step.hpp, of a scene that has the awake parts alone, in the same order: no method knows of sleep.
+/// The step is that of touching_step.hpp, of a scene that has the awake parts alone, in the same order: no method knows of sleep. What is awake has the same bits as
+/// without sleep, unless the cloth has a thickness against itself: its pairs are found for all that is awake together.
 #pragma once
 
-#include "chapters/27_particles_and_cloth/cloth_step.hpp"
+#include "chapters/28_cloth_that_touches/touching_step.hpp"
 
 namespace rigid {
 
 class SleepingCloth {
 public:
-    Real still = 0.002;  ///< [m]
-    Real time = 0.5;     ///< [s]
-    ClothMemory memory;  ///< of the parts that are awake
+    Real still = 0.002;     ///< [m]
+    Real time = 0.5;        ///< [s]
+    TouchingMemory memory;  ///< of the parts that are awake
     // Counted since it was made.
     std::int64_t skipped = 0;  ///< particles that were left out, step by step
     int wakings = 0, sleeps = 0;
 
     /// A step. Throws std::invalid_argument as rigid::step() does, and for a cloth that
-    /// may tear, or whose particles and rows are not the same as before without a
+    /// may tear or has ties, or whose particles and rows are not the same as before without a
     /// change of `changes`.
-    void step(ClothScene& cloth, const ClothSettings& settings);
+    void step(TouchingCloth& cloth, const ClothSettings& settings);
     void wake();
 
     int parts() const { return static_cast<int>(parts_.size()); }
@@ -43,17 +44,17 @@ private:
         SolidBox box;       ///< of its particles
         Real fastest = 0;
     };
-    void find_parts(const ClothScene& cloth);
-    void look(const ClothScene& cloth, Real h);
-    bool near_a_mover(const ClothScene& cloth, const Part& part, Real h) const;
-    void gather(const ClothScene& cloth);
-    void give_back(ClothScene& cloth, const ClothSettings& settings);
+    void find_parts(const TouchingCloth& cloth);
+    void look(const TouchingCloth& cloth, Real h);
+    bool near_a_mover(const TouchingCloth& cloth, const Part& part, Real h) const;
+    void gather(const TouchingCloth& cloth);
+    void give_back(TouchingCloth& cloth, const ClothSettings& settings);
 
     std::vector<Part> parts_;
     std::vector<int> part_of_;  ///< of each particle; −1: pinned
     std::vector<std::vector<int>>
         pins_;                    ///< of each part, what its rows are held by
-    ClothScene awake_;            ///< the parts that are awake
+    TouchingCloth awake_;         ///< the parts that are awake
     std::vector<int> particles_;  ///< of `awake_`, in the whole cloth
     bool stale_ = true;
     int changes_ = -1;

@@ -1,7 +1,7 @@
 // The functions of cloth_sleep.hpp.
 #include "common/eigen_instances.hpp"
 
-#include "chapters/27_particles_and_cloth/cloth_sleep.hpp"
+#include "chapters/28_cloth_that_touches/cloth_sleep.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,7 +11,7 @@ namespace rigid {
 namespace cloth_sleep {
 
 template <class Visit>
-void each_row(const ClothScene& cloth, const Visit& visit)
+void each_row(const TouchingCloth& cloth, const Visit& visit)
 {
     for (const ClothSpring& s : cloth.springs) visit(std::array{s.a, s.b});
     for (const ClothBend& b : cloth.bends)
@@ -20,13 +20,13 @@ void each_row(const ClothScene& cloth, const Visit& visit)
     for (const auto& t : cloth.triangles) visit(t);
 }
 
-std::size_t rows_of(const ClothScene& cloth)
+std::size_t rows_of(const TouchingCloth& cloth)
 {
     return cloth.springs.size() + cloth.bends.size() + cloth.hinges.size() +
            cloth.triangles.size();
 }
 
-std::array<Real, 9> air_of(const ClothScene& cloth)
+std::array<Real, 9> air_of(const TouchingCloth& cloth)
 {
     return {cloth.gravity.x(), cloth.gravity.y(), cloth.gravity.z(),
             cloth.wind.x(),    cloth.wind.y(),    cloth.wind.z(),
@@ -34,7 +34,7 @@ std::array<Real, 9> air_of(const ClothScene& cloth)
 }
 
 /// A solid and where it comes to in a step lie in this box, in the world.
-SolidBox box_of(const ClothScene& cloth, Index k, Real h)
+SolidBox box_of(const TouchingCloth& cloth, Index k, Real h)
 {
     const ClothSolid& s = cloth.shapes[static_cast<std::size_t>(k)];
     const Vec3 all = Vec3::Constant(infinity);
@@ -65,7 +65,7 @@ void SleepingCloth::wake()
 }
 
 //! [parts]
-void SleepingCloth::find_parts(const ClothScene& cloth)
+void SleepingCloth::find_parts(const TouchingCloth& cloth)
 {
     require_valid(cloth);
     const auto K = static_cast<std::size_t>(cloth.count());
@@ -123,7 +123,7 @@ void SleepingCloth::find_parts(const ClothScene& cloth)
 }
 //! [parts]
 
-bool SleepingCloth::near_a_mover(const ClothScene& cloth, const Part& part,
+bool SleepingCloth::near_a_mover(const TouchingCloth& cloth, const Part& part,
                                  Real h) const
 {
     const SolidBox around = grown(part.box, 2 * cloth.thickness + still);
@@ -144,7 +144,7 @@ bool SleepingCloth::near_a_mover(const ClothScene& cloth, const Part& part,
 
 //! [look]
 /// What sleeps wakes, if anything that its step depends on has changed.
-void SleepingCloth::look(const ClothScene& cloth, Real h)
+void SleepingCloth::look(const TouchingCloth& cloth, Real h)
 {
     if (cloth.changes != changes_ || cloth_sleep::rows_of(cloth) != rows_ ||
         cloth.bodies.x.size() != x_.size() ||
@@ -181,7 +181,7 @@ void SleepingCloth::look(const ClothScene& cloth, Real h)
 //! [look]
 
 /// The awake parts as a scene of their own, and the pins.
-void SleepingCloth::gather(const ClothScene& cloth)
+void SleepingCloth::gather(const TouchingCloth& cloth)
 {
     const Bodies<3>& all = cloth.bodies;
     if (stale_) {
@@ -194,7 +194,7 @@ void SleepingCloth::gather(const ClothScene& cloth)
                 particles_.push_back(p);
             }
         const int changes = awake_.changes + 1;
-        awake_ = ClothScene{};
+        awake_ = TouchingCloth{};
         awake_.changes = changes;
         awake_.bodies.resize(static_cast<Index>(particles_.size()));
         if (cloth.made_at.size() == part_of_.size())
@@ -247,7 +247,7 @@ void SleepingCloth::gather(const ClothScene& cloth)
 }
 
 //! [give_back]
-void SleepingCloth::give_back(ClothScene& cloth, const ClothSettings& settings)
+void SleepingCloth::give_back(TouchingCloth& cloth, const ClothSettings& settings)
 {
     for (Part& part : parts_)
         if (!part.asleep)
@@ -292,7 +292,7 @@ void SleepingCloth::give_back(ClothScene& cloth, const ClothSettings& settings)
 }
 //! [give_back]
 
-void SleepingCloth::step(ClothScene& cloth, const ClothSettings& settings)
+void SleepingCloth::step(TouchingCloth& cloth, const ClothSettings& settings)
 {
     require_valid(settings);
     if (settings.strength < infinity)
@@ -300,6 +300,10 @@ void SleepingCloth::step(ClothScene& cloth, const ClothSettings& settings)
                                     shortest(settings.strength) +
                                     "; it must be infinite: what tears changes "
                                     "rows while parts are left out");
+    if (!cloth.ties.empty())
+        throw std::invalid_argument(
+            "a cloth that may sleep has " + std::to_string(cloth.ties.size()) +
+            " ties; it must have none: what they hold is not left out");
     look(cloth, settings.h);
     gather(cloth);
     rigid::step(awake_, settings, memory);

@@ -1,0 +1,55 @@
+// The functions of touching_step.hpp.
+#include "common/eigen_instances.hpp"
+
+#include "chapters/28_cloth_that_touches/touching_step.hpp"
+
+#include <algorithm>
+
+namespace rigid {
+
+void ClothTouching::prepare(const TouchingCloth& cloth)
+{
+    const Key now{static_cast<std::size_t>(cloth.count()), cloth.springs.size(),
+                  cloth.changes, cloth.self_thickness};
+    if (now == key_) return;
+    require_touchable(cloth);
+    Real shortest_spring = infinity;
+    for (const ClothSpring& s : cloth.springs)
+        shortest_spring = std::min(shortest_spring, s.length);
+    touch.margin = cloth.springs.empty() ? 0.01 : shortest_spring / 4;
+    if (cloth.self_thickness > 0) self.prepare(cloth);
+    key_ = now;
+}
+
+void ClothTouching::begin(TouchingCloth& cloth, Real h, const VecX& x0,
+                          const VecX& y)
+{
+    touch.begin(cloth, h);
+    if (cloth.self_thickness > 0) self.begin(cloth, x0, y);
+    else self.rows.clear();
+}
+
+void ClothTouching::rest_in_the_middle(TouchingCloth& cloth, const VecX& u0) const
+{
+    for (const ClothContact& c : touch.contacts)
+        if (c.lambda > 0) {
+            auto u = cloth.bodies.velocity(c.particle);
+            u += -0.5 * (u - u0.segment<3>(3 * c.particle));
+        }
+}
+
+void ClothTouching::end(TouchingCloth& cloth, Real h, const VecX& x0)
+{
+    self.calm(cloth);
+    if (cloth.self_thickness > 0) self.stop(cloth, x0, cloth.bodies.x);
+    touch.end(cloth, h);
+}
+
+void step(TouchingCloth& cloth, const ClothSettings& settings,
+          TouchingMemory& memory)
+{
+    step(cloth, settings, static_cast<ClothMemory&>(memory),
+         static_cast<ClothTouching&>(memory));
+}
+
+}  // namespace rigid
