@@ -142,8 +142,8 @@ void push_water(ShallowWater& water, Real h)
             u[r] - slope_to_speed * part[r] * (level[r] - level[l]);  // (29.11)
         Real held = 1 + h * damping[r];
         // water on one side, and on the other a dry bed that is higher: a shore
-        held = (depth[r] <= dry) & (bed[r] >= level[l]) ? infinity : held;
-        held = (depth[l] <= dry) & (bed[l] >= level[r]) ? infinity : held;
+        held = ((depth[r] <= dry) & (bed[r] >= level[l])) ? infinity : held;
+        held = ((depth[l] <= dry) & (bed[l] >= level[r])) ? infinity : held;
         held = (depth[l] + depth[r]) / 2 > dry ? held : infinity;
         u[r] = pushed / held;
     }
