@@ -4,7 +4,7 @@
 Every command line of a text that starts a program (in a `sh` block, or between backticks from `--scene` on) is run
 with the programs of the folder BIN in a scratch folder, for one step: as it stands and without a display, as it
 stands and with a window where xvfb-run is installed, and with --headless. A command that only lists or solves
-(--help, --list-scenes, --problem) is run once. So is each demo that a text places. Says file, line and the program's own sentence for each that ends
+(--help, --list-scenes, --problem, --wav) is run once. So is each demo that a text places. Says file, line and the program's own sentence for each that ends
 with another exit code than 0.
 """
 import argparse
@@ -21,7 +21,7 @@ from demos import demos_of
 
 ELLIPSIS = re.compile(r'…|\b(NAME|FILE|DIR|VALUE)\b')
 INLINE = re.compile(r'`(--scene [^`]+)`')
-ONCE = {'--problem', '--help', '--list-scenes'}
+ONCE = {'--problem', '--help', '--list-scenes', '--wav'}
 PATIENCE = 120  # s; one step of the slowest scene takes a few
 
 
