@@ -85,16 +85,19 @@ ElasticScene gripper_scene(StrainLaw law, Real young, Real mass)
     return scene;
 }
 
-void move_gripper(ElasticScene& scene, Real t)
+template <int Dim>
+void move_arms(ElasticBody<Dim>& body, Real t)
 {
     const Real closing = t < 0.6 ? 0.22 : 0, rising = t > 0.8 && t < 2 ? 0.5 : 0;
-    ElasticBody<2>& body = scene.elastic;
     for (int i = 0; i < body.model.nodes(); ++i)
-        if (body.fixed[static_cast<std::size_t>(2 * i)]) {
+        if (body.fixed[static_cast<std::size_t>(Dim * i)]) {
             const Real side = body.model.mesh().at(i).x() < 0 ? 1 : -1;
-            body.v.segment<2>(2 * i) << side * closing, rising;
+            body.v.template segment<Dim>(Dim * i).setZero();
+            body.v.template segment<2>(Dim * i) << side * closing, rising;
         }
 }
+template void move_arms(ElasticBody<2>&, Real);
+template void move_arms(ElasticBody<3>&, Real);
 
 ElasticScene bridge_with_car(StrainLaw law, Real young, Real speed)
 {

@@ -21,8 +21,13 @@ ElasticScene jelly_scene(StrainLaw law, Real young);
 
 /// Two soft fingers on arms that close, then lift a box of `mass`.
 ElasticScene gripper_scene(StrainLaw law, Real young, Real mass);
-/// The arms of the gripper at the time t [s]: their velocity.
-void move_gripper(ElasticScene& scene, Real t);
+/// Arms that close, then rise: the velocity of held nodes at the time t [s].
+template <int Dim>
+void move_arms(ElasticBody<Dim>& body, Real t);
+inline void move_gripper(ElasticScene& scene, Real t)
+{
+    move_arms(scene.elastic, t);
+}
 
 /// A bridge of 4 m between two banks, and a car of 120 kg with driven wheels that crosses.
 ElasticScene bridge_with_car(StrainLaw law, Real young, Real speed);

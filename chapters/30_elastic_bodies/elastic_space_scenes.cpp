@@ -82,17 +82,6 @@ ElasticSpace soft_fingers_scene(StrainLaw law, Real young, Real mass)
     return scene;
 }
 
-void move_fingers(ElasticSpace& scene, Real t)
-{
-    const Real closing = t < 0.6 ? 0.22 : 0, rising = t > 0.8 && t < 2 ? 0.5 : 0;
-    ElasticBody<3>& body = scene.elastic;
-    for (int i = 0; i < body.model.nodes(); ++i)
-        if (body.fixed[static_cast<std::size_t>(3 * i)]) {
-            const Real side = body.model.mesh().at(i).x() < 0 ? 1 : -1;
-            body.v.segment<3>(3 * i) << side * closing, rising, 0;
-        }
-}
-
 ElasticSpace mattress_scene(StrainLaw law, Real young, Real mass)
 {
     ElasticSpace scene =

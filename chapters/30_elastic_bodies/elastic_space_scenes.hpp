@@ -3,6 +3,7 @@
 /// fingers that lift a box, a mattress under a box.
 #pragma once
 
+#include "chapters/30_elastic_bodies/elastic_scenes.hpp"
 #include "chapters/30_elastic_bodies/elastic_solids.hpp"
 
 namespace rigid {
@@ -16,8 +17,10 @@ ElasticSpace space_jelly_scene(StrainLaw law, Real young);
 
 /// Two soft fingers on arms that close, then lift a box of `mass`.
 ElasticSpace soft_fingers_scene(StrainLaw law, Real young, Real mass);
-/// The arms of the fingers at the time t [s]: their velocity.
-void move_fingers(ElasticSpace& scene, Real t);
+inline void move_fingers(ElasticSpace& scene, Real t)
+{
+    move_arms(scene.elastic, t);
+}
 
 /// A block of 0.6 m × 0.6 m × 0.2 m on the floor, and a box of `mass` above it.
 ElasticSpace mattress_scene(StrainLaw law, Real young, Real mass);

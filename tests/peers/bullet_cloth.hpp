@@ -10,13 +10,9 @@
 #ifdef RIGID_HAS_BULLET
 
 #include "chapters/27_particles_and_cloth/cloth.hpp"
+#include "tests/peers/bullet_deformable_world.hpp"
 
-#include <BulletSoftBody/btDeformableBodySolver.h>
-#include <BulletSoftBody/btDeformableGravityForce.h>
 #include <BulletSoftBody/btDeformableMassSpringForce.h>
-#include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
-#include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
-#include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
@@ -24,6 +20,21 @@
 #include <vector>
 
 namespace rigid {
+
+/// Places and masses of the particles; zero for those that are pinned.
+inline void put_nodes(const ClothScene& cloth, std::vector<btVector3>& x, std::vector<btScalar>& mass)
+{
+    for (int k = 0; k < cloth.count(); ++k) {
+        const Real w = cloth.bodies.inverse_mass[3 * k];
+        x.push_back(bullet_vector(cloth.bodies.position(k)));
+        mass.push_back(w > 0 ? 1 / w : 0);
+    }
+}
+inline void read_node(const btSoftBody::Node& node, int k, ClothScene& cloth)
+{
+    cloth.bodies.position(k) << node.m_x.x(), node.m_x.y(), node.m_x.z();
+    cloth.bodies.velocity(k) << node.m_v.x(), node.m_v.y(), node.m_v.z();
+}
 
 /// A ball that cannot move, for the cloth to fall on.
 struct BulletBall {
@@ -39,8 +50,8 @@ public:
           substeps_(substeps)
     {
         btSoftBodyWorldInfo& info = world_.getWorldInfo();
-        world_.setGravity(vector(cloth.gravity));
-        info.m_gravity = vector(cloth.gravity);
+        world_.setGravity(bullet_vector(cloth.gravity));
+        info.m_gravity = bullet_vector(cloth.gravity);
         info.air_density = 0;
         info.m_sparsesdf.setDefaultVoxelsz(0.25);
         info.m_sparsesdf.Initialize();
@@ -50,11 +61,7 @@ public:
         std::vector<btScalar> m;
         Real stiff = 0;
         for (const ClothSpring& s : cloth.springs) stiff = std::max(stiff, s.stiffness);
-        for (int k = 0; k < cloth.count(); ++k) {
-            const Real w = cloth.bodies.inverse_mass[3 * k];
-            x.push_back(vector(cloth.bodies.position(k)));
-            m.push_back(w > 0 ? 1 / w : 0);
-        }
+        put_nodes(cloth, x, m);
         body_ = std::make_unique<btSoftBody>(&info, cloth.count(), x.data(), m.data());
         btSoftBody::Material* const threads = body_->appendMaterial();
         btSoftBody::Material* const diagonals = body_->appendMaterial();
@@ -86,21 +93,16 @@ public:
     }
     void read(ClothScene& cloth) const
     {
-        for (int k = 0; k < cloth.count(); ++k) {
-            const btSoftBody::Node& node = body_->m_nodes[k];
-            cloth.bodies.position(k) << node.m_x.x(), node.m_x.y(), node.m_x.z();
-            cloth.bodies.velocity(k) << node.m_v.x(), node.m_v.y(), node.m_v.z();
-        }
+        for (int k = 0; k < cloth.count(); ++k) read_node(body_->m_nodes[k], k, cloth);
     }
 
 private:
-    static btVector3 vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
     void add_balls(const std::vector<BulletBall>& balls)
     {
         for (const BulletBall& ball : balls) {
             shapes_.push_back(std::make_unique<btSphereShape>(ball.radius));
             btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
-            info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), vector(ball.at));
+            info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), bullet_vector(ball.at));
             info.m_friction = ball.friction;
             balls_.push_back(std::make_unique<btRigidBody>(info));
             world_.addRigidBody(balls_.back().get());
@@ -119,82 +121,36 @@ private:
 };
 
 /// The sheet that hangs, as a deformable body: springs of one stiffness for threads and one for diagonals. Contact is left out.
-class BulletDeformableCloth {
+class BulletDeformableCloth : public BulletDeformableWorld {
 public:
     BulletDeformableCloth(const ClothScene& cloth, int substeps, int newton)
-        : dispatcher_(&configuration_),
-          world_(&dispatcher_, &pairs_, &constraints_, &configuration_, &solver_), substeps_(substeps)
+        : BulletDeformableWorld(cloth.gravity, newton), substeps_(substeps)
     {
-        constraints_.setDeformableSolver(&solver_);
-        solver_.set(newton, 1e-9);
-        world_.setImplicit(true);
-        world_.setLineSearch(false);
-        world_.setUseProjection(true);  // without it what is pinned holds all else
-        const btVector3 g(cloth.gravity.x(), cloth.gravity.y(), cloth.gravity.z());
-        world_.setGravity(g);
-        world_.getWorldInfo().m_gravity = g;
         std::vector<btVector3> x;
         std::vector<btScalar> m;
-        for (int k = 0; k < cloth.count(); ++k) {
-            const Real w = cloth.bodies.inverse_mass[3 * k];
-            const Vec3 p = cloth.bodies.position(k);
-            x.emplace_back(p.x(), p.y(), p.z());
-            m.push_back(w > 0 ? 1 / w : 0);
-        }
-        body_ = new btSoftBody(&world_.getWorldInfo(), cloth.count(), x.data(), m.data());
+        put_nodes(cloth, x, m);
+        btSoftBody& body = begin(x, m);
         // one stiffness for all links of a body, and one for those that count as bends: our diagonals
         Real stiff = 0, soft = infinity;
         for (const ClothSpring& s : cloth.springs)
             stiff = std::max(stiff, s.stiffness), soft = std::min(soft, s.stiffness);
         for (const ClothSpring& s : cloth.springs) {
-            body_->appendLink(s.a, s.b);
-            body_->m_links[body_->m_links.size() - 1].m_bbending = s.stiffness < stiff;
+            body.appendLink(s.a, s.b);
+            body.m_links[body.m_links.size() - 1].m_bbending = s.stiffness < stiff;
         }
-        body_->m_cfg.collisions = 0;
-        body_->setActivationState(DISABLE_DEACTIVATION);
-        world_.addSoftBody(body_);
-        springs_ = std::make_unique<btDeformableMassSpringForce>(stiff, 0, false, soft);
-        weight_ = std::make_unique<btDeformableGravityForce>(g);
-        world_.addForce(body_, weight_.get());
-        world_.addForce(body_, springs_.get());
+        put_in(std::make_unique<btDeformableMassSpringForce>(stiff, 0, false, soft));
     }
-    ~BulletDeformableCloth()
-    {
-        world_.removeSoftBody(body_);
-        delete body_;
-    }
-    BulletDeformableCloth(const BulletDeformableCloth&) = delete;
-    BulletDeformableCloth& operator=(const BulletDeformableCloth&) = delete;
 
     void step(Real h)
     {
-        for (int k = 0; k < substeps_; ++k) world_.stepSimulation(h / substeps_, 0);
+        for (int k = 0; k < substeps_; ++k) BulletDeformableWorld::step(h / substeps_);
     }
     void read(ClothScene& cloth) const
     {
-        for (int k = 0; k < cloth.count(); ++k) {
-            const btSoftBody::Node& node = body_->m_nodes[k];
-            cloth.bodies.position(k) << node.m_x.x(), node.m_x.y(), node.m_x.z();
-            cloth.bodies.velocity(k) << node.m_v.x(), node.m_v.y(), node.m_v.z();
-        }
+        for (int k = 0; k < cloth.count(); ++k) read_node(node(k), k, cloth);
     }
 
 private:
-    struct Solver : btDeformableBodySolver {
-        void set(int most, btScalar tolerance)
-        {
-            m_maxNewtonIterations = most, m_newtonTolerance = tolerance;
-        }
-    };
-    btSoftBodyRigidBodyCollisionConfiguration configuration_;
-    btCollisionDispatcher dispatcher_;
-    btDbvtBroadphase pairs_;
-    Solver solver_;
-    btDeformableMultiBodyConstraintSolver constraints_;
-    btDeformableMultiBodyDynamicsWorld world_;
-    btSoftBody* body_ = nullptr;
-    std::unique_ptr<btDeformableMassSpringForce> springs_;
-    std::unique_ptr<btDeformableGravityForce> weight_;
     int substeps_ = 1;
 };
 

@@ -69,7 +69,8 @@ public:
             scene.bodies.position(k) << x[0], x[1], atan2(R[3], R[0]);
             scene.bodies.velocity(k) << v[3], v[4], v[2];
         }
-        if (lost_) scene.bodies.x.setConstant(infinity);  // it began anew
+        if (lost_)
+            scene.bodies.x.setConstant(infinity);  // it began again by itself
     }
 
 private:
