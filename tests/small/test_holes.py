@@ -3,6 +3,8 @@
 
     test_holes.py COMPILER OPTIONS…
 """
+import concurrent.futures
+import os
 import pathlib
 import subprocess
 import sys
@@ -15,6 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import holes  # noqa: E402
 
 COMPILER = []
+PARTS = min(4, os.cpu_count() or 1)
 
 
 def programs():
@@ -40,20 +43,26 @@ class Holes(unittest.TestCase):
     def test_each_hand_out_compiles(self):
         if not COMPILER:
             self.skipTest("no compiler was named")
-        with tempfile.TemporaryDirectory() as folder:  # one source for all: Eigen is read once
-            includes = {line for path in programs().values() for line in path.read_text(encoding="utf-8").splitlines()
+        with tempfile.TemporaryDirectory() as folder:
+            every = list(programs().items())
+            includes = {line for _, path in every for line in path.read_text(encoding="utf-8").splitlines()
                         if line.startswith("#include <")}
-            source = [*sorted(includes), "#define main small_main"]
-            for number, path in programs().items():
-                file = pathlib.Path(folder) / f"hand_out_{number:02d}.cpp"
-                file.write_text(holes.hand_out(path, holes.listed(holes.ROOT, number)), encoding="utf-8")
-                source += [f"namespace small{number:02d} {{", f'#include "{file.name}"', "}"]
-            every = pathlib.Path(folder) / "every.cpp"
-            every.write_text("\n".join([*source, ""]), encoding="utf-8")
-            # a main needs no return, and here none is called so
-            done = subprocess.run([*COMPILER, "-std=c++20", "-Wno-return-type", "-fsyntax-only", str(every)],
-                                  capture_output=True, text=True, check=False)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+            def compiled(part):  # many to a source: Eigen is read once
+                source = [*sorted(includes), "#define main small_main"]
+                for number, path in every[part::PARTS]:
+                    file = pathlib.Path(folder) / f"hand_out_{number:02d}.cpp"
+                    file.write_text(holes.hand_out(path, holes.listed(holes.ROOT, number)), encoding="utf-8")
+                    source += [f"namespace small{number:02d} {{", f'#include "{file.name}"', "}"]
+                together = pathlib.Path(folder) / f"part_{part}.cpp"
+                together.write_text("\n".join([*source, ""]), encoding="utf-8")
+                # a main needs no return, and here none is called so
+                done = subprocess.run([*COMPILER, "-std=c++20", "-Wno-return-type", "-fsyntax-only", str(together)],
+                                      capture_output=True, text=True, check=False)
+                return done.returncode, done.stderr
+
+            with concurrent.futures.ThreadPoolExecutor() as pool:
+                self.assertEqual(list(pool.map(compiled, range(PARTS))), PARTS * [(0, "")])
 
     def test_what_is_not_there_is_refused(self):
         path = programs()[4]
