@@ -150,8 +150,8 @@ struct Program {
     /// For chapters that solve a problem from a file (--problem FILE --method NAME): does it, prints
     /// the answer and returns the exit code. `problem_methods` are the names that it takes, the default one first.
     std::function<int(const std::string& file, const std::string& method)> solve_problem;
-    std::vector<std::string> problem_methods;
-    std::vector<OwnFile> own_files;
+    std::vector<std::string> problem_methods = {};
+    std::vector<OwnFile> own_files = {};  ///< empty but where a chapter has some
 };
 
 }  // namespace rigid
