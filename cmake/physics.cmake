@@ -1,4 +1,4 @@
-# rigid::physics: the book's physics for any program, without window or command line. It asks for C++20 and Eigen and
+# rigid::engine and rigid::physics: the book's physics for any program, without window or command line. It asks for C++20 and Eigen and
 # forces no warning on anybody.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
@@ -55,18 +55,21 @@ target_compile_definitions(rigid_options INTERFACE ${rigid_sums})
 # code is not independent of its position, it did.
 set(rigid_replaceable $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-ra>)
 
-set(rigid_base_sources common/contact.cpp common/eigen_instances.cpp common/elementary.cpp common/measure.cpp common/scenes.cpp)
+set(rigid_base_sources common/contact.cpp common/elementary.cpp common/measure.cpp common/scenes.cpp)
 # all pairs of discs: the counted work of a build without optimisation would wait for them
 set_source_files_properties(common/contact.cpp common/measure.cpp PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
 add_library(rigid_base STATIC ${rigid_base_sources})
 target_link_libraries(rigid_base PUBLIC rigid_options)
+# Eigen's factors, from chapter 2 on: they take longer to compile than the whole program of chapter 1
+add_library(rigid_factors STATIC common/eigen_instances.cpp)
+target_link_libraries(rigid_factors PUBLIC rigid_options)
 
 # add_chapter_libraries(PREFIX BASE): PREFIX_NN has the sources of chapter NN and stands on those of the chapters before, the
 # first of them on BASE. RESULT_NN is the library that has all that chapter NN may use. What a chapter does is so compiled
 # once, and for chapter 4 nothing of chapter 5 is. The sources of a chapter are compiled in one go: they share their headers.
 # The engine (19) is no chapter that a later one uses; it is only in the library's own, because it is in no test's memory.
 function(add_chapter_libraries prefix base)
-  set(last ${base})
+  set(last ${base})   # of chapter 1, which has no sources
   foreach(number RANGE 1 30)
     if(number LESS 10)
       set(number 0${number})
@@ -75,7 +78,7 @@ function(add_chapter_libraries prefix base)
     list(FILTER sources EXCLUDE REGEX "/(small|team)\\.cpp$")
     if(sources AND NOT number EQUAL 19)
       add_library(${prefix}_${number} STATIC EXCLUDE_FROM_ALL ${sources})
-      target_link_libraries(${prefix}_${number} PUBLIC ${last})
+      target_link_libraries(${prefix}_${number} PUBLIC ${last} rigid_factors)
       set_source_files_properties(${sources} PROPERTIES UNITY_GROUP chapter)
       # the counted work of a build without optimisation would wait for them
       target_compile_options(${prefix}_${number} PRIVATE ${RIGID_RESULTS_OPTIONS})
@@ -101,26 +104,37 @@ if(RIGID_TOGETHER)
 endif()
 set(rigid_chapter_up_to_19 rigid_chapter_19)
 
-set(rigid_parts rigid_base ${rigid_chapter_libraries} rigid_chapter_19)
+set(rigid_parts rigid_base rigid_factors ${rigid_chapter_libraries} rigid_chapter_19)
 set_target_properties(${rigid_parts} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 foreach(part ${rigid_parts})
   target_compile_options(${part} PRIVATE ${rigid_replaceable})
-  list(APPEND objects $<TARGET_OBJECTS:${part}>)
+  if(part MATCHES "_(2[0-9]|3[0-9])$")
+    list(APPEND objects_in_space $<TARGET_OBJECTS:${part}>)
+  else()
+    list(APPEND objects_of_engine $<TARGET_OBJECTS:${part}>)
+  endif()
 endforeach()
 
-# ---- the library, whole --------------------------------------------------------------------------------
-add_library(rigid_physics STATIC ${objects})
-set_target_properties(rigid_physics PROPERTIES LINKER_LANGUAGE CXX)
-add_library(rigid::physics ALIAS rigid_physics)
-set_target_properties(rigid_physics PROPERTIES EXPORT_NAME physics)
-target_compile_features(rigid_physics PUBLIC cxx_std_20)
-target_include_directories(rigid_physics PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/rigid>)
-target_link_libraries(rigid_physics PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:rigid_flags>)
+# ---- the library: rigid::engine is chapters 1 to 19, rigid::physics that and the chapters after it ------------
+add_library(rigid_engine STATIC ${objects_of_engine})
+add_library(rigid_physics STATIC ${objects_in_space})
+target_link_libraries(rigid_physics PUBLIC rigid_engine)
+foreach(part engine physics)
+  add_library(rigid::${part} ALIAS rigid_${part})
+  set_target_properties(rigid_${part} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${part})
+  target_link_libraries(rigid_${part} PRIVATE $<BUILD_INTERFACE:rigid_flags>)
+  if(NOT RIGID_INSTALL)   # a part of another project: what that links is compiled
+    set_target_properties(rigid_${part} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endforeach()
+target_compile_features(rigid_engine PUBLIC cxx_std_20)
+target_include_directories(rigid_engine PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/rigid>)
+target_link_libraries(rigid_engine PUBLIC Eigen3::Eigen)
 # Most of the physics is in headers: the bits are the same only if the program that includes them rounds so, too.
-target_compile_options(rigid_physics PUBLIC ${rigid_rounding})
-target_compile_definitions(rigid_physics PUBLIC ${rigid_sums})
+target_compile_options(rigid_engine PUBLIC ${rigid_rounding})
+target_compile_definitions(rigid_engine PUBLIC ${rigid_sums})
 if(MSVC)
-  target_compile_definitions(rigid_physics PUBLIC _USE_MATH_DEFINES)
+  target_compile_definitions(rigid_engine PUBLIC _USE_MATH_DEFINES)
   target_compile_definitions(rigid_options INTERFACE _USE_MATH_DEFINES)
 endif()
 
@@ -141,7 +155,7 @@ foreach(bytes 16 32 64 0)
     static_assert(EIGEN_MAX_ALIGN_BYTES == ${bytes});
     int main() {}" RIGID_ALIGNS_TO_${bytes}_${flags})
   if(RIGID_ALIGNS_TO_${bytes}_${flags})
-    target_compile_definitions(rigid_physics PUBLIC RIGID_ALIGN_BYTES=${bytes})
+    target_compile_definitions(rigid_engine PUBLIC RIGID_ALIGN_BYTES=${bytes})
     target_compile_definitions(rigid_options INTERFACE RIGID_ALIGN_BYTES=${bytes})
     break()
   endif()
@@ -159,7 +173,7 @@ if(RIGID_INSTALL)
   include(GNUInstallDirs)
   include(CMakePackageConfigHelpers)
   set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rigid)
-  install(TARGETS rigid_physics EXPORT rigid_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS rigid_engine rigid_physics EXPORT rigid_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT rigid_targets NAMESPACE rigid:: FILE rigidTargets.cmake DESTINATION ${package})
   install(DIRECTORY common chapters DESTINATION include/rigid FILES_MATCHING PATTERN "*.hpp"
           PATTERN program EXCLUDE PATTERN benchmark EXCLUDE PATTERN figures EXCLUDE

@@ -1,5 +1,5 @@
 # precompile(TARGET): compiles a target of the book's own with the shared precompiled header: the standard library and
-# Eigen are parsed once (Eigen's factorisations are compiled once, in rigid_base). It saves about a third of a build. A
+# Eigen are parsed once (Eigen's factorisations are compiled once, in rigid_factors). It saves about a third of a build. A
 # build without it (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, as CI does with clang++) gives the same bits and shows a
 # header that relies on it.
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
