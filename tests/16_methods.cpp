@@ -36,7 +36,7 @@ JointedScene stack(int boxes)
     return scene;
 }
 
-/// (16.16): the overlap of the most loaded contact between boxes of 1 m: two points bear the load of all boxes above, each
+/// (16.14): the overlap of the most loaded contact between boxes of 1 m: two points bear the load of all boxes above, each
 /// with A = 2 (1 + ¼ · 6) = 5 per kg.
 Real sag_by_hand(int boxes, Real frequency)
 {

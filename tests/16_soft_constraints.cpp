@@ -68,6 +68,21 @@ JointedScene one_spring(const Softness& how)
 
 // ------------------------------------------------------------------------------------------------ the spring
 
+TEST_CASE("one step of the spring of section 16.1 is where the text says", "[idea]")
+{
+    // 1 kg on a spring of 30 Hz, 1 cm out of its rest; each number to the last digit of the text
+    const Real h = 1.0 / 60, omega = 60 * pi, x = 0.01;
+    const Real at_start = -h * omega * omega * x;
+    CHECK(at_start == Approx(-5.9).margin(0.05));
+    CHECK(x + h * at_start == Approx(-0.089).margin(5e-4));
+    const Real at_end = implicit_velocity(x, 0, {30, 0}, h);
+    CHECK(at_end == Approx(-0.54).margin(0.005));
+    CHECK(at_end == Approx(at_start / (1 + pi * pi)).epsilon(1e-14));  // (16.4)
+    CHECK(x + h * at_end == Approx(0.0009).margin(5e-5));
+    const SoftTerms row = soft_terms(Softness{30, 0}, 1, h);  // (16.7) and (16.9), with A = 1
+    CHECK(-(row.rate * x) / (1 + row.softness) == Approx(at_end).epsilon(1e-14));
+}
+
 TEST_CASE("a spring of 30 Hz and ten times the critical damping has the terms of the reference", "[idea]")
 {
     const Softness how{30, 10};

@@ -9,6 +9,8 @@
 #include "tests/order.hpp"
 #include "tests/sentence.hpp"
 
+#include <array>
+
 using namespace rigid;
 
 namespace {
@@ -36,7 +38,7 @@ std::vector<Real> spin_errors(Tumbling way, int halvings)
     return errors;
 }
 
-/// (20.19a): what engines take for the root of (20.18).
+/// (20.22): what engines take for the root of (20.20).
 Vec3 one_newton_step(const Vec3& inertia, const Vec3& omega, Real h)
 {
     const Vec3 L = inertia.cwiseProduct(omega);
@@ -45,6 +47,29 @@ Vec3 one_newton_step(const Vec3& inertia, const Vec3& omega, Real h)
 }
 
 }  // namespace
+
+// ---- the example by hand ------------------------------------------------------------------------
+
+TEST_CASE("one step of the book of section 20.1 has the numbers that are found by hand", "[idea]")
+{
+    const Vec3 I = mass_of(solid_box({0.16, 0.24, 0.04}), 0.7 / (0.16 * 0.24 * 0.04)).inertia.diagonal();
+    // each number to the last digit of the text
+    CHECK((I - Vec3(34.5, 15.9, 48.5) * 1e-4).cwiseAbs().maxCoeff() < 0.05e-4);
+    const Vec3 spin(12, 1.2, 1.2), L = I.cwiseProduct(spin);
+    CHECK((L - Vec3(41.4, 1.9, 5.8) * 1e-3).cwiseAbs().maxCoeff() < 0.05e-3);
+    const Real h = 1.0 / 60;
+    const Vec3 turned = L - cross(h * spin, L);
+    CHECK((turned - Vec3(41.4, 2.2, 6.3) * 1e-3).cwiseAbs().maxCoeff() < 0.05e-3);
+    CHECK((turned.cwiseQuotient(I) - Vec3(11.98, 1.41, 1.29)).cwiseAbs().maxCoeff() < 0.005);
+    const auto gain = [&](const Vec3& omega) { return spin_energy(I, omega) / spin_energy(I, spin) - 1; };
+    const Vec3 by_start = spin_in_turned_axes(I, spin, h * spin);
+    CHECK((by_start - Vec3(11.98, 1.44, 1.28)).cwiseAbs().maxCoeff() < 0.005);
+    CHECK(gain(by_start) == Approx(2.5e-4).margin(0.05e-4));
+    const Vec3 turn = turn_through_the_middle(I, spin, h), by_middle = spin_in_turned_axes(I, spin, turn);
+    CHECK((turn / h - Vec3(11.99, 1.30, 1.25)).cwiseAbs().maxCoeff() < 0.005);
+    CHECK((by_middle - Vec3(11.97, 1.42, 1.30)).cwiseAbs().maxCoeff() < 0.005);
+    CHECK(gain(by_middle) == Approx(7e-6).margin(0.5e-6));
+}
 
 // ---- rotations ----------------------------------------------------------------------------------
 
@@ -96,7 +121,7 @@ TEST_CASE("a rotation vector is found again from its matrix also near half a tur
     }
 }
 
-TEST_CASE("adding half of h omega q to q makes it longer by the square root of (20.8a) in each step",
+TEST_CASE("adding half of h omega q to q makes it longer by the square root of (20.14) in each step",
           "[idea]")
 {
     const Vec3 omega(1, -2, 3);
@@ -167,7 +192,7 @@ TEST_CASE("a tumbling body is where the reference has it to second order", "[ide
     CHECK(errors.back() < 1e-4);
 }
 
-TEST_CASE("the explicit term adds the energy of (20.17) in each step and the implicit one takes it", "[idea]")
+TEST_CASE("the explicit term adds the energy of (20.19) in each step and the implicit one takes it", "[idea]")
 {
     Random random(4);
     for (int i = 0; i < 100; ++i) {
@@ -182,10 +207,44 @@ TEST_CASE("the explicit term adds the energy of (20.17) in each step and the imp
     }
 }
 
+TEST_CASE("the tossed book has the energy of Figure 20.2 after eight seconds", "[idea]")
+{
+    const Vec3 I = mass_of(solid_box({0.16, 0.24, 0.04}), 0.7 / (0.16 * 0.24 * 0.04)).inertia.diagonal();
+    const auto kept = [&](Tumbling way) {
+        Vec3 theta(0, 0, 0), omega = 12 * Vec3(1, 0.01, 0.01);  // as `--scene book` is tossed
+        const Real before = spin_energy(I, omega);
+        for (int n = 0; n < 1600; ++n) tumble(way, I, 0.005, theta, omega);
+        return spin_energy(I, omega) / before;
+    };
+    CHECK(kept(Tumbling::implicit_term) == Approx(1 - 0.28).margin(0.005));
+    CHECK(kept(Tumbling::momentum_kept) == Approx(2.2).margin(0.05));
+    CHECK(kept(Tumbling::explicit_term) > 1.2);
+    CHECK(std::abs(kept(Tumbling::middle) - 1) < 1e-4);
+}
+
+TEST_CASE("a free spin has the errors of the table of section 20.9", "[idea]")
+{
+    const Vec3 inertia(1, 2, 3);
+    const std::array<Tumbling, 4> ways = {Tumbling::explicit_term, Tumbling::implicit_term,
+                                          Tumbling::momentum_kept, Tumbling::middle};
+    const std::vector<std::pair<int, std::array<Real, 4>>> table = {
+        {64, {0.103, 0.085, 0.283, 0.0038}},
+        {256, {0.024, 0.023, 0.059, 0.00024}},
+        {1024, {0.0059, 0.0058, 0.0141, 0.000015}},
+        {4096, {0.0015, 0.0015, 0.0035, 0.00000093}}};
+    for (const auto& [steps, errors] : table)
+        for (std::size_t way = 0; way < 4; ++way) {
+            Vec3 theta(0, 0, 0), omega(0.5, 0, 1);
+            for (int n = 0; n < steps; ++n) tumble(ways[way], inertia, 5.0 / steps, theta, omega);
+            // the text has two or three digits of it
+            CHECK((omega - exact_spin(inertia, 0.5, 1, 5)).norm() == Approx(errors[way]).epsilon(0.035));
+        }
+}
+
 TEST_CASE("the root of the implicit term takes energy however fast a body spins and one Newton step gives it",
           "[idea]")
 {
-    // the table of section 20.B
+    // the table of section 20.C
     const auto worst = [](const Vec3& inertia, Real turn, auto&& step) {
         Random random(1);
         Real most = 0;
@@ -213,7 +272,7 @@ TEST_CASE("the implicit term is solved for any body in any order of its axes at 
 {
     Random random(33);
     for (int i = 0; i < 20000; ++i) {
-        // any three that a body can have: S of (20.10) from a needle to a ball
+        // any three that a body can have: S of (20.6) from a needle to a ball
         Vec3 S;
         for (Index d = 0; d < 3; ++d) S[d] = std::pow(10, random.uniform(-6, 0));
         const Vec3 inertia(S[1] + S[2], S[2] + S[0], S[0] + S[1]);
@@ -221,7 +280,7 @@ TEST_CASE("the implicit term is solved for any body in any order of its axes at 
         const Real h = random.uniform(-10, 10);
         const Vec3 next = implicit_spin(inertia, omega, h);
         const Vec3 L = inertia.cwiseProduct(omega), L_next = inertia.cwiseProduct(next);
-        // h ω times a rounding of L: the products of (20.18)
+        // h ω times a rounding of L: the products of (20.20)
         const Real rounding = 1e-15 * (1 + std::abs(h) * next.norm()) * L.norm();
         REQUIRE((L_next - L + h * cross(next, L_next)).norm() <= 10 * rounding);
         REQUIRE(spin_energy(inertia, next) <= spin_energy(inertia, omega) * (1 + 1e-13));
@@ -259,6 +318,11 @@ TEST_CASE("the explicit term ends in numbers that are none and the others never 
         return spin_energy(inertia, omega) / spin_energy(inertia, {0.3, 10, 0.2});
     };
     CHECK_FALSE(last(Tumbling::explicit_term) < 1e3);
+    Vec3 theta(0, 0, 0), omega(0.3, 10, 0.2);
+    int steps = 0;
+    for (; omega.norm() < 1e6 && steps < 3000; ++steps)
+        tumble(Tumbling::explicit_term, inertia, 1.0 / 60, theta, omega);
+    CHECK(steps / 60.0 == Approx(18.5).margin(0.05));  // section 20.C
     CHECK(last(Tumbling::implicit_term) < 1);
     // L is kept, so the energy is between L²/2I₃ and L²/2I₁
     CHECK(last(Tumbling::momentum_kept) < 2.01);
@@ -324,7 +388,7 @@ TEST_CASE("ball and box and capsule have the inertia of the tables", "[idea]")
     const SolidMass ball = mass_of(solid_ball(0.5), 3);
     CHECK(ball.mass == Approx(pi / 2));
     CHECK((ball.inertia - 0.4 * ball.mass * 0.25 * Mat3::Identity()).norm() < 1e-15);
-    // a capsule is a cylinder and two half balls, each about its own centroid 3r/8 from its plane, moved (20.13)
+    // a capsule is a cylinder and two half balls, each about its own centroid 3r/8 from its plane, moved (20.17)
     const Real r = 0.3, l = 1.4, cylinder = pi * r * r * l, half = 2 * pi / 3 * r * r * r;
     const Real along = cylinder * r * r / 2 + 2 * half * 0.4 * r * r,
                across = cylinder * (r * r / 4 + l * l / 12) +

@@ -2,11 +2,11 @@
 /// The correction stage of the step where joints and contacts are stiff springs.
 ///
 ///     rows    w = J u + b + γ λ             b, γ by (16.8); a gap: b = C/h, γ = 0
-///             w = J u + b + γ (λ − λ⁻)      preloaded: λ⁻ is the impulse of the step before, (16.17)
+///             w = J u + b + γ (λ − λ⁻)      preloaded: λ⁻ is the impulse of the step before, (16.15)
 ///     move    x ← x + h u                   with the velocity that corrects
 ///             w = J u                       relaxation: the same rows, hard and without b, from the same u*
 ///
-/// What carries a load sags by the load over the stiffness (16.15). Preloaded by the load it does not. \cite catto2011
+/// What carries a load sags by the load over the stiffness (16.11). Preloaded by the load it does not. \cite catto2011
 #pragma once
 
 #include "chapters/07_baumgarte/correction.hpp"
@@ -80,7 +80,7 @@ struct SoftCorrection : Restitution, PlainCorrection {
             const Softness how = softness(c.kind, c.bounces, h);
             soften(soft_terms(how, row.inverse_effective_mass(), h), c.C,
                    push_out * now.length, row);
-            if (known)  // (16.17)
+            if (known)  // (16.15)
                 row.bias -= row.softness * last[static_cast<Index>(i)];
         }
         find_bounces(scene, settings, now);

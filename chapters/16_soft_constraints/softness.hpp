@@ -82,7 +82,7 @@ inline SoftTerms soft_terms(const SpringConstants& spring, Real h)
 //! [spring]
 
 //! [scales]
-/// (16.10): the answer of one soft row in the form that engines use. λ changes by
+/// (16.13): the answer of one soft row in the form that engines use. λ changes by
 /// −mass_scale (J u + b)/A − impulse_scale λ.
 struct SoftScales {
     Real mass = 1, impulse = 0;  ///< pure numbers; they add up to 1

@@ -1,7 +1,7 @@
 /// \file exact_tumbling.hpp
 /// The closed form of a free body's spin, to measure the steps against.
 ///
-///     I₁ < I₂ < I₃, ω₂ = 0 at t = 0, L² > 2 E I₂:   ω = (A cn τ, B sn τ, D dn τ)        (20.16)
+///     I₁ < I₂ < I₃, ω₂ = 0 at t = 0, L² > 2 E I₂:   ω = (A cn τ, B sn τ, D dn τ)        (20.24)
 ///
 /// with the Jacobi functions of chapter 1's arithmetic-geometric mean. Where L² < 2 E I₂ the first axis and the third
 /// change places. \cite landau1976, §37
@@ -51,7 +51,7 @@ inline SpinForm spin_form(const Vec3& inertia, const Vec3& omega)
     return s;
 }
 
-/// (20.16): ω at the time t in the body's axes, of a body that starts with
+/// (20.24): ω at the time t in the body's axes, of a body that starts with
 /// ω = (ω₁, 0, ω₃), both positive.
 inline Vec3 exact_spin(const Vec3& inertia, Real omega1, Real omega3, Real t)
 {

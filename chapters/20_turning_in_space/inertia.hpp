@@ -1,9 +1,9 @@
 /// \file inertia.hpp
 /// Mass, centroid and inertia of solids: one integral over a tetrahedron, and what is round in closed form.
 ///
-///     tetrahedron (0, a, b, c)    V = a·(b × c)/6,  ∫ r rᵀ = V/20 (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c   (20.11)
-///     any body                    I = tr(S) 1 − S,  S = ∫ r rᵀ dm about the centroid                           (20.10)
-///     principal axes              A with Aᵀ I A diagonal, by Jacobi's rotations                                (20.12)
+///     tetrahedron (0, a, b, c)    V = a·(b × c)/6,  ∫ r rᵀ = V/20 (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c   (20.15)
+///     any body                    I = tr(S) 1 − S,  S = ∫ r rᵀ dm about the centroid                           (20.6)
+///     principal axes              A with Aᵀ I A diagonal, by Jacobi's rotations                                (20.16)
 #pragma once
 
 #include "chapters/20_turning_in_space/rotation.hpp"
@@ -44,12 +44,12 @@ inline Hull solid_capsule(Real length, Real radius)
 /// \param at  its centre
 Hull solid_box(const Vec3& size, const Vec3& at = {0, 0, 0});
 
-/// I from the second moments, (20.10).
+/// I from the second moments, (20.6).
 inline Mat3 inertia_of(const Mat3& S) { return S.trace() * Mat3::Identity() - S; }
 
 //! [tetrahedra]
 /// The integrals of 1, r and r rᵀ over a polyhedron, tetrahedron by tetrahedron:
-/// each triangle of its surface with the origin, (20.11).
+/// each triangle of its surface with the origin, (20.15).
 struct Moments {
     Real volume = 0;
     Vec3 first = {0, 0, 0};
@@ -77,7 +77,7 @@ inline Moments moments_of(const Hull& hull)
 }
 //! [tetrahedra]
 
-/// A ball and a capsule along any line, of unit density, in closed form (20.13).
+/// A ball and a capsule along any line, of unit density, in closed form (20.17).
 SolidMass round_mass(const Hull& hull);
 
 /// Mass, centroid and inertia of a uniform body.
@@ -88,7 +88,7 @@ SolidMass round_mass(const Hull& hull);
 SolidMass mass_of(const Hull& hull, Real density);
 
 /// A body of several hulls that do not overlap: masses add, and each inertia is
-/// moved to the common centroid, (20.14).
+/// moved to the common centroid, (20.18).
 SolidMass mass_of(const std::vector<Hull>& hulls, Real density);
 
 /// Principal moments, and the axes that they belong to as the columns of a rotation matrix.
@@ -98,7 +98,7 @@ struct PrincipalAxes {
 };
 
 //! [jacobi]
-/// (20.12): Jacobi's method. Each rotation, in the plane of two axes, makes one
+/// (20.16): Jacobi's method. Each rotation, in the plane of two axes, makes one
 /// entry beside the diagonal zero; six rounds leave nothing of a 3×3 matrix.
 inline PrincipalAxes principal_axes(Mat3 I)
 {

@@ -2,9 +2,9 @@
 /// Rotations in space: how one is stored, how the next is added, how it acts on a vector.
 ///
 ///     θ = α a                 the rotation vector: the axis a times the angle α, |θ| ≤ π          three numbers
-///     exp θ = (cos α/2, a sin α/2)     a unit quaternion                                           (20.6)
-///     exp θ ∘ exp δ           first δ in the body's own axes, then θ; its rotation vector is θ ⊕ δ (20.8)
-///     R r = r + 2 w (v × r) + 2 v × (v × r)                                                        (20.7)
+///     exp θ = (cos α/2, a sin α/2)     a unit quaternion                                           (20.12)
+///     exp θ ∘ exp δ           first δ in the body's own axes, then θ; its rotation vector is θ ⊕ δ (20.4)
+///     R r = r + 2 w (v × r) + 2 v × (v × r)                                                        (20.13)
 ///
 /// Three numbers to a rotation, so a body has 3 + 3 of them and `Bodies<6>` is made as `Bodies<3>` is. A vector of
 /// |θ| > π is the same rotation as a shorter one; rotation_vector() gives the shorter one.
@@ -53,7 +53,7 @@ struct Quaternion {
 };
 
 //! [product]
-/// (20.5): the rotation of p after that of q.
+/// (20.11): the rotation of p after that of q.
 inline Quaternion operator*(const Quaternion& p, const Quaternion& q)
 {
     return {p.w * q.w - p.v.dot(q.v), p.w * q.v + q.w * p.v + cross(p.v, q.v)};
@@ -61,7 +61,7 @@ inline Quaternion operator*(const Quaternion& p, const Quaternion& q)
 //! [product]
 
 //! [exp]
-/// (20.6): the unit quaternion of a rotation vector.
+/// (20.12): the unit quaternion of a rotation vector.
 inline Quaternion quaternion_of(const Vec3& theta)
 {
     const Real angle = theta.norm();
@@ -80,7 +80,7 @@ inline Vec3 rotation_vector(const Quaternion& q)
 //! [exp]
 
 //! [matrix]
-/// (20.7): R of a unit quaternion.
+/// (20.13): R of a unit quaternion.
 inline Mat3 rotation_matrix(const Quaternion& q)
 {
     const Mat3 V = cross_matrix(q.v);
@@ -93,7 +93,7 @@ inline Mat3 rotation_matrix(const Vec3& theta)
 //! [matrix]
 
 //! [add]
-/// (20.8): θ ⊕ δ, the body's rotation after it has turned by δ in its own axes.
+/// (20.4): θ ⊕ δ, the body's rotation after it has turned by δ in its own axes.
 inline Vec3 add_rotation(const Vec3& theta, const Vec3& delta)
 {
     return rotation_vector(quaternion_of(theta) * quaternion_of(delta));

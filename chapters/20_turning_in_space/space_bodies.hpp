@@ -6,7 +6,7 @@
 ///
 /// In its own axes a body's inertia is a diagonal that never changes, so every row, solver and island of the book
 /// runs as it is. What is left is the way that an angle is added, integrate(): the body turns, and ω is written in
-/// the axes that have turned (20.22).
+/// the axes that have turned (20.9).
 #pragma once
 
 #include "chapters/20_turning_in_space/tumbling.hpp"
@@ -15,7 +15,7 @@
 namespace rigid {
 
 //! [integrate]
-/// x ← x + h v, θ ← θ ⊕ hξ, (20.20) and (20.22): the turn is that of the middle of
+/// x ← x + h v, θ ← θ ⊕ hξ, (20.8) and (20.9): the turn is that of the middle of
 /// the step, and u is rewritten so that the angular momentum R I ω stays. A body of
 /// infinite inertia, whose 1/I is zero, turns by hω and keeps its ω.
 template <>
@@ -58,7 +58,7 @@ inline Vec3 point_of_solid(const VecX& x, Index k, const Vec3& at)
 }
 
 //! [world_inertia]
-/// (20.10): R I Rᵀ, the inertia of body k in the world's axes [kg m²]; of a body
+/// (20.6): R I Rᵀ, the inertia of body k in the world's axes [kg m²]; of a body
 /// whose inertia is not infinite.
 inline Mat3 world_inertia(const Bodies<6>& bodies, Index k)
 {
@@ -76,7 +76,7 @@ inline Vec3 world_spin(const Bodies<6>& bodies, Index k)
 }
 
 /// Momentum and, about the origin, angular momentum of the bodies that can move
-/// [N s, N m s], (20.9).
+/// [N s, N m s], (20.5).
 Vec<6> momenta(const Bodies<6>& bodies);
 
 /// ½ uᵀ M u of the bodies that can move [J].

@@ -14,7 +14,7 @@ SolidScene tossed_book(Real omega, Real tilt);
 /// A handle with a bar across its end, of steel, that spins about the handle: its middle axis.
 SolidScene t_handle(Real omega, Real tilt);
 
-/// A thin plate with the moments 1, 2 and 3 kg m², which starts with ω = (½, 0, 1): beside it there is (20.16).
+/// A thin plate with the moments 1, 2 and 3 kg m², which starts with ω = (½, 0, 1): beside it there is (20.24).
 SolidScene spinning_plate();
 
 }  // namespace rigid

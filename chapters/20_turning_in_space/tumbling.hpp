@@ -1,10 +1,10 @@
 /// \file tumbling.hpp
 /// What a body does that nothing pushes: Euler's equations in its own principal axes, and three ways to step them.
 ///
-///     I ω′ + ω × I ω = 0                                     (20.15)
-///     explicit     I ω₁ = I ω₀ − h ω₀ × I ω₀                 (20.17)   energy grows in every step
-///     implicit     I ω₁ = I ω₀ − h ω₁ × I ω₁                 (20.18)   energy shrinks
-///     the middle   exp(hξ/2) I ξ = I ω₀,  I ω₁ = exp(−hξ) I ω₀   (20.20)   angular momentum is kept, order two
+///     I ω′ + ω × I ω = 0                                     (20.7)
+///     explicit     I ω₁ = I ω₀ − h ω₀ × I ω₀                 (20.19)   energy grows in every step
+///     implicit     I ω₁ = I ω₀ − h ω₁ × I ω₁                 (20.20)   energy shrinks
+///     the middle   exp(hξ/2) I ξ = I ω₀,  I ω₁ = exp(−hξ) I ω₀   (20.8)   angular momentum is kept, order two
 ///
 /// ω in the body's axes, I the three principal moments: a vector, because in these axes the matrix is a diagonal.
 #pragma once
@@ -14,7 +14,7 @@
 namespace rigid {
 
 //! [explicit]
-/// (20.17): ω × Iω of the beginning of the step.
+/// (20.19): ω × Iω of the beginning of the step.
 inline Vec3 explicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 {
     const Vec3 L = inertia.cwiseProduct(omega);
@@ -23,7 +23,7 @@ inline Vec3 explicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 //! [explicit]
 
 //! [implicit]
-/// (20.18), solved: one root x of (20.19), which is between −‖L₀‖ and ‖L₀‖, by
+/// (20.20), solved: one root x of (20.21), which is between −‖L₀‖ and ‖L₀‖, by
 /// Newton's method; where a step does not halve g, the bracket is halved instead.
 /// \param inertia  positive and finite, in any order
 inline Vec3 implicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
@@ -58,8 +58,8 @@ inline Vec3 implicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 //! [implicit]
 
 //! [middle]
-/// (20.20): the turn hξ of one step, from the angular momentum at its beginning, by
-/// Newton's method (20.21). Where the body turns by radians in a step and Newton's
+/// (20.8): the turn hξ of one step, from the angular momentum at its beginning, by
+/// Newton's method (20.23). Where the body turns by radians in a step and Newton's
 /// method finds no root in eight rounds, the turn is only near it; L is kept all
 /// the same.
 inline Vec3 turn_through_the_middle(const Vec3& inertia, const Vec3& omega, Real h)

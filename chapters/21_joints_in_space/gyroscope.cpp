@@ -28,7 +28,7 @@ JointedSolids gyroscope_in_gimbal(const Gyroscope& gyroscope)
         SolidMass mass = mass_of(ring, 1000);
         std::vector<Hull> shape = ring;
         if (radius == inner) {
-            // the weight is a point: two centroids, (20.14)
+            // the weight is a point: two centroids, (20.18)
             SolidMass all = mass;
             all.mass += gyroscope.weight;
             all.centroid = gyroscope.weight / all.mass * gyroscope.arm * x;

@@ -34,20 +34,20 @@ struct Bodies {
     std::vector<Joint> joints = {};
 };
 
-// (20.6): the rotation of a rotation vector.
+// (20.3): the rotation of a rotation vector.
 Quaterniond exp(const Vector3d& theta)
 {
     return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
-// (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
+// (20.4): θ ⊕ δ, after a turn by δ in the body's own axes.
 Vector3d add(const Vector3d& theta, const Vector3d& delta)
 {
     const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
     return sum.angle() * sum.axis();
 }
 
-// (20.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
+// (20.8): the turn hξ of a step; ξ is the spin in the middle of it. The angular
 // momentum stays where it is, and the axes turn.
 Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
 {

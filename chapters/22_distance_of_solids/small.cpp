@@ -34,7 +34,7 @@ struct Nearest {
     std::vector<Vector3d> v;  // of each round
 };
 
-// (20.6): the rotation of a rotation vector.
+// (20.3): the rotation of a rotation vector.
 Quaterniond exp(const Vector3d& theta)
 {
     return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));

@@ -34,7 +34,7 @@ struct Bodies {
     std::vector<Contact> contacts = {};  // of the last step
 };
 
-// (20.6): the rotation of a rotation vector.
+// (20.3): the rotation of a rotation vector.
 Quaterniond exp(const Vector3d& theta)
 {
     return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
@@ -180,7 +180,7 @@ void step(Bodies& d, double h, double beta, int sweeps)
         }
     for (int k = 0; k < d.x.size() / 6; ++k) {  // cubes keep their ω
         d.x.segment<3>(6 * k) += h * d.u.segment<3>(6 * k);
-        auto theta = d.x.segment<3>(6 * k + 3);  // (20.8)
+        auto theta = d.x.segment<3>(6 * k + 3);  // (20.4)
         const Vector3d turn = h * d.u.segment<3>(6 * k + 3);
         const Eigen::AngleAxisd sum(exp(theta) * exp(turn));
         theta = sum.angle() * sum.axis();

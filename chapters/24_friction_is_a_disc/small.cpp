@@ -1,7 +1,7 @@
 // Chapter 24 in one file, grown from chapter 20: friction is a disc.
 // Two rows across the normal have one bound. Boxes touch walls by their corners.
 //
-//     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.22)
+//     u = (v, ω), ω in the body's own axes,   w = J u + b,   θ ← θ ⊕ h ξ, (20.9)
 //     corner on a wall: λ_n ≥ 0, w_n ≥ 0, λ_n w_n = 0,   ‖λ_t‖ ≤ μ λ_n, against w_t
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -31,20 +31,20 @@ struct Bodies {
     std::vector<Contact> contacts = {};  // of the last step
 };
 
-// (20.6): the rotation of a rotation vector.
+// (20.3): the rotation of a rotation vector.
 Quaterniond exp(const Vector3d& theta)
 {
     return Quaterniond(Eigen::AngleAxisd(theta.norm(), theta.normalized()));
 }
 
-// (20.8): θ ⊕ δ, after a turn by δ in the body's own axes.
+// (20.4): θ ⊕ δ, after a turn by δ in the body's own axes.
 Vector3d add(const Vector3d& theta, const Vector3d& delta)
 {
     const Eigen::AngleAxisd sum(exp(theta) * exp(delta));
     return sum.angle() * sum.axis();
 }
 
-// (20.20): the turn hξ of a step; ξ is the spin in the middle of it. The angular
+// (20.8): the turn hξ of a step; ξ is the spin in the middle of it. The angular
 // momentum stays where it is, and the axes turn.
 Vector3d turn(const Vector3d& inverse, Vector3d& omega, double h)
 {

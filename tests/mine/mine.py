@@ -107,7 +107,9 @@ def emptied(source, functions, where):
             source = (source[:begin] + "{\n" + margin + "    // Yours: the text and the comment above say what it does.\n" +
                       margin + "    " + statement + "\n" + margin + "}" + source[end:])
     # What an emptied function doesn't use is not worth a warning.
-    return source.replace("#pragma once\n", "#pragma once\n#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n", 1)
+    throws = any(statement and "std::logic_error" in statement for _, statement, _ in functions)
+    begin = "#pragma once\n#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n" + ("#include <stdexcept>\n" if throws else "")
+    return source.replace("#pragma once\n", begin, 1)
 
 
 def list_of(root, number):

@@ -76,7 +76,7 @@ SpaceMethod in_space(const std::string& name, const std::string& budget, const S
     return method;
 }
 
-/// A free body alone: how a spin is carried from step to step (sections 20.6 to 20.8).
+/// A free body alone: how a spin is carried from step to step (sections 20.5 and 20.C).
 SpaceMethod tumbling(const std::string& name, const std::string& budget, Tumbling way)
 {
     SpaceMethod method;
@@ -163,8 +163,8 @@ std::vector<SpaceMethod> space_methods()
 {
     SpaceIslands islands;
     islands.solver.sweeps = {50, 1e-9};
-    return {tumbling("tumble explicit", "a free body, (20.17)", Tumbling::explicit_term),
-            tumbling("tumble implicit", "a free body, (20.18)", Tumbling::implicit_term),
+    return {tumbling("tumble explicit", "a free body, (20.19)", Tumbling::explicit_term),
+            tumbling("tumble implicit", "a free body, (20.20)", Tumbling::implicit_term),
             tumbling("tumble kept", "a free body, explicit with L put right", Tumbling::momentum_kept),
             joints_swept("joints swept", baumgarte()),
             joints_swept("joints small steps", split(8)),

@@ -1,4 +1,4 @@
-# Overlap of a stack of five boxes at rest against sub-steps; the line is (16.16) with a quarter of a turn a sub-step.
+# Overlap of a stack of five boxes at rest against sub-steps; the line is (16.14) with a quarter of a turn a sub-step.
 set terminal svg size 720,420 dynamic enhanced font 'DejaVu Sans,14' linewidth 1.2
 set output out
 set border 3 lc rgb '#808080'

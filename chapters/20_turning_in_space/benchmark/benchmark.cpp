@@ -1,6 +1,6 @@
 /// Chapter 20: work against error for a body that spins freely.
 ///
-///     spin/WAY/N    five seconds of I = (1, 2, 3) in N steps: the error of ω [rad/s] beside (20.16), how far the energy is
+///     spin/WAY/N    five seconds of I = (1, 2, 3) in N steps: the error of ω [rad/s] beside (20.24), how far the energy is
 ///                   off at the end, and the time
 
 #include "chapters/20_turning_in_space/exact_tumbling.hpp"

@@ -111,7 +111,7 @@ inline Demo spin_scene()
         });
     scene.columns = spin_columns();
     scene.columns.push_back(
-        {"error", "rad/s", "of omega, beside (20.16)", Plot::logarithmic});
+        {"error", "rad/s", "of omega, beside (20.24)", Plot::logarithmic});
     return scene;
 }
 
