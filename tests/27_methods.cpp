@@ -191,6 +191,21 @@ TEST_CASE("a triangle falls in still air as the square of its speed brakes it", 
     CHECK(v == Approx(std::sqrt(9.81 * 0.3 / (0.6 * 0.5))).epsilon(1e-6));  // m g = ½ c ρ A v²
 }
 
+TEST_CASE("a drag brakes what moves and moves no place of rest", "[idea]")
+{
+    ClothScene falling;
+    add_particle(falling, {0, 0, 0}, 1);
+    falling.drag = 5;
+    for (int n = 0; n < 500; ++n) one_step(falling, ClothMethod::xpbd, 0.01);
+    // u = u/(1 + h d) + h g has its fixed point at g (1 + h d)/d
+    CHECK(falling.bodies.u[1] == Approx(-9.81 * 1.05 / 5).epsilon(1e-9));
+    ClothScene hung = hung_masses(1, 100);
+    hung.drag = 5;
+    for (int n = 0; n < 200; ++n) one_step(hung, ClothMethod::newton, 0.1);
+    CHECK(hung.bodies.x[4] ==
+          Approx(-1.1).margin(1e-9));  // m g/k = 0.1 m, to ten times what Newton's method leaves
+}
+
 TEST_CASE("threads beyond their limit are drawn back to it and keep their momentum", "[idea]")
 {
     ClothScene cloth = random_sheet(5);

@@ -119,9 +119,10 @@ void ClothMemory::begin(ClothScene& cloth, const ClothSettings& settings)
     for (Index k = 0; k < bodies.count(); ++k) {
         const Real w = bodies.inverse_mass[3 * k];
         if (!(w > 0)) continue;
+        // drag takes of what it had, not of the forces: it moves no place of rest
+        bodies.velocity(k) /= 1 + h * cloth.drag;
         bodies.velocity(k) +=
             (middle ? h / 2 : h) * (cloth.gravity + w * force.segment<3>(3 * k));
-        bodies.velocity(k) /= 1 + h * cloth.drag;
     }
     y = x0 + (middle ? h / 2 : h) * bodies.u;
     bodies.x = y;

@@ -86,6 +86,7 @@ inline ClothSettings settings_of(const std::string& method, int substeps)
 struct Line {
     Real us = 0, position = 0, stretch = 0, energy = 0, visits = 0;
     Real particles = 0, largest = 0, mean = 0, entries = 0;
+    Real height = 0, as_stiff = 0;  // of a strip: over its width; EI that it shows
 };
 
 inline void report(benchmark::State& state, const Line& line)
@@ -99,6 +100,8 @@ inline void report(benchmark::State& state, const Line& line)
     state.counters["largest"] = line.largest;
     state.counters["mean"] = line.mean;
     state.counters["entries"] = line.entries;
+    state.counters["height"] = line.height;
+    state.counters["as_stiff"] = line.as_stiff;
 }
 
 template <class Scene>
