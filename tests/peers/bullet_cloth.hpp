@@ -120,11 +120,11 @@ private:
     int substeps_ = 1;
 };
 
-/// A sheet as a deformable body: springs of one stiffness for threads and one for diagonals.
+/// A sheet as a deformable body: springs of one stiffness for threads and one for diagonals, of one damping [N s/m].
 class BulletDeformableCloth : public BulletDeformableWorld {
 public:
     BulletDeformableCloth(const ClothScene& cloth, int substeps, int newton,
-                          const std::vector<BulletBall>& balls = {}, Real thickness = 0)
+                          const std::vector<BulletBall>& balls = {}, Real thickness = 0, Real damping = 0)
         : BulletDeformableWorld(cloth.gravity, newton), substeps_(substeps)
     {
         std::vector<btVector3> x;
@@ -139,9 +139,7 @@ public:
             body.appendLink(s.a, s.b);
             body.m_links[body.m_links.size() - 1].m_bbending = s.stiffness < stiff;
         }
-        if (!balls.empty())
-            for (const auto& t : cloth.triangles) body.appendFace(t[0], t[1], t[2]);
-        put_in(std::make_unique<btDeformableMassSpringForce>(stiff, 0, false, soft));
+        put_in(std::make_unique<btDeformableMassSpringForce>(stiff, damping, false, soft));
         for (const BulletBall& ball : balls)
             add_ball(ball.at, ball.radius, ball.friction, std::max(thickness, 1e-3));
     }

@@ -69,7 +69,7 @@ protected:
         world_.addForce(body_.get(), weight_.get());
         world_.addForce(body_.get(), force_.get());
     }
-    /// A ball that cannot move, for the nodes and the faces of the body to touch.
+    /// A ball that cannot move, for the nodes of the body to touch: its distances are kept in cells of a tenth of its radius.
     void add_ball(const Vec3& at, Real radius, Real friction, Real margin)
     {
         shapes_.push_back(std::make_unique<btSphereShape>(radius));

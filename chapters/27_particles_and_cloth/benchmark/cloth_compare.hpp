@@ -1,6 +1,6 @@
 /// \file cloth_compare.hpp
 /// Runs of one scene of cloth beside a reference: the implicit midpoint with a hundredth of the step, by Newton's method to
-/// 1e-11 m. Of `xpbd`, `particles` and `projective` ten sweeps, of `small` and `threads` one. Time is that of the processor.
+/// 1e-11 m. Of `xpbd`, `particles`, `augmented` and `projective` ten sweeps, of `small` and `threads` one. Time is that of the processor.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/cloth_step.hpp"
@@ -138,7 +138,7 @@ inline void add(const std::string& name, const std::string& method,
 }
 
 inline const std::initializer_list<const char*> methods{
-    "explicit",   "small",    "xpbd",   "threads", "particles",
-    "projective", "implicit", "newton", "midpoint"};
+    "explicit",  "small",      "xpbd",     "threads", "particles",
+    "augmented", "projective", "implicit", "newton",  "midpoint"};
 
 }  // namespace rigid::cloth_compare

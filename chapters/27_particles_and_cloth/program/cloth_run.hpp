@@ -165,8 +165,8 @@ private:
 
 /// The methods that have finite springs, all of them.
 inline const std::vector<std::string> cloth_methods{
-    "threads", "xpbd",     "pbd",   "particles", "projective", "implicit",
-    "newton",  "midpoint", "exact", "forgotten", "explicit"};
+    "threads",  "xpbd",   "pbd",      "particles", "augmented", "projective",
+    "implicit", "newton", "midpoint", "exact",     "forgotten", "explicit"};
 
 template <class State>
 Demo cloth_demo(const std::string& name, const std::string& summary,

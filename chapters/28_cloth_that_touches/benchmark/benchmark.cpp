@@ -9,9 +9,8 @@
 ///                             rows of its own
 ///     sleep/AWAKE/SQUARES     a sheet that rests on a ball: the time of a step, without and with sleep
 ///
-/// `bt_soft` and `bt_deformable` are Bullet's, where that is installed; of the second one and ten of its iterations of
-/// Newton's method. `largest` and `inside` of `ball` are at the end: the stretch of the thread that is stretched most [%], and
-/// how deep the deepest particle is in the ball [m].
+/// `bt_soft` and `bt_deformable` are Bullet's, where that is installed; the latter with one iteration of Newton's method, which
+/// is its own number, without damping and with 0.1 N s/m in each spring.
 
 #include "chapters/27_particles_and_cloth/benchmark/cloth_compare.hpp"
 #include "chapters/28_cloth_that_touches/cloth_sleep.hpp"
@@ -179,12 +178,13 @@ const bool registered = [] {
              return std::make_unique<BulletCloth>(cloth, balls, cloth.thickness,
                                                   substeps, 10);
          });
-    for (const int newton : {1, 10})
-        peer("bt_deformable_" + std::to_string(newton),
-             [newton](const TouchingCloth& cloth, int substeps, const auto& balls) {
-                 return std::make_unique<BulletDeformableCloth>(
-                     cloth, substeps, newton, balls, cloth.thickness);
-             });
+    for (const Real damping : {0.0, 0.1})
+        peer(
+            damping > 0 ? "bt_deformable_damped" : "bt_deformable",
+            [damping](const TouchingCloth& cloth, int substeps, const auto& balls) {
+                return std::make_unique<BulletDeformableCloth>(
+                    cloth, substeps, 1, balls, cloth.thickness, damping);
+            });
 #endif
     return true;
 }();
