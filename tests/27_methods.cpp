@@ -62,7 +62,7 @@ TEST_CASE("all that solve the implicit step to its end have one answer", "[idea]
 {
     using M = ClothMethod;
     const VecX newton = after(M::newton, 20);
-    for (const M method : {M::exact, M::particles, M::projective}) {
+    for (const M method : {M::exact, M::particles, M::augmented, M::projective}) {
         CAPTURE(to_string(method));
         // Newton's 1e-13 and the rows' 1e-11 m a step, over 20 steps
         CHECK((after(method, 20, 3000) - newton).cwiseAbs().maxCoeff() < 1e-8);
@@ -91,6 +91,29 @@ TEST_CASE("a thread is solved in one sweep where rows need the square of its num
     const Real more = left(ClothMethod::xpbd, 2000), most = left(ClothMethod::xpbd, 3000);
     const Real c = rigid::cos(pi / (2 * n));  // (27.18), by then the slowest error alone is left
     CHECK(std::log(most / more) / 1000 == Approx(std::log(c * c)).epsilon(1e-3));
+}
+
+TEST_CASE("particles hold threads that do not stretch by impulses that grow with the sweeps", "[idea]")
+{
+    // four masses on hard threads that swing; rows that do the same say where to
+    const auto swung = [](ClothMethod method, int sweeps) {
+        ClothScene cloth = hung_masses(4, infinity);
+        for (int k = 1; k <= 4; ++k) cloth.bodies.u[3 * k] = k;
+        ClothMemory memory;
+        ClothSettings how;
+        how.h = 0.01, how.method = method, how.sweeps = sweeps;
+        for (int n = 0; n < 40; ++n) step(cloth, how, memory);
+        return cloth;
+    };
+    const VecX exact = swung(ClothMethod::exact, 1).bodies.x;
+    const ClothScene few = swung(ClothMethod::augmented, 10), many = swung(ClothMethod::augmented, 200);
+    CAPTURE(largest_stretch(few), largest_stretch(many), (few.bodies.x - exact).norm(),
+            (many.bodies.x - exact).norm());
+    CHECK(largest_stretch(few) < 1e-3);
+    CHECK(largest_stretch(many) < 1e-9);
+    CHECK((many.bodies.x - exact).cwiseAbs().maxCoeff() < 1e-7);
+    // an infinite k has no place in the plain method
+    CHECK(refusal([&] { swung(ClothMethod::particles, 1); }) != "nothing was refused");
 }
 
 TEST_CASE("passes with one matrix never raise the merit of the step", "[idea]")
@@ -189,6 +212,21 @@ TEST_CASE("a triangle falls in still air as the square of its speed brakes it", 
         CHECK(-cloth.bodies.u[1] == Approx(v).epsilon(1e-12));
     }
     CHECK(v == Approx(std::sqrt(9.81 * 0.3 / (0.6 * 0.5))).epsilon(1e-6));  // m g = ½ c ρ A v²
+}
+
+TEST_CASE("a drag brakes what moves and moves no place of rest", "[idea]")
+{
+    ClothScene falling;
+    add_particle(falling, {0, 0, 0}, 1);
+    falling.drag = 5;
+    for (int n = 0; n < 500; ++n) one_step(falling, ClothMethod::xpbd, 0.01);
+    // u = u/(1 + h d) + h g has its fixed point at g (1 + h d)/d
+    CHECK(falling.bodies.u[1] == Approx(-9.81 * 1.05 / 5).epsilon(1e-9));
+    ClothScene hung = hung_masses(1, 100);
+    hung.drag = 5;
+    for (int n = 0; n < 200; ++n) one_step(hung, ClothMethod::newton, 0.1);
+    CHECK(hung.bodies.x[4] ==
+          Approx(-1.1).margin(1e-9));  // m g/k = 0.1 m, to ten times what Newton's method leaves
 }
 
 TEST_CASE("threads beyond their limit are drawn back to it and keep their momentum", "[idea]")
@@ -305,8 +343,8 @@ TEST_CASE("a steady step of rows threads particles one matrix and conjugate grad
           "[house]")
 {
     using M = ClothMethod;
-    for (const M method :
-         {M::explicit_euler, M::pbd, M::xpbd, M::threads, M::particles, M::projective, M::implicit_euler}) {
+    for (const M method : {M::explicit_euler, M::pbd, M::xpbd, M::threads, M::particles, M::augmented,
+                           M::projective, M::implicit_euler}) {
         ClothScene cloth = hung_sheet(16, 100);
         cloth.air = 0.1, cloth.triangles.resize(10);
         ClothMemory memory;

@@ -1,10 +1,10 @@
 # The program as a reader runs it.
 foreach(scene sheet flag curtain banner tear)
   add_program_test(ch27 27_particles_and_cloth "runs scene ${scene}" --headless --scene ${scene} --steps 20
-                   --method threads,xpbd,pbd,particles,projective,implicit --csv -)
+                   --method threads,xpbd,pbd,particles,augmented,projective,implicit --csv -)
 endforeach()
 add_program_test(ch27 27_particles_and_cloth "runs scene masses" --headless --scene masses --steps 60
-                 --method threads,xpbd,pbd,forgotten,particles,projective,implicit,newton,midpoint,exact,explicit --csv -)
+                 --method threads,xpbd,pbd,forgotten,particles,augmented,projective,implicit,newton,midpoint,exact,explicit --csv -)
 add_program_test(ch27 27_particles_and_cloth "runs scene strip" --headless --scene strip --steps 5
                  --method newton,exact,xpbd --csv -)
 add_program_test(ch27 27_particles_and_cloth "refuses a sheet of no stiffness" --headless --scene sheet

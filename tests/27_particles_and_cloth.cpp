@@ -1,4 +1,5 @@
 // Chapter 27: the closed forms of particles and cloth.
+#include "chapters/27_particles_and_cloth/program/strips.hpp"
 #include "tests/cloths.hpp"
 #include "tests/order.hpp"
 
@@ -272,6 +273,53 @@ TEST_CASE(
             CAPTURE(alternate, n, found.x(), found.y());
             CHECK(found.y() - exact.y() > 0.05);
         }
+}
+
+TEST_CASE("the elastica that strips are held to has the ends of its exact solution", "[idea]")
+{
+    struct End {
+        bool load;
+        Real of, x, down;
+    };
+    const End ends[]{{true, 1, 0.943566763717, 0.301720773800},  {true, 5, 0.612371639276, 0.713791523612},
+                     {true, 10, 0.445004402246, 0.810609024880}, {false, 1, 0.991246395347, 0.123471401983},
+                     {false, 5, 0.846657179954, 0.495905044622}, {false, 10, 0.656353761239, 0.700199715514}};
+    for (const End& one : ends) {
+        std::vector<Real> errors;
+        for (const int n : {50, 100}) {
+            const Vec2 tip = elastica(one.of, one.load, n).tip();
+            errors.push_back((tip - Vec2(one.x, one.down)).norm());
+        }
+        CAPTURE(one.load, one.of);
+        CHECK((elastica(one.of, one.load).tip() - Vec2(one.x, one.down)).norm() < 1e-9);
+        CHECK(order_of(errors) == Approx(4).margin(0.4));
+    }
+}
+
+TEST_CASE("a strip shows the part of its stiffness that the table of 27.D says by each model of bending",
+          "[idea]")
+{
+    struct Line {
+        StripSpec spec;
+        Real weight_1, weight_10, end_1, end_10;
+    };
+    const Line table[]{{{.model = 0}, 0.996, 0.991, 0.998, 0.988},
+                       {{.model = 2}, 0.732, 0.873, 0.764, 0.918},
+                       {{.model = 1}, 0.732, 0.875, 0.764, 0.921},
+                       {{.model = 1, .alternate = false}, 0.693, 0.765, 0.709, 0.834},
+                       {{.model = 1, .diagonals = 1e4}, 0.996, 0.995, 0.998, 0.994},
+                       {{.model = 3, .segments = 8}, 0.397, 1.656, 0.702, 2.602}};
+    for (const Line& line : table)
+        for (const bool at_the_end : {false, true})
+            for (const Real load : {1.0, 10.0}) {
+                const Real part = at_the_end ? load > 1 ? line.end_10 : line.end_1
+                                  : load > 1 ? line.weight_10
+                                             : line.weight_1;
+                const Real exact = elastica(load / part, at_the_end).height_over_width();
+                CAPTURE(line.spec.model, line.spec.alternate, at_the_end, load);
+                // the table has three decimals; height over width is no steeper than its load
+                CHECK(height_over_width(line.spec, load, at_the_end) == Approx(exact).epsilon(0.0006 / part));
+            }
 }
 
 TEST_CASE("bends along lines and by twist are as stiff in every direction", "[idea]")

@@ -1,7 +1,7 @@
 # The program as a reader runs it.
 foreach(scene ball tablecloth fold hills)
   add_program_test(ch28 28_cloth_that_touches "runs scene ${scene}" --headless --scene ${scene} --steps 20
-                   --method threads,xpbd,pbd,particles,projective,implicit --csv -)
+                   --method threads,xpbd,pbd,particles,augmented,projective,implicit --csv -)
 endforeach()
 foreach(scene trampoline bridge pole)
   add_program_test(ch28 28_cloth_that_touches "runs scene ${scene}" --headless --scene ${scene} --steps 60

@@ -90,9 +90,12 @@ int add_sheet(ClothScene& cloth, const Vec3& corner, const Vec3& first,
     const auto rises = [&spec](int i, int j) {
         return !spec.alternate || (i + j) % 2 == 0;
     };
-    const bool angles = spec.bending > 0 && spec.how == Bending::angle;
     const auto bend = [&](int a, int b, int c, int d) {
-        if (angles) cloth.hinges.push_back({{a, b, c, d}, 0, spec.bending});
+        if (!(spec.bending > 0)) return;
+        const ClothHinge hinge{{a, b, c, d}, 0, spec.bending};
+        if (spec.how == Bending::angle) cloth.hinges.push_back(hinge);
+        if (spec.how == Bending::edges)
+            cloth.bends.push_back(bend_of(hinge, cloth.bodies.x));
     };
     for (int j = 0; j < R; ++j)
         for (int i = 0; i < C; ++i) {

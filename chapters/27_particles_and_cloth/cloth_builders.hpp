@@ -31,7 +31,7 @@ int add_rope(ClothScene& cloth, const Vec3& from, const Vec3& to,
              const RopeSpec& spec);
 
 //! [sheet]
-enum class Bending : unsigned char { none, quadratic, angle };
+enum class Bending : unsigned char { none, quadratic, angle, edges };
 
 struct SheetSpec {
     int columns = 10, rows = 10;  ///< of squares
@@ -41,7 +41,7 @@ struct SheetSpec {
     Real shear = 100;             ///< of each along a diagonal [N/m]
     Real bending = 0;             ///< B [N m]
     /// quadratic: along both sides of the squares, and their twist, (27.22); angle:
-    /// about each inner edge of the triangles
+    /// about each inner edge of the triangles; edges: the jump of slope there, (27.21)
     Bending how = Bending::quadratic;
     /// diagonals rise and fall in turn; false: all rise, and one direction is stiffer
     bool alternate = true;

@@ -56,6 +56,17 @@ ClothScene clamped_strip(int segments)
     return cloth;
 }
 
+ClothScene clamped_strip_across(int segments, Real stiffness)
+{
+    ClothScene cloth = clamped_strip(segments);
+    // half an angle beside half a segment: (1/2)⁴ of the energy
+    for (const ClothBend& b : cloth.bends)
+        cloth.springs.push_back({b.p[0], b.p[2], Real(2) / segments,
+                                 b.p[1] == 0 ? 8 * stiffness : stiffness});
+    cloth.bends.clear();
+    return cloth;
+}
+
 ClothScene clamped_strip(int segments, int rows, Bending how, bool alternate,
                          Real diagonals)
 {
@@ -74,14 +85,15 @@ ClothScene clamped_strip(int segments, int rows, Bending how, bool alternate,
     const auto at_wall = [&](int p) {
         return std::abs(cloth.bodies.position(p).x()) < l / 4;
     };
+    const auto set_hinge = [&](Real& stiffness, const std::array<int, 4>& p) {
+        const Vec3 edge = cloth.bodies.position(p[1]) - cloth.bodies.position(p[0]);
+        if (edge.norm() > 1.2 * l) stiffness *= diagonals;
+        if (at_wall(p[0]) && at_wall(p[1])) stiffness *= 2;
+    };
     for (ClothBend& b : cloth.bends)
-        if (b.count() == 3 && at_wall(b.p[1])) b.stiffness *= 2;
-    for (ClothHinge& b : cloth.hinges) {
-        const Vec3 edge =
-            cloth.bodies.position(b.p[1]) - cloth.bodies.position(b.p[0]);
-        if (edge.norm() > 1.2 * l) b.stiffness *= diagonals;
-        if (at_wall(b.p[0]) && at_wall(b.p[1])) b.stiffness *= 2;
-    }
+        if (how == Bending::edges) set_hinge(b.stiffness, b.p);
+        else if (b.count() == 3 && at_wall(b.p[1])) b.stiffness *= 2;
+    for (ClothHinge& b : cloth.hinges) set_hinge(b.stiffness, b.p);
     return cloth;
 }
 

@@ -17,6 +17,8 @@ ClothScene hung_sheet(int squares, Real stiffness, Real bending = 1e-4);
 /// A strip of unit length, clamped level at the origin, of EI = 1, along x: a rope with bends, or `rows` rows of squares.
 /// The hinge at the wall has half a segment beside it, and twice the stiffness.
 ClothScene clamped_strip(int segments);
+/// The rope without bends, and springs to each second particle in their place [N/m].
+ClothScene clamped_strip_across(int segments, Real stiffness);
 /// \param diagonals  stiffness of hinges about diagonals, in those of the others
 ClothScene clamped_strip(int segments, int rows, Bending how, bool alternate,
                          Real diagonals = 1);

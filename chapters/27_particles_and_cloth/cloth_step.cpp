@@ -9,8 +9,8 @@ namespace rigid {
 
 namespace cloth_names {
 
-constexpr std::array<std::string_view, 10> all{
-    "explicit",   "pbd",      "xpbd",   "threads",  "particles",
+constexpr std::array<std::string_view, 11> all{
+    "explicit",   "pbd",      "xpbd",   "threads",  "particles", "augmented",
     "projective", "implicit", "newton", "midpoint", "exact"};
 
 }  // namespace cloth_names
@@ -38,7 +38,8 @@ bool sweeps_rows(ClothMethod method)
 
 bool takes_hard_rows(ClothMethod method)
 {
-    return sweeps_rows(method) || method == ClothMethod::exact;
+    return sweeps_rows(method) || method == ClothMethod::augmented ||
+           method == ClothMethod::exact;
 }
 
 void require_valid(const ClothSettings& s)
@@ -80,7 +81,9 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
     if (settings.method == ClothMethod::projective)
         projective.prepare(cloth, settings.part());
     if (settings.method == ClothMethod::threads) threads.find(cloth);
-    if (settings.method == ClothMethod::particles) particles.find(cloth);
+    if (settings.method == ClothMethod::particles ||
+        settings.method == ClothMethod::augmented)
+        particles.find(cloth);
     exact.lambda.resize(0);
     key_ = now;
 }
@@ -119,9 +122,10 @@ void ClothMemory::begin(ClothScene& cloth, const ClothSettings& settings)
     for (Index k = 0; k < bodies.count(); ++k) {
         const Real w = bodies.inverse_mass[3 * k];
         if (!(w > 0)) continue;
+        // drag takes of what it had, not of the forces: it moves no place of rest
+        bodies.velocity(k) /= 1 + h * cloth.drag;
         bodies.velocity(k) +=
             (middle ? h / 2 : h) * (cloth.gravity + w * force.segment<3>(3 * k));
-        bodies.velocity(k) /= 1 + h * cloth.drag;
     }
     y = x0 + (middle ? h / 2 : h) * bodies.u;
     bodies.x = y;
@@ -159,15 +163,23 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
         cloth.springs.size() + cloth.bends.size() + cloth.hinges.size());
     switch (settings.method) {
     case ClothMethod::explicit_euler:
-        break;  // its forces are in y
+        visits += count;  // its forces are in y
+        break;
     case ClothMethod::pbd:
     case ClothMethod::xpbd:
     case ClothMethod::threads:
         break;  // sweep()
     case ClothMethod::particles:
-        for (int s = 0; s < settings.sweeps; ++s) particles.sweep(cloth, y, h, x);
-        visits += 2 * count * settings.sweeps;
+    case ClothMethod::augmented: {
+        const bool grows = settings.method == ClothMethod::augmented;
+        particles.begin(cloth, h, grows);
+        for (int s = 0; s < settings.sweeps; ++s) {
+            particles.sweep(cloth, y, h, x);
+            if (grows) particles.grow(cloth, h, x);
+        }
+        visits += (grows ? 3 : 2) * count * settings.sweeps;
         break;
+    }
     case ClothMethod::projective:
         for (int s = 0; s < settings.sweeps; ++s) projective.pass(cloth, y, h, x);
         visits += count * settings.sweeps, solves += settings.sweeps;

@@ -28,6 +28,7 @@ enum class ClothMethod : unsigned char {
     xpbd,            ///< row by row
     threads,         ///< thread by thread
     particles,       ///< particle by particle
+    augmented,       ///< the same, with springs that grow to their stiffness
     projective,      ///< all together, with one matrix
     implicit_euler,  ///< all together, one linear solve
     newton,          ///< all together, to the end

@@ -9,6 +9,20 @@
 
 namespace rigid {
 
+namespace descent_parts {
+
+/// A of a spring [1/kg]; of one between two pins that of a kilogram.
+Real weight_of(const ClothScene& cloth, const ClothSpring& s)
+{
+    const VecX& w = cloth.bodies.inverse_mass;
+    const Real A = w[3 * s.a] + w[3 * s.b];
+    return A > 0 ? A : 1;
+}
+
+}  // namespace descent_parts
+
+using namespace descent_parts;
+
 void ParticleDescent::find(const ClothScene& cloth)
 {
     const auto K = static_cast<std::size_t>(cloth.count());
@@ -29,6 +43,7 @@ void ParticleDescent::find(const ClothScene& cloth)
                 f(cloth.hinges[i].p[static_cast<std::size_t>(c)],
                   Meeting{springs + bends + static_cast<int>(i), c});
     };
+    stiffness.resize(0), pull.resize(0);
     first_.assign(K + 1, 0);
     for_each_meeting(
         [this](int p, Meeting) { ++first_[static_cast<std::size_t>(p) + 1]; });
@@ -75,6 +90,38 @@ void ParticleDescent::find(const ClothScene& cloth)
     });
 }
 
+//! [grow]
+void ParticleDescent::begin(const ClothScene& cloth, Real h, bool augmented)
+{
+    const auto n = static_cast<Index>(cloth.springs.size());
+    if (stiffness.size() != n) stiffness.setZero(n), pull.setZero(n);
+    for (Index i = 0; i < n; ++i) {
+        const ClothSpring& s = cloth.springs[static_cast<std::size_t>(i)];
+        if (!augmented) {
+            stiffness[i] = s.stiffness, pull[i] = 0;
+            continue;
+        }
+        const Real m_per_h2 = 1 / (h * h * weight_of(cloth, s));
+        stiffness[i] =
+            std::min(s.stiffness, std::max(m_per_h2, kept * stiffness[i]));
+        pull[i] *= kept;  // that of a soft one is zero
+    }
+}
+
+void ParticleDescent::grow(const ClothScene& cloth, Real h, const VecX& x)
+{
+    for (Index i = 0; i < stiffness.size(); ++i) {
+        const ClothSpring& s = cloth.springs[static_cast<std::size_t>(i)];
+        const Real C =
+            (x.segment<3>(3 * s.b) - x.segment<3>(3 * s.a)).norm() - s.length;
+        if (s.stiffness == infinity) pull[i] += stiffness[i] * C;
+        const Real m_per_h2 = 1 / (h * h * weight_of(cloth, s));
+        stiffness[i] = std::min(
+            s.stiffness, stiffness[i] + beta * m_per_h2 * std::abs(C) / s.length);
+    }
+}
+//! [grow]
+
 //! [sweep]
 void ParticleDescent::sweep(const ClothScene& cloth, const VecX& y, Real h, VecX& x)
 {
@@ -98,11 +145,12 @@ void ParticleDescent::sweep(const ClothScene& cloth, const VecX& y, Real h, VecX
                 const Real length = d.norm();
                 if (!(length > 0)) continue;
                 const Vec3 n = d / length;
-                const Real across =
-                    length > s.length ? s.stiffness * (1 - s.length / length) : 0;
-                f += n * (s.stiffness * (length - s.length));
+                const Real along = stiffness[m.row],
+                           F = pull[m.row] + along * (length - s.length),
+                           across = std::max(Real{0}, F / length);
+                f += n * F;
                 H += across * Mat3::Identity() +
-                     (s.stiffness - across) * n * n.transpose();
+                     (along - across) * n * n.transpose();
             } else if (m.row < springs + bends) {
                 const ClothBend& b =
                     cloth.bends[static_cast<std::size_t>(m.row - springs)];

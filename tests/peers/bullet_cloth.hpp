@@ -120,10 +120,11 @@ private:
     int substeps_ = 1;
 };
 
-/// The sheet that hangs, as a deformable body: springs of one stiffness for threads and one for diagonals. Contact is left out.
+/// A sheet as a deformable body: springs of one stiffness for threads and one for diagonals, of one damping [N s/m].
 class BulletDeformableCloth : public BulletDeformableWorld {
 public:
-    BulletDeformableCloth(const ClothScene& cloth, int substeps, int newton)
+    BulletDeformableCloth(const ClothScene& cloth, int substeps, int newton,
+                          const std::vector<BulletBall>& balls = {}, Real thickness = 0, Real damping = 0)
         : BulletDeformableWorld(cloth.gravity, newton), substeps_(substeps)
     {
         std::vector<btVector3> x;
@@ -138,7 +139,9 @@ public:
             body.appendLink(s.a, s.b);
             body.m_links[body.m_links.size() - 1].m_bbending = s.stiffness < stiff;
         }
-        put_in(std::make_unique<btDeformableMassSpringForce>(stiff, 0, false, soft));
+        put_in(std::make_unique<btDeformableMassSpringForce>(stiff, damping, false, soft));
+        for (const BulletBall& ball : balls)
+            add_ball(ball.at, ball.radius, ball.friction, std::max(thickness, 1e-3));
     }
 
     void step(Real h)

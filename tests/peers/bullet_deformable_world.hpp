@@ -14,6 +14,7 @@
 #include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+#include <btBulletDynamicsCommon.h>
 
 #include <memory>
 #include <vector>
@@ -47,6 +48,7 @@ protected:
     ~BulletDeformableWorld()
     {
         if (body_) world_.removeSoftBody(body_.get());
+        for (const auto& ball : balls_) world_.removeRigidBody(ball.get());
     }
 
     /// The body, of nodes alone; a mass of zero is pinned.
@@ -67,6 +69,20 @@ protected:
         world_.addForce(body_.get(), weight_.get());
         world_.addForce(body_.get(), force_.get());
     }
+    /// A ball that cannot move, for the nodes of the body to touch: its distances are kept in cells of a tenth of its radius.
+    void add_ball(const Vec3& at, Real radius, Real friction, Real margin)
+    {
+        shapes_.push_back(std::make_unique<btSphereShape>(radius));
+        btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
+        info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), bullet_vector(at));
+        info.m_friction = friction;
+        balls_.push_back(std::make_unique<btRigidBody>(info));
+        world_.addRigidBody(balls_.back().get());
+        body_->getCollisionShape()->setMargin(margin);
+        body_->m_cfg.kDF = friction;
+        body_->m_cfg.collisions = btSoftBody::fCollision::SDF_RD | btSoftBody::fCollision::SDF_RDN |
+                                  btSoftBody::fCollision::SDF_RDF;
+    }
     const btSoftBody::Node& node(int k) const { return body_->m_nodes[k]; }
 
 private:
@@ -83,6 +99,8 @@ private:
     btDeformableMultiBodyConstraintSolver constraints_;
     btDeformableMultiBodyDynamicsWorld world_;
     btVector3 gravity_;
+    std::vector<std::unique_ptr<btSphereShape>> shapes_;
+    std::vector<std::unique_ptr<btRigidBody>> balls_;
     std::unique_ptr<btSoftBody> body_;
     std::unique_ptr<btDeformableLagrangianForce> force_;
     std::unique_ptr<btDeformableGravityForce> weight_;

@@ -20,21 +20,23 @@ using namespace rigid;
 
 namespace {
 
-/// The library's cloth of the small program's; its ball does not turn.
+/// The library's cloth of the small program's, whose ball is its last particle and does not turn.
 TouchingCloth library_cloth(const small28::Cloth& c)
 {
     TouchingCloth out;
-    out.bodies.resize(c.x.size() / 3);
-    out.bodies.x = c.x, out.bodies.u = c.u, out.bodies.inverse_mass = c.inverse_mass;
+    const Index n = c.x.size() - (c.radius > 0 ? 3 : 0);
+    out.bodies.resize(n / 3);
+    out.bodies.x = c.x.head(n), out.bodies.u = c.u.head(n), out.bodies.inverse_mass = c.inverse_mass.head(n);
     out.gravity = {0, -c.g, 0};
     for (const small28::Spring& s : c.springs) out.springs.push_back({s.a, s.b, s.length, s.k});
     out.triangles = c.triangles;
     out.self_thickness = c.D;
+    if (!(c.radius > 0)) return out;
     ClothSolid ball;
-    ball.radius = c.ball.radius, ball.friction = c.ball.mu;
-    add_solid(out, ball, 0, c.ball.x);
-    out.solids.inverse_mass.head<3>().setConstant(c.ball.inverse_mass);
-    out.solids.u.head<3>() = c.ball.v;
+    ball.radius = c.radius, ball.friction = c.mu;
+    add_solid(out, ball, 0, c.x.tail<3>());
+    out.solids.inverse_mass.head<3>() = c.inverse_mass.tail<3>();
+    out.solids.u.head<3>() = c.u.tail<3>();
     return out;
 }
 
@@ -49,8 +51,8 @@ TEST_CASE("the small program of chapter 28 has the numbers of the text")
         const Real slide = std::min(mu * 0.0675, 0.03 * 0.75);
         CHECK(c.x[0] == Approx(-slide).margin(1e-15));
         CHECK(c.x[1] == Approx(0.5 - 0.0225).epsilon(1e-14));
-        CHECK(c.ball.x[0] == Approx(slide / 3).margin(1e-15));
-        CHECK(c.ball.x[1] == Approx(-0.0225).epsilon(1e-14));
+        CHECK(c.x[3] == Approx(slide / 3).margin(1e-15));
+        CHECK(c.x[4] == Approx(-0.0225).epsilon(1e-14));
     }
     for (const bool bound : {false, true}) {
         small28::Cloth c = small28::three_layers();
@@ -66,8 +68,8 @@ TEST_CASE("the small program of chapter 28 falls on a ball as the library does")
 {
     for (const Real mu : {0.0, 0.5}) {
         small28::Cloth small = small28::sheet(8, 500);
-        small.ball.mu = mu;
-        small.ball.inverse_mass = 2, small.g = 0;  // the library's falls with the cloth
+        small.mu = mu;
+        small.inverse_mass.tail<3>().setConstant(2), small.g = 0;
         for (int p = 0; p < 81; ++p) small.u[3 * p + 1] = -1;
         TouchingCloth cloth = library_cloth(small);
         TouchingMemory memory;
@@ -78,11 +80,11 @@ TEST_CASE("the small program of chapter 28 falls on a ball as the library does")
             step(cloth, how, memory);
             // the library also takes what pushed an overlap out back from velocities: a few of a curved ball's
             CAPTURE(mu, n);
-            CHECK((small.x - cloth.bodies.x).cwiseAbs().maxCoeff() < 1e-3);
+            CHECK((small.x.head(243) - cloth.bodies.x).cwiseAbs().maxCoeff() < 1e-3);
         }
         CHECK(memory.touch.contacts.size() > 5);
-        CHECK((small.ball.x - cloth.solids.x.head<3>()).norm() < 1e-3);
-        CHECK(small.ball.x[1] < -0.005);  // it has been pushed
+        CHECK((small.x.tail<3>() - cloth.solids.x.head<3>()).norm() < 1e-3);
+        CHECK(small.x[244] < -0.005);  // it has been pushed
     }
 }
 
@@ -93,9 +95,8 @@ TEST_CASE("the small program of chapter 28 visits contacts and pairs as the libr
         // a ball that flies through particles, which touch nothing else
         small28::Cloth small = small28::sheet(4, 1);
         small.springs.clear();
-        small.g = 0, small.ball.inverse_mass = 3, small.ball.mu = 0.4;
+        small.g = 0, small.inverse_mass.tail<3>().setConstant(3), small.mu = 0.4;
         for (Index i = 0; i < small.u.size(); ++i) small.u[i] = random.uniform(-3, 3);
-        for (int i = 0; i < 3; ++i) small.ball.v[i] = random.uniform(-3, 3);
         TouchingCloth cloth = library_cloth(small);
         ClothTouching touching;
         touching.touch.margin = 0.05;  // as the small program has it
@@ -106,8 +107,8 @@ TEST_CASE("the small program of chapter 28 visits contacts and pairs as the libr
         for (int sweep = 0; sweep < 3; ++sweep) touching.visit(cloth, x);
         small28::step(small, 0.05, 3, false);
         CHECK(touching.touch.contacts.size() == small.contacts.size());
-        CHECK((small.x - x).cwiseAbs().maxCoeff() < 1e-13);
-        CHECK((small.ball.moved - touching.touch.moved.head<3>()).norm() < 1e-13);
+        CHECK((small.x.head(75) - x).cwiseAbs().maxCoeff() < 1e-13);
+        CHECK((0.05 * small.u.tail<3>() - touching.touch.moved.head<3>()).norm() < 1e-13);
     }
     // particles and triangles of three layers
     small28::Cloth small = small28::three_layers();
@@ -132,9 +133,9 @@ namespace {
 Numbers on_a_ball(Numbers in)
 {
     small28::Cloth c = small28::on_ball(in["mu"]);
-    c.ball.inverse_mass = 1 / in["mass"];
+    c.inverse_mass.tail<3>().setConstant(1 / in["mass"]);
     small28::step(c, 0.1, 1, false);
-    return {{"down", -1000 * c.ball.x[1]}, {"back", -1000 * c.x[0]}, {"along", 1000 * c.ball.x[0]}};
+    return {{"down", -1000 * c.x[4]}, {"back", -1000 * c.x[0]}, {"along", 1000 * c.x[3]}};
 }
 const Sentence said("particle_on_ball", on_a_ball, 1e-12);
 

@@ -4,14 +4,20 @@
 ///                             the reference [m], the error of the mean stretch, as a part of it, and that of the energy, as a
 ///                             part of the kinetic energy of the reference; rows visited in a step
 ///
+///     weight/MODEL/100 Γ      a strip that is clamped level under its weight, and `end/…` under a load at its end: height over
+///                             width, and which part of its EI it shows. No times: the numbers of each run are the same
+///
 /// `bt_soft` and `bt_deformable` are Bullet's two kinds of cloth, where that is installed; of the second one and ten of its
 /// iterations of Newton's method. What the reference is and how many sweeps a method has: cloth_compare.hpp.
 
 #include "chapters/27_particles_and_cloth/benchmark/cloth_compare.hpp"
 #include "chapters/27_particles_and_cloth/cloth_scenes.hpp"
+#include "chapters/27_particles_and_cloth/program/strips.hpp"
 #include "tests/peers/bullet_cloth.hpp"
 
 #include <map>
+#include <utility>
+#include <vector>
 
 using namespace rigid;
 using namespace rigid::cloth_compare;
@@ -36,7 +42,41 @@ const ClothScene& exact(const std::string& scene)
     return known.at(scene);
 }
 
+/// The models of bending of Figure 27.5, and the elastica itself.
+const std::vector<std::pair<const char*, StripSpec>> models{
+    {"elastica", {}},
+    {"lines", {.model = 0}},
+    {"edges", {.model = 2}},
+    {"edges_rise", {.model = 2, .alternate = false}},
+    {"edges_stiff_diagonals", {.model = 2, .diagonals = 1e4}},
+    {"angles", {.model = 1}},
+    {"angles_rise", {.model = 1, .alternate = false}},
+    {"angles_stiff_diagonals", {.model = 1, .diagonals = 1e4}},
+    {"across", {.model = 3, .segments = 8}}};
+
+void bend(benchmark::State& state, int model, bool at_the_end)
+{
+    const auto& [name, spec] = models[static_cast<std::size_t>(model)];
+    const Real load = static_cast<Real>(state.range(0)) / 100;
+    Real ratio = 0;
+    for (auto _ : state)
+        ratio = model == 0 ? elastica(load, at_the_end).height_over_width()
+                           : height_over_width(spec, load, at_the_end);
+    report(state, {.height = ratio, .as_stiff = as_stiff(ratio, load, at_the_end)});
+}
+
 const bool registered = [] {
+    for (const bool at_the_end : {false, true})
+        for (int model = 0; model < static_cast<int>(models.size()); ++model) {
+            auto* const one = benchmark::RegisterBenchmark(
+                (std::string(at_the_end ? "end/" : "weight/") +
+                 models[static_cast<std::size_t>(model)].first)
+                    .c_str(),
+                [=](benchmark::State& state) { bend(state, model, at_the_end); });
+            for (const int load : {10, 20, 50, 100, 200, 500, 1000})
+                one->Args({load});
+            one->Iterations(1);
+        }
     for (const std::string scene : {"sheet", "strip", "flag"})
         for (const std::string method : methods)
             add(scene, method, [=](benchmark::State& state) {

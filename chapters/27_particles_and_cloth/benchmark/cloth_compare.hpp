@@ -1,6 +1,6 @@
 /// \file cloth_compare.hpp
 /// Runs of one scene of cloth beside a reference: the implicit midpoint with a hundredth of the step, by Newton's method to
-/// 1e-11 m. Of `xpbd`, `particles` and `projective` ten sweeps, of `small` and `threads` one. Time is that of the processor.
+/// 1e-11 m. Of `xpbd`, `particles`, `augmented` and `projective` ten sweeps, of `small` and `threads` one. Time is that of the processor.
 #pragma once
 
 #include "chapters/27_particles_and_cloth/cloth_step.hpp"
@@ -86,6 +86,7 @@ inline ClothSettings settings_of(const std::string& method, int substeps)
 struct Line {
     Real us = 0, position = 0, stretch = 0, energy = 0, visits = 0;
     Real particles = 0, largest = 0, mean = 0, entries = 0;
+    Real height = 0, as_stiff = 0;  // of a strip: over its width; EI that it shows
 };
 
 inline void report(benchmark::State& state, const Line& line)
@@ -99,6 +100,8 @@ inline void report(benchmark::State& state, const Line& line)
     state.counters["largest"] = line.largest;
     state.counters["mean"] = line.mean;
     state.counters["entries"] = line.entries;
+    state.counters["height"] = line.height;
+    state.counters["as_stiff"] = line.as_stiff;
 }
 
 template <class Scene>
@@ -135,7 +138,7 @@ inline void add(const std::string& name, const std::string& method,
 }
 
 inline const std::initializer_list<const char*> methods{
-    "explicit",   "small",    "xpbd",   "threads", "particles",
-    "projective", "implicit", "newton", "midpoint"};
+    "explicit",  "small",      "xpbd",     "threads", "particles",
+    "augmented", "projective", "implicit", "newton",  "midpoint"};
 
 }  // namespace rigid::cloth_compare

@@ -2,7 +2,7 @@
 # Draws this chapter's figures: draw.sh BIN OUT [measured], as common/figures.sh says.
 . "$(dirname "$0")/../../../common/figures.sh"
 
-if [ -n "$table" ]; then # a file for each scene and method: time of a step, error of the position
+if [ -n "$table" ]; then # a file for each scene and method: time of a step, error of the position; and for each strip: load, height over width
     tr -d '"' <"$table" | awk -F, -v dir="$data" '
         /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
         /^(sheet|strip|flag)\// {
@@ -12,8 +12,13 @@ if [ -n "$table" ]; then # a file for each scene and method: time of a step, err
             time = $column["us"]
             if (time < 6) time = 6 # it was lost at once
             print time, error > (dir "/" part[1] "_" part[2])
+        }
+        /^(weight|end)\// {
+            split($1, part, "/")
+            print part[3] / 100, $column["height"] > (dir "/" part[1] "_" part[2])
         }'
     plot ch27_pareto
+    plot ch27_master
     exit
 fi
 

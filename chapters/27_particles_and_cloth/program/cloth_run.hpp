@@ -34,6 +34,7 @@ struct ClothSetup {
     Camera camera;
     Real ground = 0;    ///< half the side of the floor that is drawn [m]; 0: none
     bool mesh = false;  ///< springs are drawn, too
+    std::vector<Vec3> curve = {};  ///< drawn beside it; empty: none
     std::function<std::vector<Real>(const State&)> measure;
     std::function<void(State&, const Settings&)> change;
 };
@@ -110,6 +111,7 @@ public:
         if (setup_.mesh || cloth.triangles.empty())
             for (const ClothSpring& s : cloth.springs)
                 picture.line({at(s.a), at(s.b)}, {Colour::blue, 1.5, 0.9});
+        if (!setup_.curve.empty()) picture.line(setup_.curve, {Colour::red, 2, 1});
         if (cloth.count() < 12)
             for (int k = 0; k < cloth.count(); ++k)
                 picture.line({at(k) - Vec3(0.04, 0, 0), at(k) + Vec3(0.04, 0, 0)},
@@ -163,8 +165,8 @@ private:
 
 /// The methods that have finite springs, all of them.
 inline const std::vector<std::string> cloth_methods{
-    "threads", "xpbd",     "pbd",   "particles", "projective", "implicit",
-    "newton",  "midpoint", "exact", "forgotten", "explicit"};
+    "threads",  "xpbd",   "pbd",      "particles", "augmented", "projective",
+    "implicit", "newton", "midpoint", "exact",     "forgotten", "explicit"};
 
 template <class State>
 Demo cloth_demo(const std::string& name, const std::string& summary,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/27_particles_and_cloth/program/cloth_run.hpp"
+#include "chapters/27_particles_and_cloth/program/strips.hpp"
 
 namespace rigid {
 
@@ -51,36 +52,56 @@ inline Demo chain_demo()
 inline Demo strip_demo()
 {
     Demo scene = cloth_demo<ClothState>(
-        "strip", "A strip that is clamped at one end bends under its weight",
+        "strip", "A strip that is clamped at one end, and the elastica",
         {{0.55, -0.35}, {0.85, 0.6}}, 1, 10, [](const Settings& settings) {
             ClothSetup<ClothState> setup;
-            const int n = static_cast<int>(settings["segments"]);
-            const auto how =
-                settings["angle"] > 0 ? Bending::angle : Bending::quadratic;
-            setup.cloth = clamped_strip(n, 2, how, settings["alternate"] > 0);
-            setup.cloth.gravity = {0, -settings["load"], 0};
+            const int n = static_cast<int>(settings["segments"]),
+                      model = static_cast<int>(settings["model"]);
+            const Real load = settings["load"];
+            const bool at_the_end = settings["end"] > 0;
+            setup.cloth = strip_under({model, n, settings["alternate"] > 0,
+                                       settings["diagonals"], settings["across"]},
+                                      load, at_the_end);
             setup.cloth.drag = 5;
             setup.camera = looks({0, 0, 0}, 8, 0.1, 0.15);
             setup.mesh = true;
-            setup.measure = [n](const ClothState& s) -> std::vector<Real> {
-                const Vec3 tip = s.cloth.bodies.position(n + 1);
-                return {tip.x(), -tip.y(), s.memory.newton.residual};
+            const Elastica exact = elastica(load, at_the_end);
+            const Real l = Real(1) / n;
+            for (const Vec2& p : exact.points)  // in the middle of the strip
+                setup.curve.emplace_back(p.x(), -p.y(), model == 3 ? 0 : l);
+            const Vec2 end = exact.tip();
+            const int tip = tip_of({model, n});
+            setup.measure = [tip, end](const ClothState& s) -> std::vector<Real> {
+                const Vec3 p = s.cloth.bodies.position(tip);
+                return {p.x(), -p.y(), (Vec2(p.x(), -p.y()) - end).norm(),
+                        s.memory.newton.residual};
             };
             return setup;
         });
     scene.methods = {"newton", "implicit",  "exact",
                      "xpbd",   "particles", "midpoint"};
-    scene.tunables.push_back({"segments", "", "of the strip", 20, 4, 100,
-                              Numbers::whole, OnChange::restarts});
-    scene.tunables.push_back({"load", "", "q L³/EI, weight over bending stiffness",
-                              5, 0, 50, Numbers::real, OnChange::restarts});
-    scene.tunables.push_back({"angle", "", "bends by angle", 0, 0, 1,
-                              Numbers::whole, OnChange::restarts});
-    scene.tunables.push_back({"alternate", "", "diagonals alternate", 1, 0, 1,
-                              Numbers::whole, OnChange::restarts});
-    scene.columns = {{"tip_x", "m", "of the free end", Plot::linear},
-                     {"tip_down", "m", "of the free end", Plot::linear},
-                     {"residual", "m", "of Newton's method", Plot::logarithmic}};
+    const auto add = [&scene](const char* name, const char* unit, const char* what,
+                              Real value, Real lo, Real hi, Numbers kind) {
+        scene.tunables.push_back(
+            {name, unit, what, value, lo, hi, kind, OnChange::restarts});
+    };
+    add("segments", "", "of the strip", 20, 4, 100, Numbers::whole);
+    add("load", "", "q L³/EI, weight over bending stiffness", 5, 0.01, 50,
+        Numbers::real);
+    add("end", "", "a load P L²/EI at its end in place of its weight", 0, 0, 1,
+        Numbers::whole);
+    add("model", "", "of bending: 0 lines, 1 angles, 2 edges, 3 springs across", 0,
+        0, 3, Numbers::whole);
+    add("alternate", "", "diagonals alternate", 1, 0, 1, Numbers::whole);
+    add("diagonals", "", "stiffness of hinges about diagonals, in those of others",
+        1, 1, 1e4, Numbers::real);
+    add("across", "N/m", "springs to the second neighbour", 3e5, 1, 1e8,
+        Numbers::real);
+    scene.columns = {
+        {"tip_x", "m", "of the free end", Plot::linear},
+        {"tip_down", "m", "of the free end", Plot::linear},
+        {"off", "m", "from the end of the elastica", Plot::logarithmic},
+        {"residual", "m", "of Newton's method", Plot::logarithmic}};
     return scene;
 }
 

@@ -9,7 +9,8 @@
 ///                             rows of its own
 ///     sleep/AWAKE/SQUARES     a sheet that rests on a ball: the time of a step, without and with sleep
 ///
-/// `bt_soft` is Bullet's btSoftBody, where that is installed.
+/// `bt_soft` and `bt_deformable` are Bullet's, where that is installed; the latter with one iteration of Newton's method, which
+/// is its own number, without damping and with 0.1 N s/m in each spring.
 
 #include "chapters/27_particles_and_cloth/benchmark/cloth_compare.hpp"
 #include "chapters/28_cloth_that_touches/cloth_sleep.hpp"
@@ -160,17 +161,30 @@ const bool registered = [] {
         rest_->Args({40})->Iterations(1);
     }
 #ifdef RIGID_HAS_BULLET
-    add("ball", "bt_soft", [](benchmark::State& state) {
-        Found<TouchingCloth> found;
-        const int substeps = static_cast<int>(state.range(0));
-        for (auto _ : state)
-            found = run_peer(on_ball(), [&](const TouchingCloth& cloth) {
-                return std::make_unique<BulletCloth>(
-                    cloth, std::vector<BulletBall>{{{0, 0, 0}, 0.5, 0.3}},
-                    cloth.thickness, substeps, 10);
+    const auto peer = [](const std::string& name, auto make) {
+        add("ball", name, [make](benchmark::State& state) {
+            Found<TouchingCloth> found;
+            const int substeps = static_cast<int>(state.range(0));
+            for (auto _ : state)
+                found = run_peer(on_ball(), [&](const TouchingCloth& cloth) {
+                    return make(cloth, substeps,
+                                std::vector<BulletBall>{{{0, 0, 0}, 0.5, 0.3}});
+                });
+            report(state, found, exact());
+        });
+    };
+    peer("bt_soft",
+         [](const TouchingCloth& cloth, int substeps, const auto& balls) {
+             return std::make_unique<BulletCloth>(cloth, balls, cloth.thickness,
+                                                  substeps, 10);
+         });
+    for (const Real damping : {0.0, 0.1})
+        peer(
+            damping > 0 ? "bt_deformable_damped" : "bt_deformable",
+            [damping](const TouchingCloth& cloth, int substeps, const auto& balls) {
+                return std::make_unique<BulletDeformableCloth>(
+                    cloth, substeps, 1, balls, cloth.thickness, damping);
             });
-        report(state, found, exact());
-    });
 #endif
     return true;
 }();

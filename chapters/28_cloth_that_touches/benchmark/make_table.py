@@ -14,7 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 CHAPTERS = {27: "27_particles_and_cloth", 28: "28_cloth_that_touches"}
-FIGURES = {27: ["ch27_pareto"], 28: ["ch28_pareto", "ch28_grow"]}
+FIGURES = {27: ["ch27_pareto", "ch27_master"], 28: ["ch28_pareto", "ch28_grow"]}
 FRONT = {"rows (XPBD)": "small", "threads": "threads", "threads, limit": "threads_limit"}
 
 
