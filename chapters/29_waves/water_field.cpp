@@ -256,7 +256,7 @@ private:
     }
 
     //! [carry]
-    /// (29.26) for the faces within row j, and for those below it. Momentum along x passes
+    /// (29.24) for the faces within row j, and for those below it. Momentum along x passes
     /// the middles of cells (`middle`) and their corners (`turned`); that along y the
     /// middles (`rising`) and the corners (`corner`).
     void carry(Index j)
@@ -283,7 +283,7 @@ private:
     //! [carry]
 
     //! [fill]
-    /// (29.25), and velocities from their momenta.
+    /// (29.23), and velocities from their momenta.
     void fill(Index j)
     {
         const Real *const qx = of(qx_, j), *const qy = of(qy_, j),

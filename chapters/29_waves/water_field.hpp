@@ -4,10 +4,10 @@
 ///     ∂r/∂t + ∂(r u)/∂x + ∂(r v)/∂y = 0,   ∂u/∂t + u ∂u/∂x + v ∂u/∂y = −g ∂η/∂x,   η = bed + r, and the same for v
 ///
 /// Slopes change the velocities of the faces in both directions by (29.11); then all faces carry water and momentum at
-/// once, (29.25), (29.26). A plane on which nothing differs along y moves as the row of columns does, to the bit.
+/// once, (29.23), (29.24). A plane on which nothing differs along y moves as the row of columns does, to the bit.
 ///
-/// A step goes over the memory once: a row is carried on when the two above it have been pushed, while all of them are in
-/// the cache. It reads bed, depth, u and v and writes the last three: 56 bytes a cell. \cite stelling2003
+/// A step goes over the memory once: a row goes on when those above it have been pushed, while all of them are in the
+/// cache. It reads bed, depth, u and v and writes the last three: 56 bytes a cell. \cite stelling2003
 #pragma once
 
 #include "common/bodies.hpp"

@@ -80,6 +80,7 @@ void ElasticSolver<Dim>::begin(ElasticBody<Dim>& body, Real tau)
         model.add_stiffness(x0_, body.stiffness_damping, true, B_);
     }
     before_ = body.x;
+    is_seen_ = false;
     if (tau > 0) {
         // where it would go by itself, if that is not worse than where it is
         for (Index i = 0; i < y_.size(); ++i)
@@ -87,7 +88,9 @@ void ElasticSolver<Dim>::begin(ElasticBody<Dim>& body, Real tau)
         before_ = body.x;
         const Real here = look(body);
         body.x = y_;
-        if (!(look(body) < here)) body.x = before_;
+        G_ = look(body);
+        is_seen_ = G_ < here;
+        if (!is_seen_) body.x = before_;
     }
 }
 
@@ -226,7 +229,7 @@ bool ElasticSolver<Dim>::direction(ElasticBody<Dim>& body)
 template <int Dim>
 void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
 {
-    Real G = look(body);
+    Real G = is_seen_ ? G_ : look(body);
     // Once at least: against a stiff material a load may be less than the tolerance.
     while (report.residual > settings.tolerance ||
            (report.iterations == 0 && report.residual > 1e-15)) {
