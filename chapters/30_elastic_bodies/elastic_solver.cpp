@@ -120,7 +120,11 @@ Real ElasticSolver<Dim>::look(const ElasticBody<Dim>& body)
     }
     for (Index i = 0; i < r.size(); ++i)
         if (body.fixed[static_cast<std::size_t>(i)]) r[i] = 0;
-    rounding_ = 1e-13 * size;
+    // an energy of small strains may be a difference of numbers of the size of strain 1
+    Real strained = 0;
+    for (int i = 0; i < model.nodes(); ++i)
+        strained += model.force_scale(i) * model.edge();
+    rounding_ = 1e-13 * size + 1e-16 * share * strained;
     report.residual = residual_of(body, r);
     return G;
 }
