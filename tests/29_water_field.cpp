@@ -77,8 +77,8 @@ VecX rings()
         for (Index i = 0; i < n; ++i) {
             const auto left = static_cast<Real>(i), right = left + 1, middle = left + 0.5;
             // the walls of a ring push outwards as well: g r²/2 on what is wider outside than inside
-            m[i] += h / width *
-                    ((left * push[i] - right * push[i + 1]) / middle + g / 2 * r[i] * r[i] / middle);
+            m[i] +=
+                h / width * ((left * push[i] - right * push[i + 1]) / middle + g / 2 * r[i] * r[i] / middle);
             r[i] += h / width * (left * mass[i] - right * mass[i + 1]) / middle;
         }
     }
@@ -150,8 +150,9 @@ TEST_CASE("the columns that a step moves at once do not show in what it does", "
     }
 }
 
-TEST_CASE("water on a plane keeps its mass over a hundred thousand steps and at rest stays at rest over any bed",
-          "[idea]")
+TEST_CASE(
+    "water on a plane keeps its mass over a hundred thousand steps and at rest stays at rest over any bed",
+    "[idea]")
 {
     Random random(5);
     const Index n = 14;
@@ -250,7 +251,8 @@ TEST_CASE("a round dam break tends to that of rings and is as far in all directi
         errors.push_back(error_beside(ring, water));
         // its eight mirror images: rounding, which the steps add up
         for (Index k = 0; k < n / 2; ++k)
-            CHECK(std::abs(water.depth[water.at(k, n / 3)] - water.depth[water.at(n - 1 - n / 3, k)]) < 1e-12);
+            CHECK(std::abs(water.depth[water.at(k, n / 3)] - water.depth[water.at(n - 1 - n / 3, k)]) <
+                  1e-12);
     }
     UNSCOPED_INFO(errors[0] << ", " << errors[1] << ", " << errors[2]);
     CHECK(order_of(errors) == Approx(0.75).margin(0.2));  // as along a row, section 29.D
@@ -270,7 +272,8 @@ TEST_CASE("pressed water gives way and none is lost", "[idea]")
     CHECK(momentum(water).norm() < 1e-10);  // as much to each side; 20 kg of water at some 0.1 m/s
 }
 
-TEST_CASE("a step of water on a plane asks for no memory and what makes no sense is refused by name", "[house]")
+TEST_CASE("a step of water on a plane asks for no memory and what makes no sense is refused by name",
+          "[house]")
 {
     WaterField water(30, 20, 0.1, 1);
     water.depth[100] = 1.3;
@@ -292,12 +295,12 @@ TEST_CASE("a step of water on a plane asks for no memory and what makes no sense
     WaterField still(4, 4, 1, 1);
     CHECK(sentence_of([&] { step(still, 1); }) ==
           "the time step is 1 s; a wave passes a whole cell in " + shortest(1 / std::sqrt(2 * 9.81)) + " s");
-    CHECK(sentence_of([&] { press(still, {0, 0}, 0, 1, 1); })
-              .starts_with("the water is pressed at (0, 0) m within 0 m by a column of 1 m"));
+    CHECK(sentence_of([&] {
+              press(still, {0, 0}, 0, 1, 1);
+          }).starts_with("the water is pressed at (0, 0) m within 0 m by a column of 1 m"));
     still.depth[3] = -1;
     CHECK(sentence_of([&] { require_valid(still); }) == "depth[3] is -1 m; it must be zero or positive");
     still.u.conservativeResize(3);
     still.depth[3] = 1;
-    CHECK(sentence_of([&] { require_valid(still); }) ==
-          "u has 3 entries; water of 4 by 4 cells needs 20");
+    CHECK(sentence_of([&] { require_valid(still); }) == "u has 3 entries; water of 4 by 4 cells needs 20");
 }

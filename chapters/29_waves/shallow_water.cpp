@@ -208,7 +208,8 @@ void step(ShallowWater& water, Real h)
     if (water.window.empty()) water.window.emplace_back(size, 1, 0);
     ShallowWater& w = water.window.front();
     w.dx = water.dx, w.g = water.g;
-    Vec<beside> old_depth, old_u;  // of those before `first`, which have moved already
+    Vec<beside> old_depth,
+        old_u;  // of those before `first`, which have moved already
     for (Index first = 0; first < n; first += window_cells) {
         const Index kept = std::min(window_cells, n - first),
                     from = std::clamp(first - beside, Index{0}, n - size),

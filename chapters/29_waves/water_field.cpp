@@ -12,9 +12,9 @@ WaterField::WaterField(Index nx_, Index ny_, Real width, Real still_depth)
     : nx(nx_), ny(ny_), dx(width)
 {
     if (nx < 1 || ny < 1)
-        throw std::invalid_argument(
-            "the water has " + std::to_string(nx) + " by " + std::to_string(ny) +
-            " cells; it must have one or more each way");
+        throw std::invalid_argument("the water has " + std::to_string(nx) + " by " +
+                                    std::to_string(ny) +
+                                    " cells; it must have one or more each way");
     if (!(still_depth >= 0) || !std::isfinite(still_depth))
         throw std::invalid_argument("the depth of the water is " +
                                     shortest(still_depth) +
@@ -86,8 +86,7 @@ Vec2 momentum(const WaterField& water)
     Vec2 sum(0, 0);
     for_each_face(water.u, water.v, water.nx, water.ny,
                   [&](Real speed, Index l, Index r, int along) {
-                      sum[along] +=
-                          (water.depth[l] + water.depth[r]) / 2 * speed;
+                      sum[along] += (water.depth[l] + water.depth[r]) / 2 * speed;
                   });
     return water.density * water.dx * water.dx * sum;
 }
@@ -211,7 +210,7 @@ private:
     {
         if (j < ny_) {
             const Real *const s = u(j), *const r = depth(j), *const below = v(j),
-                       *const above = v(j + 1);
+                              *const above = v(j + 1);
             Real* __restrict give = of(give_, j);
             for (Index i = 0; i < nx_; ++i) {
                 const Real parting =
@@ -262,8 +261,9 @@ private:
     void carry(Index j)
     {
         const Real *const s = u(j), *const up = j + 1 < ny_ ? u(j + 1) : s,
-                   *const w = v(j), *const r = depth(j), *const qx = of(qx_, j),
-                   *const qy = of(qy_, j), *const qy_above = of(qy_, j + 1);
+                          *const w = v(j), *const r = depth(j),
+                          *const qx = of(qx_, j), *const qy = of(qy_, j),
+                          *const qy_above = of(qy_, j + 1);
         if (j == 0) carried(nx_ - 1, qy, qy + 1, s + 1, s + 1, of(turned_, 0) + 1);
         carried(nx_ - 1, qy_above, qy_above + 1, s + 1, up + 1,
                 of(turned_, j + 1) + 1);
@@ -287,9 +287,9 @@ private:
     void fill(Index j)
     {
         const Real *const qx = of(qx_, j), *const qy = of(qy_, j),
-                   *const qy_above = of(qy_, j + 1), *const Pu = of(Pu_, j),
-                   *const Pv = of(Pv_, j);
-        Real *__restrict r = depth(j), *__restrict s = u(j), *__restrict w = v(j);
+                          *const qy_above = of(qy_, j + 1), *const Pu = of(Pu_, j),
+                          *const Pv = of(Pv_, j);
+        Real* __restrict r = depth(j), * __restrict s = u(j), * __restrict w = v(j);
         for (Index i = 0; i < nx_; ++i) {
             const Real left =
                 r[i] - lambda_ * ((qx[i + 1] - qx[i]) + (qy_above[i] - qy[i]));
@@ -332,8 +332,7 @@ void press(WaterField& water, const Vec2& place, Real radius, Real head, Real h)
             " m; they must be finite, the radius positive");
     const auto pressure = [&](Index k) {
         const Vec2 off = water.middle_of(k % water.nx, k / water.nx) - place;
-        const Real near =
-            std::max(0.0, 1 - off.squaredNorm() / (radius * radius));
+        const Real near = std::max(0.0, 1 - off.squaredNorm() / (radius * radius));
         return head * near * near;
     };
     const Real gain = h * water.g / water.dx;

@@ -20,9 +20,10 @@ struct WaterField {
     Real g = 9.81;         ///< [m/s²]
     Real density = 1000;   ///< [kg/m³]
     VecX bed, depth;       ///< nx · ny, row after row [m]
-    VecX u;                ///< (nx + 1) ny, of the faces to the left and right of cells; the outermost are the walls' own [m/s]
-    VecX v;                ///< nx (ny + 1), of those below and above
-    VecX rows;             ///< memory of a step: some rows
+    VecX
+        u;  ///< (nx + 1) ny, of the faces to the left and right of cells; the outermost are the walls' own [m/s]
+    VecX v;     ///< nx (ny + 1), of those below and above
+    VecX rows;  ///< memory of a step: some rows
 
     /// Level water of this depth over a level bed, between four walls.
     /// Throws std::invalid_argument for no cells, a width that is not positive, a depth that is negative.

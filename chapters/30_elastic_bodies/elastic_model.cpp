@@ -201,8 +201,8 @@ Real ElasticModel<Dim>::energy(const VecX& x) const
     Real sum = 0;
     for (int p = 0; p < points(); ++p) {
         Mat<Dim> P;
-        sum += weight(p) *
-               stress_of<Dim>(material_.law, lame_, deformation(x, p), P);
+        sum +=
+            weight(p) * stress_of<Dim>(material_.law, lame_, deformation(x, p), P);
     }
     return sum;
 }
@@ -235,8 +235,7 @@ void ElasticModel<Dim>::add_stiffness(const VecX& x, Real scale, bool projected,
     const int n = mesh_.per_element();
     const bool is_linear = material_.law == StrainLaw::linear;
     Stretches<Dim> s;  // at rest, where the linear law stays
-    Curvature<Dim> at =
-        curvature_at<Dim>(StrainLaw::corotational, lame_, s.sigma);
+    Curvature<Dim> at = curvature_at<Dim>(StrainLaw::corotational, lame_, s.sigma);
     std::array<Vec<Dim>, ElasticMesh<Dim>::most_nodes> t;
     for (int p = 0; p < points(); ++p) {
         if (!is_linear) {

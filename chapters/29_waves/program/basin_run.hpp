@@ -20,7 +20,8 @@ public:
                 const Index k = water_.at(i, j);
                 water_.bed[k] =
                     settings["island"] * std::max(0.0, 1 - off) * (1 + off);
-                const Real level = (at - Vec2(1.5, 2.5)).norm() < 0.6 ? 2 * still : still;
+                const Real level =
+                    (at - Vec2(1.5, 2.5)).norm() < 0.6 ? 2 * still : still;
                 water_.depth[k] = std::max(0.0, level - water_.bed[k]);
             }
         volume_ = volume(water_);
@@ -43,8 +44,8 @@ public:
     std::vector<Real> measure() const override
     {
         const Index k = water_.at(water_.nx / 2, water_.ny / 2);
-        return {water_.bed[k] + water_.depth[k] - still, volume(water_) / volume_ - 1,
-                energy(water_) / energy_};
+        return {water_.bed[k] + water_.depth[k] - still,
+                volume(water_) / volume_ - 1, energy(water_) / energy_};
     }
 
     void draw(Canvas& canvas) const override
@@ -70,8 +71,8 @@ public:
                 const Vec2 at = water_.middle_of(i, j);
                 const bool is_wet = water_.depth[k] > 1e-4;
                 if (is_wet != wet) end_line(), wet = is_wet;
-                line.push_back(picture_of(at.x(), at.y(),
-                                          water_.bed[k] + water_.depth[k]));
+                line.push_back(
+                    picture_of(at.x(), at.y(), water_.bed[k] + water_.depth[k]));
             }
             end_line();
         }
@@ -105,11 +106,10 @@ inline Demo basin_demo()
     scene.tunables = {
         wave_number("cells", "", "columns each way", 96, 8, 400, Numbers::whole),
         wave_number("island", "m", "height of the island", 0.7, 0, 1)};
-    scene.columns = {
-        {"middle", "m", "height of the middle above the level of rest",
-         Plot::linear},
-        {"lost", "", "part of the water that was lost"},
-        {"energy", "", "over that of the start", Plot::linear}};
+    scene.columns = {{"middle", "m", "height of the middle above the level of rest",
+                      Plot::linear},
+                     {"lost", "", "part of the water that was lost"},
+                     {"energy", "", "over that of the start", Plot::linear}};
     scene.start = [](const Settings& settings) {
         return std::make_unique<BasinRun>(settings);
     };

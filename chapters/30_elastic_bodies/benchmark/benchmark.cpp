@@ -154,8 +154,7 @@ Real off_by(const ElasticBody<3>& body, const VecX& wanted)
     Real off = 0, way = 0;
     for (Index i = 0; i < wanted.size(); i += 3) {
         off = std::max(off, (body.x - wanted).segment<3>(i).norm());
-        way = std::max(way,
-                       (wanted - body.model.mesh().rest).segment<3>(i).norm());
+        way = std::max(way, (wanted - body.model.mesh().rest).segment<3>(i).norm());
     }
     return off / way;
 }
@@ -621,7 +620,8 @@ const bool registered = [] {
     }
     for (const auto& [law_name, law] : laws)
         for (const auto& [solve_name, solve] : solves)
-            for (const std::string how : {"one", "all", "kept", "kept_one", "kept_two"}) {
+            for (const std::string how :
+                 {"one", "all", "kept", "kept_one", "kept_two"}) {
                 const bool keeps = how.starts_with("kept");
                 if (keeps &&
                     (solve != LinearSolve::direct || law == StrainLaw::linear))
@@ -629,7 +629,10 @@ const bool registered = [] {
                 benchmark::RegisterBenchmark(
                     (std::string("tets/") + law_name + "/" + solve_name + "/" + how)
                         .c_str(),
-                    [law = law, solve = solve, most = how.ends_with("one") ? 1 : how.ends_with("two") ? 2 : 20,
+                    [law = law, solve = solve,
+                     most = how.ends_with("one")   ? 1
+                            : how.ends_with("two") ? 2
+                                                   : 20,
                      stale = keeps ? 0.5 : 0.0](benchmark::State& state) {
                         tetrahedra(state, law, solve, most, stale);
                     })
