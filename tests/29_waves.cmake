@@ -1,7 +1,7 @@
 # The program as a reader runs it.
 add_program_test(ch29 29_waves "runs scene string" --headless --scene string --steps 100
                  --method leapfrog,trapezoidal,implicit,sines --csv -)
-foreach(scene dispersion pool dam)
+foreach(scene dispersion pool dam basin)
   add_program_test(ch29 29_waves "runs scene ${scene}" --headless --scene ${scene} --steps 60 --csv -)
 endforeach()
 foreach(scene boxes boat raft duck)

@@ -1,25 +1,35 @@
 // The functions of shallow_water.hpp.
 #include "chapters/29_waves/shallow_water.hpp"
 
+#include "chapters/29_waves/water_faces.hpp"
+
 #include <algorithm>
 
 namespace rigid {
 namespace {
-
-/// Below it there is no water that could have a velocity: a face of less is at rest [m].
-constexpr Real dry = 1e-12;
 
 Real mean_depth(const ShallowWater& water, Index face)
 {
     return (water.depth[face - 1] + water.depth[face]) / 2;
 }
 
-Real outwards(Real u) { return u > 0 ? u : 0; }
+/// So many columns are moved at once by step(), with the three to each side that their
+/// velocities and depths come from.
+constexpr Index window_cells = 512;
+constexpr int beside = 3;
 
-/// What a flow carries at the velocity of the face it comes from.
-Real carried_by(Real flow, Real left, Real right)
+/// Whether no wave passes a whole cell. A root for each column is only taken where the
+/// fastest water and the deepest together would be too fast.
+void require_fits(const ShallowWater& water, Real h)
 {
-    return flow * (flow >= 0 ? left : right);
+    const Real fastest =
+        water.u.cwiseAbs().maxCoeff() + std::sqrt(water.g * water.depth.maxCoeff());
+    if (h * fastest <= water.dx) return;
+    const Real longest = stable_step(water);
+    if (!(h <= longest * (1 + 1e-12)))
+        throw std::invalid_argument("the time step is " + shortest(h) +
+                                    " s; a wave passes a whole cell in " +
+                                    shortest(longest) + " s");
 }
 
 }  // namespace
@@ -40,7 +50,7 @@ ShallowWater::ShallowWater(Index cells, Real length, Real still_depth)
     dx = length / static_cast<Real>(cells);
     bed = VecX::Zero(cells);
     depth = level = VecX::Constant(cells, still_depth);
-    u = damping = carried = flux = VecX::Zero(cells + 1);
+    u = carried = flux = VecX::Zero(cells + 1);
     giving = VecX::Zero(cells);
     part = VecX::Ones(cells + 1);
 }
@@ -76,14 +86,14 @@ void require_valid(const ShallowWater& water)
     sized(water.depth, n, "depth");
     sized(water.level, n, "level");
     sized(water.u, n + 1, "u");
-    sized(water.damping, n + 1, "damping");
+    if (water.damping.size() > 0) sized(water.damping, n + 1, "damping");
     sized(water.part, n + 1, "part");
     for (Index i = 0; i < n; ++i)
         if (water.depth[i] < 0)
             throw std::invalid_argument("depth[" + std::to_string(i) + "] is " +
                                         shortest(water.depth[i]) +
                                         " m; it must be zero or positive");
-    for (Index i = 0; i <= n; ++i)
+    for (Index i = 0; i < water.damping.size(); ++i)
         if (water.damping[i] < 0)
             throw std::invalid_argument("damping[" + std::to_string(i) + "] is " +
                                         shortest(water.damping[i]) +
@@ -124,31 +134,20 @@ Real stable_step(const ShallowWater& water)
     return water.dx / fastest.maxCoeff();
 }
 
-// In the loops of a step each entry has one result and no branch, so that a compiler
-// makes lanes of them; the bits are the same with lanes of any width. What is divided
-// by infinity is zero: at a face without water nothing moves.
-
-//! [push]
 void push_water(ShallowWater& water, Real h)
 {
-    const Real slope_to_speed = h * water.g / water.dx;
-    const Real *bed = water.bed.data(), *depth = water.depth.data(),
-               *level = water.level.data(), *part = water.part.data(),
-               *damping = water.damping.data();
-    Real* __restrict u = water.u.data();
-    for (Index r = 1; r < water.cells(); ++r) {  // of the face left of cell r
-        const Index l = r - 1;
-        const Real pushed =
-            u[r] - slope_to_speed * part[r] * (level[r] - level[l]);  // (29.11)
-        Real held = 1 + h * damping[r];
-        // water on one side, and on the other a dry bed that is higher: a shore
-        held = ((depth[r] <= dry) & (bed[r] >= level[l])) ? infinity : held;
-        held = ((depth[l] <= dry) & (bed[l] >= level[r])) ? infinity : held;
-        held = (depth[l] + depth[r]) / 2 > dry ? held : infinity;
-        u[r] = pushed / held;
-    }
+    const Real gain = h * water.g / water.dx;
+    const CellRow all{water.bed.data(), water.depth.data(), water.level.data()};
+    const CellRow behind{all.bed + 1, all.depth + 1, all.level + 1};
+    const Index faces = water.cells() - 1;
+    const Real* const part = water.part.data() + 1;
+    Real* const u = water.u.data() + 1;
+    if (water.damping.size() == 0)
+        push_faces<false>(faces, all, behind, gain, part, h, nullptr, u);
+    else
+        push_faces<true>(faces, all, behind, gain, part, h,
+                         water.damping.data() + 1, u);
 }
-//! [push]
 
 //! [carry]
 void carry_water(ShallowWater& water, Real h)
@@ -164,10 +163,14 @@ void carry_water(ShallowWater& water, Real h)
         const Real parting = lambda * (outwards(u[i + 1]) + outwards(-u[i]));
         give[i] = parting > 1 ? parting : 1;
     }
-    for (Index i = 0; i < n; ++i) give[i] = r[i] / give[i];
+    // a quotient costs more than all else here, and nearly always each divisor is one
+    if (water.giving.maxCoeff() > 1)
+        for (Index i = 0; i < n; ++i) give[i] = r[i] / give[i];
+    else
+        for (Index i = 0; i < n; ++i) give[i] = r[i];
     // through a wall that moves, water of the depth beside it comes or goes
     q[0] = u[0] * give[0];
-    for (Index f = 1; f < n; ++f) q[f] = u[f] * (u[f] >= 0 ? give[f - 1] : give[f]);
+    for (Index f = 1; f < n; ++f) q[f] = flow_through(u[f], give[f - 1], give[f]);
     q[n] = u[n] * give[n - 1];
     // (29.13): momentum goes with the water, at the speed of where it comes from
     Real* __restrict middle = give;  // whose depths are used by now
@@ -179,10 +182,7 @@ void carry_water(ShallowWater& water, Real h)
         const Real left = r[i] - lambda * (q[i + 1] - q[i]);
         r[i] = left > 0 ? left : 0;
     }
-    for (Index f = 1; f < n; ++f) {
-        const Real mean = (r[f - 1] + r[f]) / 2;
-        u[f] = P[f] / (mean > dry ? mean : infinity);
-    }
+    for (Index f = 1; f < n; ++f) u[f] = velocity_of(P[f], r[f - 1], r[f]);
 }
 //! [carry]
 
@@ -192,19 +192,47 @@ void level_water(ShallowWater& water)
         water.level[i] = water.bed[i] + water.depth[i];
 }
 
+//! [windows]
+/// Goes over the memory once: some columns at a time are moved as if they were all there
+/// are, by copies that stay in the cache; the three at either end are not kept.
 void step(ShallowWater& water, Real h)
 {
     require_step(h);
-    const Real longest = stable_step(water);
-    if (h > longest * (1 + 1e-12))
-        throw std::invalid_argument("the time step is " + shortest(h) +
-                                    " s; a wave passes a whole cell in " +
-                                    shortest(longest) + " s");
-    level_water(water);
-    push_water(water, h);
-    carry_water(water, h);
-    level_water(water);
+    require_fits(water, h);
+    const Index n = water.cells(), size = window_cells + 2 * beside;
+    if (n <= size) {
+        level_water(water), push_water(water, h), carry_water(water, h);
+        level_water(water);
+        return;
+    }
+    if (water.window.empty()) water.window.emplace_back(size, 1, 0);
+    ShallowWater& w = water.window.front();
+    w.dx = water.dx, w.g = water.g;
+    Vec<beside> old_depth,
+        old_u;  // of those before `first`, which have moved already
+    for (Index first = 0; first < n; first += window_cells) {
+        const Index kept = std::min(window_cells, n - first),
+                    from = std::clamp(first - beside, Index{0}, n - size),
+                    at = first - from;
+        w.bed = water.bed.segment(from, size);
+        w.depth = water.depth.segment(from, size);
+        w.u = water.u.segment(from, size + 1);
+        if (water.damping.size() == 0) w.damping.resize(0);
+        else w.damping = water.damping.segment(from, size + 1);
+        if (first > 0) {
+            w.depth.segment<beside>(at - beside) = old_depth;
+            w.u.segment<beside>(at - beside) = old_u;
+        }
+        old_depth = w.depth.segment<beside>(at + kept - beside);
+        old_u = w.u.segment<beside>(at + kept - beside);
+        level_water(w), push_water(w, h), carry_water(w, h);
+        water.depth.segment(first, kept) = w.depth.segment(at, kept);
+        water.u.segment(first, kept) = w.u.segment(at, kept);
+        water.level.segment(first, kept) =
+            w.bed.segment(at, kept) + w.depth.segment(at, kept);
+    }
 }
+//! [windows]
 
 DamBreak dam_break(Real left, Real right, Real g, Real x, Real t)
 {

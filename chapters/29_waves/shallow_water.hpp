@@ -15,6 +15,8 @@
 
 #include "common/bodies.hpp"
 
+#include <vector>
+
 namespace rigid {
 
 struct ShallowWater {
@@ -28,13 +30,14 @@ struct ShallowWater {
         level;  ///< N, η: height of the surface; where bodies float above bed + depth [m]
     VecX
         u;  ///< N + 1, of the faces [m/s]; the first and the last are the walls' own
-    VecX damping;  ///< N + 1, of a sponge [1/s]
+    VecX damping;  ///< of a sponge: N + 1 [1/s], or empty
     /// N + 1: the part of the water's depth at a face that is pushed by the slope there; less than 1 under a hull that
     /// presses on the ground (floating.hpp)
     VecX part;
     VecX carried;  ///< N + 1, memory: r u of a face after the last step [m²/s]
     VecX flux;     ///< N + 1, memory: q of the last step [m²/s]
     VecX giving;   ///< N, memory: how deep the water is that may leave a cell [m]
+    std::vector<ShallowWater> window;  ///< memory of step(): one, of a few columns
 
     /// Level water of this depth over a level bed, between two walls.
     /// Throws std::invalid_argument for no cells, a length that is not positive, a depth that is negative.
@@ -72,8 +75,8 @@ void carry_water(ShallowWater& water, Real h);
 /// η = bed + r, where no body floats.
 void level_water(ShallowWater& water);
 
-/// One whole step of water without bodies. Throws std::invalid_argument for a step that is not positive or beyond
-/// stable_step().
+/// One whole step of water without bodies (`part` is 1). Throws std::invalid_argument for a step that is not positive or
+/// beyond stable_step().
 void step(ShallowWater& water, Real h);
 
 /// Depth and velocity of an exact solution.

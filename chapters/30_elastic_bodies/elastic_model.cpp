@@ -190,15 +190,8 @@ template <int Dim>
 Mat<Dim> ElasticModel<Dim>::stress(const Mat<Dim>& F, Real& density) const
 {
     Mat<Dim> P;
-    if (material_.law == StrainLaw::linear) {
-        density += linear_stress<Dim>(lame_, F, P);
-        return P;
-    }
-    const Stretches<Dim> s = stretches_of<Dim>(F);
-    const StretchedLaw<Dim> at = law_at<Dim>(material_.law, lame_, s.sigma);
-    density += at.energy;
-    const Mat<Dim> along = s.U * at.gradient.asDiagonal();
-    return product<Dim, Dim, Dim>(along, s.V.transpose());  // U diag(g) Vᵀ
+    density += stress_of<Dim>(material_.law, lame_, F, P);
+    return P;
 }
 //! [stress]
 
@@ -207,14 +200,9 @@ Real ElasticModel<Dim>::energy(const VecX& x) const
 {
     Real sum = 0;
     for (int p = 0; p < points(); ++p) {
-        const Mat<Dim> F = deformation(x, p);
         Mat<Dim> P;
-        const Real density =
-            material_.law == StrainLaw::linear
-                ? linear_stress<Dim>(lame_, F, P)
-                : law_at<Dim>(material_.law, lame_, stretches_of<Dim>(F).sigma)
-                      .energy;
-        sum += weight(p) * density;
+        sum +=
+            weight(p) * stress_of<Dim>(material_.law, lame_, deformation(x, p), P);
     }
     return sum;
 }
@@ -247,12 +235,12 @@ void ElasticModel<Dim>::add_stiffness(const VecX& x, Real scale, bool projected,
     const int n = mesh_.per_element();
     const bool is_linear = material_.law == StrainLaw::linear;
     Stretches<Dim> s;  // at rest, where the linear law stays
-    StretchedLaw<Dim> at = law_at<Dim>(StrainLaw::corotational, lame_, s.sigma);
+    Curvature<Dim> at = curvature_at<Dim>(StrainLaw::corotational, lame_, s.sigma);
     std::array<Vec<Dim>, ElasticMesh<Dim>::most_nodes> t;
     for (int p = 0; p < points(); ++p) {
         if (!is_linear) {
             s = stretches_of<Dim>(deformation(x, p));
-            at = law_at<Dim>(material_.law, lame_, s.sigma);
+            at = curvature_at<Dim>(material_.law, lame_, s.sigma);
             if (projected) project(at);
         }
         const Real* const G = gradients(p);

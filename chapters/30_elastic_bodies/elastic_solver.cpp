@@ -80,6 +80,7 @@ void ElasticSolver<Dim>::begin(ElasticBody<Dim>& body, Real tau)
         model.add_stiffness(x0_, body.stiffness_damping, true, B_);
     }
     before_ = body.x;
+    is_seen_ = false;
     if (tau > 0) {
         // where it would go by itself, if that is not worse than where it is
         for (Index i = 0; i < y_.size(); ++i)
@@ -87,7 +88,9 @@ void ElasticSolver<Dim>::begin(ElasticBody<Dim>& body, Real tau)
         before_ = body.x;
         const Real here = look(body);
         body.x = y_;
-        if (!(look(body) < here)) body.x = before_;
+        G_ = look(body);
+        is_seen_ = G_ < here;
+        if (!is_seen_) body.x = before_;
     }
 }
 
@@ -117,7 +120,11 @@ Real ElasticSolver<Dim>::look(const ElasticBody<Dim>& body)
     }
     for (Index i = 0; i < r.size(); ++i)
         if (body.fixed[static_cast<std::size_t>(i)]) r[i] = 0;
-    rounding_ = 1e-13 * size;
+    // an energy of small strains may be a difference of numbers of the size of strain 1
+    Real strained = 0;
+    for (int i = 0; i < model.nodes(); ++i)
+        strained += model.force_scale(i) * model.edge();
+    rounding_ = 1e-13 * size + 1e-16 * share * strained;
     report.residual = residual_of(body, r);
     return G;
 }
@@ -226,7 +233,7 @@ bool ElasticSolver<Dim>::direction(ElasticBody<Dim>& body)
 template <int Dim>
 void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
 {
-    Real G = look(body);
+    Real G = is_seen_ ? G_ : look(body);
     // Once at least: against a stiff material a load may be less than the tolerance.
     while (report.residual > settings.tolerance ||
            (report.iterations == 0 && report.residual > 1e-15)) {

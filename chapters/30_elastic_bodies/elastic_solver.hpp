@@ -125,7 +125,9 @@ private:
     VecX x0_, y_, f_, difference_, product_, change_, before_;
     BlockMatrix<Dim> H_, B_;
     ConjugateGradients cg_;
-    Real rounding_ = 0;  ///< of G
+    Real rounding_ = 0;     ///< of G
+    Real G_ = 0;            ///< of the start
+    bool is_seen_ = false;  ///< whether begin() looked at the start last
     bool damped_ = false, renew_ = false;
     BlockPattern analysed_;  ///< what the factor's order is of
     /// What the factor at hand is of, if it may be kept.

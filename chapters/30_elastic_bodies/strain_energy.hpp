@@ -1,14 +1,14 @@
 /// \file strain_energy.hpp
-/// What a deformation costs: energy, force and stiffness of three laws by one form.
+/// What a deformation costs: energy, force and stiffness of three laws.
 ///
 ///     linear        Ψ = μ ε:ε + ½ λ tr² ε,             ε = ½ (F + Fᵀ) − I              (30.4)
 ///     corotational  Ψ = μ ‖F − R‖² + ½ λ tr²(RᵀF − I)                                 (30.12)
 ///     neo-Hookean   Ψ = ½ μ (‖F‖² − d) − μ (J − 1) + ½ (λ + μ) (J − 1)²,   J = det F  (30.14)
 ///
 /// The last two depend on the stretches σ alone, F = U diag(σ) Vᵀ. With g = ∂Ψ/∂σ and
-/// H = ∂²Ψ/∂σ² the derivatives in F are (30.22): stretches along the axes cost H, a
-/// twist in the plane of two axes (g_i + g_j)/(σ_i + σ_j), and a flip (a shear that does
-/// not turn) (g_i − g_j)/(σ_i − σ_j). \cite smith2018 \cite smith2019
+/// H = ∂²Ψ/∂σ² their curvatures are (30.22): stretches along the axes cost H, a twist in
+/// the plane of two axes (g_i + g_j)/(σ_i + σ_j), and a flip (a shear that does not turn)
+/// (g_i − g_j)/(σ_i − σ_j). Forces need no σ. \cite smith2018 \cite smith2019
 /// The linear law is the corotational one that never looks again: σ = 1, U = V = I.
 #pragma once
 
@@ -60,34 +60,25 @@ Lame lame_of(const ElasticMaterial& material, int dim);
 
 constexpr int pairs_of(int dim) { return dim * (dim - 1) / 2; }
 
-/// Energy and its derivatives at the stretches σ.
+/// How the stress changes with F, in the axes of the stretches: ∂²Ψ/∂F² (30.22).
 template <int Dim>
-struct StretchedLaw {
-    Real energy = 0;    ///< Ψ [J/m³]
-    Vec<Dim> gradient;  ///< g [Pa]
-    Mat<Dim> hessian;   ///< H [Pa]
+struct Curvature {
+    Mat<Dim> hessian;  ///< H [Pa]
     /// of the pairs (0, 1), (0, 2), (1, 2) [Pa]
     std::array<Real, pairs_of(Dim) + 1> twist{}, flip{};
 };
 
-//! [law]
-/// (30.22) of the corotational and of the neo-Hookean law.
+//! [curvature]
+/// (30.22) of the corotational and of the neo-Hookean law at the stretches σ.
 template <int Dim>
-StretchedLaw<Dim> law_at(StrainLaw law, const Lame& lame, const Vec<Dim>& sigma)
+Curvature<Dim> curvature_at(StrainLaw law, const Lame& lame, const Vec<Dim>& sigma)
 {
-    StretchedLaw<Dim> at;
+    Curvature<Dim> at;
     const auto [mu, lambda] = lame;
     const bool is_neo = law == StrainLaw::neo_hookean;
-    Real trace = 0, J = 1, square = 0;
-    for (int i = 0; i < Dim; ++i) {
-        trace += sigma[i] - 1, J *= sigma[i];
-        square +=
-            is_neo ? sigma[i] * sigma[i] - 1 : (sigma[i] - 1) * (sigma[i] - 1);
-    }
+    Real trace = 0, J = 1;
+    for (int i = 0; i < Dim; ++i) trace += sigma[i] - 1, J *= sigma[i];
     const Real s = (lambda + mu) * (J - 1) - mu;  // ∂Ψ/∂J
-    at.energy = is_neo ? mu / 2 * square - mu * (J - 1) +
-                             (lambda + mu) / 2 * (J - 1) * (J - 1)
-                       : mu * square + lambda / 2 * trace * trace;
     /// the product of all stretches but these
     const auto others = [&sigma](int i, int j) {
         Real all = 1;
@@ -97,8 +88,6 @@ StretchedLaw<Dim> law_at(StrainLaw law, const Lame& lame, const Vec<Dim>& sigma)
     };
     std::size_t pair = 0;
     for (int j = 0; j < Dim; ++j) {
-        at.gradient[j] = is_neo ? mu * sigma[j] + s * others(j, j)
-                                : 2 * mu * (sigma[j] - 1) + lambda * trace;
         const Real c = others(j, j);
         at.hessian(j, j) = is_neo ? mu + (lambda + mu) * c * c : 2 * mu + lambda;
         for (int i = 0; i < j; ++i, ++pair) {
@@ -117,16 +106,32 @@ StretchedLaw<Dim> law_at(StrainLaw law, const Lame& lame, const Vec<Dim>& sigma)
     }
     return at;
 }
-//! [law]
+//! [curvature]
+
+/// Whether a symmetric matrix is positive definite, by its leading minors.
+template <int Dim>
+bool is_positive(const Mat<Dim>& A)
+{
+    if constexpr (Dim == 1) return A(0, 0) > 0;
+    else {
+        const Real second = A(0, 0) * A(1, 1) - A(0, 1) * A(0, 1);
+        if constexpr (Dim == 2) return A(0, 0) > 0 && second > 0;
+        else
+            return A(0, 0) > 0 && second > 0 &&
+                   A(2, 2) * second + 2 * A(0, 1) * A(0, 2) * A(1, 2) >
+                       A(0, 0) * A(1, 2) * A(1, 2) + A(1, 1) * A(0, 2) * A(0, 2);
+    }
+}
 
 //! [project]
 /// Takes what would make the stiffness indefinite: negative twists, flips and
 /// eigenvalues of H become zero. Newton's step is then downhill.
 template <int Dim>
-void project(StretchedLaw<Dim>& at)
+void project(Curvature<Dim>& at)
 {
     for (auto* const list : {&at.twist, &at.flip})
         for (Real& value : *list) value = std::max<Real>(0, value);
+    if (is_positive<Dim>(at.hessian)) return;
     Mat<Dim> values = at.hessian, V;
     symmetric_eigen(values, V);
     Real least = values(0, 0);
@@ -157,6 +162,52 @@ Real linear_stress(const Lame& lame, const Mat<Dim>& F, Mat<Dim>& P)
     P = 2 * lame.mu * strain;
     for (int i = 0; i < Dim; ++i) P(i, i) += lame.lambda * trace;
     return lame.mu * square + lame.lambda / 2 * trace * trace;
+}
+
+//! [stresses]
+/// The corotational law: the turn is all that has to be known of F, (30.12).
+template <int Dim>
+Real corotational_stress(const Lame& lame, const Mat<Dim>& F, Mat<Dim>& P)
+{
+    const Mat<Dim> R = turn_of<Dim>(F);
+    Real trace = -Dim, square = 0;
+    for (int j = 0; j < Dim; ++j)
+        for (int i = 0; i < Dim; ++i) {
+            trace += R(i, j) * F(i, j);
+            square += (F(i, j) - R(i, j)) * (F(i, j) - R(i, j));
+        }
+    P = 2 * lame.mu * (F - R) + lame.lambda * trace * R;
+    return lame.mu * square + lame.lambda / 2 * trace * trace;
+}
+
+/// The neo-Hookean law (30.14): P = μ F + ∂Ψ/∂J · cof F, a polynomial.
+template <int Dim>
+Real neo_hookean_stress(const Lame& lame, const Mat<Dim>& F, Mat<Dim>& P)
+{
+    const Mat<Dim> C = cofactor<Dim>(F);
+    Real J = 0, square = -Dim;
+    for (int i = 0; i < Dim; ++i) J += F(i, 0) * C(i, 0);
+    for (int j = 0; j < Dim; ++j)
+        for (int i = 0; i < Dim; ++i) square += F(i, j) * F(i, j);
+    const auto [mu, lambda] = lame;
+    P = mu * F + ((lambda + mu) * (J - 1) - mu) * C;
+    return mu / 2 * square - mu * (J - 1) + (lambda + mu) / 2 * (J - 1) * (J - 1);
+}
+//! [stresses]
+
+/// Energy density [J/m³] and stress P = ∂Ψ/∂F [Pa] of a law at F.
+template <int Dim>
+Real stress_of(StrainLaw law, const Lame& lame, const Mat<Dim>& F, Mat<Dim>& P)
+{
+    switch (law) {
+    case StrainLaw::linear:
+        return linear_stress<Dim>(lame, F, P);
+    case StrainLaw::corotational:
+        return corotational_stress<Dim>(lame, F, P);
+    case StrainLaw::neo_hookean:
+        break;
+    }
+    return neo_hookean_stress<Dim>(lame, F, P);
 }
 
 }  // namespace rigid

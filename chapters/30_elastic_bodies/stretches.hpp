@@ -127,13 +127,48 @@ Stretches<Dim> stretches_of(const Mat<Dim>& F)
 }
 //! [stretches]
 
-/// R of (30.13): the turn that is nearest to F.
+/// cof F = det F · F⁻ᵀ, which has no pole.
+template <int Dim>
+Mat<Dim> cofactor(const Mat<Dim>& F)
+{
+    Mat<Dim> C;
+    if constexpr (Dim == 1) C(0, 0) = 1;
+    else if constexpr (Dim == 2) C << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
+    else
+        for (int i = 0; i < 3; ++i)
+            C.col(i) = F.col((i + 1) % 3).cross(F.col((i + 2) % 3));
+    return C;
+}
+
+//! [turn]
+/// R of (30.13): the turn that is nearest to F. In the plane it is known at once. In space
+/// R ← ½ (R + R⁻ᵀ), Newton's method for RᵀR = I, doubles the digits in each round and needs
+/// no angles; where F is flat or inverted the stretches say.
 template <int Dim>
 Mat<Dim> turn_of(const Mat<Dim>& F)
 {
+    Mat<Dim> R = F;
+    if constexpr (Dim == 2) {
+        const Real c = F(0, 0) + F(1, 1), s = F(1, 0) - F(0, 1),
+                   r = std::sqrt(c * c + s * s);
+        if (r > 1e-9) {
+            R << c / r, -s / r, s / r, c / r;
+            return R;
+        }
+    } else if constexpr (Dim == 3) {
+        for (int round = 0; round < 12; ++round) {
+            const Mat<3> C = cofactor<3>(R);
+            const Real J = sum_of_products<3>(R.col(0), C.col(0));
+            if (!(J > 0.01)) break;
+            const Mat<3> change = (C / J - R) / 2;
+            R += change;
+            if (change.cwiseAbs().maxCoeff() < 1e-8) return R;
+        }
+    }
     const Stretches<Dim> s = stretches_of<Dim>(F);
     return product<Dim, Dim, Dim>(s.U, s.V.transpose());
 }
+//! [turn]
 
 /// Eigenvalues and eigenvectors of a symmetric matrix, A = V diag(values) Vᵀ, by
 /// Jacobi's rotations. Not sorted.

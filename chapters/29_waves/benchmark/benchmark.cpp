@@ -2,6 +2,7 @@
 #include "chapters/29_waves/membrane.hpp"
 #include "chapters/29_waves/modes.hpp"
 #include "chapters/29_waves/spectral.hpp"
+#include "chapters/29_waves/water_field.hpp"
 #include "chapters/29_waves/water_scenes.hpp"
 #include "common/elementary.hpp"
 
@@ -126,22 +127,43 @@ void membrane(benchmark::State& state)
 }
 BENCHMARK(membrane)->Arg(100)->Arg(300)->Arg(1000)->Arg(3000)->Iterations(40);
 
+/// The least time of a step, and what it means for the memory.
+/// \param bytes  that a step reads and writes, a cell
+template <class Water>
+void time_water(benchmark::State& state, Water& water, Real h, Real bytes)
+{
+    Real best = infinity;
+    for ([[maybe_unused]] const auto& _ : state) {
+        const auto start = std::chrono::steady_clock::now();
+        step(water, h);
+        best = std::min(best, std::chrono::duration<Real>(
+                                  std::chrono::steady_clock::now() - start)
+                                  .count());
+    }
+    const auto cells = static_cast<Real>(water.depth.size());
+    report(state, best * 1e6, 0, best * 1e9 / cells, bytes * cells / best * 1e-9);
+}
+
+/// The check of the step reads depth and u; the step reads bed, depth and u, and writes depth, level and u.
 void water(benchmark::State& state)
 {
     const auto n = static_cast<Index>(state.range(0));
     ShallowWater tank(n, static_cast<Real>(n), 1);
     for (Index i = 0; i < n / 2; ++i) tank.depth[i] += 0.3;
-    Real best = infinity;
-    for ([[maybe_unused]] const auto& _ : state) {
-        const auto start = std::chrono::steady_clock::now();
-        step(tank, 0.15);
-        best = std::min(best, std::chrono::duration<Real>(
-                                  std::chrono::steady_clock::now() - start)
-                                  .count());
-    }
-    report(state, best * 1e6, 0, best * 1e9 / static_cast<Real>(n), 0);
+    time_water(state, tank, 0.15, 64);
 }
 BENCHMARK(water)->Arg(1000)->Arg(100000)->Arg(1000000)->Iterations(100);
+
+/// The check reads depth, u and v; the step reads these and bed, and writes them.
+void field(benchmark::State& state)
+{
+    const auto n = static_cast<Index>(state.range(0));
+    WaterField basin(n, n, 1, 1);
+    for (Index k = 0; k < n * n / 2; ++k)
+        basin.depth[k] += k % n < n / 2 ? 0.3 : 0.1;
+    time_water(state, basin, 0.12, 80);
+}
+BENCHMARK(field)->Arg(100)->Arg(300)->Arg(1000)->Arg(3000)->Iterations(40);
 
 void afloat(benchmark::State& state)
 {

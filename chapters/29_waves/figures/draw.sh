@@ -18,6 +18,7 @@ fi
 # Pictures of scenes.
 run --scene boat --set waves=0.12 --steps 840 --svg "$out/ch29_boat.svg"
 run --scene dam --steps 60 --svg "$out/ch29_dam.svg"
+run --scene basin --steps 48 --svg "$out/ch29_basin.svg"
 run --scene boxes --set waves=0 --steps 2400 --svg "$out/ch29_boxes.svg"
 
 # How fast each wave is.

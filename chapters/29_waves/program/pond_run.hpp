@@ -26,6 +26,7 @@ public:
         floating_.displace(all_.scene, all_.water);
         // what comes to the right end is swallowed there
         const Index n = all_.water.cells();
+        all_.water.damping.setZero(n + 1);
         for (Index f = n - n / 8; f < n; ++f) {
             const Real in =
                 static_cast<Real>(f - n + n / 8) / static_cast<Real>(n / 8);

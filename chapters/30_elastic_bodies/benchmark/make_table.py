@@ -22,7 +22,8 @@ COLUMNS = ["us", "ms", "ms_whole", "solve_ms", "error", "residual", "systems", "
            "nodes", "blocks", "rows", "fill", "tones"]
 
 TETS = {"linear/direct/all": "linear, factor kept", "linear/cg/one": "linear, CG to 1 % of the right side",
-        "corotational/direct/kept_one": "corotational, one system, factor kept", "corotational/cg/all": "corotational, CG",
+        "corotational/direct/kept_one": "corotational, one system, factor kept",
+        "neo_hookean/direct/kept_one": "neo-Hookean, one system, factor kept", "corotational/cg/all": "corotational, CG",
         "corotational/direct/kept": "corotational, factor kept", "neo_hookean/direct/kept": "neo-Hookean, factor kept",
         "corotational/direct/all": "corotational, factors made anew"}
 NET = {"xpbd/100": "XPBD, 100 sweeps", "xpbd/1000": "XPBD, 1,000 sweeps", "xpbd/3000": "XPBD, 3,000 sweeps",
