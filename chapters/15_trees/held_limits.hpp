@@ -9,8 +9,8 @@
 namespace rigid {
 
 //! [held]
-/// A limb that goes back on its pin would turn through a limit that is near: for that
-/// while the limit is a row without bounds, which pulls, too.
+/// A limb that goes back on its pin would turn through a limit that is near:
+/// meanwhile the limit is a row without bounds, which pulls, too.
 struct HeldLimits {
     static constexpr Real near = 0.1;  ///< rad: no correction turns a limb as far
     std::vector<int> rows;             ///< that are held
