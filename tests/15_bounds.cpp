@@ -27,7 +27,7 @@ struct MatrixOfAll : CoulombSolver<FindFriction> {
     {
         all.resize(now.rows.size());
         std::iota(all.begin(), all.end(), 0);
-        visit(all, now.active, *this, true);
+        visit(all, now.active, *this, Corrected::arcs_and_errors);
     }
     void factor_again(const Bodies<3>&, const StepData<3>& now)
     {

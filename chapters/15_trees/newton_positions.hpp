@@ -17,6 +17,7 @@
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/11_rotation/rigid_scene.hpp"
 #include "chapters/15_trees/arcs.hpp"
+#include "chapters/15_trees/held_limits.hpp"
 #include "chapters/15_trees/reflections.hpp"
 #include "chapters/15_trees/renewed_rows.hpp"
 
@@ -26,14 +27,14 @@ namespace rigid {
 
 /// A solver whose problems, islands or all rows as one, can have their errors corrected each by itself.
 ///
-/// - for_each_problem() calls visit(rows, bodies, apart, at_once) for each of them: apart.solve_apart() solves other biases on
-///   these rows alone, apart.factor_again() takes their J from now.rows, and at_once says that its joints are then met, not swept.
+/// - for_each_problem() calls visit(rows, bodies, apart, what) for each of them: apart.solve_apart() solves other biases on
+///   these rows alone, apart.factor_again() takes their J from now.rows.
 /// - bounce_late(), after the positions: what bounces at the end of a sub-step. It changes u and λ, and no x.
 template <class Solver>
 concept SolvesProblems = requires(Solver it, Bodies<3>& bodies, StepData<3>& now)
 {
     it.for_each_problem(
-        now, [](std::span<const int>, std::span<const int>, auto&, bool) {});
+        now, [](std::span<const int>, std::span<const int>, auto&, Corrected) {});
     it.bounce_late(bodies, now);
 };
 
@@ -96,11 +97,11 @@ public:
         iterations = renewals = unmet = 0, left = 0;
         gave_up_pushing = joints_alone = false;
         const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
-                             auto& apart, bool at_once) {
-            if (at_once)
+                             auto& apart, Corrected what) {
+            if (what == Corrected::arcs_and_errors)
                 arcs_.follow(scene, settings.part(), rows, bodies, *this, apart,
                              second, v, now);
-            correct(scene, settings.part(), rows, bodies, apart, now);
+            correct(scene, settings.part(), rows, bodies, what, apart, now);
         };
         solver.for_each_problem(now, one);
         solver.bounce_late(scene.bodies, now);
@@ -111,14 +112,16 @@ public:
     /// What is an error, by positions alone.
     template <class Scene, class Apart>
     void correct(Scene& scene, Real h, std::span<const int> rows,
-                 std::span<const int> members, Apart& apart, StepData<3>& now)
+                 std::span<const int> members, Corrected what, Apart& apart,
+                 StepData<3>& now)
     {
         Bodies<3>& bodies = scene.bodies;
         Real pushed = 0;  // the largest part of an overlap that is to come out
         Real off = 0, best = 0, part = 1, deepest = 0;
         bool fresh = false;  // J is that of the best positions so far
-        bool alone = false, gave_up = false, jointed = false;
+        bool alone = what == Corrected::joints, gave_up = false, jointed = false;
         int n = 0;
+        if (alone) held_.hold(scene, rows, now);
         for (;; ++n) {
             const Real before = off;
             off = 0;
@@ -126,7 +129,9 @@ public:
             for (const int i : rows) {
                 Constraint<3>& c = at(now.constraints, i);
                 const bool bounded = c.kind == ConstraintKind::unilateral;
-                at(second.left_out, i) = !has_error(c.kind) || (bounded && alone);
+                const bool held = bounded && at(now.rows, i).lo < 0;
+                at(second.left_out, i) =
+                    !has_error(c.kind) || (bounded && alone && !held);
                 if (at(second.left_out, i)) continue;
                 c = constraint_at(scene, now, static_cast<std::size_t>(i),
                                   bodies.x);
@@ -134,10 +139,11 @@ public:
                            (bounded && n > 0 && second.solution.lambda[i] != 0);
                 // metres of a C: an angle counts as so much at the length ℓ
                 const Real unit = is_angle(c) ? now.length : 1;
-                if (c.kind == ConstraintKind::bilateral) {
-                    joined = jointed = true;
-                    at(second.bias, i) = c.C / h;
-                    off = std::max(off, std::abs(c.C) * unit);
+                if (!bounded || held) {
+                    const Real error = held ? std::min(Real{0}, c.C) : c.C;
+                    joined = jointed = what != Corrected::overlaps;
+                    at(second.bias, i) = error / h;
+                    if (joined) off = std::max(off, std::abs(error) * unit);
                 } else {
                     // (15.17): what lies too deep comes out once, by the part β
                     const Real s = slop_of(c, now.length) / unit;
@@ -177,14 +183,15 @@ public:
             best = off;
             part = 1;
             // the old J is good enough while it takes nine tenths of the error
-            fresh = n > 0 && off > before / 10;
+            fresh = n > 0 ? off > before / 10 : what == Corrected::joints;
             if (fresh) {
                 renewed_.renew(scene, rows, second.left_out, apart, now);
                 ++renewals;
             }
             second.max_sweeps = wanted ? push_sweeps : sweeps;
             apart.solve_apart(second, v, now);
-            if (wanted && goes_far(members, now.length, h, std::max(pushed, off))) {
+            if (wanted &&
+                goes_far(v, members, now.length, h, std::max(pushed, off))) {
                 // overlaps that work against each other: they stay
                 gave_up = true;
                 for (const int i : rows) {
@@ -201,11 +208,12 @@ public:
             }
         }
         renewed_.put_back(rows, now);
+        held_.let_go(now);
         iterations = std::max(iterations, n);
         left = std::max(left, off);
         unmet += (jointed && !(off <= slop * now.length)) ||
                  (gave_up && deepest > now.length / 20);
-        joints_alone = joints_alone || alone;
+        joints_alone = joints_alone || (alone && what != Corrected::joints);
         gave_up_pushing = gave_up_pushing || gave_up;
     }
     //! [newton]
@@ -224,20 +232,11 @@ private:
         return least;
     }
 
-    /// Whether v moves a body much farther than what is to be corrected, and by more than a twentieth of ℓ.
-    bool goes_far(std::span<const int> members, Real length, Real h,
-                  Real wanted) const
-    {
-        Real farthest = 0;
-        for (const int k : members)
-            farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
-        return !(farthest <= std::max(8 * wanted, length / 20));
-    }
-
     Arcs arcs_;
     RenewedRows renewed_;
     PlacesBefore best_;       ///< with the least error so far
     std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid
+    HeldLimits held_;
 };
 
 }  // namespace rigid

@@ -40,10 +40,28 @@ inline void require_valid(const NewtonSettings& settings)
             "; they must be zero or positive, and beta at most 1");
 }
 
+/// What of a problem has its positions corrected.
+enum class Corrected : unsigned char {
+    errors,           ///< of joints and of contacts
+    arcs_and_errors,  ///< and what the step bends away: its joints are met, not swept
+    overlaps,         ///< what lies too deep, once; no joint is closed
+    joints,           ///< errors of joints, with limits that are near held
+};
+
 /// Whether C is in radians: its row moves no centroid.
 inline bool is_angle(const Constraint<3>& c)
 {
     return c.Jb.head<2>().isZero(0) && (c.a == world || c.Ja.head<2>().isZero(0));
+}
+
+/// Whether v moves one of these bodies much farther than what is to be corrected, and by more than a twentieth of ℓ.
+inline bool goes_far(const VecX& v, std::span<const int> members, Real length,
+                     Real h, Real wanted)
+{
+    Real farthest = 0;
+    for (const int k : members)
+        farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
+    return !(farthest <= std::max(8 * wanted, length / 20));
 }
 
 /// x ← x + h v, of some bodies.

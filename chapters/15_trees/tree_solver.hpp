@@ -10,6 +10,7 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/15_trees/bounded_rows.hpp"
 #include "chapters/15_trees/joint_answer.hpp"
+#include "chapters/15_trees/newton_settings.hpp"
 #include "chapters/15_trees/reflections.hpp"
 
 #include <array>
@@ -71,7 +72,7 @@ struct TreeSolver : PlainSolver {
     template <class Visit>
     void for_each_problem(const StepData<3>& now, const Visit& visit)
     {
-        visit(all_, now.active, *this, true);
+        visit(all_, now.active, *this, Corrected::arcs_and_errors);
     }
 
     /// What bounces at the end of a sub-step, after the positions.

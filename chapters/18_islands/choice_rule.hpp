@@ -15,6 +15,8 @@ struct ChoiceRule {
     /// islands of so many rows are swept in lanes: eight colours or so, in each 8
     /// lanes of bundles of four rows, four times over, are 1024
     int wide = 1000;
+    /// and of so many where joints move: each step sweeps over it some 600 times
+    int wide_joined = 300;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
     /// and for each pair of its rows with bounds (18.7): what is solved needs half

@@ -86,9 +86,9 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     }
 
     /// Each island is a problem by itself.
-    /// \param visit  (rows, bodies, what solves them apart, whether joints are met)
+    /// \param visit  (rows, bodies, what solves them apart, what is corrected)
     template <class Visit>
-    void for_each_problem(const StepData<3>&, const Visit& visit)
+    void for_each_problem(const StepData<3>& now, const Visit& visit)
     {
         for (int i = 0; i < all.islands.count(); ++i) {
             if (const WideIsland* lanes = wide.find(i); lanes && lanes->stepped) {
@@ -96,8 +96,9 @@ struct IslandChoice : IslandSolvers, PlainSolver {
                 continue;
             }
             Apart apart{*this, i, *bodies_};
-            visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart,
-                  exactly.find(i) != nullptr || held.find(i) != nullptr);
+            const Corrected what = corrected(i);
+            visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart, what);
+            if (what == Corrected::overlaps) meet_joints(i, *bodies_, now, visit);
         }
     }
 

@@ -75,6 +75,7 @@ inline Real best_part(const StepData<3>& now, std::span<const int> rows,
 struct IslandNote {
     IslandPlace place = IslandPlace::only_swept;
     bool joined = false;        ///< by joints
+    bool trees = false;         ///< and they close no loop
     bool large = false;         ///< where it moves it is not like what stands
     bool moves = false;         ///< it is large, and does not stand
     int length = 0;             ///< N
@@ -162,6 +163,7 @@ private:
         const IslandShape shape = survey_(bodies, now.rows, islands.rows_of(island),
                                           islands.bodies_of(island));
         note.joined = shape.has_joints();
+        note.trees = note.joined && shape.loops == 0;
         note.length = shape.length;
         note.large = solving == Solving::by_island && shape.bounded > rule.always;
         note.moves = note.large && moves(island, bodies, now);

@@ -65,6 +65,11 @@ struct PartApart {
         second.solution.status = part.second.solution.status;
         part.scatter_apart(second, v, now);
     }
+    /// The rows have another J.
+    void factor_again(const Bodies<3>& bodies, const StepData<3>& now)
+    {
+        one.factor_again(bodies, now);
+    }
 };
 
 struct IslandSolvers {
@@ -90,7 +95,7 @@ struct IslandSolvers {
             exactly.clear(count), held.clear(count);
             swept.clear(count), wide.clear(count);
             exact_count = swept_count = 0;
-            for (int i = 0; i < count; ++i) place(i, rule.wide, bodies, now);
+            for (int i = 0; i < count; ++i) place(i, rule, bodies, now);
         }
         // guesses and old factors do not outlive a step
         rescuers.clear(count), struck.clear(count);
@@ -101,8 +106,8 @@ struct IslandSolvers {
         });
     }
 
-    /// \param many  rows from which on an island is swept in lanes
-    void place(int i, int many, const Bodies<3>& bodies, const StepData<3>& now)
+    void place(int i, const ChoiceRule& rule, const Bodies<3>& bodies,
+               const StepData<3>& now)
     {
         const IslandNote& note = all.note(i);
         const std::span<const int> rows = all.islands.rows_of(i),
@@ -118,6 +123,7 @@ struct IslandSolvers {
             held.take(i).part.take(rows, members, now, count, numbers_);
             return;
         }
+        const int many = note.moves && note.joined ? rule.wide_joined : rule.wide;
         if (static_cast<int>(rows.size()) >= many || is_heap(i, now)) {
             if (wide.take(i).take(all.islands, i, note, bodies, now, numbers_))
                 return;
@@ -149,6 +155,28 @@ struct IslandSolvers {
         one.forget();
         return one;
     }
+
+    //! [meet]
+    Corrected corrected(int i)
+    {
+        if (exactly.find(i) || held.find(i)) return Corrected::arcs_and_errors;
+        const bool in_lanes = all.note(i).moves && wide.find(i);
+        return in_lanes && all.note(i).trees ? Corrected::overlaps
+                                             : Corrected::errors;
+    }
+    /// Where joints that move were swept in lanes, their errors go out by their trees.
+    /// \param visit  of for_each_problem
+    template <class Visit>
+    void meet_joints(int i, const Bodies<3>& bodies, const StepData<3>& now,
+                     const Visit& visit)
+    {
+        TreePart& one = tree_of(rescuers, i, bodies, now);
+        one.part.gather(bodies, now);
+        PartApart<TreePart> apart{one};
+        visit(all.islands.rows_of(i), all.islands.bodies_of(i), apart,
+              Corrected::joints);
+    }
+    //! [meet]
 
     //! [apart]
     /// Other problems on the rows of one island.
