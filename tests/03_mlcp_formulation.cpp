@@ -1049,9 +1049,9 @@ TEST_CASE("the problems of tests/problems have the answers that they say", "[hou
 {
     int files = 0;
     // fric_boxed_s4 has 1,679,616 cases, more than all others together: chapters 4, 5 and 9 solve it
-    for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2", "fric_st_s2",
-                             "infeasible_psd2", "mass1000_rest_s5", "murty_exp_s6", "murty_q1_s16",
-                             "nonsym_pd_s6", "pyramid_impact_s3", "spd_s5"}) {
+    for (const char* name : {"blcp_spd_s10", "circulant_ties_12", "column_rest_s3", "disc_chain_s2",
+                             "fric_st_s2", "infeasible_psd2", "mass1000_rest_s5", "murty_exp_s6",
+                             "murty_q1_s16", "nonsym_pd_s6", "pyramid_impact_s3", "spd_s5"}) {
         const Problem file =
             read_problem(std::string(RIGID_SOURCE_DIR) + "/tests/problems/" + name + ".mlcp");
         INFO(name);
