@@ -25,7 +25,7 @@ HEADING = ["scene", "engine", "error", "energy", "us"]
 RATE = "240"
 SCENES = {"pendulum": "pendulum", "double_pendulum": "double pendulum", "slider-crank": "slider-crank", "heavy_chain": "heavy chain",
           "block_on_a_slope": "block on a slope", "bouncing_ball": "bouncing ball", "stack_of_five": "stack of five",
-          "Newton_s_cradle": "Newton's cradle"}
+          "Painleve_s_rod": "Painlevé's rod", "Newton_s_cradle": "Newton's cradle", "doll": "doll"}
 KEEP_THEIR_ENERGY = {"pendulum", "double_pendulum", "slider-crank", "heavy_chain"}
 ENGINES = {"impulses": "this book, impulses", "coordinates": "this book, coordinates", "ODE": "ODE", "Bullet": "Bullet",
            "Bullet_s_trees": "Bullet's trees", "Simbody": "Simbody", "MuJoCo": "MuJoCo"}
@@ -62,7 +62,7 @@ def table_of(rows):
         gained = ("+" if energy >= 0 else "−") + one_digit(abs(energy)) if row["scene"] in KEEP_THEIR_ENERGY else "–"
         cells = [SCENES[row["scene"]] if row["scene"] != before else "", ENGINES[row["engine"]],
                  "gone" if error >= 10 else one_digit(error), "–" if error >= 10 else gained,
-                 two_digits(float(row["us"]) / 1000)]
+                 two_digits(float(row["us"]) / 1000) if row["us"] else "–"]  # an error can be had without a time
         lines.append("| " + " | ".join(cells).lstrip() + " |")
         before = row["scene"]
     return [line.replace("|  |", "| |") for line in lines]

@@ -21,21 +21,50 @@ inline Real inertia_of_body(const JointedScene& scene, Index k)
 {
     return 1 / scene.bodies.inverse_mass[3 * k + 2];
 }
-/// Half its sides in the plane, of a box whose centre is its centroid.
+/// Half its sides in the plane, of a box whose centre is its centroid; what is round at its corners is square here.
 inline Vec2 half_sides(const Polygon& shape)
 {
     Vec2 half(0, 0);
     for (const Vec2& vertex : shape.vertices)
         half = half.cwiseMax(vertex.cwiseAbs());
-    return half;
+    return half + Vec2::Constant(shape.radius);
 }
 inline bool is_disc(const Polygon& shape) { return shape.vertices.size() == 1; }
+inline bool is_capsule(const Polygon& shape) { return shape.vertices.size() == 2; }
 
-/// Painlevé's rod and the doll are not tried.
-inline bool is_for_engines(const WayScene& way)
+/// No engine knows a rod without thickness: it gets this radius, and the walls stand back by as much [m].
+inline constexpr Real thin = 1e-4;
+inline Real radius_of(const Polygon& shape)
 {
-    return way.name != "doll" && way.name != "Painleve's rod";
+    return is_capsule(shape) && shape.radius == 0 ? thin : shape.radius;
 }
+inline Real length_of(const Polygon& capsule)
+{
+    return (capsule.vertices[1] - capsule.vertices[0]).norm();
+}
+inline Real stands_back(const JointedScene& scene)
+{
+    const bool any = std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                                 [](const Polygon& shape) {
+                                     return is_capsule(shape) && shape.radius == 0;
+                                 });
+    return any ? thin : 0;
+}
+
+/// Chains of joints alone meet nothing; what is joined meets walls alone, what is not each other too.
+inline bool meets_something(const JointedScene& scene)
+{
+    return scene.placed.empty() || !scene.walls.empty();
+}
+inline bool meet_each_other(const JointedScene& scene)
+{
+    return scene.placed.empty();
+}
+inline bool is_limited(const RigidJoint& joint)
+{
+    return joint.lower > -infinity || joint.upper < infinity;
+}
+
 /// Revolute joints from the world, no loop, no contact.
 inline bool is_tree_of_pins(const WayScene& way)
 {

@@ -20,11 +20,10 @@ public:
     {
         const JointedScene& scene = way.scene;
         world_.setGravity(btVector3(scene.gravity.x(), scene.gravity.y(), 0));
-        const bool touches = scene.joints.empty();
         const Surface surface =
             scene.surfaces.empty() ? Surface{} : scene.surfaces.front();
         const auto add = [&](std::unique_ptr<btCollisionShape> shape, Real mass,
-                             Real inertia, const btTransform& at, bool collides) {
+                             Real inertia, const btTransform& at) {
             btRigidBody::btRigidBodyConstructionInfo info(
                 mass, nullptr, shape.get(), btVector3(inertia, inertia, inertia));
             info.m_startWorldTransform = at;
@@ -33,8 +32,10 @@ public:
             info.m_restitution = std::sqrt(surface.restitution);
             auto body = std::make_unique<btRigidBody>(info);
             body->setActivationState(DISABLE_DEACTIVATION);
-            if (collides) world_.addRigidBody(body.get());
-            else world_.addRigidBody(body.get(), 0, 0);
+            const int others =
+                (meets_something(scene) ? 1 : 0) + (meet_each_other(scene) ? 2 : 0);
+            const bool moves = mass > 0;
+            world_.addRigidBody(body.get(), moves ? 2 : 1, moves ? others : 2);
             shapes_.push_back(std::move(shape));
             bodies_.push_back(std::move(body));
             return bodies_.back().get();
@@ -45,6 +46,9 @@ public:
             std::unique_ptr<btCollisionShape> made;
             if (is_disc(shape))
                 made = std::make_unique<btSphereShape>(shape.radius);
+            else if (is_capsule(shape))
+                made = std::make_unique<btCapsuleShapeX>(radius_of(shape),
+                                                         length_of(shape));
             else
                 made = std::make_unique<btBoxShape>(
                     btVector3(half.x(), half.y(), 0.5));
@@ -52,15 +56,15 @@ public:
             btRigidBody* const body = add(
                 std::move(made), mass_of_body(scene, k), inertia_of_body(scene, k),
                 btTransform(btQuaternion(btVector3(0, 0, 1), x[2]),
-                            btVector3(x[0], x[1], 0)),
-                touches);
+                            btVector3(x[0], x[1], 0)));
             body->setLinearVelocity(btVector3(u[0], u[1], 0));
             body->setAngularVelocity(btVector3(0, 0, u[2]));
         }
         for (const HalfSpace& wall : scene.walls)
             add(std::make_unique<btStaticPlaneShape>(
-                    btVector3(wall.normal.x(), wall.normal.y(), 0), wall.offset),
-                0, 0, btTransform::getIdentity(), touches);
+                    btVector3(wall.normal.x(), wall.normal.y(), 0),
+                    wall.offset - stands_back(scene)),
+                0, 0, btTransform::getIdentity());
         for (const PlacedJoint& placed : scene.placed) {
             const RigidJoint& joint = placed.joint;
             btRigidBody& b = *bodies_[static_cast<std::size_t>(joint.b)];
@@ -74,8 +78,15 @@ public:
                 joints_.push_back(std::make_unique<btSliderConstraint>(
                     a, b, btTransform(id, at_a), btTransform(id, at_b), true));
             } else {
-                joints_.push_back(
-                    std::make_unique<btHingeConstraint>(a, b, at_a, at_b, z, z));
+                auto hinge =
+                    std::make_unique<btHingeConstraint>(a, b, at_a, at_b, z, z);
+                if (is_limited(joint)) {  // of their angle, which has its own sign
+                    const Real now = coordinate(scene.bodies.x, joint),
+                               theirs = hinge->getHingeAngle();
+                    hinge->setLimit(theirs - (joint.upper - now),
+                                    theirs - (joint.lower - now));
+                }
+                joints_.push_back(std::move(hinge));
             }
             world_.addConstraint(joints_.back().get(), true);
         }
@@ -88,7 +99,7 @@ public:
     BulletWays(const BulletWays&) = delete;
     BulletWays& operator=(const BulletWays&) = delete;
 
-    static bool can_take(const WayScene& way) { return is_for_engines(way); }
+    static bool can_take(const WayScene&) { return true; }
     void step(Real h) { world_.stepSimulation(h, 0); }
     void read(JointedScene& scene) const
     {

@@ -46,8 +46,8 @@ public:
     /// Its contacts have no coefficient of restitution.
     static bool can_take(const WayScene& way)
     {
-        return is_for_engines(way) && (way.scene.surfaces.empty() ||
-                                       way.scene.surfaces.front().restitution == 0);
+        return way.scene.surfaces.empty() ||
+               way.scene.surfaces.front().restitution == 0;
     }
     void step(Real h)
     {
@@ -101,8 +101,9 @@ private:
             << "<option gravity='" << in_space(scene.gravity) << "'/><worldbody>";
         for (const HalfSpace& wall : scene.walls) {
             out << "<geom type='plane' size='0 0 1' pos='"
-                << in_space(wall.normal * wall.offset) << "' zaxis='"
-                << in_space(wall.normal) << '\'' << friction_of(scene);
+                << in_space(wall.normal * (wall.offset - stands_back(scene)))
+                << "' zaxis='" << in_space(wall.normal) << '\''
+                << friction_of(scene);
         }
         if (scene.placed.empty())
             for (Index k = 0; k < scene.bodies.count(); ++k)
@@ -122,26 +123,43 @@ private:
         out << "</equality></mujoco>";
         return out.str();
     }
+    /// \param carriers  the joints of what has no mass between the parent and what hangs on it
     static void write_what_hangs_on(int parent, const JointedScene& scene,
                                     const HangingBodies& tree,
-                                    std::ostringstream& out)
+                                    std::ostringstream& out,
+                                    const std::string& carriers = {})
     {
         for (std::size_t i = 0; i < tree.links.size(); ++i) {
             if (tree.links[i].parent != parent) continue;
             const RigidJoint& joint = tree.links[i].joint;
+            const std::string joints = carriers + joint_of(joint, i);
+            if (joint.b >= scene.bodies.count()) {
+                write_what_hangs_on(static_cast<int>(i), scene, tree, out, joints);
+                continue;
+            }
             const Eigen::Rotation2D<Real> turn(joint.angle);
-            const bool slides = joint.kind == JointKind::prismatic;
             out << "<body name='" << name_of("b", joint.b) << "' pos='"
                 << in_space(joint.at_a - turn * joint.at_b) << "' euler='0 0 "
-                << joint.angle << "'><joint name='"
-                << name_of("j", static_cast<Index>(i)) << "' pos='"
-                << in_space(joint.at_b) << "' type='"
-                << (slides ? "slide" : "hinge") << "' axis='"
-                << (slides ? in_space(turn.inverse() * joint.axis) : "0 0 1")
-                << "'/>" << matter_of(scene, joint.b);
+                << joint.angle << "'>" << joints << matter_of(scene, joint.b);
             write_what_hangs_on(static_cast<int>(i), scene, tree, out);
             out << "</body>";
         }
+    }
+    static std::string joint_of(const RigidJoint& joint, std::size_t number)
+    {
+        const Eigen::Rotation2D<Real> turn(joint.angle);
+        const bool slides = joint.kind == JointKind::prismatic;
+        std::ostringstream out;
+        out << std::setprecision(17) << "<joint name='"
+            << name_of("j", static_cast<Index>(number)) << "' pos='"
+            << in_space(joint.at_b) << "' type='" << (slides ? "slide" : "hinge")
+            << "' axis='"
+            << (slides ? in_space(turn.inverse() * joint.axis) : "0 0 1") << '\'';
+        if (is_limited(joint))
+            out << " limited='true' range='" << joint.lower << ' ' << joint.upper
+                << '\'';
+        out << "/>";
+        return out.str();
     }
     static std::string in_space(const Vec2& p)
     {
@@ -163,15 +181,19 @@ private:
         out << std::setprecision(17) << "<inertial pos='0 0 0' mass='"
             << mass_of_body(scene, k) << "' diaginertia='" << I << ' ' << I << ' '
             << I << "'/>";
-        if (!scene.placed.empty())
-            return out.str();  // what is joined never touches
+        if (!meets_something(scene)) return out.str();
         const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
         const Vec2 half = half_sides(shape);
         if (is_disc(shape)) out << "<geom type='sphere' size='" << shape.radius;
+        else if (is_capsule(shape))
+            out << "<geom type='capsule' fromto='" << -length_of(shape) / 2
+                << " 0 0 " << length_of(shape) / 2 << " 0 0' size='"
+                << radius_of(shape);
         else
             out << "<geom type='box' size='" << half.x() << ' ' << half.y()
                 << " 0.5";
-        out << '\'' << friction_of(scene);
+        out << "' conaffinity='" << (meet_each_other(scene) ? 1 : 0) << '\''
+            << friction_of(scene);
         return out.str();
     }
 

@@ -23,9 +23,9 @@ public:
         contacts_ = dJointGroupCreate(0);
         const JointedScene& scene = way.scene;
         dWorldSetGravity(world_, scene.gravity.x(), scene.gravity.y(), 0);
-        const bool touches = scene.joints.empty();
         for (const HalfSpace& wall : scene.walls)
-            dCreatePlane(space_, wall.normal.x(), wall.normal.y(), 0, wall.offset);
+            dCreatePlane(space_, wall.normal.x(), wall.normal.y(), 0,
+                         wall.offset - stands_back(scene));
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const dBodyID body = dBodyCreate(world_);
             const Real I = inertia_of_body(scene, k);
@@ -40,13 +40,13 @@ public:
             dBodySetLinearVel(body, u[0], u[1], 0);
             dBodySetAngularVel(body, 0, 0, u[2]);
             bodies_.push_back(body);
-            if (!touches) continue;
+            if (!meets_something(scene)) continue;
             const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
-            const Vec2 half = half_sides(shape);
-            dGeomSetBody(is_disc(shape)
-                             ? dCreateSphere(space_, shape.radius)
-                             : dCreateBox(space_, 2 * half.x(), 2 * half.y(), 1),
-                         body);
+            const dGeomID geometry = geometry_of(shape);
+            dGeomSetBody(geometry, body);
+            if (!is_capsule(shape)) continue;
+            const dQuaternion along_x = {std::sqrt(0.5), 0, std::sqrt(0.5), 0};
+            dGeomSetOffsetQuaternion(geometry, along_x);  // it is made along z
         }
         for (const PlacedJoint& placed : scene.placed) {
             const RigidJoint& joint = placed.joint;
@@ -65,6 +65,10 @@ public:
             dJointAttach(hinge, b, a);
             dJointSetHingeAnchor(hinge, p.x(), p.y(), 0);
             dJointSetHingeAxis(hinge, 0, 0, 1);
+            if (!is_limited(joint)) continue;
+            const Real now = coordinate(scene.bodies.x, joint);  // its zero
+            dJointSetHingeParam(hinge, dParamLoStop, joint.lower - now);
+            dJointSetHingeParam(hinge, dParamHiStop, joint.upper - now);
         }
     }
     ~OdeWays()
@@ -77,7 +81,7 @@ public:
     OdeWays(const OdeWays&) = delete;
     OdeWays& operator=(const OdeWays&) = delete;
 
-    static bool can_take(const WayScene& way) { return is_for_engines(way); }
+    static bool can_take(const WayScene&) { return true; }
     void step(Real h)
     {
         dSpaceCollide(space_, this, &OdeWays::near);
@@ -98,10 +102,19 @@ public:
     }
 
 private:
+    dGeomID geometry_of(const Polygon& shape) const
+    {
+        if (is_disc(shape)) return dCreateSphere(space_, shape.radius);
+        if (is_capsule(shape))
+            return dCreateCapsule(space_, radius_of(shape), length_of(shape));
+        const Vec2 half = half_sides(shape);
+        return dCreateBox(space_, 2 * half.x(), 2 * half.y(), 1);
+    }
     static void near(void* data, dGeomID a, dGeomID b)
     {
         auto& self = *static_cast<OdeWays*>(data);
-        if (dGeomGetBody(a) == nullptr && dGeomGetBody(b) == nullptr) return;
+        const int bodies = (dGeomGetBody(a) ? 1 : 0) + (dGeomGetBody(b) ? 1 : 0);
+        if (bodies == 0 || (bodies == 2 && !meet_each_other(self.given_))) return;
         std::array<dContactGeom, 8> points;
         const int count = dCollide(a, b, 8, points.data(), sizeof(dContactGeom));
         const Surface& surface = self.given_.surfaces.front();

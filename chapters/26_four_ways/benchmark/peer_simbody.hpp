@@ -17,7 +17,7 @@ public:
 
     static bool can_take(const WayScene& way)
     {
-        return !way.scene.placed.empty() && is_for_engines(way);
+        return !meets_something(way.scene);
     }
     void step(Real h) { world_.step(h); }
     void read(JointedScene& scene) const
