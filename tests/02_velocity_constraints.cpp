@@ -380,7 +380,7 @@ TEST_CASE("two beads of 1 kg and 3 kg that meet go on at -1 m/s and not at rest"
     CHECK(nearest(0) == 0);
     CHECK(nearest(2) == Approx(-1.6).margin(exact));
     CHECK(4 * nearest(2) == Approx(-6.4).margin(exact));
-    CHECK(says("chapters/02_velocity_constraints/README.md",
+    CHECK(says("chapters/02_velocity_constraints/in_depth.md",
                "u_1 = u_2 = " + printed(nearest(2), 1) +
                    "$ m/s, and the momentum would have grown to −6.4 kg m/s"));
 }

@@ -1333,7 +1333,7 @@ TEST_CASE("a gap closes unseen only above the margin over h and the text says fo
             CHECK((contacts[0].gap < 0) == too_fast);
         }
     }
-    CHECK(says("chapters/03_mlcp_formulation/README.md", printed_speeds));
+    CHECK(says("chapters/03_mlcp_formulation/in_depth.md", printed_speeds));
 }
 
 TEST_CASE("heavier discs move the same and a mirrored scene moves mirrored", "[house]")

@@ -462,7 +462,7 @@ TEST_CASE("one runner takes the steps of all scenes of discs and no program has 
     const std::vector<std::string> others = {
         "scene_bounce.hpp", "scene_one_row.hpp", "rigid_run.hpp", "manifold_run.hpp", "friction_run.hpp",
         "joint_run.hpp",    "soft_run.hpp",      "wide_run.hpp",  "island_run.hpp",   "space_run.hpp",
-        "cloth_run.hpp",    "dam_run.hpp",       "pond_run.hpp",  "tree_run.hpp"};
+        "cloth_run.hpp",    "dam_run.hpp",       "pond_run.hpp",  "tree_run.hpp",     "basin_run.hpp"};
     int runners = 0;
     for (const Source& source : all_sources()) {
         if (source.path.find("chapters/") != 0 || source.path.find("/program/") == std::string::npos)
