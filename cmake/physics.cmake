@@ -1,5 +1,5 @@
-# rigid::engine and rigid::physics: the book's physics for any program, without window or command line. It asks for C++20 and Eigen and
-# forces no warning on anybody.
+# rigid::engine and rigid::physics: the book's physics for any program, without window or command line. It asks for C++20
+# and Eigen and forces no warning on anybody.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or newer is needed")

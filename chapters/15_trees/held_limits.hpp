@@ -12,7 +12,7 @@ namespace rigid {
 /// A limb that goes back on its pin would turn through a limit that is near:
 /// meanwhile the limit is a row without bounds, which pulls, too.
 struct HeldLimits {
-    static constexpr Real near = 0.1;  ///< rad: no correction turns a limb as far
+    static constexpr Real near = 0.1;  ///< limits nearer than this [rad]
     std::vector<int> rows;             ///< that are held
 
     template <class Scene>
