@@ -1,6 +1,8 @@
 // The functions of membrane.hpp.
 #include "chapters/29_waves/membrane.hpp"
 
+#include "chapters/29_waves/positive.hpp"
+
 #include <algorithm>
 
 namespace rigid {
@@ -40,14 +42,8 @@ Membrane::Membrane(Index nx_, Index ny_, Real interval, Real speed, bool fixed)
 
 void require_valid(const Membrane& m)
 {
-    const auto positive = [](const char* name, Real value, const char* unit) {
-        if (!(value > 0) || !std::isfinite(value))
-            throw std::invalid_argument("the " + std::string(name) +
-                                        " of the membrane is " + shortest(value) +
-                                        unit + "; it must be positive and finite");
-    };
-    positive("interval", m.dx, " m");
-    positive("wave speed", m.c, " m/s");
+    require_positive("the interval of the membrane", m.dx, " m");
+    require_positive("the wave speed of the membrane", m.c, " m/s");
     if (!(m.damping >= 0) || !std::isfinite(m.damping))
         throw std::invalid_argument("the damping of the membrane is " +
                                     shortest(m.damping) +

@@ -25,11 +25,7 @@ void require_fits(const ShallowWater& water, Real h)
     const Real fastest =
         water.u.cwiseAbs().maxCoeff() + std::sqrt(water.g * water.depth.maxCoeff());
     if (h * fastest <= water.dx) return;
-    const Real longest = stable_step(water);
-    if (!(h <= longest * (1 + 1e-12)))
-        throw std::invalid_argument("the time step is " + shortest(h) +
-                                    " s; a wave passes a whole cell in " +
-                                    shortest(longest) + " s");
+    require_shorter(h, stable_step(water));
 }
 
 }  // namespace
@@ -64,15 +60,9 @@ Index ShallowWater::cell_at(Real x) const
 
 void require_valid(const ShallowWater& water)
 {
-    const auto positive = [](const char* name, Real value, const char* unit) {
-        if (!(value > 0) || !std::isfinite(value))
-            throw std::invalid_argument(std::string(name) + " is " +
-                                        shortest(value) + unit +
-                                        "; it must be positive and finite");
-    };
-    positive("the width of a cell", water.dx, " m");
-    positive("gravity", water.g, " m/s²");
-    positive("the density of the water", water.density, " kg/m²");
+    require_positive("the width of a cell", water.dx, " m");
+    require_positive("gravity", water.g, " m/s²");
+    require_positive("the density of the water", water.density, " kg/m²");
     const Index n = water.cells();
     const auto sized = [n](const VecX& v, Index wanted, const char* name) {
         if (v.size() != wanted)

@@ -5,12 +5,23 @@
 /// the same with lanes of any width. What is divided by infinity is zero: at a face without water nothing moves.
 #pragma once
 
+#include "chapters/29_waves/positive.hpp"
 #include "common/bodies.hpp"
 
 namespace rigid {
 
 /// Below it there is no water that could have a velocity: a face of less is at rest [m].
 inline constexpr Real dry_depth = 1e-12;
+
+/// Throws std::invalid_argument for a step in which a wave passes a whole cell.
+/// \param longest  that no wave does it in [s]
+inline void require_shorter(Real h, Real longest)
+{
+    if (!(h <= longest * (1 + 1e-12)))
+        throw std::invalid_argument("the time step is " + shortest(h) +
+                                    " s; a wave passes a whole cell in " +
+                                    shortest(longest) + " s");
+}
 
 /// The part of a velocity that leaves a cell through its face.
 inline Real outwards(Real u) { return u > 0 ? u : 0; }

@@ -28,15 +28,9 @@ WaterField::WaterField(Index nx_, Index ny_, Real width, Real still_depth)
 
 void require_valid(const WaterField& water)
 {
-    const auto positive = [](const char* name, Real value, const char* unit) {
-        if (!(value > 0) || !std::isfinite(value))
-            throw std::invalid_argument(std::string(name) + " is " +
-                                        shortest(value) + unit +
-                                        "; it must be positive and finite");
-    };
-    positive("the width of a cell", water.dx, " m");
-    positive("gravity", water.g, " m/s²");
-    positive("the density of the water", water.density, " kg/m³");
+    require_positive("the width of a cell", water.dx, " m");
+    require_positive("gravity", water.g, " m/s²");
+    require_positive("the density of the water", water.density, " kg/m³");
     const Index nx = water.nx, ny = water.ny;
     const auto sized = [nx, ny](const VecX& list, Index wanted, const char* name) {
         if (list.size() != wanted)
@@ -132,11 +126,7 @@ void require_fits(const WaterField& water, Real h)
                          water.v.cwiseAbs().maxCoeff() +
                          std::sqrt(2 * water.g * water.depth.maxCoeff());
     if (h * fastest <= water.dx) return;
-    const Real longest = stable_step(water);
-    if (!(h <= longest * (1 + 1e-12)))
-        throw std::invalid_argument("the time step is " + shortest(h) +
-                                    " s; a wave passes a whole cell in " +
-                                    shortest(longest) + " s");
+    require_shorter(h, stable_step(water));
 }
 
 /// The stages of a step, each for one row. Of what a stage hands on the last four rows are

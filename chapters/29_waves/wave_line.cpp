@@ -1,18 +1,11 @@
 // The functions of wave_line.hpp.
 #include "chapters/29_waves/wave_line.hpp"
 
+#include "chapters/29_waves/positive.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid {
 namespace {
-
-void require_positive(const char* name, Real value, const char* unit)
-{
-    if (!(value > 0) || !std::isfinite(value))
-        throw std::invalid_argument("the " + std::string(name) + " is " +
-                                    shortest(value) + unit +
-                                    "; it must be positive and finite");
-}
 
 /// The end i is not fixed; everything else is no end.
 bool moves(const WaveLine& line, Index i)
@@ -44,15 +37,15 @@ WaveLine::WaveLine(Index intervals, Real length, Real speed)
     if (intervals < 2)
         throw std::invalid_argument("the string has " + std::to_string(intervals) +
                                     " intervals; it must have two or more");
-    require_positive("length of the string", length, " m");
-    require_positive("speed of its waves", speed, " m/s");
+    require_positive("the length of the string", length, " m");
+    require_positive("the speed of its waves", speed, " m/s");
     dx = length / static_cast<Real>(intervals);
 }
 
 void require_valid(const WaveLine& line)
 {
-    require_positive("distance of neighbours", line.dx, " m");
-    require_positive("speed of its waves", line.c, " m/s");
+    require_positive("the distance of neighbours", line.dx, " m");
+    require_positive("the speed of its waves", line.c, " m/s");
     if (line.v.size() != line.y.size() || line.damping.size() != line.y.size())
         throw std::invalid_argument(
             "the string has " + std::to_string(line.y.size()) + " places, " +
