@@ -24,6 +24,12 @@ if(RIGID_SANITIZE)
                                                  -fno-omit-frame-pointer)
   target_link_options(rigid_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(RIGID_FUZZ)   # libFuzzer sees which branches of the physics a problem has reached
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    message(FATAL_ERROR "RIGID_FUZZ needs clang++ (libFuzzer); this is ${CMAKE_CXX_COMPILER_ID}")
+  endif()
+  target_compile_options(rigid_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(RIGID_NATIVE)
   target_compile_options(rigid_flags INTERFACE -march=native)
   # g++ 12 takes the "undefined" registers of its own AVX-512 headers for uninitialised variables.
