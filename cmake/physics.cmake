@@ -46,6 +46,8 @@ target_link_libraries(rigid_options INTERFACE rigid_flags Eigen3::Eigen)
 # A product and a sum are rounded apart: the same bits with every compiler and optimisation level.
 set(rigid_rounding $<IF:$<CXX_COMPILER_ID:MSVC>,/fp:precise,-ffp-contract=off>)
 target_compile_options(rigid_options INTERFACE ${rigid_rounding})
+# A root of a negative number is no call that sets errno, so the roots of several lanes are one instruction.
+target_compile_options(rigid_options INTERFACE $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-fno-math-errno>)
 # In large products Eigen adds up block by block, and would choose the blocks by the caches of the machine at hand: now it
 # takes the same everywhere (a first cache of 32 kB). In a page it also has to be told what else it would know of x86-64.
 set(rigid_sums EIGEN_NO_CPUID)

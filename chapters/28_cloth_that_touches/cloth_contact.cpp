@@ -74,11 +74,13 @@ void ClothTouch::find(const TouchingCloth& cloth, const VecX& x0, const VecX& x)
         const Vec3 centre = centre_of(cloth.solids.x, s),
                    v = moved.segment<3>(6 * s);
         const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * s);
+        const Real reach = reach_of(shape) + margin + cloth.thickness;
         for (int i = 0; i < cloth.count(); ++i) {
             const Real w = cloth.bodies.inverse_mass[3 * i];
             if (!(w > 0)) continue;
             // where it comes to, seen from the solid as it has moved
             const Vec3 p = x.segment<3>(3 * i) - v;
+            if ((p - centre).squaredNorm() > reach * reach) continue;
             const Vec3 local = axes.transpose() * (p - centre);
             // through a mesh a particle may have come as far as it has moved
             const ClothGap here =
@@ -104,6 +106,8 @@ void ClothTouch::find(const TouchingCloth& cloth, const VecX& x0, const VecX& x)
                 c.At +=
                     inverse[0] + c.arm.squaredNorm() * inverse.tail<3>().maxCoeff();
             }
+            c.held = !(inverse[0] > 0);
+            c.goes = way(s, c.arm);
             contacts.push_back(c);
         }
     }
@@ -143,16 +147,18 @@ void ClothTouch::visit(const TouchingCloth& cloth, VecX& x)
         auto at = x.segment<3>(3 * c.particle);
         const Real w = cloth.bodies.inverse_mass[3 * c.particle];
         const Real mu = cloth.shapes[static_cast<std::size_t>(c.solid)].friction;
-        const Real C = c.normal.dot(at - way(c.solid, c.arm)) - c.offset;
+        if (!c.held) c.goes = way(c.solid, c.arm);
+        const Real C = c.normal.dot(at - c.goes) - c.offset;
         const Real push_by = std::max(Real{0}, c.lambda - C / c.A) - c.lambda;
         c.lambda += push_by;
         Vec3 P = push_by * c.normal;
         if (push_by != 0) {
             at += w * P;
-            push(cloth, c.solid, c.arm, -P);
+            if (!c.held) push(cloth, c.solid, c.arm, -P);
         }
         if (!(mu > 0) || (c.lambda == 0 && c.slide.isZero(0))) continue;
-        Vec3 slid = at - c.from - way(c.solid, c.arm);
+        if (!c.held) c.goes = way(c.solid, c.arm);
+        Vec3 slid = at - c.from - c.goes;
         slid -= c.normal.dot(slid) * c.normal;
         Vec3 next = c.slide - slid / c.At;
         const Real size = next.norm(), most = mu * c.lambda;
@@ -160,7 +166,7 @@ void ClothTouch::visit(const TouchingCloth& cloth, VecX& x)
         P = next - c.slide;
         c.slide = next;
         at += w * P;
-        push(cloth, c.solid, c.arm, -P);
+        if (!c.held) push(cloth, c.solid, c.arm, -P);
     }
 }
 //! [visit]
@@ -171,24 +177,27 @@ void ClothTouch::end(TouchingCloth& cloth, Real h)
     for (Index k = 0; k < solids.count(); ++k)
         if (solids.inverse_mass[6 * k] > 0)
             solids.velocity(k) = moved.segment<6>(6 * k) / h;
-    calm(cloth);
+    calm(cloth, h);
     for (Index k = 0; k < solids.count(); ++k)
         solids.integrate(k, Vec<6>(moved.segment<6>(6 * k) / h), h);
 }
 
 //! [calm]
-void ClothTouch::calm(TouchingCloth& cloth) const
+void ClothTouch::calm(TouchingCloth& cloth, Real h) const
 {
     for (const ClothContact& c : contacts) {
         if (!(c.lambda > 0)) continue;
         auto u = cloth.bodies.velocity(c.particle);
         const auto k = static_cast<std::size_t>(c.solid);
         auto v = cloth.solids.u.segment<6>(6 * c.solid);
-        const Vec3 point = v.head<3>() + cross(R[k] * v.tail<3>(), c.arm);
+        const Vec3 point =
+            c.held ? Vec3(c.goes / h)
+                   : Vec3(v.head<3>() + cross(R[k] * v.tail<3>(), c.arm));
         const Real parts = c.normal.dot(u - point);
         if (!(parts > 0)) continue;
         const Vec3 P = -parts / c.A * c.normal;
         u += cloth.bodies.inverse_mass[3 * c.particle] * P;
+        if (c.held) continue;
         const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * c.solid);
         v.head<3>() -= inverse.head<3>().cwiseProduct(P);
         v.tail<3>() -=

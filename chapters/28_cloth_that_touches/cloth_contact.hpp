@@ -37,6 +37,15 @@ inline ClothGap gap_to(const ClothSolid& s, const Vec3& p)
 }
 //! [gap]
 
+/// No point of a ball, a capsule or a box is farther from its centre [m]; the others have no end here.
+inline Real reach_of(const ClothSolid& s)
+{
+    using Shape = ClothSolid::Shape;
+    return s.shape == Shape::wall || s.shape == Shape::mesh
+               ? infinity
+               : (1 + 1e-9) * (s.half.norm() + s.radius);
+}
+
 /// The same of a mesh, whose triangles are looked at within `reach`; infinite if there
 /// are none. Of several nearest triangles, at an edge or a corner, the one says the side
 /// whose plane is farthest away; beyond its border a mesh has no back.
@@ -51,6 +60,8 @@ struct ClothContact {
                 0};   ///< from the solid's centre to the point that touches [m]
     Real offset = 0;  ///< n·x at which C = 0, before the solid moves [m]
     Vec3 from = {0, 0, 0};   ///< x at the start of the sub-step [m]
+    bool held = false;       ///< the solid takes no impulse
+    Vec3 goes = {0, 0, 0};   ///< how far its point has moved [m]
     Real A = 0, At = 0;      ///< along the normal; the most along a tangent [1/kg]
     Real lambda = 0;         ///< Λ [N s²]
     Vec3 slide = {0, 0, 0};  ///< Λ_t [N s²]
@@ -74,7 +85,7 @@ struct ClothTouch {
     /// Solids get the velocity of δ, calm(), and move by δ.
     void end(TouchingCloth& cloth, Real h);
     /// What pushed an overlap out is no velocity: a contact that pushed does not part.
-    void calm(TouchingCloth& cloth) const;
+    void calm(TouchingCloth& cloth, Real h) const;
 
     /// How far a point of a solid has moved with it [m]. \param arm  from its centre
     Vec3 way(int solid, const Vec3& arm) const
