@@ -27,7 +27,7 @@ struct Spring {
 struct Discs {
     Vec x, u, inverse_mass, radius;  // two numbers a disc, but one radius
     std::vector<Spring> springs;
-    Mat walls;                       // columns n, c: where n·p ≥ c it is free
+    Mat walls;  // columns n, c: where n·p ≥ c it is free
     double g = 9.81;
     std::vector<Contact> contacts = {};  // of the last step
 };
@@ -68,8 +68,8 @@ double visit(Contact& c, Discs& d)
 {
     double w = c.bias + c.gamma * c.lambda + c.n.dot(d.u.segment<2>(2 * c.b));
     if (c.a >= 0) w -= c.n.dot(d.u.segment<2>(2 * c.a));
-    const double A = c.gamma + d.inverse_mass[2 * c.b] +
-                     (c.a < 0 ? 0 : d.inverse_mass[2 * c.a]);
+    const double A =
+        c.gamma + d.inverse_mass[2 * c.b] + (c.a < 0 ? 0 : d.inverse_mass[2 * c.a]);
     const double change = std::max(c.lo, c.lambda - w / A) - c.lambda;
     c.lambda += change;
     push(c, change, d);
@@ -82,7 +82,7 @@ int step(Discs& d, double h, int most = 100000)
     std::vector<Contact> contacts = find_contacts(d);
     for (Contact& c : contacts) {
         c.bias = c.C / h;
-        c.gamma = 1 / (h * h * c.k);  // (16.6)
+        c.gamma = 1 / (h * h * c.k);           // (16.6)
         for (const Contact& old : d.contacts)  // its key: which two touch, and how
             if (old.a == c.a && old.b == c.b && old.lo == c.lo)
                 push(c, c.lambda = old.lambda, d);
@@ -131,7 +131,8 @@ int main(int count, char** word)
         out << 'L' << 5 * n << ' ' << 100 * x;
     }
     const Vec mass{{0, 0, 1, 1}};
-    Discs d{Vec{{0, 0, 1.01, 0}}, 0 * mass, mass, Vec::Zero(2), {{0, 1, 1, k}}, {}, 0};
+    Discs d{Vec{{0, 0, 1.01, 0}}, 0 * mass, mass, Vec::Zero(2),
+            {{0, 1, 1, k}},       {},       0};
     out << "'/>\n<path stroke='#4477AA' d='M0 1";
     for (int n = 1; n < 7; ++n) {
         step(d, h);

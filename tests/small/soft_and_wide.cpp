@@ -76,8 +76,7 @@ Constraint<2> constraint_at(const NetScene& scene, const StepData<2>&, std::size
     const Vec2 before = way(c, scene.discs.x), now = way(c, x);
     if (c.a < 0) {
         c.C += c.n.dot(now - before);
-    }
-    else {
+    } else {
         c.C += now.norm() - before.norm();
         c.n = now.normalized();
     }
@@ -120,7 +119,8 @@ Vec2 extent(const VecX& x)
 TEST_CASE("the small program of chapter 16 has the numbers of the text")
 {
     const Real k = 3600 * pi * pi;
-    small16::Discs d{VecX{{0, 0, 1.01, 0}}, VecX::Zero(4), VecX{{0, 0, 1, 1}}, VecX::Zero(2), {{0, 1, 1, k}}, {}, 0};
+    small16::Discs d{
+        VecX{{0, 0, 1.01, 0}}, VecX::Zero(4), VecX{{0, 0, 1, 1}}, VecX::Zero(2), {{0, 1, 1, k}}, {}, 0};
     small16::step(d, 1.0 / 60);
     CHECK(d.u[2] == Approx(-0.54).margin(0.005));  // section 16.1
     CHECK(d.u[2] == Approx(implicit_velocity(0.01, 0, {30, 0}, 1.0 / 60)).epsilon(1e-12));
@@ -164,8 +164,7 @@ TEST_CASE("a stiff net stands by positions and is crumpled by as many sweeps ove
         const Vec2 rows = extent(d.x), positions = extent(net_by_positions(stiffness));
         if (stiffness < 1000) {
             CHECK(std::abs(rows[0] - positions[0]) == Approx(0.02).margin(0.005));
-        }
-        else {
+        } else {
             CHECK(positions[0] == Approx(2.75).margin(1e-3));  // eleven springs of 0.25 m
             CHECK(positions[1] == Approx(1.75).margin(1e-3));  // seven
             CHECK(rows[0] == Approx(3.1).margin(0.05));
