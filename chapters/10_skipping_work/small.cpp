@@ -185,7 +185,7 @@ int main(int count, char** word)
         std::printf("body %d: island %d\n", k, island[k]);
         out << "<g transform='translate(" << at.row(k)
             << ")'><circle r='.2' fill='hsl(" << 80 * island[k] << " "
-            << (k == 2 || k == 5 ? 0 : 60) << "% 50%)'/><text x='.2' y='-.2'>" << k
+            << (k == 2 || k == 5 ? 0 : 60) << "% 50%)'/><text x='-.1' y='-.3'>" << k
             << "</text></g>\n";
     }
     out << "</svg>\n";

@@ -10,6 +10,7 @@ import os
 import pathlib
 import re
 import sys
+import textwrap
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass, field
 
@@ -398,7 +399,9 @@ MARKER = re.compile(r"^\s*//!\s*\[([\w-]+)\]\s*$")
 
 
 CHANGED = "changed:"  # of a snippet's name: how a function differs from that of the small program before
+CHANGES = "changes"  # a snippet's name: which functions and types a small program has beside the one before
 GROWN_FROM = re.compile(r"^// Chapter \d+ in one file, grown from chapter (\d+):")
+PART = re.compile(r"struct (?P<type>\w+) \{|(?!//|#|using )\S.*?\b(?P<function>\w+)\([^;]*(?:$|\{.*\}$)")
 
 
 def function_code(path, name):
@@ -417,14 +420,52 @@ def function_code(path, name):
     return first + 1, last + 1, lines[first:last + 1]
 
 
-def changed_code(path, name):
-    """(first line number, last, lines) of what a small program changed in the function of the one that it grew from."""
-    first, last, code = function_code(path, name)
+def grown_from(path):
+    """The small program that this one grew from."""
     match = GROWN_FROM.match(path.read_text(encoding="utf-8"))
     folder = match and chapters(path.parents[2]).get(int(match.group(1)))
     if not folder:
         raise TextError(f"{path.name} does not begin with the chapter that it grew from.")
-    before = function_code(folder / path.name, name)[2]
+    return folder / path.name
+
+
+def parts_of(path):
+    """{name: lines} of the functions and types of a small program above its main(), from the first to the last."""
+    lines, parts = path.read_text(encoding="utf-8").split("\n"), {}
+    for k, line in enumerate(lines):
+        match = PART.match(line)
+        if match and match["function"] == "main":
+            return parts
+        if match:
+            end = k if line.endswith(("}", "};")) else next(j for j in range(k, len(lines)) if lines[j] in ("}", "};"))
+            name = f"struct {match['type']}" if match["type"] else f"{match['function']}()"
+            parts[name] = parts.get(name, []) + lines[k:end + 1]
+    raise TextError(f"{path.name} has no main() at the left edge.")
+
+
+def changes_code(path):
+    """(first line number, last, lines): what is gone, new, or other in a small program beside the one that it grew from."""
+    before, now = parts_of(grown_from(path)), parts_of(path)
+    gone, new, other = [name for name in before if name not in now], [], []
+    for name, code in now.items():
+        if name not in before:
+            new.append(f"{name} {len(code)}")
+        elif code != before[name]:
+            signs = [c[0] for c in difflib.ndiff(before[name], code)]
+            counts = [f"{sign}{signs.count(mark)}" for mark, sign in (("+", "+"), ("-", "−")) if mark in signs]
+            other.append(f"{name} {' '.join(counts)}")
+    lines = []
+    for sign, names in (("-", gone), ("+", new), (" ", other)):
+        # non-breaking spaces, so that a name and its number stay on one line
+        lines += [sign + line.replace("\xa0", " ") for line in
+                  textwrap.wrap(", ".join(name.replace(" ", "\xa0") for name in names), 82)]
+    return 1, len(path.read_text(encoding="utf-8").split("\n")), lines
+
+
+def changed_code(path, name):
+    """(first line number, last, lines) of what a small program changed in the function of the one that it grew from."""
+    first, last, code = function_code(path, name)
+    before = function_code(grown_from(path), name)[2]
     lines = [(c[0] + c[2:]).rstrip() for c in difflib.ndiff(before, code) if not c.startswith("?")]
     changes = [k for k, l in enumerate(lines) if l[:1] in ("+", "-")]
     shown = [k == 0 or any(abs(k - c) <= 2 for c in changes) for k in range(len(lines))]
@@ -434,16 +475,19 @@ def changed_code(path, name):
 
 def snippet_language(source, name):
     """What a quoted piece is written in."""
-    if name.startswith(CHANGED):
+    if name == CHANGES or name.startswith(CHANGED):
         return "diff"
     return "cpp" if source.endswith((".hpp", ".cpp", ".h")) else ""
 
 
 def snippet_code(path, name):
     """(first line number, last, lines) between the two markers //! [name] of a source; of the function whose name ends
-    with () and its comment; or, as `changed:step()`, of how it differs in the small program before."""
+    with () and its comment; or, as `changed:step()`, of how it differs in the small program before; or, as `changes`,
+    which functions differ there."""
     if not path.is_file():
         raise TextError(f"there is no file {path.name} to take the snippet '{name}' from.")
+    if name == CHANGES:
+        return changes_code(path)
     if name.endswith("()"):
         if name.startswith(CHANGED):
             return changed_code(path, name[len(CHANGED):-2])

@@ -7,7 +7,7 @@
 A block is `<!-- snippet: FILE NAME -->` to `<!-- /snippet -->`, each on its own
 line; FILE is relative to the text. The code lies in FILE between two lines
 `//! [NAME]`. With `()` behind it, NAME is that of a function, which needs no such lines;
-`changed:step()` shows how it differs in the small program that FILE grew from.
+`changed:step()` shows how it differs in the small program that FILE grew from, and `changes` which functions and types do.
 """
 import argparse
 import pathlib

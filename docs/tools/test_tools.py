@@ -563,6 +563,23 @@ class Snippets(Folder):
         self.change("chapters/01_euler/small.cpp", "return x;", "return -x;")
         self.assertIn("'changed:step()' of small.cpp is stale", self.stale())
 
+    def test_which_functions_a_small_program_changed(self):
+        before = ("// Chapter 1 in one file: a step.\nstruct Body {\n    int x;\n};\n\nint gone(int x) { return x; }\n\n"
+                  "// (1.1)\nint step(int x)\n{\n    return x;\n}\n\nint main()\n{\n    return step(1);\n}\n")
+        after = (before.replace("Chapter 1 in one file", "Chapter 2 in one file, grown from chapter 1")
+                 .replace("int gone(int x) { return x; }", "int twice(int x)\n{\n    return 2 * x;\n}")
+                 .replace("    return x;\n", "    x = twice(x);\n    return x;\n"))
+        (self.root / "chapters/01_euler/small.cpp").write_text(before, encoding="utf-8")
+        (self.root / "chapters/02_constraints/small.cpp").write_text(after, encoding="utf-8")
+        self.add("<!-- snippet: small.cpp changes -->\n<!-- /snippet -->", "chapters/02_constraints/README.md")
+        sync_snippets.run(self.root, check=False)
+        self.assertIn("```diff\n-gone()\n+twice() 4\n step() +1\n```", self.read("chapters/02_constraints/README.md"))
+        self.assertEqual(sync_snippets.run(self.root, check=True), ([], True))
+        self.change("chapters/01_euler/small.cpp", "gone", "lost")
+        self.assertIn("'changes' of small.cpp is stale", self.stale())
+        self.change("chapters/01_euler/small.cpp", "int main(", "int start(")
+        self.assertIn("small.cpp has no main() at the left edge", self.stale())
+
     def test_a_function_that_is_not_there(self):
         (self.root / "chapters/01_euler/small.cpp").write_text("// Chapter 1 in one file: a step.\nint one()\n{\n}\n", encoding="utf-8")
         self.add("<!-- snippet: small.cpp two() -->\n<!-- /snippet -->", "chapters/01_euler/README.md")
