@@ -181,6 +181,61 @@ TEST_CASE("water of any depths and speeds never becomes negative or infinite", "
     }
 }
 
+TEST_CASE("behind a bore water swings by the same part of it whatever the cells", "[idea]")
+{
+    struct Case {
+        Real right, part;  ///< [m]; of the longest step
+        Real least, most;  ///< of the bore's height, section 29.D
+    };
+    for (const auto& [right, part, least, most] :
+         {Case{0.5, 0.5, 0.10, 0.15}, {0.5, 0.9, 0.15, 0.20}, {0.1, 0.5, 0.02, 0.05}})
+        for (const Index n : {200, 400, 800}) {
+            ShallowWater water(n, 20, right);
+            water.origin = -10;
+            water.depth.head(n / 2).setConstant(1);
+            Real t = 0;
+            while (t < 1) {
+                const Real h = std::min(part * stable_step(water), 1 - t);
+                if (h < 1e-12) break;
+                step(water, h), t += h;
+            }
+            const Real middle = dam_break(1, right, water.g, 2, 1).depth;
+            Index bore = 0;
+            for (Index i = 0; i < n; ++i)
+                if (water.depth[i] > (middle + right) / 2) bore = i;
+            Real swing = 0, after = 0;  // close to the bore, and some cells behind it
+            for (Index i = bore - 20; i <= bore; ++i) {
+                const Real off = (water.depth[i] - middle) / (middle - right);
+                swing = std::max(swing, off);
+                if (i < bore - 7) after = std::max(after, std::abs(off));
+            }
+            INFO(right << ", " << part << ", " << n << ": " << swing << ", " << after);
+            CHECK(swing > least);
+            CHECK(swing < most);
+            CHECK(after < 0.01);
+        }
+}
+
+TEST_CASE("a standing wave on shallow water loses the less of its energy the lower it is", "[idea]")
+{
+    const auto kept = [](Real height, int periods) {
+        ShallowWater water(200, 10, 1), still = water;
+        for (Index i = 0; i < 200; ++i) water.depth[i] += height * rigid::cos(pi * water.x_of(i) / 10);
+        const Real period = 20 / std::sqrt(9.81), start = energy(water) - energy(still), whole = volume(water);
+        const auto steps = static_cast<int>(std::ceil(period / (0.5 * water.dx / std::sqrt(9.81 * 1.3))));
+        for (int n = 0; n < periods * steps; ++n) step(water, period / steps);
+        CHECK(volume(water) == Approx(whole).epsilon(1e-13));
+        return (energy(water) - energy(still)) / start;
+    };
+    // section 29.D
+    CHECK(1 - kept(0.001, 1) == Approx(8e-5).margin(1e-5));
+    CHECK(1 - kept(0.01, 1) == Approx(4e-4).margin(5e-5));
+    CHECK(1 - kept(0.1, 1) == Approx(4e-3).margin(5e-4));
+    CHECK(1 - kept(0.3, 1) == Approx(0.12).margin(0.01));  // it breaks
+    CHECK(kept(0.001, 110) == Approx(0.993).margin(1e-3));
+    CHECK(kept(0.01, 110) == Approx(0.19).margin(0.01));
+}
+
 TEST_CASE("water that is mirrored moves mirrored", "[idea]")
 {
     Random random(6);
@@ -408,6 +463,43 @@ TEST_CASE("a boat a raft and a duck float upright on waves", "[idea]")
 
 // ------------------------------------------------------------------------------------------------ house
 
+TEST_CASE("the numbers of sections 29.D and 29.F are those of water and of a box on it", "[house]")
+{
+    struct Line {
+        Index cells;
+        std::array<Real, 3> errors;
+    };
+    const std::array<Real, 3> right{0, 0.1, 0.5};
+    for (const auto& [cells, errors] : {Line{100, {0.1758, 0.1620, 0.0753}},
+                                        {200, {0.1166, 0.0912, 0.0455}},
+                                        {400, {0.0735, 0.0543, 0.0251}},
+                                        {800, {0.0443, 0.0317, 0.0145}},
+                                        {1600, {0.0259, 0.0181, 0.0087}}})
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(error_of_dam(broken_dam(cells, right[i]), right[i]) == Approx(errors[i]).margin(5.1e-5));
+
+    for (const auto& [lid, swing] : {std::pair{0.0, 0.0100}, {0.5, 0.0056}, {0.8, 0.0044}}) {
+        WaterScene all = pond(800, 200, 1);
+        all.scene.walls.clear();
+        Floating floating;
+        floating.settings = {lid, 0, 0};
+        add_floating_box(all, 0, 0.4, 2.5, 0.5, 0);
+        floating.displace(all.scene, all.water);
+        all.scene.bodies.x[1] += 0.01;
+        Real lowest = 0, late = 0;
+        for (int n = 0; n < 960; ++n) {
+            take(all, floating, 1.0 / 480, 1);
+            const Real y = all.scene.bodies.x[1] - 1;
+            if (n < 360) lowest = std::min(lowest, y);
+            if (n >= 624) late = std::max(late, std::abs(y));  // 1.3 s
+        }
+        INFO(lid);
+        CHECK(-lowest == Approx(swing).margin(1e-4));
+        if (lid == 0.5) CHECK(late < 0.05 * 0.01);
+        if (lid == 0) CHECK(late > 0.99 * 0.01);
+    }
+}
+
 TEST_CASE("a step of water and bodies asks for no memory once it runs", "[house]")
 {
     WaterScene all = pond(64, 8, 1);
@@ -438,6 +530,41 @@ TEST_CASE("water and floating bodies that make no sense are refused by name", "[
     ShallowWater water(4, 4, 1);
     CHECK(sentence_of([&] { step(water, 1); }) ==
           "the time step is 1 s; a wave passes a whole cell in " + shortest(1 / std::sqrt(9.81)) + " s");
+    const auto row = [](const auto& change, bool late) {
+        ShallowWater w(4, 4, 1);
+        if (late) step(w, 0.01);
+        change(w);
+        const VecX before = w.depth;
+        const std::string said = sentence_of([&] { step(w, 0.01); });
+        for (Index i = 0; i < w.cells(); ++i)  // nothing has moved
+            CHECK((w.depth[i] == before[i] || std::isnan(before[i])));
+        return said;
+    };
+    for (const bool late : {false, true}) {
+        CHECK(row([](auto& w) { w.depth[3] = NAN; }, late) == "depth[3] is nan; it must be a finite number");
+        CHECK(row([](auto& w) { w.depth[1] = -1; }, late) ==
+              "depth[1] is -1 m; it must be zero or positive");
+        CHECK(row([](auto& w) { w.u[2] = infinity; }, late) == "u[2] is inf; it must be a finite number");
+        CHECK(row([](auto& w) { w.u.conservativeResize(3); }, late) ==
+              "u has 3 entries; water of 4 cells needs 5");
+        CHECK(row([](auto& w) { w.dx = -1; }, late) ==
+              "the width of a cell is -1 m; it must be positive and finite");
+    }
+    CHECK(row([](auto& w) { w.bed[1] = NAN; }, false) == "bed[1] is nan; it must be a finite number");
+    const auto afloat = [](const auto& change) {
+        WaterScene all = pond(16, 8, 1);
+        Floating floating;
+        add_floating_box(all, 0, 0.4, 2, 0.5, 0);
+        change(all);
+        const VecX u = all.scene.bodies.u;
+        const std::string said = sentence_of([&] { take(all, floating, 0.01, 1); });
+        CHECK(all.scene.bodies.u == u);
+        return said;
+    };
+    CHECK(afloat([](auto& all) { all.water.depth[3] = -1; }) ==
+          "depth[3] is -1 m; it must be zero or positive");
+    CHECK(afloat([](auto& all) { all.scene.bodies.x[1] = NAN; }) ==
+          "x[1] is nan; it must be a finite number");
     water.depth[2] = -1;
     CHECK(sentence_of([&] { require_valid(water); }) == "depth[2] is -1 m; it must be zero or positive");
     CHECK(

@@ -430,6 +430,40 @@ TEST_CASE("a standing wave in a tank tends to the frequency of deep water with t
 
 // ------------------------------------------------------------------------------------------------ house
 
+TEST_CASE("the numbers of sections 29.C and 29.E are those of the drum and of the tank", "[house]")
+{
+    const auto close = [](Real stated, int decimals) {
+        return Approx(stated).margin(0.51 * rigid::pow(10.0, -decimals));  // as it is printed
+    };
+    struct Line {
+        Index n;
+        Real lowest, second, fourth;
+    };
+    for (const auto& [n, lowest, second, fourth] : {Line{5, 2.3901, 3.7651, 4.9330},
+                                                    {10, 2.4013, 3.8154, 5.0860},
+                                                    {20, 2.4040, 3.8277, 5.1234},
+                                                    {40, 2.4046, 3.8307, 5.1326}}) {
+        const StiffnessMatrix K = drum_stiffness(n, 1, 1);
+        const Modes modes = lowest_modes(K, 4);
+        CHECK(modes.omega[0] == close(lowest, 4));
+        CHECK(modes.omega[1] == close(second, 4));
+        CHECK(modes.omega[3] == close(fourth, 4));
+        if (n == 40) CHECK(K.rows() == 5013);
+    }
+    const std::array<Real, 4> stated{5.24104, 5.29728, 5.31171, 5.31534};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Index n = Index{8} << k;
+        Tank tank(n, n / 2, 1, 0.5, 9.81);
+        for (Index i = 0; i < n; ++i)
+            tank.level[i] = rigid::cos(pi * (static_cast<Real>(i) + 0.5) / static_cast<Real>(n));
+        VecX speed;
+        tank.vertical_speed(tank.level, speed);
+        CHECK(std::sqrt(9.81 * speed[0] / tank.level[0]) == close(stated[k], 5));
+    }
+    CHECK(std::sqrt(9.81 * 0.5) * pi == close(6.958, 3));
+    CHECK(std::sqrt(9.81 * 0.5) * pi / 5.316553374316751 == close(1.31, 2));
+}
+
 TEST_CASE("steps of waves ask for no memory", "[house]")
 {
     WaveLine line = in_mode(64, 3), spectral = line;
@@ -453,6 +487,30 @@ TEST_CASE("steps of waves ask for no memory", "[house]")
 
 TEST_CASE("strings membranes and modes that make no sense are refused by name", "[house]")
 {
+    const auto string = [](const auto& change, const auto& move) {
+        WaveLine line(4, 4, 1);
+        change(line);
+        return sentence_of([&] { move(line); });
+    };
+    const auto start = [](WaveLine& line) { start_leapfrog(line, 0.5); };
+    const auto go = [](WaveLine& line) { leapfrog(line, 0.5); };
+    ThetaMemory theta;
+    const auto turn = [&](WaveLine& line) { theta_step(line, 0.5, 0.5, theta); };
+    CHECK(string([](WaveLine& l) { l.y[3] = NAN; }, start) == "y[3] is nan; it must be a finite number");
+    CHECK(string([](WaveLine& l) { l.damping[2] = -1; }, start) ==
+          "damping[2] is -1 1/s; it must be zero or positive");
+    CHECK(string([](WaveLine& l) { l.c = -1; }, go) ==
+          "the speed of its waves is -1 m/s; it must be positive and finite");
+    CHECK(string([](WaveLine& l) { l.c = NAN; }, turn) ==
+          "the speed of its waves is nan m/s; it must be positive and finite");
+    CHECK(string([](WaveLine& l) { l.v.conservativeResize(3); }, go) ==
+          "the string has 5 places, 3 velocities and 5 dampings; they must be as many");
+    Membrane skin(4, 4, 1, 1, true);
+    skin.v[7] = infinity;
+    CHECK(sentence_of([&] { start_leapfrog(skin, 0.5); }) == "v[7] is inf; it must be a finite number");
+    skin.v.conservativeResize(3);
+    CHECK(sentence_of([&] { leapfrog(skin, 0.5); }) ==
+          "the membrane has 25 points, 25 places and 3 velocities; they must be as many");
     CHECK(sentence_of([] { WaveLine(1, 1, 1); }) == "the string has 1 intervals; it must have two or more");
     CHECK(sentence_of([] { WaveLine(4, -1, 1); }) ==
           "the length of the string is -1 m; it must be positive and finite");

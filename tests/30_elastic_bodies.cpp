@@ -439,5 +439,10 @@ TEST_CASE("bad meshes and materials are refused by a sentence", "[house]")
     CHECK(mesh([](auto& m) { m.rest.conservativeResize(8), m.rest.tail(2).setOnes(); }) ==
           "node 3 is loose: it must belong to an element");
     CHECK(mesh([](auto& m) { m.elements[2] = 7; }) == "element 0 has the node 7; there are 3");
+    CHECK(sentence_of([] {
+              ElasticMesh<2> m = quadratic(one_triangle());
+              m.rest[2 * m.node(0, 4)] += 0.25;
+              ElasticModel<2>(m, {});
+          }) == "node 4 of element 0 is 0.25 m from the middle of its edge; it must be there");
     CHECK(mesh([](auto& m) { m.rest[1] = NAN; }) == "rest[1] is nan; it must be a finite number");
 }

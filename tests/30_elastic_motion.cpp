@@ -468,6 +468,21 @@ TEST_CASE("bad steps and states are refused and change nothing", "[house]")
     ElasticSolver<2> solver;
     CHECK(sentence_of([&] { solver.step(body, 0); }) ==
           "the time step h is 0 s; it must be positive and finite");
+    body.gravity[1] = NAN;
+    CHECK(sentence_of([&] { solver.step(body, 0.1); }) ==
+          "gravity[1] of an elastic body is nan m/s²; it must be finite");
+    body.gravity[1] = 0, solver.settings.most = -1;
+    CHECK(sentence_of([&] { solver.step(body, 0.1); }) ==
+          "the number of iterations is at most -1; it must be zero or positive");
+    solver.settings.most = 30;
+    // numbers whose sums overflow are no answer, and a NaN anywhere is one in the residual
+    ElasticBody<2> too_fast = body;
+    too_fast.v[0] = 1e200;
+    solver.step(too_fast, 0.1);
+    CHECK(solver.report.status != Status::solved);
+    VecX left = VecX::Zero(body.x.size());
+    left[1] = NAN;
+    CHECK(std::isnan(solver.residual_of(body, left)));
     body.stiffness_damping = -1;
     CHECK(sentence_of([&] { solver.step(body, 0.1); }) ==
           "the damping by stiffness is -1; it must be zero or positive");
@@ -502,6 +517,22 @@ TEST_CASE("a box on a soft column presses it by m g H over E A", "[idea]")
         if (contacts.rows[i].rigid.bounded_by < 0)
             weight += contacts.solution.lambda[static_cast<Index>(i)] * 60;
     CHECK(weight == Approx(98.1).epsilon(1e-3));
+}
+
+TEST_CASE("forces on rigid bodies move and turn them beside an elastic one", "[house]")
+{
+    ElasticScene scene(ElasticBody<2>(rectangle_mesh({5, 0}, {0.4, 0.5}, 1, 1), {}));
+    add_body(scene, box(0.4, 0.2), Real{100}, {0, 0});
+    scene.gravity = {0, -2};
+    scene.bodies.f << 3, 1, 0.5;
+    const Vec<3> wanted = 0.01 * (scene.bodies.inverse_mass.cwiseProduct(scene.bodies.f) + Vec<3>(0, -2, 0));
+    ElasticContacts contacts;
+    contacts.step(scene, 0.01);
+    CHECK((scene.bodies.u - wanted).norm() < 1e-15);
+    scene.gravity[0] = NAN;
+    const VecX before = scene.bodies.u;
+    CHECK(sentence_of([&] { contacts.step(scene, 0.01); }) != "accepted");
+    CHECK(scene.bodies.u == before);
 }
 
 TEST_CASE("a step with contacts allocates nothing", "[house]")

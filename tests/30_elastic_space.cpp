@@ -395,6 +395,9 @@ TEST_CASE("bad scenes in space are refused and change nothing", "[house]")
     ElasticSolids contacts;
     CHECK(sentence_of([&] { contacts.step(scene, 0); }) ==
           "the time step h is 0 s; it must be positive and finite");
+    scene.gravity[1] = NAN;
+    CHECK(sentence_of([&] { contacts.step(scene, 0.01); }) == "gravity is not finite");
+    scene.gravity[1] = -9.81;
     scene.soft_friction = -1;
     CHECK(sentence_of([&] { contacts.step(scene, 0.01); }) ==
           "the friction of an elastic scene is -1; it must be zero or positive");

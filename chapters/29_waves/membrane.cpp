@@ -61,6 +61,7 @@ void require_valid(const Membrane& m)
 void start_leapfrog(Membrane& m, Real h)
 {
     require_step(h);
+    require_valid(m);
     const Index edge = m.fixed_edges ? 1 : 0;
     for (Index j = edge; j <= m.ny - edge; ++j) {
         Real* v = m.v.data() + m.at(0, j);
@@ -73,6 +74,9 @@ void start_leapfrog(Membrane& m, Real h)
 void leapfrog(Membrane& m, Real h)
 {
     require_step(h);
+    const Index points = (m.nx + 1) * (m.ny + 1);
+    if (!(m.c > 0 && m.dx > 0 && m.y.size() == points && m.v.size() == points))
+        require_valid(m);
     const Real C = m.c * h / m.dx;
     if (2 * C * C > 1 + 1e-12)
         throw std::invalid_argument(

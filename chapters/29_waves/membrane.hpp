@@ -30,7 +30,8 @@ struct Membrane {
 /// Throws std::invalid_argument, naming what is wrong, unless all is finite and of its size.
 void require_valid(const Membrane& membrane);
 
-/// v ← v − (h/2) a, which leapfrog begins with.
+/// v ← v − (h/2) a, which leapfrog begins with. Throws std::invalid_argument for a membrane that is not valid; steps look
+/// at its sizes and constants alone.
 void start_leapfrog(Membrane& membrane, Real h);
 
 /// One step. Throws std::invalid_argument for a step that is not positive or beyond C = 1/√2.

@@ -18,13 +18,22 @@ Real mean_depth(const ShallowWater& water, Index face)
 constexpr Index window_cells = 512;
 constexpr int beside = 3;
 
-/// Whether no wave passes a whole cell. A root for each column is only taken where the
-/// fastest water and the deepest together would be too fast.
-void require_fits(const ShallowWater& water, Real h)
+/// Whether what a step changes still makes sense (the first step looks at all there is),
+/// and no wave passes a whole cell. A root for each column is only taken where the fastest
+/// water and the deepest together would be too fast.
+void require_fits(ShallowWater& water, Real h)
 {
+    const Index n = water.cells();
+    const bool sized = water.looked_at && water.dx > 0 && water.g > 0 &&
+                       water.bed.size() == n && water.level.size() == n &&
+                       water.u.size() == n + 1 && water.part.size() == n + 1 &&
+                       (water.damping.size() == 0 || water.damping.size() == n + 1);
+    if (!sized) require_valid(water);
+    water.looked_at = true;
     const Real fastest =
-        water.u.cwiseAbs().maxCoeff() + std::sqrt(water.g * water.depth.maxCoeff());
+        largest(water.u, -infinity) + std::sqrt(water.g * largest(water.depth, 0));
     if (h * fastest <= water.dx) return;
+    if (!(fastest < infinity)) require_valid(water);
     require_shorter(h, stable_step(water));
 }
 

@@ -38,6 +38,7 @@ struct ShallowWater {
     VecX flux;     ///< N + 1, memory: q of the last step [m²/s]
     VecX giving;   ///< N, memory: how deep the water is that may leave a cell [m]
     std::vector<ShallowWater> window;  ///< memory of step(): one, of a few columns
+    bool looked_at = false;  ///< memory of step(): it was valid as a whole
 
     /// Level water of this depth over a level bed, between two walls.
     /// Throws std::invalid_argument for no cells, a length that is not positive, a depth that is negative.
@@ -75,8 +76,9 @@ void carry_water(ShallowWater& water, Real h);
 /// η = bed + r, where no body floats.
 void level_water(ShallowWater& water);
 
-/// One whole step of water without bodies (`part` is 1). Throws std::invalid_argument for a step that is not positive or
-/// beyond stable_step().
+/// One whole step of water without bodies (`part` is 1). Throws std::invalid_argument, before anything changes, for a step
+/// that is not positive or beyond stable_step(), and for water that is not valid: the first step looks at all of it, those
+/// after it at sizes, depths and speeds.
 void step(ShallowWater& water, Real h);
 
 /// Depth and velocity of an exact solution.

@@ -8,10 +8,29 @@
 #include "chapters/29_waves/positive.hpp"
 #include "common/bodies.hpp"
 
+#include <algorithm>
+
 namespace rigid {
 
 /// Below it there is no water that could have a velocity: a face of less is at rest [m].
 inline constexpr Real dry_depth = 1e-12;
+
+/// The largest modulus of some numbers; infinite where one is below `least` or is none. Both
+/// are looked for in pieces that stay in the cache.
+inline Real largest(const VecX& list, Real least)
+{
+    constexpr Index piece = 2048;
+    Real most = 0;
+    for (Index from = 0; from < list.size(); from += piece) {
+        const auto part = list.segment(from, std::min(piece, list.size() - from));
+        Index others = 0;
+        for (Index i = 0; i < part.size(); ++i)
+            others |= (part[i] >= least) & (part[i] < infinity) ? 0 : 1;
+        if (others != 0) return infinity;
+        most = std::max(most, part.cwiseAbs().maxCoeff());
+    }
+    return most;
+}
 
 /// Throws std::invalid_argument for a step in which a wave passes a whole cell.
 /// \param longest  that no wave does it in [s]

@@ -119,13 +119,20 @@ Real stable_step(const WaterField& water)
 
 namespace {
 
-/// Whether the step fits: as of a row of columns (shallow_water.cpp).
-void require_fits(const WaterField& water, Real h)
+/// As of a row of columns (shallow_water.cpp).
+void require_fits(WaterField& water, Real h)
 {
-    const Real fastest = water.u.cwiseAbs().maxCoeff() +
-                         water.v.cwiseAbs().maxCoeff() +
-                         std::sqrt(2 * water.g * water.depth.maxCoeff());
+    const Index cells = water.nx * water.ny;
+    const bool sized = water.looked_at && water.dx > 0 && water.g > 0 &&
+                       water.bed.size() == cells && water.depth.size() == cells &&
+                       water.u.size() == cells + water.ny &&
+                       water.v.size() == cells + water.nx;
+    if (!sized) require_valid(water);
+    water.looked_at = true;
+    const Real fastest = largest(water.u, -infinity) + largest(water.v, -infinity) +
+                         std::sqrt(2 * water.g * largest(water.depth, 0));
     if (h * fastest <= water.dx) return;
+    if (!(fastest < infinity)) require_valid(water);
     require_shorter(h, stable_step(water));
 }
 

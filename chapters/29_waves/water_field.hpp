@@ -22,8 +22,9 @@ struct WaterField {
     VecX bed, depth;       ///< nx · ny, row after row [m]
     VecX
         u;  ///< (nx + 1) ny, of the faces to the left and right of cells; the outermost are the walls' own [m/s]
-    VecX v;     ///< nx (ny + 1), of those below and above
-    VecX rows;  ///< memory of a step: some rows
+    VecX v;                  ///< nx (ny + 1), of those below and above
+    VecX rows;               ///< memory of a step: some rows
+    bool looked_at = false;  ///< memory of step(): it was valid as a whole
 
     /// Level water of this depth over a level bed, between four walls.
     /// Throws std::invalid_argument for no cells, a width that is not positive, a depth that is negative.
@@ -54,7 +55,7 @@ Real energy(const WaterField& water);
 Real stable_step(const WaterField& water);
 
 /// One step. Throws std::invalid_argument, before anything changes, for a step that is not positive or beyond
-/// stable_step().
+/// stable_step(), and for water that is not valid, as step() of a row.
 void step(WaterField& water, Real h);
 
 /// For the time h something presses the surface around a place: at its middle as a column of water `head` high, and less

@@ -9,12 +9,16 @@ namespace rigid {
 
 //! [water_step]
 /// Slices and levels; slopes and drag on both; then contacts and joints move the
-/// bodies, and velocities the water. Throws std::invalid_argument for a step beyond
-/// Floating::stable_step(), before anything changes.
+/// bodies, and velocities the water. Throws std::invalid_argument, before anything
+/// changes, for bodies or water that are not valid, or a step beyond
+/// Floating::stable_step().
 template <class Scene, class Method>
 void step(Scene& scene, ShallowWater& water, Floating& floating,
           const StepSettings& settings, Method&& method, StepData<3>& now)
 {
+    require_step(settings.h);
+    require_bodies(scene);
+    require_valid(water);
     const Real longest = floating.stable_step(water);
     if (settings.h > longest * (1 + 1e-12))
         throw std::invalid_argument("the time step is " + shortest(settings.h) +

@@ -7,6 +7,15 @@
 namespace rigid {
 namespace {
 
+/// Of what would break a step what can be seen without a look at each mass.
+void require_sound(const WaveLine& line)
+{
+    const bool sound = line.c > 0 && line.dx > 0 &&
+                       line.v.size() == line.y.size() &&
+                       line.damping.size() == line.y.size();
+    if (!sound) require_valid(line);
+}
+
 /// The end i is not fixed; everything else is no end.
 bool moves(const WaveLine& line, Index i)
 {
@@ -65,6 +74,7 @@ void require_valid(const WaveLine& line)
 void start_leapfrog(WaveLine& line, Real h)
 {
     require_step(h);
+    require_valid(line);
     for (Index i = 0; i < line.y.size(); ++i)
         if (moves(line, i)) line.v[i] -= h / 2 * acceleration(line, line.y, i);
 }
@@ -73,6 +83,7 @@ void start_leapfrog(WaveLine& line, Real h)
 void leapfrog(WaveLine& line, Real h)
 {
     require_step(h);
+    require_sound(line);
     // a rounding above 1 is still the step that is meant
     if (courant_number(line, h) > 1 + 1e-12)
         throw std::invalid_argument(
@@ -128,6 +139,7 @@ Real wave_energy(const WaveLine& line)
 void theta_step(WaveLine& line, Real h, Real theta, ThetaMemory& memory)
 {
     require_step(h);
+    require_sound(line);
     if (!(theta >= 0.5 && theta <= 1))
         throw std::invalid_argument("theta is " + shortest(theta) +
                                     "; it must be from 1/2 to 1");

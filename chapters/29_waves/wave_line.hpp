@@ -61,6 +61,7 @@ inline Real acceleration(const WaveLine& line, const VecX& y, Index i)
 //! [acceleration]
 
 /// Velocities of now become those of half a step ago, which leapfrog begins with: v ← v − (h/2) a.
+/// Throws std::invalid_argument for a string that is not valid; steps look at its sizes and constants alone.
 void start_leapfrog(WaveLine& line, Real h);
 
 /// (29.4): one step of leapfrog. Throws std::invalid_argument for a step beyond C = 1, where it is not stable.

@@ -182,7 +182,7 @@ void ElasticContacts::solve_rows(const VecX& v, const VecX& u, bool same)
 //! [step]
 void ElasticContacts::step(ElasticScene& scene, Real h)
 {
-    require_step(h);
+    rigid::require_valid(StepSettings{.h = h}, scene.gravity, 0);
     require_bodies(scene);
     require_valid(scene.friction, scene.skin, margin);
     ElasticBody<2>& soft = scene.elastic;
@@ -193,11 +193,11 @@ void ElasticContacts::step(ElasticScene& scene, Real h)
     }
     find_rows(scene, h);
     Bodies<3>& bodies = scene.bodies;
-    for (Index k = 0; k < bodies.count(); ++k)  // u*
-        if (bodies.can_move(k))
-            bodies.velocity(k).head<2>() +=
-                h * scene.gravity +
-                h * bodies.inverse_mass[3 * k] * bodies.force(k).head<2>();
+    for (Index k = 0; k < bodies.count(); ++k) {  // u*
+        if (!bodies.can_move(k)) continue;
+        bodies.velocity(k).head<2>() += h * scene.gravity;
+        bodies.velocity(k) += h * bodies.apply_inverse_mass(k, bodies.force(k));
+    }
     iterate(soft, bodies, h, [this](const VecX& v, const VecX& u, bool same) {
         solve_rows(v, u, same);
     });

@@ -62,6 +62,31 @@ Real edge_length(const ElasticMesh<Dim>& mesh)
     return sum / Dim;
 }
 
+namespace {
+
+/// The elements have straight edges, so a node that is not in the middle of its own would
+/// be a strain at rest.
+template <int Dim>
+void require_straight(const ElasticMesh<Dim>& mesh)
+{
+    for (int e = 0; e < mesh.count(); ++e) {
+        int i = Dim + 1;
+        for (const auto& [a, b] : edges_of_element<Dim>()) {
+            const Vec<Dim> p = mesh.at(mesh.node(e, a)),
+                           q = mesh.at(mesh.node(e, b)),
+                           off = mesh.at(mesh.node(e, i)) - (p + q) / 2;
+            if (!(off.norm() <= 1e-9 * (q - p).norm()))
+                throw std::invalid_argument(
+                    "node " + std::to_string(mesh.node(e, i)) + " of element " +
+                    std::to_string(e) + " is " + shortest(off.norm()) +
+                    " m from the middle of its edge; it must be there");
+            ++i;
+        }
+    }
+}
+
+}  // namespace
+
 template <int Dim>
 void require_valid(const ElasticMesh<Dim>& mesh)
 {
@@ -105,6 +130,7 @@ void require_valid(const ElasticMesh<Dim>& mesh)
                 " where its longest edge is " + shortest(longest) +
                 " m; number its nodes counterclockwise, and move them apart");
     }
+    if (mesh.order == 2) require_straight(mesh);
     const auto loose = std::find(used.begin(), used.end(), false);
     if (loose != used.end())
         throw std::invalid_argument("node " + std::to_string(loose - used.begin()) +

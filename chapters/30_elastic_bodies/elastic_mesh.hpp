@@ -57,7 +57,8 @@ Real edge_length(const ElasticMesh<Dim>& mesh);
 
 /// Throws std::invalid_argument, naming element or node and value, unless every element
 /// has nodes that there are, and a positive measure (not flat: more than 1e-9 of its
-/// longest edge to the power Dim), and every node belongs to an element.
+/// longest edge to the power Dim), every node belongs to an element, and the further nodes
+/// of a quadratic one are in the middle of its edges.
 template <int Dim>
 void require_valid(const ElasticMesh<Dim>& mesh);
 

@@ -219,7 +219,7 @@ void ElasticSolids::solve_rows(const VecX& v, const VecX& u, bool same)
 //! [step]
 void ElasticSolids::step(ElasticSpace& scene, Real h)
 {
-    require_step(h);
+    rigid::require_valid(StepSettings{.h = h}, scene.gravity, 0);
     require_bodies(scene);
     require_valid(scene.soft_friction, scene.skin, margin);
     ElasticBody<3>& soft = scene.elastic;
@@ -231,9 +231,11 @@ void ElasticSolids::step(ElasticSpace& scene, Real h)
     }
     find_rows(scene, h);
     Bodies<6>& bodies = scene.bodies;
-    for (Index k = 0; k < bodies.count(); ++k)  // u*
-        if (bodies.inverse_mass[6 * k] > 0)
-            bodies.velocity(k).head<3>() += h * scene.gravity;
+    for (Index k = 0; k < bodies.count(); ++k) {  // u*
+        if (!(bodies.inverse_mass[6 * k] > 0)) continue;
+        bodies.velocity(k).head<3>() += h * scene.gravity;
+        bodies.velocity(k) += h * bodies.apply_inverse_mass(k, bodies.force(k));
+    }
     iterate(soft, bodies, h, [this](const VecX& v, const VecX& u, bool same) {
         solve_rows(v, u, same);
     });

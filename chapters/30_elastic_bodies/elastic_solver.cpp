@@ -27,6 +27,16 @@ void require_valid(const ElasticBody<Dim>& body, const NewtonOnEnergy& settings)
             throw std::invalid_argument("the damping by " + std::string(name) +
                                         " is " + shortest(value) +
                                         "; it must be zero or positive");
+    for (int c = 0; c < Dim; ++c)
+        if (!std::isfinite(body.gravity[c]))
+            throw std::invalid_argument(
+                "gravity[" + std::to_string(c) + "] of an elastic body is " +
+                shortest(body.gravity[c]) + " m/s²; it must be finite");
+    if (settings.most < 0 || settings.most_linear < 0)
+        throw std::invalid_argument(
+            "the number of iterations is at most " +
+            std::to_string(std::min(settings.most, settings.most_linear)) +
+            "; it must be zero or positive");
     if (!(settings.stale >= 0 && settings.stale < 1))
         throw std::invalid_argument(
             "the share that a stale factor has to take the residual to is " +
@@ -141,7 +151,7 @@ Real ElasticSolver<Dim>::residual_of(const ElasticBody<Dim>& body,
                                     : model.force_scale(i);
         for (int c = 0; c < Dim; ++c) {
             const Real share = std::abs(r_left[Dim * i + c]) / scale;
-            if (!(share <= largest)) largest = share;  // also takes over a NaN
+            if (share > largest || std::isnan(share)) largest = share;
         }
     }
     return largest;

@@ -107,6 +107,27 @@ void add_strings()
     }
 }
 
+/// A step reads places, velocities and dampings and writes velocities, then reads both again and writes places.
+void line(benchmark::State& state)
+{
+    const auto n = static_cast<Index>(state.range(0));
+    WaveLine string(n, static_cast<Real>(n), 1);
+    for (Index i = 1; i < n; ++i)
+        string.y[i] = sin(0.01 * static_cast<Real>(i));
+    start_leapfrog(string, 0.7);
+    Real best = infinity;
+    for ([[maybe_unused]] const auto& _ : state) {
+        const auto start = std::chrono::steady_clock::now();
+        leapfrog(string, 0.7);
+        best = std::min(best, std::chrono::duration<Real>(
+                                  std::chrono::steady_clock::now() - start)
+                                  .count());
+    }
+    const auto masses = static_cast<Real>(n);
+    report(state, best * 1e6, 0, best * 1e9 / masses, 56 * masses / best * 1e-9);
+}
+BENCHMARK(line)->Arg(1000)->Arg(100000)->Arg(1000000)->Iterations(60);
+
 /// ns a cell, and the bytes a second that 32 bytes a cell are.
 void membrane(benchmark::State& state)
 {

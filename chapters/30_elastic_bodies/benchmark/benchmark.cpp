@@ -5,6 +5,7 @@
 ///     beam/METHOD/STEPS            a cantilever of 480 tetrahedra that falls for half a second, beside Bullet's
 ///     sag/METHOD/STEPS             the same at rest: damped until it stands, or at once
 ///     tets/LAW/SOLVE               10,080 tetrahedra, a step of 1/60 s: time [ms], residual, error, linear systems, bytes
+///     vibrations/COUNT             the same block by the linear law and so many vibrations: time to find them and of a step [ms]
 ///     soft/SCENE                   a step of tetrahedra with contacts, and its rows
 ///     factor/PROGRAM               one matrix factored and solved: time [ms], numbers in the factor, residual
 ///     ccx/ORDER                    rest and vibrations of a cantilever by CalculiX: time, largest difference from the book's
@@ -203,6 +204,36 @@ void tetrahedra(benchmark::State& state, StrainLaw law, LinearSolve solve, int m
     state.counters["bytes_solver"] = static_cast<Real>(bytes) / count;
     state.counters["nodes"] = nodes;
     state.counters["blocks"] = static_cast<Real>(blocks);
+}
+
+/// The block by its slowest vibrations: how long it takes to find them and to step them, and how far off the linear law
+/// they are at the end, which midpoint has to 1e-4 with these steps.
+void few_vibrations(benchmark::State& state)
+{
+    ElasticBody<3> wanted = many_tetrahedra(StrainLaw::linear);
+    ElasticSolver<3> solver;
+    solver.settings.rule = TimeRule::implicit_midpoint;
+    for (int n = 0; n < 16 * tetrahedra_steps; ++n) solver.step(wanted, 1.0 / 960);
+    Real first = 0, best = infinity, error = 0;
+    int rounds = 0;
+    for (auto _ : state) {
+        ElasticBody<3> body = many_tetrahedra(StrainLaw::linear);
+        auto start = Clock::now();
+        ModalBody<3> modal(body, static_cast<int>(state.range(0)));
+        first = since(start);
+        rounds = modal.vibration.iterations;
+        for (int n = 0; n < tetrahedra_steps; ++n) {
+            start = Clock::now();
+            modal.step(body, 1.0 / 60);
+            best = std::min(best, since(start));
+        }
+        error = off_by(body, wanted.x);
+    }
+    clear(state);
+    state.counters["ms"] = 1e3 * best;
+    state.counters["ms_whole"] = 1e3 * first;
+    state.counters["error"] = error;
+    state.counters["inner"] = rounds;
 }
 
 // ------------------------------------------------------------------------------- a beam beside Bullet's
@@ -638,6 +669,11 @@ const bool registered = [] {
                     })
                     ->Iterations(1);
             }
+    benchmark::RegisterBenchmark("vibrations", few_vibrations)
+        ->Arg(5)
+        ->Arg(20)
+        ->Arg(80)
+        ->Iterations(1);
     benchmark::RegisterBenchmark("factor/book", own_factor)->Iterations(1);
     benchmark::RegisterBenchmark(
         "factor/eigen",
