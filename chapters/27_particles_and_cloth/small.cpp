@@ -219,7 +219,7 @@ int main(int count, char** word)
     // A sheet on two corners: as many passes a step by each method.
     std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='720' "
-           "stroke-width='0.009' viewBox='-0.3 -0.45 5.8 2.15'>\n";
+           "stroke-width='0.009' viewBox='-0.3 -0.1 5.35 1.95'>\n";
     double left = 0;
     for (const std::string method :
          {"rows", "particles", "one matrix", "all together"}) {
