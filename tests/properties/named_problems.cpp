@@ -6,12 +6,13 @@
 #include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/09_active_sets/friction_boxes.hpp"
 #include "tests/catch.hpp"
+#include "tests/no_allocation.hpp"
 #include "tests/properties/random_attack.hpp"
 #include "tests/properties/verdicts.hpp"
 #include "tests/random_problems.hpp"
 #include "tests/sentence.hpp"
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__linux__) && !defined(RIGID_ADDRESS_SANITIZER)
 #include <sys/resource.h>
 #define RIGID_CAN_LIMIT_MEMORY
 #endif

@@ -5,6 +5,7 @@
 // Prints the first world of which something is false and ends with 1; `--all` goes on and counts. World K of seed S is the
 // same whatever came before it.
 #include "common/text.hpp"
+#include "tests/no_allocation.hpp"
 #include "tests/properties/random_worlds.hpp"
 
 #include <algorithm>
@@ -15,14 +16,7 @@
 #include <iostream>
 #include <map>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define RIGID_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RIGID_SANITIZED
-#endif
-#endif
-#ifdef RIGID_SANITIZED
+#ifdef RIGID_ADDRESS_SANITIZER
 #include <sanitizer/common_interface_defs.h>
 #endif
 
@@ -78,7 +72,7 @@ bool parse(int argc, char** argv)
 int main(int argc, char** argv)
 {
     if (!parse(argc, argv)) return 2;
-#ifdef RIGID_SANITIZED
+#ifdef RIGID_ADDRESS_SANITIZER
     __sanitizer_set_death_callback(say_which);
 #endif
     std::signal(SIGABRT, [](int) { say_which(), std::_Exit(1); });
