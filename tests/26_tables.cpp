@@ -144,6 +144,7 @@ TEST_CASE("the errors that the text of the four ways states are what runs give",
     CHECK(one_digit(largest_joint_error(turns.scene())) == "2e-7");
 }
 
+// Some seconds: each cell of three tables is one or two runs of a second of its scene, down to steps of 1/3840 s.
 TEST_CASE("the longest steps and the orders that the text lists are what runs give", "[house]")
 {
     check_steps("The longest step of 1/15",
