@@ -3,7 +3,6 @@
 #include "tests/catch.hpp"
 #include "tests/limit.hpp"
 #include "tests/no_allocation.hpp"
-#include "tests/order.hpp"
 #include "tests/sentence.hpp"
 
 #include "chapters/13_friction/friction_problems.hpp"
@@ -184,23 +183,138 @@ TEST_CASE("a block slides down a slope in coordinates that float", "[house]")
     }
 }
 
-TEST_CASE("a ball meets the floor when it does by accelerations and by single impulses", "[house]")
+TEST_CASE("a ball meets the floor when it does by accelerations and single impulses and coordinates",
+          "[house]")
 {
-    for (const Way way : {Way::acceleration, Way::single})
+    for (const Way way : {Way::acceleration, Way::single, Way::coordinates})
         for (const int steps : {7, 120, 1001})                                     // whatever the step is
             CHECK(run_way(way, bouncing_ball(), 2.0 / steps, {}).error <= 1e-12);  // D1
     // and rests: at 4.0637 s its bounces are over but for those below the speed that rests
-    WayRun run(Way::acceleration, bouncing_ball(), {});
-    for (int i = 0; i < 420; ++i) REQUIRE(run.advance(0.01) == Status::solved);
-    CHECK(std::abs(run.scene().bodies.x[1] - 0.1) <= 1e-6);  // of the gap that is closed
-    CHECK(std::abs(run.scene().bodies.u[1]) <= 1e-12);
-    // impulses meet it at the end of a step: order one, not from step to step, so over six of them
-    std::vector<Real> h, errors;
-    for (const int steps : {240, 380, 600, 960, 1500, 2400}) {
-        h.push_back(1.0 / steps);
-        errors.push_back(run_way(Way::coordinates, bouncing_ball(), 2.0 / steps, {}).error);
+    for (const Way way : {Way::acceleration, Way::coordinates}) {
+        WayRun run(way, bouncing_ball(), {});
+        for (int i = 0; i < 420; ++i) REQUIRE(run.advance(0.01) == Status::solved);
+        CHECK(std::abs(run.scene().bodies.x[1] - 0.1) <= 1e-6);  // of the gap that is closed
+        CHECK(std::abs(run.scene().bodies.u[1]) <= 1e-12);
     }
-    CHECK(std::abs(slope(h, errors) - 1) <= 0.3);
+}
+
+TEST_CASE("what bounces in coordinates does so at its moment and keeps its energy", "[house]")
+{
+    // a box that turns in the air, and a rod on a pin that hits a wall: smooth, e = 1
+    JointedScene tumbles;
+    tumbles.walls.push_back({{0, 1}, 0});
+    add_body(tumbles, box(1, 0.5), 2.0, {0, 2}, 0.4);
+    tumbles.bodies.u[2] = 1;
+    JointedScene swings = pendulum().scene;
+    swings.walls.push_back({{1, 0}, -0.5});
+    for (JointedScene* start : {&tumbles, &swings}) {
+        cover(*start, {0, 1, 0, 0});
+        std::vector<Real> gained;
+        for (const int rate : {60, 120}) {
+            JointedScene scene = *start;
+            ReducedMotion motion(scene);
+            for (int i = 0; i < 3 * rate; ++i) REQUIRE(motion.advance(scene, 1.0 / rate) == Status::solved);
+            CHECK(motion.bounces >= 3);
+            CHECK(largest_joint_error(scene) <= 1e-12);
+            gained.push_back(std::abs(energy(scene) - energy(*start)));
+        }
+        CHECK(gained[0] <= 1e-6);                   // of some 10 J: that of steps of order four
+        CHECK(gained[1] <= gained[0] / 8 + 1e-10);  // the box flies exactly: rounding
+    }
+    // beside what rests a bounce falls into a step of rows
+    std::vector<Real> lost;
+    for (const int rate : {240, 480}) {
+        JointedScene scene = ball(1, 1);
+        add_body(scene, box(1, 1), 1, {3, 0.5});
+        scene.surfaces = {{0, 1}, {0, 0}};
+        scene.wall_surfaces = {{0, 0}};
+        ReducedMotion motion(scene);
+        const Real before = energy(scene);
+        for (int i = 0; i < 3 * rate; ++i) REQUIRE(motion.advance(scene, 1.0 / rate) == Status::solved);
+        lost.push_back((before - energy(scene)) / 9.81);
+    }
+    CHECK(std::abs(lost[0] - 0.006) <= 0.0005);
+    CHECK(std::abs(lost[1] - 0.003) <= 0.0005);
+}
+
+TEST_CASE(
+    "what bounces in coordinates at three hundred metres a second goes through no plate of a centimetre",
+    "[house]")
+{
+    for (const Real speed : {1.0, 10.0, 100.0, 300.0}) {
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        for (const Real side : {-1.0, 1.0}) {  // a room of plates of a centimetre
+            add_body(scene, box(0.01, 4.1), Mass{}, {2 * side, 0});
+            add_body(scene, box(4.1, 0.01), Mass{}, {0, 2 * side});
+        }
+        add_body(scene, disc(0.1), 1, {0, 0});
+        add_body(scene, box(0.2, 0.02), 1, {0.6, 0.7}, 1);
+        scene.bodies.velocity(4).head<2>() << speed * std::cos(0.3), speed * std::sin(0.3);
+        scene.bodies.velocity(5) << -speed, speed / 3, speed;
+        cover(scene, {0, 1, 0, 0});
+        ReducedMotion motion(scene);
+        const Real before = energy(scene);
+        for (int i = 0; i < 60; ++i) REQUIRE(motion.advance(scene, 1.0 / 60) == Status::solved);
+        for (const Index k : {4, 5}) CHECK(scene.bodies.position(k).head<2>().cwiseAbs().maxCoeff() <= 2);
+        // each at its moment, but for those beyond two hundred flights a step
+        if (speed <= 100) CHECK(std::abs(energy(scene) - before) <= 1e-9 * before);
+    }
+}
+
+TEST_CASE("a block on a belt goes with it by accelerations and in coordinates and one at a time", "[house]")
+{
+    const auto on_a_belt = [] {
+        JointedScene scene;
+        scene.walls.push_back({{0, 1}, 0});
+        add_body(scene, box(1, 0.5), 1.0, {0, 0.25});
+        cover(scene, {0.3, 0, 0, 0});
+        scene.wall_surfaces[0].belt = 1;
+        return scene;
+    };
+    const Real a = 0.3 * 9.81;
+    const auto speed_after = [&](auto by, JointedScene scene, Real time) {
+        for (int i = 0; i < 60; ++i) REQUIRE(by.advance(scene, time / 60) == Status::solved);
+        return scene.bodies.u[0];
+    };
+    // it slides until it is as fast as the belt; the way round is the wall's: to the left
+    for (const Real time : {0.2, 1.0}) {
+        const Real wanted = std::min(a * time, 1.0);
+        CHECK(std::abs(std::abs(speed_after(AccelerationLevel{}, on_a_belt(), time)) - wanted) <= 1e-6);
+        CHECK(std::abs(std::abs(speed_after(ReducedMotion(on_a_belt()), on_a_belt(), time)) - wanted) <=
+              1e-9);
+        // by hops, each of which sees the belt
+        CHECK(std::abs(std::abs(speed_after(SingleImpulses{}, on_a_belt(), time)) - wanted) <= 0.02);
+    }
+}
+
+TEST_CASE("what a caller changes between steps in coordinates is taken over", "[house]")
+{
+    JointedScene scene = pendulum().scene;
+    scene.gravity = {0, 0};
+    ReducedMotion motion(scene);
+    REQUIRE(motion.advance(scene, 0.01) == Status::solved);
+    CHECK(scene.bodies.u.norm() == 0);
+    scene.bodies.u << 0, 0.5, 1;  // it turns about its pin
+    REQUIRE(motion.advance(scene, 0.01) == Status::solved);
+    CHECK(std::abs(scene.bodies.u[2] - 1) <= 1e-12);
+    CHECK(std::abs(scene.bodies.x[2] - 0.01) <= 1e-12);
+    scene.bodies.x << 0, 0.5, pi / 2;
+    scene.bodies.u << -0.5, 0, 1;
+    REQUIRE(motion.advance(scene, 0.01) == Status::solved);
+    CHECK(std::abs(scene.bodies.x[2] - pi / 2 - 0.01) <= 1e-12);
+    scene.bodies.u.setZero();
+    scene.bodies.x << 0.5, 0, 0;
+    scene.gravity = {0, -9.81};
+    REQUIRE(motion.advance(scene, 1e-3) == Status::solved);
+    CHECK(std::abs(scene.bodies.u[2] + 1.5 * 9.81e-3) <= 1e-6);  // 3 g / 2 L
+    // rows that belong to no joint hold as well
+    JointedScene rows = pendulum().scene;
+    rows.placed.clear(), rows.owner.clear();
+    ReducedMotion floats(rows);
+    CHECK(floats.coordinates() == 3);
+    for (int i = 0; i < 100; ++i) REQUIRE(floats.advance(rows, 0.01) == Status::solved);
+    CHECK(pendulum().error(rows) <= 1e-6);  // as by accelerations, to order four
 }
 
 TEST_CASE("what rests by single impulses hops no higher than it may", "[house]")
@@ -342,6 +456,11 @@ TEST_CASE("bad input to a way is refused by its sentence", "[house]")
               level.advance(scene, 0.01);
           }) == "the number of events in a step is 0; it must be at least 1");
     CHECK(sentence_of([&] {
+              ReducedMotion motion(scene);
+              motion.settings.gap = -1;
+              motion.advance(scene, 0.01);
+          }) == "the gap that is closed is -1; it must be zero or positive, and finite");
+    CHECK(sentence_of([&] {
               SingleImpulses single;
               single.settings.hop = 0;
               single.advance(scene, 0.01);
@@ -374,6 +493,151 @@ TEST_CASE("bad input to a way is refused by its sentence", "[house]")
         "a joint has a motor or a spring; at the level of accelerations joints push and pull, or only push");
     CHECK(sentence_of([&] { ReducedMotion motion(driven); }) ==
           "a joint has a motor or a spring; coordinates of joints take their forces from outside");
+}
+
+TEST_CASE("what a way has no row for and what does not fit is refused by its sentence", "[house]")
+{
+    const auto by_all = [](const JointedScene& scene, const std::string& sentence) {
+        JointedScene copy = scene;
+        CHECK(sentence_of([&] { AccelerationLevel().advance(copy, 0.01); }) == sentence);
+        CHECK(sentence_of([&] { SingleImpulses().advance(copy, 0.01); }) == sentence);
+        CHECK(sentence_of([&] { ReducedMotion motion(copy); }) == sentence);
+        if (scene.bodies.x.allFinite()) CHECK(copy.bodies.x == scene.bodies.x);
+    };
+    const JointedScene good = ball(1, 0.5);
+    JointedScene scene = good;
+    scene.walls[0].normal = {0, 2};
+    by_all(scene, "the length of the normal of wall 0 is 2; it must be 1");
+    scene = good;
+    scene.bodies.x[1] = std::nan("");
+    by_all(scene, "x[1] is nan; it must be a finite number");
+    scene = good;
+    scene.bodies.inverse_mass[0] = infinity;
+    by_all(scene, "inverse_mass[0] is inf; it must be a finite number");
+    scene = good;
+    scene.shapes.clear();
+    scene.surfaces.clear();
+    by_all(scene, "the scene has 0 shapes and 1 bodies; each needs its own");
+    scene = good;
+    scene.wall_surfaces[0].rolling = 0.01;
+    by_all(
+        scene,
+        "a surface resists rolling with an arm of 0.01 m; springs, impulses all at once and positions have "
+        "rows for it, this way has none");
+    scene = good;
+    scene.cloth.friction = 0.1;
+    by_all(
+        scene,
+        "the scene lies on a cloth; springs, impulses all at once and positions have rows for it, this way "
+        "has none");
+
+    scene = good;
+    scene.surfaces[0].friction = scene.wall_surfaces[0].friction = 0.5;
+    scene.surfaces[0].kinetic = 0.3;
+    const std::string one =
+        "a surface has a smaller coefficient of friction while it slides; this way has one "
+        "coefficient for both";
+    CHECK(sentence_of([&] { SingleImpulses().advance(scene, 0.01); }) == one);
+    CHECK(sentence_of([&] { ReducedMotion motion(scene); }) == one);
+
+    JointedScene hung = pendulum().scene;
+    hung.placed[0].joint.breaking_force = 5;
+    CHECK(sentence_of([&] { AccelerationLevel().advance(hung, 0.01); }) ==
+          "joint 0 may break; this way holds each joint of a scene, and for good");
+    hung.placed[0].broken = true;
+    CHECK(sentence_of([&] { ReducedMotion motion(hung); }) ==
+          "joint 0 is broken; this way holds each joint of a scene, and for good");
+    hung = pendulum().scene;
+    hung.joints[0].at_b.x() = std::nan("");
+    CHECK(sentence_of([&] { ReducedMotion motion(hung); }) != "accepted");
+    CHECK(sentence_of([&] { AccelerationLevel().advance(hung, 0.01); }) != "accepted");
+
+    scene = good;
+    AccelerationLevel level;
+    level.filter.group = {0, 0, 0};
+    CHECK(sentence_of([&] { level.advance(scene, 0.01); }) ==
+          "the filter of collisions has 3 groups for 1 bodies; it must be empty or have 1");
+    VecX a, three = VecX::Zero(3), six = VecX::Zero(6);
+    CHECK(sentence_of([&] { AccelerationLevel().accelerations(scene, six, three, a); }) ==
+          "x and u have 6 and 3 entries; the bodies have 3");
+
+    ReducedMotion motion(scene);
+    CHECK(sentence_of([&] { motion.forward_dynamics(six, three, {}); }) ==
+          "q has 6 entries; the tree has 3 coordinates");
+    CHECK(sentence_of([&] { motion.forward_dynamics(three, three, six); }) ==
+          "tau has 6 entries; the tree has 3 coordinates");
+    CHECK(sentence_of([&] { motion.inverse_dynamics(three, three, six); }) ==
+          "ddq has 6 entries; the tree has 3 coordinates");
+    const std::string other =
+        "the scene has other bodies, masses or joints than that of which these coordinates "
+        "were made; make them of it again";
+    JointedScene two = scene;
+    add_body(two, disc(0.1), Mass{1, {0, 0}, 0.005}, {5, 5});
+    two.surfaces.push_back({});
+    CHECK(sentence_of([&] { motion.advance(two, 0.01); }) == other);
+    two = scene;
+    two.bodies.inverse_mass[0] = 2;
+    CHECK(sentence_of([&] { motion.advance(two, 0.01); }) == other);
+    motion.restitution = 2;
+    CHECK(sentence_of([&] { motion.advance(scene, 0.01); }) ==
+          "the restitution of contacts and limits is 2; it must be from 0 to 1");
+}
+
+TEST_CASE("numbers that make no sense are refused by the formulas and runs of the ways", "[house]")
+{
+    CHECK(sentence_of([] { largest_stiffness(1, 0, 0); }) == "the step is 0; it must be positive and finite");
+    CHECK(sentence_of([] { largest_stiffness(-1, 0, 1); }) ==
+          "the mass is -1; it must be positive and finite");
+    CHECK(sentence_of([] { largest_step(1, 0, 0); }) == "the stiffness is 0; it must be positive and finite");
+    CHECK(sentence_of([] { largest_step(1, 1, std::nan("")); }) ==
+          "the damper is nan; it must be zero or positive, and finite");
+    CHECK(sentence_of([] { damping_ratio_of(0); }) ==
+          "the part of its speed that a bounce keeps is 0; it must be above 0 and at most 1");
+    CHECK(sentence_of([] { hertz_time(1, 1, 0); }) == "the speed is 0; it must be positive and finite");
+    CHECK(sentence_of([] {
+              one_contact(Eigen::Matrix<Real, 2, 2>::Zero(), {-1, 0}, 0.5, 0);
+          }) == "A_nn is 0; it must be positive and finite");
+    CHECK(sentence_of([] {
+              one_contact(Eigen::Matrix<Real, 2, 2>::Identity(), {1, 0}, 0.5, 0);
+          }) == "what the contact has to gain is -1; it must be zero or positive, and finite");
+
+    const WayScene scene = bouncing_ball();
+    CHECK(run_way(Way::impulses, scene, 0, {}).why_not ==
+          "the time step h is 0 s; it must be positive and finite");
+    CHECK(run_way(Way::impulses, scene, 1e-12, {}).why_not ==
+          "the scene takes 2e+12 steps of 1e-12 s; it must be at most 1e9");
+    CHECK(run_way(Way::impulses, scene, 0.01, {.stiffness = std::nan("")}).why_not ==
+          "the stiffness of the springs is nan N/m; it must be positive and finite");
+    CHECK(run_way(Way::impulses, scene, 0.01, {.sweeps = -1}).why_not ==
+          "the number of sweeps is -1; it must be zero or positive");
+    WayScene other = scene;
+    other.time = -1;
+    CHECK(run_way(Way::single, other, 0.01, {}).why_not ==
+          "the time of the scene is -1 s; it must be positive and finite");
+    other = scene;
+    other.error = nullptr;
+    CHECK(run_way(Way::single, other, 0.01, {}).why_not ==
+          "the scene does not say how its error is measured");
+    WayRun run(Way::single, scene, {});
+    CHECK(sentence_of([&] { advance_to_end(run, scene, 0); }) ==
+          "the number of steps is 0; it must be at least 1");
+    // what leaves all numbers says so, and the scene stands where it was
+    for (const Way way : {Way::acceleration, Way::single, Way::coordinates}) {
+        other = scene;
+        other.scene.walls.clear(), other.scene.wall_surfaces.clear();
+        WayRun far(way, other, {});
+        CHECK(far.advance(1e300) == Status::iteration_limit);
+        CHECK(far.scene().bodies.x == other.scene.bodies.x);
+    }
+    // a driven joint is refused before the first step
+    WayScene driven = pendulum();
+    RigidJoint joint = driven.scene.placed[0].joint;
+    joint.motor.force = 1;
+    driven.scene.joints.clear(), driven.scene.placed.clear(), driven.scene.owner.clear();
+    add_joint(driven.scene, joint);
+    CHECK_FALSE(can_take(Way::acceleration, driven));
+    CHECK_FALSE(can_take(Way::coordinates, driven));
+    CHECK(can_take(Way::impulses, driven));
 }
 
 TEST_CASE("a step that is refused or has no answer leaves the scene as it was", "[house]")

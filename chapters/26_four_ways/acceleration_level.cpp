@@ -13,19 +13,18 @@ namespace rigid {
 
 void require_valid(const AccelerationSettings& settings)
 {
-    for (const auto& [name, value] :
-         {std::pair{"the gap that is closed", settings.gap},
-          std::pair{"the speed at which a contact rests", settings.rest_speed},
-          std::pair{"the speed at which a contact sticks", settings.stick_speed},
-          std::pair{"the rate of stabilisation", settings.rate}})
-        if (!(value >= 0) || !std::isfinite(value))
-            throw std::invalid_argument(
-                std::string(name) + " is " + shortest(value) +
-                "; it must be zero or positive, and finite");
-    if (settings.most_events < 1)
-        throw std::invalid_argument("the number of events in a step is " +
-                                    std::to_string(settings.most_events) +
-                                    "; it must be at least 1");
+    require_valid(static_cast<const EventSettings&>(settings));
+    require_not_negative(
+        {{"the speed at which a contact sticks", settings.stick_speed},
+         {"the rate of stabilisation", settings.rate}});
+}
+
+void AccelerationLevel::require_valid(const JointedScene& scene) const
+{
+    rigid::require_valid(settings);
+    require_valid_motion(scene, filter,
+                         "at the level of accelerations joints push and pull, or "
+                         "only push");
 }
 
 void AccelerationLevel::close(const JointedScene& scene, Real reach)
@@ -58,6 +57,12 @@ void AccelerationLevel::close(const JointedScene& scene, Real reach)
 Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x,
                                         const VecX& u, VecX& a)
 {
+    const Index n = scene.bodies.x.size();
+    if (x.size() != n || u.size() != n)
+        throw std::invalid_argument("x and u have " + std::to_string(x.size()) +
+                                    " and " + std::to_string(u.size()) +
+                                    " entries; the bodies have " +
+                                    std::to_string(n));
     ++work.evaluations;
     free_accelerations(scene, a);
     const VecX& inverse_mass = scene.bodies.inverse_mass;
@@ -227,8 +232,8 @@ bool AccelerationLevel::impact(JointedScene& scene)
         if (approach > settings.rest_speed * length_)
             e = std::max(e, push.surface.restitution);
         if (!(push.surface.friction > 0)) continue;
-        Row<3> drag = bilateral(drag_of(push, c, normal, bodies.x, bodies.u).c,
-                                bodies.inverse_mass);
+        const Constraint<3> along = drag_of(push, c, normal, bodies.x, bodies.u).c;
+        Row<3> drag = bilateral(along, bodies.inverse_mass, -along.speed);
         drag.bounded_by = normal;
         drag.friction = push.surface.friction;
         rows.push_back(drag);
@@ -284,13 +289,7 @@ Real AccelerationLevel::open(const JointedScene& scene, const VecX& x,
 Status AccelerationLevel::advance(JointedScene& scene, Real h)
 {
     require_step(h);
-    require_valid(settings);
-    require_valid_motion(scene);
-    for (const PointJoint& joint : scene.joints)
-        if (has_error(joint.kind) == false)
-            throw std::invalid_argument(
-                "a joint has a motor or a spring; at the level of accelerations "
-                "joints push and pull, or only push");
+    require_valid(scene);
     Bodies<3>& bodies = scene.bodies;
     Real left = h;
     for (int events = 0; left > 0; ++events) {
@@ -306,32 +305,18 @@ Status AccelerationLevel::advance(JointedScene& scene, Real h)
         Status status = move(scene, left, x, u);
         if (status != Status::solved) return status;
         Real part = left;
-        if (Real here = open(scene, x, u); here < 0) {
-            // the moment: by secants of what opens, by halves where it jumps
+        if (const Real here = open(scene, x, u); here < 0) {
             ++work.events;
-            Real before = 0, there = open(scene, bodies.x, bodies.u);
-            int side = 0;
-            for (int i = 0; i < 200 && part - before > 1e-13 * h; ++i) {
-                const Real middle = (before + part) / 2;
-                Real at = middle;
-                if (i % 4 != 3 && there > 0 && there < infinity)
-                    at = part - here * (part - before) / (here - there);
-                if (!(before < at && at < part)) at = middle;
-                if (!(before < at && at < part)) break;
+            Moment moment(left, open(scene, bodies.x, bodies.u), here);
+            while (const Real at = moment.next(1e-13 * h)) {
                 VecX x_at = bodies.x, u_at = bodies.u;
                 status = move(scene, at, x_at, u_at);
                 if (status != Status::solved) return status;
-                const Real value = open(scene, x_at, u_at);
-                if (value < 0) {  // the end that stays counts half from then on
-                    if (side < 0) there /= 2;
-                    part = at, here = value, side = -1;
-                    x = x_at, u = u_at;
-                } else {
-                    if (side > 0) here /= 2;
-                    before = at, there = value, side = 1;
-                }
+                if (moment.take(at, open(scene, x_at, u_at))) x = x_at, u = u_at;
             }
+            part = moment.past;
         }
+        if (!x.allFinite() || !u.allFinite()) return Status::iteration_limit;
         bodies.x = x, bodies.u = u;
         left -= part;
     }

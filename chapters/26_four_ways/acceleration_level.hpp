@@ -17,14 +17,11 @@
 
 namespace rigid {
 
-struct AccelerationSettings {
-    Real gap = 1e-7;  ///< below it a contact may be closed [ℓ]
+struct AccelerationSettings : EventSettings {
     /// what moves more slowly is at rest: closes, sticks [ℓ/s]
     Real stick_speed = 1e-6;
-    Real rest_speed = 1e-3;  ///< an approach that is slower does not bounce [ℓ/s]
     /// α of Baumgarte's d²C/dt² + 2α dC/dt + α² C = 0 of what is closed [1/s]
     Real rate = 0;
-    int most_events = 200;  ///< in a step
 };
 
 /// Throws std::invalid_argument, naming the setting and its value, unless all make sense.
@@ -49,6 +46,9 @@ public:
     ///                                motors and springs of joints
     Status advance(JointedScene& scene, Real h);
 
+    /// What advance() asks of settings and scene. \throws std::invalid_argument  as it does
+    void require_valid(const JointedScene& scene) const;
+
     /// The accelerations at (x, u) with the closed contacts of the last call of close(); f of each row in forces().
     /// \param a  of all bodies: [m/s², rad/s²]
     Status accelerations(const JointedScene& scene, const VecX& x, const VecX& u,
@@ -58,6 +58,9 @@ public:
     void close(const JointedScene& scene, Real reach);
 
     const VecX& forces() const { return solution_.lambda; }
+    /// (26.5) as it was solved last, unless joints alone had to be: A, q and the bounds of rows, and which of them are friction.
+    const Mlcp& problem() const { return mlcp_; }
+    const std::vector<FrictionBox>& boxes() const { return boxes_; }
     std::size_t closed() const { return closed_.size(); }
 
 private:

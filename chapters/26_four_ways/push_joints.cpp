@@ -71,6 +71,76 @@ PushJoint of_pair(const JointedScene& scene, Index a, Index b, const Manifold& m
 
 }  // namespace
 
+void require_valid(const EventSettings& settings)
+{
+    require_not_negative(
+        {{"the gap that is closed", settings.gap},
+         {"the speed at which a contact rests", settings.rest_speed}});
+    if (settings.most_events < 1)
+        throw std::invalid_argument("the number of events in a step is " +
+                                    std::to_string(settings.most_events) +
+                                    "; it must be at least 1");
+}
+
+void require_fits(const CollisionFilter& filter, std::size_t bodies)
+{
+    const auto require = [bodies](const char* list, std::size_t size,
+                                  std::size_t right) {
+        if (size != 0 && size != right)
+            throw std::invalid_argument(
+                std::string("the filter of collisions has ") +
+                std::to_string(size) + " " + list + " for " +
+                std::to_string(bodies) + " bodies; it must be empty or have " +
+                std::to_string(right));
+    };
+    require("groups", filter.group.size(), bodies);
+    require("beginnings of its list of pairs", filter.first.size(), bodies + 1);
+}
+
+void require_valid_motion(const JointedScene& scene, const CollisionFilter& filter,
+                          std::string_view otherwise)
+{
+    require_valid(static_cast<const RigidScene&>(scene));
+    require_valid_surfaces(scene);
+    require_fits(filter, scene.shapes.size());
+    if (!scene.gravity.allFinite())
+        throw std::invalid_argument("gravity is not finite");
+    if (scene.cloth.friction > 0)
+        throw std::invalid_argument("the scene lies on a cloth; springs, impulses "
+                                    "all at once and positions "
+                                    "have rows for it, this way has none");
+    for (const std::vector<Surface>* const list :
+         {&scene.surfaces, &scene.wall_surfaces})
+        for (const Surface& surface : *list)
+            if (surface.rolling > 0)
+                throw std::invalid_argument(
+                    "a surface resists rolling with an arm of " +
+                    shortest(surface.rolling) +
+                    " m; springs, impulses all at once and positions have rows "
+                    "for it, this way has none");
+    for (const PointJoint& joint : scene.joints)
+        if (!has_error(joint.kind))
+            throw std::invalid_argument("a joint has a motor or a spring; " +
+                                        std::string(otherwise));
+    for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+        const PlacedJoint& one = scene.placed[i];
+        if (one.broken || one.joint.breaking_force < infinity ||
+            one.joint.breaking_torque < infinity)
+            throw std::invalid_argument(
+                "joint " + std::to_string(i) +
+                (one.broken ? " is broken" : " may break") +
+                "; this way holds each joint of a scene, and for good");
+    }
+}
+
+void require_one_friction(const JointedScene& scene)
+{
+    if (has_kinetic_friction(scene))
+        throw std::invalid_argument(
+            "a surface has a smaller coefficient of friction while it slides; this "
+            "way has one coefficient for both");
+}
+
 void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
                       Real margin, std::vector<PushJoint>& found)
 {

@@ -13,6 +13,9 @@
 #include "chapters/12_contact_manifolds/placed_shape.hpp"
 #include "chapters/13_friction/friction_rows.hpp"
 #include "chapters/15_trees/joint_accelerations.hpp"
+#include "chapters/26_four_ways/require_values.hpp"
+
+#include <string_view>
 
 namespace rigid {
 
@@ -31,14 +34,17 @@ struct PushJoint {
 void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
                       Real margin, std::vector<PushJoint>& found);
 
-/// The door of the ways that are no step of chapter 3's: throws std::invalid_argument, naming what makes no sense.
-inline void require_valid_motion(const JointedScene& scene)
-{
-    require_valid(scene.bodies);
-    require_valid_surfaces(scene);
-    if (!scene.gravity.allFinite())
-        throw std::invalid_argument("gravity is not finite");
-}
+/// The door of the ways that are no step of chapter 3's: throws std::invalid_argument, naming what makes no sense, and what they
+/// have no row for: rolling resistance, a cloth, joints that break, motors and springs of joints.
+/// \param otherwise  how the sentence of motors and springs ends: what the way does with joints
+void require_valid_motion(const JointedScene& scene, const CollisionFilter& filter,
+                          std::string_view otherwise);
+
+/// Throws std::invalid_argument unless the lists of a filter are empty or as long as so many bodies need.
+void require_fits(const CollisionFilter& filter, std::size_t bodies);
+
+/// Throws std::invalid_argument for a surface whose μ depends on whether it slides.
+void require_one_friction(const JointedScene& scene);
 
 /// C, J of the normal where the bodies are.
 inline Constraint<3> gap_of(const PushJoint& joint, const VecX& x)
@@ -75,5 +81,54 @@ inline Drag drag_of(const PushJoint& joint, const Constraint<3>& normal, int num
     return drag;
 }
 //! [drag]
+
+/// Of the ways that place an impact inside the step.
+struct EventSettings {
+    Real gap = 1e-7;         ///< below it a contact may be closed [ℓ]
+    Real rest_speed = 1e-3;  ///< an approach that is slower does not bounce [ℓ/s]
+    int most_events = 200;   ///< in a step
+};
+
+/// Throws std::invalid_argument, naming the setting and its value, unless all make sense.
+void require_valid(const EventSettings& settings);
+
+//! [moment]
+/// When something that opens is closed first, in a step at whose end it is past that:
+/// by secants, whose end that stays counts half, and by halves where it jumps.
+struct Moment {
+    Real before = 0, past;  ///< it lies between them [s]
+    Real there, here;       ///< what is open at both
+    int side = 0, looks = 0;
+
+    /// \param h      the end of the step [s]
+    /// \param start  what is open at its start; infinity: nothing
+    /// \param end    and at its end, below zero
+    Moment(Real h, Real start, Real end) : past(h), there(start), here(end) {}
+
+    /// Where to look next; 0: `past` is the moment, to the given width [s].
+    Real next(Real width)
+    {
+        if (looks >= 200 || !(past - before > width)) return 0;
+        const Real middle = (before + past) / 2;
+        Real at = middle;
+        if (looks++ % 4 != 3 && there > 0 && there < infinity)
+            at = past - here * (past - before) / (here - there);
+        if (!(before < at && at < past)) at = middle;
+        return before < at && at < past ? at : 0;
+    }
+    /// What was found there. Returns whether it is past the moment.
+    bool take(Real at, Real open)
+    {
+        if (open < 0) {
+            if (side < 0) there /= 2;
+            past = at, here = open, side = -1;
+        } else {
+            if (side > 0) here /= 2;
+            before = at, there = open, side = 1;
+        }
+        return open < 0;
+    }
+};
+//! [moment]
 
 }  // namespace rigid

@@ -41,6 +41,13 @@ TreeAndLoops split_loops(const JointedScene& scene)
         while (a != no_joint && a != world && a != b) a = on(a);
         return a == b;
     };
+    const auto is_loop = [](const PointJoint& row) {
+        return row.kind == ConstraintKind::bilateral;
+    };
+    for (std::size_t i = 0; i < scene.joints.size(); ++i)  // rows of no joint
+        if ((i >= scene.owner.size() || scene.owner[i] < 0) &&
+            is_loop(scene.joints[i]))
+            parts.loops.push_back(scene.joints[i]);
     for (const PlacedJoint& placed : scene.placed) {
         const RigidJoint& joint = placed.joint;
         const bool is_coordinate = joint.kind == JointKind::revolute ||
@@ -55,7 +62,7 @@ TreeAndLoops split_loops(const JointedScene& scene)
         for (int i = 0; i < placed.count; ++i) {
             const PointJoint& row =
                 scene.joints[static_cast<std::size_t>(placed.first + i)];
-            if (row.kind == ConstraintKind::bilateral) parts.loops.push_back(row);
+            if (is_loop(row)) parts.loops.push_back(row);
         }
     }
     for (Index k = 0; k < count; ++k) parts.carried.push_back(k);
@@ -74,26 +81,79 @@ TreeAndLoops split_loops(const JointedScene& scene)
     return parts;
 }
 
-ReducedMotion::ReducedMotion(const JointedScene& scene)
-    : parts_(split_loops(scene)), tree_(parts_.tree), links_(links_of(parts_.tree))
+namespace {
+
+const JointedScene& checked(const JointedScene& scene,
+                            const CollisionFilter& filter = {})
 {
-    for (const PointJoint& joint : scene.joints)
-        if (!has_error(joint.kind))
-            throw std::invalid_argument(
-                "a joint has a motor or a spring; coordinates of joints take their "
-                "forces from outside");
-    const Bodies<3>& bodies = parts_.tree.bodies;
-    x_ = bodies.x, u_ = bodies.u;
+    require_valid_motion(scene, filter,
+                         "coordinates of joints take their forces from outside");
+    require_one_friction(scene);
+    return scene;
+}
+
+}  // namespace
+
+ReducedMotion::ReducedMotion(const JointedScene& scene)
+    : parts_(split_loops(checked(scene))), tree_(parts_.tree),
+      links_(links_of(parts_.tree)), rows_given_(scene.joints.size())
+{
+    x_ = parts_.tree.bodies.x, u_ = parts_.tree.bodies.u;
+    take(scene.bodies);
+}
+
+void ReducedMotion::take(const Bodies<3>& bodies)
+{
+    x_.head(bodies.x.size()) = bodies.x;
+    u_.head(bodies.u.size()) = bodies.u;
+    for (Index k = bodies.count(); 3 * k < x_.size(); ++k) {  // carriers: x, then y
+        const bool second = (k - bodies.count()) % 2 == 1;
+        const Vec2 at = bodies.position(carried_by(k)).head<2>();
+        x_.segment<3>(3 * k) << at.x(), second ? at.y() : 0, 0;
+    }
     q_ = tree_.coordinates(x_);
     c_.setZero(u_.size());
     motion_ = c_;
     // the rates nearest to the velocities that the bodies have
-    dq_ = tree_.nearest(x_, bodies.inverse_mass, u_, c_, motion_);
+    dq_ = tree_.nearest(x_, parts_.tree.bodies.inverse_mass, u_, c_, motion_);
     u_ = motion_;
+    written_x_ = bodies.x, written_u_ = bodies.u;
+}
+
+void ReducedMotion::follow(const JointedScene& scene)
+{
+    checked(scene, filter);
+    if (!(restitution >= 0 && restitution <= 1))
+        throw std::invalid_argument("the restitution of contacts and limits is " +
+                                    shortest(restitution) +
+                                    "; it must be from 0 to 1");
+    const Bodies<3>& bodies = scene.bodies;
+    if (bodies.x.size() != written_x_.size() ||
+        scene.joints.size() != rows_given_ ||
+        bodies.inverse_mass !=
+            parts_.tree.bodies.inverse_mass.head(bodies.x.size()))
+        throw std::invalid_argument(
+            "the scene has other bodies, masses or joints than that of which these "
+            "coordinates were made; make them of it again");
+    parts_.tree.gravity = scene.gravity;
+    length_ = typical_length(scene);
+    if (bodies.x != written_x_ || bodies.u != written_u_) take(bodies);
+}
+
+void ReducedMotion::require_fits(const VecX& v, const char* name) const
+{
+    if (v.size() != coordinates())
+        throw std::invalid_argument(std::string(name) + " has " +
+                                    std::to_string(v.size()) +
+                                    " entries; the tree has " +
+                                    std::to_string(coordinates()) + " coordinates");
 }
 
 VecX ReducedMotion::forward_dynamics(const VecX& q, const VecX& dq, const VecX& tau)
 {
+    require_fits(q, "q");
+    require_fits(dq, "dq");
+    if (tau.size() > 0) require_fits(tau, "tau");
     ++recursions;
     const JointedScene& scene = parts_.tree;
     tree_.place(q, x_);
@@ -122,6 +182,9 @@ VecX ReducedMotion::forward_dynamics(const VecX& q, const VecX& dq, const VecX& 
 //! [inverse]
 VecX ReducedMotion::inverse_dynamics(const VecX& q, const VecX& dq, const VecX& ddq)
 {
+    require_fits(q, "q");
+    require_fits(dq, "dq");
+    require_fits(ddq, "ddq");
     ++recursions;
     const Bodies<3>& bodies = parts_.tree.bodies;
     tree_.place(q, x_);
@@ -220,88 +283,253 @@ Status ReducedMotion::accelerations(const VecX& q, const VecX& dq, VecX& ddq)
     const MatX A = mlcp_.A;
     solution_.lambda = -Eigen::FullPivLU<MatX>(A).solve(mlcp_.q);
     const Verification found =
-        verify(mlcp_, solution_.lambda, {1e-9, 1e-9 * typical_length(parts_.tree)});
+        verify(mlcp_, solution_.lambda, {1e-9, 1e-9 * length_});
     if (!found.solved) return Status::infeasible;
     for (std::size_t i = 0; i < rows.size(); ++i)
         ddq += solution_.lambda[static_cast<Index>(i)] * answers_[i];
     return Status::solved;
 }
 
-Status ReducedMotion::advance(JointedScene& scene, Real h)
+void ReducedMotion::find_near(const JointedScene& scene, Real h)
 {
-    require_step(h);
-    require_valid_motion(scene);
-    Bodies<3>& bodies = scene.bodies;
-    const Real length = typical_length(scene);
-    Status status = Status::solved;
+    const Bodies<3>& bodies = scene.bodies;
+    near_.clear();
+    if (!touches) return;
     Real fastest = scene.gravity.norm() * h;
     for (Index k = 0; k < bodies.count(); ++k)
         fastest = std::max(fastest, bodies.velocity(k).head<2>().norm() +
-                                        std::abs(bodies.u[3 * k + 2]) * length);
-    if (touches)
-        find_push_joints(scene, filter, 0.02 * length + 2 * h * fastest, near_);
+                                        std::abs(bodies.u[3 * k + 2]) * length_);
+    find_push_joints(scene, filter, 0.02 * length_ + 2 * h * fastest, near_);
     std::erase_if(near_, [&](const PushJoint& one) {  // limits that are far
         if (one.touches) return false;
         const Constraint<3> c = gap_of(one, bodies.x);
         const Real rate = bilateral(c, bodies.inverse_mass).velocity(bodies.u);
         return c.C > 0.02 + 2 * h * std::abs(rate);
     });
-    const bool pushed = touches && !near_.empty();
-    if (!pushed) {  // the tree and its loops alone: order four
-        VecX k1, k2, k3, k4;
-        const VecX q = q_, v = dq_;
-        if ((status = accelerations(q, v, k1)) != Status::solved) return status;
-        const VecX v2 = v + h / 2 * k1, v3_q = q + h / 2 * v;
-        if ((status = accelerations(v3_q, v2, k2)) != Status::solved) return status;
-        const VecX v3 = v + h / 2 * k2, q3 = q + h / 2 * v2;
-        if ((status = accelerations(q3, v3, k3)) != Status::solved) return status;
-        const VecX v4 = v + h * k3, q4 = q + h * v3;
-        if ((status = accelerations(q4, v4, k4)) != Status::solved) return status;
-        q_ = q + h / 6 * (v + 2 * v2 + 2 * v3 + v4);
-        dq_ = v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    } else {
-        // q̇* of the forces, then the rows of velocities: loops, limits, contacts
-        const VecX ddq = forward_dynamics(q_, dq_, {});
-        dq_ += h * ddq;
-        std::vector<Row<3>> rows;
-        std::vector<FrictionBox> boxes;
-        for (const PointJoint& joint : parts_.loops) {
-            const Constraint<3> c = joint_constraint(x_, joint);
-            rows.push_back(bilateral(c, bodies.inverse_mass, c.C / h));
-        }
-        for (const PushJoint& push : near_) {
-            const Constraint<3> c = gap_of(push, x_);
-            Row<3> row = unilateral(c, bodies.inverse_mass);
-            const Real v = row.velocity(u_),
-                       e = std::max(restitution, push.surface.restitution);
-            // closed within the step, and faster than what gravity gives in it
-            const bool hits = c.C + h * v < 0 && v < -2 * h * scene.gravity.norm();
-            row.bias = hits && e > 0 ? e * v : c.C / h;
-            const auto normal = static_cast<int>(rows.size());
-            rows.push_back(row);
-            if (!(push.surface.friction > 0)) continue;
-            Row<3> drag =
-                bilateral(drag_of(push, c, normal, x_, u_).c, bodies.inverse_mass);
-            boxes.push_back(
-                {static_cast<Index>(rows.size()), normal, push.surface.friction});
-            rows.push_back(drag);
-        }
-        couple(rows);
-        tree_.move(dq_, x_, u_);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            mlcp_.q[static_cast<Index>(i)] = rows[i].velocity(u_);
-        solution_.lambda.setZero(mlcp_.q.size());
-        find_(mlcp_, boxes, 1e-9 * length, solution_);
-        status = solution_.status;
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            dq_ += solution_.lambda[static_cast<Index>(i)] * answers_[i];
-        q_ += h * dq_;
-    }
-    tree_.place(q_, x_);
-    tree_.move(dq_, x_, u_);
-    bodies.x = x_.head(bodies.x.size());
-    bodies.u = u_.head(bodies.u.size());
+}
+
+Row<3> ReducedMotion::row_of(const PushJoint& push) const
+{
+    return unilateral(gap_of(push, x_), parts_.tree.bodies.inverse_mass);
+}
+
+void ReducedMotion::add_drag(const PushJoint& push, int normal,
+                             std::vector<Row<3>>& rows,
+                             std::vector<FrictionBox>& boxes) const
+{
+    if (!(push.surface.friction > 0)) return;
+    const Constraint<3> c = drag_of(push, gap_of(push, x_), normal, x_, u_).c;
+    boxes.push_back(
+        {static_cast<Index>(rows.size()), normal, push.surface.friction});
+    rows.push_back(bilateral(c, parts_.tree.bodies.inverse_mass, -c.speed));
+}
+
+Real ReducedMotion::open(const VecX& q, const VecX& dq)
+{
+    place(q, dq);
+    Real least = infinity;
+    for (const PushJoint& push : near_)
+        if (row_of(push).velocity(u_) < 0)
+            least = std::min(least, gap_of(push, x_).C);
+    return least;
+}
+
+bool ReducedMotion::rests(Real h) const
+{
+    return std::any_of(near_.begin(), near_.end(), [&](const PushJoint& push) {
+        const Real C = gap_of(push, x_).C, closed = settings.gap * length_;
+        return C <= closed && C + h * row_of(push).velocity(u_) <= closed;
+    });
+}
+
+Status ReducedMotion::solve(const std::vector<Row<3>>& rows,
+                            const std::vector<FrictionBox>& boxes)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        mlcp_.q[static_cast<Index>(i)] = rows[i].velocity(u_);
+    solution_.lambda.setZero(mlcp_.q.size());
+    find_(mlcp_, boxes, 1e-9 * length_, solution_);
+    return solution_.status;
+}
+
+Status ReducedMotion::fly(Real h, VecX& q, VecX& dq)
+{
+    Status status = Status::solved;
+    VecX k1, k2, k3, k4;
+    const VecX v = dq;
+    if ((status = accelerations(q, v, k1)) != Status::solved) return status;
+    const VecX v2 = v + h / 2 * k1, q2 = q + h / 2 * v;
+    if ((status = accelerations(q2, v2, k2)) != Status::solved) return status;
+    const VecX v3 = v + h / 2 * k2, q3 = q + h / 2 * v2;
+    if ((status = accelerations(q3, v3, k3)) != Status::solved) return status;
+    const VecX v4 = v + h * k3, q4 = q + h * v3;
+    if ((status = accelerations(q4, v4, k4)) != Status::solved) return status;
+    q += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    dq += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     return status;
 }
+
+Real ReducedMotion::fly_until_closed(Real h, Real width, Status& status)
+{
+    VecX q = q_, dq = dq_;
+    if ((status = fly(h, q, dq)) != Status::solved) return h;
+    Moment moment(h, open(q_, dq_), open(q, dq));
+    if (moment.here < 0)
+        while (const Real at = moment.next(width)) {
+            VecX q_at = q_, dq_at = dq_;
+            if ((status = fly(at, q_at, dq_at)) != Status::solved) return h;
+            if (moment.take(at, open(q_at, dq_at))) q = q_at, dq = dq_at;
+        }
+    q_ = q, dq_ = dq;
+    return moment.past;
+}
+
+Index ReducedMotion::bouncing() const
+{
+    return std::count_if(near_.begin(), near_.end(), [&](const PushJoint& push) {
+        return restitution_of(push) > 0;
+    });
+}
+
+Real ReducedMotion::safe_part(const JointedScene& scene, Real h) const
+{
+    Real safe = h;
+    const Bodies<3>& bodies = scene.bodies;
+    for (const PushJoint& push : near_) {
+        if (!push.touches || push.gap.a == world)
+            continue;  // a wall has no far side
+        Real thinnest = infinity, speed = 0;
+        for (const Index k : {push.gap.a, push.gap.b}) {
+            const Vec2 at = bodies.position(k).head<2>();
+            const PlacedShape shape(scene.shapes[static_cast<std::size_t>(k)],
+                                    bodies.position(k));
+            thinnest = std::min(thinnest, inner_radius(shape.view(), at));
+            Real reach = 0;  // of what turns
+            for (const Vec2& vertex : shape.vertices)
+                reach = std::max(reach, (vertex - at).norm());
+            if (bodies.can_move(k)) speed += scene.gravity.norm() * h;
+            speed += bodies.velocity(k).head<2>().norm() +
+                     std::abs(bodies.u[3 * k + 2]) * reach;
+        }
+        if (!(thinnest > 0)) return 0;
+        const Real free = std::max(Real{0}, gap_of(push, x_).C) + thinnest / 2;
+        if (free < speed * safe) safe = free / speed;
+    }
+    return safe;
+}
+
+bool ReducedMotion::bounce(const JointedScene& scene)
+{
+    Real e = 0;
+    std::vector<Row<3>> rows;
+    std::vector<FrictionBox> boxes;
+    for (const PointJoint& joint : parts_.loops)
+        rows.push_back(
+            bilateral(joint_constraint(x_, joint), scene.bodies.inverse_mass));
+    for (const PushJoint& push : near_) {
+        if (gap_of(push, x_).C > settings.gap * length_) continue;
+        const auto normal = static_cast<int>(rows.size());
+        rows.push_back(row_of(push));
+        if (rows.back().velocity(u_) < -settings.rest_speed * length_)
+            e = std::max(e, restitution_of(push));
+        add_drag(push, normal, rows, boxes);
+    }
+    if (!(e > 0)) return false;
+    couple(rows);
+    if (solve(rows, boxes) != Status::solved) return false;
+    ++bounces;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        dq_ += (1 + e) * solution_.lambda[static_cast<Index>(i)] * answers_[i];
+    return true;
+}
+
+Status ReducedMotion::push(const JointedScene& scene, Real h, Real whole,
+                           bool bounces_too)
+{
+    // q̇* of the forces, then the rows of velocities: loops, limits, contacts
+    const VecX ddq = forward_dynamics(q_, dq_, {});
+    dq_ += h * ddq;
+    std::vector<Row<3>> rows;
+    std::vector<FrictionBox> boxes;
+    std::vector<std::pair<int, Real>> bouncing;  // rows, their b without e
+    for (const PointJoint& joint : parts_.loops) {
+        const Constraint<3> c = joint_constraint(x_, joint);
+        rows.push_back(bilateral(c, scene.bodies.inverse_mass, c.C / whole));
+    }
+    for (const PushJoint& push : near_) {
+        const Real C = gap_of(push, x_).C, e = restitution_of(push);
+        Row<3> row = row_of(push);
+        const Real v = row.velocity(u_);
+        // closed within the step, and faster than what gravity gives in it
+        const bool hits = C + h * v < 0 && v < -2 * h * scene.gravity.norm();
+        row.bias = C / (C > 0 ? h : whole);
+        const auto normal = static_cast<int>(rows.size());
+        if (hits && e > 0 && bounces_too) {
+            bouncing.push_back({normal, row.bias});
+            row.bias = e * v;
+        }
+        rows.push_back(row);
+        add_drag(push, normal, rows, boxes);
+    }
+    couple(rows);
+    tree_.move(dq_, x_, u_);
+    Status status = solve(rows, boxes);
+    if (status != Status::solved && !bouncing.empty()) {
+        // no room for them, as between two walls that both are hit: all stop
+        for (const auto& [row, stops] : bouncing)
+            rows[static_cast<std::size_t>(row)].bias = stops;
+        status = solve(rows, boxes);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        dq_ += solution_.lambda[static_cast<Index>(i)] * answers_[i];
+    q_ += h * dq_;
+    return status;
+}
+
+void ReducedMotion::write(JointedScene& scene)
+{
+    place(q_, dq_);
+    scene.bodies.x = x_.head(scene.bodies.x.size());
+    scene.bodies.u = u_.head(scene.bodies.u.size());
+    written_x_ = scene.bodies.x, written_u_ = scene.bodies.u;
+}
+
+//! [advance]
+Status ReducedMotion::advance(JointedScene& scene, Real h)
+{
+    require_step(h);
+    require_valid(settings);
+    follow(scene);
+    Real left = h;
+    for (int events = 0; left > 0; ++events) {
+        find_near(scene, left);
+        Status status = Status::solved;
+        Real part = left;
+        if (near_.empty()) {
+            status = fly(left, q_, dq_);
+        } else {
+            place(q_, dq_);
+            const Real safe = safe_part(scene, left);
+            const Index bounce_here = bouncing();
+            const bool in_parts = bounce_here > 0 && safe > 0 &&
+                                  events < settings.most_events,
+                       each = in_parts && bounce_here == std::ssize(near_);
+            if (each && bounce(scene)) {
+                part = 0;
+            } else if (each && !rests(left)) {
+                part = fly_until_closed(safe, 1e-13 * h, status);
+            } else {  // of order one
+                if (in_parts) part = safe;
+                status = push(scene, part, h, events < settings.most_events);
+            }
+        }
+        if (!q_.allFinite() || !dq_.allFinite()) return Status::iteration_limit;
+        write(scene);
+        if (status != Status::solved) return status;
+        left -= part;
+    }
+    return Status::solved;
+}
+//! [advance]
 
 }  // namespace rigid

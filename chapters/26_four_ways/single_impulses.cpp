@@ -29,14 +29,17 @@ void fly(const JointedScene& scene, Real t, VecX& x)
         if (bodies.can_move(k)) x.segment<2>(3 * k) += t * t / 2 * scene.gravity;
 }
 
-void fly(JointedScene& scene, Real t)
+/// Moves them there. Returns false, and moves nothing, if that is out of all bounds.
+bool fly(JointedScene& scene, Real t)
 {
     VecX x;
     fly(scene, t, x);
+    if (!x.allFinite()) return false;
     Bodies<3>& bodies = scene.bodies;
     bodies.x = x;
     for (Index k = 0; k < bodies.count(); ++k)
         if (bodies.can_move(k)) bodies.u.segment<2>(3 * k) += t * scene.gravity;
+    return true;
 }
 
 /// When a gap closes within t_end; t_end or more: not before.
@@ -88,17 +91,23 @@ Real closing_time(const JointedScene& scene, const PushJoint& push, Real t_end,
 
 }  // namespace
 
-//! [advance]
-Status SingleImpulses::advance(JointedScene& scene, Real h)
+void SingleImpulses::require_valid(const JointedScene& scene) const
 {
-    require_step(h);
-    require_valid(settings);
-    require_valid_motion(scene);
+    rigid::require_valid(settings);
     if (!scene.joints.empty())
         throw std::invalid_argument(
             "the scene has " + std::to_string(scene.joints.size()) +
             " rows of joints; impulses one at a time are those of collisions, and "
             "what is joined never collides");
+    require_valid_motion(scene, filter, {});
+    require_one_friction(scene);
+}
+
+//! [advance]
+Status SingleImpulses::advance(JointedScene& scene, Real h)
+{
+    require_step(h);
+    require_valid(scene);
     Bodies<3>& bodies = scene.bodies;
     const Real length = typical_length(scene),
                hop = std::sqrt(2 * scene.gravity.norm() * settings.hop * length);
@@ -117,19 +126,18 @@ Status SingleImpulses::advance(JointedScene& scene, Real h)
             const Real t = closing_time(scene, push, left, x);
             if (t < first) first = t, meets = &push;
         }
-        if (!(first < left)) {
-            fly(scene, left);
-            return Status::solved;
-        }
-        fly(scene, first);
+        if (!(first < left))
+            return fly(scene, left) ? Status::solved : Status::iteration_limit;
+        if (!fly(scene, first)) return Status::iteration_limit;
         left -= first;
         const Constraint<3> c = gap_of(*meets, bodies.x);
+        const Constraint<3> along = drag_of(*meets, c, 0, bodies.x, bodies.u).c;
         const Row<3> n = bilateral(c, bodies.inverse_mass),
-                     t = bilateral(drag_of(*meets, c, 0, bodies.x, bodies.u).c,
-                                   bodies.inverse_mass);
+                     t = bilateral(along, bodies.inverse_mass);
         Eigen::Matrix<Real, 2, 2> A;
         A << coupling(n, n), coupling(n, t), coupling(t, n), coupling(t, t);
-        const OneImpulse before{n.velocity(bodies.u), t.velocity(bodies.u)};
+        const OneImpulse before{n.velocity(bodies.u),
+                                t.velocity(bodies.u) - along.speed};
         if (!(before.n <= 0) || !(A(0, 0) > 0)) continue;
         const Real e = meets->surface.restitution, mu = meets->surface.friction;
         OneImpulse lambda;

@@ -28,10 +28,13 @@ struct OneImpulse {
 /// The impulses of one contact with friction that bring its normal velocity to v.
 /// \param A     of its rows n and t [1/kg]
 /// \param u     its velocities v_n, v_t before [m/s]
-/// \param v     wanted, more than u.n
+/// \param v     wanted, at least u.n
+/// \throws std::invalid_argument  for a contact that nothing can move, and a μ below zero
 inline OneImpulse one_contact(const Eigen::Matrix<Real, 2, 2>& A,
                               const OneImpulse& u, Real mu, Real v)
 {
+    require_positive({{"A_nn", A(0, 0)}});
+    require_not_negative({{"μ", mu}, {"what the contact has to gain", v - u.n}});
     const Real lift = v - u.n;
     if (!(mu > 0)) return {lift / A(0, 0), 0};
     // sticks: both rows at once
@@ -62,6 +65,9 @@ public:
     /// time of the last one.
     /// \throws std::invalid_argument  for settings, a step or a scene that make no sense, and for joints
     Status advance(JointedScene& scene, Real h);
+
+    /// What advance() asks of settings and scene. \throws std::invalid_argument  as it does
+    void require_valid(const JointedScene& scene) const;
 
 private:
     std::vector<PushJoint> near_;

@@ -7,21 +7,14 @@ namespace rigid {
 
 void require_valid(const PenaltySprings& springs)
 {
-    const auto require = [](const char* name, Real value, bool right,
-                            const char* what) {
-        if (!right || !std::isfinite(value))
-            throw std::invalid_argument(std::string(name) + " is " +
-                                        shortest(value) + what);
-    };
-    require("the stiffness of the springs", springs.stiffness,
-            springs.stiffness > 0, " N/m; it must be positive and finite");
-    for (const auto& [name, ratio] :
-         {std::pair{"the damping ratio of joints", springs.joint_ratio},
-          std::pair{"the damping ratio of contacts", springs.contact_ratio},
-          std::pair{"the damping ratio of friction", springs.friction_ratio},
-          std::pair{"the stiffness of Hertz's law", springs.hertz}})
-        require(name, ratio, ratio >= 0,
-                "; it must be zero or positive, and finite");
+    if (!(springs.stiffness > 0) || !std::isfinite(springs.stiffness))
+        throw std::invalid_argument("the stiffness of the springs is " +
+                                    shortest(springs.stiffness) +
+                                    " N/m; it must be positive and finite");
+    require_not_negative({{"the damping ratio of joints", springs.joint_ratio},
+                          {"the damping ratio of contacts", springs.contact_ratio},
+                          {"the damping ratio of friction", springs.friction_ratio},
+                          {"the stiffness of Hertz's law", springs.hertz}});
 }
 
 void SpringForces::rows(const JointedScene& scene, const StepSettings& settings,

@@ -11,22 +11,27 @@
 #pragma once
 
 #include "chapters/15_trees/tree_method.hpp"
+#include "chapters/26_four_ways/require_values.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid {
 
 //! [limit]
-/// (26.3): the stiffest spring that symplectic Euler bears, k h² + 2 c h = 4 m [N/m].
+/// (26.3): the stiffest spring that symplectic Euler bears, k h² + 2 c h = 4 m [N/m]; zero or less: the damper alone is too much.
 /// \param m  what the spring moves, 1/A of its row [kg]
-/// \param c  of the damper [N s/m]
+/// \param c  of the damper, at least 0 [N s/m]
 inline Real largest_stiffness(Real m, Real c, Real h)
 {
+    require_positive({{"the mass", m}, {"the step", h}});
+    require_not_negative({{"the damper", c}});
     return (4 * m - 2 * c * h) / (h * h);
 }
 
 /// The longest step for a spring and its damper, from the same equation [s].
 inline Real largest_step(Real m, Real k, Real c)
 {
+    require_positive({{"the mass", m}, {"the stiffness", k}});
+    require_not_negative({{"the damper", c}});
     return (std::sqrt(c * c + 4 * k * m) - c) / k;
 }
 //! [limit]
@@ -35,6 +40,10 @@ inline Real largest_step(Real m, Real k, Real c)
 /// A contact that only pushes leaves a little faster. \param e  more than 0, at most 1
 inline Real damping_ratio_of(Real e)
 {
+    if (!(e > 0 && e <= 1))
+        throw std::invalid_argument(
+            "the part of its speed that a bounce keeps is " + shortest(e) +
+            "; it must be above 0 and at most 1");
     const Real l = log(e);
     return -l / std::sqrt(pi * pi + l * l);
 }
@@ -61,13 +70,14 @@ struct HertzSpring {
 };
 inline HertzSpring hertz_spring(Real K, Real d)
 {
-    const Real secant = K * std::sqrt(d);
+    const Real secant = K * std::sqrt(d);  // d at least 0
     return {secant, 1.5 * secant};
 }
 /// The deepest overlap of a mass m that arrives with v [m], and how long it
 /// touches [s]: ½ m v² = ⅖ K d^{5/2}, and 2 ∫ ds/√(1 − s^{5/2}) from 0 to 1.
 inline Real hertz_overlap(Real m, Real K, Real v)
 {
+    require_positive({{"the mass", m}, {"K", K}, {"the speed", v}});
     return pow(5 * m * v * v / (4 * K), 0.4);
 }
 inline Real hertz_time(Real m, Real K, Real v)

@@ -100,14 +100,41 @@ std::unique_ptr<WayRun::Stepper> stepper(Way way, const JointedScene& scene,
 
 }  // namespace
 
-WayRun::WayRun(Way way, const WayScene& scene, const WaySettings& settings)
-    : scene_(scene.scene), stepper_(stepper(way, scene_, scene.filter, settings))
+void require_valid(const WaySettings& settings)
 {
-    if (way == Way::single && !scene_.joints.empty()) {
-        SingleImpulses probe;  // refuses joints by its own sentence
-        JointedScene copy = scene_;
-        probe.advance(copy, 1e-9);
-    }
+    require_valid(PenaltySprings{.stiffness = settings.stiffness});
+    Xpbd positions;
+    positions.sweeps = settings.sweeps;
+    positions.require_valid();
+}
+
+namespace {
+
+const JointedScene& checked(const WayScene& way, const WaySettings& settings)
+{
+    require_valid(settings);
+    require_valid(static_cast<const RigidScene&>(way.scene));
+    require_valid_surfaces(way.scene);
+    require_fits(way.filter, way.scene.shapes.size());
+    return way.scene;
+}
+
+void require_time(const WayScene& scene)
+{
+    if (!(scene.time > 0) || !std::isfinite(scene.time))
+        throw std::invalid_argument("the time of the scene is " +
+                                    shortest(scene.time) +
+                                    " s; it must be positive and finite");
+}
+
+}  // namespace
+
+WayRun::WayRun(Way way, const WayScene& scene, const WaySettings& settings)
+    : scene_(checked(scene, settings)),
+      stepper_(stepper(way, scene_, scene.filter, settings))
+{
+    if (way == Way::single) SingleImpulses{}.require_valid(scene_);
+    if (way == Way::acceleration) AccelerationLevel{}.require_valid(scene_);
 }
 WayRun::~WayRun() = default;
 WayRun::WayRun(WayRun&&) noexcept = default;
@@ -151,11 +178,23 @@ WayDrift drift_of(const WayScene& way, const JointedScene& scene)
 
 int steps_of(const WayScene& scene, Real h)
 {
-    return static_cast<int>(std::ceil(scene.time / h - 1e-9));
+    require_step(h);
+    require_time(scene);
+    const Real steps = std::ceil(scene.time / h - 1e-9);
+    if (steps > 1e9)
+        throw std::invalid_argument("the scene takes " + shortest(steps) +
+                                    " steps of " + shortest(h) +
+                                    " s; it must be at most 1e9");
+    return std::max(1, static_cast<int>(steps));
 }
 
 std::string advance_to_end(WayRun& run, const WayScene& scene, int steps)
 {
+    require_time(scene);
+    if (steps < 1)
+        throw std::invalid_argument("the number of steps is " +
+                                    std::to_string(steps) +
+                                    "; it must be at least 1");
     for (int i = 0; i < steps; ++i) {
         const Status status = run.advance(scene.time / steps);
         if (status == Status::solved) continue;
@@ -167,6 +206,9 @@ std::string advance_to_end(WayRun& run, const WayScene& scene, int steps)
 
 WayResult result_of(const WayScene& scene, const JointedScene& end)
 {
+    if (!scene.error)
+        throw std::invalid_argument(
+            "the scene does not say how its error is measured");
     WayResult result;
     result.error = scene.error(end);
     result.energy_gain = energy(end) - energy(scene.scene);

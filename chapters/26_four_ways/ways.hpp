@@ -45,10 +45,14 @@ struct WaySettings {
     int sweeps = 20;       ///< of positions, in a step
 };
 
+/// Throws std::invalid_argument, naming the setting and its value, unless both make sense.
+void require_valid(const WaySettings& settings);
+
 /// One scene under one way, alive. Steps depend on nothing else.
 class WayRun {
 public:
-    /// Throws std::invalid_argument with the sentence why the way cannot take this scene.
+    /// Throws std::invalid_argument with the sentence why the way cannot take this scene, or what makes no sense in it or in
+    /// the settings.
     WayRun(Way way, const WayScene& scene, const WaySettings& settings);
     ~WayRun();
     WayRun(WayRun&&) noexcept;
@@ -91,13 +95,16 @@ struct WayResult {
 };
 
 /// Steps a run to the time of its scene, in so many steps. Returns the sentence why it could not, empty if it could.
+/// \throws std::invalid_argument  for a time that is not positive, or no step
 std::string advance_to_end(WayRun& run, const WayScene& scene, int steps);
 
 /// What came of a scene that was run to its time.
 /// \param end  its state there
+/// \throws std::invalid_argument  if the scene does not say how its error is measured
 WayResult result_of(const WayScene& scene, const JointedScene& end);
 
-/// How many steps of h lead to the time of a scene, the last ones a little shorter where h does not fit.
+/// How many steps of h lead to the time of a scene, all a little shorter where h does not fit.
+/// \throws std::invalid_argument  for a step or a time that is not positive, and for more than 10⁹ steps
 int steps_of(const WayScene& scene, Real h);
 
 /// Runs a scene to its time in steps of h.

@@ -38,7 +38,10 @@ std::vector<Setting> own_settings(AccelerationLevel& by)
             {"rate", &by.settings.rate}};
 }
 std::vector<Setting> own_settings(SingleImpulses& by) { return {{"hop", &by.settings.hop}}; }
-std::vector<Setting> own_settings(ReducedMotion&) { return {}; }
+std::vector<Setting> own_settings(ReducedMotion& by)
+{
+    return {{"gap", &by.settings.gap}, {"rest speed", &by.settings.rest_speed}};
+}
 
 /// A way that keeps its own state and says by its status when it cannot go on.
 template <class By, class Make>

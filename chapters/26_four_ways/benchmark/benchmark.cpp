@@ -6,8 +6,12 @@
 ///
 ///     SCENE/PEER/N    the same of an engine that is installed: ODE, Bullet, Bullet's trees, Simbody, MuJoCo
 ///
+///     forces/PROBLEM/SOLVER   (26.5) where a scene starts: time of its solution [µs], best of many, and its residual [m/s², rad/s²];
+///                             a solver that has no answer has the error 10
+///
 /// With --tables it prints the tables of the text instead.
 
+#include "chapters/26_four_ways/benchmark/force_problems.hpp"
 #include "chapters/26_four_ways/benchmark/peer_ways.hpp"
 #include "chapters/26_four_ways/program/who_can.hpp"
 
@@ -101,15 +105,43 @@ void grow(benchmark::State& state, Way way)
     state.counters["us"] = state.counters["error"] = state.counters["energy"] = 0;
 }
 
+/// A name as Google Benchmark's filter takes it.
+std::string in_one_word(std::string name)
+{
+    for (char& c : name)
+        if (c == ' ' || c == '\'') c = '_';
+    return name;
+}
+
+void list_forces()
+{
+    for (const ForceProblem& problem : force_problems())
+        for (const ForceSolver& solver : force_solvers()) {
+            if (!solver.solve(problem).ran) continue;
+            auto* const one = benchmark::RegisterBenchmark(
+                in_one_word("forces/" + problem.name + "/" + solver.name).c_str(),
+                [problem, solver](benchmark::State& state) {
+                    Real best = infinity, residual = infinity;
+                    for (auto _ : state)
+                        for (int round = 0; round < 200; ++round) {
+                            const Forces found = solver.solve(problem);
+                            residual = problem.residual(found.f);
+                            best = std::min(best, found.us);
+                        }
+                    state.counters["us"] = best;
+                    state.counters["error"] = residual < 1 ? residual : 10;
+                    state.counters["energy"] = state.counters["ns"] = 0;
+                });
+            one->Iterations(1);
+        }
+}
+
 /// \param run  Timed(Real h)
 template <class Run>
 void list(const WayScene& scene, const std::string& way, const Run& run)
 {
-    std::string name = scene.name + "/" + way;
-    for (char& c : name)
-        if (c == ' ' || c == '\'') c = '_';
     auto* const one = benchmark::RegisterBenchmark(
-        name.c_str(),
+        in_one_word(scene.name + "/" + way).c_str(),
         [scene, run](benchmark::State& state) { measure(state, scene, run); });
     for (const int n : rates) one->Args({n});
     one->Iterations(1);
@@ -133,6 +165,7 @@ void list()
             list_peer<Peer>(scene);
         });
     }
+    list_forces();
     for (const Way way : {Way::spring, Way::end_spring, Way::acceleration,
                           Way::impulses, Way::positions, Way::coordinates}) {
         auto* const one = benchmark::RegisterBenchmark(
@@ -166,6 +199,24 @@ std::vector<std::string> peer_table()
     return lines;
 }
 
+/// What each solver leaves of (26.5): one line a problem and solver, as forces.csv has it, without the time.
+std::vector<std::string> force_table()
+{
+    std::vector<std::string> lines;
+    for (const ForceProblem& problem : force_problems())
+        for (const ForceSolver& solver : force_solvers()) {
+            const Forces found = solver.solve(problem);
+            if (!found.ran) continue;
+            char text[160];
+            const Real residual = problem.residual(found.f);
+            std::snprintf(text, sizeof text, "%s,%d,%s,%.6g,", problem.name.c_str(),
+                          static_cast<int>(problem.mlcp.size()),
+                          solver.name.c_str(), residual < 1 ? residual : 10);
+            lines.emplace_back(text);
+        }
+    return lines;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -180,8 +231,10 @@ int main(int argc, char** argv)
         print("longest step within 0.05", step_table(scenes, 0.05));
         print("longest stable step", stable_table(scenes));
         print("engines at 240 steps a second", peer_table());
+        print("problem,rows,solver,residual,us", force_table());
         return 0;
     }
+    peers::single_thread();
     list();
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

@@ -6,6 +6,7 @@ if [ -n "$table" ]; then # a file for each scene and way: time of a second, erro
     tr -d '"' <"$table" | awk -F, -v dir="$data" '
         /^name,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
         /^beads\// { split($1, part, "/"); print part[3], $column["ns"] > (dir "/beads_" part[2]); next }
+        /^forces\// { next } # a table, no figure
         /\/iterations/ {
             split($1, part, "/")
             error = $column["error"]
