@@ -188,7 +188,7 @@ TEST_CASE("behind a bore water swings by the same part of it whatever the cells"
         Real least, most;  ///< of the bore's height, section 29.D
     };
     for (const auto& [right, part, least, most] :
-         {Case{0.5, 0.5, 0.10, 0.15}, {0.5, 0.9, 0.15, 0.20}, {0.1, 0.5, 0.02, 0.05}})
+         {Case{0.5, 0.5, 0.09, 0.15}, {0.5, 0.9, 0.15, 0.20}, {0.1, 0.5, 0.02, 0.05}})
         for (const Index n : {200, 400, 800}) {
             ShallowWater water(n, 20, right);
             water.origin = -10;
@@ -204,7 +204,7 @@ TEST_CASE("behind a bore water swings by the same part of it whatever the cells"
             for (Index i = 0; i < n; ++i)
                 if (water.depth[i] > (middle + right) / 2) bore = i;
             Real swing = 0, after = 0;  // close to the bore, and some cells behind it
-            for (Index i = bore - 20; i <= bore; ++i) {
+            for (Index i = bore - 14; i <= bore; ++i) {
                 const Real off = (water.depth[i] - middle) / (middle - right);
                 swing = std::max(swing, off);
                 if (i < bore - 7) after = std::max(after, std::abs(off));
@@ -228,11 +228,11 @@ TEST_CASE("a standing wave on shallow water loses the less of its energy the low
         return (energy(water) - energy(still)) / start;
     };
     // section 29.D
-    CHECK(1 - kept(0.001, 1) == Approx(8e-5).margin(1e-5));
+    CHECK(1 - kept(0.001, 1) == Approx(4e-5).margin(5e-6));
     CHECK(1 - kept(0.01, 1) == Approx(4e-4).margin(5e-5));
     CHECK(1 - kept(0.1, 1) == Approx(4e-3).margin(5e-4));
     CHECK(1 - kept(0.3, 1) == Approx(0.12).margin(0.01));  // it breaks
-    CHECK(kept(0.001, 110) == Approx(0.993).margin(1e-3));
+    CHECK(kept(0.001, 110) == Approx(0.996).margin(5e-4));
     CHECK(kept(0.01, 110) == Approx(0.19).margin(0.01));
 }
 
