@@ -221,7 +221,8 @@ TEST_CASE("a standing wave on shallow water loses the less of its energy the low
     const auto kept = [](Real height, int periods) {
         ShallowWater water(200, 10, 1), still = water;
         for (Index i = 0; i < 200; ++i) water.depth[i] += height * rigid::cos(pi * water.x_of(i) / 10);
-        const Real period = 20 / std::sqrt(9.81), start = energy(water) - energy(still), whole = volume(water);
+        const Real period = 20 / std::sqrt(9.81), start = energy(water) - energy(still),
+                   whole = volume(water);
         const auto steps = static_cast<int>(std::ceil(period / (0.5 * water.dx / std::sqrt(9.81 * 1.3))));
         for (int n = 0; n < periods * steps; ++n) step(water, period / steps);
         CHECK(volume(water) == Approx(whole).epsilon(1e-13));
@@ -542,8 +543,7 @@ TEST_CASE("water and floating bodies that make no sense are refused by name", "[
     };
     for (const bool late : {false, true}) {
         CHECK(row([](auto& w) { w.depth[3] = NAN; }, late) == "depth[3] is nan; it must be a finite number");
-        CHECK(row([](auto& w) { w.depth[1] = -1; }, late) ==
-              "depth[1] is -1 m; it must be zero or positive");
+        CHECK(row([](auto& w) { w.depth[1] = -1; }, late) == "depth[1] is -1 m; it must be zero or positive");
         CHECK(row([](auto& w) { w.u[2] = infinity; }, late) == "u[2] is inf; it must be a finite number");
         CHECK(row([](auto& w) { w.u.conservativeResize(3); }, late) ==
               "u has 3 entries; water of 4 cells needs 5");
