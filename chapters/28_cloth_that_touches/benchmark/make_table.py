@@ -3,9 +3,10 @@
 
     make_table.py            from build/bench/NAME/benchmark.csv, which `./book bench 27` and `./book bench 28` leave there
     make_table.py --bench    runs those two first; on a machine that does nothing else
-    make_table.py --counted  no times and no figures: what each run of the same program has alike, "–" where a time belongs
+    make_table.py --counted  no times and no figures: only what each run of the same program has alike
 
-A table of a text keeps its rows, which say what is measured; their numbers are written anew. What a sentence says is printed.
+A table of a text keeps its rows, which say what is measured; their numbers are written anew. A row of which the benchmark has
+no line stays as it is, and is named; what a sentence says is printed.
 """
 import csv
 import math
@@ -51,9 +52,14 @@ def renew(path, header, numbers, fixed=2):
     at = lines.index(header) + 2
     method = ""
     while lines[at].startswith("|"):
-        cells = [cell.strip() for cell in lines[at].strip("|").split("|")][:fixed]
+        all_cells = [cell.strip() for cell in lines[at].strip("|").split("|")]
+        cells = all_cells[:fixed]
         method = cells[0] or method
-        lines[at] = ("| " + " | ".join([*cells, *numbers(method, *cells[1:])]) + " |").replace("|  |", "| |")
+        try:
+            new = [old if cell is None else cell for cell, old in zip(numbers(method, *cells[1:]), all_cells[fixed:], strict=True)]
+            lines[at] = ("| " + " | ".join([*cells, *new]) + " |").replace("|  |", "| |")
+        except KeyError as missing:
+            print(f"{path.parent.name}: the benchmark has no line {missing}; its row stays as it is")
         at += 1
     path.write_text("\n".join(lines), encoding="utf-8")
 
@@ -70,7 +76,7 @@ def main():
                         ROOT / "chapters" / CHAPTERS[number] / "figures" / f"{name}.svg")
 
     def time(value, count=2):
-        return digits(value, count) if timed else NONE
+        return digits(value, count) if timed else None
 
     def on_a_sheet(method, count):
         line = hung[f"sheet/{method}/{count}"]
@@ -82,19 +88,22 @@ def main():
 
     def beside(scene, lines):
         """A method with as many sub-steps as the work allows, then as many as the time does."""
-        rows = lines[f"{scene}/threads/1"]["visits"]
-
         def within(method, column, most):
             runs = {n: lines[f"{scene}/{method}/{n}"] for n in SUBSTEPS if f"{scene}/{method}/{n}" in lines}
             allowed = [n for n, line in runs.items() if line[column] <= most]
+            if not runs:
+                raise KeyError(f"{scene}/{method}")
             if not allowed:
                 return [NONE] * 4
             n = max(allowed)
             line = runs[n]
             return [str(n), digits(1000 * line["position"]), digits(100 * line["stretch"]), digits(100 * line["energy"])]
 
-        return lambda method: within(method, "visits", 1.01 * WORK * rows) + \
-            (within(method, "us", TIME) if timed else [NONE] * 4)
+        def both(method):
+            rows = lines[f"{scene}/threads/1"]["visits"]
+            return within(method, "visits", 1.01 * WORK * rows) + (within(method, "us", TIME) if timed else [None] * 4)
+
+        return both
 
     def of_threads(method, count):
         line = hung[f"net/{method}/{count}"]
