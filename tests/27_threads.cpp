@@ -265,3 +265,19 @@ TEST_CASE("exact rows that no places can meet say so and stay finite", "[idea]")
     CHECK_FALSE(memory.solved);
     CHECK(cloth.bodies.x.allFinite());
 }
+
+TEST_CASE("rows and numbers that change while a cloth moves are looked at", "[house]")
+{
+    const auto says = [](const std::function<void(ClothScene&)>& spoil, const std::string& sentence) {
+        ClothScene cloth = hung_sheet(3, 100);
+        ClothMemory memory;
+        step(cloth, {}, memory);
+        spoil(cloth);
+        CHECK(refusal([&] { step(cloth, {}, memory); }) == sentence);
+    };
+    says([](ClothScene& c) { c.springs[1].stiffness = -5, ++c.changes; },
+         "the stiffness of spring 1 is -5 N/m; it must be positive");
+    says([](ClothScene& c) { c.bodies.u[4] = std::nan(""); }, "u[4] is nan; it must be a finite number");
+    says([](ClothScene& c) { c.bodies.inverse_mass.segment<3>(15).setConstant(infinity), ++c.changes; },
+         "particle 5 has no mass; it must have a positive one, or 1/m = 0, which pins it");
+}
