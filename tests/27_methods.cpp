@@ -401,8 +401,9 @@ TEST_CASE("a cloth that makes no sense is refused with a sentence", "[house]")
          "the time step h is -1 s; it must be positive and finite");
     says([](ClothScene& c,
             ClothSettings& s) { c.springs[4].stiffness = infinity, s.method = ClothMethod::newton; },
-         "spring 4 is inextensible; only pbd, xpbd, threads and exact take that, this method needs a finite "
-         "stiffness");
+         "spring 4 is inextensible; only pbd, xpbd, threads, augmented and exact take that, this method "
+         "needs a "
+         "finite stiffness");
     says([](ClothScene&, ClothSettings& s) { s.method = ClothMethod::projective; },
          "there are 1 hinges; projective dynamics takes bends, whose energy is quadratic, and no angles");
     ClothScene cloth;

@@ -3,7 +3,7 @@ foreach(scene ball tablecloth fold hills)
   add_program_test(ch28 28_cloth_that_touches "runs scene ${scene}" --headless --scene ${scene} --steps 20
                    --method threads,xpbd,pbd,particles,augmented,projective,implicit --csv -)
 endforeach()
-foreach(scene trampoline bridge pole)
+foreach(scene trampoline goal bridge pole)
   add_program_test(ch28 28_cloth_that_touches "runs scene ${scene}" --headless --scene ${scene} --steps 60
                    --method threads,xpbd,pbd --csv -)
 endforeach()

@@ -45,10 +45,44 @@ void require_not_negative(Real value, const std::string& what)
                                     "; it must be zero or positive and finite");
 }
 
-void require_valid(const ClothScene& cloth)
+void require_state(const ClothScene& cloth)
+{
+    const Bodies<3>& b = cloth.bodies;
+    const Index n = b.x.size();
+    const bool fine = n % 3 == 0 && b.u.size() == n && b.f.size() == n &&
+                      b.inverse_mass.size() == n && b.x.allFinite() &&
+                      b.u.allFinite() && b.f.allFinite() &&
+                      b.inverse_mass.allFinite();
+    if (!fine) {
+        for (Index i = 0; i < b.inverse_mass.size(); ++i)
+            if (b.inverse_mass[i] == infinity)
+                throw std::invalid_argument(
+                    "particle " + std::to_string(i / 3) +
+                    " has no mass; it must have a positive one, or 1/m = 0, which "
+                    "pins it");
+        require_valid(b);  // says which number
+    }
+    if (!cloth.gravity.allFinite() || !cloth.wind.allFinite())
+        throw std::invalid_argument("gravity or wind is not finite");
+    if (!(cloth.air >= 0) || !std::isfinite(cloth.air))
+        require_not_negative(cloth.air, "the drag of the air");
+    if (!(cloth.drag >= 0) || !std::isfinite(cloth.drag))
+        require_not_negative(cloth.drag, "the drag");
+}
+
+void require_rows(const ClothScene& cloth)
 {
     using namespace cloth_checks;
+    require_state(cloth);
     require_valid(cloth.bodies);
+    for (Index k = 0; k < cloth.bodies.count(); ++k) {
+        const auto w = cloth.bodies.inverse_mass.segment<3>(3 * k);
+        if (w[1] != w[0] || w[2] != w[0])
+            throw std::invalid_argument(
+                "particle " + std::to_string(k) + " has the inverse masses " +
+                shortest(w[0]) + ", " + shortest(w[1]) + " and " + shortest(w[2]) +
+                " 1/kg; the three must be the same");
+    }
     for (std::size_t i = 0; i < cloth.springs.size(); ++i) {
         const ClothSpring& s = cloth.springs[i];
         const Text who = "spring " + std::to_string(i);
@@ -80,20 +114,23 @@ void require_valid(const ClothScene& cloth)
             throw std::invalid_argument("the angle of " + who + " is " +
                                         shortest(b.angle) + "; it must be finite");
     }
+    for (std::size_t i = 0; i < cloth.triangles.size(); ++i)
+        require_particles(cloth, cloth.triangles[i],
+                          "triangle " + std::to_string(i));
+}
+
+void require_valid(const ClothScene& cloth)
+{
+    require_rows(cloth);
     for (std::size_t i = 0; i < cloth.triangles.size(); ++i) {
         const auto& t = cloth.triangles[i];
-        const Text who = "triangle " + std::to_string(i);
-        require_particles(cloth, t, who);
         const Vec3 a = cloth.bodies.position(t[0]);
         if (!(cross(cloth.bodies.position(t[1]) - a,
                     cloth.bodies.position(t[2]) - a)
                   .norm() > 0))
-            throw std::invalid_argument(who + " has no area");
+            throw std::invalid_argument("triangle " + std::to_string(i) +
+                                        " has no area");
     }
-    if (!cloth.gravity.allFinite() || !cloth.wind.allFinite())
-        throw std::invalid_argument("gravity or wind is not finite");
-    require_not_negative(cloth.air, "the drag of the air");
-    require_not_negative(cloth.drag, "the drag");
 }
 
 void require_extensible(const ClothScene& cloth)
@@ -102,8 +139,8 @@ void require_extensible(const ClothScene& cloth)
         if (!(cloth.springs[i].stiffness < infinity))
             throw std::invalid_argument(
                 "spring " + std::to_string(i) +
-                " is inextensible; only pbd, xpbd, threads and exact "
-                "take that, this method needs a finite stiffness");
+                " is inextensible; only pbd, xpbd, threads, augmented and "
+                "exact take that, this method needs a finite stiffness");
 }
 
 //! [hinge]

@@ -78,6 +78,10 @@ struct ClothScene {
 /// have a positive length and stiffness between two particles that are there, bends and hinges likewise, and triangles have
 /// an area.
 void require_valid(const ClothScene& cloth);
+/// The part of it that looks at rows and masses.
+void require_rows(const ClothScene& cloth);
+/// The part of it that may change from step to step: places, velocities, forces, gravity and air. Quick where all is well.
+void require_state(const ClothScene& cloth);
 
 /// Throws std::invalid_argument unless a value is finite and zero or positive: "WHAT is -1; it must be …".
 void require_not_negative(Real value, const std::string& what);

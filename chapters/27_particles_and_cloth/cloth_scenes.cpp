@@ -41,6 +41,28 @@ ClothScene hung_sheet(int squares, Real stiffness, Real bending)
     return cloth;
 }
 
+ClothScene hung_net(int squares)
+{
+    ClothScene cloth;
+    add_sheet(cloth, {-0.5, 0, 0}, right, forwards,
+              square_sheet(squares, 1, infinity, 0));
+    std::erase_if(cloth.springs, [squares](const ClothSpring& s) {
+        return s.length > 1.2 / squares;
+    });
+    cloth.triangles.clear();
+    const Real l = Real(1) / squares, step = 2 * pi / 3 / squares,
+               radius = l / (2 * sin(step / 2));  // its chords keep their length
+    for (int k = 0; k < cloth.count(); ++k) {
+        const int i = k % (squares + 1);
+        const Real angle = step * i - pi / 3;
+        cloth.bodies.position(k) =
+            Vec3(radius * sin(angle), radius * (cos(pi / 3) - cos(angle)),
+                 l * (k / (squares + 1)));
+    }
+    pin(cloth, 0), pin(cloth, squares);
+    return cloth;
+}
+
 ClothScene clamped_strip(int segments)
 {
     ClothScene cloth;

@@ -13,6 +13,10 @@ ClothScene hung_masses(int masses, Real stiffness);
 /// A level sheet of 1 m, pinned at two corners. \param squares  of a side
 ClothScene hung_sheet(int squares, Real stiffness, Real bending = 1e-4);
 
+/// A net of 1 m, threads that do not stretch and no diagonals, pinned at two corners 0.83 m apart: between them it hangs
+/// through, in an arc of 120°, all at rest.
+ClothScene hung_net(int squares);
+
 //! [strip]
 /// A strip of unit length, clamped level at the origin, of EI = 1, along x: a rope with bends, or `rows` rows of squares.
 /// The hinge at the wall has half a segment beside it, and twice the stiffness.

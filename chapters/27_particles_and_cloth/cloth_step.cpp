@@ -74,9 +74,11 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
                   cloth.changes,
                   settings.method,
                   settings.part()};
+    require_state(cloth);
     if (now == key_) return;
-    // a cloth that has torn was whole before
+    // triangles had an area when the cloth was made; they need not keep it
     if (key_.changes < 0 || now.changes == key_.changes) require_valid(cloth);
+    else require_rows(cloth);
     if (!takes_hard_rows(settings.method)) require_extensible(cloth);
     if (settings.method == ClothMethod::projective)
         projective.prepare(cloth, settings.part());
@@ -84,7 +86,7 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
     if (settings.method == ClothMethod::particles ||
         settings.method == ClothMethod::augmented)
         particles.find(cloth);
-    exact.lambda.resize(0);
+    if (settings.method == ClothMethod::exact) exact.prepare(cloth);
     key_ = now;
 }
 
@@ -199,7 +201,6 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
         solved = solved && newton.solved;
         break;
     case ClothMethod::exact:
-        exact.lambda.setZero();
         exact.solve(cloth, y, h, x);
         visits += count * (exact.steps + 1), solves += exact.steps;
         solved = solved && exact.solved;

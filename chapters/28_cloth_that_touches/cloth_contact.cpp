@@ -16,8 +16,11 @@ void ClothTouch::begin(TouchingCloth& cloth, Real h)
     R.resize(K);
     for (Index k = 0; k < solids.count(); ++k) {
         R[static_cast<std::size_t>(k)] = rotation_of(solids.x, k);
-        if (solids.inverse_mass[6 * k] > 0)
+        if (solids.inverse_mass[6 * k] > 0) {
             solids.u.segment<3>(6 * k) += h * cloth.gravity;
+            solids.velocity(k) +=
+                h * solids.apply_inverse_mass(k, Vec<6>(solids.force(k)));
+        }
     }
     moved = h * solids.u;
     contacts.clear();

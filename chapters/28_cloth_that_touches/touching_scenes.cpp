@@ -128,6 +128,38 @@ TouchingCloth rope_bridge(int squares, Real stiffness, Real mass)
     return cloth;
 }
 
+TouchingCloth net_in_goal(int squares, Real stiffness, Real mass, Real speed,
+                          Real border)
+{
+    TouchingCloth cloth;
+    SheetSpec spec = square_sheet(squares, 3, stiffness, 0);
+    spec.rows = std::max(1, 2 * squares / 3);
+    spec.density = 0.2;
+    add_sheet(cloth, {-1.5, 0, 0}, right, {0, 1, 0}, spec);
+    cloth.triangles.clear();  // threads alone
+    std::erase_if(cloth.springs, [&spec](const ClothSpring& s) {
+        return s.length > 1.2 * spec.spacing;
+    });
+    for (int j = 0; j <= spec.rows; ++j)
+        for (int i = 0; i <= squares; ++i) {
+            const int k = i + (squares + 1) * j;
+            const Real a = Real(2 * i) / squares - 1,
+                       b = Real(2 * j) / spec.rows - 1;
+            cloth.bodies.position(k).z() = -0.5 * (1 - a * a) * (1 - b * b);
+            if (i > 0 && j > 0 && i < squares && j < spec.rows) continue;
+            cloth.bodies.inverse_mass.segment<3>(3 * k).setConstant(
+                border > 0 ? 1 / border : 0);
+        }
+    for (ClothSpring& s : cloth.springs)
+        s.length = (cloth.bodies.position(s.b) - cloth.bodies.position(s.a)).norm();
+    ClothSolid ball;
+    ball.radius = 0.11, ball.friction = 0.4;
+    add_solid(cloth, ball, mass, {0.4, 1.1, 1});
+    cloth.solids.u[2] = -speed;
+    cloth.thickness = 0.005;
+    return cloth;
+}
+
 TouchingCloth rope_on_drum(int segments, Real stiffness, Real friction, Real pull)
 {
     TouchingCloth cloth;

@@ -30,6 +30,13 @@ TouchingCloth sheet_on_mesh(int squares, Real side, Real stiffness, Real frictio
 /// A walk of 0.6 by 4 m between two walls, and a box that falls on it.
 TouchingCloth rope_bridge(int squares, Real stiffness, Real mass);
 
+/// A ball of 0.11 m and so much mass [kg] flies into the net of a goal of 3 by 2 m, which bulges by half a metre and has no pull
+/// in its threads at first.
+/// \param speed   [m/s]
+/// \param border  mass of each particle at the border [kg]; zero: they are pinned
+TouchingCloth net_in_goal(int squares, Real stiffness, Real mass, Real speed,
+                          Real border = 0);
+
 //! [drum]
 /// A rope over half of a fixed drum of half a metre, with so much pull at one end; a winch draws at the other end at
 /// 0.05 m/s. Its last spring goes to the winch.

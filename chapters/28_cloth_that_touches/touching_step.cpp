@@ -9,8 +9,18 @@ namespace rigid {
 
 void ClothTouching::prepare(const TouchingCloth& cloth)
 {
-    const Key now{static_cast<std::size_t>(cloth.count()), cloth.springs.size(),
-                  cloth.changes, cloth.self_thickness};
+    const Key now{static_cast<std::size_t>(cloth.count()),
+                  cloth.springs.size(),
+                  cloth.shapes.size(),
+                  cloth.ties.size(),
+                  cloth.solids.count(),
+                  cloth.changes,
+                  cloth.thickness,
+                  cloth.self_thickness,
+                  cloth.self_friction};
+    if (!cloth.solids.x.allFinite() || !cloth.solids.u.allFinite() ||
+        !cloth.solids.f.allFinite())
+        require_valid(cloth.solids);  // says which number
     if (now == key_) return;
     require_touchable(cloth);
     Real shortest_spring = infinity;

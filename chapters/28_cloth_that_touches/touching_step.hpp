@@ -36,9 +36,10 @@ struct ClothTouching {
 
 private:
     struct Key {
-        std::size_t particles = 0, springs = 0;
+        std::size_t particles = 0, springs = 0, shapes = 0, ties = 0;
+        Index solids = 0;
         int changes = -1;
-        Real self_thickness = 0;
+        Real thickness = 0, self_thickness = 0, self_friction = 0;
         bool operator==(const Key&) const = default;
     } key_;
 };

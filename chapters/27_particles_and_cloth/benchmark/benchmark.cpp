@@ -4,6 +4,11 @@
 ///                             the reference [m], the error of the mean stretch, as a part of it, and that of the energy, as a
 ///                             part of the kinetic energy of the reference; rows visited in a step
 ///
+///     net/METHOD/SUBSTEPS     the same of a net of threads that do not stretch, by methods of rows; stretch is the largest
+///
+///     threads/factor/SQUARES  a step of such a net with exact rows: its median time [µs], systems in a step, numbers of the
+///                             factor for each row, bytes for each particle
+///
 ///     weight/MODEL/100 Γ      a strip that is clamped level under its weight, and `end/…` under a load at its end: height over
 ///                             width, and which part of its EI it shows. No times: the numbers of each run are the same
 ///
@@ -40,6 +45,56 @@ const ClothScene& exact(const std::string& scene)
     if (!known.contains(scene))
         known.emplace(scene, reference<ClothMemory>(given(scene)));
     return known.at(scene);
+}
+
+const ClothScene& exact_net()
+{
+    static const ClothScene known = hard_reference<ClothMemory>(hung_net(12));
+    return known;
+}
+
+void net(benchmark::State& state, const std::string& method)
+{
+    Found<ClothScene> found;
+    const int substeps = static_cast<int>(state.range(0));
+    for (auto _ : state)
+        found =
+            run<ClothMemory>(hung_net(12), settings_of(method, substeps), steps);
+    report(state, found, exact_net());
+    const Real largest = largest_stretch(found.cloth);
+    state.counters["largest"] = found.lost ? infinity : 100 * largest;
+    state.counters["stretch"] = found.lost ? infinity : largest;
+}
+
+void threads(benchmark::State& state)
+{
+    const int squares = static_cast<int>(state.range(0));
+    std::vector<Real> times;
+    Real systems = 0, entries = 0, bytes = 0;
+    for (auto _ : state) {
+        ClothScene cloth = hung_net(squares);
+        const Real rows = static_cast<Real>(cloth.springs.size());
+        const Real before = bytes_held();
+        ClothMemory memory;
+        memory.exact.tolerance = 1e-8;
+        const ClothSettings how = settings_of("exact", 1);
+        const int count = squares > 50 ? 5 : 20;
+        for (int n = 0; n < count; ++n) {
+            const std::clock_t start = std::clock();
+            step(cloth, how, memory);
+            times.push_back(static_cast<Real>(std::clock() - start) /
+                            CLOCKS_PER_SEC);
+        }
+        systems = static_cast<Real>(memory.solves) / count;
+        entries = static_cast<Real>(memory.exact.entries()) / rows;
+        bytes = (bytes_held() - before) / cloth.count();
+    }
+    std::sort(times.begin(), times.end());
+    report(state, {.us = 1e6 * times[times.size() / 2],
+                   .solves = systems,
+                   .particles = static_cast<Real>((squares + 1) * (squares + 1)),
+                   .entries = entries,
+                   .bytes = bytes});
 }
 
 /// The models of bending of Figure 27.5, and the elastica itself.
@@ -79,14 +134,23 @@ const bool registered = [] {
         }
     for (const std::string scene : {"sheet", "strip", "flag"})
         for (const std::string method : methods)
-            add(scene, method, [=](benchmark::State& state) {
-                Found<ClothScene> found;
-                const int substeps = static_cast<int>(state.range(0));
-                for (auto _ : state)
-                    found = run<ClothMemory>(given(scene),
-                                             settings_of(method, substeps), steps);
-                report(state, found, exact(scene));
-            });
+            add(
+                scene, method,
+                [=](benchmark::State& state) {
+                    Found<ClothScene> found;
+                    const int substeps = static_cast<int>(state.range(0));
+                    for (auto _ : state)
+                        found = run<ClothMemory>(
+                            given(scene), settings_of(method, substeps), steps);
+                    report(state, found, exact(scene));
+                },
+                method == "exact" ? 16 : 32);
+    for (const char* method : {"small", "xpbd", "threads", "augmented", "exact"})
+        add("net", method,
+            [method](benchmark::State& state) { net(state, method); });
+    auto* const grows = benchmark::RegisterBenchmark("threads/factor", threads);
+    for (const int squares : {10, 31, 99}) grows->Args({squares});
+    grows->Iterations(1);
 #ifdef RIGID_HAS_BULLET
     // its cloth has no bends by a slope and no wind like ours: the sheet
     const auto peer = [](const std::string& name, auto make) {

@@ -8,9 +8,9 @@ int main(int argc, char** argv)
         Program program;
         program.name = "27_particles_and_cloth";
         program.title = "Chapter 27. Particles and cloth";
-        program.scenes = {hung_demo_of_cloth(), chain_demo(),  flag_demo(),
-                          curtain_demo(),       banner_demo(), tear_demo(),
-                          strip_demo()};
+        program.scenes = {hung_demo_of_cloth(), chain_demo(),   net_demo(),
+                          flag_demo(),          curtain_demo(), banner_demo(),
+                          tear_demo(),          strip_demo()};
         return program;
     };
     return run_program(make, argc, argv);

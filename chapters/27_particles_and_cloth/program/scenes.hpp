@@ -54,6 +54,23 @@ inline Demo hung_demo_of_cloth()
         });
 }
 
+inline Demo net_demo()
+{
+    Demo scene = cloth_demo<ClothState>(
+        "net", "A net of threads that do not stretch", {{0, -0.45}, {1.1, 0.8}}, 2,
+        10, [](const Settings& settings) {
+            ClothSetup<ClothState> setup;
+            setup.cloth = hung_net(squares_of(settings));
+            setup.camera = looks({0, 0, 0.2}, 6, 0.5, 0.3);
+            setup.measure = cloth_measures<ClothState>;
+            return setup;
+        });
+    scene.tunables.push_back(squares_tunable(12, 40));
+    scene.columns = cloth_columns;
+    scene.methods = {"exact", "threads", "xpbd", "pbd", "augmented"};
+    return scene;
+}
+
 inline Demo flag_demo()
 {
     Demo scene = sheet_demo<ClothState>(

@@ -26,6 +26,7 @@ fi
 run --scene ball --set squares=30 --steps 150 --svg "$out/ch28_ball.svg"
 run --scene trampoline --set mass=5 --steps 42 --svg "$out/ch28_trampoline.svg"
 run --scene fold --set squares=24 --set thickness=16 --steps 36 --svg "$out/ch28_fold.svg"
+run --scene goal --steps 5 --svg "$out/ch28_goal.svg"
 run --scene pole --set wind=12 --steps 110 --svg "$out/ch28_pole.svg"
 
 # The picture of the small program.

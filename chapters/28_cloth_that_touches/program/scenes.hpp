@@ -37,6 +37,32 @@ inline Demo trampoline_demo()
     return scene;
 }
 
+inline Demo goal_demo()
+{
+    Demo scene = touching_demo(
+        "goal", "A ball flies into the net of a goal", {{0, 1}, {1.9, 1.35}},
+        looks({0, 0.9, 0}, 9, 0.6, 0.2), 0, 30, 20000,
+        [](const Settings& s) {
+            return net_in_goal(squares_of(s), s["stiffness"], s["mass"],
+                               s["speed"]);
+        },
+        {},
+        [](const TouchingState& s) {
+            std::vector<Real> all = touching_measures(s);
+            all.push_back(s.cloth.solids.u.head<3>().norm());
+            return all;
+        });
+    scene.tunables.push_back({"mass", "kg", "of the ball", 0.43, 0.05, 10,
+                              Numbers::real, OnChange::restarts});
+    scene.tunables.push_back({"speed", "m/s", "of the ball", 20, 0, 40,
+                              Numbers::real, OnChange::restarts});
+    scene.columns.push_back({"speed", "m/s", "of the ball", Plot::linear});
+    for (Tunable& t : scene.tunables)  // fewer let the ball through
+        t.value = t.name == "substeps" ? 40 : t.name == "sweeps" ? 4 : t.value;
+    scene.methods = {"threads", "xpbd", "pbd"};
+    return scene;
+}
+
 inline Demo bridge_demo()
 {
     Demo scene = touching_demo(
