@@ -308,7 +308,7 @@ Status AccelerationLevel::advance(JointedScene& scene, Real h)
         if (const Real here = open(scene, x, u); here < 0) {
             ++work.events;
             Moment moment(left, open(scene, bodies.x, bodies.u), here);
-            while (const Real at = moment.next(1e-13 * h)) {
+            for (Real at; (at = moment.next(1e-13 * h)) > 0;) {
                 VecX x_at = bodies.x, u_at = bodies.u;
                 status = move(scene, at, x_at, u_at);
                 if (status != Status::solved) return status;

@@ -375,7 +375,7 @@ Real ReducedMotion::fly_until_closed(Real h, Real width, Status& status)
     if ((status = fly(h, q, dq)) != Status::solved) return h;
     Moment moment(h, open(q_, dq_), open(q, dq));
     if (moment.here < 0)
-        while (const Real at = moment.next(width)) {
+        for (Real at; (at = moment.next(width)) > 0;) {
             VecX q_at = q_, dq_at = dq_;
             if ((status = fly(at, q_at, dq_at)) != Status::solved) return h;
             if (moment.take(at, open(q_at, dq_at))) q = q_at, dq = dq_at;

@@ -48,9 +48,9 @@ void fall_on_ball(benchmark::State& state, const std::string& method, int square
         const ClothSettings how = settings_of(method, substeps);
         const int count = particles > 50000 ? 20 : 120;
         for (int n = 0; n < count; ++n) {
-            const std::clock_t before = std::clock();
+            const std::clock_t start = std::clock();
             step(cloth, how, memory);
-            const auto time = static_cast<Real>(std::clock() - before);
+            const auto time = static_cast<Real>(std::clock() - start);
             if (n < count / 2) continue;
             times.push_back(time / CLOCKS_PER_SEC);
             largest = std::max(largest, largest_stretch(cloth, k));
