@@ -112,8 +112,7 @@ void line(benchmark::State& state)
 {
     const auto n = static_cast<Index>(state.range(0));
     WaveLine string(n, static_cast<Real>(n), 1);
-    for (Index i = 1; i < n; ++i)
-        string.y[i] = sin(0.01 * static_cast<Real>(i));
+    for (Index i = 1; i < n; ++i) string.y[i] = sin(0.01 * static_cast<Real>(i));
     start_leapfrog(string, 0.7);
     Real best = infinity;
     for ([[maybe_unused]] const auto& _ : state) {
