@@ -23,10 +23,10 @@ inline Real largest(const VecX& list, Real least)
     Real most = 0;
     for (Index from = 0; from < list.size(); from += piece) {
         const auto part = list.segment(from, std::min(piece, list.size() - from));
-        Index others = 0;
+        Index fine = 1;
         for (Index i = 0; i < part.size(); ++i)
-            others |= (part[i] >= least) & (part[i] < infinity) ? 0 : 1;
-        if (others != 0) return infinity;
+            fine &= Index{part[i] >= least} & Index{part[i] < infinity};
+        if (fine == 0) return infinity;
         most = std::max(most, part.cwiseAbs().maxCoeff());
     }
     return most;
