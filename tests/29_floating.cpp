@@ -392,16 +392,27 @@ TEST_CASE("bodies afloat lift the level by what they displace and come to rest i
     }
 }
 
+namespace {
+
+/// A box of 1 m by 0.4 m that floats on 1 m of open water, lifted above its rest [m].
+WaterScene box_lifted(Floating& floating, Real lid, Real by)
+{
+    WaterScene all = pond(800, 200, 1);
+    all.scene.walls.clear();
+    floating.settings = {lid, 0, 0};
+    add_floating_box(all, 0, 0.4, 2.5, 0.5, 0);
+    floating.displace(all.scene, all.water);
+    all.scene.bodies.x[1] += by;
+    return all;
+}
+
+}  // namespace
+
 TEST_CASE("a box that is let go above its rest sends waves out and comes to rest", "[idea]")
 {
     for (const Real lid : {0.0, 0.5}) {
-        WaterScene all = pond(800, 200, 1);
-        all.scene.walls.clear();
         Floating floating;
-        floating.settings = {lid, 0, 0};
-        add_floating_box(all, 0, 0.4, 2.5, 0.5, 0);
-        floating.displace(all.scene, all.water);
-        all.scene.bodies.x[1] += 0.02;
+        WaterScene all = box_lifted(floating, lid, 0.02);
         take(all, floating, 1.0 / 480, 480 * 4);
         Real late = 0;
         for (int n = 0; n < 480; ++n) {
@@ -480,13 +491,8 @@ TEST_CASE("the numbers of sections 29.D and 29.F are those of water and of a box
             CHECK(error_of_dam(broken_dam(cells, right[i]), right[i]) == Approx(errors[i]).margin(5.1e-5));
 
     for (const auto& [lid, swing] : {std::pair{0.0, 0.0100}, {0.5, 0.0056}, {0.8, 0.0044}}) {
-        WaterScene all = pond(800, 200, 1);
-        all.scene.walls.clear();
         Floating floating;
-        floating.settings = {lid, 0, 0};
-        add_floating_box(all, 0, 0.4, 2.5, 0.5, 0);
-        floating.displace(all.scene, all.water);
-        all.scene.bodies.x[1] += 0.01;
+        WaterScene all = box_lifted(floating, lid, 0.01);
         Real lowest = 0, late = 0;
         for (int n = 0; n < 960; ++n) {
             take(all, floating, 1.0 / 480, 1);

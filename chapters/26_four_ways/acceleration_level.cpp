@@ -6,6 +6,7 @@
 #include "chapters/05_lemke/lemke.hpp"
 #include "chapters/09_active_sets/dantzig.hpp"
 #include "chapters/13_friction/coulomb_residual.hpp"
+#include "chapters/26_four_ways/order_four.hpp"
 
 #include <Eigen/LU>
 
@@ -246,21 +247,9 @@ bool AccelerationLevel::impact(JointedScene& scene)
 
 Status AccelerationLevel::move(const JointedScene& scene, Real h, VecX& x, VecX& u)
 {
-    VecX a1, a2, a3, a4;
-    const auto at = [&](const VecX& where, const VecX& how, VecX& a) {
+    return order_four(h, x, u, [&](const VecX& where, const VecX& how, VecX& a) {
         return accelerations(scene, where, how, a);
-    };
-    Status status = at(x, u, a1);
-    if (status != Status::solved) return status;
-    const VecX u2 = u + h / 2 * a1, x2 = x + h / 2 * u;
-    if ((status = at(x2, u2, a2)) != Status::solved) return status;
-    const VecX u3 = u + h / 2 * a2, x3 = x + h / 2 * u2;
-    if ((status = at(x3, u3, a3)) != Status::solved) return status;
-    const VecX u4 = u + h * a3, x4 = x + h * u3;
-    if ((status = at(x4, u4, a4)) != Status::solved) return status;
-    x += h / 6 * (u + 2 * u2 + 2 * u3 + u4);
-    u += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-    return Status::solved;
+    });
 }
 
 Real AccelerationLevel::open(const JointedScene& scene, const VecX& x,

@@ -3,6 +3,8 @@
 
 #include "chapters/26_four_ways/reduced_motion.hpp"
 
+#include "chapters/26_four_ways/order_four.hpp"
+
 #include <Eigen/LU>
 
 namespace rigid {
@@ -354,19 +356,9 @@ Status ReducedMotion::solve(const std::vector<Row<3>>& rows,
 
 Status ReducedMotion::fly(Real h, VecX& q, VecX& dq)
 {
-    Status status = Status::solved;
-    VecX k1, k2, k3, k4;
-    const VecX v = dq;
-    if ((status = accelerations(q, v, k1)) != Status::solved) return status;
-    const VecX v2 = v + h / 2 * k1, q2 = q + h / 2 * v;
-    if ((status = accelerations(q2, v2, k2)) != Status::solved) return status;
-    const VecX v3 = v + h / 2 * k2, q3 = q + h / 2 * v2;
-    if ((status = accelerations(q3, v3, k3)) != Status::solved) return status;
-    const VecX v4 = v + h * k3, q4 = q + h * v3;
-    if ((status = accelerations(q4, v4, k4)) != Status::solved) return status;
-    q += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
-    dq += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    return status;
+    return order_four(h, q, dq, [&](const VecX& at, const VecX& v, VecX& a) {
+        return accelerations(at, v, a);
+    });
 }
 
 Real ReducedMotion::fly_until_closed(Real h, Real width, Status& status)

@@ -109,7 +109,7 @@ void ClothTouch::find(const TouchingCloth& cloth, const VecX& x0, const VecX& x)
                 c.At +=
                     inverse[0] + c.arm.squaredNorm() * inverse.tail<3>().maxCoeff();
             }
-            c.held = !(inverse[0] > 0);
+            c.held = !(inverse.maxCoeff() > 0);
             c.goes = way(s, c.arm);
             contacts.push_back(c);
         }
