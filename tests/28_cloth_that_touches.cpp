@@ -168,6 +168,34 @@ TEST_CASE("a sheet and the solid that it catches keep their momentum", "[idea]")
         }
 }
 
+TEST_CASE("a box that no impulse moves lifts the cloth on it and carries it along and around", "[idea]")
+{
+    TouchingCloth cloth;
+    ClothSolid lift;
+    lift.shape = ClothSolid::Shape::box;
+    lift.half = {0.5, 0.1, 0.5}, lift.friction = 0.8;
+    add_solid(cloth, lift, 0, {0, -0.1, 0});
+    const Vec3 v(0.2, 0.5, 0), omega(0, 1, 0);
+    cloth.solids.velocity(0) << v, omega;
+    add_sheet(cloth, {-0.2, 0.006, -0.2}, {1, 0, 0}, {0, 0, 1}, square_sheet(8, 0.4, 1000, 0));
+    cloth.thickness = 0.005;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 16, how.sweeps = 4;
+    TouchingMemory memory;
+    for (int n = 0; n < 90; ++n) step(cloth, how, memory);
+    const Vec3 centre = cloth.solids.position(0).head<3>();
+    CHECK((centre - Vec3(0, -0.1, 0) - 1.5 * v).norm() < 1e-12);
+    Real gap = 0, slip = 0;
+    for (int k = 0; k < cloth.count(); ++k) {
+        const Vec3 arm = cloth.bodies.position(k) - centre;
+        gap = std::max(gap, std::abs(arm.y() - 0.1 - cloth.thickness));
+        slip = std::max(slip, (cloth.bodies.velocity(k) - v - cross(omega, arm)).norm());
+    }
+    CAPTURE(gap, slip);
+    CHECK(gap < 1e-12);
+    CHECK(slip < 1.1 * 0.2 * sqrt(2.0) / 960);  // a velocity is that of a chord: ω² r h of a sub-step
+}
+
 TEST_CASE("a pinned sheet holds a ball of many times its weight", "[idea]")
 {
     TouchingCloth cloth = catching_sheet(16, 2000, 5, false, true);
