@@ -185,10 +185,22 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
             lambda[i] = next;
         }
     };
+    int lessened = 0;
     for (int n = 0; n < count; ++n) {
         theirs.u += (now.u_star - scene.bodies.u) / count;
+        VecX given = VecX::Zero(theirs.u.size());
         for (std::size_t i = 0; i < now.rows.size(); ++i)
-            now.rows[i].apply(lambda[static_cast<Index>(i)], theirs.u);
+            now.rows[i].apply(lambda[static_cast<Index>(i)], given);
+        Real slope = 0, curve = 0;  // (18.4e)
+        for (Index k = 0; k < given.size(); ++k)
+            if (theirs.inverse_mass[k] > 0) {
+                slope += given[k] * theirs.u[k] / theirs.inverse_mass[k];
+                curve += given[k] * given[k] / theirs.inverse_mass[k];
+            }
+        const Real t = curve > 0 ? std::clamp(-2 * slope / curve, Real{0}, Real{1}) : 0;
+        lessened += t < 1;
+        theirs.u += t * given;
+        lambda *= t;
         for (int v = 0; v < how.visits; ++v) visit(true);
         for (const int k : now.active) theirs.integrate(k, theirs.velocity(k), h);
         for (Index i = 0; i < C.size(); ++i) {
@@ -198,6 +210,8 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
         }
         visit(false);
     }
+    CHECK(lessened > 0);
+    CHECK(lessened < count);
     // 8 small steps of three visits, sums in another order
     CHECK((theirs.u - ours.u).cwiseAbs().maxCoeff() < 1e-11);
     CHECK((theirs.x - ours.x).cwiseAbs().maxCoeff() < 1e-13);
@@ -265,16 +279,19 @@ TEST_CASE("a small heap that moves is swept and overlaps no more than one that i
 
 TEST_CASE("what comes to rest is solved to the end and then falls asleep", "[idea]")
 {
-    IslandsUnderTest run(poured_scene(60));
-    Real last = 0;
-    int steps = 0;
-    for (; steps < 400; ++steps) {
-        run.step();
-        if (run.awake() == 0) break;
-        last = run.residual();
+    int asleep = 0;
+    for (const int bodies : {40, 46, 52, 58, 64}) {
+        IslandsUnderTest run(poured_scene(bodies));
+        Real last = 0;
+        for (int i = 0; i < 400 && run.awake() > 0; ++i) {
+            run.step();
+            if (run.awake() > 0) last = run.residual();
+        }
+        if (run.awake() > 0) continue;
+        ++asleep;
+        CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
     }
-    CHECK(steps < 400);
-    CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
+    CHECK(asleep >= 3);  // a disc that rolls keeps a heap awake
 }
 
 TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it sleep", "[idea]")
@@ -298,23 +315,110 @@ TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it s
     CHECK(moving <= 4);  // a disc, and what leans on it
 }
 
-TEST_CASE("ten dolls in one heap are swept to the end and overstep no limit by much", "[idea]")
+TEST_CASE("in small steps pins turn with their bodies and their errors go along", "[house]")
+{
+    JointedScene scene;
+    add_body(scene, box(0.4, 0.2), 2, {0, 0});
+    add_body(scene, box(0.2, 0.6), 1, {0.5, 0.4});
+    add_joint(scene, joint_at(scene, JointKind::revolute, 0, 1, {0.3, 0.1}));
+    cover(scene, {0.6, 0, 0, 0});
+    scene.gravity = {0, 0};
+    IslandsUnderTest run(scene);
+    run.method.contacts.touching.finder.filter.set_meets(0, 0, false);
+    run.step();
+    const StepData<3>& now = run.now;
+    REQUIRE(now.rows.size() == 2);
+
+    Bodies<3>& bodies = run.scene.bodies;
+    bodies.velocity(0) << 0.3, -0.2, 7;
+    bodies.velocity(1) << -0.5, 0.1, -11;
+    WideSolver<3> solver;
+    solver.begin(bodies, now);
+    auto& wide = solver.wide;
+    fill(WideProblem<3>{now.rows}, solver.bundles, VecX(VecX::Zero(2)), bodies.u, wide);
+    constexpr int lanes = full_lanes<Real>;
+    TurningPins<lanes> pins;
+    pins.find(now, {0, 1}, bodies.inverse_mass, wide);
+
+    const Real k = frame / 8;
+    const int count = 8;
+    const Vec2 from = bodies.position(1).head<2>() - bodies.position(0).head<2>();
+    const Vec2 arms[] = {Vec2(0.3, 0.1) - bodies.position(0).head<2>(),
+                         Vec2(0.3, 0.1) - bodies.position(1).head<2>()};
+    Vec2 C = {0, 0};
+    const auto [row, l] = wide.place[0];
+    const auto at = [&, first = row ](int r) -> auto&
+    {
+        return wide.rows[static_cast<std::size_t>(first + r)];
+    };
+    for (int n = 0; n < count; ++n) {
+        const Vec<3> ua = bodies.velocity(0), ub = bodies.velocity(1);
+        for (int r = 0; r < 2; ++r)
+            for (int d = 0; d < 3; ++d)
+                C[r] += k * (lane(at(r).Ja[d], l) * ua[d] + lane(at(r).Jb[d], l) * ub[d]);
+        using V = Lanes<Real, lanes>;
+        std::size_t next = 0;
+        pins.turn(
+            next, wide.packets.front(), V{} + ua[2], V{} + ub[2], k, wide,
+            [&, lane_of = l, first = row](int r, const V& gone) { C[r - first] += lane(gone, lane_of); });
+        CHECK(next == 1);
+    }
+    // by the angle 2 arctan(k ω/2) each time
+    const auto turned = [&](int body) {
+        const Real angle = count * 2 * std::atan(k * bodies.velocity(body)[2] / 2);
+        return Vec2(std::cos(angle) * arms[body] + std::sin(angle) * perpendicular(arms[body]));
+    };
+    const Vec2 a = turned(0), b = turned(1);
+    CHECK(lane(at(0).Ja[2], l) == Approx(a.y()).margin(1e-14));
+    CHECK(lane(at(1).Ja[2], l) == Approx(-a.x()).margin(1e-14));
+    CHECK(lane(at(0).Jb[2], l) == Approx(-b.y()).margin(1e-14));
+    CHECK(lane(at(1).Jb[2], l) == Approx(b.x()).margin(1e-14));
+    const Vec2 went = count * k * (bodies.velocity(1) - bodies.velocity(0)).head<2>();
+    CHECK((from + went + b - a - C).norm() < 1e-14);
+    // and what they weigh is that of the turned arms
+    for (int r = 0; r < 2; ++r) {
+        Real A = 0;
+        for (int d = 0; d < 3; ++d)
+            A += lane(at(r).Ja[d], l) * lane(at(r).Ja[d], l) * bodies.inverse_mass[d] +
+                 lane(at(r).Jb[d], l) * lane(at(r).Jb[d], l) * bodies.inverse_mass[3 + d];
+        CHECK(lane(at(r).mass, l) == Approx(1 / A).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("ten dolls in one heap take small steps and overstep no limit and gain no energy", "[idea]")
 {
     IslandsUnderTest run = falling_dolls(10);
-    Real worst = 0;
+    const auto height = [&] {
+        Real energy = 0, mass = 0;
+        const Bodies<3>& bodies = run.scene.bodies;
+        for (Index k = 0; k < bodies.count(); ++k) {
+            if (bodies.inverse_mass[3 * k] <= 0) continue;
+            const Vec<3> u = bodies.velocity(k);
+            const Real m = 1 / bodies.inverse_mass[3 * k];
+            energy += m * (u.head<2>().squaredNorm() / 2 + 9.81 * bodies.position(k).y()) +
+                      u[2] * u[2] / bodies.inverse_mass[3 * k + 2] / 2;
+            mass += m;
+        }
+        return energy / (9.81 * mass);
+    };
+    Real worst = 0, lowest = height(), gained = 0;
     std::int64_t price = 0;
-    int unsolved = 0;
+    int unsolved = 0, stepped = 0;
     for (int i = 0; i < 240; ++i) {
         run.step();
         unsolved += run.unsolved();
+        stepped += run.method.solver.stepped_count > 0;
         price += run.price();
         worst = std::max(worst, run.joint_error());
+        gained = std::max(gained, height() - lowest);
+        lowest = std::min(lowest, height());
     }
-    // ten falls: 0.0004 rad, at worst 0.0014; 0.016, at worst 0.036 where no limit is held while joints are met
-    CHECK(worst < 0.005);
-    CHECK(unsolved < 60);  // 20 to 53 steps of 240 are above a thirtieth of g h after a thousand sweeps
-    // 0.76e9; 1.6e9 where the heap is solved exactly
-    CHECK(price < 1'000'000'000);
+    CHECK(stepped > 100);
+    CHECK(worst < 1e-8);  // Newton stops at 1e-9 ℓ; limits that are near are held meanwhile
+    CHECK(unsolved == 0);
+    CHECK(gained < 0.02);  // 0.00002 m; of forty falls 0.017 at worst, 0.14 and 9 where a blow is given again
+    CHECK(price <
+          100'000'000);  // 0.045e9; 0.76e9 by a thousand sweeps, 1.6e9 where the heap is solved exactly
 }
 
 TEST_CASE("a chain that sweeps would lose is held though it moves in a heap", "[idea]")

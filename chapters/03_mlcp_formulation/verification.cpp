@@ -29,9 +29,8 @@ Real coupled_unit(const Mlcp& mlcp, Index i)
     return unit;
 }
 
-Real coupled_energy(const Mlcp& mlcp)
+bool coupled_energy_reaches(const Mlcp& mlcp, Real least)
 {
-    Real energy = 0;
     for (Index i = 0; i < mlcp.size(); ++i) {
         Real N = std::abs(mlcp.q[i]);
         bool moved = false;
@@ -40,9 +39,12 @@ Real coupled_energy(const Mlcp& mlcp)
             N += std::abs(entry.value()) * std::max({lo, -hi, Real{0}});
             moved = moved || std::abs(entry.value()) > 0;
         }
-        if (moved) energy = std::max(energy, N / coupled_unit(mlcp, i));
+        // its own unit is not above the coupled one, and found at once
+        if (moved && N / row_unit(mlcp, i, mlcp.A.coeff(i, i)) >= least &&
+            N / coupled_unit(mlcp, i) >= least)
+            return true;
     }
-    return energy;
+    return false;
 }
 
 //! [verify]
@@ -107,7 +109,8 @@ Verification verify(const Mlcp& mlcp, const VecX& lambda,
     const bool within =
         energy > 0 ? least_speed <= speed && least_energy <= energy : small;
     const bool excused =
-        !(least_excuse > 0) || energy <= 0 || least_excuse <= coupled_energy(mlcp);
+        !(least_excuse > 0) || energy <= 0 ||
+        coupled_energy_reaches(mlcp, least_excuse);
     return {residual, possible && within && excused && std::isfinite(energy),
             in_each_row};
 }

@@ -39,8 +39,8 @@ Real row_unit(const Mlcp& mlcp, Index i, Real diagonal);
 /// d_i where A need not be positive semi-definite: at least |A_ij| / d_j for all j.
 Real coupled_unit(const Mlcp& mlcp, Index i);
 
-/// max N_j / d_j over the rows that some λ moves, with these d_j.
-Real coupled_energy(const Mlcp& mlcp);
+/// Whether max N_j / d_j over the rows that some λ moves, with these d_j, is at least this.
+bool coupled_energy_reaches(const Mlcp& mlcp, Real least);
 
 /// v_i of (3.16a).
 inline Real violation(Real lambda, Real w, Real lo, Real hi)

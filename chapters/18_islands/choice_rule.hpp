@@ -30,6 +30,11 @@ struct ChoiceRule {
     /// sweeps over one with joints that moves: with 500 the knees of ten dolls bend
     /// 0.04 rad too far, with 1000 0.01
     int joined = 1000;
+    /// joints that move are solved exactly with up to so many bounded rows: a limb
+    /// that has landed
+    int few = 8;
+    /// with more of them they are in small steps, while masses differ by no more
+    Real stepped_ratio = 100;
     /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
     /// beyond its limit
     int held = 100;
@@ -82,6 +87,13 @@ inline bool may_be_swept(const IslandShape& shape, const ChoiceRule& rule)
 {
     const Real sweeps = shape.has_joints() ? rule.joined : rule.patience;
     return shape.sweeps_needed() <= 10 * sweeps;
+}
+/// Of one that moves: whether small steps get through it. What they leave of its
+/// joints goes out by their trees.
+inline bool may_step(const IslandShape& shape, const ChoiceRule& rule)
+{
+    return !shape.has_joints() ||
+           (shape.loops == 0 && shape.mass_ratio <= rule.stepped_ratio);
 }
 /// Of one with joints that moves: whether an exact solve costs less.
 inline bool sweeps_cost_more(const IslandShape& shape, const ChoiceRule& rule)

@@ -93,6 +93,7 @@ struct IslandChoice : IslandSolvers, PlainSolver {
         for (int i = 0; i < all.islands.count(); ++i) {
             if (const WideIsland* lanes = wide.find(i); lanes && lanes->stepped) {
                 lanes->heap.move(lanes->part, *bodies_);  // it is there already
+                if (all.note(i).joined) meet_joints(i, *bodies_, now, visit);
                 continue;
             }
             Apart apart{*this, i, *bodies_};
@@ -134,7 +135,7 @@ private:
         // as good as sweeps leave it; half of that, for joints add their rounding
         const Real late = tolerance * now.length / 2;
         WideIsland* lanes = wide.find(i);
-        if (lanes && is_heap(i, now) && !bounces(all.islands.rows_of(i), now)) {
+        if (lanes && note.steps && !bounces(all.islands.rows_of(i), now)) {
             lanes->small_steps(heaps, note, bodies, now);
             return;
         }

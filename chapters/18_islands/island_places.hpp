@@ -14,6 +14,7 @@
 #include "chapters/18_islands/choice_rule.hpp"
 #include "chapters/18_islands/island_rescue.hpp"
 #include "chapters/18_islands/known_motion.hpp"
+#include "chapters/18_islands/turning_pins.hpp"
 
 namespace rigid {
 
@@ -27,11 +28,13 @@ enum class IslandPlace : std::uint8_t {
 };
 
 /// \param moves  it is large, and does not stand
+/// \param steps  by small steps of its own, then
 /// \param fits   what closes the loops of its joints is affordable
 inline IslandPlace choose_place(const IslandShape& shape, const ChoiceRule& rule,
-                                Solving solving, bool moves, bool fits)
+                                Solving solving, bool moves, bool steps, bool fits)
 {
-    if (!fits || solving == Solving::sweeps) return IslandPlace::only_swept;
+    if (!fits || solving == Solving::sweeps || (steps && shape.has_joints()))
+        return IslandPlace::only_swept;
     const bool has_joints = shape.has_joints();
     const bool ends = may_be_swept(shape, rule);
     if (moves && !has_joints && shape.bounded > rule.moving)
@@ -78,6 +81,7 @@ struct IslandNote {
     bool trees = false;         ///< and they close no loop
     bool large = false;         ///< where it moves it is not like what stands
     bool moves = false;         ///< it is large, and does not stand
+    bool steps = false;         ///< by small steps of its own, then
     int length = 0;             ///< N
     int sweeps = 0;             ///< where it is swept, at most
     bool may_be_exact = false;  ///< where sweeps leave too much
@@ -154,6 +158,28 @@ private:
         return true;
     }
 
+    //! [steps]
+    /// Of rows that can all be in small steps, contacts, pins, and angles that nothing
+    /// soft holds, how many are of contacts; else 0.
+    static int can_step(std::span<const int> rows, const StepData<3>& now)
+    {
+        int contacts = 0;
+        for (const int row : rows) {
+            const auto at = static_cast<std::size_t>(row);
+            const Constraint<3>& c = now.constraints[at];
+            if (now.sources[at].of == Source::Of::contact) ++contacts;
+            else if (!is_angle(c)) {
+                if (!is_pin(now, row) && !(row > 0 && is_pin(now, row - 1)))
+                    return 0;
+            } else if (now.rows[at].softness > 0 ||
+                       c.kind == ConstraintKind::spring ||
+                       c.kind == ConstraintKind::inerter)
+                return 0;
+        }
+        return contacts;
+    }
+    //! [steps]
+
     IslandNote look_at(int island, const Bodies<3>& bodies, const StepData<3>& now,
                        const ChoiceRule& rule, Solving solving, int sweeps)
     {
@@ -165,10 +191,16 @@ private:
         note.joined = shape.has_joints();
         note.trees = note.joined && shape.loops == 0;
         note.length = shape.length;
-        note.large = solving == Solving::by_island && shape.bounded > rule.always;
+        const int stepped =
+            may_step(shape, rule) ? can_step(islands.rows_of(island), now) : 0;
+        note.large = solving == Solving::by_island &&
+                     (shape.bounded > rule.always ||
+                      (note.joined && stepped > rule.few));
         note.moves = note.large && moves(island, bodies, now);
+        note.steps = note.moves && stepped > 0;
         const bool fits = shape.price_of_loops() <= static_cast<Real>(rule.entries);
-        note.place = choose_place(shape, rule, solving, note.moves, fits);
+        note.place =
+            choose_place(shape, rule, solving, note.moves, note.steps, fits);
         note.sweeps = note.moves ? sweeps_of_moving(shape, rule, sweeps)
                                  : sweeps_worth(shape, rule, sweeps);
         note.may_be_exact = may_be_exact(shape, rule);

@@ -124,7 +124,7 @@ struct IslandSolvers {
             return;
         }
         const int many = note.moves && note.joined ? rule.wide_joined : rule.wide;
-        if (static_cast<int>(rows.size()) >= many || is_heap(i, now)) {
+        if (static_cast<int>(rows.size()) >= many || note.steps) {
             if (wide.take(i).take(all.islands, i, note, bodies, now, numbers_))
                 return;
             wide.give_back(i);
@@ -132,17 +132,6 @@ struct IslandSolvers {
         swept.take(i).part.take(rows, members, now, count, numbers_);
     }
     //! [split]
-
-    /// Whether it moves, and nothing is in it but contacts.
-    bool is_heap(int i, const StepData<3>& now) const
-    {
-        const std::span<const int> rows = all.islands.rows_of(i);
-        return all.note(i).moves && !all.note(i).joined &&
-               std::all_of(rows.begin(), rows.end(), [&](int row) {
-                   return now.sources[static_cast<std::size_t>(row)].of ==
-                          Source::Of::contact;
-               });
-    }
 
     /// Trees for an island that has another solver, or for its impacts.
     TreePart& tree_of(IslandPool<TreePart>& pool, int i, const Bodies<3>& bodies,
