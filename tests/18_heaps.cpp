@@ -185,22 +185,10 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
             lambda[i] = next;
         }
     };
-    int lessened = 0;
     for (int n = 0; n < count; ++n) {
         theirs.u += (now.u_star - scene.bodies.u) / count;
-        VecX given = VecX::Zero(theirs.u.size());
         for (std::size_t i = 0; i < now.rows.size(); ++i)
-            now.rows[i].apply(lambda[static_cast<Index>(i)], given);
-        Real slope = 0, curve = 0;  // (18.4e)
-        for (Index k = 0; k < given.size(); ++k)
-            if (theirs.inverse_mass[k] > 0) {
-                slope += given[k] * theirs.u[k] / theirs.inverse_mass[k];
-                curve += given[k] * given[k] / theirs.inverse_mass[k];
-            }
-        const Real t = curve > 0 ? std::clamp(-2 * slope / curve, Real{0}, Real{1}) : 0;
-        lessened += t < 1;
-        theirs.u += t * given;
-        lambda *= t;
+            now.rows[i].apply(lambda[static_cast<Index>(i)], theirs.u);
         for (int v = 0; v < how.visits; ++v) visit(true);
         for (const int k : now.active) theirs.integrate(k, theirs.velocity(k), h);
         for (Index i = 0; i < C.size(); ++i) {
@@ -210,8 +198,6 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
         }
         visit(false);
     }
-    CHECK(lessened > 0);
-    CHECK(lessened < count);
     // 8 small steps of three visits, sums in another order
     CHECK((theirs.u - ours.u).cwiseAbs().maxCoeff() < 1e-11);
     CHECK((theirs.x - ours.x).cwiseAbs().maxCoeff() < 1e-13);
@@ -279,19 +265,16 @@ TEST_CASE("a small heap that moves is swept and overlaps no more than one that i
 
 TEST_CASE("what comes to rest is solved to the end and then falls asleep", "[idea]")
 {
-    int asleep = 0;
-    for (const int bodies : {40, 46, 52, 58, 64}) {
-        IslandsUnderTest run(poured_scene(bodies));
-        Real last = 0;
-        for (int i = 0; i < 400 && run.awake() > 0; ++i) {
-            run.step();
-            if (run.awake() > 0) last = run.residual();
-        }
-        if (run.awake() > 0) continue;
-        ++asleep;
-        CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
+    IslandsUnderTest run(poured_scene(60));
+    Real last = 0;
+    int steps = 0;
+    for (; steps < 400; ++steps) {
+        run.step();
+        if (run.awake() == 0) break;
+        last = run.residual();
     }
-    CHECK(asleep >= 3);  // a disc that rolls keeps a heap awake
+    CHECK(steps < 400);
+    CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
 }
 
 TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it sleep", "[idea]")

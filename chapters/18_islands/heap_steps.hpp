@@ -2,9 +2,9 @@
 /// A heap that moves, in small steps of its own: chapter 8's idea on chapter 17's lanes.
 ///
 ///     once:   rows into lanes, C of each contact, limit and joint
-///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ tλ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out      (18.4a)
+///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (18.4a)
 ///
-/// with k = h/K and t of (18.4e). J and M⁻¹ Jᵀ are those of the beginning, but for pins, whose arms turn with the bodies
+/// with k = h/K. J and M⁻¹ Jᵀ are those of the beginning, but for pins, whose arms turn with the bodies
 /// (turning_pins.hpp), and C goes on along J: what is left out is how normals turn and points go along their faces, of second
 /// order in how far a pair moves in the step. What moves has another λ in each step; a small step is worth more to it than a
 /// sweep.
@@ -32,16 +32,18 @@ public:
 
     //! [small_steps]
     /// A sub-step of the whole step; u and λ of the part are changed.
-    /// \param count  K, at least
-    /// \param whole  the step that the part is of
-    void operator()(const HeapSteps& how, int count, const StepData<3>& whole,
-                    StepPart& part, const Bundles& bundles, Wide& wide)
+    /// \param count   K, at least
+    /// \param joined  joints are in it
+    /// \param whole   the step that the part is of
+    void operator()(const HeapSteps& how, int count, bool joined,
+                    const StepData<3>& whole, StepPart& part,
+                    const Bundles& bundles, Wide& wide)
     {
         StepData<3>& now = part.now;
         const auto go = [&](int parts) {
             split(parts, now);
             put_in(how, whole, part, bundles, wide);
-            take_steps(how, count, part, wide);
+            take_steps(how, count, joined, part, wide);
         };
         go(count);
         while (errors_.open_by() > how.open * now.length && count < how.most)
@@ -50,7 +52,8 @@ public:
     }
 
 private:
-    void take_steps(const HeapSteps& how, int count, StepPart& part, Wide& wide)
+    void take_steps(const HeapSteps& how, int count, bool joined, StepPart& part,
+                    Wide& wide)
     {
         StepData<3>& now = part.now;
         const Real h = now.h / count;
@@ -61,7 +64,8 @@ private:
                     of(wide.u, k).u[d] +=
                         (now.u_star[3 * k + d] - part.local.u[3 * k + d]) / count;
             errors_.set_biases(how.beta / h, h, wide);
-            start(now.active, part.local.inverse_mass, wide);
+            if (joined) start(now.active, part.local.inverse_mass, wide);
+            else apply_impulses(wide);
             for (int v = 0; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
             for (const int k : now.active)
                 for (int d = 0; d < 3; ++d)
@@ -110,7 +114,7 @@ private:
 
     //! [start]
     /// u += M⁻¹ Jᵀ tλ: of the impulses of the small step before as much as adds no
-    /// energy, (18.4e). A blow is not given a second time.
+    /// energy, (18.4d). A blow on a joint is not given a second time.
     void start(const std::vector<int>& active, const VecX& inverse_mass, Wide& wide)
     {
         before_.swap(wide.u);

@@ -71,7 +71,8 @@ struct WideIsland {
         if (!has_rows_) part.gather_rows(bodies, now);
         part.gather_velocities(bodies, now);
         solver.begin(part.local, part.now);
-        heap(how, how.count(note.length), now, part, solver.bundles, solver.wide);
+        heap(how, how.count(note.length), note.joined, now, part, solver.bundles,
+             solver.wide);
         part.scatter(bodies, now);
         stepped = true;
         has_rows_ = false;
