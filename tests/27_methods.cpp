@@ -89,7 +89,7 @@ TEST_CASE("a thread is solved in one sweep where rows need the square of its num
     CHECK(left(ClothMethod::threads, 1) < 1e-10);  // straight rows are linear: rounding of 40 m against 3 mm
     CHECK(left(ClothMethod::xpbd, 40) > 0.5);
     const Real more = left(ClothMethod::xpbd, 2000), most = left(ClothMethod::xpbd, 3000);
-    const Real c = rigid::cos(pi / (2 * n));  // (27.18), by then the slowest error alone is left
+    const Real c = rigid::cos(pi / (2 * n));  // (27.11a), by then the slowest error alone is left
     CHECK(std::log(most / more) / 1000 == Approx(std::log(c * c)).epsilon(1e-3));
 }
 

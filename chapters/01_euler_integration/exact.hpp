@@ -71,7 +71,7 @@ inline State<1> exact_pendulum(const Pendulum& pendulum, Real theta0, Real t)
     return {Vec<1>(theta), Vec<1>(-2 * omega0 * k * cos(theta0 / 2) * sn / dn)};
 }
 
-/// A Kepler orbit at its point nearest to the sun, with half major axis 1 m.
+/// A Kepler orbit at its point nearest to the sun, with semi-major axis 1 m.
 /// \param e  eccentricity, 0 ≤ e < 1
 inline State<2> kepler_perihelion(const Kepler& kepler, Real e)
 {

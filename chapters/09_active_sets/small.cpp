@@ -169,7 +169,7 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "<g fill='#808080' font-size='0.2'>\n<text x='3.3' y='-0.08'>λ1</text>"
+    out << "<g fill='#808080' font-size='0.2'>\n<text x='3.35' y='0.25'>λ1</text>"
            "<text x='0.06' y='-2.4'>λ2</text><text x='1.35' y='-2.4'>w1 = 0</text>"
            "<text x='0.12' y='-0.6'>w2 = 0</text>\n";
     for (const Vector2d& p : paths[4].second)

@@ -153,7 +153,7 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "<g fill='#808080' font-size='0.05'><text x='-0.56' y='0.06'>30°</text>"
+    out << "<g fill='#808080' font-size='0.05'><text x='-0.31' y='-.01'>30°</text>"
            "<text x='-0.2' y='0.06'>arm</text><text x='-0.43' y='-0.2'>λ</text>"
            "</g></svg>\n";
 }

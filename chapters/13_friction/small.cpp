@@ -57,7 +57,7 @@ Vec separations(const Polygon& p, const Polygon& q)
 }
 
 // Two faces have an interval in common along t = n⊥, (12.3). Its ends are the
-// points, each called by the corner that ends there: by b's, unless 2 mm decide.
+// points, each called by the corner that ends there: b's, if both do within 2 mm.
 void collide(const Bodies& d, int a, int b, std::vector<Contact>& found)
 {
     const Polygon P = placed(d, a), Q = placed(d, b);

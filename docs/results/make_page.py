@@ -295,8 +295,7 @@ GROUPS = [
      "answer, $b = C/h$; *exact small steps* is chapter 9's own, in 1, 4 or 16 of them."),
     ("heap_runs", "Seconds of columns and heaps", "The same for columns between two walls and for a triangle of discs. A heap "
      "whose discs change places has failed, whatever its overlaps are."),
-    ("rest_runs", "A thousand resting bodies", "Nothing has to happen. In the bins, a hundred small piles, chapter 8's step is set beside "
-     "chapter 10's: which lets what rests sleep, which does not, and which solves islands of up to 32 rows exactly. Its sweeps end at a residual of 1 µm/s."),
+    ("rest_runs", "A thousand resting bodies", "Nothing has to happen. In the bins, a hundred small piles, chapter 8's step is set beside chapter 10's with sleep, without sleep, and with exact answers for islands of up to 32 rows. Its sweeps end at a residual of 1 µm/s."),
     ("turning_runs", "Seconds of bodies that turn", "Boxes of 1 m with friction 0.5 that should stay where they are (stacks for 2 s, a pyramid of 210 for 1 s), a box that slides down 30° by its closed form, and a double pendulum of two rods whose angles after "
      "a second are known: metres or radians, in steps of 1/60 s. The book's ways are chapter 13's (of the pendulum, which has nothing that touches, chapter 11's): sweeps with the last impulses, small "
      "steps of one sweep, exact answers in 1, 4 or 16 sub-steps, RATTLE. Boxes of Box2D are made smaller by its polygon's skin, so that they touch where ours do."),
@@ -404,9 +403,7 @@ def page(table, root):
               "**Every method of this book on the same scenes: what it costs, and how wrong it is.** Made by "
               "`./book bench` from [its table](results/results.csv); no number on this page was typed in.", "",
               *before_the_nudge(table), "## Which method, when", "",
-              "In words: what is smooth takes a step of high order; what stands takes small steps, and sleeps as soon as it rests; a heavy load on light things takes an "
-              "exact answer, whose price does not depend on the masses; so does friction that has to hold. Sweeps remain for what is poured, where another step follows "
-              "before any answer is worth its digits.", "", *chosen, "",
+              "In words: for smooth motion take a step of high order; for a scene that stands, small steps, and sleep as soon as it rests; for a heavy load on light things an exact answer, whose price does not depend on the masses, and likewise for friction that has to hold. Sweeps remain for heaps that are poured, where the next step comes before more digits would matter.", "", *chosen, "",
               "One time unit is a thousand row visits, measured in the same process (`docs/results/baseline.hpp`)" +
               (f"; on the machine of this table {table.microseconds} µs" if table.microseconds else "") + ". A column, a chain "
               "or a heap runs for five seconds (the one heap and the swinging chain for one) in steps of 1/60 s, and its error is a share of 0.1 m, the "
@@ -419,8 +416,7 @@ def page(table, root):
         pieces += lines_lost if lost else []
         pieces += ["", "Solvers are timed from the rows to the impulses, the book's and the others' alike: with the assembly of $A$ and the filling of "
                    "their own matrix. Engines are timed without the building of a world, chapter 10's step too. "
-                   "All are what Debian 12 ships: Box2D is 2.4.1, Chipmunk 7.0.3. Box2D 3 exists (its `box2d3-wasm` is on npm) and has "
-                   "another solver; it is not measured here.", "",
+                   "All are what Debian 12 ships: Box2D is 2.4.1, Chipmunk 7.0.3. Box2D 3 has another solver, and is measured in [section 19.8](../chapters/19_engine/README.md#198-measure-it).", "",
                    "Engines are given what the book's own methods have: 1, 4, 8, 16 or 32 small steps (one is with their own number of iterations, the others with "
                    "one iteration each), sleep or none, and in piles a slop of 5, 0.5 or 0.05 mm, the overlap that they leave alone on purpose; of all "
                    "these the cheapest run that is good enough counts. Chipmunk is given its slop. Box2D's is a constant of the library, so its world is made "
@@ -443,7 +439,7 @@ def page(table, root):
                 pieces += [f"How the time to reach {power(1e-2)} grows with the number of links $N$ (10, 40, 200 with 1 kg at the end) and with the mass $R$ at the end "
                            "(1 to 1000 kg, 40 links):", "", *grows, ""]
     there = [draw.BY_WORK[scene][0] for scene in draw.BY_WORK if scene in table.scenes()]
-    pieces += ["## By counted work", "", "Time belongs to a machine, counted work does not. Methods of one unit side by side, which is where it can be compared:", ""]
+    pieces += ["## By counted work", "", "Time belongs to a machine, counted work does not. It can be compared among methods that count in the same unit:", ""]
     pieces += picture("work", there)
     pieces += ["## What was counted, and against what", "", "No error is measured against the method itself.", "",
                "| scene | error | reference |", "|---|---|---|"]

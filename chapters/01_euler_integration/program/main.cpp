@@ -600,7 +600,7 @@ Program program()
     Demo kepler;
     kepler.name = "kepler";
     kepler.summary =
-        "A planet around its sun: GM = 1, half major axis 1, from the point "
+        "A planet around its sun: GM = 1, semi-major axis 1, from the point "
         "nearest to the sun";
     kepler.view = {{-0.75, 0}, {1.6, 1.42}};
     kepler.h = 0.05;

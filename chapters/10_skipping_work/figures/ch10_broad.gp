@@ -6,7 +6,7 @@ set tics nomirror out tc rgb '#808080'
 set multiplot layout 2,2
 set logscale xy
 set format x '10^{%L}'; set format y '10^{%L}'
-set xlabel 'discs N' tc rgb '#808080'
+set xlabel 'discs K' tc rgb '#808080'
 set ylabel 'time [µs]' tc rgb '#808080'
 set xrange [20:2e5]; set yrange [0.1:3e5]
 set key tc rgb '#808080' samplen 1 font ',12' Left reverse top left
@@ -19,7 +19,7 @@ do for [p = 1:4] {
     if (p == 1) { set key } else { unset key }
     plot data.'/broad_'.scene.'_all' with linespoints pt 7 ps 0.5 lc rgb '#808080' title 'all pairs', \
          data.'/broad_'.scene.'_sweep' with linespoints pt 5 ps 0.5 lc rgb '#EE7733' title 'sort and sweep', \
-         data.'/broad_'.scene.'_grid' with linespoints pt 9 ps 0.6 lc rgb '#228833' title 'grid, anew', \
+         data.'/broad_'.scene.'_grid' with linespoints pt 9 ps 0.6 lc rgb '#228833' title 'grid, each step', \
          data.'/broad_'.scene.'_kept' with linespoints pt 7 ps 0.6 lc rgb '#4477AA' title 'grid, pairs kept'
 }
 unset multiplot

@@ -1,4 +1,4 @@
-# Time of a step of a field against the number of its discs: nobody may sleep, all but a pendulum sleep, all sleep.
+# Time of a step of a field against the number of its discs: none may sleep, all but a pendulum sleep, all sleep.
 set terminal svg size 820,420 dynamic enhanced font 'DejaVu Sans,14' linewidth 1.2
 set output out
 set border 3 lc rgb '#808080'
@@ -10,7 +10,7 @@ set xlabel 'discs K' tc rgb '#808080'
 set xtics ('0' 0.2, '1' 1, '10' 10, '10^2' 100, '10^3' 1000, '10^4' 10000)
 set xrange [0.15:2e4]; set yrange [1e-2:2e4]
 set key top left tc rgb '#808080' samplen 1 font ',12' Left reverse
-titles = "'nobody may sleep' 'a pendulum awake, K asleep' 'all asleep'"
+titles = "'none may sleep' 'a pendulum awake, K asleep' 'all asleep'"
 kinds = "awake beside sleepers"
 do for [p = 1:3] {
     kind = word(kinds, p)
