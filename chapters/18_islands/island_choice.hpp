@@ -93,8 +93,7 @@ struct IslandChoice : IslandSolvers, PlainSolver {
         for (int i = 0; i < all.islands.count(); ++i) {
             if (const WideIsland* lanes = wide.find(i); lanes && lanes->stepped) {
                 lanes->heap.move(lanes->part, *bodies_);  // it is there already
-                if (all.note(i).joined) meet_joints(i, *bodies_, now, visit);
-                continue;
+                if (!all.note(i).joined) continue;
             }
             Apart apart{*this, i, *bodies_};
             const Corrected what = corrected(i);

@@ -82,6 +82,7 @@ struct IslandNote {
     bool large = false;         ///< where it moves it is not like what stands
     bool moves = false;         ///< it is large, and does not stand
     bool steps = false;         ///< by small steps of its own, then
+    bool to_sleep = false;      ///< by these until it sleeps
     int length = 0;             ///< N
     int sweeps = 0;             ///< where it is swept, at most
     bool may_be_exact = false;  ///< where sweeps leave too much
@@ -152,7 +153,7 @@ private:
     bool moves_as_before(const Bodies<3>& bodies, const StepData<3>& now) const
     {
         for (std::size_t i = 0; i < notes.size(); ++i)
-            if (notes[i].large &&
+            if (notes[i].large && !notes[i].to_sleep &&
                 notes[i].moves != moves(static_cast<int>(i), bodies, now))
                 return false;
         return true;
@@ -193,10 +194,13 @@ private:
         note.length = shape.length;
         const int stepped =
             may_step(shape, rule) ? can_step(islands.rows_of(island), now) : 0;
-        note.large = solving == Solving::by_island &&
-                     (shape.bounded > rule.always ||
-                      (note.joined && stepped > rule.few));
-        note.moves = note.large && moves(island, bodies, now);
+        note.large =
+            solving == Solving::by_island &&
+            (shape.bounded > rule.always || (note.joined && stepped > rule.few));
+        // what lies on joints is expensive to solve while it comes to rest
+        note.to_sleep = note.large && note.joined && stepped > 0 &&
+                        !sweeps_cost_more(shape, rule);
+        note.moves = note.to_sleep || (note.large && moves(island, bodies, now));
         note.steps = note.moves && stepped > 0;
         const bool fits = shape.price_of_loops() <= static_cast<Real>(rule.entries);
         note.place =

@@ -13,9 +13,9 @@ struct HeapSteps {
     int least = 8;     ///< K, in a whole step, at least
     int visits = 2;    ///< of each row in a small step, before bodies move
     int substeps = 1;  ///< of the whole step
-    Real beta = 0.4;   ///< part of an error that a small step takes back
-    Real fastest = 3;  ///< errors are pushed out no faster [ℓ/s, rad/s]
-    Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ, rad]
+    Real beta = 0.4;   ///< part of an overlap that a small step takes back
+    Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
+    Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
     /// a joint that is off by more asks for twice as many small steps [ℓ, rad]
     Real open = 5e-3;
     int most = 128;  ///< K, where joints ask for more
@@ -31,10 +31,9 @@ struct HeapSteps {
         return 1 + (std::max(least, needed) - 1) / substeps;
     }
 
-    /// s/2 of a contact or a limit [m, rad]
+    /// s/2 of a contact [m]
     Real left_alone(const Constraint<3>& c, Real length) const
     {
-        if (is_angle(c)) return slop / 2;
         Real left = slop * length;
         for (const Index k : {c.a, c.b})
             if (k != world && k < static_cast<Index>(slops.size()))
@@ -48,10 +47,9 @@ struct HeapSteps {
 template <class V>
 struct LaneError {
     V C{};        ///< [m, rad]
-    V slop{};     ///< s/2 [m, rad]
+    V slop{};     ///< s/2 [m]
     V is_gap{};   ///< 1: of a contact's normal or a limit; 0: of others
     V is_held{};  ///< 1: of what a joint holds; 0: of others
-    V fastest{};  ///< it is given back no faster [m/s, rad/s]
     V rate{};     ///< J u of what nothing moves, and b of friction [m/s]
 };
 
@@ -83,8 +81,6 @@ public:
             write_lane(error.slop, lane, how.left_alone(c, whole.length));
             const bool is_gap = c.kind == ConstraintKind::unilateral;
             write_lane(is_gap ? error.is_gap : error.is_held, lane, 1);
-            write_lane(error.fastest, lane,
-                       how.fastest * (is_angle(c) ? 1 : whole.length));
         }
         for (std::size_t i = 0; i < rows.size(); ++i)
             rows[i].rate = wide.rows[i].bias;
@@ -92,19 +88,19 @@ public:
     }
 
     //! [biases]
-    /// (18.4b): a gap may close; of an overlap, and of what a joint is off, so much
-    /// goes out a second, at most.
-    void set_biases(Real per_second, Real h, Wide& wide) const
+    /// (18.4b): a gap may close; of an overlap so much goes out a second, no faster
+    /// than this.
+    void set_biases(Real per_second, Real fastest, Real h, Wide& wide) const
     {
-        const V none{}, step = none + h, part = none + per_second;
+        const V none{}, step = none + h, part = none + per_second,
+                        most = none - fastest;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const LaneError<V>& error = rows[i];
-            const V open = at_least(error.C, none), least = none - error.fastest,
-                    deep =
-                        at_least(part * at_most(error.C + error.slop, none), least),
-                    held = at_most(at_least(part * error.C, least), error.fastest);
-            wide.rows[i].bias = error.rate + error.is_gap * (open / step + deep) +
-                                error.is_held * held;
+            const V open = at_least(error.C, none),
+                    deep = at_most(error.C + error.slop, none);
+            wide.rows[i].bias =
+                error.rate +
+                error.is_gap * (open / step + at_least(part * deep, most));
         }
     }
     /// C ← C + h J u, with the mean of a pin's J before and after
