@@ -30,10 +30,10 @@ struct ChoiceRule {
     /// sweeps over one with joints that moves: with 500 the knees of ten dolls bend
     /// 0.04 rad too far, with 1000 0.01
     int joined = 1000;
-    /// joints that move are solved exactly with up to so many bounded rows: a limb
-    /// that has landed
+    /// what moves on pins is solved exactly with up to so many rows of contacts: a
+    /// limb that has landed
     int few = 8;
-    /// with more of them they are in small steps, while masses differ by no more
+    /// and with more of them goes by small steps, if masses differ by no more
     Real stepped_ratio = 100;
     /// sweeps above joints that are held: with 40 a knee that is struck was 0.1 rad
     /// beyond its limit

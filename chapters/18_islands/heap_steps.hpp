@@ -9,8 +9,8 @@
 /// order in how far a pair moves in the step. What moves has another λ in each step; a small step is worth more to it than a
 /// sweep.
 ///
-/// What hangs on joints pushes nothing out, for a push that a joint holds back stays in the velocities, and begins with no
-/// impulses that would add energy. What it is off by, joints and overlaps, is corrected afterwards by positions alone.
+/// What hangs on joints pushes nothing out, for a push that a joint holds back stays in the velocities. What it is off by,
+/// joints and overlaps, is corrected afterwards by positions alone.
 #pragma once
 
 #include "chapters/18_islands/lane_errors.hpp"
@@ -68,8 +68,7 @@ private:
                     of(wide.u, k).u[d] +=
                         (now.u_star[3 * k + d] - part.local.u[3 * k + d]) / count;
             errors_.set_biases(how.beta / h, fastest, h, wide);
-            if (joined) start(now.active, part.local.inverse_mass, wide);
-            else apply_impulses(wide);
+            apply_impulses(wide);
             for (int v = 0; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
             for (const int k : now.active)
                 for (int d = 0; d < 3; ++d)
@@ -116,35 +115,6 @@ private:
         errors_.put_in(how, whole, part.rows, part.local.inverse_mass, wide);
     }
 
-    //! [start]
-    /// u += M⁻¹ Jᵀ tλ: of the impulses of the small step before as much as adds no
-    /// energy, (18.6a). A blow on a joint is not given a second time.
-    void start(const std::vector<int>& active, const VecX& inverse_mass, Wide& wide)
-    {
-        before_.swap(wide.u);
-        wide.u.assign(before_.size(), {});
-        apply_impulses(wide);
-        V along{};
-        for (std::size_t i = 0; i < errors_.rows.size(); ++i)
-            along = along + errors_.rows[i].rate * wide.rows[i].lambda;
-        Real slope = 0, curve = 0;
-        for (int l = 0; l < lanes; ++l) slope += lane(along, l);
-        for (const int k : active)
-            for (int d = 0; d < 3; ++d) {
-                const Real w = inverse_mass[3 * k + d], v = of(wide.u, k).u[d];
-                if (!(w > 0)) continue;
-                slope += v / w * of(before_, k).u[d];
-                curve += v / w * v;
-            }
-        const Real t =
-            curve > 0 ? std::clamp(-2 * slope / curve, Real{0}, Real{1}) : 0;
-        for (auto& row : wide.rows) row.lambda = row.lambda * (V{} + t);
-        for (std::size_t k = 0; k < wide.u.size(); ++k)
-            for (int d = 0; d < 3; ++d)
-                wide.u[k].u[d] = before_[k].u[d] + t * wide.u[k].u[d];
-    }
-    //! [start]
-
     /// λ of the whole sub-step, u, and what the last visits left.
     void take_out(int count, StepPart& part, const Wide& wide)
     {
@@ -166,8 +136,7 @@ private:
     }
 
     LaneErrors errors_;
-    std::vector<Slot<3, Real>> before_;  ///< u, without the impulses to start from
-    std::vector<Slot<3, Real>> moved_;   ///< x − x of the beginning, of each body
+    std::vector<Slot<3, Real>> moved_;  ///< x − x of the beginning, of each body
 };
 
 }  // namespace rigid
