@@ -1,7 +1,7 @@
 # precompile(TARGET): compiles a target of the book's own with the shared precompiled header: the standard library and
 # Eigen are parsed once (Eigen's factorisations are compiled once, in rigid_factors). It saves about a third of a build. A
-# build without it (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, as CI does with clang++) gives the same bits and shows a
-# header that relies on it.
+# build without it (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, .ci/run alone) gives the same bits and shows a header that
+# relies on it. The library is compiled without it: who uses that has none.
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
   add_library(rigid_precompiled STATIC cmake/precompiled/precompiled.cpp)
   target_link_libraries(rigid_precompiled PRIVATE rigid_common)

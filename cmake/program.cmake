@@ -70,3 +70,6 @@ if(RIGID_HAS_WINDOW AND TARGET OpenGL::EGL)
 else()
   target_sources(rigid_program PRIVATE common/program/no_offscreen.cpp)
 endif()
+
+set_source_files_properties(common/program/command_line.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)   # CLI11
+compile_together(rigid_program)

@@ -12,7 +12,6 @@
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 
 #ifndef RIGID_INSTANCE
 #define RIGID_INSTANCE extern template
@@ -49,7 +48,6 @@ RIGID_INSTANCE class FullPivLU<rigid::instances::SmallMatrix>;
 RIGID_INSTANCE class ColPivHouseholderQR<rigid::instances::Matrix>;
 RIGID_INSTANCE class SimplicialLDLT<rigid::instances::Columns>;
 RIGID_INSTANCE class SimplicialCholeskyBase<SimplicialLDLT<rigid::instances::Columns>>;
-RIGID_INSTANCE class SparseLU<rigid::instances::Columns, COLAMDOrdering<int>>;
 
 RIGID_INSTANCE void
 FullPivLU<rigid::instances::SmallMatrix>::_solve_impl(const rigid::instances::SmallVector&,

@@ -22,7 +22,7 @@ if(NOT MSVC AND NOT CMAKE_CROSSCOMPILING)
              WORKING_DIRECTORY ${place})
     add_test(NAME "small: ${chapter} draws its picture" COMMAND ${place}/small picture.svg WORKING_DIRECTORY ${place})
     set_tests_properties("small: ${chapter} compiles alone without a warning"
-                         PROPERTIES LABELS small TIMEOUT 300 FIXTURES_SETUP "small_${chapter}")
+                         PROPERTIES LABELS small TIMEOUT 300 COST 100 FIXTURES_SETUP "small_${chapter}")
     set_tests_properties("small: ${chapter} draws its picture"
                          PROPERTIES LABELS small TIMEOUT 60 FIXTURES_REQUIRED "small_${chapter}")
   endforeach()
@@ -36,7 +36,7 @@ if(Python3_FOUND)
   endif()
   add_test(NAME "small: the hand-outs compile and the small programs fit their holes"
            COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/tests/small/test_holes.py ${compiled_by})
-  set_tests_properties("small: the hand-outs compile and the small programs fit their holes" PROPERTIES LABELS small TIMEOUT 300)
+  set_tests_properties("small: the hand-outs compile and the small programs fit their holes" PROPERTIES LABELS small TIMEOUT 300 COST 500)   # a long one is begun early
 endif()
 
 # The reader's guide says how many lines each has and how many of them are new.

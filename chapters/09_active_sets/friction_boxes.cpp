@@ -3,6 +3,8 @@
 
 #include "chapters/09_active_sets/friction_boxes.hpp"
 
+#include <Eigen/SparseLU>  // here alone: no other source of the library factors so
+
 namespace rigid {
 
 void to_bounds(const Mlcp& mlcp, const std::vector<BoundState>& cases, VecX& lambda)

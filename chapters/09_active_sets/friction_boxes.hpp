@@ -9,7 +9,6 @@
 
 #include "chapters/09_active_sets/active_sets.hpp"
 
-#include <Eigen/SparseLU>
 #include <span>
 #include <vector>
 
