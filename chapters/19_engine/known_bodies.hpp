@@ -18,8 +18,7 @@ struct BodyNotes {
     Real mass = 0, inertia = 0;
     bool dynamic = false, fixed_rotation = false;
     bool disabled = false;
-    /// it has a target: in the next step, in the last one
-    bool aims = false, aimed = false;
+    bool aims = false;  ///< it has a target in the next step
 };
 
 /// A body that is switched off, and the velocity that it will have.

@@ -116,7 +116,7 @@ template <class Archive>
 void members(Archive& io, BodyNotes& it)
 {
     io(it.filter, it.user, it.sensor, it.bullet, it.chain, it.joints, it.mass,
-       it.inertia, it.dynamic, it.fixed_rotation, it.disabled, it.aims, it.aimed);
+       it.inertia, it.dynamic, it.fixed_rotation, it.disabled, it.aims);
 }
 template <class Archive>
 void members(Archive& io, JointNotes& it)

@@ -93,7 +93,7 @@ void World::set_kind(BodyId body, BodyKind kind)
         require_weight(it.mass, s.acts(k).gravity * s.settings.gravity);
     }
     it.dynamic = kind == BodyKind::dynamic;
-    it.aims = it.aimed = false;
+    it.aims = false;
     if (kind == BodyKind::fixed) {
         s.set_velocity(k, Vec<3>::Zero());
         s.forget_motion(k);  // it does not slow down, it stands

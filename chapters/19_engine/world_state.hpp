@@ -135,12 +135,8 @@ struct EngineState : KnownBodies {
             auto u = scene.bodies.velocity(k);
             list.push_back({k, sleepers.u_before.segment<3>(3 * k), u});
             DrivenBody& it = list.back();
-            BodyNotes& about = note(k);
-            it.aims = std::exchange(about.aims, false);
-            const bool jumps = it.aims && !about.aimed;
-            about.aimed = it.aims;
-            if (settings.substeps == 1 || jumps || !it.then.allFinite())
-                it.then = it.now;
+            it.aims = std::exchange(note(k).aims, false);
+            if (settings.substeps == 1 || !it.then.allFinite()) it.then = it.now;
             // it stands from the end of this step on
             if (it.now.isZero(0)) u = it.then;
         }
