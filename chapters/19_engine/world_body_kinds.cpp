@@ -46,7 +46,6 @@ void World::set_shape(BodyId body, const Polygon& shape)
     s.scene.shapes[static_cast<std::size_t>(k)] = own;
     s.list_slop(k);
     s.disturb(k);
-    if (s.is_ground(k)) wake_under(s, k);
     s.note(Call::set_shape, body, shape);
 }
 void World::set_mass(BodyId body, Real mass, Real inertia)

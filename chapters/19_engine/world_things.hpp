@@ -142,7 +142,6 @@ inline void switch_body(EngineState& state, Index k, bool on)
         if (state.joints.has(j) && (state.scene.placed[j].joint.a == k ||
                                     state.scene.placed[j].joint.b == k))
             switch_joint(state, j);
-    if (on && state.is_ground(k)) wake_under(state, k);
 }
 //! [switch]
 
