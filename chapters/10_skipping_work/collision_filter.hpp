@@ -1,9 +1,10 @@
 /// \file collision_filter.hpp
 /// Which pairs of bodies may collide at all. What may not is left out before anything is measured.
 ///
-/// Two ways to say no. A group: bodies that carry the same number, and a table that says which groups meet; a
-/// group that does not meet itself never makes a pair. And single pairs, such as two discs on one rod, in a list
-/// that grows with the number of such pairs and not with K².
+/// Three ways to say no. A group: bodies that carry the same number, and a table that says which groups meet; a
+/// group that does not meet itself never makes a pair. A filter of each body's own, in place of groups, where there are many
+/// (chapter 19). And single pairs, such as two discs on one rod, in a list that grows with the number of such pairs and not
+/// with K².
 #pragma once
 
 #include "common/scenes.hpp"
@@ -21,11 +22,31 @@ namespace rigid {
 
 inline constexpr int most_groups = 64;
 
+//! [filter]
+/// Which bodies meet. Two of the same group, if it is not 0, meet if it is positive and
+/// do not if it is negative; all others if each is of a category that the other
+/// looks for. Walls meet all.
+struct Filter {
+    std::uint64_t category = 1;               ///< bits
+    std::uint64_t meets = ~std::uint64_t{0};  ///< the categories that it looks for
+    std::int32_t group = 0;
+
+    bool operator==(const Filter&) const = default;
+};
+
+inline bool lets_meet(const Filter& a, const Filter& b)
+{
+    if (a.group != 0 && a.group == b.group) return a.group > 0;
+    return (a.category & b.meets) != 0 && (b.category & a.meets) != 0;
+}
+//! [filter]
+
 struct CollisionFilter {
     /// K numbers below most_groups; empty = all in group 0
     std::vector<std::uint8_t> group;
     /// bit g of meets[f]: the groups f and g collide
     std::array<std::uint64_t, most_groups> meets{};
+    std::vector<Filter> filters;  ///< K, in place of groups; empty = groups
     /// K + 1: the partners of a are partner[first[a]] … partner[first[a + 1] − 1]
     std::vector<int> first;
     std::vector<int> partner;  ///< ascending for each a; all are > a
@@ -35,6 +56,15 @@ struct CollisionFilter {
     int group_of(Index k) const
     {
         return group.empty() ? 0 : group[static_cast<std::size_t>(k)];
+    }
+
+    bool lets_meet(Index a, Index b) const
+    {
+        if (filters.empty())
+            return (meets[static_cast<std::size_t>(group_of(a))] >> group_of(b) &
+                    1) != 0;
+        return rigid::lets_meet(filters[static_cast<std::size_t>(a)],
+                                filters[static_cast<std::size_t>(b)]);
     }
 
     /// Says whether bodies of the groups f and g collide. \throws std::invalid_argument  if there is no such group

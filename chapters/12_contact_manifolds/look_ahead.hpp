@@ -17,6 +17,8 @@ struct LookAhead {
     Real margin = 0;  ///< [m]
     Real most = 0;    ///< s [inner radii]
     Real h = 0;       ///< of the step [s]
+    /// of each body, where gravity is not all that moves it [m/s²]; empty = it is
+    std::span<const Real> falls = {};
 };
 
 //! [ahead]
@@ -38,8 +40,9 @@ inline void look_ahead(const RigidScene& scene, const PlacedShapes& placed,
     for (const int k : bodies) {
         const auto at = static_cast<std::size_t>(k);
         const Vec<3> u = scene.bodies.velocity(k);
-        const Real turns = std::abs(u[2]) * turning_radius(scene.shapes[at]),
-                   falls = scene.bodies.can_move(k) ? fall : 0,
+        const Real falling = how.falls.empty() ? fall : how.falls[at] * how.h,
+                   turns = std::abs(u[2]) * turning_radius(scene.shapes[at]),
+                   falls = scene.bodies.can_move(k) ? falling : 0,
                    way = how.h * (u.head<2>().norm() + falls + turns),
                    inner = inner_radius(placed.of(k),
                                         scene.bodies.position(k).head<2>());

@@ -28,6 +28,8 @@ struct Manifolds : PlainContacts {
     /// a gap that two bodies could close in this step has its row: how far each of
     /// them looks ahead at most; 0 = no farther than the margin [inner radii]
     Real ahead = 0;
+    /// of each body, where gravity is not all that moves it [m/s²]; empty = it is
+    std::vector<Real> falls;
 
     // What is kept from step to step.
     PlacedShapes placed;
@@ -64,8 +66,8 @@ struct Manifolds : PlainContacts {
     {
         placed.move(scene, bodies);
         if (ahead > 0)
-            look_ahead(scene, placed, {margin, ahead, h}, finder.asked, bodies,
-                       finder.reach, ways);
+            look_ahead(scene, placed, {margin, ahead, h, falls}, finder.asked,
+                       bodies, finder.reach, ways);
         finder.find(scene, placed, margin, bodies);
         const VecX& x = scene.bodies.x;
         if (now.x_found.size() != x.size()) now.x_found = x;

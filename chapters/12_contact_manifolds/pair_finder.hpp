@@ -8,6 +8,8 @@
 #include "chapters/12_contact_manifolds/box_sweep.hpp"
 #include "chapters/12_contact_manifolds/box_tree.hpp"
 
+#include <functional>
+
 namespace rigid {
 
 enum class PairSearch { sweep, tree, grid };
@@ -27,6 +29,8 @@ struct PairFinder {
     CollisionFilter filter;
     PairSearch search = PairSearch::tree;
     Real skin = 5;  ///< of the boxes in the tree [margins]
+    /// a < b: is asked last whether two bodies may touch; empty = they may
+    std::function<bool(int, int)> lets;
 
     // What is kept from step to step.
     /// of the shapes, with half the margin and their reach around them
@@ -51,11 +55,10 @@ struct PairFinder {
     {
         return (moves[static_cast<std::size_t>(a)] ||
                 moves[static_cast<std::size_t>(b)]) &&
-               (filter.meets[static_cast<std::size_t>(filter.group_of(a))] >>
-                    filter.group_of(b) &
-                1) != 0 &&
+               filter.lets_meet(a, b) &&
                !filter.forbids(std::min(a, b), std::max(a, b)) &&
-               !std::binary_search(joined.begin(), joined.end(), pair_key(a, b));
+               !std::binary_search(joined.begin(), joined.end(), pair_key(a, b)) &&
+               (!lets || lets(std::min(a, b), std::max(a, b)));
     }
 
     Real reach_of(std::size_t k) const { return k < reach.size() ? reach[k] : 0; }

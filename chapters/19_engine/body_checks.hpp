@@ -2,6 +2,7 @@
 /// Which bodies and surfaces a world takes.
 #pragma once
 
+#include "chapters/11_rotation/polygon.hpp"
 #include "chapters/19_engine/definitions.hpp"
 
 #include <cmath>
@@ -29,6 +30,50 @@ inline bool is_place(const Vec2& position, Real angle)
     return std::abs(position.x()) <= largest_number &&
            std::abs(position.y()) <= largest_number &&
            std::abs(angle) <= largest_number;
+}
+
+/// Throws std::invalid_argument unless a number of a body is zero or positive, and finite.
+/// \param what  "the linear damping of the body"
+inline void require_not_negative(Real value, const std::string& what,
+                                 const char* unit)
+{
+    if (!(value >= 0) || !std::isfinite(value))
+        throw std::invalid_argument(what + " is " + shortest(value) + unit +
+                                    "; it must be zero or positive, and finite");
+}
+inline void require_damping(Real linear, Real angular)
+{
+    require_not_negative(linear, "the linear damping of the body", " 1/s");
+    require_not_negative(angular, "the angular damping of the body", " 1/s");
+}
+inline void require_gravity_scale(Real scale)
+{
+    if (!(std::abs(scale) <= largest_number))
+        throw std::invalid_argument("the gravity scale of the body is " +
+                                    shortest(scale) +
+                                    "; it must be finite, and not beyond 1e75");
+}
+
+/// Throws std::invalid_argument unless a mass and an inertia are those of a body.
+inline void require_mass(Real mass, Real inertia)
+{
+    if (!(mass > 0 && inertia > 0) || !std::isfinite(1 / mass) ||
+        !std::isfinite(1 / inertia) || !std::isfinite(mass) ||
+        !std::isfinite(inertia))
+        throw std::invalid_argument(
+            "the body has the mass " + shortest(mass) + " kg and the inertia " +
+            shortest(inertia) +
+            " kg m²; both and their inverses must be positive and finite");
+}
+
+/// That of its area; what has no area is about the mean of its vertices.
+inline Vec2 centroid_of(const Polygon& shape)
+{
+    if (shape.radius > 0 || shape.vertices.size() > 2)
+        return mass_of(shape, 1).centroid;
+    Vec2 sum(0, 0);
+    for (const Vec2& vertex : shape.vertices) sum += vertex;
+    return sum / static_cast<Real>(shape.vertices.size());
 }
 
 /// A shape is kept about its centroid. Far from it rounding may make one point of two vertices.
@@ -62,28 +107,18 @@ inline Mass require_valid(const BodyDefinition& body)
                                     shortest(body.density) +
                                     " kg/m²; it must be 0, without a mass: nothing "
                                     "pushes a sensor");
+    require_damping(body.linear_damping, body.angular_damping);
+    require_gravity_scale(body.gravity_scale);
     const bool pushed = body.mass ? body.mass->mass > 0 || body.mass->inertia > 0
                                   : body.density > 0;
     if (pushed) {
         const Mass mass =
             body.mass ? *body.mass : mass_of(body.shape, body.density);
-        if (!(mass.mass > 0 && mass.inertia > 0) || !mass.centroid.allFinite() ||
-            !std::isfinite(1 / mass.mass) || !std::isfinite(1 / mass.inertia) ||
-            !std::isfinite(mass.inertia))
-            throw std::invalid_argument(
-                "the body has the mass " + shortest(mass.mass) +
-                " kg and the inertia " + shortest(mass.inertia) +
-                " kg m²; both and their inverses must be positive and finite");
-        return require_about(mass, body.shape);
+        require_mass(mass.mass, mass.inertia);
+        if (mass.centroid.allFinite()) return require_about(mass, body.shape);
     }
-    Mass fixed;  // what has no area is about the mean of its vertices
-    if (body.mass) fixed.centroid = body.mass->centroid;
-    else if (body.shape.radius > 0 || body.shape.vertices.size() > 2)
-        fixed.centroid = mass_of(body.shape, 1).centroid;
-    else {
-        for (const Vec2& vertex : body.shape.vertices) fixed.centroid += vertex;
-        fixed.centroid /= static_cast<Real>(body.shape.vertices.size());
-    }
+    Mass fixed;
+    fixed.centroid = body.mass ? body.mass->centroid : centroid_of(body.shape);
     if (!fixed.centroid.allFinite())
         throw std::invalid_argument(
             "the centroid of the body is (" + shortest(fixed.centroid.x()) + ", " +

@@ -5,6 +5,7 @@
 /// its place may be used again, its generation is not.
 #pragma once
 
+#include "chapters/10_skipping_work/collision_filter.hpp"
 #include "chapters/10_skipping_work/sleeping.hpp"
 #include "chapters/14_joints/joint.hpp"
 #include "chapters/18_islands/solving.hpp"
@@ -31,24 +32,13 @@ using JointId = Id<struct JointTag>;
 using WallId = Id<struct WallTag>;
 //! [id]
 
-//! [filter]
-/// Which bodies meet. Two of the same group, if it is not 0, meet if it is positive and
-/// do not if it is negative; all others if each is of a category that the other
-/// looks for. Walls meet all.
-struct Filter {
-    std::uint32_t category = 1;         ///< bits
-    std::uint32_t meets = 0xffff'ffff;  ///< the categories that it looks for
-    std::int32_t group = 0;
-
-    bool operator==(const Filter&) const = default;
+/// What may change how a body moves.
+enum class BodyKind : std::uint8_t {
+    fixed,      ///< nothing pushes it, and it stands
+    kinematic,  ///< nothing pushes it; the velocity that it has it keeps
+    dynamic     ///< forces and contacts push it: it has a mass
 };
-
-inline bool lets_meet(const Filter& a, const Filter& b)
-{
-    if (a.group != 0 && a.group == b.group) return a.group > 0;
-    return (a.category & b.meets) != 0 && (b.category & a.meets) != 0;
-}
-//! [filter]
+const char* to_string(BodyKind kind);
 
 //! [body]
 struct BodyDefinition {
@@ -62,6 +52,10 @@ struct BodyDefinition {
     Real density = 1;
     /// in place of a density: mass and inertia, about this centroid of the shape
     std::optional<Mass> mass = {};
+    bool fixed_rotation = false;  ///< nothing turns it: its inertia is infinite
+    Real gravity_scale = 1;       ///< its weight is so many times m g
+    Real linear_damping = 0;   ///< d: u falls to u / (1 + h d) in each step [1/s]
+    Real angular_damping = 0;  ///< the same of the spin [1/s]
     /// friction μ, restitution e, belt speed, rolling arm: see surfaces.hpp
     Surface surface{0.6, 0, 0, 0};
     Filter filter = {};

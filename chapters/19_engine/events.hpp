@@ -4,7 +4,10 @@
 
 #include "chapters/19_engine/definitions.hpp"
 
+#include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace rigid {
 
@@ -52,7 +55,23 @@ struct ContactView {
     Vec2 normal = {0, 1};  ///< from a to b
     Real gap = 0;          ///< [m]; negative = overlap
     Real impulse = 0;      ///< along the normal, of the last sub-step [N s]
+    Real friction = 0;     ///< on b along the normal turned by a quarter [N s]
 };
+
+//! [callbacks]
+/// Is asked whether two bodies may touch, after filters and joints have let them:
+/// in each step for each pair whose boxes overlap, in the order of their places,
+/// and once more for bodies that are stopped on their way. An answer may depend
+/// on the two bodies, on what the world says of them and on nothing else, and
+/// must not change the world nor throw: then the same calls give the same bits.
+using ContactFilter = std::function<bool(BodyId a, BodyId b)>;
+/// Is asked in each step, before rows are made, whether a touch counts in it: with
+/// the points that it would have, whose impulses are 0, in the order of the places,
+/// first those with walls. May be asked twice in a step that wakes something. As
+/// above.
+using PreSolve =
+    std::function<bool(const Touch& touch, std::span<const ContactView> points)>;
+//! [callbacks]
 
 //! [answers]
 /// Where a ray or a shape on its way meets something first.

@@ -33,6 +33,18 @@ enum class Call : std::uint8_t {
     add_joint,
     remove_joint,
     change_joint,
+    set_target,
+    set_force,
+    set_gravity_scale,
+    set_damping,
+    set_fixed_rotation,
+    set_enabled,
+    set_kind,
+    set_mass,
+    set_shape,
+    set_bullet,
+    set_wall_surface,
+    set_joint_user,
 };
 
 struct Replay {
@@ -48,8 +60,11 @@ public:
     /// The world as it was when the recording began.
     World start() const { return World::load(start_); }
     /// Makes the calls again.
-    /// \param after  if not empty, is called after each step
-    Replay replay(const std::function<void(const World&)>& after = {}) const;
+    /// \param after   if not empty, is called after each step
+    /// \param before  if not empty, is called with the world before the first call: to
+    ///                give it the callbacks that it had
+    Replay replay(const std::function<void(const World&)>& after = {},
+                  const std::function<void(World&)>& before = {}) const;
 
     /// As bytes, and back; throws for bytes that are no recording.
     std::string save() const;

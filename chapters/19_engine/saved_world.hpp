@@ -66,6 +66,11 @@ void members(Archive& io, JointedScene& it)
     io(it.bodies, it.shapes, it.joints, it.walls, it.chains, it.gravity, it.length,
        it.surfaces, it.wall_surfaces, it.placed, it.owner);
 }
+template <class Archive>
+void members(Archive& io, BodyForces& it)
+{
+    io(it.gravity, it.force, it.torque, it.damping, it.turning_damping);
+}
 
 // ---- the engine's own -------------------------------------------------------------------
 template <class Archive>
@@ -104,17 +109,24 @@ template <class Archive>
 void members(Archive& io, BodyDefinition& it)
 {
     io(it.mass, it.shape, it.position, it.angle, it.velocity, it.spin, it.density,
+       it.fixed_rotation, it.gravity_scale, it.linear_damping, it.angular_damping,
        it.surface, it.filter, it.sensor, it.bullet, it.user);
 }
 template <class Archive>
 void members(Archive& io, BodyNotes& it)
 {
-    io(it.filter, it.user, it.sensor, it.bullet, it.chain, it.joints);
+    io(it.filter, it.user, it.sensor, it.bullet, it.chain, it.joints, it.mass,
+       it.inertia, it.dynamic, it.fixed_rotation, it.disabled, it.aims);
 }
 template <class Archive>
-void members(Archive& io, FilterClasses& it)
+void members(Archive& io, JointNotes& it)
 {
-    io(it.filters, it.users);
+    io(it.user, it.off, it.was_broken);
+}
+template <class Archive>
+void members(Archive& io, DisabledBody& it)
+{
+    io(it.body, it.u);
 }
 template <class Archive>
 void members(Archive& io, TouchKey& it)
@@ -200,7 +212,9 @@ void members(Archive& io, TouchingPair& it)
 template <class Archive>
 void members(Archive& io, EngineState& it)
 {
-    io(it.settings, it.scene, it.bodies, it.joints, it.walls, it.notes, it.classes);
+    members(io, static_cast<JointedScene&>(it.scene));
+    io(it.settings, it.scene.acting, it.bodies, it.joints, it.walls, it.notes,
+       it.disabled, it.joint_notes);
     io(it.sensors, it.touching.held, it.touching.asleep, it.seen, it.meanwhile,
        it.time, it.steps, it.pulled, it.pulled_to, it.changed);
     // what begins the next step's answer
@@ -212,8 +226,7 @@ void members(Archive& io, EngineState& it)
        sleepers.watch);
     // the names of contacts
     Manifolds& stage = sleepers.touching;
-    io(stage.touching, stage.resting, stage.finder.filter.group,
-       stage.finder.filter.meets);
+    io(stage.touching, stage.resting);
     // a change of these would wake bodies
     io(it.method.contacts.was_broken, it.method.contacts.walls);
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "chapters/12_contact_manifolds/awake_manifolds.hpp"
+#include "chapters/19_engine/asked_manifolds.hpp"
 
 namespace rigid {
 
@@ -51,6 +52,6 @@ struct ToldChanges {
     }
 };
 
-using ToldManifolds = AwakeStage<Manifolds, ToldChanges>;
+using ToldManifolds = AwakeStage<AskedManifolds, ToldChanges>;
 
 }  // namespace rigid

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "chapters/13_friction/friction_rows.hpp"
+#include "chapters/19_engine/asked_manifolds.hpp"
 #include "chapters/19_engine/events.hpp"
 
 #include <iterator>
@@ -22,14 +23,6 @@ struct TouchKey {
 
     auto operator<=>(const TouchKey&) const = default;
 };
-
-/// Which wall of the scene a body's contact with one is with.
-inline std::size_t wall_of(const RigidScene& scene, const Contact& contact)
-{
-    const auto corners = static_cast<Index>(
-        scene.shapes[static_cast<std::size_t>(contact.b)].vertices.size());
-    return static_cast<std::size_t>(contact.feature / corners);
-}
 
 /// A pair that touches, under the names that it had when it began.
 struct HeldTouch {

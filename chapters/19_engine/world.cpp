@@ -73,15 +73,23 @@ const char* to_string(Stage stage)
     }
 }
 
+const char* to_string(BodyKind kind)
+{
+    switch (kind) {
+    case BodyKind::fixed:
+        return "fixed";
+    case BodyKind::kinematic:
+        return "kinematic";
+    default:
+        return "dynamic";
+    }
+}
+
 World::World(const WorldSettings& settings)
 {
     require_valid(settings);
     state_ = std::make_unique<State>();
     state_->settings = settings;
-    state_->filter().set_meets(FilterClasses::nothing, FilterClasses::nothing,
-                               false);
-    for (int g = 0; g < most_groups; ++g)
-        state_->filter().set_meets(FilterClasses::nothing, g, false);
     state_->configure();
 }
 World::World(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -98,6 +106,7 @@ void World::step(Real h, const StageListener& listener)
     s.begin_events();
     s.work = {};
     s.work.bodies = s.bodies.count;
+    s.taken_out.clear();
     ToldManifolds& sleepers = s.awake();
     // all sleep, and no call has changed anything: no step would change a bit
     s.work.skipped = s.steps > 0 && !s.changed && sleepers.set.awake.empty() &&
@@ -133,7 +142,8 @@ const Events& World::events() const { return state_->events; }
 void World::change(const WorldSettings& settings)
 {
     require_valid(settings);
-    for (const BodyId body : bodies()) require_weight(mass(body), settings.gravity);
+    for (const BodyId body : bodies())
+        require_weight(mass(body), gravity_scale(body) * settings.gravity);
     state_->settings = settings;
     state_->configure();
     state_->changed = true;

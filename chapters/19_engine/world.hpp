@@ -8,7 +8,8 @@
 ///     world.position(ball);
 ///
 /// The step is that of chapter 3. A world has no part in another one: two of them may step in two threads. Of one world,
-/// one thread at a time may call functions, also those that are const. The same calls give the same bits.
+/// one thread at a time may call functions; several may call those that are const after prepare_questions(). The same calls
+/// give the same bits.
 ///
 /// Each function throws std::invalid_argument, with a sentence that names the thing and the value, for an id of
 /// something that is not there any more and for a number that makes no sense; then nothing has changed. Of places, angles,
@@ -77,6 +78,14 @@ public:
     const Filter& filter(BodyId body) const;
     std::uint64_t user(BodyId body) const;
     bool is_awake(BodyId body) const;
+    BodyKind kind(BodyId body) const;
+    bool is_enabled(BodyId body) const;
+    bool has_fixed_rotation(BodyId body) const;
+    Real gravity_scale(BodyId body) const;
+    Real linear_damping(BodyId body) const;   ///< [1/s]
+    Real angular_damping(BodyId body) const;  ///< [1/s]
+    Vec2 force(BodyId body) const;   ///< that which lasts, of set_force() [N]
+    Real torque(BodyId body) const;  ///< the same [N m]
     /// Where a point of the body's own axes is [m]; of the world: where it is.
     Vec2 point_of(BodyId body, const Vec2& own) const;
 
@@ -85,9 +94,36 @@ public:
     /// Of a body that nothing pushes it changes in equal parts over the sub-steps of
     /// the next step.
     void set_velocity(BodyId body, const Vec2& velocity, Real spin);
+    /// A body that nothing pushes gets the velocity that brings it to a place in the
+    /// next step, (19.4), and keeps it.
+    /// \param h  of that step [s]
+    void set_target(BodyId body, const Vec2& position, Real angle, Real h);
+    /// A force at the centroid [N] and a torque [N m] that last until they are set
+    /// again, (19.3).
+    void set_force(BodyId body, const Vec2& force, Real torque = 0);
+    /// Its weight is so many times m g, also 0 or below it.
+    void set_gravity_scale(BodyId body, Real scale);
+    /// Drag on velocity and spin, (19.3) [1/s].
+    void set_damping(BodyId body, Real linear, Real angular);
     void set_surface(BodyId body, const Surface& surface);
     void set_filter(BodyId body, const Filter& filter);
+    void set_bullet(BodyId body, bool bullet);
     void set_user(BodyId body, std::uint64_t user);
+    /// Another shape, its centroid where that of the old one is; the mass stays.
+    void set_shape(BodyId body, const Polygon& shape);
+    /// A mass [kg] and an inertia about the centroid [kg m²]; the body is dynamic.
+    void set_mass(BodyId body, Real mass, Real inertia);
+    /// The mass and inertia that its shape has at a density [kg/m²]; 0: nothing pushes
+    /// the body from now on.
+    void set_density(BodyId body, Real density);
+    /// Fixed: it stops. Kinematic: it goes on as it goes. Dynamic: with the mass that
+    /// it had or was given; throws if there is none.
+    void set_kind(BodyId body, BodyKind kind);
+    /// Nothing turns it any more, and it does not turn; or it turns as its inertia says.
+    void set_fixed_rotation(BodyId body, bool fixed);
+    /// Switched off it stays where it is, and meets, moves and holds nothing; nobody
+    /// finds it. Of a chain all edges are switched. On again it goes on as it was.
+    void set_enabled(BodyId body, bool enabled);
     void wake(BodyId body);
     /// An impulse [N s] at a point of the world [m].
     void push(BodyId body, const Vec2& impulse, const Vec2& at);
@@ -102,6 +138,8 @@ public:
     //! [walls]
     std::vector<WallId> walls() const;
     const HalfSpace& wall(WallId wall) const;
+    const Surface& surface(WallId wall) const;
+    void set_surface(WallId wall, const Surface& surface);
 
     //! [joints]
     // ---- joints -----------------------------------------------------------------
@@ -116,10 +154,14 @@ public:
     void remove(JointId joint);
     bool has(JointId joint) const;
     //! [joints]
-    /// Another motor, spring, target or limit; the kind and the number of rows stay.
+    /// Another motor, spring, target or limit, also where there was none, or none
+    /// where there was one; the kind and the bodies stay.
     void change(JointId joint, RigidJoint how);
+    void set_user(JointId joint, std::uint64_t user);
+    std::uint64_t user(JointId joint) const;
     const RigidJoint& joint(JointId joint) const;
     std::vector<JointId> joints() const;
+    std::vector<JointId> joints(BodyId body) const;  ///< that hold it
     BodyId body_a(JointId joint) const;
     BodyId body_b(JointId joint) const;
     bool is_broken(JointId joint) const;
@@ -132,12 +174,21 @@ public:
 
     //! [questions]
     // ---- questions ----------------------------------------------------------------
+    /// Shapes are placed where the bodies are now. The first question after a step or
+    /// a change does it by itself; after this call, and until a function that is not
+    /// const, several threads may ask at once.
+    void prepare_questions() const;
     /// What a ray from a point along a way meets first, sensors left out.
     std::optional<Met> ray(const Vec2& from, const Vec2& way,
                            const Filter& filter = {}) const;
+    /// All that it meets, in the order of the way; each once, where it goes in.
+    std::vector<Met> ray_all(const Vec2& from, const Vec2& way,
+                             const Filter& filter = {}) const;
     /// The same for a shape that goes along a way without turning.
     std::optional<Met> cast(const Polygon& shape, const Vec2& from, Real angle,
                             const Vec2& way, const Filter& filter = {}) const;
+    std::vector<Met> cast_all(const Polygon& shape, const Vec2& from, Real angle,
+                              const Vec2& way, const Filter& filter = {}) const;
     /// The bodies that overlap a shape, in the order of their places.
     std::vector<BodyId> overlapping(const Polygon& shape, const Vec2& at,
                                     Real angle = 0,
@@ -146,6 +197,19 @@ public:
     //! [questions]
     /// The contacts of bodies that are awake, as the last step had them.
     void contacts(std::vector<ContactView>& list) const;
+    /// Those of one body; of one that sleeps, what it rests on. (Passes the contacts of
+    /// all that are awake, or sleep.)
+    void contacts(BodyId body, std::vector<ContactView>& list) const;
+    /// The bodies that the last step has moved, or could have: those that it looked
+    /// at, ascending; which fell asleep is_awake() says.
+    void moved(std::vector<BodyId>& list) const;
+
+    //! [callbacks]
+    // ---- callbacks: see events.hpp; no saved world and no recording has them --------
+    // What sleeps is asked about when it wakes. An empty function takes one away.
+    void set_contact_filter(ContactFilter filter);
+    void set_pre_solve(PreSolve pre_solve);
+    //! [callbacks]
 
     //! [kept]
     // ---- what outlives a world ----------------------------------------------------

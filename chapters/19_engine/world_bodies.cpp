@@ -13,14 +13,11 @@ BodyId World::add_body(const BodyDefinition& definition)
 {
     State& s = *state_;
     const Mass mass = require_valid(definition);
-    require_weight(mass.mass, s.settings.gravity);
-    const std::uint8_t group = definition.sensor
-                                   ? FilterClasses::nothing
-                                   : s.classes.enter(definition.filter, s.filter());
+    require_weight(mass.mass, definition.gravity_scale * s.settings.gravity);
     const Index place = s.bodies.free.empty()
                             ? Index{-1}
                             : static_cast<Index>(s.bodies.free.back());
-    const BodyId id = enter_body(s, definition, mass, group, place);
+    const BodyId id = enter_body(s, definition, mass, place);
     s.note(Call::add_body, definition);
     return id;
 }
@@ -38,7 +35,6 @@ BodyId World::add_chain(std::span<const Vec2> points, bool closed,
             throw std::invalid_argument(
                 "the chain has a point at (" + shortest(corner.x()) + ", " +
                 shortest(corner.y()) + ") m; none may be beyond 1e75");
-    const std::uint8_t group = s.classes.enter(filter, s.filter());
     const Index first = s.scene.bodies.count();
     for (Index i = 0; i < trial.bodies.count(); ++i) {
         BodyDefinition edge;
@@ -47,8 +43,7 @@ BodyId World::add_chain(std::span<const Vec2> points, bool closed,
         edge.density = 0;
         edge.surface = surface;
         edge.filter = filter;
-        if (i > 0) s.classes.enter(filter, s.filter());
-        const BodyId id = enter_body(s, edge, Mass{}, group, -1);
+        const BodyId id = enter_body(s, edge, Mass{}, -1);
         s.note(static_cast<Index>(id.place)).chain = static_cast<int>(first);
     }
     s.scene.chains.push_back({first, s.scene.bodies.count() - 1, closed});
@@ -62,13 +57,10 @@ void World::remove(BodyId body)
 {
     State& s = *state_;
     const Index k = s.number(body);
-    Index first = k, last = k;
-    if (const int of = s.note(k).chain; of >= 0) {
-        const auto chain = std::find_if(
-            s.scene.chains.begin(), s.scene.chains.end(),
-            [of](const Chain& it) { return it.first == static_cast<Index>(of); });
-        first = chain->first, last = chain->last;
-        s.scene.chains.erase(chain);
+    const auto [first, last] = whole_of(s, k);
+    if (s.note(k).chain >= 0) {
+        std::erase_if(s.scene.chains,
+                      [at = first](const Chain& it) { return it.first == at; });
         s.awake().watch.around.chains = s.scene.chains;
     }
     for (Index i = first; i <= last; ++i) {
@@ -95,19 +87,21 @@ Real World::angle(BodyId body) const
 }
 Vec2 World::velocity(BodyId body) const
 {
-    return state_->scene.bodies.velocity(state_->number(body)).head<2>();
+    return state_->velocity(state_->number(body)).head<2>();
 }
 Real World::spin(BodyId body) const
 {
-    return state_->scene.bodies.velocity(state_->number(body))[2];
+    return state_->velocity(state_->number(body))[2];
 }
 Real World::mass(BodyId body) const
 {
-    return 1 / state_->scene.bodies.inverse_mass[3 * state_->number(body)];
+    const BodyNotes& it = state_->note(state_->number(body));
+    return it.dynamic ? it.mass : infinity;
 }
 Real World::inertia(BodyId body) const
 {
-    return 1 / state_->scene.bodies.inverse_mass[3 * state_->number(body) + 2];
+    const BodyNotes& it = state_->note(state_->number(body));
+    return it.dynamic && !it.fixed_rotation ? it.inertia : infinity;
 }
 const Polygon& World::shape(BodyId body) const
 {
@@ -124,6 +118,40 @@ const Filter& World::filter(BodyId body) const
 std::uint64_t World::user(BodyId body) const
 {
     return state_->note(state_->number(body)).user;
+}
+BodyKind World::kind(BodyId body) const
+{
+    const Index k = state_->number(body);
+    if (state_->note(k).dynamic) return BodyKind::dynamic;
+    return state_->velocity(k).isZero(0) ? BodyKind::fixed : BodyKind::kinematic;
+}
+bool World::is_enabled(BodyId body) const
+{
+    return !state_->note(state_->number(body)).disabled;
+}
+bool World::has_fixed_rotation(BodyId body) const
+{
+    return state_->note(state_->number(body)).fixed_rotation;
+}
+Real World::gravity_scale(BodyId body) const
+{
+    return state_->acts(state_->number(body)).gravity;
+}
+Real World::linear_damping(BodyId body) const
+{
+    return state_->acts(state_->number(body)).damping;
+}
+Real World::angular_damping(BodyId body) const
+{
+    return state_->acts(state_->number(body)).turning_damping;
+}
+Vec2 World::force(BodyId body) const
+{
+    return state_->acts(state_->number(body)).force;
+}
+Real World::torque(BodyId body) const
+{
+    return state_->acts(state_->number(body)).torque;
 }
 bool World::is_awake(BodyId body) const
 {

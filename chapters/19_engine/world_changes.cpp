@@ -20,7 +20,7 @@ void World::move(BodyId body, const Vec2& position, Real angle)
             " rad; they must be finite, none beyond 1e75");
     s.scene.bodies.position(k) << position, angle;
     s.disturb(k);
-    if (!s.scene.bodies.can_move(k) && !s.note(k).sensor) wake_under(s, k);
+    if (s.is_ground(k)) wake_under(s, k);
     s.note(Call::move, body, position, angle);
 }
 void World::set_velocity(BodyId body, const Vec2& velocity, Real spin)
@@ -35,9 +35,76 @@ void World::set_velocity(BodyId body, const Vec2& velocity, Real spin)
     if (s.note(k).chain >= 0 && !(velocity.isZero(0) && spin == 0))
         throw std::invalid_argument(
             "the body is an edge of a chain; it cannot move");
-    s.scene.bodies.velocity(k) << velocity, spin;
+    s.set_velocity(k, {velocity.x(), velocity.y(), spin});
+    s.note(k).aims = false;
     s.disturb(k);
     s.note(Call::set_velocity, body, velocity, spin);
+}
+void World::set_target(BodyId body, const Vec2& position, Real angle, Real h)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    require_step(h);
+    if (!is_place(position, angle))
+        throw std::invalid_argument(
+            "the body is to be at (" + shortest(position.x()) + ", " +
+            shortest(position.y()) + ") m at the angle " + shortest(angle) +
+            " rad after the step; they must be finite, none beyond 1e75");
+    if (s.note(k).dynamic || s.note(k).chain >= 0)
+        throw std::invalid_argument(
+            "the body has a target and is " +
+            std::string(s.note(k).dynamic ? "pushed by forces"
+                                          : "an edge of a chain") +
+            "; only what nothing pushes can be brought to a place");
+    const Vec<3> way =
+        Vec<3>(position.x(), position.y(), angle) - s.scene.bodies.position(k);
+    if (!(way / h).allFinite())
+        throw std::invalid_argument("the body would need a velocity that is not "
+                                    "finite to reach its target in " +
+                                    shortest(h) +
+                                    " s; one of both must be smaller");
+    s.set_velocity(k, way / h);
+    s.note(k).aims = true;
+    s.disturb(k);
+    s.note(Call::set_target, body, position, angle, h);
+}
+void World::set_force(BodyId body, const Vec2& force, Real torque)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    if (!(force.norm() <= largest_number) || !(std::abs(torque) <= largest_number))
+        throw std::invalid_argument(
+            "the lasting force is (" + shortest(force.x()) + ", " +
+            shortest(force.y()) + ") N with the torque " + shortest(torque) +
+            " N m; they must be finite, and not beyond 1e75");
+    BodyForces own = s.acts(k);
+    own.force = force, own.torque = torque;
+    s.act(k, own);
+    s.disturb(k);
+    s.note(Call::set_force, body, force, torque);
+}
+void World::set_gravity_scale(BodyId body, Real scale)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    require_gravity_scale(scale);
+    require_weight(mass(body), scale * s.settings.gravity);
+    BodyForces own = s.acts(k);
+    own.gravity = scale;
+    s.act(k, own);
+    s.disturb(k);
+    s.note(Call::set_gravity_scale, body, scale);
+}
+void World::set_damping(BodyId body, Real linear, Real angular)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    require_damping(linear, angular);
+    BodyForces own = s.acts(k);
+    own.damping = linear, own.turning_damping = angular;
+    s.act(k, own);
+    s.disturb(k);
+    s.note(Call::set_damping, body, linear, angular);
 }
 void World::set_surface(BodyId body, const Surface& surface)
 {
@@ -52,14 +119,19 @@ void World::set_filter(BodyId body, const Filter& filter)
 {
     State& s = *state_;
     const Index k = s.number(body);
-    if (!s.note(k).sensor) {
-        std::uint8_t& group = s.filter().group[static_cast<std::size_t>(k)];
-        group = s.classes.change(group, filter, s.filter());
-    }
     s.note(k).filter = filter;
+    s.write_filter(k);
     s.disturb(k);
-    if (!s.scene.bodies.can_move(k) && !s.note(k).sensor) wake_under(s, k);
+    if (s.is_ground(k)) wake_under(s, k);
     s.note(Call::set_filter, body, filter);
+}
+void World::set_bullet(BodyId body, bool bullet)
+{
+    State& s = *state_;
+    const Index k = s.number(body);
+    s.note(k).bullet = bullet;
+    s.list_unstopped(k);
+    s.note(Call::set_bullet, body, bullet);
 }
 void World::set_user(BodyId body, std::uint64_t user)
 {

@@ -25,13 +25,6 @@ struct World::State : EngineState {
     {
         return scene.placed[joints.require(joint, "joint")];
     }
-    /// Whether rows and λ of the last step belong to what it found.
-    bool is_answered() const
-    {
-        return now.rows.size() == now.sources.size() &&
-               now.solution.lambda.size() == static_cast<Index>(now.rows.size()) &&
-               !now.active.empty();
-    }
     Reaction reaction(JointId joint) const
     {
         const std::size_t i = joints.require(joint, "joint");

@@ -8,8 +8,8 @@ namespace rigid {
 
 namespace {
 
-constexpr std::string_view of_a_world = "rigid world 2\n",
-                           of_a_recording = "rigid recording 1\n";
+constexpr std::string_view of_a_world = "rigid world 3\n",
+                           of_a_recording = "rigid recording 2\n";
 
 /// Payload with its heading and its hash, so that no other bytes are taken for it.
 std::string sealed(std::string_view heading, const std::string& payload)
@@ -55,8 +55,10 @@ World World::load(std::string_view bytes)
     require_valid(state->settings);
     require_valid(static_cast<const RigidScene&>(state->scene));
     state->configure();
-    for (Index k = 0; k < state->scene.bodies.count(); ++k)
+    for (Index k = 0; k < state->scene.bodies.count(); ++k) {
         state->displace(static_cast<int>(k));
+        state->write_filter(k);
+    }
     return World(std::move(state));
 }
 //! [save]
@@ -139,6 +141,47 @@ void call_again(World& here, Call call, Reader& io)
     case Call::change_joint:
         return again<JointId, RigidJoint>(
             io, [&](auto j, auto& how) { here.change(j, how); });
+    case Call::set_target:
+        return again<BodyId, Vec2, Real, Real>(
+            io, [&](auto b, auto& p, Real angle, Real h) {
+                here.set_target(b, p, angle, h);
+            });
+    case Call::set_force:
+        return again<BodyId, Vec2, Real>(io, [&](auto b, auto& f, Real torque) {
+            here.set_force(b, f, torque);
+        });
+    case Call::set_gravity_scale:
+        return again<BodyId, Real>(
+            io, [&](auto b, Real s) { here.set_gravity_scale(b, s); });
+    case Call::set_damping:
+        return again<BodyId, Real, Real>(io, [&](auto b, Real d, Real turning) {
+            here.set_damping(b, d, turning);
+        });
+    case Call::set_fixed_rotation:
+        return again<BodyId, bool>(
+            io, [&](auto b, bool yes) { here.set_fixed_rotation(b, yes); });
+    case Call::set_enabled:
+        return again<BodyId, bool>(
+            io, [&](auto b, bool yes) { here.set_enabled(b, yes); });
+    case Call::set_kind:
+        return again<BodyId, BodyKind>(
+            io, [&](auto b, auto kind) { here.set_kind(b, kind); });
+    case Call::set_mass:
+        return again<BodyId, Real, Real>(io, [&](auto b, Real m, Real inertia) {
+            here.set_mass(b, m, inertia);
+        });
+    case Call::set_shape:
+        return again<BodyId, Polygon>(
+            io, [&](auto b, auto& shape) { here.set_shape(b, shape); });
+    case Call::set_bullet:
+        return again<BodyId, bool>(
+            io, [&](auto b, bool yes) { here.set_bullet(b, yes); });
+    case Call::set_joint_user:
+        return again<JointId, std::uint64_t>(
+            io, [&](auto j, auto u) { here.set_user(j, u); });
+    case Call::set_wall_surface:
+        return again<WallId, Surface>(
+            io, [&](auto w, auto& s) { here.set_surface(w, s); });
     }
     Reader::refuse();
 }
@@ -146,9 +189,11 @@ void call_again(World& here, Call call, Reader& io)
 }  // namespace
 
 //! [replay]
-Replay Recording::replay(const std::function<void(const World&)>& after) const
+Replay Recording::replay(const std::function<void(const World&)>& after,
+                         const std::function<void(World&)>& before) const
 {
     Replay result{start(), 0, -1};
+    if (before) before(result.world);
     Reader io(calls_.bytes);
     while (!io.at_end()) {
         Call call{};

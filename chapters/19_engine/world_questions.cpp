@@ -4,23 +4,23 @@
 
 #include "chapters/19_engine/world.hpp"
 
+#include "chapters/19_engine/contact_lists.hpp"
 #include "chapters/19_engine/world_cpp.hpp"
 
 namespace rigid {
 
-std::optional<Met> World::ray(const Vec2& from, const Vec2& way,
-                              const Filter& filter) const
+namespace {
+
+void require_ray(const Vec2& from, const Vec2& way)
 {
     if (!from.allFinite() || !way.allFinite())
         throw std::invalid_argument("the ray goes from (" + shortest(from.x()) +
                                     ", " + shortest(from.y()) + ") m along (" +
                                     shortest(way.x()) + ", " + shortest(way.y()) +
                                     ") m; they must be finite");
-    place_moved(*state_);
-    return first_on_ray(*state_, {from, way}, filter);
 }
-std::optional<Met> World::cast(const Polygon& shape, const Vec2& from, Real angle,
-                               const Vec2& way, const Filter& filter) const
+Vec<3> require_cast(const Polygon& shape, const Vec2& from, Real angle,
+                    const Vec2& way)
 {
     require_valid(shape);
     const Vec<3> pose(from.x(), from.y(), angle);
@@ -29,8 +29,48 @@ std::optional<Met> World::cast(const Polygon& shape, const Vec2& from, Real angl
                                     ", " + shortest(from.y()) + ") m along (" +
                                     shortest(way.x()) + ", " + shortest(way.y()) +
                                     ") m; they must be finite");
+    return pose;
+}
+
+}  // namespace
+
+void World::prepare_questions() const { place_moved(*state_); }
+
+std::optional<Met> World::ray(const Vec2& from, const Vec2& way,
+                              const Filter& filter) const
+{
+    require_ray(from, way);
     place_moved(*state_);
-    return first_on_way(*state_, shape, pose, way, filter);
+    FirstMet first;
+    meet_on_ray(*state_, {from, way}, filter, first);
+    return first.met;
+}
+std::vector<Met> World::ray_all(const Vec2& from, const Vec2& way,
+                                const Filter& filter) const
+{
+    require_ray(from, way);
+    place_moved(*state_);
+    AllMet all;
+    meet_on_ray(*state_, {from, way}, filter, all);
+    return all.sorted();
+}
+std::optional<Met> World::cast(const Polygon& shape, const Vec2& from, Real angle,
+                               const Vec2& way, const Filter& filter) const
+{
+    const Vec<3> pose = require_cast(shape, from, angle, way);
+    place_moved(*state_);
+    FirstMet first;
+    meet_on_way(*state_, shape, pose, way, filter, first);
+    return first.met;
+}
+std::vector<Met> World::cast_all(const Polygon& shape, const Vec2& from, Real angle,
+                                 const Vec2& way, const Filter& filter) const
+{
+    const Vec<3> pose = require_cast(shape, from, angle, way);
+    place_moved(*state_);
+    AllMet all;
+    meet_on_way(*state_, shape, pose, way, filter, all);
+    return all.sorted();
 }
 std::vector<BodyId> World::overlapping(const Polygon& shape, const Vec2& at,
                                        Real angle, const Filter& filter) const
@@ -55,19 +95,29 @@ std::vector<BodyId> World::at(const Vec2& point, const Filter& filter) const
 
 void World::contacts(std::vector<ContactView>& list) const
 {
+    list.clear();
+    list_contacts(
+        *state_, [](const Contact&) { return true; }, list);
+}
+void World::contacts(BodyId body, std::vector<ContactView>& list) const
+{
+    const State& s = *state_;
+    const Index k = s.number(body);
+    list.clear();
+    if (k < static_cast<Index>(s.awake().set.activity.size()) &&
+        s.awake().is_asleep(k))
+        list_resting_contacts(s, k, list);
+    else
+        list_contacts(
+            s, [k](const Contact& c) { return c.a == k || c.b == k; }, list);
+}
+void World::moved(std::vector<BodyId>& list) const
+{
     const State& s = *state_;
     list.clear();
-    if (s.work.skipped || !s.is_answered()) return;
-    for (std::size_t i = 0; i < s.now.sources.size(); ++i) {
-        const Source& source = s.now.sources[i];
-        if (source.of != Source::Of::contact || source.part != normal_part)
-            continue;
-        const Contact& c = s.now.contacts[static_cast<std::size_t>(source.index)];
-        Touch touch{s.id(c.a), s.id(c.b), {}};
-        if (c.a == world) touch.wall = s.walls.id(wall_of(s.scene, c));
-        list.push_back({touch, c.point, c.normal, c.gap,
-                        s.now.solution.lambda[static_cast<Index>(i)]});
-    }
+    if (s.work.skipped) return;
+    for (const int k : s.now.active)
+        if (s.was_there(k)) list.push_back(s.id(k));
 }
 
 }  // namespace rigid

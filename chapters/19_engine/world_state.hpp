@@ -5,9 +5,8 @@
 #include "chapters/14_joints/placed_joints.hpp"
 #include "chapters/15_trees/tree_method.hpp"
 #include "chapters/18_islands/island_choice.hpp"
-#include "chapters/19_engine/filter_classes.hpp"
 #include "chapters/19_engine/held_bodies.hpp"
-#include "chapters/19_engine/places.hpp"
+#include "chapters/19_engine/known_bodies.hpp"
 #include "chapters/19_engine/told_changes.hpp"
 #include "chapters/19_engine/touching.hpp"
 
@@ -28,27 +27,15 @@ struct EngineMethod {
 
 class Recording;
 
-/// What the engine knows of a body besides the scene.
-struct BodyNotes {
-    Filter filter;
-    std::uint64_t user = 0;
-    bool sensor = false, bullet = false;
-    int chain = -1;  ///< first body of the chain that it is an edge of
-    int joints = 0;  ///< that hold it
-};
-
 //! [state]
-struct EngineState {
+struct EngineState : KnownBodies {
     WorldSettings settings;
-    JointedScene scene;
     EngineMethod method;
     StepData<3> now;  ///< found by the last step, on its way
 
-    Places<BodyTag> bodies;   ///< of scene.bodies
     Places<JointTag> joints;  ///< of scene.placed
     Places<WallTag> walls;    ///< of scene.walls
-    std::vector<BodyNotes> notes;
-    FilterClasses classes;
+    std::vector<JointNotes> joint_notes;
     int sensors = 0;  ///< bodies
 
     Touching touching;
@@ -61,7 +48,10 @@ struct EngineState {
     std::int64_t steps = 0;
     Index pulled = world;
     Vec2 pulled_to = {0, 0};
-    bool changed = true;  ///< by a call since the last step
+    bool changed = true;         ///< by a call since the last step
+    std::vector<int> taken_out;  ///< bodies, since the last step
+    ContactFilter contact_filter;
+    PreSolve pre_solve;
     Recording* recording = nullptr;
 
     /// bodies that have moved since the shapes were placed; queries place them
@@ -74,24 +64,18 @@ struct EngineState {
     CollisionFilter& filter() { return awake().touching.finder.filter; }
     Real metres(Real lengths) const { return lengths * settings.length; }
 
-    Index number(BodyId id) const
+    /// Whether rows and λ of the last step belong to what it found.
+    bool is_answered() const
     {
-        return static_cast<Index>(bodies.require(id, "body"));
+        return now.rows.size() == now.sources.size() &&
+               now.solution.lambda.size() == static_cast<Index>(now.rows.size()) &&
+               !now.active.empty();
     }
-    /// The world for an id of nothing.
-    Index number_or_world(BodyId id) const { return id ? number(id) : world; }
-    BodyId id(Index k) const
+    /// Whether body k is that of the last step, and no other one in its place.
+    bool was_there(Index k) const
     {
-        return k == world ? BodyId{} : bodies.id(static_cast<std::size_t>(k));
-    }
-    BodyNotes& note(Index k) { return notes[static_cast<std::size_t>(k)]; }
-    const BodyNotes& note(Index k) const
-    {
-        return notes[static_cast<std::size_t>(k)];
-    }
-    const Polygon& shape(Index k) const
-    {
-        return scene.shapes[static_cast<std::size_t>(k)];
+        return k == world || std::find(taken_out.begin(), taken_out.end(),
+                                       static_cast<int>(k)) == taken_out.end();
     }
 
     //! [disturb]
@@ -114,6 +98,27 @@ struct EngineState {
             u.segment<3>(3 * k).setConstant(std::numeric_limits<Real>::quiet_NaN());
     }
 
+    /// The inverse mass of body k, and what hangs on it.
+    void write_mass(Index k)
+    {
+        write_inverse_mass(k);
+        if (pulled == k && !scene.bodies.can_move(k)) pulled = world;
+        list_slop(k);
+    }
+
+    /// What meets nothing: a sensor, a body that is switched off, a free place.
+    static constexpr Filter nothing{0, 0, 0};
+
+    void write_filter(Index k)
+    {
+        std::vector<Filter>& all = filter().filters;
+        all.resize(notes.size(), nothing);
+        const BodyNotes& it = note(k);
+        const bool meets =
+            bodies.has(static_cast<std::size_t>(k)) && !it.sensor && !it.disabled;
+        all[static_cast<std::size_t>(k)] = meets ? it.filter : nothing;
+    }
+
     //! [list_driven]
     /// Which bodies a caller has driven since the last step, and with what velocity
     /// they were in it.
@@ -130,6 +135,7 @@ struct EngineState {
             auto u = scene.bodies.velocity(k);
             list.push_back({k, sleepers.u_before.segment<3>(3 * k), u});
             DrivenBody& it = list.back();
+            it.aims = std::exchange(note(k).aims, false);
             if (settings.substeps == 1 || !it.then.allFinite()) it.then = it.now;
             // it stands from the end of this step on
             if (it.now.isZero(0)) u = it.then;
@@ -141,6 +147,7 @@ struct EngineState {
         for (const DrivenBody& it : method.correction.driven.list) {
             const bool stops = it.now.isZero(0) && !it.then.isZero(0);
             if (stops) scene.bodies.velocity(it.body).setZero();
+            else if (it.aims) scene.bodies.velocity(it.body) = it.now;
             awake().u_before.segment<3>(3 * it.body) =
                 scene.bodies.velocity(it.body);
             if (stops) disturb(it.body);
@@ -193,6 +200,7 @@ struct EngineState {
         sleepers.rest = settings.rest;
         sleepers.touching.ahead = 1;
         sleepers.touching.seams.look = true;
+        sleepers.touching.acting = &scene.acting;
         method.correction.slop = settings.slop;
         method.correction.push_sweeps = settings.sweeps;
         IslandChoice& solver = method.solver;

@@ -46,6 +46,21 @@ void World::remove(WallId wall)
 }
 bool World::has(WallId wall) const { return state_->walls.has(wall); }
 std::vector<WallId> World::walls() const { return state_->walls.all(); }
+const Surface& World::surface(WallId wall) const
+{
+    return state_->scene.wall_surfaces[state_->walls.require(wall, "wall")];
+}
+void World::set_surface(WallId wall, const Surface& surface)
+{
+    State& s = *state_;
+    const std::size_t w = s.walls.require(wall, "wall");
+    require_surface(surface, "the wall");
+    s.scene.wall_surfaces[w] = surface;
+    for (const auto* const list : {&s.touching.held, &s.touching.asleep})
+        for (const HeldTouch& it : *list)
+            if (it.key.wall == static_cast<int>(w)) s.disturb(it.key.b);
+    s.note(Call::set_wall_surface, wall, surface);
+}
 const HalfSpace& World::wall(WallId wall) const
 {
     return state_->scene.walls[state_->walls.require(wall, "wall")];
@@ -80,12 +95,9 @@ void World::change(JointId joint, RigidJoint how)
     const std::size_t i = s.joints.require(joint, "joint");
     how.a = s.scene.placed[i].joint.a;
     how.b = s.scene.placed[i].joint.b;
-    const auto first = s.scene.joints.begin() + s.scene.placed[i].first,
-               end = first + s.scene.placed[i].count;
-    const std::vector<PointJoint> before(first, end);
-    change_joint(s.scene, i, how);
-    if (!std::equal(first, end, before.begin()) && how.a != world)
-        s.awake().watch.tell(how.a);
+    const std::vector<PointJoint> before = rows_of(s.scene.placed[i].joint);
+    replace_joint(s, i, how);
+    if (rows_of(how) != before && how.a != world) s.awake().watch.tell(how.a);
     s.disturb(how.b);
     s.note(Call::change_joint, joint, how);
 }
@@ -94,6 +106,26 @@ const RigidJoint& World::joint(JointId joint) const
     return state_->placed(joint).joint;
 }
 std::vector<JointId> World::joints() const { return state_->joints.all(); }
+std::vector<JointId> World::joints(BodyId body) const
+{
+    const State& s = *state_;
+    const Index k = s.number(body);
+    std::vector<JointId> found;
+    for (std::size_t j = 0; static_cast<int>(found.size()) < s.note(k).joints; ++j)
+        if (const RigidJoint& it = s.scene.placed[j].joint;
+            s.joints.has(j) && (it.a == k || it.b == k))
+            found.push_back(s.joints.id(j));
+    return found;
+}
+std::uint64_t World::user(JointId joint) const
+{
+    return state_->joint_notes[state_->joints.require(joint, "joint")].user;
+}
+void World::set_user(JointId joint, std::uint64_t user)
+{
+    state_->joint_notes[state_->joints.require(joint, "joint")].user = user;
+    state_->note(Call::set_joint_user, joint, user);
+}
 BodyId World::body_a(JointId joint) const
 {
     return state_->id(state_->placed(joint).joint.a);
@@ -102,7 +134,12 @@ BodyId World::body_b(JointId joint) const
 {
     return state_->id(state_->placed(joint).joint.b);
 }
-bool World::is_broken(JointId joint) const { return state_->placed(joint).broken; }
+bool World::is_broken(JointId joint) const
+{
+    const std::size_t i = state_->joints.require(joint, "joint");
+    const JointNotes& note = state_->joint_notes[i];
+    return note.off ? note.was_broken : state_->scene.placed[i].broken;
+}
 Real World::coordinate(JointId joint) const
 {
     return rigid::coordinate(state_->scene.bodies.x, state_->placed(joint).joint);
