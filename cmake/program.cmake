@@ -71,5 +71,6 @@ else()
   target_sources(rigid_program PRIVATE common/program/no_offscreen.cpp)
 endif()
 
-set_source_files_properties(common/program/command_line.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)   # CLI11
+# CLI11; and what the tests have a copy of (rigid_test_main)
+set_source_files_properties(common/program/command_line.cpp common/program/program.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 compile_together(rigid_program)
