@@ -108,9 +108,8 @@ Verification verify(const Mlcp& mlcp, const VecX& lambda,
     }
     const bool within =
         energy > 0 ? least_speed <= speed && least_energy <= energy : small;
-    const bool excused =
-        !(least_excuse > 0) || energy <= 0 ||
-        coupled_energy_reaches(mlcp, least_excuse);
+    const bool excused = !(least_excuse > 0) || energy <= 0 ||
+                         coupled_energy_reaches(mlcp, least_excuse);
     return {residual, possible && within && excused && std::isfinite(energy),
             in_each_row};
 }
