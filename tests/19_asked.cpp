@@ -6,6 +6,7 @@
 
 #include "common/random.hpp"
 #include "tests/catch.hpp"
+#include "tests/world_run.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -19,20 +20,9 @@ namespace what_is_asked {  // sources of one target are compiled together
 
 namespace {
 
-constexpr Real frame = 1.0 / 60;
-
-BodyDefinition body_at(const Vec2& at, Real density = 1, const Polygon& shape = box(1, 1))
-{
-    BodyDefinition body;
-    body.shape = shape;
-    body.position = at;
-    body.density = density;
-    return body;
-}
-void run(World& engine, int steps)
-{
-    for (int n = 0; n < steps; ++n) engine.step(frame);
-}
+using worlds::body_at;
+using worlds::frame;
+using worlds::run;
 
 /// A rod on a pin at the origin, level.
 struct Hung {

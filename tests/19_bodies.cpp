@@ -5,6 +5,7 @@
 
 #include "common/random.hpp"
 #include "tests/catch.hpp"
+#include "tests/world_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +18,10 @@ namespace what_bodies_are {  // sources of one target are compiled together
 
 namespace {
 
-constexpr Real frame = 1.0 / 60;
+using worlds::body_at;
+using worlds::frame;
+using worlds::run;
 const Vec2 none(0, 0);
-
-BodyDefinition body_at(const Vec2& at, Real density = 1, const Polygon& shape = box(1, 1))
-{
-    BodyDefinition body;
-    body.shape = shape;
-    body.position = at;
-    body.density = density;
-    return body;
-}
-
-void run(World& engine, int steps)
-{
-    for (int n = 0; n < steps; ++n) engine.step(frame);
-}
 
 /// Two boxes on the ground that sleep, the second on the first, and a third beside them.
 struct Asleep {

@@ -3,6 +3,7 @@
 #include "chapters/19_engine/world.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/world_run.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -13,13 +14,9 @@ namespace each_field {  // sources of one target are compiled together
 
 namespace {
 
-constexpr Real frame = 1.0 / 60;
+using worlds::frame;
+using worlds::run;
 using Turn = std::function<void(BodyDefinition&)>;
-
-void run(World& engine, int steps)
-{
-    for (int n = 0; n < steps; ++n) engine.step(frame);
-}
 
 /// A box that slides on a floor; what is turned is turned on the box.
 struct Slide {

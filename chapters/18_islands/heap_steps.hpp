@@ -18,6 +18,41 @@
 
 namespace rigid {
 
+//! [settings]
+struct HeapSteps {
+    int least = 8;     ///< K, in a whole step, at least
+    int visits = 2;    ///< of each row in a small step, before bodies move
+    int substeps = 1;  ///< of the whole step
+    Real beta = 0.4;   ///< part of an overlap that a small step takes back
+    Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
+    Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
+    /// a joint that is off by more asks for twice as many small steps [ℓ, rad]
+    Real open = 5e-3;
+    int most = 128;  ///< K, where joints ask for more
+    /// of each body: the same, at most [m]; empty = slop
+    std::vector<Real> slops;
+
+    /// K in a sub-step: so many that in a whole step an impulse gets from the
+    /// ground to the farthest body.
+    /// \param length  N, of the island
+    int count(int length) const
+    {
+        const int needed = (length + visits) / (visits + 1);
+        return 1 + (std::max(least, needed) - 1) / substeps;
+    }
+
+    /// s/2 of a contact [m]
+    Real left_alone(const Constraint<3>& c, Real length) const
+    {
+        Real left = slop * length;
+        for (const Index k : {c.a, c.b})
+            if (k != world && k < static_cast<Index>(slops.size()))
+                left = std::min(left, slops[static_cast<std::size_t>(k)]);
+        return left / 2;
+    }
+};
+//! [settings]
+
 /// The small steps of one heap whose rows are in lanes.
 class HeapInLanes {
     static constexpr int lanes = full_lanes<Real>;
@@ -112,7 +147,10 @@ private:
                 now.rows[i].bias = 0;
         fill(WideProblem<3>{now.rows}, bundles, now.solution.lambda, part.local.u,
              wide);
-        errors_.put_in(how, whole, part.rows, part.local.inverse_mass, wide);
+        const auto left_alone = [&](const Constraint<3>& c) {
+            return how.left_alone(c, whole.length);
+        };
+        errors_.put_in(left_alone, whole, part.rows, part.local.inverse_mass, wide);
     }
 
     /// λ of the whole sub-step, u, and what the last visits left.

@@ -2,46 +2,10 @@
 /// What rows in lanes are off by while bodies move: of contacts and limits the gap, of joints all of it.
 #pragma once
 
-#include "chapters/15_trees/newton_settings.hpp"
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
 #include "chapters/18_islands/turning_pins.hpp"
 
 namespace rigid {
-
-//! [settings]
-struct HeapSteps {
-    int least = 8;     ///< K, in a whole step, at least
-    int visits = 2;    ///< of each row in a small step, before bodies move
-    int substeps = 1;  ///< of the whole step
-    Real beta = 0.4;   ///< part of an overlap that a small step takes back
-    Real fastest = 3;  ///< overlaps are pushed out no faster [ℓ/s]
-    Real slop = 5e-3;  ///< an overlap of half of this much is left alone [ℓ]
-    /// a joint that is off by more asks for twice as many small steps [ℓ, rad]
-    Real open = 5e-3;
-    int most = 128;  ///< K, where joints ask for more
-    /// of each body: the same, at most [m]; empty = slop
-    std::vector<Real> slops;
-
-    /// K in a sub-step: so many that in a whole step an impulse gets from the
-    /// ground to the farthest body.
-    /// \param length  N, of the island
-    int count(int length) const
-    {
-        const int needed = (length + visits) / (visits + 1);
-        return 1 + (std::max(least, needed) - 1) / substeps;
-    }
-
-    /// s/2 of a contact [m]
-    Real left_alone(const Constraint<3>& c, Real length) const
-    {
-        Real left = slop * length;
-        for (const Index k : {c.a, c.b})
-            if (k != world && k < static_cast<Index>(slops.size()))
-                left = std::min(left, slops[static_cast<std::size_t>(k)]);
-        return left / 2;
-    }
-};
-//! [settings]
 
 /// What a small step asks of a row besides J u: its C, and what it gives back.
 template <class V>
@@ -64,9 +28,11 @@ public:
 
     LaneError<V>& at(int row) { return rows[static_cast<std::size_t>(row)]; }
 
+    /// \param left_alone  s/2 of a constraint [m]
     /// \param whole  the step; row i of the lanes is its row of[i]
     /// \param inverse_mass  of the bodies of the lanes
-    void put_in(const HeapSteps& how, const StepData<3>& whole,
+    template <class LeftAlone>
+    void put_in(const LeftAlone& left_alone, const StepData<3>& whole,
                 const std::vector<int>& of, const VecX& inverse_mass,
                 const Wide& wide)
     {
@@ -78,7 +44,7 @@ public:
             if (row < 0 || !has_error(c.kind)) continue;
             LaneError<V>& error = at(row);
             write_lane(error.C, lane, c.C);
-            write_lane(error.slop, lane, how.left_alone(c, whole.length));
+            write_lane(error.slop, lane, left_alone(c));
             const bool is_gap = c.kind == ConstraintKind::unilateral;
             write_lane(is_gap ? error.is_gap : error.is_held, lane, 1);
         }

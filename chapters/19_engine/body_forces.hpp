@@ -75,15 +75,18 @@ struct ActedManifolds : Manifolds {
                     std::span<const int> bodies, StepData<3>& now)
     {
         falls.resize(acting->size());
+        if (!acting->empty()) list_falls(scene, bodies);
+        Manifolds::begin_with(scene, margin, h, bodies, now);
+    }
+    void list_falls(const RigidScene& scene, std::span<const int> bodies)
+    {
         for (const int k : bodies) {
-            if (acting->empty()) break;
             const auto at = static_cast<std::size_t>(k);
             const BodyForces& own = (*acting)[at];
             falls[at] = (own.gravity * scene.gravity +
                          scene.bodies.inverse_mass[3 * k] * own.force)
                             .norm();
         }
-        Manifolds::begin_with(scene, margin, h, bodies, now);
     }
     /// A velocity that drag alone has changed is steady.
     template <class Scene, class Method>
@@ -91,8 +94,8 @@ struct ActedManifolds : Manifolds {
              const StepData<3>& now)
     {
         Manifolds::end(scene, settings, method, now);
+        if (acting->empty()) return;
         for (const int k : now.active) {
-            if (acting->empty()) break;
             const BodyForces& own = (*acting)[static_cast<std::size_t>(k)];
             auto then = method.contacts.u_before.template segment<3>(3 * k);
             if (own.is_dragged() && scene.bodies.can_move(k))
