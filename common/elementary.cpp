@@ -292,6 +292,12 @@ Real cos(Real angle)
     return sine_of(x.r, x.quarters + 1).hi;
 }
 
+SineAndCosine sine_and_cosine(Real angle)
+{
+    const Reduced x = reduced(angle);
+    return {std::abs(angle) < 1e-9 ? angle : sine_of(x.r, x.quarters).hi, sine_of(x.r, x.quarters + 1).hi};
+}
+
 Real tan(Real angle)
 {
     if (std::abs(angle) < 1e-9) return angle;

@@ -24,6 +24,11 @@ namespace rigid {
 
 Real sin(Real angle);
 Real cos(Real angle);
+/// Both, with the same bits, in less time than one after the other.
+struct SineAndCosine {
+    Real sine, cosine;
+};
+SineAndCosine sine_and_cosine(Real angle);
 Real tan(Real angle);
 Real asin(Real x);
 Real atan(Real x);

@@ -212,12 +212,21 @@ TEST_CASE("elementary functions keep their symmetries and inverses", "[house]")
         INFO(x << " " << y << " " << angle);
         CHECK(rigid::sin(-x) == -s);
         CHECK(rigid::cos(-x) == c);
+        const auto [sine, cosine] = rigid::sine_and_cosine(x);
+        CHECK(sine == s);
+        CHECK(cosine == c);
         CHECK(std::abs(s * s + c * c - 1) < 5e-16);  // an ulp of each, and three roundings
         CHECK(rigid::atan2(-y, x) == -rigid::atan2(y, x));
         // an ulp of sine and cosine and one of the angle of at most π
         CHECK(std::abs(rigid::atan2(rigid::sin(angle), rigid::cos(angle)) - angle) < 1e-15);
         CHECK(rigid::hypot(x, y) == rigid::hypot(y, -x));
         CHECK(std::abs(rigid::exp(rigid::log(std::abs(angle))) / std::abs(angle) - 1) < 2e-15);
+    }
+    for (const Real small : {Real{0}, -Real{0}, 1e-300, -9e-10, 2e-9}) {
+        const auto [sine, cosine] = rigid::sine_and_cosine(small);
+        CHECK(std::signbit(sine) == std::signbit(rigid::sin(small)));
+        CHECK(sine == rigid::sin(small));
+        CHECK(cosine == rigid::cos(small));
     }
     for (int k = -1000; k <= 1000; ++k) {
         const Real power = std::ldexp(1, k);

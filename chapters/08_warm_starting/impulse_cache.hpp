@@ -72,14 +72,15 @@ std::string to_string(const ImpulseKey& key);
 struct ImpulseCache {
     struct Entry {
         ImpulseKey key;
-        int unseen = 0;   ///< steps since this row was there last
+        int unseen = 0;  ///< steps since this row was there last
+        /// in the order in which the rows came to the last store(); those that are
+        /// gone come after them
+        std::uint32_t row = 0;
         Real lambda = 0;  ///< [N s]
     };
     std::vector<Entry> entries;
     std::vector<Entry> spare;  ///< where store() writes before it swaps
-    /// as they came to the last store(), and the entry of each; no keys where rows that
-    /// are gone, or impulses that are not finite, make these lists of different lengths
-    std::vector<ImpulseKey> keys;
+    /// the entry of each row, in that order: a guess, the key tells whether it is right
     std::vector<std::uint32_t> place;
     SortScratch<Entry> scratch;
     Real h = 0;  ///< time step of the impulses that are stored [s]
@@ -110,27 +111,29 @@ entry_near(ImpulseCache& cache, std::vector<ImpulseCache::Entry>::iterator expec
 }
 
 //! [places]
-/// The keys and the places of their entries, for load() and store() of the same rows.
-inline void note_places(ImpulseCache& cache, std::span<const ImpulseKey> keys)
+/// Where the entry of each row is, for load() and store() of the same rows.
+inline void note_places(ImpulseCache& cache)
 {
-    cache.keys.clear();
-    if (cache.entries.size() != keys.size()) return;
-    cache.place.resize(keys.size());
-    auto next = cache.entries.begin();
-    for (std::size_t i = 0; i < keys.size(); ++i, ++next) {
-        if (next == cache.entries.end() || next->key != keys[i])
-            next = entry_near(cache, next, keys[i]);
-        if (next == cache.entries.end() || next->key != keys[i]) return;
-        cache.place[i] = static_cast<std::uint32_t>(next - cache.entries.begin());
+    cache.place.assign(cache.entries.size(), 0);
+    std::uint32_t at = 0;
+    for (const ImpulseCache::Entry& entry : cache.entries) {
+        if (entry.row < cache.place.size()) cache.place[entry.row] = at;
+        ++at;
     }
-    cache.keys.assign(keys.begin(), keys.end());
 }
-/// Whether the entries are those of these rows, one for one, and their places known.
+/// Whether the entry of this row is where it is guessed.
+inline bool is_at(const ImpulseCache& cache, std::size_t row, const ImpulseKey& key)
+{
+    return row < cache.place.size() && cache.place[row] < cache.entries.size() &&
+           cache.entries[cache.place[row]].key == key;
+}
+/// Whether the entries are those of these rows, one for one, where they are guessed.
 inline bool knows(const ImpulseCache& cache, std::span<const ImpulseKey> keys)
 {
-    return cache.entries.size() == keys.size() &&
-           std::equal(cache.keys.begin(), cache.keys.end(), keys.begin(),
-                      keys.end());
+    if (cache.entries.size() != keys.size()) return false;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (!is_at(cache, i, keys[i])) return false;
+    return true;
 }
 //! [places]
 
@@ -147,25 +150,20 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h,
     cache.found = cache.searched = 0;
     // an impulse is a force times h
     const Real scale = cache.h > 0 ? h / cache.h : 0;
-    if (knows(cache, keys)) {
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            lambda[static_cast<Index>(i)] =
-                scale * cache.entries[cache.place[i]].lambda;
-        cache.found = static_cast<int>(keys.size());
-        return;
-    }
-    auto next = cache.entries.begin();
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        // Most rows are those of the previous step in the same order: then the next
-        // entry is the right one.
-        if (next == cache.entries.end() || next->key != keys[i]) {
+    auto near = cache.entries.begin();
+    for (std::size_t i = 0, row = 0; i < keys.size(); ++i) {
+        // Most rows are those of the step before, in the order that they had there.
+        if (is_at(cache, row, keys[i]))
+            near = cache.entries.begin() + cache.place[row];
+        else {
             ++cache.searched;
-            next = entry_near(cache, next, keys[i]);
-            if (next == cache.entries.end() || next->key != keys[i]) continue;
+            near = entry_near(cache, near, keys[i]);
+            if (near == cache.entries.end() || near->key != keys[i]) continue;
+            row = near->row;
         }
-        lambda[static_cast<Index>(i)] = scale * next->lambda;
+        lambda[static_cast<Index>(i)] = scale * near->lambda;
         ++cache.found;
-        ++next;
+        ++row;
     }
 }
 //! [load]
@@ -211,7 +209,8 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
     std::vector<ImpulseCache::Entry>& present = cache.spare;
     present.clear();
     for (std::size_t i = 0; i < keys.size(); ++i)
-        present.push_back({keys[i], 0, lambda[static_cast<Index>(i)]});
+        present.push_back({keys[i], 0, static_cast<std::uint32_t>(i),
+                           lambda[static_cast<Index>(i)]});
     sort_by_key(present, cache.scratch);
     for (std::size_t i = 1; i < present.size(); ++i)
         if (present[i - 1].key == present[i].key)
@@ -225,7 +224,9 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
         if (old.unseen >= cache.keep) continue;
         while (i < rows && present[i].key < old.key) ++i;
         if (i == rows || present[i].key != old.key)
-            present.push_back({old.key, old.unseen + 1, h / cache.h * old.lambda});
+            present.push_back({old.key, old.unseen + 1,
+                               static_cast<std::uint32_t>(present.size()),
+                               h / cache.h * old.lambda});
     }
     if (present.size() > rows) std::sort(present.begin(), present.end(), ascending);
 
@@ -234,7 +235,7 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
     });
     std::swap(cache.entries, cache.spare);
     cache.h = h;
-    note_places(cache, keys);
+    note_places(cache);
 }
 //! [store]
 

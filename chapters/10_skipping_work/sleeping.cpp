@@ -39,11 +39,14 @@ void remember_woken(SleepingForces& forces, std::span<const int> woken,
     const std::size_t before = cache.entries.size();
     for (const int k : woken)
         forces.take_all(k, [&cache](const ImpulseKey& key, Real force) {
-            cache.entries.push_back({key, 0, force * cache.h});
+            cache.entries.push_back(
+                {key, 0, static_cast<std::uint32_t>(cache.entries.size()),
+                 force * cache.h});
         });
-    if (cache.entries.size() > before)
-        std::sort(cache.entries.begin(), cache.entries.end(),
-                  [](const auto& a, const auto& b) { return a.key < b.key; });
+    if (cache.entries.size() == before) return;
+    std::sort(cache.entries.begin(), cache.entries.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
+    note_places(cache);
 }
 
 }  // namespace rigid

@@ -148,7 +148,7 @@ inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_fo
         const Real turn = x[angle] - x_found[angle];
         if (turn != 0) {
             const Vec2 before = r;
-            const Real cosine = cos(turn), sine = sin(turn);
+            const auto [sine, cosine] = sine_and_cosine(turn);
             r = cosine * before + sine * perpendicular(before);
             moved += r - before;
         }

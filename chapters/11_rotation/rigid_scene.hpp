@@ -83,7 +83,7 @@ Real typical_length(const RigidScene& scene);
 inline Vec2 point_of(const VecX& x, Index k, const Vec2& at)
 {
     if (k == world) return at;
-    const Real c = cos(x[3 * k + 2]), s = sin(x[3 * k + 2]);
+    const auto [s, c] = sine_and_cosine(x[3 * k + 2]);
     return {x[3 * k] + c * at.x() - s * at.y(),
             x[3 * k + 1] + s * at.x() + c * at.y()};
 }

@@ -29,12 +29,18 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         if (way.isZero(0)) return Real{0};
         return hypot(way[0], way[1]) + std::abs(way[2]) * turning_radius(*m.shape);
     };
+    // most go less far even along the axes
+    const auto goes_beyond = [&](const MovingShape& m, Real limit) {
+        const Vec<3> way = m.way().cwiseAbs();
+        return way[0] + way[1] + way[2] * turning_radius(*m.shape) > limit &&
+               how_far(m) > limit;
+    };
     fast.bodies.clear();
     fast.impacts = fast.rounds = 0;
     for (const int k : now.active) {
         const auto at = static_cast<std::size_t>(k);
         const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
-        if (how_far(motion(k)) > 0.5 * inner_of(k) && !goes_on)
+        if (!goes_on && goes_beyond(motion(k), 0.5 * inner_of(k)))
             fast.bodies.push_back(k);
     }
     if (fast.bodies.empty()) return;
@@ -50,8 +56,9 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     };
     Real others_move = 0;  // at most [m]
     for (int k = 0; k < K; ++k)
-        if (!fast.is_fast[static_cast<std::size_t>(k)])
-            others_move = std::max(others_move, how_far(motion(k)));
+        if (!fast.is_fast[static_cast<std::size_t>(k)] &&
+            goes_beyond(motion(k), others_move))
+            others_move = how_far(motion(k));
     fast.inner.assign(static_cast<std::size_t>(K), 0);
     fast.part.assign(static_cast<std::size_t>(K), 1);
     fast.swept.clear();

@@ -77,7 +77,7 @@ void PairFinder::find(const RigidScene& scene, const PlacedShapes& placed,
             if (is(asks, a) || is(asks, b)) keep(a, b);
         });
         tested = sweep.tested;
-    } else if (search == PairSearch::tree) find_in_tree(keep);
+    } else if (search == PairSearch::tree) return find_in_tree(keep);  // ascending
     else find_in_grid(keep);
     std::sort(pairs.begin(), pairs.end());
 }

@@ -15,13 +15,4 @@ Real inner_radius(const Placed& shape, const Vec2& centroid)
     return nearest + shape.radius;
 }
 
-Placed PlacedShapes::of(Index body) const
-{
-    const auto k = static_cast<std::size_t>(body);
-    const std::size_t v = first_vertex[k], n = first_normal[k];
-    return {{vertices.data() + v, first_vertex[k + 1] - v},
-            {normals.data() + n, first_normal[k + 1] - n},
-            radius[k]};
-}
-
 }  // namespace rigid

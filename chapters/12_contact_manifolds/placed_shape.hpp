@@ -50,7 +50,7 @@ Real inner_radius(const Placed& shape, const Vec2& centroid);
 inline void place(const Polygon& shape, const Vec<3>& pose,
                   std::vector<Vec2>& vertices, std::vector<Vec2>& normals)
 {
-    const Real c = cos(pose[2]), s = sin(pose[2]);
+    const auto [s, c] = sine_and_cosine(pose[2]);
     const std::size_t n = shape.vertices.size();
     for (const Vec2& r : shape.vertices)
         vertices.push_back(
@@ -136,7 +136,14 @@ struct PlacedShapes {
         }
     }
 
-    Placed of(Index body) const;
+    Placed of(Index body) const
+    {
+        const auto k = static_cast<std::size_t>(body);
+        const std::size_t v = first_vertex[k], n = first_normal[k];
+        return {{vertices.data() + v, first_vertex[k + 1] - v},
+                {normals.data() + n, first_normal[k + 1] - n},
+                radius[k]};
+    }
 
 private:
     PlacedShape moved_;

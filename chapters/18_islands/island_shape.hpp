@@ -107,6 +107,15 @@ private:
         return moves_b(row) ? static_cast<int>(row.b) : ground_;
     }
 
+    /// Whether what bounds a row joins the same two bodies.
+    bool is_beside_its_bound(const std::vector<Row<3>>& rows,
+                             const Row<3>& row) const
+    {
+        if (row.bounded_by < 0) return false;
+        const Row<3>& bound = rows[static_cast<std::size_t>(row.bounded_by)];
+        return a_of(bound) == a_of(row) && b_of(bound) == b_of(row);
+    }
+
     /// The rows of joints between two bodies that others join already.
     void count_loops(const std::vector<Row<3>>& rows, std::span<const int> members,
                      IslandShape& shape)
@@ -148,9 +157,10 @@ private:
             const Row<3>& row = rows[static_cast<std::size_t>(i)];
             const int a = a_of(row), b = b_of(row);
             if (a == last_a && b == last_b) continue;
+            last_a = a, last_b = b;
+            if (is_beside_its_bound(rows, row)) continue;
             hang(a, b);
             hang(b, a);
-            last_a = a, last_b = b;
         }
         queue_.clear();
         const bool floats = at(first_, ground_) < 0;

@@ -68,9 +68,11 @@ struct WideIsland {
     void small_steps(const HeapSteps& how, const IslandNote& note,
                      Bodies<3>& bodies, StepData<3>& now)
     {
-        if (!has_rows_) part.gather_rows(bodies, now);
+        if (!has_rows_) {
+            part.gather_rows(bodies, now);
+            solver.begin(part.local, part.now);
+        }
         part.gather_velocities(bodies, now);
-        solver.begin(part.local, part.now);
         heap(how, how.count(note.length), note.joined, now, part, solver.bundles,
              solver.wide);
         part.scatter(bodies, now);

@@ -129,10 +129,8 @@ private:
                     const std::vector<Real>& bounced, Real margin)
     {
         pairs_.clear();
-        for (std::size_t i = 0; i < now.sources.size(); ++i) {
+        for (std::size_t i = normal_of(now, 0); i < now.sources.size(); ++i) {
             const Source& source = now.sources[i];
-            if (source.of != Source::Of::contact || source.part != normal_part)
-                continue;
             const Contact& contact =
                 now.contacts[static_cast<std::size_t>(source.index)];
             TouchKey key{static_cast<int>(contact.a), static_cast<int>(contact.b),
