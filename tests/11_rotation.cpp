@@ -127,6 +127,24 @@ Vec<4> double_by_rk4(Vec<4> s, Real h, long steps)
 
 // ---- identities of the scheme
 
+TEST_CASE("sines that are remembered have the bits of those that are not", "[house]")
+{
+    Turns turns;
+    Random random(17);
+    std::vector<Real> angles(5, 0);
+    for (int n = 0; n < 2000; ++n) {
+        const Index k = random.index(5);
+        Real& angle = angles[static_cast<std::size_t>(k)];
+        if (n % 3 == 0) angle = n % 9 == 0 ? -angle * 0 : random.uniform(-10, 10);  // −0 is another angle than 0
+        const auto [sine, cosine] = turns.of(k, angle);
+        REQUIRE(sine == sin(angle));
+        REQUIRE(std::signbit(sine) == std::signbit(sin(angle)));
+        REQUIRE(cosine == cos(angle));
+    }
+    CHECK(std::isnan(turns.of(2, std::nan("")).sine));
+    CHECK(turns.of(2, 0).cosine == 1);
+}
+
 TEST_CASE("a rod struck at its end by hand gets the impulse and the spin of (11.8)", "[idea]")
 {
     RigidScene scene = struck_rod(pi / 6);

@@ -35,7 +35,9 @@ void require_valid(const PointJoint& joint, std::size_t number, Index bodies);
 
 //! [joint]
 /// C and J of a joint at the positions x.
-inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
+/// \param turns  memory of point_of(); may be null
+inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint,
+                                      Turns* turns = nullptr)
 {
     using Measure = PointJoint::Measure;
     Constraint<3> c;
@@ -50,28 +52,28 @@ inline Constraint<3> joint_constraint(const VecX& x, const PointJoint& joint)
         c.Ja = {0, 0, joint.gear_a};
         c.Jb = {0, 0, joint.gear_b};
     } else if (joint.measure == Measure::pulley) {
-        const Vec2 pa = point_of(x, c.a, joint.at_a),
-                   pb = point_of(x, c.b, joint.at_b);
+        const Vec2 pa = point_of(x, c.a, joint.at_a, turns),
+                   pb = point_of(x, c.b, joint.at_b, turns);
         const Direction da(pa - joint.over_a), db(pb - joint.over_b);
         c.C = joint.gear_a * da.length + joint.gear_b * db.length - joint.length;
         c.Ja = joint.gear_a * point_row(pa - centre(c.a), da.n);
         c.Jb = joint.gear_b * point_row(pb - centre(c.b), db.n);
     } else if (joint.measure == Measure::rack) {
-        const Vec2 pa = point_of(x, c.a, joint.at_a),
-                   pb = point_of(x, c.b, joint.at_b),
-                   n = point_of(x, c.b, joint.direction) - centre(c.b);
+        const Vec2 pa = point_of(x, c.a, joint.at_a, turns),
+                   pb = point_of(x, c.b, joint.at_b, turns),
+                   n = point_of(x, c.b, joint.direction, turns) - centre(c.b);
         c.C = joint.gear_a * (angle(c.a) - angle(c.b)) +
               joint.gear_b * n.dot(pb - pa) - joint.length;
         c.Ja = -joint.gear_b * point_row(pa - centre(c.a), n);
         c.Jb = joint.gear_b * point_row(pa - centre(c.b), n);  // n turns with b
         c.Ja[2] += joint.gear_a, c.Jb[2] -= joint.gear_a;
     } else {
-        const Vec2 pa = point_of(x, c.a, joint.at_a),
-                   pb = point_of(x, c.b, joint.at_b), d = pb - pa;
+        const Vec2 pa = point_of(x, c.a, joint.at_a, turns),
+                   pb = point_of(x, c.b, joint.at_b, turns), d = pb - pa;
         Vec2 n = joint.direction, arm = pa - centre(c.a);
         if (joint.measure == Measure::distance) n = Direction(d).n;
         if (joint.measure == Measure::turning && c.a != world) {
-            n = point_of(x, c.a, n) - centre(c.a);
+            n = point_of(x, c.a, n, turns) - centre(c.a);
             arm += d;  // n turns about a's centroid too, (11.13)
         }
         c.C = n.dot(d) - joint.length;

@@ -19,7 +19,7 @@ inline Constraint<3> constraint_at(const RigidScene& scene, const StepData<3>& n
     const auto index = static_cast<std::size_t>(now.sources[i].index);
     if (now.sources[i].of == Source::Of::joint)
         return now.sources[i].part == 0
-                   ? joint_constraint(x, scene.joints[index])
+                   ? joint_constraint(x, scene.joints[index], &scene.turns)
                    : across_line(x, scene.joints[index], now.sources[i].part);
     return contact_constraint(now.contacts[index], now.x_found, x);
 }

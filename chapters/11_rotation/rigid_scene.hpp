@@ -11,6 +11,8 @@
 #include "common/shapes.hpp"
 #include "common/typical_length.hpp"
 
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 namespace rigid {
@@ -63,6 +65,31 @@ struct Chain {
     bool operator==(const Chain&) const = default;
 };
 
+/// The sine and the cosine of each body's angle, found once while it stays the same: with the bits of sin() and cos().
+class Turns {
+public:
+    SineAndCosine of(Index k, Real angle)
+    {
+        const auto at = static_cast<std::size_t>(k);
+        if (at >= known_.size()) known_.resize(at + 1);
+        Known& here = known_[at];
+        if (bits(here.angle) != bits(angle))  // of −0 as well, whose sine is −0
+            here = {angle, sine_and_cosine(angle)};
+        return here.turn;
+    }
+
+private:
+    struct Known {
+        Real angle = 0;
+        SineAndCosine turn = {0, 1};
+    };
+    static std::uint64_t bits(Real angle)
+    {
+        return std::bit_cast<std::uint64_t>(angle);
+    }
+    std::vector<Known> known_;
+};
+
 struct RigidScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};
@@ -74,16 +101,19 @@ struct RigidScene {
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;
+    mutable Turns turns;  ///< memory of its joints
 };
 
 /// ℓ, the length that settings are measured in (chapter 3).
 Real typical_length(const RigidScene& scene);
 
 /// Where a point of body k is now; a point of the world is where it is. p = x + R(θ) r
-inline Vec2 point_of(const VecX& x, Index k, const Vec2& at)
+/// \param turns  memory; may be null
+inline Vec2 point_of(const VecX& x, Index k, const Vec2& at, Turns* turns = nullptr)
 {
     if (k == world) return at;
-    const auto [s, c] = sine_and_cosine(x[3 * k + 2]);
+    const Real angle = x[3 * k + 2];
+    const auto [s, c] = turns ? turns->of(k, angle) : sine_and_cosine(angle);
     return {x[3 * k] + c * at.x() - s * at.y(),
             x[3 * k + 1] + s * at.x() + c * at.y()};
 }

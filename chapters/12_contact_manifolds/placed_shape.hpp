@@ -47,10 +47,12 @@ inline Box box_of(const Placed& shape)
 Real inner_radius(const Placed& shape, const Vec2& centroid);
 
 /// Writes the vertices and normals of a shape at a pose (x, y, θ) behind those that are there.
+/// \param turn  of θ
 inline void place(const Polygon& shape, const Vec<3>& pose,
-                  std::vector<Vec2>& vertices, std::vector<Vec2>& normals)
+                  const SineAndCosine& turn, std::vector<Vec2>& vertices,
+                  std::vector<Vec2>& normals)
 {
-    const auto [s, c] = sine_and_cosine(pose[2]);
+    const auto [s, c] = turn;
     const std::size_t n = shape.vertices.size();
     for (const Vec2& r : shape.vertices)
         vertices.push_back(
@@ -74,9 +76,13 @@ struct PlacedShape {
     PlacedShape(const Polygon& shape, const Vec<3>& pose) { move(shape, pose); }
     void move(const Polygon& shape, const Vec<3>& pose)
     {
+        move(shape, pose, sine_and_cosine(pose[2]));
+    }
+    void move(const Polygon& shape, const Vec<3>& pose, const SineAndCosine& turn)
+    {
         vertices.clear();
         normals.clear();
-        place(shape, pose, vertices, normals);
+        place(shape, pose, turn, vertices, normals);
         radius = shape.radius;
     }
     Placed view() const { return {vertices, normals, radius}; }
@@ -100,7 +106,8 @@ struct PlacedShapes {
         boxes.clear();
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
-            place(shape, scene.bodies.position(k), vertices, normals);
+            place(shape, scene.bodies.position(k), turn_of(scene, k), vertices,
+                  normals);
             first_vertex.push_back(vertices.size());
             first_normal.push_back(normals.size());
             radius.push_back(shape.radius);
@@ -124,7 +131,8 @@ struct PlacedShapes {
         }
         for (const int body : bodies) {
             const auto k = static_cast<std::size_t>(body);
-            moved_.move(scene.shapes[k], scene.bodies.position(body));
+            moved_.move(scene.shapes[k], scene.bodies.position(body),
+                        turn_of(scene, body));
             std::copy(moved_.vertices.begin(), moved_.vertices.end(),
                       vertices.begin() +
                           static_cast<std::ptrdiff_t>(first_vertex[k]));
@@ -146,6 +154,11 @@ struct PlacedShapes {
     }
 
 private:
+    static SineAndCosine turn_of(const RigidScene& scene, Index k)
+    {
+        return scene.turns.of(k, scene.bodies.x[3 * k + 2]);
+    }
+
     PlacedShape moved_;
 };
 

@@ -25,7 +25,7 @@ bool LimitReach::is_far(const JointedScene& scene, std::size_t j)
 {
     const PointJoint& joint = scene.joints[j];
     if (!is_limit(joint)) return false;
-    const Constraint<3> c = joint_constraint(scene.bodies.x, joint);
+    const Constraint<3> c = joint_constraint(scene.bodies.x, joint, &scene.turns);
     const Row<3> row = unilateral(c, scene.bodies.inverse_mass);
     const bool turns = is_of_angles(joint);
     const Real lever = turns ? shorter_lever(scene, joint) : 1,

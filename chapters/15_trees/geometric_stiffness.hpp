@@ -39,7 +39,7 @@ inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
         const Real lambda = now.solution.lambda[static_cast<Index>(i)];
         const auto add = [&](Index k, const Vec2& at, const RowVec<3>& J) {
             if (!scene.bodies.can_move(k)) return;
-            const Vec2 r = point_of(scene.bodies.x, k, at) -
+            const Vec2 r = point_of(scene.bodies.x, k, at, &scene.turns) -
                            scene.bodies.position(k).head<2>();
             kappa[k] += lambda * r.dot(J.head<2>().transpose());
             arm[k] = std::max(arm[k], r.squaredNorm());
