@@ -16,7 +16,11 @@ function(add_chapter chapter)
   set(folder ${PROJECT_SOURCE_DIR}/chapters/${chapter})
   if(EXISTS ${folder}/program/main.cpp)
     add_executable(${chapter} ${folder}/program/main.cpp)
-    target_link_libraries(${chapter} PRIVATE rigid_program ${rigid_chapter_up_to_${number}} rigid_common)
+    set(physics ${rigid_chapter_up_to_${number}})
+    if(number EQUAL 4)
+      set(physics rigid_chapter_04)   # no exact solver
+    endif()
+    target_link_libraries(${chapter} PRIVATE rigid_program ${physics} rigid_common)
     precompile(${chapter})
     # The same objects for the time of a step alone (docs/web/test/step_times.mjs).
     add_executable(${chapter}_steps EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/docs/web/test/steps_alone.cpp $<TARGET_OBJECTS:${chapter}>)

@@ -64,20 +64,39 @@ target_compile_definitions(rigid_options INTERFACE ${rigid_sums})
 set(rigid_replaceable $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-ra>)
 
 set(rigid_base_sources common/contact.cpp common/elementary.cpp common/measure.cpp common/scenes.cpp)
-# all pairs of discs: the counted work of a build without optimisation would wait for them
-set_source_files_properties(common/contact.cpp common/measure.cpp PROPERTIES COMPILE_OPTIONS "${RIGID_RESULTS_OPTIONS}")
 add_library(rigid_base STATIC ${rigid_base_sources})
 target_link_libraries(rigid_base PUBLIC rigid_options)
-# Eigen's factors, from chapter 2 on: they take longer to compile than the whole program of chapter 1
+# all pairs of discs: the counted work of a build without optimisation would wait for them
+target_compile_options(rigid_base PRIVATE ${RIGID_RESULTS_OPTIONS})
+if(RIGID_TOGETHER)
+  set_target_properties(rigid_base PROPERTIES UNITY_BUILD ON)
+endif()
+# Eigen's factors: they take longer to compile than the whole program of chapter 1
 add_library(rigid_factors STATIC common/eigen_instances.cpp)
 target_link_libraries(rigid_factors PUBLIC rigid_options)
 
 # add_chapter_libraries(PREFIX BASE): PREFIX_NN has the sources of chapter NN and stands on those of the chapters before, the
 # first of them on BASE. RESULT_NN is the library that has all that chapter NN may use. What a chapter does is so compiled
 # once, and for chapter 4 nothing of chapter 5 is. The sources of a chapter are compiled in one go: they share their headers.
+# PREFIX_NN_exact are the exact solvers of chapters 2 and 3, which factor dense matrices: half of what chapters 1 to 4 take to
+# compile. The program of chapter 4, the first that a reader sees, calls none and stands on PREFIX_04 alone.
 # The engine (19) is no chapter that a later one uses; it is only in the library's own, because it is in no test's memory.
+set(exact_02 solve_rows)
+set(exact_03 answers|case_conditions|cases|direct|family|schur)
+function(add_chapter_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;ON")
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC ${arg_ON})
+  set_source_files_properties(${arg_SOURCES} PROPERTIES UNITY_GROUP chapter)
+  # the counted work of a build without optimisation would wait for them
+  target_compile_options(${name} PRIVATE ${RIGID_RESULTS_OPTIONS})
+  if(RIGID_TOGETHER)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  endif()
+endfunction()
 function(add_chapter_libraries prefix base)
   set(last ${base})   # of chapter 1, which has no sources
+  set(exact)
   foreach(number RANGE 1 30)
     if(number LESS 10)
       set(number 0${number})
@@ -85,18 +104,25 @@ function(add_chapter_libraries prefix base)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${number}_*/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/(small|team)\\.cpp$")
     if(sources AND NOT number EQUAL 19)
-      add_library(${prefix}_${number} STATIC EXCLUDE_FROM_ALL ${sources})
-      target_link_libraries(${prefix}_${number} PUBLIC ${last} rigid_factors)
-      set_source_files_properties(${sources} PROPERTIES UNITY_GROUP chapter)
-      # the counted work of a build without optimisation would wait for them
-      target_compile_options(${prefix}_${number} PRIVATE ${RIGID_RESULTS_OPTIONS})
-      if(RIGID_TOGETHER)
-        set_target_properties(${prefix}_${number} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+      set(exact_sources)
+      if(exact_${number})
+        set(exact_sources ${sources})
+        list(FILTER exact_sources INCLUDE REGEX "/(${exact_${number}})\\.cpp$")
+        list(REMOVE_ITEM sources ${exact_sources})
       endif()
+      if(number GREATER 4)
+        list(APPEND last ${exact})
+      endif()
+      add_chapter_library(${prefix}_${number} SOURCES ${sources} ON ${last})
       set(last ${prefix}_${number})
       list(APPEND libraries ${last})
+      if(exact_sources)
+        add_chapter_library(${last}_exact SOURCES ${exact_sources} ON ${last} ${exact} rigid_factors)
+        set(exact ${last}_exact)
+        list(APPEND libraries ${exact})
+      endif()
     endif()
-    set(${prefix}_up_to_${number} ${last} PARENT_SCOPE)
+    set(${prefix}_up_to_${number} ${last} ${exact} PARENT_SCOPE)
   endforeach()
   set(${prefix}_libraries ${libraries} PARENT_SCOPE)
 endfunction()

@@ -1,8 +1,8 @@
 /// \file eigen_instances.hpp
-/// The parts of Eigen that are slow to compile and that nearly every source of the book needs: factorisations, sparse
-/// matrices, the kernels of products. Declared here, compiled once in eigen_instances.cpp. Sources of the library
-/// include this file first, the precompiled headers have it; no other header does: without it a source compiles its
-/// own copies, with the same bits.
+/// The functions of Eigen that are slow to compile and that many sources of the book call: factorisations and the
+/// kernels of products. Declared here, compiled once in eigen_instances.cpp; one by one, because what nobody calls
+/// takes longer than they. Sources of the library include this file first, the precompiled headers have it; no other
+/// header does: without it a source compiles its own copies, with the same bits.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -27,7 +27,6 @@ using Vector = Eigen::VectorXd;
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 32, 32>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 32, 1>;
 using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor>;
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Index = Eigen::Index;
 
 using Kernel = Eigen::internal::gebp_traits<double, double>;
@@ -39,22 +38,23 @@ using ByRows = Eigen::internal::const_blas_data_mapper<double, Index, Eigen::Row
 
 namespace Eigen {
 
-RIGID_INSTANCE class SparseMatrix<double, ColMajor>;
-RIGID_INSTANCE class SparseMatrix<double, RowMajor>;
-
-RIGID_INSTANCE class LDLT<rigid::instances::Matrix>;
-RIGID_INSTANCE class PartialPivLU<rigid::instances::Matrix>;
-RIGID_INSTANCE class FullPivLU<rigid::instances::SmallMatrix>;
-RIGID_INSTANCE class ColPivHouseholderQR<rigid::instances::Matrix>;
-RIGID_INSTANCE class SimplicialLDLT<rigid::instances::Columns>;
-RIGID_INSTANCE class SimplicialCholeskyBase<SimplicialLDLT<rigid::instances::Columns>>;
-
+RIGID_INSTANCE void PartialPivLU<rigid::instances::Matrix>::compute();
+RIGID_INSTANCE void FullPivLU<rigid::instances::SmallMatrix>::computeInPlace();
 RIGID_INSTANCE void
 FullPivLU<rigid::instances::SmallMatrix>::_solve_impl(const rigid::instances::SmallVector&,
                                                       rigid::instances::SmallVector&) const;
+RIGID_INSTANCE void ColPivHouseholderQR<rigid::instances::Matrix>::computeInPlace();
 RIGID_INSTANCE void
 ColPivHouseholderQR<rigid::instances::Matrix>::_solve_impl(const rigid::instances::Vector&,
                                                            rigid::instances::Vector&) const;
+RIGID_INSTANCE void SimplicialCholeskyBase<SimplicialLDLT<rigid::instances::Columns>>::ordering(
+    const rigid::instances::Columns&, const rigid::instances::Columns*&, rigid::instances::Columns&);
+RIGID_INSTANCE void
+SimplicialCholeskyBase<SimplicialLDLT<rigid::instances::Columns>>::analyzePattern_preordered(
+    const rigid::instances::Columns&, bool);
+RIGID_INSTANCE void
+SimplicialCholeskyBase<SimplicialLDLT<rigid::instances::Columns>>::factorize_preordered<true>(
+    const rigid::instances::Columns&);
 
 namespace internal {
 
