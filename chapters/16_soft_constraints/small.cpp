@@ -140,10 +140,11 @@ int main(int count, char** word)
         if (n < 2) std::printf("soft row: %.2f m/s, %.4f m\n", d.u[2], d.x[2] - 1);
     }
     out << "'/>\n<g fill='#808080' font-size='1.2'><text x='.4' y='9.8'>10 cm"
-           "</text><text x='.4' y='-9'>−10 cm</text><text x='20' y='2.6'>6 steps of "
-           "1/60 s</text><text x='12' y='-5.4'>exactly</text><text x='12' y='-9' fill='"
-           "#CC3311'>force of the start of the step</text><text x='12' y='-7.2' "
-           "fill='#4477AA'>force of the end of the step</text></g>\n</svg>\n";
+           "</text><text x='.4' y='-9'>−10 cm</text><text x='20' y='2.6'>6 steps"
+           " of 1/60 s</text><text x='12' y='-5.4'>exactly</text><text x='12' "
+           "y='-9' fill='#CC3311'>force of the start of the step</text><text x='12'"
+           " y='-7.2' fill='#4477AA'>force of the end of the step</text></g>\n"
+           "</svg>\n";
     for (const double stiffness : {120.0, 1e9}) {
         Discs d = net(stiffness);
         for (int n = 0; n < 240; ++n) step(d, 1.0 / 240, 10);
