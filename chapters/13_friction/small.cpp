@@ -1,13 +1,11 @@
 // Chapter 13 in one file, grown from chapter 12: contacts have friction.
-// It is a second row, whose bound is the impulse of the first.
-//     normal: λ ≥ 0, w ≥ 0, λ w = 0     tangent: |λ_t| ≤ μ λ_n, against w_t, (13.2)
+//     normal: λ ≥ 0, w ≥ 0, λ w = 0; a second row: |λ_t| ≤ μ λ_n, against w_t (13.2)
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <vector>
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using Vec = Eigen::VectorXd;
 using Polygon = Eigen::Matrix2Xd;  // corners, counterclockwise
 
@@ -147,12 +145,12 @@ void step(Bodies& d, double h, int sweeps)
 }
 
 // A uniform box of half sizes w, h at (x, y, angle); of mass INFINITY it is fixed.
-void add_box(Bodies& d, double w, double h, double mass, const Vector3d& at)
+void add_box(Bodies& d, double w, double h, double mass, const Eigen::Vector3d& at)
 {
     for (Vec* v : {&d.x, &d.u, &d.inverse_mass})
         v->conservativeResize(3 * d.corners.size() + 3);
     d.x.tail<3>() = at, d.u.tail<3>().setZero();
-    d.inverse_mass.tail<3>() = Vector3d(1, 1, 3 / (w * w + h * h)) / mass;
+    d.inverse_mass.tail<3>() = Eigen::Vector3d(1, 1, 3 / (w * w + h * h)) / mass;
     d.corners.push_back(Polygon{{-w, w, w, -w}, {-h, -h, h, h}});
 }
 
@@ -185,7 +183,9 @@ int main(int count, char** word)
             << "'/>\n<path stroke='#228833' stroke-dasharray='0.1' d='M"
             << N + mu * T << "L0 0L" << N - mu * T
             << "'/>\n<path stroke='#EE7733' d='M0 0L" << N.dot(P) * N << 'L' << P
-            << "'/>\n<path stroke='#CC3311' d='M0 0L" << P << "'/></g>\n";
+            << "'/>\n<path stroke='#CC3311' d='M0 0L" << P
+            << "'/>\n<text fill='#808080' transform='scale(1 -1)' font-size='.2' "
+            << "x='-1' y='.25'>μ = " << mu << "</text></g>\n";
     }
     out << "</g></svg>\n";
     // mu = 0.3 holds up to 16.70 degrees; beyond it (13.1).

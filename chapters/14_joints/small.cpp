@@ -1,6 +1,5 @@
 // Chapter 14 in one file, grown from chapter 11: a joint, a few rows on two bodies.
 // Some hold what it does not leave free, others bound or drive what it does.
-//
 //     w = J_a u_a + J_b u_b + b,   lo ≤ λ ≤ hi:   λ = lo, λ = hi or w = 0
 #include <Eigen/Core>
 #include <cmath>
@@ -186,8 +185,7 @@ int main(int count, char** word)
         }
         step(closing, 1.0 / 240, 0.2), step(d, 1.0 / 240, 0.2);
     }
-    if (count < 2) return 0;
-    std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
+    std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture, y upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
            "width='480' stroke-width='0.02' viewBox='-2.7 -0.3 4.8 1.9'>\n";
     for (const auto& [colour, points] : paths) {
@@ -195,5 +193,8 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='.13'><text x='-2.6' y='1.17'>pin</text>"
+           "<text x='-1.9' y='.15'>stop</text><text x='1' y='-.06'>stop</text>"
+           "<text x='-1' y='-.06'>slider</text><text x='-1.34' y='.85'>weld</text>"
+           "<text x='-1.33' y='1.2'>rope</text></g></svg>\n";
 }

@@ -173,5 +173,9 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='.11'><text x='.03' y='-.2'>λ₁</text>"
+           "<text x='.4' y='-.05'>rod 1</text><text x='.96' y='-.05'>λ₂</text>"
+           "<text x='1.4' y='-.05'>rod 2</text><text x='2.33' y='-.2'>λ₁</text>"
+           "<text x='2.65' y='-.05'>rod 1</text><text x='3.2' y='-.1'>¼ kg</text>"
+           "</g></svg>\n";
 }

@@ -120,7 +120,7 @@ int main(int count, char** word)
     std::ofstream out(count < 2 ? "" : word[1]);  // an SVG picture; cm downwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='500' "
            "stroke-width='0.15' viewBox='-1 -11 32 22'>\n<path stroke='#808080' d='"
-           "M0-10V10M0 0H30M0 1";
+           "M0-10V10M0 0H30M5-.3v.6m5 0v-.6m5 0v.6m5 0v-.6m5 0v.6m5 0v-.6M0 1";
     for (double t = 0; t < 6 * h; t += h / 20)  // exactly
         out << 'L' << 5 * t / h << ' ' << std::cos(omega * t);
     out << "'/>\n<path stroke='#CC3311' d='M0 1";
@@ -139,7 +139,12 @@ int main(int count, char** word)
         out << 'L' << 5 * n << ' ' << 100 * (d.x[2] - 1);
         if (n < 2) std::printf("soft row: %.2f m/s, %.4f m\n", d.u[2], d.x[2] - 1);
     }
-    out << "'/>\n</svg>\n";
+    out << "'/>\n<g fill='#808080' font-size='1.2'><text x='.4' y='9.8'>10 cm"
+           "</text><text x='.4' y='-9'>−10 cm</text><text x='20' y='2.6'>6 steps"
+           " of 1/60 s</text><text x='12' y='-5.4'>exactly</text><text x='12' "
+           "y='-9' fill='#CC3311'>force of the start of the step</text><text x='12'"
+           " y='-7.2' fill='#4477AA'>force of the end of the step</text></g>\n"
+           "</svg>\n";
     for (const double stiffness : {120.0, 1e9}) {
         Discs d = net(stiffness);
         for (int n = 0; n < 240; ++n) step(d, 1.0 / 240, 10);

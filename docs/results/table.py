@@ -26,7 +26,7 @@ NAMES = {"rk4": "RK4", "yoshida4": "Yoshida 4", "verlet": "Verlet", "explicit_eu
          "sequential_impulse_alternating": "sequential impulses, to and fro",
          "sequential_impulse_shuffled": "sequential impulses, shuffled",
          "active_sets_descent": "active sets, descent", "active_sets_proximal": "active sets, proximal",
-         "skipping": "skipping step", "skipping_without_sleep": "skipping step, nobody sleeps",
+         "skipping": "skipping step", "skipping_without_sleep": "skipping step, without sleep",
          "skipping_exact_islands": "skipping step, exact islands",
          "friction_sweeps": "warm sweeps with friction", "friction_small_steps": "small steps with friction",
          "exact_friction": "exact friction", "rods_sweeps": "warm sweeps on rods", "rods_small_steps": "small steps on rods",

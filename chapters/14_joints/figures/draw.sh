@@ -7,5 +7,8 @@
 run --scene walkers --method exact --steps 60 --svg "$out/ch14_walkers.svg"
 run --scene excavator --method exact --steps 120 --svg "$out/ch14_excavator.svg"
 
+# The kinds of joint.
+plot ch14_kinds
+
 # The picture of the small program.
 small ch14_small
