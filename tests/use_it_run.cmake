@@ -51,6 +51,9 @@ run("the program" ${folder}/build/my_program)
 run("the program with a stack" ${folder}/build/my_stack)
 run("the program with a world" ${folder}/build/my_world)
 run("the program with a lift" ${folder}/build/my_lift)
+if(WAY STREQUAL "an installed copy")
+  run("the program in space" ${folder}/build/my_space)
+endif()
 
 # An instruction set for the program alone would make Eigen free what it did not allocate: refused with a sentence.
 if(PROCESSOR MATCHES "^(x86_64|AMD64)$")

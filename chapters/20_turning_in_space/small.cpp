@@ -171,7 +171,7 @@ int main(int count, char** word)
     std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
     out << "<svg xmlns='http://www.w3.org/2000/svg' width='640' stroke='#808080' "
            "stroke-width='0.004' stroke-linejoin='round' viewBox='-0.25 -1 2.9 "
-           "1.15'>\n";
+           "1.36'>\n";
     Bodies d = book(12, 0.1);
     d.g = 9.81, d.u.head<3>() << 3, 0, 3.9;
     for (int n = 0; n <= 48; ++n, step(d, h)) {
@@ -182,6 +182,10 @@ int main(int count, char** word)
              {!red_is_near, red_is_near})  // the farther half first
             draw_half(out, d, red ? 1 : -1, red ? "#CC3311" : "#4477AA");
         draw_momentum(out, d);
+        if (n % 24 == 0)
+            out << "<text stroke='none' fill='#808080' font-size='0.07' x='"
+                << d.x[0] << "' y='" << 0.24 - d.x[2] << "'>" << n * h
+                << " s</text>\n";
     }
     out << "</svg>\n";
     std::printf("after 0.8 s the spin about the middle axis is %.2f rad/s\n",

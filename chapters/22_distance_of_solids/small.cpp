@@ -214,5 +214,10 @@ int main(int count, char** word)
         out << "<text fill='#808080' text-anchor='middle' x='" << place[0] + 10
             << "' y='" << 0.15 - place[1] << "'>" << i << "</text>\n";
     }
+    const auto name = [&out](double x, double y, const char* text) {
+        out << "<text fill='#808080' x='" << x << "' y='" << y << "'>" << text
+            << "</text>\n";
+    };
+    name(1.2, -1.9, "A"), name(5.8, -2.5, "B"), name(14.8, -3.4, "B − A");
     out << "<circle cx='10' cy='0' r='0.14' fill='#808080'/>\n</svg>\n";
 }

@@ -103,8 +103,7 @@ void by_rows(Cloth& c, double h, Vec& x, bool keep)
 // (27.12): particle by particle, each with all of its springs.
 void by_particles(Cloth& c, const Vec& y, double h, Vec& x)
 {
-    static std::vector<std::vector<Spring*>> at;
-    at.assign(x.size() / 3, {});
+    std::vector<std::vector<Spring*>> at(x.size() / 3);
     for (Spring& s : c.springs) at[s.a].push_back(&s), at[s.b].push_back(&s);
     for (int k = 0; k < int(at.size()); ++k) {
         const double m = 1 / (h * h * c.inverse_mass[3 * k]);

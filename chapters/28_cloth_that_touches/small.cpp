@@ -231,7 +231,8 @@ int main(int count, char** word)
         };
         for (const Spring& s : c.springs)
             if (s.length < 0.06) out << 'M', place(s.a), out << 'L', place(s.b);
-        out << "'/>\n";
+        out << "'/>\n<text fill='#808080' font-size='0.07' x='" << left - 0.3
+            << "' y='0.6'>μ = " << mu << "</text>\n";
     }
     out << "</svg>\n";
 }

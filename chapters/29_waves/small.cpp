@@ -201,7 +201,8 @@ int main(int count, char** word)
             for (const Vector2d& p : placed(b)) out << p.x() << ',' << p.y() << ' ';
             out << "'/>\n";
         }
-        out << "</g>\n";
+        out << "</g>\n<text fill='#808080' font-size='0.26' x='6.6' y='" << y - 1.2
+            << "'>" << (y > 0 ? "after 4 s" : "at first") << "</text>\n";
     }
     out << "</svg>\n";
     for (const Body& b : boxes)

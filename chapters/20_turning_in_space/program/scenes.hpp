@@ -34,11 +34,17 @@ inline void draw_spin(SolidPicture& picture, const FlightState& s, Real length)
 {
     const Vec3 L = momenta(s.scene.bodies).tail<3>(),
                omega = world_spin(s.scene.bodies, 0);
-    if (L.norm() > 0)
-        picture.arrow({0, 0, 0}, length * L.normalized(), {Colour::red, 2.5, 1});
-    if (omega.norm() > 0)
-        picture.arrow({0, 0, 0}, length * omega.normalized(),
-                      {Colour::green, 2, 1});
+    if (!(L.norm() > 0 && omega.norm() > 0)) return;
+    const Vec3 to_L = length * L.normalized(),
+               to_omega = length * omega.normalized();
+    picture.arrow({0, 0, 0}, to_L, {Colour::red, 2.5, 1});
+    picture.arrow({0, 0, 0}, to_omega, {Colour::green, 2, 1});
+    if ((to_L - to_omega).norm() < 0.1 * length)  // one is over the other
+        picture.label(1.05 * to_L + Vec3(0, 0.1 * length, 0), "L, ω");
+    else {
+        picture.label(1.05 * to_L, "L", Colour::red);
+        picture.label(1.05 * to_omega, "ω", Colour::green);
+    }
 }
 
 inline Demo tossed_demo(const std::string& name, const std::string& summary,

@@ -8,6 +8,7 @@
 #include "common/elementary.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -100,16 +101,17 @@ public:
             for (int j = 0; j < squares; ++j)
                 facet({at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)},
                       (i + j) % 2 == 0 ? Colour::faint : Colour::ink);
+        const std::size_t sides = facets_.size();
         const Real far = half + height;
         for (int side = 0; side < 4 && height > 0; ++side) {
             const Mat3 R = rotation_matrix(Vec3(0, side * pi / 2, 0));
-            facet({R * Vec3(half, 0, half), R * Vec3(half, 0, -half),
-                   R * Vec3(far, height, -far), R * Vec3(far, height, far)},
+            facet({R * Vec3(half, 0, -half), R * Vec3(half, 0, half),
+                   R * Vec3(far, height, far), R * Vec3(far, height, -far)},
                   Colour::faint);
         }
         for (std::size_t i = first; i < facets_.size(); ++i) {
             facets_[i].depth += behind;
-            facets_[i].style.opacity *= 0.2;
+            facets_[i].style.opacity *= i < sides ? 0.2 : 0.45;
         }
     }
 
@@ -124,8 +126,13 @@ public:
         lines_.push_back(
             {{camera_.project(tail), camera_.project(head)}, style, true});
     }
+    /// Words that begin at a point.
+    void label(const Vec3& where, std::string words, Colour colour = Colour::ink)
+    {
+        labels_.push_back({camera_.project(where), std::move(words), colour});
+    }
 
-    /// The farthest first; lines over all of them.
+    /// The farthest first; lines over all of them, then words.
     void paint(Canvas& canvas)
     {
         std::stable_sort(
@@ -146,7 +153,9 @@ public:
                 canvas.arrow(line.points[0], line.points[1], line.style);
             else canvas.polyline(line.points, line.style);
         }
-        facets_.clear(), lines_.clear();
+        for (const Label& label : labels_)
+            canvas.text(label.where, label.words, 15, {label.colour});
+        facets_.clear(), lines_.clear(), labels_.clear();
     }
 
 private:
@@ -159,6 +168,11 @@ private:
         std::vector<Vec2> points;
         Style style;
         bool arrow;
+    };
+    struct Label {
+        Vec2 where;
+        std::string words;
+        Colour colour;
     };
 
     /// A ball or a capsule in 12 slices, every third of another colour, so that its turning is seen.
@@ -196,6 +210,7 @@ private:
     Skin skin_;
     std::vector<Facet> facets_;
     std::vector<Line> lines_;
+    std::vector<Label> labels_;
 };
 
 }  // namespace rigid

@@ -12,7 +12,7 @@ inline Demo top_scene()
 {
     Demo scene = joint_demo(
         "top", "A top on its tip: steady precession beside its closed form",
-        {{0, 0.16}, {0.42, 0.28}}, 1.0 / 960, {"exact", "islands"},
+        {{0, 0.02}, {0.42, 0.28}}, 1.0 / 960, {"exact", "islands"},
         [](const Settings& settings) {
             JointSetup setup;
             TopShape top;
@@ -22,6 +22,16 @@ inline Demo top_scene()
             setup.camera.target = {0, 0.12, 0};
             setup.camera.distance = 1;
             setup.traces = true;
+            setup.picture = [](SolidPicture& picture, const JointState& s) {
+                const Vec3 tip(0, 0, 0), up(0, 0.33, 0);
+                const Vec3 end = 0.36 * centre_of(s.scene.bodies.x, 0).normalized();
+                picture.line({tip, up}, {Colour::ink, 1.5, 1, Paint::dashed});
+                picture.arrow(tip, end, {Colour::red, 2.5, 1});
+                picture.label(up + Vec3(-0.03, 0.01, 0), "vertical");
+                picture.label(end + Vec3(0.01, 0.01, 0), "spin ω", Colour::red);
+                picture.label(Vec3(-0.38, 0.15, 0), "way of the centre",
+                              Colour::purple);
+            };
             const Real exact = precession_of(top);
             setup.measure = [exact](const JointState& s) -> std::vector<Real> {
                 const Vec3 p = centre_of(s.scene.bodies.x, 0);
@@ -50,14 +60,22 @@ inline Demo chain_scene()
     return hung_demo<JointedSolids, JointSteps>(
         "chain",
         "Rods on ball joints and constant-velocity joints swing out of the plane",
-        {{0, -1.6}, {4.6, 3.2}},
+        {{0, 0}, {4.6, 3.2}},
         [](const Settings& settings) {
             JointSetup setup;
+            const Real length = settings["rods"];  // of 1 m each
             setup.scene = rod_chain(static_cast<int>(settings["rods"]));
             setup.camera.target = {0, -1.6, 0};
             setup.camera.distance = 14;
             setup.traces = true;
             setup.traced = {0.4, 0, 0};
+            setup.picture = [length](SolidPicture& picture, const JointState&) {
+                const Vec3 pin(0, 0, 0), end(length, 0, 0);
+                picture.line({pin, end}, {Colour::ink, 1.5, 1, Paint::dashed});
+                picture.line({{-0.4, 0, 0}, {0.4, 0, 0}}, {Colour::ink, 4, 1});
+                picture.label({-1.1, 0, 0}, "pin");
+                picture.label({0.4 * length, 0.1, 0}, "at the start");
+            };
             return setup;
         },
         {{"rods", "", "rods of the chain", 4, 1, 12, Numbers::whole,

@@ -117,14 +117,14 @@ Demo poured_demo(const std::string& name, const std::string& summary, int side,
 {
     const Real wider = 0.4 * (side - 3), far = 1 + wider;
     Demo scene = solid_demo<Scene, Steps>(
-        name, summary, {{0, 0}, {2.7 * far, 1.8 * far}}, 1.0 / 120, ways_to_drag,
-        [side, wider, far](const Settings& settings) {
+        name, summary, {{0, -0.1 * far}, {3.6 * far, 2.4 * far}}, 1.0 / 120,
+        ways_to_drag, [side, wider, far](const Settings& settings) {
             SolidSetup<Scene> setup;
             setup.scene = mixed_heap(static_cast<int>(settings["bodies"]),
                                      settings["mu"], settings.seed, side);
             setup.camera.target = {0, 0.5 * far, 0};
             setup.camera.distance = 8 * far;
-            setup.camera.height = 0.5;
+            setup.camera.height = 0.8;
             setup.ground = 1 + wider, setup.pit = 1.2 + wider;
             setup.measure = [](const SolidState<Scene>& s) -> std::vector<Real> {
                 return {energy(s.scene) - s.energy,
