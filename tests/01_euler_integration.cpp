@@ -1068,6 +1068,28 @@ TEST_CASE("Five Verlet steps of order 4 are better than three at equal work", "[
     CHECK(three / five == Approx(1.28).margin(0.005));  // as the text rounds it
 }
 
+TEST_CASE("A damper lowers the largest stable step of symplectic Euler", "[idea]")
+{
+    // Exercise 1.8: trace 2 - hc - h^2 omega^2, determinant 1 - hc: stable while h^2 omega^2 + 2 hc < 4.
+    for (const Real c : {0., 0.5, 1., 1.5}) {  // [1/s], with h = 1 s
+        const auto farthest = [c](Real omega) {
+            const auto damped = [c, omega](const Vec<1>& x, const Vec<1>& u) -> Vec<1> {
+                return -omega * omega * x - c * u;
+            };
+            State<1> s = state(1, 0);
+            Real far = 0;
+            for (int n = 0; n < 2000; ++n) {
+                s = symplectic_euler(s, 1., damped);
+                far = std::max(far, std::abs(s.x[0]));
+            }
+            return far;
+        };
+        const Real limit = std::sqrt(4 - 2 * c);
+        CHECK(farthest(0.99 * limit) < 20);  // 7.09, without the damper
+        CHECK(farthest(1.01 * limit) > 1e6);
+    }
+}
+
 TEST_CASE("A controller that remembers the error before rejects almost no step of a stiff spring", "[house]")
 {
     // Exercise 1.7.

@@ -686,7 +686,7 @@ TEST_CASE("PGS cycles on a matrix that is not symmetric and says iteration limit
 
 TEST_CASE("the skew example settles for omega below two thirds and not above", "[idea]")
 {
-    // Exercise 4.3: ω² + ω − 1 < (1 − ω)².
+    // Exercise 4.4: ω² + ω − 1 < (1 − ω)².
     const Mlcp mlcp = problem((MatX(2, 2) << 1, 2, -2, 1).finished(), VecX(Vec2(-3, 1)));
     PgsSettings settings;
     for (const Real omega : {0.3, 0.6, 0.66}) {
@@ -702,7 +702,7 @@ TEST_CASE("the skew example settles for omega below two thirds and not above", "
 
 TEST_CASE("red and black rows shrink the error at the rate of Gauss-Seidel", "[idea]")
 {
-    // Exercise 4.4: first the odd rows, then the even ones.
+    // Exercise 4.5: first the odd rows, then the even ones.
     for (const Index N : {5, 10, 20}) {
         const Mlcp mlcp = line(N);
         const VecX exact = carried(mlcp);
@@ -722,7 +722,7 @@ TEST_CASE("red and black rows shrink the error at the rate of Gauss-Seidel", "[i
 
 TEST_CASE("keeping w up to date gives the sweeps that compute it", "[house]")
 {
-    // Exercise 4.5.
+    // Exercise 4.3.
     Random random(45);
     for (int sample = 0; sample < 100; ++sample) {
         const Mlcp mlcp = random_definite(random, 8);

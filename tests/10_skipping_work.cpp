@@ -485,6 +485,26 @@ TEST_CASE("the islands of the text are those of six discs and two that are fixed
     CHECK(islands.rows_of(3).empty());
 }
 
+TEST_CASE("where body 2 of the text may move what stands on it is one island", "[idea]")
+{
+    // Exercise 10.4: the rows of the test before; 5 alone is fixed.
+    VecX inverse_mass = VecX::Ones(16);
+    inverse_mass.segment<2>(10).setZero();
+    std::vector<Row<2>> rows;
+    for (const auto& [a, b] : std::vector<std::pair<Index, Index>>{{1, 2}, {0, 3}, {2, 4}, {4, 5}, {3, 6}})
+        rows.push_back(row_between(a, b, inverse_mass));
+    const std::vector<int> bodies = {0, 1, 2, 3, 4, 6, 7};
+    Islands islands;
+    separate(8, bodies, islands);
+    join_by_rows<2>(bodies, rows, {}, islands);
+    REQUIRE(islands.count() == 3);
+    const auto list = [](std::span<const int> part) { return std::vector<int>(part.begin(), part.end()); };
+    CHECK(list(islands.bodies_of(0)) == std::vector<int>{0, 3, 6});
+    CHECK(list(islands.bodies_of(1)) == std::vector<int>{1, 2, 4});
+    CHECK(list(islands.rows_of(1)) == std::vector<int>{0, 2, 3});
+    CHECK(list(islands.bodies_of(2)) == std::vector<int>{7});
+}
+
 TEST_CASE("islands are the connected parts of random rows and rows of two islands do not meet in A", "[idea]")
 {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {

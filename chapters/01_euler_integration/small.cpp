@@ -61,7 +61,9 @@ struct Method {
 
 int main(int count, char** word)
 {
-    std::vector<Path> paths{{"#808080", {}}};  // the exact motion is a circle
+    std::vector<Path> paths{{"#808080", {}},  // the exact motion is a circle
+                            {"#808080", {{-1.3, 0}, {1.3, 0}}},
+                            {"#808080", {{0, -1.3}, {0, 1.3}}}};
     for (double t = 0; t < 6.4; t += 0.1)
         paths[0].second.push_back({std::cos(t), std::sin(t)});
 
@@ -93,11 +95,15 @@ int main(int count, char** word)
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.04' viewBox='-2.4 -3.4 5.5 5.2'>\n";
+           "width='400' stroke-width='0.03' viewBox='-2.4 -3.4 5.5 5.2'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.25'><text x='1.4' y='0.1'>x [m]</text>"
+           "<text x='0.08' y='-1.45'>u [m/s]</text>"
+           "<text x='1.3' y='0.8' fill='#CC3311'>explicit</text>"
+           "<text x='1.3' y='1.15' fill='#4477AA'>symplectic</text>"
+           "<text x='1.3' y='1.5' fill='#228833'>implicit</text></g></svg>\n";
 }

@@ -86,5 +86,8 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.1'><text x='-0.4' y='-0.75'>wire</text>"
+           "<text x='1.35' y='-1.33'>u*</text>"
+           "<text x='1.38' y='-0.85'>Jᵀλ/m</text><text x='0.66' y='-0.55'>u</text>"
+           "</g></svg>\n";
 }

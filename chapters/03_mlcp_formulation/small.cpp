@@ -139,5 +139,11 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.13'><text x='1.02' y='0.13'>ux</text>"
+           "<text x='0.06' y='-0.65'>uy</text>"
+           "<text x='0.3' y='-0.3'>allowed</text>"
+           "<text x='-1.17' y='-0.07'>floor alone</text>"
+           "<text x='0.36' y='0.33'>ramp alone</text>"
+           "<text x='-0.02' y='0.13'>both</text><text x='-1.17' y='2.13'>u*</text>"
+           "</g></svg>\n";
 }

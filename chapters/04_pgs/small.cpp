@@ -104,7 +104,8 @@ int main(int count, char** word)
     // By hand, (4.2): two discs of 1 kg in a column, g h = 1 m/s.
     const Mat A{{1, -1}, {-1, 2}};
     const Vec q{{-1, 0}}, lo = Vec::Zero(2);
-    std::vector<Path> paths{{"#4477AA", {{1, 0}, {2.2, 1.2}}},  // w1 = 0, w2 = 0
+    std::vector<Path> paths{{"#808080", {{0, 1.25}, {0, 0}, {2.25, 0}}},
+                            {"#4477AA", {{1, 0}, {2.2, 1.2}}},  // w1 = 0, w2 = 0
                             {"#4477AA", {{0, 0}, {2.2, 1.1}}},
                             {"#CC3311", {{0, 0}}}};
     Vec lambda = Vec::Zero(2);
@@ -112,7 +113,7 @@ int main(int count, char** word)
         const double before = lambda[1];
         pgs(A, q, lo, lambda, 1);
         std::printf("sweep %d: lambda %g %g N s\n", sweep, lambda[0], lambda[1]);
-        paths[2].second.insert(paths[2].second.end(),
+        paths[3].second.insert(paths[3].second.end(),
                                {{lambda[0], before}, lambda});
     }
 
@@ -123,11 +124,14 @@ int main(int count, char** word)
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.02' viewBox='-0.1 -1.3 2.4 1.4'>\n";
+           "width='400' stroke-width='0.02' viewBox='-0.15 -1.35 2.5 1.5'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.09'><text x='2.15' y='0.08'>λ1</text>"
+           "<text x='-0.13' y='-1.2'>λ2</text>"
+           "<text x='1.7' y='-0.55'>w1 = 0</text>"
+           "<text x='0.2' y='-0.3'>w2 = 0</text></g></svg>\n";
 }

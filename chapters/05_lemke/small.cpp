@@ -145,5 +145,6 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.2'><text x='2.95' y='0.17'>z1</text>"
+           "<text x='-0.19' y='-2.6'>z2</text></g></svg>\n";
 }

@@ -119,11 +119,14 @@ int main(int count, char** word)
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='400' stroke-width='0.02' viewBox='-1.1 -0.2 1.3 1.3'>\n";
+           "width='400' stroke-width='0.02' viewBox='-1.1 -0.2 1.4 1.3'>\n";
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.06'>"
+           "<text x='0.015' y='0.5'>u1 = 0</text>"
+           "<text x='-0.85' y='0.6'>u1 = u2</text><text x='0.1' y='1.07'>u1</text>"
+           "<text x='-1.09' y='-0.1'>u2</text></g></svg>\n";
 }

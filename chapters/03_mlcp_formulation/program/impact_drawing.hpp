@@ -99,6 +99,9 @@ inline void draw_velocities(Canvas& canvas, const ImpactMoment& shown)
                    plane_middle + Vec2(plane_half, 0), {Colour::faint, 1});
     canvas.segment(plane_middle - Vec2(0, plane_half),
                    plane_middle + Vec2(0, plane_half), {Colour::faint, 1});
+    canvas.text(plane_middle + Vec2(plane_half - 0.03, -0.07), "u_x", 13, ink,
+                Align::right);
+    canvas.text(plane_middle + Vec2(0.03, plane_half - 0.09), "u_y", 13, ink);
 
     const Real change = (u - u_star).norm();
     for (const Real part : {0.5, 1.0, 1.5})

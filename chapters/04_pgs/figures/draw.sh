@@ -58,6 +58,18 @@ for omega in 0.3 0.5 0.7 0.9 1 1.1 1.2 1.3 1.4 1.5 1.55 1.6 1.65 1.7; do
 done
 plot ch04_omega
 
+# The error of each row of a column of ten, (4.8), after some sweeps from zero, beside the slowest mode.
+awk -v data="$data" 'BEGIN {
+    N = 10
+    for (sweep = 0; sweep <= 90; ++sweep) {
+        if (sweep == 0 || sweep == 10 || sweep == 30 || sweep == 90)
+            for (k = 1; k <= N; ++k) print k, (N - k + 1 - lambda[k]) / N > (data "/mode_" sweep)
+        lambda[1] = lambda[2] + 1
+        for (k = 2; k <= N; ++k) lambda[k] = (lambda[k - 1] + (k < N ? lambda[k + 1] : 0)) / 2
+    }
+}'
+plot ch04_mode
+
 # Sweeps of each step of the ten discs.
 run --scene ten_discs --steps 2400 --csv "$data/discs"
 plot ch04_discs
