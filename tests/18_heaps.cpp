@@ -29,6 +29,21 @@ Vec<4> motion_of(const Bodies<3>& bodies)
     return sum;
 }
 
+/// How high all energy would lift what can move, above y = 0 [m]
+Real height_of(const Bodies<3>& bodies)
+{
+    Real energy = 0, mass = 0;
+    for (Index k = 0; k < bodies.count(); ++k) {
+        if (bodies.inverse_mass[3 * k] <= 0) continue;
+        const Vec<3> u = bodies.velocity(k);
+        const Real m = 1 / bodies.inverse_mass[3 * k];
+        energy += m * (u.head<2>().squaredNorm() / 2 + 9.81 * bodies.position(k).y()) +
+                  u[2] * u[2] / bodies.inverse_mass[3 * k + 2] / 2;
+        mass += m;
+    }
+    return energy / (9.81 * mass);
+}
+
 /// Rubble in a trough.
 JointedScene rubble(int bodies, std::uint64_t seed)
 {
@@ -257,10 +272,29 @@ TEST_CASE("a small heap that moves is swept and overlaps no more than one that i
         }
     INFO(swept.overlap << ' ' << exact.overlap << ' ' << swept.price << ' ' << exact.price << ' '
                        << swept.unsolved << ' ' << swept.rescued);
-    CHECK(swept.overlap < 1.3 * exact.overlap);  // 0.92: falls part ways
-    CHECK(swept.price < 0.85 * exact.price);     // 0.67
+    CHECK(swept.overlap < 1.3 * exact.overlap);  // 0.56: falls part ways
+    CHECK(swept.price < 0.4 * exact.price);      // 0.15
     CHECK(swept.unsolved == 0);
-    CHECK(swept.rescued < 100);  // 29 of 960 steps; 220 with 60 sweeps in place of 500
+    CHECK(swept.rescued == 0);  // it goes by small steps
+}
+
+TEST_CASE("a small heap that moves and bounces is swept with patience and hardly ever rescued", "[idea]")
+{
+    int awake = 0, rescued = 0;
+    for (const int seed : {0, 1, 2}) {
+        JointedScene scene = rubble(32, static_cast<std::uint64_t>(seed));
+        for (Surface& surface : scene.surfaces) surface.restitution = 0.3;
+        IslandsUnderTest run(scene);
+        for (int i = 0; i < 240; ++i) {
+            run.step();
+            CHECK(run.unsolved() == 0);
+            if (run.awake() == 0) continue;
+            ++awake;
+            rescued += run.method.solver.rescued_count;
+        }
+    }
+    CHECK(awake > 400);
+    CHECK(rescued < 60);  // 7; 234 where 60 sweeps are all
 }
 
 TEST_CASE("what comes to rest is solved to the end and then falls asleep", "[idea]")
@@ -371,19 +405,7 @@ TEST_CASE("in small steps pins turn with their bodies and their errors go along"
 TEST_CASE("ten dolls in one heap take small steps and overstep no limit and gain no energy", "[idea]")
 {
     IslandsUnderTest run = falling_dolls(10);
-    const auto height = [&] {
-        Real energy = 0, mass = 0;
-        const Bodies<3>& bodies = run.scene.bodies;
-        for (Index k = 0; k < bodies.count(); ++k) {
-            if (bodies.inverse_mass[3 * k] <= 0) continue;
-            const Vec<3> u = bodies.velocity(k);
-            const Real m = 1 / bodies.inverse_mass[3 * k];
-            energy += m * (u.head<2>().squaredNorm() / 2 + 9.81 * bodies.position(k).y()) +
-                      u[2] * u[2] / bodies.inverse_mass[3 * k + 2] / 2;
-            mass += m;
-        }
-        return energy / (9.81 * mass);
-    };
+    const auto height = [&] { return height_of(run.scene.bodies); };
     Real worst = 0, lowest = height(), gained = 0;
     std::int64_t price = 0;
     int unsolved = 0, stepped = 0;
@@ -402,6 +424,89 @@ TEST_CASE("ten dolls in one heap take small steps and overstep no limit and gain
     CHECK(gained < 0.02);  // of forty falls 0.0085 m at worst; 9.4 where joints hold pushes back
     CHECK(price <
           100'000'000);  // 0.045e9; 0.76e9 by a thousand sweeps, 1.6e9 where the heap is solved exactly
+}
+
+TEST_CASE("a doll that falls in small steps gains no height", "[idea]")
+{
+    Real most = 0;
+    for (int i = 10; i < 20; ++i) {
+        IslandsUnderTest run = falling_dolls(1);
+        Bodies<3>& bodies = run.scene.bodies;
+        for (Index k = bodies.count() - 10; k < bodies.count(); ++k)
+            bodies.x.segment<2>(3 * k) += i * Vec2(0.01, 0.005);
+        Real lowest = height_of(bodies);
+        int stepped = 0;
+        for (int n = 0; n < 200; ++n) {
+            run.step();
+            stepped += run.method.solver.stepped_count;
+            const Real now = height_of(bodies);
+            most = std::max(most, now - lowest);
+            lowest = std::min(lowest, now);
+        }
+        CHECK(stepped > 20);
+    }
+    // 0.0002; 0.015 where overlaps are pushed out, for what a joint holds back of that stays in the velocities
+    CHECK(most < 0.002);
+}
+
+TEST_CASE("joints that are open ask for so many small steps that they close", "[idea]")
+{
+    IslandsUnderTest run = falling_dolls(4);
+    const Index first = run.scene.bodies.count() - 40;
+    for (Index k = first; k < first + 40; ++k) run.scene.bodies.velocity(k)[1] = -6;
+    // the bodies of a step before joints are corrected, if it took so many small steps at most
+    const auto open_after = [&](const Bodies<3>& before, int most) {
+        IslandChoice choice = run.method.solver;
+        choice.heaps.most = most;
+        choice.all.anew = true;
+        StepData<3> now = run.now;
+        now.substep = 0;
+        now.same_rows = now.same_bodies = false;
+        Bodies<3> bodies = before;
+        choice.solve(bodies, now);
+        choice.for_each_problem(now, [](auto&&...) {});
+        Real open = 0;
+        for (const PointJoint& row : run.scene.joints)
+            if (row.kind == ConstraintKind::bilateral)
+                open = std::max(open, std::abs(joint_constraint(bodies.x, row).C));
+        return open;
+    };
+    const HeapSteps how;
+    Real largest = 0, with_few = 0;
+    int stepped = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Bodies<3> before = run.scene.bodies;
+        run.step();
+        if (run.method.solver.stepped_count == 0) continue;
+        ++stepped;
+        largest = std::max(largest, open_after(before, how.most));
+        with_few = std::max(with_few, open_after(before, how.least));
+    }
+    INFO(largest << ' ' << with_few);
+    CHECK(stepped > 20);
+    CHECK(largest < 2 * how.open);   // 0.97 of it: bodies here are not those of the lanes to second order
+    CHECK(with_few > 4 * how.open);  // 8
+}
+
+TEST_CASE("joints that may take no small steps are swept to the end", "[idea]")
+{
+    IslandsUnderTest run = falling_dolls(6);
+    run.method.solver.rule.stepped_ratio = 0;
+    Real worst = 0;
+    int unsolved = 0, swept = 0;
+    std::int64_t price = 0;
+    for (int i = 0; i < 240; ++i) {
+        run.step();
+        CHECK(run.method.solver.stepped_count == 0);
+        worst = std::max(worst, run.joint_error());
+        unsolved += run.unsolved();
+        swept += run.method.solver.most_sweeps > 0;
+        price += run.price();
+    }
+    CHECK(swept > 100);
+    CHECK(worst < 0.01);   // 0.0001 here, of falls of four to ten dolls 0.003 at worst; 0.04 after 60 sweeps
+    CHECK(unsolved < 40);  // 9; 113
+    CHECK(price < 600'000'000);  // 0.29e9
 }
 
 TEST_CASE("a chain that sweeps would lose is held though it moves in a heap", "[idea]")
