@@ -15,8 +15,9 @@ struct NamedImpulses {
         of.clear();
         for (std::size_t i = 0; i < now.sources.size(); ++i)
             if (now.sources[i].of == Source::Of::contact)
-                of.push_back({key_of(now.sources[i], now.contacts), 0,
-                              now.solution.lambda[static_cast<Index>(i)]});
+                of.push_back(
+                    {.key = key_of(now.sources[i], now.contacts),
+                     .lambda = now.solution.lambda[static_cast<Index>(i)]});
         std::sort(of.begin(), of.end(),
                   [](const auto& a, const auto& b) { return a.key < b.key; });
     }
