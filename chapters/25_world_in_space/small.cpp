@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <string>
 #include <vector>
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -170,7 +171,16 @@ int main(int count, char** word)
     if (count < 2) return 0;
     std::ofstream out(word[1]);  // an SVG picture of the paths; y points upwards
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' "
-           "width='560' stroke-width='0.06' viewBox='-0.8 -0.8 11.6 5.6'>\n";
+           "width='560' stroke-width='0.06' viewBox='-0.8 -0.95 12.9 5.75'>\n";
+    const auto label = [&out](double x, double y, const std::string& text) {
+        out << "<text fill='#808080' font-size='0.42' x='" << x << "' y='" << y
+            << "'>" << text << "</text>\n";
+    };
+    for (int k = 0; k < 4; ++k)
+        for (const double right : {0.0, 6.0})
+            label(right + 1.3 * k - 0.14, -0.4, std::string(1, char('A' + k)));
+    for (int level = 1; level <= 3; ++level)
+        label(10.3, 1.6 * level - 1.05, "level " + std::to_string(level));
     for (const auto& [colour, points] : paths) {
         out << "<polyline stroke='" << colour << "' points='";
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
@@ -181,8 +191,8 @@ int main(int count, char** word)
         for (const Vector2d& p : points)
             out << "<circle fill='" << colour << "' r='0.16' cx='" << p.x()
                 << "' cy='" << -p.y() << "'/>\n";
-        out << "<text fill='#808080' font-size='0.42' x='" << points[0].x() - 0.55
-            << "' y='" << 0.15 - points[0].y() << "'>" << i / 2 - 3 << "</text>\n";
+        label(points[0].x() - 0.55, 0.15 - points[0].y(),
+              std::to_string(i / 2 - 3));
     }
     out << "</svg>\n";
 }
