@@ -1,6 +1,6 @@
 # Height over width of a strip against its load, by each model of bending, and the elastica; left its weight, right a load at
 # its end.
-set terminal svg size 820,420 dynamic enhanced font 'DejaVu Sans,14' linewidth 1.2
+set terminal svg size 820,480 dynamic enhanced font 'DejaVu Sans,18' linewidth 1.4
 set output out
 set border 3 lc rgb '#808080'
 set tics nomirror out tc rgb '#808080'
@@ -14,7 +14,7 @@ colours = "#4477AA #EE7733 #CC3311 #AA3377"
 set ylabel 'height / width of its end' tc rgb '#808080'
 do for [side in "weight end"] {
     set xlabel (side eq 'weight' ? 'weight q L³/EI' : 'load P L²/EI at the end') tc rgb '#808080'
-    if (side eq 'weight') { set key bottom right tc rgb '#808080' samplen 0.5 font ',12' } else { unset key }
+    if (side eq 'weight') { set key bottom right tc rgb '#808080' samplen 0.5 font ',12.5' } else { unset key }
     plot data.'/'.side.'_elastica' using 1:2 with lines smooth mcsplines lw 1.2 lc rgb '#808080' title 'elastica', \
          for [m = 1:4] data.'/'.side.'_'.word(models, m) using 1:2 with points pt (4 + m) ps 0.8 lc rgb word(colours, m) title word(names, m)
 }
