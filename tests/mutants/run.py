@@ -66,6 +66,8 @@ def fault_of_code(code, is_statement):
         return "has brackets that do not close"
     if is_statement:
         return "" if not code or code[-1] in ";}" else "is no statement"
+    if code.endswith(("|", "&", "+", "-", "*", "/", "<", ">", "=", "?", ":", ",")) and not code.endswith(("++", "--")):
+        return "ends in an operator"
     return "is a statement: as statement, or at and its expression" if ";" in code or code.startswith("else ") else ""
 
 

@@ -67,6 +67,7 @@ class Lists(unittest.TestCase):
         self.refused("two lines 'in'", lambda: read("mutant a\nin f\nin f"))
         self.refused("'f[(]x' has brackets", lambda: read("mutant a\nin f\nwas f(x\nnow y"))
         self.refused("'x = y;' is a statement", lambda: read("mutant a\nin f\nwas x = y;\nnow y"))
+        self.refused("'x ||' ends in", lambda: read("mutant a\nin f\nwas x ||\nnow y"))
         self.refused("'x' is no statement", lambda: read("mutant a\nin f\nwas x\nnow\nas statement"))
         self.refused("as can only be", lambda: read("mutant a\nin f\nwas x\nnow y\nas line"))
 
