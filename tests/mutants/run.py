@@ -60,6 +60,17 @@ class Mutant:
         raise AttributeError(field)
 
 
+def fault_of_code(code, is_statement):
+    """Why this cannot be compiled where an expression, or a statement, is chosen; none if it may be."""
+    if any(code.count(opening) != code.count(closing) for opening, closing in ("()", "[]", "{}")):
+        return "has brackets that do not close"
+    if is_statement:
+        return "" if not code or code[-1] in ";}" else "is no statement"
+    if code.endswith(("|", "&", "+", "-", "*", "/", "<", ">", "=", "?", ":", ",")) and not code.endswith(("++", "--")):
+        return "ends in an operator"
+    return "is a statement: as statement, or at and its expression" if ";" in code or code.startswith("else ") else ""
+
+
 def read_list(path, first_number=1):
     """The mutants of one list."""
     mutants = []
@@ -86,6 +97,10 @@ def read_list(path, first_number=1):
                 raise ListError(f"{mutant.place}: '{mutant.name}' has no line '{key}'")
         if mutant.fields.get("as", "statement") != "statement":
             raise ListError(f"{mutant.place}: as can only be 'statement', not '{mutant.fields['as']}'")
+        for key in ("was", "now"):
+            why = fault_of_code(mutant.fields[key], mutant.fields.get("as") == "statement")
+            if why:
+                raise ListError(f"{mutant.place}: '{mutant.name}': '{mutant.fields[key]}' {why}")
         if mutant.name in names:
             raise ListError(f"{mutant.place}: there are two mutants '{mutant.name}'")
         names.add(mutant.name)

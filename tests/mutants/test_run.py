@@ -65,12 +65,16 @@ class Lists(unittest.TestCase):
         self.refused("04.txt:2: 'where' is none of", lambda: read("mutant a\nwhere f"))
         self.refused("two mutants 'a'", lambda: read("mutant a\nin f\nwas x\nnow y\nmutant a\nin f\nwas x\nnow y"))
         self.refused("two lines 'in'", lambda: read("mutant a\nin f\nin f"))
+        self.refused("'f[(]x' has brackets", lambda: read("mutant a\nin f\nwas f(x\nnow y"))
+        self.refused("'x = y;' is a statement", lambda: read("mutant a\nin f\nwas x = y;\nnow y"))
+        self.refused("'x ||' ends in", lambda: read("mutant a\nin f\nwas x ||\nnow y"))
+        self.refused("'x' is no statement", lambda: read("mutant a\nin f\nwas x\nnow\nas statement"))
         self.refused("as can only be", lambda: read("mutant a\nin f\nwas x\nnow y\nas line"))
 
     def test_a_list_is_read_with_its_numbers(self):
-        mutants = read("# a comment\n\nmutant a b\nin f\nwas x  y\nnow\nas statement\nmutant c\nin f\nwas z\nnow 1\nequal so")
+        mutants = read("# a comment\n\nmutant a b\nin f\nwas x  y;\nnow\nas statement\nmutant c\nin f\nwas z\nnow 1\nequal so")
         self.assertEqual([m.number for m in mutants], [1, 2])
-        self.assertEqual((mutants[0].name, mutants[0].was, mutants[0].now), ("a b", "x  y", ""))
+        self.assertEqual((mutants[0].name, mutants[0].was, mutants[0].now), ("a b", "x  y;", ""))
         self.assertEqual((mutants[1].file, mutants[1].equal), ("f", "so"))
 
 
