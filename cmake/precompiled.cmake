@@ -1,12 +1,33 @@
 # precompile(TARGET): compiles a target of the book's own with the shared precompiled header: the standard library and
 # Eigen are parsed once (Eigen's factorisations are compiled once, in rigid_factors). It saves about a third of a build. A
 # build without it (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, .ci/run alone) gives the same bits and shows a header that
-# relies on it. The library is compiled without it: who uses that has none.
+# relies on it. The library that is used (release) is compiled without it: who uses that has none. Where clang++ only looks
+# at the library (presets clang and asan: RIGID_LIBRARY_PRECOMPILED), it is with it.
+option(RIGID_LIBRARY_PRECOMPILED "Compile the physics with the precompiled header, too (clang++ only)" OFF)
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
-  add_library(rigid_precompiled STATIC cmake/precompiled/precompiled.cpp)
-  target_link_libraries(rigid_precompiled PRIVATE rigid_common)
-  target_precompile_headers(rigid_precompiled PRIVATE common/eigen_instances.hpp
-                                                      cmake/precompiled/standard.hpp)
+  function(add_precompiled name)
+    add_library(${name} STATIC cmake/precompiled/precompiled.cpp)
+    target_link_libraries(${name} PRIVATE rigid_options)
+    target_compile_options(${name} PRIVATE ${ARGN})
+    target_precompile_headers(${name} PRIVATE common/eigen_instances.hpp cmake/precompiled/standard.hpp)
+  endfunction()
+  add_precompiled(rigid_precompiled)
+  if(RIGID_LIBRARY_PRECOMPILED AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    # what it declares is made there
+    set_source_files_properties(common/eigen_instances.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    if(RIGID_RESULTS_OPTIONS)
+      add_precompiled(rigid_precompiled_for_results ${RIGID_RESULTS_OPTIONS})
+    endif()
+    foreach(part ${rigid_parts})
+      get_target_property(options ${part} COMPILE_OPTIONS)
+      if(RIGID_RESULTS_OPTIONS AND "${RIGID_RESULTS_OPTIONS}" IN_LIST options)
+        target_precompile_headers(${part} REUSE_FROM rigid_precompiled_for_results)
+      else()
+        target_precompile_headers(${part} REUSE_FROM rigid_precompiled)
+      endif()
+    endforeach()
+    set_target_properties(${rigid_parts} PROPERTIES POSITION_INDEPENDENT_CODE OFF)   # as the header is compiled
+  endif()
 endif()
 
 # compile_together(TARGET): its sources are compiled some at a time, one after the other in one go, so what they share is
