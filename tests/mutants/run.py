@@ -12,7 +12,7 @@ A list names mutants like this; lines that begin with # are comments:
     was    first_try ? 5. : 1.
     now    5.
 
-`was` is part of one line, or of several without the breaks, and occurs once in the file; where it occurs more often, a line `at` gives more of the
+`was` is an expression, part of one line or of several without the breaks, and occurs once in the file; where it occurs more often, a line `at` gives more of the
 line around it, which occurs once. The expression becomes a choice at run time, so a chapter is compiled once for
 all of its mutants. Further lines, where they are needed:
 
