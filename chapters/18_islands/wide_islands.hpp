@@ -65,7 +65,9 @@ struct WideIsland {
     }
     //! [wide]
 
-    void small_steps(const HeapSteps& how, const IslandNote& note,
+    /// \return  whether they have an answer: what they leave is slower than the
+    ///          island; else nothing has changed
+    bool small_steps(const HeapSteps& how, const IslandNote& note,
                      Bodies<3>& bodies, StepData<3>& now)
     {
         if (!has_rows_) {
@@ -75,12 +77,23 @@ struct WideIsland {
         part.gather_velocities(bodies, now);
         heap(how, how.count(note.length), note.joined, now, part, solver.bundles,
              solver.wide);
-        part.scatter(bodies, now);
-        stepped = true;
         has_rows_ = false;
+        stepped = !note.joined || heap.residual <= fastest();
+        if (stepped) part.scatter(bodies, now);
+        else now.visits += part.now.visits;
+        return stepped;
     }
 
 private:
+    /// The speed of its fastest body before any impulse [m/s]
+    Real fastest() const
+    {
+        Real speed = 0;
+        for (const int k : part.now.active)
+            speed = std::max(speed, part.now.u_star.segment<2>(3 * k).norm());
+        return speed;
+    }
+
     /// Noise of sweeps is no reason to stay awake; but what an exact solve can settle
     /// is left to it.
     /// \param tolerance  of the islands [ℓ/s]
