@@ -134,9 +134,10 @@ private:
         // as good as sweeps leave it; half of that, for joints add their rounding
         const Real late = tolerance * now.length / 2;
         WideIsland* lanes = wide.find(i);
-        if (lanes && note.steps && !bounces(all.islands.rows_of(i), now) &&
-            lanes->small_steps(heaps, note, bodies, now))
+        if (lanes && note.steps && !bounces(all.islands.rows_of(i), now)) {
+            lanes->small_steps(heaps, sweeps, note, bodies, now);
             return;
+        }
         if (ExactIsland* one = exactly.find(i)) {
             prepare(*one, late, rule.entries, most_exact);
             one->solve(tolerance * now.length / 1000, bodies, now);
