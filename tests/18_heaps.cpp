@@ -449,6 +449,27 @@ TEST_CASE("a doll that falls in small steps gains no height", "[idea]")
     CHECK(most < 0.002);
 }
 
+TEST_CASE("what small steps leave is swept where it is faster than the dolls and they gain no height", "[idea]")
+{
+    IslandsUnderTest run = falling_dolls(8);
+    Bodies<3>& bodies = run.scene.bodies;
+    for (Index k = bodies.count() - 80; k < bodies.count(); ++k)
+        bodies.x.segment<2>(3 * k) += Vec2(0.01, 0.005);
+    Real lowest = height_of(bodies), gained = 0;
+    int stepped = 0, swept = 0;
+    for (int n = 0; n < 150; ++n) {
+        run.step();
+        stepped += run.method.solver.stepped_count;
+        swept += run.method.solver.most_sweeps > 0;
+        const Real now = height_of(bodies);
+        gained = std::max(gained, now - lowest);
+        lowest = std::min(lowest, now);
+    }
+    INFO(gained << ' ' << stepped << ' ' << swept);
+    CHECK(stepped > 100);
+    CHECK(gained < 0.02);  // 0.34 where it is left to the next step; of sixty such falls none gains 0.011
+}
+
 TEST_CASE("joints that are open ask for so many small steps that they close", "[idea]")
 {
     IslandsUnderTest run = falling_dolls(4);
