@@ -1,5 +1,5 @@
 // Chapter 13 in one file, grown from chapter 12: contacts have friction.
-//     normal: λ ≥ 0, w ≥ 0, λ w = 0; a second row: |λ_t| ≤ μ λ_n, against w_t (13.2)
+//     normal: λ ≥ 0, w ≥ 0, λ w = 0; a second row |λ_t| ≤ μ λ_n, against w_t (13.2)
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>

@@ -156,11 +156,11 @@ private:
         for (const int i : members) {
             const Row<3>& row = rows[static_cast<std::size_t>(i)];
             const int a = a_of(row), b = b_of(row);
-            if (a == last_a && b == last_b) continue;
-            last_a = a, last_b = b;
-            if (is_beside_its_bound(rows, row)) continue;
+            if (is_beside_its_bound(rows, row) || (a == last_a && b == last_b))
+                continue;
             hang(a, b);
             hang(b, a);
+            last_a = a, last_b = b;
         }
         queue_.clear();
         const bool floats = at(first_, ground_) < 0;
