@@ -135,7 +135,8 @@ TEST_CASE("sines that are remembered have the bits of those that are not", "[hou
     for (int n = 0; n < 2000; ++n) {
         const Index k = random.index(5);
         Real& angle = angles[static_cast<std::size_t>(k)];
-        if (n % 3 == 0) angle = n % 9 == 0 ? -angle * 0 : random.uniform(-10, 10);  // −0 is another angle than 0
+        if (n % 3 == 0)
+            angle = n % 9 == 0 ? -angle * 0 : random.uniform(-10, 10);  // −0 is another angle than 0
         const auto [sine, cosine] = turns.of(k, angle);
         REQUIRE(sine == rigid::sin(angle));
         REQUIRE(std::signbit(sine) == std::signbit(rigid::sin(angle)));

@@ -419,8 +419,8 @@ TEST_CASE("ten dolls in one heap take small steps and overstep no limit and gain
         lowest = std::min(lowest, height());
     }
     CHECK(stepped > 100);
-    CHECK(worst < 1e-8);  // Newton stops at 1e-9 ℓ; limits that are near are held meanwhile
-    CHECK(unsolved < 5);  // 1: what small steps leave there is swept, and says so
+    CHECK(worst < 1e-8);   // Newton stops at 1e-9 ℓ; limits that are near are held meanwhile
+    CHECK(unsolved < 5);   // 1: what small steps leave there is swept, and says so
     CHECK(gained < 0.02);  // of 220 falls 0.010 m at worst; 9.4 where joints hold pushes back
     CHECK(price <
           100'000'000);  // 0.045e9; 0.76e9 by a thousand sweeps, 1.6e9 where the heap is solved exactly
@@ -449,7 +449,8 @@ TEST_CASE("a doll that falls in small steps gains no height", "[idea]")
     CHECK(most < 0.002);
 }
 
-TEST_CASE("what small steps leave is swept where it is faster than the dolls and they gain no height", "[idea]")
+TEST_CASE("what small steps leave is swept where it is faster than the dolls and they gain no height",
+          "[idea]")
 {
     IslandsUnderTest run = falling_dolls(8);
     Bodies<3>& bodies = run.scene.bodies;
