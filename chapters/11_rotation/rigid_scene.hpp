@@ -101,7 +101,7 @@ struct RigidScene {
     Vec2 gravity = {0, -9.81};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;
-    mutable Turns turns;  ///< memory of its joints
+    mutable Turns turns;  ///< memory of its joints and shapes
 };
 
 /// ℓ, the length that settings are measured in (chapter 3).
