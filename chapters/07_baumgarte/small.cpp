@@ -145,6 +145,6 @@ int main(int count, char** word)
         for (const Vector2d& p : points) out << p.x() << ',' << -p.y() << ' ';
         out << "'/>\n";
     }
-    out << "<g fill='#808080' font-size='0.9'><text x='18' y='1.3'>steps</text>"
-           "<text x='0' y='-10.3'>mm</text></g></svg>\n";
+    out << "<g fill='#808080' font-size='.9'><text x='16' y='1.3'>20 steps</text>"
+           "<text x='0' y='-10.3'>10 mm</text></g></svg>\n";
 }
