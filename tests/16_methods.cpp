@@ -214,18 +214,20 @@ TEST_CASE("ten boxes that overlap by a fifth come apart and none is thrown", "[i
 
 TEST_CASE("many small steps of one sweep hold what one step of as many sweeps does not", "[idea]")
 {
-    // the same visits: 16 a step
-    JointSweeps<Manifolds> method;
-    method.correction.method = Stabilizer::baumgarte;  // no sweeps but those
-    const auto sag = [&](int substeps, int sweeps) {
-        JointSweeps<Manifolds> fresh = method;
-        fresh.start.from = Start::previous;
-        fresh.solver.sweeps = {sweeps, 0};
+    // the same visits, 16 a step, cold; the deepest overlap of the first second
+    const auto deepest = [](int substeps, int sweeps) {
+        JointSweeps<Manifolds> method;
+        method.correction.method = Stabilizer::baumgarte;  // no sweeps but those
+        method.start.from = Start::cold;
+        method.solver.sweeps = {sweeps, 0};
         JointedScene scene = stack(20);
-        return settle(scene, fresh, 1.0 / 60, 60, substeps);
+        Real most = 0;
+        for (int i = 0; i < 60; ++i) most = std::max(most, settle(scene, method, 1.0 / 60, 1, substeps));
+        return most;
     };
-    const Real small = sag(16, 1), whole = sag(1, 16);
-    CHECK(small < whole / 10);
+    const Real small = deepest(16, 1), whole = deepest(1, 16);
+    CHECK(whole == Approx(0.026).epsilon(0.1));  // (16.19): 9.6 g H², 0.02616; 0.0257 to 0.0285 as it leans
+    CHECK(small < whole / 7);  // a ninth to an eleventh; where it stands (16.19) has a fifteenth
 }
 
 /// 1 kg and below it R kg on hard rows; cold sweeps, all errors asked back or none of them.

@@ -154,7 +154,8 @@ inline void load(ImpulseCache& cache, std::span<const ImpulseKey> keys, Real h,
     for (std::size_t i = 0, row = 0; i < keys.size(); ++i) {
         // Most rows are those of the step before, in the order that they had there.
         if (is_at(cache, row, keys[i]))
-            near = cache.entries.begin() + cache.place[row];
+            near = cache.entries.begin() +
+                   static_cast<std::ptrdiff_t>(cache.place[row]);
         else {
             ++cache.searched;
             near = entry_near(cache, near, keys[i]);

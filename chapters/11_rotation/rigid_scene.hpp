@@ -11,7 +11,6 @@
 #include "common/shapes.hpp"
 #include "common/typical_length.hpp"
 
-#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -85,7 +84,7 @@ private:
     };
     static std::uint64_t bits(Real angle)
     {
-        return std::bit_cast<std::uint64_t>(angle);
+        return Eigen::numext::bit_cast<std::uint64_t>(angle);
     }
     std::vector<Known> known_;
 };

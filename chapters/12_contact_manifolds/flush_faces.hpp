@@ -118,7 +118,8 @@ struct Seams {
             const auto last = std::find_if(first, of_.end(), [&](const auto& it) {
                 return it.mover != first->mover;
             });
-            const std::span<Touching> touched(first, last);
+            const std::span<Touching> touched(
+                &*first, static_cast<std::size_t>(last - first));
             first = last;
             if (touched.size() < 2 && scene.walls.empty()) continue;
             const Real flush = flush_within(

@@ -90,6 +90,31 @@ bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads)
 }
 //! [sweep]
 
+/// The natural residual of all rows, (3.15), as they are in their lanes [m/s]: what a
+/// visit of each, with these velocities, would change.
+template <int Dof, class T, int L>
+T wide_residual(const WideRows<Dof, T, L>& all)
+{
+    using V = Lanes<T, L>;
+    const V none{};
+    V most{};
+    for (const Packet<L>& packet : all.packets) {
+        V ua[Dof], ub[Dof];
+        gather<Dof, T, L>(all.u.data(), packet.a.data(), ua);
+        gather<Dof, T, L>(all.u.data(), packet.b.data(), ub);
+        const auto* rows = &all.rows[static_cast<std::size_t>(packet.first)];
+        const RowShape* shapes =
+            &all.shapes[static_cast<std::size_t>(packet.first)];
+        for (int r = 0; r < packet.rows; ++r) {
+            const V reach = reach_of<Dof, T, L>(rows, shapes, r);
+            const V lambda = wide_lambda<Dof, V>(rows[r], shapes[r], reach, ua, ub);
+            const V off = size_of(lambda - rows[r].lambda) / rows[r].mass;
+            most = at_least(rows[r].mass > 0 ? off : none, most);
+        }
+    }
+    return largest<L>(most);
+}
+
 /// What the λ that the rows begin with do to the velocities, in the order of the visits.
 template <int Dof, class T, int L>
 void apply_impulses(WideRows<Dof, T, L>& all)

@@ -45,13 +45,12 @@ inline V clamped(const WideRow<Dof, V>& row, const RowShape& shape, const V& rea
 }
 
 //! [visit]
-/// One visit of one row in each lane, (17.3).
+/// λ' of one row in each lane [N s], (17.3)
 /// \param reach   μ λ_n; zero where no other row bounds this one
 /// \param ua, ub  velocities of the two bodies [m/s]
-/// \return        Δλ [N s]
 template <int Dof, class V>
-V wide_visit(WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
-             V (&ua)[Dof], V (&ub)[Dof])
+V wide_lambda(const WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
+              const V (&ua)[Dof], const V (&ub)[Dof])
 {
     V w = row.Ja[0] * ua[0] + row.Jb[0] * ub[0];
     for (int d = 1; d < Dof; ++d) {
@@ -63,7 +62,16 @@ V wide_visit(WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
         w = bias + w;
     } else w = row.bias + w;
     const V wanted = row.lambda - row.mass * w;
-    const V lambda = clamped(row, shape, reach, wanted);
+    return clamped(row, shape, reach, wanted);
+}
+
+/// One visit of one row in each lane.
+/// \return  λ' − λ [N s]
+template <int Dof, class V>
+V wide_visit(WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
+             V (&ua)[Dof], V (&ub)[Dof])
+{
+    const V lambda = wide_lambda<Dof, V>(row, shape, reach, ua, ub);
     const V change = lambda - row.lambda;
     row.lambda = lambda;
     for (int d = 0; d < Dof; ++d) {

@@ -29,6 +29,8 @@ struct HeapSteps {
     /// a joint that is off by more asks for twice as many small steps [ℓ, rad]
     Real open = 5e-3;
     int most = 128;  ///< K, where joints ask for more
+    /// what a small step of joints leaves is slower than this part of the fastest body
+    Real slow = 0.25;
     /// of each body: the same, at most [m]; empty = slop
     std::vector<Real> slops;
 
@@ -86,6 +88,7 @@ public:
         go(count);
         while (errors_.open_by() > how.open * now.length && count < how.most)
             count *= 2, go(2);  // from the beginning
+        residual = wide_residual(wide);
         take_out(count, part, wide);
     }
 
@@ -95,7 +98,8 @@ private:
     {
         StepData<3>& now = part.now;
         const Real h = now.h / count,
-                   fastest = joined ? 0 : how.fastest * now.length;
+                   fastest = joined ? 0 : how.fastest * now.length,
+                   until = how.slow * fastest_body(now);
         moved_.assign(wide.u.size(), {});
         for (int n = 0; n < count; ++n) {
             for (const int k : now.active)
@@ -110,12 +114,33 @@ private:
                     of(moved_, k).u[d] += h * of(wide.u, k).u[d];
             errors_.follow(h, wide);
             errors_.set_biases(0, 0, h, wide);
-            wide_sweep(wide, Real{0}, 1);
+            if (wide_sweep(wide, until, 1) && joined)
+                visit_on(until, (how.visits + 1) * count, now, wide);
         }
         now.visits +=
             (how.visits + 1) * count * static_cast<std::int64_t>(now.rows.size());
     }
     //! [small_steps]
+
+    //! [visit_on]
+    /// Of a limb that is caught, more visits, until they leave no more than this [m/s].
+    static void visit_on(Real until, int most, StepData<3>& now, Wide& wide)
+    {
+        for (int n = 0; n < most && wide_residual(wide) > until; ++n) {
+            wide_sweep(wide, Real{0}, 1);
+            now.visits += static_cast<std::int64_t>(now.rows.size());
+        }
+    }
+    //! [visit_on]
+
+    /// Before any impulse [m/s]
+    static Real fastest_body(const StepData<3>& now)
+    {
+        Real speed = 0;
+        for (const int k : now.active)
+            speed = std::max(speed, now.u_star.segment<2>(3 * k).norm());
+        return speed;
+    }
 
 public:
     /// Where the bodies of the part are after it.
@@ -153,23 +178,17 @@ private:
         errors_.put_in(left_alone, whole, part.rows, part.local.inverse_mass, wide);
     }
 
-    /// λ of the whole sub-step, u, and what the last visits left.
-    void take_out(int count, StepPart& part, const Wide& wide)
+    /// λ of the whole sub-step, and u.
+    static void take_out(int count, StepPart& part, const Wide& wide)
     {
-        StepData<3>& now = part.now;
-        VecX& lambda = now.solution.lambda;
+        VecX& lambda = part.now.solution.lambda;
         get_velocities(wide.u, part.local.u);
-        for (std::size_t i = 0; i < now.rows.size(); ++i) {
+        for (std::size_t i = 0; i < wide.place.size(); ++i) {
             const auto [row, lane_of] = wide.place[i];
-            if (row < 0) continue;
-            lambda[static_cast<Index>(i)] =
-                lane(of(wide.rows, row).lambda, lane_of);
-            if (lane(errors_.at(row).is_gap, lane_of) > 0)
-                now.rows[i].bias =
-                    std::max(Real{0}, lane(errors_.at(row).C, lane_of)) * count /
-                    now.h;
+            if (row >= 0)
+                lambda[static_cast<Index>(i)] =
+                    lane(of(wide.rows, row).lambda, lane_of);
         }
-        residual = natural_residual(now.rows, lambda, part.local.u);
         lambda *= count;
     }
 

@@ -135,7 +135,7 @@ private:
         const Real late = tolerance * now.length / 2;
         WideIsland* lanes = wide.find(i);
         if (lanes && note.steps && !bounces(all.islands.rows_of(i), now)) {
-            lanes->small_steps(heaps, sweeps, note, bodies, now);
+            lanes->small_steps(heaps, note, bodies, now);
             return;
         }
         if (ExactIsland* one = exactly.find(i)) {

@@ -49,16 +49,25 @@ struct WideIsland {
     void solve(const ImpulseSettings& sweeps, Real slow, const IslandNote& note,
                Bodies<3>& bodies, StepData<3>& now)
     {
-        solve(sweeps, slow, note, note.sweeps, bodies, now);
+        stepped = has_rows_ = false;
+        part.gather(bodies, now);
+        const StepData<3>& here = part.now;
+        const bool stays =
+            standing > note.sweeps &&
+            stand(here.active, part.local.u, here.u_star, here.length);
+        solver.sweeps = sweeps;
+        solver.sweeps.max_sweeps = stays ? standing : note.sweeps;
+        solver.sweeps.tolerance =
+            stays ? enough(note, slow, sweeps.tolerance) : note.until / now.length;
+        solver.momentum = stays;
+        solver.solve(part.local, part.now);
+        part.scatter(bodies, now);
     }
     //! [wide]
 
-    //! [wide_steps]
-    /// Where joints are, what small steps leave must be slower than the island was
-    /// before its impulses. Else sweeps take their place, as many as they visit at
-    /// most.
-    void small_steps(const HeapSteps& how, const ImpulseSettings& sweeps,
-                     const IslandNote& note, Bodies<3>& bodies, StepData<3>& now)
+    /// (18.4a), of what moves
+    void small_steps(const HeapSteps& how, const IslandNote& note,
+                     Bodies<3>& bodies, StepData<3>& now)
     {
         if (!has_rows_) {
             part.gather_rows(bodies, now);
@@ -67,42 +76,12 @@ struct WideIsland {
         part.gather_velocities(bodies, now);
         heap(how, how.count(note.length), note.joined, now, part, solver.bundles,
              solver.wide);
+        part.scatter(bodies, now);
         has_rows_ = false;
-        stepped = !note.joined || heap.residual <= fastest();
-        if (stepped) return part.scatter(bodies, now);
-        now.visits += part.now.visits;
-        const int most = std::min(note.sweeps, (how.visits + 1) * how.most);
-        solve(sweeps, 0, note, most, bodies, now);
+        stepped = true;
     }
-    //! [wide_steps]
 
 private:
-    void solve(const ImpulseSettings& sweeps, Real slow, const IslandNote& note,
-               int most, Bodies<3>& bodies, StepData<3>& now)
-    {
-        stepped = has_rows_ = false;
-        part.gather(bodies, now);
-        const StepData<3>& here = part.now;
-        const bool stays = standing > most && stand(here.active, part.local.u,
-                                                    here.u_star, here.length);
-        solver.sweeps = sweeps;
-        solver.sweeps.max_sweeps = stays ? standing : most;
-        solver.sweeps.tolerance =
-            stays ? enough(note, slow, sweeps.tolerance) : note.until / now.length;
-        solver.momentum = stays;
-        solver.solve(part.local, part.now);
-        part.scatter(bodies, now);
-    }
-
-    /// Of its bodies before any impulse [m/s]
-    Real fastest() const
-    {
-        Real speed = 0;
-        for (const int k : part.now.active)
-            speed = std::max(speed, part.now.u_star.segment<2>(3 * k).norm());
-        return speed;
-    }
-
     /// Noise of sweeps is no reason to stay awake; but what an exact solve can settle
     /// is left to it.
     /// \param tolerance  of the islands [ℓ/s]

@@ -49,7 +49,9 @@ private:
                 std::find_if(first, now.contacts.end(), [&](const Contact& it) {
                     return !is_same(*first, it);
                 });
-            if (counts({first, last})) kept = std::copy(first, last, kept);
+            const std::span<const Contact> touch(
+                &*first, static_cast<std::size_t>(last - first));
+            if (counts(touch)) kept = std::copy(first, last, kept);
             else if (first->a != world)
                 left_out.push_back(pair_key(first->a, first->b));
             first = last;

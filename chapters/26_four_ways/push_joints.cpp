@@ -5,6 +5,10 @@
 
 #include "chapters/12_contact_manifolds/manifold.hpp"
 #include "chapters/12_contact_manifolds/wall_manifold.hpp"
+#include "common/pair_set.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace rigid {
 
@@ -67,6 +71,37 @@ PushJoint of_pair(const JointedScene& scene, Index a, Index b, const Manifold& m
         one.surface = combined(scene.surfaces[static_cast<std::size_t>(a)],
                                scene.surfaces[static_cast<std::size_t>(b)]);
     return one;
+}
+
+/// Pairs whose boxes overlap, the first grown by the margin, ascending: by the left
+/// ends of the boxes, as in chapter 10.
+std::vector<PairSet::Pair> pairs_of_boxes(const std::vector<PlacedShape>& placed,
+                                          Real margin)
+{
+    struct Shadow {
+        Box box, wide;
+        Index k;
+    };
+    std::vector<Shadow> shadows;
+    for (const PlacedShape& one : placed) {
+        const Box box = box_of(one.view());
+        shadows.push_back(
+            {box, grown(box, margin), static_cast<Index>(shadows.size())});
+    }
+    std::stable_sort(shadows.begin(), shadows.end(),
+                     [](const Shadow& a, const Shadow& b) {
+                         return a.wide.low.x() < b.wide.low.x();
+                     });
+    std::vector<PairSet::Pair> pairs;
+    for (auto i = shadows.begin(); i != shadows.end(); ++i)
+        for (auto j = i + 1;
+             j != shadows.end() && j->wide.low.x() <= i->wide.high.x(); ++j) {
+            const auto [a, b] =
+                i->k < j->k ? std::pair(&*i, &*j) : std::pair(&*j, &*i);
+            if (overlap(a->wide, b->box)) pairs.emplace_back(a->k, b->k);
+        }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 }  // namespace
@@ -167,13 +202,10 @@ void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
                     scene, w, b, m.points[static_cast<std::size_t>(i)].feature));
         }
     }
-    const auto joined = [&](Index a, Index b) {
-        for (const PointJoint& joint : scene.joints)
-            if (!joint.collides && std::min(joint.a, joint.b) == a &&
-                std::max(joint.a, joint.b) == b)
-                return true;
-        return false;
-    };
+    std::vector<PairSet::Pair> held;
+    for (const PointJoint& joint : scene.joints)
+        if (!joint.collides) held.emplace_back(joint.a, joint.b);
+    const PairSet joined(std::move(held));
     const auto may_meet = [&](Index a, Index b) {
         return (bodies.can_move(a) || bodies.can_move(b)) &&
                (filter.meets[static_cast<std::size_t>(
@@ -181,20 +213,17 @@ void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
                     filter.group_of(static_cast<int>(b)) &
                 1) != 0 &&
                !filter.forbids(static_cast<int>(a), static_cast<int>(b)) &&
-               !joined(a, b);
+               !joined.contains(a, b);
     };
-    for (Index a = 0; a < bodies.count(); ++a)
-        for (Index b = a + 1; b < bodies.count(); ++b) {
-            const Placed pa = placed[static_cast<std::size_t>(a)].view(),
-                         pb = placed[static_cast<std::size_t>(b)].view();
-            if (!overlap(grown(box_of(pa), margin), box_of(pb)) || !may_meet(a, b))
-                continue;
-            const Manifold m = collide(pa, pb, {.margin = margin});
-            for (int i = 0; i < m.count; ++i)
-                found.push_back(of_pair(scene, a, b, m,
-                                        m.points[static_cast<std::size_t>(i)],
-                                        pa.edges()));
-        }
+    for (const auto& [a, b] : pairs_of_boxes(placed, margin)) {
+        if (!may_meet(a, b)) continue;
+        const Placed pa = placed[static_cast<std::size_t>(a)].view(),
+                     pb = placed[static_cast<std::size_t>(b)].view();
+        const Manifold m = collide(pa, pb, {.margin = margin});
+        for (int i = 0; i < m.count; ++i)
+            found.push_back(of_pair(
+                scene, a, b, m, m.points[static_cast<std::size_t>(i)], pa.edges()));
+    }
 }
 
 }  // namespace rigid

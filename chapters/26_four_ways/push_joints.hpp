@@ -27,8 +27,8 @@ struct PushJoint {
     bool touches = true;  ///< false: a limit of a joint
 };
 
-/// What holds the scene and pushes in it: the joints of a scene that push alone, and all contacts with a gap below the margin,
-/// by testing each pair. Bodies that a joint keeps from touching, and those that the filter does, have none.
+/// What holds the scene and pushes in it: the joints of a scene that push alone, and all contacts with a gap below the margin.
+/// Bodies that a joint keeps from touching, and those that the filter does, have none.
 /// \param margin  [m]
 /// \param found   is emptied and filled: limits, walls, pairs, each in ascending order
 void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
