@@ -207,7 +207,7 @@ TEST_CASE("the explicit term adds the energy of (20.19) in each step and the imp
     }
 }
 
-TEST_CASE("the tossed book has the energy of Figure 20.2 after eight seconds", "[idea]")
+TEST_CASE("the tossed book has the energy of Figure 20.3 after eight seconds", "[idea]")
 {
     const Vec3 I = mass_of(solid_box({0.16, 0.24, 0.04}), 0.7 / (0.16 * 0.24 * 0.04)).inertia.diagonal();
     const auto kept = [&](Tumbling way) {

@@ -185,11 +185,11 @@ int main(int count, char** word)
             << "'/>\n<path stroke='#EE7733' d='M0 0L" << N.dot(P) * N << 'L' << P
             << "'/>\n<path stroke='#CC3311' d='M0 0L" << P
             << "'/>\n<text fill='#808080' transform='scale(1 -1)' font-size='.2' "
-            << "x='-1' y='.25'>μ = " << mu << "</text></g>\n";
+            << "x='-1' y='.25'>μ = " << mu << "<tspan x='.5' y='-.48'>λₙ</tspan>"
+            << "<tspan x='.36' y='-.84'>λₜ</tspan></text></g>\n";
     }
     out << "</g></svg>\n";
-    // mu = 0.3 holds up to 16.70 degrees; beyond it (13.1).
-    for (const double degrees : {16.5, 16.9, 30.0}) {
+    for (const double degrees : {16.5, 16.9, 30.0}) {  // 16.70 holds; then (13.1)
         Bodies d = boxes(1, degrees * std::acos(-1) / 180, 0.3), start = d;
         for (int n = 0; n < 480; ++n) step(d, 1.0 / 240, 10);
         std::printf("%.1f degrees: %.6f m\n", degrees, (d.x - start.x).norm());

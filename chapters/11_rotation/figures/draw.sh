@@ -22,5 +22,8 @@ for parts in 1 2 4 8 16 32; do
 done
 plot ch11_order
 
+# The letters of a point of a body.
+plot ch11_point
+
 # The picture of the small program.
 small ch11_small

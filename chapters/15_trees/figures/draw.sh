@@ -8,5 +8,8 @@ run --scene chain --method trees --steps 60 --svg "$out/ch15_chain.svg"
 run --scene bridge --method trees --steps 120 --svg "$out/ch15_bridge.svg"
 run --scene dolls --steps 110 --svg "$out/ch15_dolls.svg"
 
+# A tree and its two ways.
+plot ch15_tree
+
 # The picture of the small program.
 small ch15_small

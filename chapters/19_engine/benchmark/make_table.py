@@ -6,7 +6,7 @@
     make_table.py --check    changes nothing, exit 1 if another table stands in a text
 
     kept.csv       what is kept where things move, with 1, 4 and 16 sub-steps    Tables 19.1 and 19.2
-    engines.csv    large worlds and what should stand, with 1 and 4              19.A and 19.9
+    engines.csv    large worlds and what should stand, with 1 and 4              19.A and 19.8
     asleep.csv     a step where few or all are awake                             19.B
 """
 
@@ -44,7 +44,7 @@ IN_DEPTH = {"ms_all": {**STAND, **HANG, **LIE}, "sunk": STAND, "gap": HANG, "ove
                        for name in ("poured_300", "dolls_10", "chain_50_1000", "bridge_30", "grid_20")}}
 ONE_STEP_ONLY = {"poured_10000"}
 
-# Where it is behind, in 17.9: world → title, and what stands in its lines: column, times, heading.
+# Where it is behind, in 19.8: world → title, and what stands in its lines: column, times, heading.
 BEHIND = {"poured_300": ("300 boxes and discs poured", [("ms_all", 1e-3, "time [s]"), ("overlap", 1, "overlap [m]")]),
           "dolls_10": ("10 ragdolls on stairs", [("ms_all", 1e-3, "time [s]"), ("gap", 1, "gap of a joint [m]"),
                                                  ("overlap", 1, "overlap [m]")]),
@@ -52,7 +52,7 @@ BEHIND = {"poured_300": ("300 boxes and discs poured", [("ms_all", 1e-3, "time [
           "grid_20": ("grid of 20 × 20 bodies on joints", [("ms_all", 1e-3, "time [s]"), ("gap", 1, "gap of a joint [m]")]),
           "chain_50_1000": ("chain of 50 rods, 1000 at its end", [("ms_all", 1, "time [ms]")]),
           "pyramid_10": ("pyramid, 10", [("ms_all", 1, "time [ms]")])}
-# How far what should stand has moved, in 17.9: title, world, column, numbers of sub-steps.
+# How far what should stand has moved, in 19.8: title, world, column, numbers of sub-steps.
 MOVED = [("pyramid, 10 boxes at its foot", "pyramid_10", "sunk", (1, 4)), ("pyramid, 20", "pyramid_20", "sunk", (1, 4)),
          ("pyramid, 40", "pyramid_40", "sunk", (1, 4)), ("house of cards, 4 storeys", "house_4", "sunk", (1, 4)),
          ("column of 20 boxes", "column_20", "sunk", (1, 4)),

@@ -23,5 +23,8 @@ for method in explicit implicit momentum middle; do
 done
 plot ch20_order
 
+# Two quarter turns in both orders.
+plot ch20_turns
+
 # The picture of the small program.
 small ch20_small
