@@ -222,7 +222,7 @@ int main(int count, char** word)
     }
     std::ofstream out(count < 2 ? "" : word[1]);  // SVG
     out << "<svg xmlns='http://www.w3.org/2000/svg' width='640' fill='none' "
-           "stroke-width='0.03' viewBox='-1.4 -2.4 9.2 4.6'>\n<path stroke='#47A' "
+           "stroke-width='0.03' viewBox='-1.4 -2.4 9.2 4.9'>\n<path stroke='#47A' "
            "d='M1 1H-1V-1H1z'/><path stroke='#E73' d='M.5 .75L1.75 -.5L.5 -1.75"
            "L-.75 -.5z'/>\n";
     for (const Contact& p : four_of(points, Vector3d::UnitZ())) {
@@ -245,5 +245,6 @@ int main(int count, char** word)
             out << "Z'/>\n";
         }
     }
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='.3'><text x='3.4' y='2.35'>four points"
+           "</text><text x='5.7' y='2.35'>one point</text></g></svg>\n";
 }

@@ -196,7 +196,11 @@ int main(int count, char** word)
             << "'/><circle fill='#CC3311' r='0.02' cx='" << to[0] << "' cy='"
             << -to[1] << "'/>\n";
     }
-    out << "</g>\n";
+    out << "<path stroke-width='0.003' d='M-.5 0H.5M0 -.5V.5'/><g stroke='none' "
+           "fill='#808080' font-size='0.06'><text x='.24' y='-.02'>along</text>"
+           "<text x='.02' y='-.4'>across</text><text x='-.26' y='.43'>1</text>"
+           "<text x='-.4' y='.38'>2</text><text x='-.35' y='-.2'>½ N s</text>"
+           "</g></g>\n";
     // Friction is a disc: a block slides as far in any direction, v²/(2 μ g).
     for (const double degrees : {0.0, 30.0, 45.0}) {
         Bodies d{{}, {}, {}, {}, Vec{{0, 0, 1, 0}}};

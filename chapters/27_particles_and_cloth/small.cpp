@@ -218,7 +218,7 @@ int main(int count, char** word)
     // A sheet on two corners: as many passes a step by each method.
     std::ofstream out(count < 2 ? "" : word[1]);  // SVG, in parallel projection
     out << "<svg xmlns='http://www.w3.org/2000/svg' fill='none' width='720' "
-           "stroke-width='0.009' viewBox='-0.3 -0.1 5.35 1.95'>\n";
+           "stroke-width='0.009' viewBox='-0.3 -0.1 5.35 2.05'>\n";
     double left = 0;
     for (const std::string method :
          {"rows", "particles", "one matrix", "all together"}) {
@@ -236,7 +236,8 @@ int main(int count, char** word)
         };
         for (const Spring& s : c.springs)
             if (s.length < 0.06) out << 'M', place(s.a), out << 'L', place(s.b);
-        out << "'/>\n";
+        out << "'/>\n<text fill='#808080' stroke='none' font-size='0.12' x='"
+            << left + 0.1 << "' y='1.93'>" << method << "</text>\n";
         left += 1.32;
     }
     out << "</svg>\n";

@@ -213,5 +213,6 @@ int main(int count, char** word)
         out << "'/>\n";
     }
     std::printf("\n");
-    out << "</svg>\n";
+    out << "<g fill='#808080' font-size='0.05'><text x='1.04' y='0.9'>linear</text>"
+           "<text x='0.16' y='0.62'>corotational</text></g></svg>\n";
 }

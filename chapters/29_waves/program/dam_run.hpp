@@ -74,6 +74,12 @@ public:
         if (!wanted.empty())
             canvas.polyline(wanted, {Colour::red, 1.5, 1, Paint::dashed});
         canvas.text({9.8, 4.6}, "heights × 4", 14, {Colour::ink}, Align::right);
+        if (!is_known()) return;
+        canvas.polyline({{0, 0}, {0, 4}}, {Colour::ink, 1.2, 0.8, Paint::dashed});
+        canvas.text({0.1, 4.1}, "the dam stood here", 14, {Colour::ink});
+        if (right_ > 0) return;
+        const Real front = 2 * std::sqrt(water_.g) * t_;  // of 1 m, on dry ground
+        canvas.text({front, 0.3}, "2√(gH) t", 14, {Colour::red});
     }
 
 private:

@@ -66,7 +66,11 @@ public:
         const Vec2 beside[3] = {{-0.09, -0.07}, {0.05, -0.08}, {-0.09, 0.03}};
         for (int i = 0; i < 3; ++i) {
             const Vec2 p = x_.segment<2>(2 * i), f = force_.segment<2>(2 * i);
-            if (f.norm() > 1e-12) canvas.arrow(p, p + 2 * f, {Colour::red, 2.2, 1});
+            if (f.norm() > 1e-12) {
+                canvas.arrow(p, p + 2 * f, {Colour::red, 2.2, 1});
+                canvas.text(p + 2 * f + Vec2(0.03, 0.03), fixed(f.norm(), 2) + " N",
+                            14, {Colour::red});
+            }
             canvas.text(p + beside[i], names[i], 16);
         }
     }
