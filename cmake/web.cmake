@@ -41,14 +41,14 @@ foreach(main ${mains})
   cmake_path(GET folder FILENAME chapter)
   add_executable(${chapter} ${main} $<TARGET_OBJECTS:rigid_web_program>)
   set_source_files_properties(${main} PROPERTIES COMPILE_DEFINITIONS main=chapter_main)
-  if(chapter MATCHES "^1[478]_")   # they have the most methods, and would weigh more than 200 kB
+  if(chapter MATCHES "^(14|15|18|19|25|26|29|30)_")   # they have the most methods, and would weigh more than 200 kB
     target_compile_options(${chapter} PRIVATE ${small})
     target_link_options(${chapter} PRIVATE -Oz)
   else()
     target_compile_options(${chapter} PRIVATE -O3)
     target_link_options(${chapter} PRIVATE -O3)   # 3 % faster than -O2, and a little smaller
   endif()
-  if(chapter MATCHES "^1[16]_")   # a step of one body is 0.3 or 0.5 µs: calls count; 5 to 7 % faster, 10 to 15 kB heavier
+  if(chapter MATCHES "^(11|20)_")   # a step of one body is 0.3 or 0.5 µs: calls count; 5 to 7 % faster, 10 to 15 kB heavier
     target_compile_options(${chapter} PRIVATE "SHELL:-mllvm -inline-threshold=800" "SHELL:-mllvm -inlinehint-threshold=800")
   endif()
   target_compile_options(${chapter} PRIVATE ${fast})   # after -O3, which would turn some of it on again
