@@ -214,20 +214,22 @@ TEST_CASE("ten boxes that overlap by a fifth come apart and none is thrown", "[i
 
 TEST_CASE("many small steps of one sweep hold what one step of as many sweeps does not", "[idea]")
 {
-    // the same visits, 16 a step, cold; the deepest overlap of the first second
+    // the same visits, 16 a step, cold; the deepest overlap, on average over half a second after the first half
     const auto deepest = [](int substeps, int sweeps) {
         JointSweeps<Manifolds> method;
         method.correction.method = Stabilizer::baumgarte;  // no sweeps but those
         method.start.from = Start::cold;
         method.solver.sweeps = {sweeps, 0};
         JointedScene scene = stack(20);
-        Real most = 0;
-        for (int i = 0; i < 60; ++i) most = std::max(most, settle(scene, method, 1.0 / 60, 1, substeps));
-        return most;
+        settle(scene, method, 1.0 / 60, 30, substeps);
+        Real sum = 0;
+        for (int i = 0; i < 30; ++i) sum += settle(scene, method, 1.0 / 60, 1, substeps);
+        return sum / 30;
     };
     const Real small = deepest(16, 1), whole = deepest(1, 16);
-    CHECK(whole == Approx(0.026).epsilon(0.1));  // (16.19): 9.6 g H², 0.02616; 0.0257 to 0.0285 as it leans
-    CHECK(small < whole / 7);  // a ninth to an eleventh; where it stands (16.19) has a fifteenth
+    // (16.19) has 26 and 1.7 mm; 20 to 21 and 1.3 to 1.8 mm, as rounding makes the tower lean
+    CHECK(whole == Approx(0.021).epsilon(0.1));
+    CHECK(small < whole / 10);
 }
 
 /// 1 kg and below it R kg on hard rows; cold sweeps, all errors asked back or none of them.

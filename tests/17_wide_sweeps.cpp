@@ -286,19 +286,14 @@ TEST_CASE("wide sweeps and chapter 6 agree on the answer", "[idea]")
 
 TEST_CASE("the residual of the lanes is that of the rows", "[house]")
 {
-    JointedScene scene;
-    static_cast<RigidScene&>(scene) = box_pyramid(7);
-    cover(scene, {0.6, 0, 0, 0});
-    WideSweeps<Manifolds> method;
-    StepData<3> now;
-    step(scene, {.h = 1.0 / 60}, method, now);
+    Problem p = pyramid_problem(7);
     WideSolver<3> solver;
     solver.sweeps = {3, 1e-6};
-    now.solution.lambda.setZero();
-    now.u_star.array() += 0.1;
-    solver.solve(scene.bodies, now);
-    REQUIRE(now.solution.residual > 1e-3);
-    CHECK(wide_residual(solver.wide) == Approx(now.solution.residual).epsilon(1e-10));
+    p.now.solution.lambda.setZero();
+    p.now.u_star.array() += 0.1;
+    solver.solve(p.scene.bodies, p.now);
+    REQUIRE(p.now.solution.residual > 1e-3);
+    CHECK(wide_residual(solver.wide) == Approx(p.now.solution.residual).epsilon(1e-10));
 }
 
 TEST_CASE("floats reach a residual that only doubles can have", "[idea]")

@@ -169,6 +169,15 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
     choice.solve(ours, found);
     REQUIRE(choice.stepped_count == 1);
     choice.for_each_problem(found, [](auto&&...) { FAIL("a heap has no second problem"); });
+    {
+        StepData<3> broken = now;
+        broken.u_star[3 * now.active.front()] = std::numeric_limits<Real>::quiet_NaN();
+        Bodies<3> bodies = scene.bodies;
+        IslandChoice other;
+        other.solve(bodies, broken);
+        REQUIRE(other.stepped_count == 1);
+        CHECK(std::isnan(broken.solution.residual));
+    }
 
     const auto& lanes = choice.wide.all.front();
     const std::vector<int> order = visiting_order(lanes.solver.wide);
@@ -511,7 +520,7 @@ TEST_CASE("joints that are open ask for so many small steps that they close", "[
 
 TEST_CASE("joints that may take no small steps are swept to the end", "[idea]")
 {
-    IslandsUnderTest run = falling_dolls(6);
+    IslandsUnderTest run = falling_dolls(7);
     run.method.solver.rule.stepped_ratio = 0;
     Real worst = 0;
     int unsolved = 0, swept = 0;
@@ -524,10 +533,10 @@ TEST_CASE("joints that may take no small steps are swept to the end", "[idea]")
         swept += run.method.solver.most_sweeps > 0;
         price += run.price();
     }
-    CHECK(swept > 50);
+    CHECK(swept > 100);    // 120
     CHECK(worst < 0.01);   // 0.0001 here, of falls of four to ten dolls 0.003 at worst; 0.04 after 60 sweeps
-    CHECK(unsolved < 40);  // 9; 113
-    CHECK(price < 600'000'000);  // 0.29e9
+    CHECK(unsolved < 40);  // 13
+    CHECK(price < 600'000'000);  // 0.46e9
 }
 
 TEST_CASE("a chain that sweeps would lose is held though it moves in a heap", "[idea]")
