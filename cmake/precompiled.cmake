@@ -22,7 +22,7 @@ if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)
       get_target_property(options ${part} COMPILE_OPTIONS)
       if(RIGID_RESULTS_OPTIONS AND "${RIGID_RESULTS_OPTIONS}" IN_LIST options)
         target_precompile_headers(${part} REUSE_FROM rigid_precompiled_for_results)
-      else()
+      elseif(NOT "-fsanitize=fuzzer-no-link" IN_LIST options)   # else the header would have to be compiled so, too
         target_precompile_headers(${part} REUSE_FROM rigid_precompiled)
       endif()
     endforeach()

@@ -2,8 +2,7 @@
 #include "common/eigen_instances.hpp"
 
 #include "chapters/09_active_sets/friction_boxes.hpp"
-
-#include <Eigen/SparseLU>  // here alone: no other source of the library factors so
+#include "chapters/09_active_sets/friction_lu.hpp"
 
 namespace rigid {
 
@@ -22,55 +21,36 @@ bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
                 const std::vector<BoundState>& cases, VecX& lambda)
 {
     const Index n = mlcp.size();
-    const auto at = [](auto& list, Index i) -> auto&
-    {
-        return list[static_cast<std::size_t>(i)];
+    const auto is_active = [&cases](Index i) {
+        return cases[static_cast<std::size_t>(i)] == BoundState::between;
     };
-    std::vector<Index> place(static_cast<std::size_t>(n), -1), active;
+    std::vector<char> active(static_cast<std::size_t>(n));
+    VecX tied = VecX::Zero(n);
+    to_bounds(mlcp, cases, tied);
     for (Index i = 0; i < n; ++i)
-        if (at(cases, i) == BoundState::between) {
-            at(place, i) = static_cast<Index>(active.size());
-            active.push_back(i);
+        if (is_active(i)) active[static_cast<std::size_t>(i)] = 1, tied[i] = 0;
+    VecX tie = VecX::Zero(static_cast<Index>(boxes.size()));
+    const auto follow = [&] {
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const auto& [row, normal, mu] = boxes[k];
+            if (is_active(row) || !is_active(normal)) continue;
+            const bool low =
+                cases[static_cast<std::size_t>(row)] == BoundState::at_lo;
+            tie[static_cast<Index>(k)] = low ? -mu : mu;
+            tied[row] = tie[static_cast<Index>(k)] * tied[normal];
         }
-    // λ = fixed + T λ_F
-    std::vector<Eigen::Triplet<Real>> tie;
-    VecX fixed = VecX::Zero(n);
-    for (Index i = 0; i < n; ++i) {
-        if (at(place, i) >= 0)
-            tie.emplace_back(static_cast<int>(i), static_cast<int>(at(place, i)),
-                             1);
-        else fixed[i] = at(cases, i) == BoundState::at_lo ? mlcp.lo[i] : mlcp.hi[i];
+    };
+    follow();
+    FrictionLu factor;
+    factor.analyse(mlcp.A, boxes);
+    factor.factor(active, tie, VecX::Zero(n));
+    for (int round = 0; round < 2; ++round) {  // the second for the rounding
+        VecX change = -(mlcp.A * tied + mlcp.q);
+        factor.solve(change);
+        for (Index i = 0; i < n; ++i)
+            if (is_active(i)) tied[i] += change[i];
+        follow();
     }
-    for (const FrictionBox& box : boxes) {
-        if (at(place, box.row) >= 0 || at(place, box.normal) < 0) continue;
-        fixed[box.row] = 0;
-        tie.emplace_back(
-            static_cast<int>(box.row), static_cast<int>(at(place, box.normal)),
-            at(cases, box.row) == BoundState::at_lo ? -box.mu : box.mu);
-    }
-    const auto f = static_cast<Index>(active.size());
-    if (f == 0) return false;
-    Eigen::SparseMatrix<Real> T(n, f);
-    T.setFromTriplets(tie.begin(), tie.end());
-    const Eigen::SparseMatrix<Real, Eigen::RowMajor> AT = mlcp.A * T;
-    const VecX w = mlcp.A * fixed + mlcp.q;
-    std::vector<Eigen::Triplet<Real>> entries;
-    VecX right(f);
-    for (Index k = 0; k < f; ++k) {
-        right[k] = -w[at(active, k)];
-        for (Eigen::SparseMatrix<Real, Eigen::RowMajor>::InnerIterator entry(
-                 AT, at(active, k));
-             entry; ++entry)
-            entries.emplace_back(static_cast<int>(k), static_cast<int>(entry.col()),
-                                 entry.value());
-    }
-    Eigen::SparseMatrix<Real> system(f, f);
-    system.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseLU<Eigen::SparseMatrix<Real>> lu(system);
-    if (lu.info() != Eigen::Success) return false;
-    VecX x = lu.solve(right);
-    x += lu.solve(VecX(right - system * x));
-    const VecX tied = fixed + T * x;
     if (!tied.allFinite()) return false;
     lambda = tied;
     return true;

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "chapters/13_friction/coulomb_residual.hpp"
-#include "chapters/13_friction/friction_lu.hpp"
+#include "chapters/09_active_sets/friction_lu.hpp"
 
 namespace rigid {
 

@@ -50,7 +50,7 @@ public:
     /// Null when the scene refuses the settings; refusal() says why.
     const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
     const std::string& refusal() const { return refusal_; }
-    bool shows_method(std::size_t i) const { return method_on_[i]; }
+    bool shows_method(std::size_t i) const { return method_on_[i] != 0; }
     std::size_t methods_on() const;
     /// History of the plotted column c of the track k.
     const History& history(std::size_t k, std::size_t c) const { return histories_[k][c]; }
@@ -94,7 +94,7 @@ private:
     Options options_;
     const Demo* scene_ = nullptr;
     Settings settings_;
-    std::vector<bool> method_on_;
+    std::vector<char> method_on_;
     std::optional<Playback> playback_;
     Listener listener_;
     std::string refusal_;

@@ -116,7 +116,7 @@ std::string state_of(const Show& show)
 {
     const Demo& demo = show.scene();
     const Playback* playback = show.playback();
-    std::vector<bool> on;
+    std::vector<char> on;
     for (std::size_t i = 0; i < demo.methods.size(); ++i) on.push_back(show.shows_method(i));
     std::vector<std::string> sentences, values;
     if (!playback) sentences.push_back(show.refusal());

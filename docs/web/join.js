@@ -27,7 +27,9 @@ globalThis.rigid_join = function (bytes, [size, ...sizes]) {
         into[n++] = value;
     }
     // What pack.py writes for the most frequent instructions.
-    const latest = 0xC8, zero = 0xCA;
+    const latest = 0xC8, zero = 0xCA, unlike = 0xCB;
+    // The alignments of what is loaded and stored, 0x28 to 0x3E, where the instruction is not one of those that are unlike.
+    const natural = [2, 3, 2, 3, 0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 2, 3, 2, 3, 0, 1, 0, 1, 2];
     // Variables by their last use, the latest first.
     let recent = [];
     function used(rank) {
@@ -53,6 +55,12 @@ globalThis.rigid_join = function (bytes, [size, ...sizes]) {
             into[n++] = 0;
             return 0;
         }
+        if (op >= unlike && op < unlike + natural.length) {
+            into[n++] = op - unlike + 0x28;
+            number(code);
+            number(offsets);
+            return 0;
+        }
         into[n++] = op;
         if (op === 0x20) {
             const before = n, rank = number(read);
@@ -64,7 +72,7 @@ globalThis.rigid_join = function (bytes, [size, ...sizes]) {
             known(index);
             used(recent.indexOf(index));
         } else if (op >= 0x28 && op <= 0x3E) {
-            number(code);
+            write(natural[op - 0x28]);
             number(offsets);
         } else if (op === 0x41) number(whole);
         else if (op === 0x42) number(other);

@@ -8,21 +8,24 @@ A script can be loaded from a page that was opened as a file; a .wasm can't. The
 The code of functions is taken apart first (docs/web/join.js puts it together again): instructions here, names of
 variables there, constants elsewhere. Beside its like each byte is foretold better, and a variable that is read is named by
 how many others were used since it was used last. That is worth its lines: a program for a page has 200 kB in gzip at most.
-By gzip alone 9 of the 18 programs are heavier (chapter 19: 311 kB) and all together are 3.5 MB; by LZMA alone 4 are (13, 14,
-16 and 19: 209, 213, 213 and 236 kB) and all are 2.7 MB; in streams chapter 19 was (202 kB). The most frequent instructions
-have a byte of their own, so none is (13, 14, 16 and 19: 175, 179, 176 and 195 kB), and all are 2.3 MB.
+By gzip alone 13 of the 30 programs are heavier than that, by LZMA alone 7; in streams none is, when also the most
+frequent instructions have a byte of their own and an alignment is written only where it is unlike the others of its kind.
 """
 import base64
 import lzma
 import pathlib
 import sys
 
-FILTER = {"id": lzma.FILTER_LZMA1, "dict_size": 1 << 23, "lc": 3, "lp": 0, "pb": 0, "mode": lzma.MODE_NORMAL,
+FILTER = {"id": lzma.FILTER_LZMA1, "dict_size": 1 << 23, "lc": 1, "lp": 0, "pb": 0, "mode": lzma.MODE_NORMAL,
           "mf": lzma.MF_BT4, "nice_len": 273, "depth": 1000}
 
 # Bytes that are no instruction of wasm, for the most frequent ones: the variable that was used last is read, or the one
 # before it; the whole number zero.
 LATEST, ZERO = 0xC8, 0xCA
+
+# What is loaded and stored, 0x28 to 0x3E, is nearly always aligned as its kind is (2^n bytes): then only the instruction is
+# written; with another alignment it is one of these.
+NATURAL, UNLIKE = bytes([2, 3, 2, 3, 0, 0, 1, 1, 0, 0, 1, 1, 2, 2, 2, 3, 2, 3, 0, 1, 0, 1, 2]), 0xCB
 
 
 def leb(number):
@@ -146,7 +149,11 @@ class Module:
         elif op in (0x21, 0x22):
             self.written += leb(self.variable()[0])
         elif 0x28 <= op <= 0x3E:  # load, store: alignment and offset
-            self.numbers_to(self.code)
+            if self.peek() == NATURAL[op - 0x28]:
+                self.number()
+            else:
+                self.code[-1] += UNLIKE - 0x28
+                self.numbers_to(self.code)
             self.numbers_to(self.offsets)
         elif op == 0x41:
             self.numbers_to(self.whole)

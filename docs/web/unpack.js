@@ -1,4 +1,4 @@
-// Unpacks LZMA (lc 3, lp 0, pb 0, without header), what pack.py ends with: a quarter smaller than gzip, and no browser has it.
+// Unpacks LZMA (lc 1, lp 0, pb 0, without header), what pack.py ends with: a quarter smaller than gzip, and no browser has it.
 // The format: Igor Pavlov, "LZMA specification" (2015, public domain).
 'use strict';
 
@@ -61,7 +61,7 @@ globalThis.rigid_unpack = function (input, size) {
         return 18 + tree(p.high, 8);
     }
 
-    const literal = chances(0x300 << 3), matches = chances(12), repeats = chances(12), first = chances(12), second = chances(12),
+    const literal = chances(0x300 << 1), matches = chances(12), repeats = chances(12), first = chances(12), second = chances(12),
           third = chances(12), long_first = chances(12), slots = [0, 1, 2, 3].map(() => chances(64)), special = chances(115),
           aligned = chances(16), new_length = lengths(), old_length = lengths();
     function distance_of(length) {
@@ -75,7 +75,7 @@ globalThis.rigid_unpack = function (input, size) {
     let state = 0, back = [0, 0, 0, 0];
     for (let n = 0; n < size;) {
         if (!bit(matches, state)) {
-            const base = 0x300 * ((n ? out[n - 1] : 0) >> 5);
+            const base = 0x300 * ((n ? out[n - 1] : 0) >> 7);
             let symbol = 1;
             if (state >= 7) {
                 let guess = out[n - back[0] - 1];

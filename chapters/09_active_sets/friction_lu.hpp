@@ -3,8 +3,8 @@
 ///
 ///     λ_f = s μ λ_n  for a row that slides     ⇒     B_in = A_in + Σ s μ A_if,     B = L U
 ///
-/// (13.8). B is not symmetric, but it has no entry where A has none: both rows of a contact move the same two bodies. So
-/// chapter 9's elimination tree serves both triangles, and the factor costs twice what L D Lᵀ does.
+/// (9.21), which is (13.8). B is not symmetric, but it has no entry where A has none: both rows of a contact move the same
+/// two bodies. So one elimination tree serves both triangles, and the factor costs twice what L D Lᵀ does.
 #pragma once
 
 #include "chapters/09_active_sets/elimination.hpp"

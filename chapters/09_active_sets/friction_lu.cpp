@@ -1,7 +1,7 @@
 // The functions of friction_lu.hpp.
 #include "common/eigen_instances.hpp"
 
-#include "chapters/13_friction/friction_lu.hpp"
+#include "chapters/09_active_sets/friction_lu.hpp"
 
 namespace rigid {
 
@@ -96,7 +96,9 @@ bool FrictionLu::use(const SparseMatrix& A, std::span<const FrictionBox> boxes)
         for (int p = outer[i]; p < outer[i + 1]; ++p)
             at(mirror_, p) = at(next_, inner[p])++;
     meets_.clear();
-    fits_ = true;
+    fits_ = std::all_of(elimination.diagonal_value.begin(),
+                        elimination.diagonal_value.end(),
+                        [](int place) { return place >= 0; });
     for (const FrictionBox& box : boxes_)
         for (auto p = outer[box.row]; p < outer[box.row + 1]; ++p) {
             const int *const begin = inner + outer[inner[p]],
