@@ -8,8 +8,8 @@
 /// not zero. So the rule that corrects a guess is the rule that finds the first one, from any λ: last step's, for example.
 #pragma once
 
-#include "chapters/13_friction/coulomb_residual.hpp"
 #include "chapters/09_active_sets/friction_lu.hpp"
+#include "chapters/13_friction/coulomb_residual.hpp"
 
 namespace rigid {
 
