@@ -1023,6 +1023,8 @@ TEST_CASE("rows at mu times another are solved at once and one without a diagona
         CHECK(lambda[6] == 0);
         CHECK(lambda[7] == 1);
         CHECK(lambda[8] == 0);
+        cases.back() = BoundState::between;  // what nothing moves has no λ of its own
+        CHECK_FALSE(solve_tied(mlcp, boxes, cases, lambda));
     }
 }
 

@@ -30,15 +30,16 @@ bool solve_tied(const Mlcp& mlcp, std::span<const FrictionBox> boxes,
     for (Index i = 0; i < n; ++i)
         if (is_active(i)) active[static_cast<std::size_t>(i)] = 1, tied[i] = 0;
     VecX tie = VecX::Zero(static_cast<Index>(boxes.size()));
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const auto& [row, normal, mu] = boxes[k];
+        if (is_active(row) || !is_active(normal)) continue;
+        const bool low = cases[static_cast<std::size_t>(row)] == BoundState::at_lo;
+        tie[static_cast<Index>(k)] = low ? -mu : mu;
+    }
     const auto follow = [&] {
-        for (std::size_t k = 0; k < boxes.size(); ++k) {
-            const auto& [row, normal, mu] = boxes[k];
-            if (is_active(row) || !is_active(normal)) continue;
-            const bool low =
-                cases[static_cast<std::size_t>(row)] == BoundState::at_lo;
-            tie[static_cast<Index>(k)] = low ? -mu : mu;
-            tied[row] = tie[static_cast<Index>(k)] * tied[normal];
-        }
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+            if (const Real t = tie[static_cast<Index>(k)]; t != 0)
+                tied[boxes[k].row] = t * tied[boxes[k].normal];
     };
     follow();
     FrictionLu factor;
