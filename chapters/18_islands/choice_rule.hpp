@@ -12,10 +12,12 @@ struct ChoiceRule {
     int always = 64;
     int at_most = 4000;   ///< bounded rows, whatever the price
     Real patience = 500;  ///< sweeps; where more are needed they are no way
-    /// islands of so many rows are swept in lanes: eight colours or so, in each 8
-    /// lanes of bundles of four rows, four times over, are 1024
-    int wide = 1000;
-    /// and of so many where joints move: each step sweeps over it some 600 times
+    /// heaps of so many rows are swept in lanes, with momentum where they stand
+    int wide = 65;
+    /// and so many where joints stand; a heap of as many is swept first, whatever an
+    /// exact solve may cost
+    int large = 1000;
+    /// and so many where joints move: each step sweeps over them some 600 times
     int wide_joined = 300;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
@@ -50,7 +52,7 @@ inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 {
     if (!may_be_exact(shape, rule)) return false;
     // a large heap is swept in lanes first
-    if (!shape.has_joints() && shape.rows >= rule.wide) return false;
+    if (!shape.has_joints() && shape.rows >= rule.large) return false;
     return shape.bounded + shape.loops <= rule.always ||
            shape.sweeps_needed() > rule.patience ||
            shape.price_of_exact() < shape.price_of_sweeps();
@@ -62,7 +64,7 @@ inline std::int64_t rest_price(const IslandShape& shape, const ChoiceRule& rule)
     const Real most = Real(rule.entries), some = most / 10;
     if (!may_be_exact(shape, rule)) return std::int64_t(some);
     const Real guessed = 4 * shape.price_of_exact();
-    if (shape.rows >= rule.wide && guessed > most) return 0;  // by sweeps
+    if (shape.rows >= rule.large && guessed > most) return 0;  // by sweeps
     return std::int64_t(std::clamp(guessed, some, most));
 }
 /// Sweeps that may go over an island: as many as it needs, if it may be swept.

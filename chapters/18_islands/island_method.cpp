@@ -20,8 +20,7 @@ void change(IslandMethod& method, const IslandSettings& settings)
     solver.solving = settings.solving;
     solver.most_exact = solver.rule.at_most;
     solver.heaps.substeps = settings.substeps;
-    // noise of sweeps is no reason to stay awake
-    solver.slow = settings.sleep ? 10 * method.contacts.rest.speed : 0;
+    solver.slow = 10 * method.contacts.rest.speed;
     solver.sweeps.max_sweeps = settings.sweeps;
     solver.sweeps.tolerance = solver.tolerance;
     solver.all.anew = true;

@@ -85,6 +85,7 @@ struct IslandNote {
     bool to_sleep = false;      ///< by these until it sleeps
     int length = 0;             ///< N
     int sweeps = 0;             ///< where it is swept, at most
+    int lanes = 1;              ///< from so many rows on it is swept in lanes
     bool may_be_exact = false;  ///< where sweeps leave too much
     std::int64_t to_stand = 0;  ///< entries that sweeps may cost where it stands
     std::int64_t to_settle =
@@ -186,6 +187,7 @@ private:
     {
         IslandNote note;
         note.sweeps = sweeps;
+        note.lanes = rule.large;
         if (solving == Solving::sweeps) return note;
         const IslandShape shape = survey_(bodies, now.rows, islands.rows_of(island),
                                           islands.bodies_of(island));
@@ -202,6 +204,8 @@ private:
                         !sweeps_cost_more(shape, rule);
         note.moves = note.to_sleep || (note.large && moves(island, bodies, now));
         note.steps = note.moves && stepped > 0;
+        if (!note.joined) note.lanes = rule.wide;
+        else if (note.moves) note.lanes = rule.wide_joined;
         const bool fits = shape.price_of_loops() <= static_cast<Real>(rule.entries);
         note.place =
             choose_place(shape, rule, solving, note.moves, note.steps, fits);

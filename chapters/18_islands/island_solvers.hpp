@@ -95,7 +95,7 @@ struct IslandSolvers {
             exactly.clear(count), held.clear(count);
             swept.clear(count), wide.clear(count);
             exact_count = swept_count = 0;
-            for (int i = 0; i < count; ++i) place(i, rule, bodies, now);
+            for (int i = 0; i < count; ++i) place(i, bodies, now);
         }
         // guesses and old factors do not outlive a step
         rescuers.clear(count), struck.clear(count);
@@ -106,8 +106,7 @@ struct IslandSolvers {
         });
     }
 
-    void place(int i, const ChoiceRule& rule, const Bodies<3>& bodies,
-               const StepData<3>& now)
+    void place(int i, const Bodies<3>& bodies, const StepData<3>& now)
     {
         const IslandNote& note = all.note(i);
         const std::span<const int> rows = all.islands.rows_of(i),
@@ -123,8 +122,7 @@ struct IslandSolvers {
             held.take(i).part.take(rows, members, now, count, numbers_);
             return;
         }
-        const int many = note.moves && note.joined ? rule.wide_joined : rule.wide;
-        if (static_cast<int>(rows.size()) >= many || note.steps) {
+        if (static_cast<int>(rows.size()) >= note.lanes || note.steps) {
             if (wide.take(i).take(all.islands, i, note, bodies, now, numbers_))
                 return;
             wide.give_back(i);

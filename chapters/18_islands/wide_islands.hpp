@@ -4,6 +4,7 @@
 ///     it moves, a heap                            small steps of its own (heap_steps.hpp)
 ///     it moves, and something bounces             as many sweeps as are allowed
 ///     it stands                                   with momentum, as many as an exact solve may cost                          (18.4)
+///         and all of it is slow                   further, until velocities are none
 ///
 /// What stands begins its next step with this λ, so these sweeps are made once. What moves would have to make them in each step.
 #pragma once
@@ -45,7 +46,7 @@ struct WideIsland {
     }
 
     /// \param sweeps  of islands that move
-    /// \param slow    what is slower may come to rest; 0 = nothing [ℓ/s]
+    /// \param slow    what is slower comes to rest; 0 = nothing [ℓ/s]
     void solve(const ImpulseSettings& sweeps, Real slow, const IslandNote& note,
                Bodies<3>& bodies, StepData<3>& now)
     {
@@ -82,17 +83,17 @@ struct WideIsland {
     }
 
 private:
-    /// Noise of sweeps is no reason to stay awake; but what an exact solve can settle
-    /// is left to it.
+    /// What sweeps leave to a heap that rests adds up from step to step, and would keep
+    /// it awake. They go on as far as an exact solve would; joints, which need no
+    /// guesses, are left to that.
     /// \param tolerance  of the islands [ℓ/s]
     Real enough(const IslandNote& note, Real slow, Real tolerance) const
     {
-        if (!(slow > 0)) return tolerance;
-        if (!note.may_be_exact) return tolerance / 10;
         const StepData<3>& here = part.now;
         const bool rests =
             are_slow(here.active, part.local.u, slow * here.length, here.length);
-        return rests && note.to_settle == 0 ? tolerance / 1000 : tolerance;
+        if (!rests || (note.joined && note.to_settle > 0)) return tolerance;
+        return tolerance / (note.may_be_exact ? 1000 : 10);
     }
 
     bool has_rows_ = false;  ///< those of this sub-step are in `part`

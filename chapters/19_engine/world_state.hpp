@@ -211,8 +211,7 @@ struct EngineState : KnownBodies {
         solver.rule.at_most = settings.most_exact;
         solver.rule.always = std::min(ChoiceRule{}.always, settings.most_exact);
         solver.most_exact = settings.most_exact;
-        // noise of sweeps is no reason to stay awake
-        solver.slow = settings.sleep ? 10 * settings.rest.speed : 0;
+        solver.slow = 10 * settings.rest.speed;
         solver.sweeps.max_sweeps = settings.sweeps;
         solver.sweeps.tolerance = settings.tolerance;
         solver.all.anew = true;
