@@ -27,8 +27,7 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     Real tolerance = 1e-4;  ///< a residual below this is none [ℓ/s]
     ImpulseSettings sweeps;
     int most_exact = 600;  ///< rows with bounds of an island that is solved exactly
-    /// an island of slower bodies is solved to the end; 0 = none [ℓ/s]
-    Real slow = 0;
+    Real slow = 0;    ///< an island of slower bodies is solved to the end [ℓ/s]
     HeapSteps heaps;  ///< of heaps that move
 
     Reflections reflections;
@@ -85,7 +84,6 @@ struct IslandChoice : IslandSolvers, PlainSolver {
         }
     }
 
-    /// Each island is a problem by itself.
     /// \param visit  (rows, bodies, what solves them apart, what is corrected)
     template <class Visit>
     void for_each_problem(const StepData<3>& now, const Visit& visit)
@@ -173,8 +171,7 @@ private:
     }
 
     //! [rescue]
-    /// What sweeps have left above what is good enough is solved exactly after all,
-    /// where that is possible.
+    /// What sweeps leave above what is good enough is solved exactly, if it may be.
     void rescue(int i, Bodies<3>& bodies, StepData<3>& now)
     {
         const Real most = all.rescued_above(i);
@@ -185,21 +182,24 @@ private:
         solve_after_all(i, tolerance * now.length / 2, rule.entries, bodies, now);
     }
 
-    /// What comes to rest is solved to the end: sweeps leave it velocities, and so
-    /// does an exact solve that was content with the tolerance.
+    /// What comes to rest is solved to the end: sweeps leave it velocities.
     void settle(int i, Bodies<3>& bodies, StepData<3>& now)
     {
-        if (solving == Solving::sweeps || !(slow > 0) || all.note(i).to_settle == 0)
+        const IslandNote& note = all.note(i);
+        if (solving == Solving::sweeps || !(slow > 0) || note.to_settle == 0)
             return;
-        const IslandPlace place = all.place(i);
         const ExactIsland* one = exactly.find(i);
         const Real length = now.length;
-        const bool meant =
-            (place == IslandPlace::swept || (one && !one->answered)) &&
-            are_slow(all.islands.bodies_of(i), bodies.u, slow * length, length);
-        if (meant && !(natural_residual(now, all.islands.rows_of(i), bodies.u) <=
-                       tolerance * length / 1000))
-            solve_after_all(i, 0, all.note(i).to_settle, bodies, now);
+        if ((note.place != IslandPlace::swept && !(one && !one->answered)) ||
+            !are_slow(all.islands.bodies_of(i), bodies.u, slow * length, length))
+            return;
+        const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
+        if (!(r <= tolerance * length / 1000))
+            solve_after_all(i, 0, note.to_settle, bodies, now);
+        // after many sweeps one guess, which begins from what they have found
+        else if (const WideIsland* lanes = wide.find(i);
+                 lanes && lanes->spent() >= note.to_stand / 10)
+            solve_after_all(i, 0, note.to_stand, bodies, now);
     }
 
     void solve_after_all(int i, Real late, std::int64_t entries, Bodies<3>& bodies,

@@ -37,11 +37,11 @@ struct WideIsland {
         solver.colour(part.local, part.now);
         part.now.same_rows = has_rows_ = true;
         // by a sweep, and by what makes it go on in its direction
-        const auto visited =
+        sweep_price_ =
             2 * static_cast<std::int64_t>(rows.size()) * price::lane_visit;
         // 10⁶ sweeps are more than any island that is large can pay for
         standing = static_cast<int>(
-            std::min<std::int64_t>(note.to_stand / visited, 1'000'000));
+            std::min<std::int64_t>(note.to_stand / sweep_price_, 1'000'000));
         return true;
     }
 
@@ -66,6 +66,12 @@ struct WideIsland {
     }
     //! [wide]
 
+    /// What the sweeps of the last solve cost [entries]
+    std::int64_t spent() const
+    {
+        return part.now.solution.iterations * sweep_price_;
+    }
+
     /// (18.4a), of what moves
     void small_steps(const HeapSteps& how, const IslandNote& note,
                      Bodies<3>& bodies, StepData<3>& now)
@@ -89,14 +95,16 @@ private:
     /// \param tolerance  of the islands [ℓ/s]
     Real enough(const IslandNote& note, Real slow, Real tolerance) const
     {
+        if (!note.may_be_exact) return tolerance / 10;
         const StepData<3>& here = part.now;
         const bool rests =
             are_slow(here.active, part.local.u, slow * here.length, here.length);
-        if (!rests || (note.joined && note.to_settle > 0)) return tolerance;
-        return tolerance / (note.may_be_exact ? 1000 : 10);
+        const bool is_left = note.joined && note.to_settle > 0;
+        return rests && !is_left ? tolerance / 1000 : tolerance;
     }
 
-    bool has_rows_ = false;  ///< those of this sub-step are in `part`
+    std::int64_t sweep_price_ = 0;  ///< of what stands [entries]
+    bool has_rows_ = false;         ///< those of this sub-step are in `part`
 };
 
 }  // namespace rigid
