@@ -421,7 +421,7 @@ TEST_CASE("a pyramid that rests is swept to the end and creeps neither asleep no
         Real off;   ///< its boxes from where they should be [m]
         Real most;  ///< way of a box in four seconds [m]
     };
-    // 4e-8 m, and 1e-16 where one guess is the answer; swept to 1e-4 ℓ/s in each step it would be 4e-5
+    // 4e-8 m, and 1e-16 where a guess is the answer; swept to 1e-4 ℓ/s in each step it would be 4e-5
     for (const auto [sleep, off, most] :
          {Case{false, 1e-9, 1e-6}, Case{true, 1e-9, 1e-6}, Case{false, 0, 1e-12}, Case{true, 0, 1e-12}}) {
         JointedScene scene;
@@ -439,9 +439,9 @@ TEST_CASE("a pyramid that rests is swept to the end and creeps neither asleep no
         }
         INFO(sleep << " " << off << " " << entries << " " << sweeps);
         CHECK((run.scene.bodies.x - start).cwiseAbs().maxCoeff() < most);
-        // one guess; exact solves until it sleeps would look at 10^7
+        // as much as the sweeps, once; exact solves until it sleeps would look at 10^7
         CHECK(entries > 0);
-        CHECK(entries < 1'000'000);
+        CHECK(entries < 200'000);
         CHECK(sweeps > 100);
         CHECK(sweeps < 1500);
         CHECK((run.awake() == 0) == sleep);

@@ -196,10 +196,10 @@ private:
         const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
         if (!(r <= tolerance * length / 1000))
             solve_after_all(i, 0, note.to_settle, bodies, now);
-        // after many sweeps one guess, which begins from what they have found
+        // after many sweeps guesses, which begin from what they found and cost no more
         else if (const WideIsland* lanes = wide.find(i);
                  lanes && lanes->spent() >= note.to_stand / 10)
-            solve_after_all(i, 0, note.to_stand, bodies, now);
+            solve_after_all(i, 0, lanes->spent(), bodies, now);
     }
 
     void solve_after_all(int i, Real late, std::int64_t entries, Bodies<3>& bodies,
