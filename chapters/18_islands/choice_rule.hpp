@@ -12,10 +12,10 @@ struct ChoiceRule {
     int always = 64;
     int at_most = 4000;   ///< bounded rows, whatever the price
     Real patience = 500;  ///< sweeps; where more are needed they are no way
-    /// heaps of so many rows are swept in lanes, with momentum where they stand
+    /// heaps of so many rows go to lanes, with momentum where they stand
     int wide = 65;
-    /// and so many where joints stand; a heap of as many is swept first, whatever an
-    /// exact solve may cost
+    /// and so many where joints stand; a heap of as many is swept first, whatever
+    /// an exact solve may cost
     int large = 1000;
     /// and so many where joints move: each step sweeps over them some 600 times
     int wide_joined = 300;
