@@ -182,7 +182,7 @@ private:
         solve_after_all(i, tolerance * now.length / 2, rule.entries, bodies, now);
     }
 
-    /// What comes to rest is solved to the end: sweeps leave it velocities.
+    /// What comes to rest is solved to the end, after sweeps and lenient exact solves.
     void settle(int i, Bodies<3>& bodies, StepData<3>& now)
     {
         const IslandNote& note = all.note(i);

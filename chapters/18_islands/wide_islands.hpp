@@ -66,7 +66,7 @@ struct WideIsland {
     }
     //! [wide]
 
-    /// What the sweeps of the last solve cost [entries]
+    /// What the sweeps of the last solve cost, where it stands [entries]
     std::int64_t spent() const
     {
         return part.now.solution.iterations * sweep_price_;
