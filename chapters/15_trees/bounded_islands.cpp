@@ -15,6 +15,7 @@ void BoundedIslands::list(const std::vector<Row<3>>& all,
     lowest_.resize(static_cast<std::size_t>(places));
     std::iota(lowest_.begin(), lowest_.end(), 0);
     number.assign(all.size(), -1);
+    of.resize(all.size());
     on_.assign(static_cast<std::size_t>(places) + 1, 0);
     listed = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -46,6 +47,7 @@ void BoundedIslands::list(const std::vector<Row<3>>& all,
             if (static_cast<int>(rows.size()) < count) rows.emplace_back();
             at(rows, island).clear();
         }
+        of[i] = island;
         number[i] = static_cast<int>(at(rows, island).size());
         at(rows, island).push_back(static_cast<int>(i));
     }

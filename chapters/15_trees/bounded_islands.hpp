@@ -23,6 +23,7 @@ public:
     int count = 0;                       ///< islands; memory of more may be there
     int listed = 0;                      ///< rows in them
     std::vector<int> number;  ///< of each listed row in its island; others: −1
+    std::vector<int> of;      ///< the island of each listed row
 
     /// \param left_out  1: a row that is not to be looked at; empty = none
     void list(const std::vector<Row<3>>& all, const Assemblies& assemblies,

@@ -7,7 +7,8 @@ namespace rigid {
 
 //! [eliminate]
 void BoundedRows::eliminate(JointFactor& joints, const std::vector<Row<3>>& rows,
-                            const std::vector<char>& left_out, Index bodies)
+                            const std::vector<char>& left_out, Index bodies,
+                            const BoundedRows* known)
 {
     islands.list(rows, joints.assemblies, left_out);
     if (problems_.size() < static_cast<std::size_t>(islands.count))
@@ -15,8 +16,11 @@ void BoundedRows::eliminate(JointFactor& joints, const std::vector<Row<3>>& rows
     used_ = std::max(used_, static_cast<std::size_t>(islands.count));
     if (u_.size() != 3 * bodies) u_.setZero(3 * bodies);
     columns = 0;
-    for (int k = 0; k < islands.count; ++k)
-        eliminate(k, joints, rows, problems_[at(k)].mlcp);
+    for (int k = 0; k < islands.count; ++k) {
+        Mlcp& mlcp = problems_[at(k)].mlcp;
+        if (known && known->has(islands.rows[at(k)])) take_part(*known, k, mlcp);
+        else eliminate(k, joints, rows, mlcp);
+    }
 }
 //! [eliminate]
 
@@ -99,6 +103,34 @@ void BoundedRows::eliminate(int k, JointFactor& joints,
     }
 }
 //! [column]
+
+bool BoundedRows::has(const std::vector<int>& some) const
+{
+    return std::all_of(some.begin(), some.end(),
+                       [&](int i) { return islands.number[at(i)] >= 0; });
+}
+
+//! [take_part]
+/// A_ij is a matter of rows i and j and of the joints: with fewer rows it stays.
+void BoundedRows::take_part(const BoundedRows& known, int k, Mlcp& mlcp) const
+{
+    const std::vector<int>& here = islands.rows[at(k)];
+    const auto m = static_cast<int>(here.size());
+    mlcp.A.resize(m, m);
+    for (int j = 0; j < m; ++j) {
+        const int row = here[at(j)], island = known.islands.of[at(row)];
+        mlcp.A.startVec(j);
+        for (SparseMatrix::InnerIterator it(known.matrix(island),
+                                            known.islands.number[at(row)]);
+             it; ++it) {
+            const int other = known.islands.rows[at(island)][at(it.col())];
+            const int column = islands.number[at(other)];
+            if (column >= 0) mlcp.A.insertBack(j, column) = it.value();
+        }
+    }
+    mlcp.A.finalize();
+}
+//! [take_part]
 
 void BoundedRows::clear(int place, const JointFactor& joints)
 {

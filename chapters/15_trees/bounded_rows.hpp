@@ -39,8 +39,11 @@ public:
     }
 
     /// A of each island.
+    /// \param known  the same of these joints, perhaps of more rows: what it has is not
+    ///               computed again; nullptr = nothing
     void eliminate(JointFactor& joints, const std::vector<Row<3>>& rows,
-                   const std::vector<char>& left_out, Index bodies);
+                   const std::vector<char>& left_out, Index bodies,
+                   const BoundedRows* known = nullptr);
 
     /// λ of the rows with bounds.
     /// \param u       û, what the joints alone make of u* [m/s]
@@ -63,6 +66,8 @@ private:
 
     void eliminate(int k, JointFactor& joints, const std::vector<Row<3>>& rows,
                    Mlcp& mlcp);
+    bool has(const std::vector<int>& some) const;
+    void take_part(const BoundedRows& known, int k, Mlcp& mlcp) const;
 
     void clear(int place, const JointFactor& joints);
 

@@ -125,7 +125,8 @@ struct TreeSolver : PlainSolver {
         };
         const bool done =
             run(same ? joints : apart, other.bounded, other.listed, second.left_out,
-                second.max_sweeps, second.tolerance, from_rest, v, lambda, now);
+                same && listed_ ? &bounded : nullptr, second.max_sweeps,
+                second.tolerance, from_rest, v, lambda, now);
         second.solution.status = done ? Status::solved : Status::iteration_limit;
     }
     //! [tree_solver]
@@ -143,12 +144,14 @@ private:
     /// Algorithm 15.2.
     /// \param listed    whether A is that of these rows and joints
     /// \param left_out  1: a row without impulse; empty = none
+    /// \param known     has A of these joints, perhaps with other rows; nullptr = nothing
     /// \param begin     sets u to u*; lambda is where the rows with bounds start
     /// \return          whether the rows with bounds have an answer
     template <class Begin>
     bool run(JointFactor& factor, BoundedRows& above, bool& listed,
-             const std::vector<char>& left_out, int most, Real small,
-             const Begin& begin, VecX& u, VecX& lambda, StepData<3>& now)
+             const std::vector<char>& left_out, const BoundedRows* known, int most,
+             Real small, const Begin& begin, VecX& u, VecX& lambda,
+             StepData<3>& now)
     {
         const bool any = clamp_start(now.rows, left_out, lambda);
         answer_.unlike = 0;
@@ -156,7 +159,8 @@ private:
         bool found = !any;
         if (any && most_exact > 0) {
             answer_.solve(factor, now.rows, bias_, u, lambda);  // û
-            if (!listed) above.eliminate(factor, now.rows, left_out, u.size() / 3);
+            if (!listed)
+                above.eliminate(factor, now.rows, left_out, u.size() / 3, known);
             now.visits += above.islands.listed;
             above.solve(now.rows, u, bias_, exact, most_exact, most, enough_ / 2,
                         lambda);
