@@ -246,6 +246,22 @@ TEST_CASE("two equal ropes share the load and keep their difference as exercise 
     CHECK(solution.lambda[1] == Approx(0.8).margin(1e-7));
 }
 
+TEST_CASE("a wall that gives no more than its bound takes two guesses as exercise 9.5 says", "[house]")
+{
+    Mlcp problem = plain_lcp(matrix2(2, 1, 1, 2), vector({-5, -4}));
+    problem.hi[1] = 0.5;
+    ActiveSetMemory memory;
+    memory.cases = {BoundState::between, BoundState::between};
+    Solution solution;
+    active_sets(problem, {}, memory, solution);
+    REQUIRE(solution.status == Status::solved);
+    CHECK(solution.iterations == 2);
+    CHECK((solution.lambda - vector({2.25, 0.5})).cwiseAbs().maxCoeff() <= identity);
+    CHECK(memory.cases == std::vector<BoundState>{BoundState::between, BoundState::at_hi});
+    const VecX w = problem.A * solution.lambda + problem.q;
+    CHECK(w[1] == Approx(-0.75));  // it still moves into the second wall
+}
+
 TEST_CASE("the first wrong row alone ends for P matrices with bounds on both sides", "[house]")
 {
     // Each level of the argument visits a row's three cases at most once: no more than 3^n guesses.

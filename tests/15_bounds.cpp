@@ -146,6 +146,52 @@ TEST_CASE("the joints eliminated leave the matrix that the whole one leaves", "[
     }
 }
 
+TEST_CASE("what a problem of fewer rows has of the same joints is taken from the larger one", "[house]")
+{
+    Random random(19);
+    for (int round = 0; round < 60; ++round) {
+        JointedScene scene = driven_tree(random, 3 + round % 6, round % 3);
+        Trees method;
+        method.correction.stiff = false;
+        StepData<3> now;
+        step(scene, {.h = 1.0 / 100}, method, now);
+        JointFactor factor;
+        factor.factor(now.rows, scene.bodies.inverse_mass);
+        std::vector<char> left_out(now.rows.size(), 0);
+        for (std::size_t i = 0; i < left_out.size(); ++i)
+            left_out[i] = !JointTree::takes(now.rows[i]) && random.uniform(0, 1) < 0.4;
+        const Index bodies = scene.bodies.count();
+        BoundedRows whole, part, taken;
+        whole.eliminate(factor, now.rows, {}, bodies);
+        part.eliminate(factor, now.rows, left_out, bodies);
+        taken.eliminate(factor, now.rows, left_out, bodies, &whole);
+        CHECK(taken.columns == 0);
+        CHECK(part.columns == part.islands.listed);
+        REQUIRE(taken.islands.count == part.islands.count);
+        for (int k = 0; k < part.islands.count; ++k)
+            CHECK(MatX(taken.matrix(k)) == MatX(part.matrix(k)));
+        // a row that the larger one left out has to be found
+        BoundedRows found;
+        found.eliminate(factor, now.rows, {}, bodies, &part);
+        for (int k = 0; k < whole.islands.count; ++k)
+            CHECK(MatX(found.matrix(k)) == MatX(whole.matrix(k)));
+    }
+}
+
+TEST_CASE("arcs and errors of a step take the columns that velocities had", "[house]")
+{
+    Random random(3);
+    JointedScene scene = driven_tree(random, 8, 0);
+    Trees method;
+    method.correction.stiff = false;
+    StepData<3> now;
+    step(scene, {.h = 1.0 / 100}, method, now);
+    CHECK(method.correction.arcs.rounds > 0);
+    CHECK(method.solver.bounded.columns > 0);
+    CHECK(method.solver.others[true].bounded.islands.listed > 0);
+    CHECK(method.solver.others[true].bounded.columns == 0);
+}
+
 TEST_CASE("a leg with a motor turns at its speed from the first step without a sweep", "[idea]")
 {
     JointedScene scene;

@@ -471,6 +471,42 @@ TEST_CASE("a box with two equal edges does not turn over", "[idea]")
     CHECK(wobble({0.16, 0.24, 0.04}, {1, 0.01, 0.01}) > 1);
 }
 
+TEST_CASE("the energy that an angular momentum allows is what exercise 20.1 says", "[house]")
+{
+    const Vec3 I = mass_of(solid_box({0.16, 0.24, 0.04}), 0.7 / (0.16 * 0.24 * 0.04)).inertia.diagonal();
+    const Vec3 spin(12, 1.2, 1.2);
+    const Real most = I.cwiseProduct(spin).squaredNorm() / (2 * I.minCoeff()), start = spin_energy(I, spin);
+    CHECK(most == Approx(0.553).margin(0.0005));  // digits of the text
+    CHECK(most / start == Approx(2.18).margin(0.005));
+    // and the scheme that keeps the momentum alone ends there
+    Vec3 theta(0, 0, 0), omega = spin;
+    for (int i = 0; i < 60 * 120; ++i) tumble(Tumbling::momentum_kept, I, 1.0 / 60, theta, omega);
+    CHECK(spin_energy(I, omega) / start == Approx(most / start).margin(0.02));
+}
+
+TEST_CASE("a plate wobbles in the room twice as fast as it spins as exercise 20.3 says", "[house]")
+{
+    const Vec3 inertia(1, 1, 2);  // thin and round
+    const Real spin = 10, h = 1e-4;
+    Vec3 theta(0, 0, 0), omega(0.01, 0, spin);
+    const Vec3 L = inertia.cwiseProduct(omega), axis = L.normalized();
+    const Vec3 across = cross(axis, Vec3(1, 0, 0)).normalized(), along = cross(across, axis);
+    const auto azimuth = [&] {
+        const Vec3 top = rotation_matrix(quaternion_of(theta)).col(2);
+        return std::atan2(top.dot(across), top.dot(along));
+    };
+    Real in_plate = 0, in_room = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Real before = std::atan2(omega.y(), omega.x()), there = azimuth();
+        tumble(Tumbling::middle, inertia, h, theta, omega);
+        in_plate += std::remainder(std::atan2(omega.y(), omega.x()) - before, 2 * pi);
+        in_room += std::remainder(azimuth() - there, 2 * pi);
+    }
+    // in one second; (Ω h)² of the step and the square of the wobble, 1e-6, are left
+    CHECK(in_plate == Approx(spin).epsilon(1e-5));
+    CHECK(in_room == Approx(2 * spin).epsilon(1e-5));
+}
+
 TEST_CASE("the step moves a free body as the middle does to the bit", "[house]")
 {
     SolidScene scene = tossed_book(12, 0.01);

@@ -9,8 +9,10 @@
 namespace rigid {
 
 struct NewtonSettings {
-    int most = 8;          ///< iterations a sub-step, for errors
-    int most_follow = 20;  ///< and for the arcs; each halves what is left
+    /// iterations a sub-step, for errors: with 8 a taut bridge under a heavy plank tears
+    int most = 32;
+    int most_touching = 8;  ///< until contacts and limits give way to the joints
+    int most_follow = 20;   ///< and for the arcs; each halves what is left
     /// they end when no joint is off by more than this [ℓ]
     Real tolerance = 1e-9;
     Real beta = 0.2;       ///< part of an overlap that a sub-step takes back
@@ -21,9 +23,11 @@ struct NewtonSettings {
 
 inline void require_valid(const NewtonSettings& settings)
 {
-    if (settings.most < 0 || settings.sweeps < 0 || settings.push_sweeps < 0)
+    if (settings.most < 0 || settings.most_touching < 0 || settings.sweeps < 0 ||
+        settings.push_sweeps < 0)
         throw std::invalid_argument(
-            "Newton's method has " + std::to_string(settings.most) +
+            "Newton's method has " +
+            std::to_string(std::min(settings.most, settings.most_touching)) +
             " iterations of " +
             std::to_string(std::min(settings.sweeps, settings.push_sweeps)) +
             " sweeps; both must be zero or positive");
