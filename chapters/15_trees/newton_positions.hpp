@@ -168,13 +168,14 @@ public:
             } else if (off <= tolerance * now.length && !wanted) break;
             // no answer to both: the joints, and the rest in the next step
             const bool give_up =
-                touching && (n >= most_touching ||
+                touching && (n >= most_swept ||
                              (worse && second.solution.status != Status::solved));
             if (give_up) {
                 alone = true;
                 continue;
             }
-            if (n >= most) break;
+            const int swept = alone ? 2 * most_swept : most_swept;
+            if (n >= (what == Corrected::errors ? swept : most)) break;
             if (worse) {
                 if (!fresh) continue;  // with the J of here; then half as far
                 part /= 2;

@@ -11,8 +11,9 @@ namespace rigid {
 struct NewtonSettings {
     /// iterations a sub-step, for errors: with 8 a taut bridge under a heavy plank tears
     int most = 32;
-    int most_touching = 8;  ///< until contacts and limits give way to the joints
-    int most_follow = 20;   ///< and for the arcs; each halves what is left
+    /// by sweeps, and until contacts and limits that push give way to the joints
+    int most_swept = 8;
+    int most_follow = 20;  ///< and for the arcs; each halves what is left
     /// they end when no joint is off by more than this [ℓ]
     Real tolerance = 1e-9;
     Real beta = 0.2;       ///< part of an overlap that a sub-step takes back
@@ -23,11 +24,11 @@ struct NewtonSettings {
 
 inline void require_valid(const NewtonSettings& settings)
 {
-    if (settings.most < 0 || settings.most_touching < 0 || settings.sweeps < 0 ||
+    if (settings.most < 0 || settings.most_swept < 0 || settings.sweeps < 0 ||
         settings.push_sweeps < 0)
         throw std::invalid_argument(
             "Newton's method has " +
-            std::to_string(std::min(settings.most, settings.most_touching)) +
+            std::to_string(std::min(settings.most, settings.most_swept)) +
             " iterations of " +
             std::to_string(std::min(settings.sweeps, settings.push_sweeps)) +
             " sweeps; both must be zero or positive");
