@@ -168,13 +168,11 @@ TEST_CASE("what a problem of fewer rows has of the same joints is taken from the
         CHECK(taken.columns == 0);
         CHECK(part.columns == part.islands.listed);
         REQUIRE(taken.islands.count == part.islands.count);
-        for (int k = 0; k < part.islands.count; ++k)
-            CHECK(MatX(taken.matrix(k)) == MatX(part.matrix(k)));
+        for (int k = 0; k < part.islands.count; ++k) CHECK(MatX(taken.matrix(k)) == MatX(part.matrix(k)));
         // a row that the larger one left out has to be found
         BoundedRows found;
         found.eliminate(factor, now.rows, {}, bodies, &part);
-        for (int k = 0; k < whole.islands.count; ++k)
-            CHECK(MatX(found.matrix(k)) == MatX(whole.matrix(k)));
+        for (int k = 0; k < whole.islands.count; ++k) CHECK(MatX(found.matrix(k)) == MatX(whole.matrix(k)));
     }
 }
 

@@ -144,7 +144,7 @@ private:
     /// Algorithm 15.2.
     /// \param listed    whether A is that of these rows and joints
     /// \param left_out  1: a row without impulse; empty = none
-    /// \param known     has A of these joints, perhaps with other rows; nullptr = nothing
+    /// \param known     has A of these joints, perhaps of other rows; nullptr = none
     /// \param begin     sets u to u*; lambda is where the rows with bounds start
     /// \return          whether the rows with bounds have an answer
     template <class Begin>
