@@ -11,8 +11,8 @@ void TreeSolver::answer(Bodies<3>& bodies, StepData<3>& now)
         for (const int k : now.active)
             bodies.velocity(k) = now.u_star.segment<3>(3 * k);
     };
-    run(joints, bounded, listed_, {}, nullptr, sweeps, tolerance * now.length, from_free,
-        bodies.u, now.solution.lambda, now);
+    run(joints, bounded, listed_, {}, nullptr, sweeps, tolerance * now.length,
+        from_free, bodies.u, now.solution.lambda, now);
     judge(bodies.u, now.solution.lambda, now, now.solution);
 }
 
