@@ -4,7 +4,7 @@
 ///     C(x) = C before,   x ← x + h v,   u ← u + v,   J v = −(C − C before)/h      again and again        (15.12)
 ///
 /// J is that of the step's start, and velocities get the same as positions. That is SHAKE \cite ryckaert1977, and keeps the
-/// energy as RATTLE does. Where rounds shrink by a factor, all that would follow are taken at once (15.12a) \cite irons1969.
+/// energy as RATTLE does.
 #pragma once
 
 #include "chapters/11_rotation/rigid_scene.hpp"
@@ -15,10 +15,6 @@
 namespace rigid {
 
 struct Arcs {
-    // Of the last sub-step, over its problems.
-    int rounds = 0;    ///< of the one that needed most
-    int given_up = 0;  ///< problems whose arcs were not found
-
     //! [follow]
     /// Where J of the step's start is too old to get there, neither positions nor
     /// velocities get anything.
@@ -41,21 +37,16 @@ struct Arcs {
             if (near && !(off < left / 2)) break;
             if (n == newton.most_follow || !(off < left / 2)) {
                 before_.put_back(bodies, members);
-                ++given_up;
                 return;
             }
             left = off;
             second.arcs = true;
             apart.solve_apart(second, v, now);
             second.arcs = false;
-            const Real part = n == 0 ? 1 : part_of(v, bodies, members);
-            keep(v, part, members);
-            move_by(v, part * h, bodies, members);
+            move_by(v, h, bodies, members);
             for (const int k : members)
-                gained_.segment<3>(3 * k) += part * v.segment<3>(3 * k);
-            for (const int i : rows)
-                impulse_[i] += part * second.solution.lambda[i];
-            rounds = std::max(rounds, n + 1);
+                gained_.segment<3>(3 * k) += v.segment<3>(3 * k);
+            for (const int i : rows) impulse_[i] += second.solution.lambda[i];
         }
         for (const int k : members) bodies.velocity(k) += gained_.segment<3>(3 * k);
         for (const int i : rows) {
@@ -66,32 +57,6 @@ struct Arcs {
     //! [follow]
 
 private:
-    //! [part_of]
-    /// (15.12a): how much of v to take, in the measure of the energy.
-    Real part_of(const VecX& v, const Bodies<3>& bodies,
-                 std::span<const int> members) const
-    {
-        Real along = 0, all = 0;
-        for (const int k : members)
-            for (Index i = 3 * k; i < 3 * k + 3; ++i) {
-                if (!(bodies.inverse_mass[i] > 0)) continue;
-                const Real change = (v[i] - v_before_[i]) / bodies.inverse_mass[i];
-                along -= change * v_before_[i];
-                all += change * (v[i] - v_before_[i]);
-            }
-        // a round leaves q of the one before: |q| < 1/2, or it is given up
-        const Real part = part_before_ * along / all;
-        return part > 0 ? std::clamp(part, Real{2} / 3, Real{2}) : 1;
-    }
-    //! [part_of]
-    void keep(const VecX& v, Real part, std::span<const int> members)
-    {
-        v_before_.resize(v.size());
-        for (const int k : members)
-            v_before_.segment<3>(3 * k) = v.segment<3>(3 * k);
-        part_before_ = part;
-    }
-
     /// Which rows take part, and what each C is to be.
     /// \return  whether a joint bends anything here
     template <class Scene>
@@ -164,10 +129,8 @@ private:
 
     std::vector<Real> goal_;  ///< C of each row where the step began [m, rad]
     PlacesBefore before_;
-    VecX gained_;           ///< velocities [m/s]
-    VecX impulse_;          ///< of each row [N s]
-    VecX v_before_;         ///< of the round before [m/s]
-    Real part_before_ = 1;  ///< that it took
+    VecX gained_;   ///< velocities [m/s]
+    VecX impulse_;  ///< of each row [N s]
 };
 
 }  // namespace rigid

@@ -55,7 +55,6 @@ public:
     bool gave_up_pushing = false;  ///< overlaps were left, in the last sub-step
     bool joints_alone = false;     ///< what overlaps gave way, in the last sub-step
 
-    Arcs arcs;
     /// of each body: a contact's overlap that is left alone, at most [m]; empty = slop
     std::vector<Real> slops;
     SecondProblem second;
@@ -97,12 +96,11 @@ public:
         if (v.size() != scene.bodies.u.size()) v.setZero(scene.bodies.u.size());
         iterations = renewals = unmet = 0, left = 0;
         gave_up_pushing = joints_alone = false;
-        arcs.rounds = arcs.given_up = 0;
         const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
                              auto& apart, Corrected what) {
             if (what == Corrected::arcs_and_errors)
-                arcs.follow(scene, settings.part(), rows, bodies, *this, apart,
-                            second, v, now);
+                arcs_.follow(scene, settings.part(), rows, bodies, *this, apart,
+                             second, v, now);
             correct(scene, settings.part(), rows, bodies, what, apart, now);
         };
         solver.for_each_problem(now, one);
@@ -168,14 +166,13 @@ public:
             } else if (off <= tolerance * now.length && !wanted) break;
             // no answer to both: the joints, and the rest in the next step
             const bool give_up =
-                touching && (n >= most_swept ||
-                             (worse && second.solution.status != Status::solved));
+                touching &&
+                (n >= most || (worse && second.solution.status != Status::solved));
             if (give_up) {
                 alone = true;
                 continue;
             }
-            const int swept = alone ? 2 * most_swept : most_swept;
-            if (n >= (what == Corrected::errors ? swept : most)) break;
+            if (n >= (alone ? 2 * most : most)) break;
             if (worse) {
                 if (!fresh) continue;  // with the J of here; then half as far
                 part /= 2;
@@ -235,6 +232,7 @@ private:
         return least;
     }
 
+    Arcs arcs_;
     RenewedRows renewed_;
     PlacesBefore best_;       ///< with the least error so far
     std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid

@@ -9,10 +9,7 @@
 namespace rigid {
 
 struct NewtonSettings {
-    /// iterations a sub-step, for errors: with 8 a taut bridge under a heavy plank tears
-    int most = 32;
-    /// by sweeps, and until contacts and limits that push give way to the joints
-    int most_swept = 8;
+    int most = 8;          ///< iterations a sub-step, for errors
     int most_follow = 20;  ///< and for the arcs; each halves what is left
     /// they end when no joint is off by more than this [ℓ]
     Real tolerance = 1e-9;
@@ -24,11 +21,9 @@ struct NewtonSettings {
 
 inline void require_valid(const NewtonSettings& settings)
 {
-    if (settings.most < 0 || settings.most_swept < 0 || settings.sweeps < 0 ||
-        settings.push_sweeps < 0)
+    if (settings.most < 0 || settings.sweeps < 0 || settings.push_sweeps < 0)
         throw std::invalid_argument(
-            "Newton's method has " +
-            std::to_string(std::min(settings.most, settings.most_swept)) +
+            "Newton's method has " + std::to_string(settings.most) +
             " iterations of " +
             std::to_string(std::min(settings.sweeps, settings.push_sweeps)) +
             " sweeps; both must be zero or positive");
