@@ -73,6 +73,16 @@ JointedScene driven_tree(Random& random, int bodies, int loops)
     return scene;
 }
 
+/// The rows of a step of 1/100 s, and the bodies moved by it.
+StepData<3> after_one_step(JointedScene& scene)
+{
+    Trees method;
+    method.correction.stiff = false;
+    StepData<3> now;
+    step(scene, {.h = 1.0 / 100}, method, now);
+    return now;
+}
+
 }  // namespace
 
 TEST_CASE("motors and limits and ropes above joints move the bodies as the whole matrix says", "[idea]")
@@ -103,10 +113,7 @@ TEST_CASE("the joints eliminated leave the matrix that the whole one leaves", "[
         JointedScene scene = driven_tree(random, 3 + round % 6, round % 3);
         // the bridge of section 15.B: a loop
         if (round % 2) pin(scene, world, scene.bodies.count() - 1, {2.5, 0});
-        Trees method;
-        method.correction.stiff = false;
-        StepData<3> now;
-        step(scene, {.h = 1.0 / 100}, method, now);
+        const StepData<3> now = after_one_step(scene);
         JointFactor factor;
         factor.factor(now.rows, scene.bodies.inverse_mass);
         BoundedRows bounded;
@@ -151,10 +158,7 @@ TEST_CASE("what a problem of fewer rows has of the same joints is taken from the
     Random random(19);
     for (int round = 0; round < 60; ++round) {
         JointedScene scene = driven_tree(random, 3 + round % 6, round % 3);
-        Trees method;
-        method.correction.stiff = false;
-        StepData<3> now;
-        step(scene, {.h = 1.0 / 100}, method, now);
+        const StepData<3> now = after_one_step(scene);
         JointFactor factor;
         factor.factor(now.rows, scene.bodies.inverse_mass);
         std::vector<char> left_out(now.rows.size(), 0);
