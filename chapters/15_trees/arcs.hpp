@@ -48,6 +48,10 @@ struct Arcs {
                 gained_.segment<3>(3 * k) += v.segment<3>(3 * k);
             for (const int i : rows) impulse_[i] += second.solution.lambda[i];
         }
+        if (energy_of(gained_, bodies, members) > energy_of(bodies.u, bodies, members)) {
+            before_.put_back(bodies, members);
+            return;
+        }
         for (const int k : members) bodies.velocity(k) += gained_.segment<3>(3 * k);
         for (const int i : rows) {
             now.solution.lambda[i] += impulse_[i];
@@ -114,9 +118,16 @@ private:
         return off;
     }
 
-    static bool is_of_joint(const StepData<3>& now, int row)
+    /// [J]
+    static Real energy_of(const VecX& u, const Bodies<3>& bodies,
+                          std::span<const int> members)
     {
-        return now.sources[static_cast<std::size_t>(row)].of == Source::Of::joint;
+        Real sum = 0;
+        for (const int k : members)
+            for (Index i = 3 * k; i < 3 * k + 3; ++i)
+                if (bodies.inverse_mass[i] > 0)
+                    sum += u[i] * u[i] / bodies.inverse_mass[i] / 2;
+        return sum;
     }
     /// A distance of zero: J of the step's start says nothing of its end.
     template <class Scene>

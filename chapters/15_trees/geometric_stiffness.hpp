@@ -26,27 +26,15 @@ namespace rigid {
 inline void turning_stiffness(const RigidScene& scene, const StepData<3>& now,
                               VecX& kappa, VecX& arm)
 {
-    using Measure = PointJoint::Measure;
     if (kappa.size() != scene.bodies.count()) kappa.setZero(scene.bodies.count());
     if (arm.size() != kappa.size()) arm.setZero(kappa.size());
     for (const int k : now.active) kappa[k] = 0, arm[k] = 0;
-    for (std::size_t i = 0; i < now.sources.size(); ++i) {
-        if (now.sources[i].of != Source::Of::joint) continue;
-        const Constraint<3>& c = now.constraints[i];
-        const PointJoint& joint =
-            scene.joints[static_cast<std::size_t>(now.sources[i].index)];
-        if (joint.measure == Measure::angle || now.sources[i].part > 0) continue;
-        const Real lambda = now.solution.lambda[static_cast<Index>(i)];
-        const auto add = [&](Index k, const Vec2& at, const RowVec<3>& J) {
-            if (!scene.bodies.can_move(k)) return;
-            const Vec2 r = point_of(scene.bodies.x, k, at, &scene.turns) -
-                           scene.bodies.position(k).head<2>();
-            kappa[k] += lambda * r.dot(J.head<2>().transpose());
-            arm[k] = std::max(arm[k], r.squaredNorm());
-        };
-        add(c.a, joint.at_a, c.Ja);
-        add(c.b, joint.at_b, c.Jb);
-    }
+    for (int i = 0; i < static_cast<int>(now.sources.size()); ++i)
+        if (is_of_joint(now, i))
+            for_each_arm(scene, now, i, [&](Index k, const Vec2& r, const Vec2& J) {
+                kappa[k] += now.solution.lambda[i] * r.dot(J);
+                arm[k] = std::max(arm[k], r.squaredNorm());
+            });
     for (const int k : now.active) kappa[k] = std::max(kappa[k], Real{0});
 }
 //! [stiffness]

@@ -28,6 +28,29 @@ inline Real drag(Real turn, Real about, Real load)
 }
 }  // namespace loaded
 
+//! [arms]
+/// Calls visit(k, r, J) for each movable body of a joint's row, r its arm [m] and J
+/// how its centroid moves the row; of an angle, and across a line, for none.
+template <class Visit>
+void for_each_arm(const RigidScene& scene, const StepData<3>& now, int row,
+                  const Visit& visit)
+{
+    const auto at = static_cast<std::size_t>(row);
+    const auto& source = now.sources[at];
+    const PointJoint& joint = scene.joints[static_cast<std::size_t>(source.index)];
+    if (joint.measure == PointJoint::Measure::angle || source.part > 0) return;
+    const Constraint<3>& c = now.constraints[at];
+    const auto one = [&](Index k, const Vec2& p, const RowVec<3>& J) {
+        if (!scene.bodies.can_move(k)) return;
+        const Vec2 r = point_of(scene.bodies.x, k, p, &scene.turns) -
+                       scene.bodies.position(k).head<2>();
+        visit(k, r, Vec2(J.head<2>().transpose()));
+    };
+    one(c.a, joint.at_a, c.Ja);
+    one(c.b, joint.at_b, c.Jb);
+}
+//! [arms]
+
 //! [inertance]
 /// How many lines a row of a joint has: one from point to point, a pulley two. What
 /// has no length has no direction, and is none.
@@ -64,6 +87,21 @@ inline Real inertance_under(const RigidScene& scene, std::size_t j, int part,
     const Real more =
         loaded::beta * (h * pull / length - loaded::carried / mobility);
     return std::isfinite(more) ? std::max(Real{0}, more) : 0;
+}
+
+/// What Λ of a joint's row adds to K of (15.12a) [kg, kg, kg m²].
+inline void add_stiffness(const RigidScene& scene, const StepData<3>& now, int row,
+                          Real impulse, VecX& K)
+{
+    const auto j = static_cast<std::size_t>(
+        now.sources[static_cast<std::size_t>(row)].index);
+    const bool line = lines_of(scene.joints[j]) == 1;
+    const Real pull = line ? -scene.joints[j].sense * impulse : 0,
+               firm = pull > 0 ? 2 * pull / line_length(scene, j, 0) : 0;
+    for_each_arm(scene, now, row, [&](Index k, const Vec2& r, const Vec2& J) {
+        K.segment<3>(3 * k) +=
+            Eigen::Matrix<Real, 3, 1>(firm, firm, impulse * r.dot(J) + firm * r.squaredNorm());
+    });
 }
 
 /// Whether two rows measure the same line, as two limits of a distance do.

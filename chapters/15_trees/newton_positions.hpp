@@ -166,15 +166,16 @@ public:
             } else if (off <= tolerance * now.length && !wanted) break;
             // no answer to both: the joints, and the rest in the next step
             const bool give_up =
-                touching &&
-                (n >= most || (worse && second.solution.status != Status::solved));
+                touching && (n >= most_swept ||
+                             (worse && second.solution.status != Status::solved));
             if (give_up) {
                 alone = true;
                 continue;
             }
-            if (n >= (alone ? 2 * most : most)) break;
+            const int swept = alone ? 2 * most_swept : most_swept;
+            if (n >= (what == Corrected::errors ? swept : most)) break;
             if (worse) {
-                if (!fresh) continue;  // with the J of here; then half as far
+                if (!fresh) continue;  // with J and K of here; then half as far
                 part /= 2;
                 move_by(v, part * h, bodies, members);
                 continue;
@@ -185,7 +186,7 @@ public:
             // the old J is good enough while it takes nine tenths of the error
             fresh = n > 0 ? off > before / 10 : what == Corrected::joints;
             if (fresh) {
-                renewed_.renew(scene, rows, second.left_out, apart, now);
+                renewed_.renew(scene, h, rows, members, second, n > 0, apart, now);
                 ++renewals;
             }
             second.max_sweeps = wanted ? push_sweeps : sweeps;
@@ -207,7 +208,7 @@ public:
                 break;
             }
         }
-        renewed_.put_back(rows, now);
+        renewed_.put_back(rows, members, bodies, now);
         held_.let_go(now);
         iterations = std::max(iterations, n);
         left = std::max(left, off);

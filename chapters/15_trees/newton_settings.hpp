@@ -9,7 +9,9 @@
 namespace rigid {
 
 struct NewtonSettings {
-    int most = 8;          ///< iterations a sub-step, for errors
+    int most = 32;  ///< iterations a sub-step, for errors
+    /// the same by sweeps, and until contacts and limits that push give way to joints
+    int most_swept = 8;
     int most_follow = 20;  ///< and for the arcs; each halves what is left
     /// they end when no joint is off by more than this [ℓ]
     Real tolerance = 1e-9;
@@ -21,9 +23,11 @@ struct NewtonSettings {
 
 inline void require_valid(const NewtonSettings& settings)
 {
-    if (settings.most < 0 || settings.sweeps < 0 || settings.push_sweeps < 0)
+    if (settings.most < 0 || settings.most_swept < 0 || settings.sweeps < 0 ||
+        settings.push_sweeps < 0)
         throw std::invalid_argument(
-            "Newton's method has " + std::to_string(settings.most) +
+            "Newton's method has " +
+            std::to_string(std::min(settings.most, settings.most_swept)) +
             " iterations of " +
             std::to_string(std::min(settings.sweeps, settings.push_sweeps)) +
             " sweeps; both must be zero or positive");
@@ -47,6 +51,11 @@ enum class Corrected : unsigned char {
     overlaps,         ///< what lies too deep, once; no joint is closed
     joints,           ///< errors of joints, with limits that are near held
 };
+
+inline bool is_of_joint(const StepData<3>& now, int row)
+{
+    return now.sources[static_cast<std::size_t>(row)].of == Source::Of::joint;
+}
 
 /// Whether C is in radians: its row moves no centroid.
 inline bool is_angle(const Constraint<3>& c)

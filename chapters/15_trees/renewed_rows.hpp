@@ -1,37 +1,58 @@
 /// \file renewed_rows.hpp
-/// J of some rows where the bodies are now, for a while.
+/// J of some rows where the bodies are now, for a while, and M with what these rows stiffen.
+///
+///     (M + K) δx = Jᵀ Λ,   J δx = −C            K: Σ r·F where a body turns, 2 T/L at both ends of a line               (15.12a)
 #pragma once
 
+#include "chapters/15_trees/line_inertance.hpp"
 #include "chapters/15_trees/newton_settings.hpp"
 
 namespace rigid {
 
 struct RenewedRows {
+    //! [renew]
+    /// \param h       Λ is h λ of the last problem [kg m]
+    /// \param pulled  whether there was one
     template <class Scene, class Apart>
-    void renew(const Scene& scene, std::span<const int> rows,
-               const std::vector<char>& left_out, Apart& apart, StepData<3>& now)
+    void renew(Scene& scene, Real h, std::span<const int> rows,
+               std::span<const int> members, const SecondProblem& last, bool pulled,
+               Apart& apart, StepData<3>& now)
     {
-        const Bodies<3>& bodies = scene.bodies;
-        before_.resize(now.rows.size());
+        Bodies<3>& bodies = scene.bodies;
+        begin(rows, members, bodies, now);
         for (const int i : rows) {
             const auto at = static_cast<std::size_t>(i);
-            Row<3>& row = now.rows[at];
-            if (!renewed_) before_[at] = row;
-            Constraint<3>& c = now.constraints[at];
-            if (left_out[at])  // not looked at yet
-                c = constraint_at(scene, now, at, bodies.x);
-            const Row<3> fresh = bilateral(c, bodies.inverse_mass);
+            if (last.left_out[at])  // not looked at yet
+                now.constraints[at] = constraint_at(scene, now, at, bodies.x);
+            else if (pulled && is_of_joint(now, i))
+                add_stiffness(scene, now, i, h * last.solution.lambda[i], stiffness_);
+        }
+        for (const int k : members) {
+            const auto m = own_.segment<3>(3 * k).array();
+            bodies.inverse_mass.segment<3>(3 * k) =
+                m / (1 + m * stiffness_.segment<3>(3 * k).array().max(0));
+        }
+        for (const int i : rows) {
+            Row<3>& row = now.rows[static_cast<std::size_t>(i)];
+            const Row<3> fresh = bilateral(
+                now.constraints[static_cast<std::size_t>(i)], bodies.inverse_mass);
             row.Ja = fresh.Ja, row.Jb = fresh.Jb;
             row.Wa = fresh.Wa, row.Wb = fresh.Wb;
         }
         apart.factor_again(bodies, now);
-        renewed_ = true;
     }
-    /// The rows of the step again: those that λ belongs to.
-    void put_back(std::span<const int> rows, StepData<3>& now);
+    //! [renew]
+    /// The rows of the step again, those that λ belongs to, and M.
+    void put_back(std::span<const int> rows, std::span<const int> members,
+                  Bodies<3>& bodies, StepData<3>& now);
 
 private:
+    void begin(std::span<const int> rows, std::span<const int> members,
+               const Bodies<3>& bodies, const StepData<3>& now);
+
     std::vector<Row<3>> before_;
+    VecX own_;        ///< inverse masses, without K
+    VecX stiffness_;  ///< K
     bool renewed_ = false;
 };
 
