@@ -48,7 +48,8 @@ struct Arcs {
                 gained_.segment<3>(3 * k) += v.segment<3>(3 * k);
             for (const int i : rows) impulse_[i] += second.solution.lambda[i];
         }
-        if (energy_of(gained_, bodies, members) > energy_of(bodies.u, bodies, members)) {
+        if (energy_of(gained_, bodies, members) >
+            energy_of(bodies.u, bodies, members)) {
             before_.put_back(bodies, members);
             return;
         }

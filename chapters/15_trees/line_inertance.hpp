@@ -93,14 +93,14 @@ inline Real inertance_under(const RigidScene& scene, std::size_t j, int part,
 inline void add_stiffness(const RigidScene& scene, const StepData<3>& now, int row,
                           Real impulse, VecX& K)
 {
-    const auto j = static_cast<std::size_t>(
-        now.sources[static_cast<std::size_t>(row)].index);
+    const auto j =
+        static_cast<std::size_t>(now.sources[static_cast<std::size_t>(row)].index);
     const bool line = lines_of(scene.joints[j]) == 1;
     const Real pull = line ? -scene.joints[j].sense * impulse : 0,
                firm = pull > 0 ? 2 * pull / line_length(scene, j, 0) : 0;
     for_each_arm(scene, now, row, [&](Index k, const Vec2& r, const Vec2& J) {
-        K.segment<3>(3 * k) +=
-            Eigen::Matrix<Real, 3, 1>(firm, firm, impulse * r.dot(J) + firm * r.squaredNorm());
+        K.segment<3>(3 * k) += Eigen::Matrix<Real, 3, 1>(
+            firm, firm, impulse * r.dot(J) + firm * r.squaredNorm());
     });
 }
 

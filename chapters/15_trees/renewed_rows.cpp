@@ -14,7 +14,8 @@ void RenewedRows::begin(std::span<const int> rows, std::span<const int> members,
     before_.resize(now.rows.size());
     own_.resize(bodies.u.size());
     for (const int i : rows)
-        before_[static_cast<std::size_t>(i)] = now.rows[static_cast<std::size_t>(i)];
+        before_[static_cast<std::size_t>(i)] =
+            now.rows[static_cast<std::size_t>(i)];
     for (const int k : members)
         own_.segment<3>(3 * k) = bodies.inverse_mass.segment<3>(3 * k);
     renewed_ = true;

@@ -25,7 +25,8 @@ struct RenewedRows {
             if (last.left_out[at])  // not looked at yet
                 now.constraints[at] = constraint_at(scene, now, at, bodies.x);
             else if (pulled && is_of_joint(now, i))
-                add_stiffness(scene, now, i, h * last.solution.lambda[i], stiffness_);
+                add_stiffness(scene, now, i, h * last.solution.lambda[i],
+                              stiffness_);
         }
         for (const int k : members) {
             const auto m = own_.segment<3>(3 * k).array();
