@@ -297,6 +297,22 @@ TEST_CASE("a taut bridge under a plank of a thousand planks does not tear", "[id
                 }
 }
 
+TEST_CASE("what turns about a pin by itself is no whip", "[house]")
+{
+    for (const Real spin : {10.0, 40.0}) {  // up to h omega = 2/3
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        add_body(scene, box(0.2, 0.2), Mass{1, {0, 0}, 0.005}, {0.5, 0}, 0);
+        pin(scene, world, 0, {0, 0});
+        scene.bodies.u << 0, 0.5 * spin, spin;
+        Trees method;
+        run(scene, method, 1.0 / 60, 1);  // from the chord of the first step on it is the same motion
+        const Real begin = scene.bodies.u[2];
+        run(scene, method, 1.0 / 60, 300);
+        CHECK(scene.bodies.u[2] == Approx(begin).epsilon(1e-6));  // joints to 1e-9 m in 300 steps
+    }
+}
+
 TEST_CASE("light planks do not throw up the heavy one that they whip against", "[house]")
 {
     // at about 24 m/s a step of theirs is a radian; an arc that is followed so far multiplies the energy

@@ -138,7 +138,7 @@ private:
         }
         if (ExactIsland* one = exactly.find(i)) {
             prepare(*one, late, rule.entries, most_exact);
-            one->solve(tolerance * now.length / 1000, bodies, now);
+            one->solve(settled(tolerance * now.length), bodies, now);
             answered_count += one->answered;
         } else if (TreePart* tree = held.find(i)) {
             prepare(*tree, late, rule.entries, std::max(1, rule.always));
@@ -194,7 +194,7 @@ private:
             !are_slow(all.islands.bodies_of(i), bodies.u, slow * length, length))
             return;
         const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
-        if (!(r <= tolerance * length / 1000))
+        if (!(r <= settled(tolerance * length)))
             solve_after_all(i, 0, note.to_settle, bodies, now);
         // after many sweeps guesses, which begin from what they found and cost no more
         else if (const WideIsland* lanes = wide.find(i);

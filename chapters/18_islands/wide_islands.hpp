@@ -89,9 +89,8 @@ struct WideIsland {
     }
 
 private:
-    /// What sweeps leave to a heap that rests adds up from step to step, and would keep
-    /// it awake. They go on as far as an exact solve would; joints, which need no
-    /// guesses, are left to that.
+    /// Where a heap rests, sweeps go on as far as an exact solve would; joints, which
+    /// need no guesses, are left to that.
     /// \param tolerance  of the islands [ℓ/s]
     Real enough(const IslandNote& note, Real slow, Real tolerance) const
     {
@@ -100,7 +99,7 @@ private:
         const bool rests =
             are_slow(here.active, part.local.u, slow * here.length, here.length);
         const bool is_left = note.joined && note.to_settle > 0;
-        return rests && !is_left ? tolerance / 1000 : tolerance;
+        return rests && !is_left ? settled(tolerance) : tolerance;
     }
 
     std::int64_t sweep_price_ = 0;  ///< of what stands [entries]
