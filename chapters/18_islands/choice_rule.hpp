@@ -42,8 +42,8 @@ struct ChoiceRule {
     int held = 100;
 };
 
-/// A residual to which what rests is solved [m/s]: what is left adds up from step to
-/// step, and would keep it awake.
+/// A residual to which what rests is solved [m/s]: what is left adds up from step
+/// to step, and would keep it awake.
 inline Real settled(Real tolerance) { return tolerance / 1000; }
 
 /// Whether an island may be solved exactly, and whether it should be.
