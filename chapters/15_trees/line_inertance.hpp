@@ -90,12 +90,13 @@ inline Real inertance_under(const RigidScene& scene, std::size_t j, int part,
 }
 
 /// What Λ of a joint's row adds to K of (15.12a) [kg, kg, kg m²].
+/// \param tied  whether lines add too: 2T/L at each end by itself moves the centroid
 inline void add_stiffness(const RigidScene& scene, const StepData<3>& now, int row,
-                          Real impulse, VecX& K)
+                          Real impulse, bool tied, VecX& K)
 {
     const auto j =
         static_cast<std::size_t>(now.sources[static_cast<std::size_t>(row)].index);
-    const bool line = lines_of(scene.joints[j]) == 1;
+    const bool line = tied && lines_of(scene.joints[j]) == 1;
     const Real pull = line ? -scene.joints[j].sense * impulse : 0,
                firm = pull > 0 ? 2 * pull / line_length(scene, j, 0) : 0;
     for_each_arm(scene, now, row, [&](Index k, const Vec2& r, const Vec2& J) {

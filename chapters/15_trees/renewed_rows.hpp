@@ -20,12 +20,16 @@ struct RenewedRows {
     {
         Bodies<3>& bodies = scene.bodies;
         begin(rows, members, bodies, now);
+        const bool tied = std::any_of(rows.begin(), rows.end(), [&](int i) {
+            const Row<3>& row = now.rows[static_cast<std::size_t>(i)];
+            return !bodies.can_move(row.a) || !bodies.can_move(row.b);
+        });
         for (const int i : rows) {
             const auto at = static_cast<std::size_t>(i);
             if (last.left_out[at])  // not looked at yet
                 now.constraints[at] = constraint_at(scene, now, at, bodies.x);
             else if (pulled && is_of_joint(now, i))
-                add_stiffness(scene, now, i, h * last.solution.lambda[i],
+                add_stiffness(scene, now, i, h * last.solution.lambda[i], tied,
                               stiffness_);
         }
         for (const int k : members) {
