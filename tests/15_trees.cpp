@@ -264,12 +264,14 @@ TEST_CASE("the same chain flies apart where the load is not stiff and the steps 
             spin = std::max(spin, std::abs(scene.bodies.velocity(k)[2]));
         return std::pair(gap, spin);
     };
-    CHECK(chain(8, 120, 1).first > 1);  // of its five metres
-    // with as many rounds as there are its joints are met, and its links whirl: 1.5 rad/s with it
-    CHECK(chain(NewtonSettings().most, 120, 1).second > 100);
+    CHECK(chain(8, 600, 1).first > 10);  // of its five metres
+    // with as many rounds as there are its joints are met, and its links whirl: with (15.15) at up to 1.5 rad/s
+    const int rounds = NewtonSettings().most;
+    CHECK(chain(rounds, 120, 1).second > 100);
     // h below 2/1085 s is stable without
-    CHECK(chain(NewtonSettings().most, 120, 16).first <= 1e-6);
-    CHECK(chain(NewtonSettings().most, 120, 16).second < 10);
+    const auto [gap, spin] = chain(rounds, 120, 16);
+    CHECK(gap <= 1e-6);
+    CHECK(spin < 10);
 }
 
 TEST_CASE("a bridge between two banks is a loop through the world and stays together", "[idea]")
@@ -284,22 +286,22 @@ TEST_CASE("a bridge between two banks is a loop through the world and stays toge
 TEST_CASE("a taut bridge under a plank of a thousand planks does not tear", "[idea]")
 {
     for (const bool beads : {false, true})
-        for (const int planks : {25, 40})
-            for (const Real ratio : {1000.0, 3000.0})
-                for (const int substeps : {1, 2, 4}) {
-                    JointedScene scene = beads ? line_of_beads(planks) : bridge_scene(planks);
-                    scene.bodies.inverse_mass.segment<3>(3 * (planks / 2)) /= ratio;
-                    const VecX masses = scene.bodies.inverse_mass;
-                    Trees method;
-                    CAPTURE(beads, planks, ratio, substeps);
-                    CHECK(run(scene, method, 1.0 / 60, 600, substeps) <= 1e-3);
-                    CHECK(scene.bodies.inverse_mass == masses);  // what was stiff is so no longer
-                }
+        for (const auto& [planks, ratio] : {std::pair(25, 1e3), {25, 3e3}, {25, 1e5}, {40, 1e3}, {40, 3e3}})
+            for (const int substeps : {1, 2, 4}) {
+                JointedScene scene = beads ? line_of_beads(planks) : bridge_scene(planks);
+                scene.bodies.inverse_mass.segment<3>(3 * (planks / 2)) /= ratio;
+                const VecX masses = scene.bodies.inverse_mass;
+                Trees method;
+                INFO((beads ? "beads" : "planks")
+                     << ' ' << planks << ", " << ratio << ", sub-steps " << substeps);
+                CHECK(run(scene, method, 1.0 / 60, 600, substeps) <= 1e-3);
+                CHECK(scene.bodies.inverse_mass == masses);  // what was stiff is so no longer
+            }
 }
 
 TEST_CASE("the centroid of a line of beads that floats stays on its way", "[house]")
 {
-    // whipped so that no arc is followed: what joints are off by is met by positions alone
+    // whipped so that some arcs are given up: what joints are off by is met by positions alone
     JointedScene scene;
     scene.gravity = {0, 0};
     for (int k = 0; k < 12; ++k) {
@@ -358,7 +360,7 @@ TEST_CASE("light planks do not throw up the heavy one that they whip against", "
         step(scene, {.h = 1.0 / 60}, method, now);
         highest = std::max(highest, scene.bodies.x[31]);
     }
-    CHECK(highest <= -0.5);  // it begins at -1.2 and, as its rope of planks is 8.4 m, hangs at -1.3
+    CHECK(highest <= -0.5);  // it begins at -1.22 and can hang no lower than -1.28
 }
 
 TEST_CASE("conjugate gradients find the impulses of the tree in about as many steps as there are rows",
