@@ -19,6 +19,11 @@ struct Contact {
     Vec2 point = {0, 0};  ///< where they touch [m], of bodies that turn (chapter 11)
     Real core_a = 0,
          core_b = 0;  ///< from there, against and along the normal, to what turns with a and with b [m]
+    /// of bodies of several shapes (chapter 19): from the numbers of the bodies to those of the shapes that touch
+    int from_a = 0, from_b = 0;
+
+    Index shape_a() const { return a + from_a; }
+    Index shape_b() const { return b + from_b; }
 };
 
 /// What a contact is between bodies of Dof numbers: in space it is another (chapter 25).

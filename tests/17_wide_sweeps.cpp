@@ -486,17 +486,38 @@ TEST_CASE("a cold column has the same error in colours and twice the residual", 
           Approx(2).epsilon(0.08));
 }
 
-TEST_CASE("a bundle that is cut is known before it is swept", "[house]")
+TEST_CASE("more rows than a bundle has are cut beside what bounds them", "[house]")
 {
-    // the row of a normal is the last one between the world and the body
-    for (const int between : {14, 15, 16}) {
-        std::vector<Row<3>> rows(static_cast<std::size_t>(between));
-        for (Row<3>& row : rows) row.a = world, row.b = 0;
-        rows[0].bounded_by = between - 1;
-        Bundles bundles;
-        bundle_rows(rows, 1, bundles);
-        CHECK(holds_bounds(rows, bundles) == (between <= Bundles::most_rows));
-    }
+    // contacts as a step has them: the rows of friction come before those of normals
+    for (const int contacts : {7, 8, 20, 40})
+        for (const int apart : {1, 2}) {  // rows of friction of each
+            const int drag = apart * contacts;
+            std::vector<Row<3>> rows(static_cast<std::size_t>(drag + contacts));
+            for (Row<3>& row : rows) row.a = world, row.b = 1;
+            for (int i = 0; i < drag; ++i) rows[static_cast<std::size_t>(i)].bounded_by = drag + i / apart;
+            rows.push_back({});  // and one of another body
+            rows.back().a = world, rows.back().b = 0;
+            Bundles bundles;
+            bundle_rows(rows, 2, bundles);
+            const int most = Bundles::most_rows / (apart + 1), needed = (contacts + most - 1) / most;
+            const bool is_one = static_cast<int>(rows.size()) - 1 <= Bundles::most_rows;
+            CHECK(bundles.count() == (is_one ? 2U : static_cast<std::size_t>(needed + 1)));
+            std::vector<int> seen(rows.size(), 0);
+            for (std::size_t g = 0; g < bundles.count(); ++g) {
+                REQUIRE(bundles.first[g + 1] - bundles.first[g] <= Bundles::most_rows);
+                for (int k = bundles.first[g]; k < bundles.first[g + 1]; ++k) {
+                    const auto i = static_cast<std::size_t>(bundles.rows[static_cast<std::size_t>(k)]);
+                    ++seen[i];
+                    REQUIRE(bundles.of_row[i] == static_cast<int>(g));
+                    if (rows[i].bounded_by >= 0)
+                        REQUIRE(bundles.of_row[static_cast<std::size_t>(rows[i].bounded_by)] ==
+                                static_cast<int>(g));
+                    if (k > bundles.first[g])
+                        REQUIRE(bundles.rows[static_cast<std::size_t>(k - 1)] < static_cast<int>(i));
+                }
+            }
+            CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+        }
 }
 
 TEST_CASE("what a wide sweep cannot do is refused", "[house]")

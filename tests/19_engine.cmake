@@ -1,6 +1,6 @@
 # The program as a reader runs it.
 foreach(scene pyramid house heavy column chain bridge grid dolls poured tumbler piles dominoes bricks wrecker
-              seesaw arch rubble cart gates bullets)
+              seesaw arch rubble cart gates furniture bullets)
   add_program_test(ch19 19_engine "runs scene ${scene}" --headless --scene ${scene} --steps 60
                    --method by_island,exact,sweeps --set thrown=2 --csv -)
 endforeach()

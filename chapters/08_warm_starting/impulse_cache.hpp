@@ -60,8 +60,8 @@ inline ImpulseKey joint_key(std::size_t machine, int part = 0)
 
 inline ImpulseKey contact_key(const Contact& contact, int part = 0)
 {
-    return {static_cast<std::int32_t>(contact.a),
-            static_cast<std::int32_t>(contact.b),
+    return {static_cast<std::int32_t>(contact.shape_a()),
+            static_cast<std::int32_t>(contact.shape_b()),
             static_cast<std::int32_t>(contact.feature), part};
 }
 //! [key]

@@ -51,6 +51,15 @@ inline Polygon capsule(Real length, Real radius)
 
 inline Polygon disc(Real radius) { return {{{0, 0}}, radius}; }
 
+/// The same shape turned about the origin, then moved.
+inline Polygon shifted(Polygon shape, const Vec2& by, Real turn = 0)
+{
+    const auto [s, c] = sine_and_cosine(turn);
+    for (Vec2& v : shape.vertices)
+        v = by + Vec2(c * v.x() - s * v.y(), s * v.x() + c * v.y());
+    return shape;
+}
+
 /// Throws std::invalid_argument, naming the vertex or the value, unless the vertices are finite, distinct and go
 /// counterclockwise around a convex polygon, and the radius is zero or positive.
 void require_valid(const Polygon& shape);

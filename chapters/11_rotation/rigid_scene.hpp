@@ -89,11 +89,22 @@ private:
     std::vector<Known> known_;
 };
 
+/// The shape of a body that has several (chapter 19). Each has the number of a body of its own, which is where the body is
+/// whose shape it is, and which nothing else is asked of.
+struct CarriedShape {
+    Index carrier = 0;     ///< the body
+    Index next = 0;        ///< its next shape; after the last one itself
+    Vec2 middle = {0, 0};  ///< the centroid of the shape, in the body's axes [m]
+    bool pushes = true;    ///< false: nothing touches it
+};
+
 struct RigidScene {
     static constexpr int dof = 3;
     Bodies<3> bodies{0};
     /// one to a body, in its own axes, its centroid at (0, 0)
     std::vector<Polygon> shapes;
+    /// one to each of them; empty = no body has another shape
+    std::vector<CarriedShape> carried;
     std::vector<PointJoint> joints;
     std::vector<HalfSpace> walls;
     std::vector<Chain> chains;
@@ -101,6 +112,30 @@ struct RigidScene {
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;
     mutable Turns turns;  ///< memory of its joints and shapes
+
+    /// The body that shape k is of.
+    Index carrier(Index k) const
+    {
+        return carried.empty() || k == world
+                   ? k
+                   : carried[static_cast<std::size_t>(k)].carrier;
+    }
+    /// Whether shape k may touch something, if its body can move.
+    bool pushes(Index k) const
+    {
+        return carried.empty() || carried[static_cast<std::size_t>(k)].pushes;
+    }
+    /// Calls visit(number) for the shapes of body k, its own first.
+    template <class Visit>
+    void for_each_shape(Index k, const Visit& visit) const
+    {
+        Index shape = k;
+        do {
+            visit(shape);
+            if (carried.empty()) return;
+            shape = carried[static_cast<std::size_t>(shape)].next;
+        } while (shape != k);
+    }
 };
 
 /// ℓ, the length that settings are measured in (chapter 3).
@@ -115,6 +150,14 @@ inline Vec2 point_of(const VecX& x, Index k, const Vec2& at, Turns* turns = null
     const auto [s, c] = turns ? turns->of(k, angle) : sine_and_cosine(angle);
     return {x[3 * k] + c * at.x() - s * at.y(),
             x[3 * k + 1] + s * at.x() + c * at.y()};
+}
+
+/// Where the centroid of shape k is: that of its body, unless it has several.
+inline Vec2 middle_of(const RigidScene& scene, const VecX& x, Index k)
+{
+    if (scene.carried.empty()) return x.segment<2>(3 * k);
+    const Vec2& middle = scene.carried[static_cast<std::size_t>(k)].middle;
+    return point_of(x, k, middle, &scene.turns);
 }
 
 //! [point_velocity]

@@ -15,8 +15,7 @@ namespace rigid {
 /// A body that turns is as fast as its farthest point: |ω| r is a speed [m/s].
 inline Vec<3> measured_velocity(const RigidScene& scene, Index k, const Vec<3>& u)
 {
-    const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
-    return {u[0], u[1], u[2] * (turning_radius(shape) + shape.radius)};
+    return {u[0], u[1], u[2] * farthest_point(scene, k)};
 }
 
 //! [awake_stage]
@@ -162,10 +161,12 @@ private:
         };
         const auto wake_of = [&](const auto& pairs) {
             walked += static_cast<std::int64_t>(pairs.size());
-            for (const auto& pair : pairs)
-                if (is_in(pair.a) || is_in(pair.b))
-                    for (const Index k : {Index{pair.a}, Index{pair.b}})
+            for (const auto& pair : pairs) {
+                const Index a = scene.carrier(pair.a), b = scene.carrier(pair.b);
+                if (is_in(a) || is_in(b))
+                    for (const Index k : {a, b})
                         if (k != world && k < known) set.wake(k);
+            }
         };
         const bool all_awake =
             std::all_of(changed_.begin(), changed_.end(),

@@ -16,35 +16,50 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
 {
     const VecX& x_found = now.x_found;
     const Real margin = settings.margin * now.length;
-    const int K = static_cast<int>(scene.bodies.count());
+    const auto K = static_cast<std::size_t>(scene.bodies.count());
     const auto motion = [&](Index k) {
         return MovingShape{&scene.shapes[static_cast<std::size_t>(k)],
                            x_found.segment<3>(3 * k), scene.bodies.position(k)};
     };
     const auto inner_of = [&](int k) {
-        return inner_radius(placed.of(k), x_found.segment<2>(3 * k));
+        return placed.inner[static_cast<std::size_t>(k)];
     };
-    const auto how_far = [](const MovingShape& m) {
-        const Vec<3> way = m.way();
+    const auto turning_of = [&](int k) {
+        return placed.turning[static_cast<std::size_t>(k)];
+    };
+    // where the centroid of its shape is
+    const auto middle_at = [&](const MovingShape& m, const Vec<3>& pose) -> Vec2 {
+        if (scene.carried.empty()) return pose.head<2>();
+        const auto shape = static_cast<std::size_t>(m.shape - &scene.shapes[0]);
+        const auto [s, c] = sine_and_cosine(pose[2]);
+        const Vec2& r = scene.carried[shape].middle;
+        return pose.head<2>() + c * r + s * perpendicular(r);
+    };
+    const auto how_far = [&](int k) {
+        const Vec<3> way = motion(k).way();
         if (way.isZero(0)) return Real{0};
-        return hypot(way[0], way[1]) + std::abs(way[2]) * turning_radius(*m.shape);
+        return hypot(way[0], way[1]) + std::abs(way[2]) * turning_of(k);
     };
     // most go less far even along the axes
-    const auto goes_beyond = [&](const MovingShape& m, Real limit) {
-        const Vec<3> way = m.way().cwiseAbs();
-        return way[0] + way[1] + way[2] * turning_radius(*m.shape) > limit &&
-               how_far(m) > limit;
+    const auto goes_beyond = [&](int k, Real limit) {
+        const Vec<3> way = motion(k).way().cwiseAbs();
+        return way[0] + way[1] + way[2] * turning_of(k) > limit &&
+               how_far(k) > limit;
+    };
+    const auto for_each_active = [&](const auto& visit) {
+        for (const int body : now.active)
+            scene.for_each_shape(
+                body, [&](Index shape) { visit(static_cast<int>(shape)); });
     };
     fast.bodies.clear();
     fast.impacts = fast.rounds = 0;
-    for (const int k : now.active) {
+    for_each_active([&](int k) {
         const auto at = static_cast<std::size_t>(k);
         const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
-        if (!goes_on && goes_beyond(motion(k), 0.5 * inner_of(k)))
-            fast.bodies.push_back(k);
-    }
+        if (!goes_on && goes_beyond(k, 0.5 * inner_of(k))) fast.bodies.push_back(k);
+    });
     if (fast.bodies.empty()) return;
-    fast.is_fast.assign(static_cast<std::size_t>(K), 0);
+    fast.is_fast.assign(K, 0);
     for (const int k : fast.bodies) fast.is_fast[static_cast<std::size_t>(k)] = 1;
 
     // all that a body can reach on its way, however it turns
@@ -52,23 +67,27 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         const MovingShape m = motion(k);
         const Vec2 from = m.from.head<2>(), to = m.to.head<2>();
         return grown(Box{from.cwiseMin(to), from.cwiseMax(to)},
-                     turning_radius(*m.shape) + m.shape->radius + margin);
+                     turning_of(k) + m.shape->radius + margin);
     };
     Real others_move = 0;  // at most [m]
-    for (int k = 0; k < K; ++k)
+    for_each_active([&](int k) {
         if (!fast.is_fast[static_cast<std::size_t>(k)] &&
-            goes_beyond(motion(k), others_move))
-            others_move = how_far(motion(k));
-    fast.inner.assign(static_cast<std::size_t>(K), 0);
-    fast.part.assign(static_cast<std::size_t>(K), 1);
+            goes_beyond(k, others_move))
+            others_move = how_far(k);
+    });
+    fast.inner.assign(K, 0);
+    fast.part.assign(K, 1);
     fast.swept.clear();
     for (const int k : fast.bodies) {
         fast.inner[static_cast<std::size_t>(k)] = inner_of(k);
         fast.swept.push_back(reached(k));
     }
+    // all shapes of a body stop with the first of them
+    const auto part_of = [&](int k) -> Real& {
+        return fast.part[static_cast<std::size_t>(scene.carrier(k))];
+    };
     const auto hold = [&](int k, const Impact& impact) {
-        Real& part = fast.part[static_cast<std::size_t>(k)];
-        if (impact.hit) part = std::min(part, impact.part);
+        if (impact.hit) part_of(k) = std::min(part_of(k), impact.part);
     };
     // of what is close already, only that it gets deeper than half its inner radius,
     // or than it is by an eighth
@@ -107,8 +126,9 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                                    Real inner) {
         Real front = margin;
         for (const Vec<3>& x : {moving.from, moving.to})
-            front = std::min(front,
-                             edge.normal(0).dot(x.head<2>() - edge.vertex(0)) / 2);
+            front = std::min(
+                front,
+                edge.normal(0).dot(middle_at(moving, x) - edge.vertex(0)) / 2);
         return std::max(inner, front > margin / 100 ? front : 0);
     };
     const auto impact_on_edge = [&](const MovingShape& other,
@@ -156,7 +176,7 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                 !overlap(fast.swept[i], reached(b)) || !finder.may_touch(a, b))
                 return;
             if (edges.has(b)) {  // only what comes from before it
-                if (!is_behind(placed.of(b), moving.from.head<2>()))
+                if (!is_behind(placed.of(b), middle_at(moving, moving.from)))
                     hold(a,
                          impact_on_edge(motion(b), moving, placed.of(b), inner_a));
                 return;
@@ -184,8 +204,8 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
               [](const auto& p, const auto& q) {
                   return std::tie(p.second, p.first) < std::tie(q.second, q.first);
               });
-    stop_each_other(motion, first_impact, fast);
-    put_back(scene.bodies, settings.h, now.rows, motion, fast);
+    stop_each_other(motion, first_impact, part_of, fast);
+    put_back(scene, settings.h, now.rows, motion, fast);
 }
 //! [fast]
 

@@ -32,7 +32,7 @@ struct FastBodies {
     std::vector<int> bodies;  ///< that were fast
     int impacts = 0;          ///< of those, stopped on their way
     int rounds = 0;           ///< distances computed
-    std::vector<Real> part;   ///< of the way that each of them goes
+    std::vector<Real> part;   ///< of the way that each body goes
     std::vector<Box> swept;   ///< of each of them: all that it can reach
     std::vector<char> is_fast;
     std::vector<char> is_held;  ///< 1: a row of the step acts on the body
@@ -61,12 +61,15 @@ inline void take_back(Bodies<3>& bodies, Index k, Real lost, bool free)
 /// Puts the fast bodies that were stopped where they stop.
 /// \param motion  MovingShape(int): the way of a body in this step
 template <class Motion>
-void put_back(Bodies<3>& bodies, Real h, const std::vector<Row<3>>& rows,
+void put_back(RigidScene& scene, Real h, const std::vector<Row<3>>& rows,
               const Motion& motion, FastBodies& fast)
 {
-    for (const int k : fast.bodies) {
+    Index last = world;
+    for (const int shape : fast.bodies) {
+        const Index k = scene.carrier(shape);
         const Real part = fast.part[static_cast<std::size_t>(k)];
-        if (part >= 1) continue;
+        // the shapes of a body are neighbours
+        if (part >= 1 || std::exchange(last, k) == k) continue;
         if (fast.impacts++ == 0) {
             fast.is_held.assign(fast.is_fast.size(), 0);
             for (const Row<3>& row : rows)
@@ -74,8 +77,8 @@ void put_back(Bodies<3>& bodies, Real h, const std::vector<Row<3>>& rows,
                     if (body != world)
                         fast.is_held[static_cast<std::size_t>(body)] = 1;
         }
-        bodies.position(k) = motion(k).at(part);
-        take_back(bodies, k, (1 - part) * h,
+        scene.bodies.position(k) = motion(k).at(part);
+        take_back(scene.bodies, k, (1 - part) * h,
                   fast.is_held[static_cast<std::size_t>(k)] == 0);
     }
 }

@@ -86,10 +86,11 @@ inline Real flush_within(Real margin, Real inner)
     return std::min(margin / 20, std::max(Real{0}, inner) / 8);
 }
 
-/// Bodies that stand: what cannot move and does not.
+/// Shapes that stand: their body cannot move and does not.
 inline bool stands(const RigidScene& scene, Index k)
 {
-    return !scene.bodies.can_move(k) && scene.bodies.velocity(k).isZero(0);
+    const Index body = scene.carrier(k);
+    return !scene.bodies.can_move(body) && scene.bodies.velocity(body).isZero(0);
 }
 //! [hides]
 
@@ -123,10 +124,7 @@ struct Seams {
             first = last;
             if (touched.size() < 2 && scene.walls.empty()) continue;
             const Real flush = flush_within(
-                margin,
-                inner_radius(
-                    placed.of(touched[0].mover),
-                    scene.bodies.position(touched[0].mover).template head<2>()));
+                margin, placed.inner[static_cast<std::size_t>(touched[0].mover)]);
             const auto is_hidden = [&](const Touching& it) {
                 return all_hidden(
                     pairs[it.pair].manifold, it.of_b,

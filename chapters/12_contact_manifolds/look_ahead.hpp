@@ -39,13 +39,16 @@ inline void look_ahead(const RigidScene& scene, const PlacedShapes& placed,
     const Real fall = scene.gravity.norm() * how.h;
     for (const int k : bodies) {
         const auto at = static_cast<std::size_t>(k);
-        const Vec<3> u = scene.bodies.velocity(k);
-        const Real falling = how.falls.empty() ? fall : how.falls[at] * how.h,
-                   turns = std::abs(u[2]) * turning_radius(scene.shapes[at]),
-                   falls = scene.bodies.can_move(k) ? falling : 0,
+        const Index body = scene.carrier(k);
+        const Vec<3> u = scene.bodies.velocity(body);
+        const Real falling =
+                       how.falls.empty()
+                           ? fall
+                           : how.falls[static_cast<std::size_t>(body)] * how.h,
+                   turns = std::abs(u[2]) * placed.turning[at],
+                   falls = scene.bodies.can_move(body) ? falling : 0,
                    way = how.h * (u.head<2>().norm() + falls + turns),
-                   inner = inner_radius(placed.of(k),
-                                        scene.bodies.position(k).head<2>());
+                   inner = placed.inner[at];
         ways[at] = way > how.margin / 2 ? way : 0;
         reach[at] = std::min(ways[at], how.most * std::max(Real{0}, inner));
     }

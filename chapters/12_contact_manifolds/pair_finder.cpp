@@ -98,7 +98,10 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
     margin_ = margin;
     const auto take = [&](std::size_t k) {
         boxes[k] = grown(placed.boxes[k], margin / 2 + reach_of(k));
-        moves[k] = scene.bodies.can_move(static_cast<Index>(k));
+        const Index body = scene.carrier(static_cast<Index>(k));
+        moves[k] =
+            scene.bodies.can_move(body) && scene.pushes(static_cast<Index>(k));
+        if (!whole.empty()) whole[k] = body;
         if (search == PairSearch::grid)
             put_in_grid(scene, static_cast<Index>(k), margin);
         else if (search == PairSearch::tree &&
@@ -108,6 +111,10 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
     boxes.resize(K);
     moves.resize(K);
     asks.resize(K);
+    if (!scene.carried.empty())
+        for (auto k = static_cast<Index>(whole.size()); k < static_cast<Index>(K);
+             ++k)
+            whole.push_back(scene.carrier(k));
     if (anew) near_.clear();
     is_renewed_.resize(K);
     for (const int k : renewed_)

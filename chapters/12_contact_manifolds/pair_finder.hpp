@@ -38,6 +38,8 @@ struct PairFinder {
     /// of each body: how far ahead it looks, 0 = not at all; empty = none does [m]
     std::vector<Real> reach;
     std::vector<char> moves;
+    /// the body that each shape is of; empty = each is of its own
+    std::vector<Index> whole;
     /// 1: the body looks for others; 0: it is only found
     std::vector<char> asks;
     /// a · 2³² + b of each joint whose bodies may not touch, as it comes, and ascending
@@ -53,12 +55,18 @@ struct PairFinder {
 
     bool may_touch(int a, int b) const
     {
+        const Index body_a = whole_of(a), body_b = whole_of(b);
         return (moves[static_cast<std::size_t>(a)] ||
                 moves[static_cast<std::size_t>(b)]) &&
-               filter.lets_meet(a, b) &&
+               body_a != body_b && filter.lets_meet(a, b) &&
                !filter.forbids(std::min(a, b), std::max(a, b)) &&
-               !std::binary_search(joined.begin(), joined.end(), pair_key(a, b)) &&
+               !std::binary_search(joined.begin(), joined.end(),
+                                   pair_key(body_a, body_b)) &&
                (!lets || lets(std::min(a, b), std::max(a, b)));
+    }
+    Index whole_of(int k) const
+    {
+        return whole.empty() ? k : whole[static_cast<std::size_t>(k)];
     }
 
     Real reach_of(std::size_t k) const { return k < reach.size() ? reach[k] : 0; }

@@ -46,6 +46,16 @@ inline Box box_of(const Placed& shape)
 /// From the centroid to the nearest side [m]. The centroid of a segment is on it, whatever rounding says.
 Real inner_radius(const Placed& shape, const Vec2& centroid);
 
+/// R: the way from the origin of a shape, its centroid in a body, to its farthest vertex [m]. What is round about a
+/// vertex does not move when it turns.
+inline Real turning_radius(const Polygon& shape)
+{
+    Real farthest = 0;
+    for (const Vec2& r : shape.vertices)
+        farthest = std::max(farthest, r.squaredNorm());
+    return std::sqrt(farthest);
+}
+
 /// Writes the vertices and normals of a shape at a pose (x, y, θ) behind those that are there.
 /// \param turn  of θ
 inline void place(const Polygon& shape, const Vec<3>& pose,
@@ -94,6 +104,7 @@ struct PlacedShapes {
     std::vector<std::size_t> first_vertex, first_normal;  ///< K + 1
     std::vector<Real> radius;                             ///< K [m]
     std::vector<Box> boxes;                               ///< K
+    std::vector<Real> inner, turning;  ///< K, inner and turning radii [m]
 
     /// Places all of them.
     void move(const RigidScene& scene)
@@ -103,7 +114,6 @@ struct PlacedShapes {
         first_vertex.assign(1, 0);
         first_normal.assign(1, 0);
         radius.clear();
-        boxes.clear();
         for (Index k = 0; k < scene.bodies.count(); ++k) {
             const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
             place(shape, scene.bodies.position(k), turn_of(scene, k), vertices,
@@ -112,8 +122,10 @@ struct PlacedShapes {
             first_normal.push_back(normals.size());
             radius.push_back(shape.radius);
         }
-        for (Index k = 0; k < scene.bodies.count(); ++k)
-            boxes.push_back(box_of(of(k)));
+        for (std::vector<Real>* const each : {&inner, &turning})
+            each->resize(radius.size());
+        boxes.resize(radius.size());
+        for (Index k = 0; k < scene.bodies.count(); ++k) measure(scene, k, of(k));
     }
 
     /// Places these again; all, if the scene has other shapes than before.
@@ -140,7 +152,7 @@ struct PlacedShapes {
                       normals.begin() +
                           static_cast<std::ptrdiff_t>(first_normal[k]));
             radius[k] = moved_.radius;
-            boxes[k] = box_of(moved_.view());
+            measure(scene, body, moved_.view());
         }
     }
 
@@ -154,6 +166,14 @@ struct PlacedShapes {
     }
 
 private:
+    void measure(const RigidScene& scene, Index body, const Placed& shape)
+    {
+        const auto k = static_cast<std::size_t>(body);
+        boxes[k] = box_of(shape);
+        inner[k] = inner_radius(shape, middle_of(scene, scene.bodies.x, body));
+        turning[k] = turning_radius(scene.shapes[k]);
+    }
+
     static SineAndCosine turn_of(const RigidScene& scene, Index k)
     {
         return scene.turns.of(k, scene.bodies.x[3 * k + 2]);

@@ -30,16 +30,16 @@ Impact impact_of_two(const Moving& a, Real part_a, const Moving& b, Real part_b,
 
 /// Fast bodies in pairs, until none stops any earlier. After 20 rounds all of them
 /// stay where they were: nothing can have gone through anything then.
-/// \param fast  with the pairs that may meet
-template <class Motion, class FirstImpact, class Fast>
+/// \param part_of  Real&(int): how much of its way each of them goes
+/// \param fast     with the pairs that may meet
+template <class Motion, class FirstImpact, class PartOf, class Fast>
 void stop_each_other(const Motion& motion, const FirstImpact& first_impact,
-                     Fast& fast)
+                     const PartOf& part_of, Fast& fast)
 {
     bool earlier = !fast.pairs.empty();
     for (int round = 0; earlier; ++round) {
         if (round == 20) {
-            for (const int k : fast.bodies)
-                fast.part[static_cast<std::size_t>(k)] = 0;
+            for (const int k : fast.bodies) part_of(k) = 0;
             return;
         }
         earlier = false;
@@ -47,7 +47,7 @@ void stop_each_other(const Motion& motion, const FirstImpact& first_impact,
             const int a = pair.first, b = pair.second;
             const auto ka = static_cast<std::size_t>(a),
                        kb = static_cast<std::size_t>(b);
-            Real &part_a = fast.part[ka], &part_b = fast.part[kb];
+            Real &part_a = part_of(a), &part_b = part_of(b);
             const Real inner = std::max(fast.inner[ka], fast.inner[kb]);
             const Impact impact =
                 impact_of_two(motion(a), part_a, motion(b), part_b,

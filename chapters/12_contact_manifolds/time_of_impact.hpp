@@ -27,13 +27,16 @@ struct MovingShape {
     Vec<3> way() const { return to - from; }
 };
 
-/// R: the way from the origin of a shape, its centroid in a body, to its farthest vertex [m]. What is round about a
-/// vertex does not move when it turns.
-inline Real turning_radius(const Polygon& shape)
+/// R of all shapes of a body, and what is round about them [m]
+inline Real farthest_point(const RigidScene& scene, Index k)
 {
     Real farthest = 0;
-    for (const Vec2& r : shape.vertices)
-        farthest = std::max(farthest, std::sqrt(r.squaredNorm()));
+    scene.for_each_shape(k, [&](Index i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (at >= scene.shapes.size()) return;  // a point
+        const Polygon& shape = scene.shapes[at];
+        farthest = std::max(farthest, turning_radius(shape) + shape.radius);
+    });
     return farthest;
 }
 

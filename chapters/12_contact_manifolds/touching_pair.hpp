@@ -13,7 +13,7 @@ struct TouchingPair {
     Manifold manifold;
 };
 
-/// \param a              the world: b touches a wall
+/// \param a, b           their shapes; a is the world: b touches a wall
 /// \param first_feature  of this wall; else 0
 inline void add_contacts(const RigidScene& scene, Index a, Index b,
                          const Manifold& m, int first_feature, StepData<3>& now)
@@ -25,9 +25,11 @@ inline void add_contacts(const RigidScene& scene, Index a, Index b,
         const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
         now.sources.push_back(
             {Source::Of::contact, static_cast<int>(now.contacts.size())});
-        now.contacts.push_back({a, b, m.normal, p.gap, first_feature + p.feature,
-                                p.point, radius(a) + p.gap / 2,
-                                radius(b) + p.gap / 2});
+        const Index body_a = scene.carrier(a), body_b = scene.carrier(b);
+        now.contacts.push_back(
+            {body_a, body_b, m.normal, p.gap, first_feature + p.feature, p.point,
+             radius(a) + p.gap / 2, radius(b) + p.gap / 2,
+             static_cast<int>(a - body_a), static_cast<int>(b - body_b)});
     }
 }
 

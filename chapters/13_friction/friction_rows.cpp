@@ -7,17 +7,17 @@ namespace rigid {
 
 TouchedSurface touched_surface(const RoughScene& scene, const Contact& contact)
 {
-    const auto of_body = [&scene](Index k) {
+    const auto of_shape = [&scene](Index k) {
         return scene.surfaces.empty() ? Surface{}
                                       : scene.surfaces[static_cast<std::size_t>(k)];
     };
     if (contact.a != world)
-        return {combined(of_body(contact.a), of_body(contact.b)),
+        return {combined(of_shape(contact.shape_a()), of_shape(contact.shape_b())),
                 scene.walls.size()};
     const std::size_t wall = wall_of(scene, contact.normal, contact.point);
     return {combined(wall < scene.wall_surfaces.size() ? scene.wall_surfaces[wall]
                                                        : Surface{},
-                     of_body(contact.b)),
+                     of_shape(contact.shape_b())),
             wall};
 }
 
@@ -108,7 +108,7 @@ Real own_restitution(const RoughScene& scene, const StepData<3>& now, std::size_
     const auto& contact =
         now.contacts[static_cast<std::size_t>(now.sources[i].index)];
     const auto bounces = [](const Surface& s) { return s.restitution > 0; };
-    const auto body_bounces = [&](Index k) {
+    const auto shape_bounces = [&](Index k) {
         return k != world && !scene.surfaces.empty() &&
                bounces(scene.surfaces[static_cast<std::size_t>(k)]);
     };
@@ -118,7 +118,8 @@ Real own_restitution(const RoughScene& scene, const StepData<3>& now, std::size_
                            bounces);
     };
     // which wall it is takes longer to find
-    if (!body_bounces(contact.b) && !body_bounces(contact.a) && !wall_may())
+    if (!shape_bounces(contact.shape_b()) && !shape_bounces(contact.shape_a()) &&
+        !wall_may())
         return 0;
     return surface_of(scene, contact).restitution;
 }

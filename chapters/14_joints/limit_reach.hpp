@@ -37,14 +37,6 @@ private:
         return joint.kind == ConstraintKind::unilateral;
     }
 
-    /// Of a body, from its centroid [m].
-    static Real farthest_point(const RigidScene& scene, Index k)
-    {
-        const auto at = static_cast<std::size_t>(k);
-        if (at >= scene.shapes.size()) return 0;
-        return turning_radius(scene.shapes[at]) + scene.shapes[at].radius;
-    }
-
     /// R of the smaller of two bodies [m].
     Real shorter_lever(const RigidScene& scene, const PointJoint& joint) const;
 

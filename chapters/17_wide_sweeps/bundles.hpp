@@ -26,7 +26,8 @@ struct Movers {
 
 /// Rows in bundles, and the bundles in colours. Memory is kept from step to step.
 struct Bundles {
-    /// rows of a bundle; what is more becomes another bundle
+    /// rows of a bundle; what is more becomes another bundle, between rows of which
+    /// none bounds the other
     static constexpr int most_rows = 15;
     /// the last colour: bundles that found no free one, to be visited one by one
     static constexpr int rest = Colouring::most - 1;
@@ -54,6 +55,35 @@ std::pair<Index, Index> bodies_of(const Row<Dof>& row)
 {
     return std::minmax(row.a, row.b);
 }
+
+//! [cut]
+/// More rows of two bodies than a bundle has become several: a row that bounds
+/// others stays with them.
+/// \param from, to  places in out.rows; a bundle begins at the first
+template <int Dof>
+void cut_bundle(const std::vector<Row<Dof>>& rows, std::size_t from, std::size_t to,
+                Bundles& out)
+{
+    const auto set_of = [&](int i) {
+        const int n = rows[static_cast<std::size_t>(i)].bounded_by;
+        return n < 0 ? i : n;
+    };
+    const auto at = [&](std::size_t k) {
+        return out.rows.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    std::stable_sort(at(from), at(to),
+                     [&](int i, int j) { return set_of(i) < set_of(j); });
+    std::size_t begin = from;
+    for (std::size_t k = from, end = from; k < to; k = end) {
+        while (end < to && set_of(*at(end)) == set_of(*at(k))) ++end;
+        if (end - begin <= Bundles::most_rows) continue;
+        std::sort(at(begin), at(k));  // as they came
+        begin = k;
+        out.first.push_back(static_cast<int>(k));
+    }
+    std::sort(at(begin), at(to));
+}
+//! [cut]
 
 //! [bundle]
 /// Sorts the rows by their two bodies, by counting: first by the second body, then,
@@ -84,35 +114,22 @@ void bundle_rows(const std::vector<Row<Dof>>& rows, Index bodies, Bundles& out)
 
     out.first.clear();
     out.of_row.resize(rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const auto row = [&](std::size_t n) -> const Row<Dof>& {
-            return rows[static_cast<std::size_t>(out.rows[n])];
-        };
-        if (k == 0 || bodies_of(row(k)) != bodies_of(row(k - 1)) ||
-            static_cast<int>(k) - out.first.back() == Bundles::most_rows)
-            out.first.push_back(static_cast<int>(k));
-        out.of_row[static_cast<std::size_t>(out.rows[k])] =
-            static_cast<int>(out.first.size()) - 1;
+    const auto row = [&](std::size_t n) -> const Row<Dof>& {
+        return rows[static_cast<std::size_t>(out.rows[n])];
+    };
+    for (std::size_t k = 0, end = 0; k < rows.size(); k = end) {
+        while (end < rows.size() && bodies_of(row(end)) == bodies_of(row(k))) ++end;
+        out.first.push_back(static_cast<int>(k));
+        if (end - k > Bundles::most_rows) cut_bundle(rows, k, end, out);
     }
     out.first.push_back(static_cast<int>(rows.size()));
+    for (std::size_t g = 0; g < out.count(); ++g)
+        for (int k = out.first[g]; k < out.first[g + 1]; ++k) {
+            const int i = out.rows[static_cast<std::size_t>(k)];
+            out.of_row[static_cast<std::size_t>(i)] = static_cast<int>(g);
+        }
 }
 //! [bundle]
-
-//! [holds]
-/// Whether each row that another one bounds is in a bundle with it. Two bodies with
-/// more than most_rows rows between them may make it false.
-template <int Dof>
-bool holds_bounds(const std::vector<Row<Dof>>& rows, const Bundles& bundles)
-{
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const int n = rows[i].bounded_by;
-        if (n >= 0 &&
-            bundles.of_row[static_cast<std::size_t>(n)] != bundles.of_row[i])
-            return false;
-    }
-    return true;
-}
-//! [holds]
 
 /// Which bodies of each bundle can move.
 template <int Dof>

@@ -28,12 +28,6 @@ struct IslandPool {
         place[static_cast<std::size_t>(island)] = count;
         return all[static_cast<std::size_t>(count++)];
     }
-    /// The one that was taken last is none after all.
-    void give_back(int island)
-    {
-        --count;
-        place[static_cast<std::size_t>(island)] = -1;
-    }
     Island* find(int island)
     {
         const int at = place[static_cast<std::size_t>(island)];
@@ -123,9 +117,8 @@ struct IslandSolvers {
             return;
         }
         if (static_cast<int>(rows.size()) >= note.lanes || note.steps) {
-            if (wide.take(i).take(all.islands, i, note, bodies, now, numbers_))
-                return;
-            wide.give_back(i);
+            wide.take(i).take(all.islands, i, note, bodies, now, numbers_);
+            return;
         }
         swept.take(i).part.take(rows, members, now, count, numbers_);
     }

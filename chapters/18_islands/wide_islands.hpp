@@ -24,16 +24,13 @@ struct WideIsland {
     HeapInLanes heap;
     bool stepped = false;  ///< by small steps, in this sub-step
 
-    /// Takes an island in, if chapter 17 can: what bounds a row is in its bundle.
-    /// \return  whether it did
-    bool take(const Islands& islands, int island, const IslandNote& note,
+    void take(const Islands& islands, int island, const IslandNote& note,
               const Bodies<3>& bodies, const StepData<3>& now, PartNumbers& numbers)
     {
         const std::span<const int> rows = islands.rows_of(island);
         part.take(rows, islands.bodies_of(island), now, bodies.count(), numbers);
         part.gather_rows(bodies, now);
         bundle_rows(part.now.rows, part.local.count(), solver.bundles);
-        if (!holds_bounds(part.now.rows, solver.bundles)) return false;
         solver.colour(part.local, part.now);
         part.now.same_rows = has_rows_ = true;
         // by a sweep, and by what makes it go on in its direction
@@ -42,7 +39,6 @@ struct WideIsland {
         // 10⁶ sweeps are more than any island that is large can pay for
         standing = static_cast<int>(
             std::min<std::int64_t>(note.to_stand / sweep_price_, 1'000'000));
-        return true;
     }
 
     /// \param sweeps  of islands that move

@@ -14,7 +14,7 @@ namespace rigid {
 inline std::size_t wall_of(const RigidScene& scene, const Contact& contact)
 {
     const auto corners = static_cast<Index>(
-        scene.shapes[static_cast<std::size_t>(contact.b)].vertices.size());
+        scene.shapes[static_cast<std::size_t>(contact.shape_b())].vertices.size());
     return static_cast<std::size_t>(contact.feature / corners);
 }
 
@@ -40,7 +40,7 @@ private:
     {
         const std::size_t others = now.sources.size() - now.contacts.size();
         const auto is_same = [&](const Contact& a, const Contact& b) {
-            return a.a == b.a && a.b == b.b &&
+            return a.shape_a() == b.shape_a() && a.shape_b() == b.shape_b() &&
                    (a.a != world || wall_of(scene, a) == wall_of(scene, b));
         };
         auto kept = now.contacts.begin();
@@ -53,7 +53,7 @@ private:
                 &*first, static_cast<std::size_t>(last - first));
             if (counts(touch)) kept = std::copy(first, last, kept);
             else if (first->a != world)
-                left_out.push_back(pair_key(first->a, first->b));
+                left_out.push_back(pair_key(first->shape_a(), first->shape_b()));
             first = last;
         }
         now.contacts.erase(kept, now.contacts.end());

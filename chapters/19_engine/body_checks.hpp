@@ -6,6 +6,7 @@
 #include "chapters/19_engine/definitions.hpp"
 
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -66,11 +67,15 @@ inline void require_mass(Real mass, Real inertia)
             " kg m²; both and their inverses must be positive and finite");
 }
 
+inline bool has_area(const Polygon& shape)
+{
+    return shape.radius > 0 || shape.vertices.size() > 2;
+}
+
 /// That of its area; what has no area is about the mean of its vertices.
 inline Vec2 centroid_of(const Polygon& shape)
 {
-    if (shape.radius > 0 || shape.vertices.size() > 2)
-        return mass_of(shape, 1).centroid;
+    if (has_area(shape)) return mass_of(shape, 1).centroid;
     Vec2 sum(0, 0);
     for (const Vec2& vertex : shape.vertices) sum += vertex;
     return sum / static_cast<Real>(shape.vertices.size());
@@ -124,6 +129,68 @@ inline Mass require_valid(const BodyDefinition& body)
             "the centroid of the body is (" + shortest(fixed.centroid.x()) + ", " +
             shortest(fixed.centroid.y()) + "); it must be finite");
     return require_about(fixed, body.shape);
+}
+
+/// The mass of a body of several shapes in the axes of the first one, (19.5). Of a body without mass the centroid is that
+/// of its area.
+inline Mass mass_of(const BodyDefinition& body,
+                    std::span<const ShapeDefinition> more)
+{
+    if (body.mass) return *body.mass;
+    Mass all;
+    const auto add = [&all](const Polygon& shape, Real density) {
+        const Mass one = mass_of(shape, density);
+        const Real mass = all.mass + one.mass;
+        if (!(mass > 0)) return;
+        const Vec2 way = one.centroid - all.centroid;
+        all.inertia += one.inertia + all.mass * one.mass / mass * way.squaredNorm();
+        all.centroid += one.mass / mass * way;
+        all.mass = mass;
+    };
+    const auto add_all = [&](Real own, const auto& density_of) {
+        if (own > 0) add(body.shape, own);
+        for (const ShapeDefinition& it : more)
+            if (const Real density = density_of(it); density > 0)
+                add(it.shape, density);
+    };
+    add_all(body.density, [&body](const ShapeDefinition& it) {
+        return it.density.value_or(it.sensor ? 0 : body.density);
+    });
+    if (all.mass > 0) return all;
+    const auto areas = [](const Polygon& shape) { return Real(has_area(shape)); };
+    add_all(areas(body.shape),
+            [&](const ShapeDefinition& it) { return areas(it.shape); });
+    if (!(all.mass > 0)) all.centroid = centroid_of(body.shape);
+    all.mass = all.inertia = 0;
+    return all;
+}
+
+/// The same for a body of several shapes.
+inline Mass require_valid(const BodyDefinition& body,
+                          std::span<const ShapeDefinition> more)
+{
+    if (more.empty()) return require_valid(body);
+    if (body.sensor)
+        throw std::invalid_argument(
+            "the sensor has " + std::to_string(more.size()) +
+            " shapes more; of a body of several shapes the first is no sensor");
+    for (const ShapeDefinition& it : more) {
+        require_valid(it.shape);
+        require_surface(it.surface, "the shape");
+        if (!it.density) continue;
+        require_not_negative(*it.density, "the density of the shape", " kg/m²");
+        if (body.mass || (it.sensor && *it.density > 0))
+            throw std::invalid_argument(
+                "the shape has the density " + shortest(*it.density) + " kg/m²; " +
+                (body.mass
+                     ? "the body has a mass that was given, so it must have none"
+                     : "it is a sensor, so it must be 0"));
+    }
+    BodyDefinition whole = body;
+    if (!body.mass) whole.mass = mass_of(body, more);
+    const Mass mass = require_valid(whole);
+    for (const ShapeDefinition& it : more) require_about(mass, it.shape);
+    return mass;
 }
 
 /// Throws std::invalid_argument unless gravity gives a mass a weight that is a number.

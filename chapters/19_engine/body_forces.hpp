@@ -65,6 +65,17 @@ inline void free_velocities(WorldScene& scene, const StepSettings& settings,
 }
 //! [acting]
 
+//! [carry]
+/// The shapes of body k are where it is.
+inline void carry(RigidScene& scene, Index k)
+{
+    if (scene.carried.empty()) return;
+    const Vec<3> pose = scene.bodies.position(k);
+    scene.for_each_shape(k,
+                         [&](Index shape) { scene.bodies.position(shape) = pose; });
+}
+//! [carry]
+
 //! [dragged]
 /// Chapter 12's stage, where what acts on single bodies counts: how far ahead they
 /// look, and whether they come to rest.
@@ -76,7 +87,19 @@ struct ActedManifolds : Manifolds {
     {
         falls.resize(acting->size());
         if (!acting->empty()) list_falls(scene, bodies);
-        Manifolds::begin_with(scene, margin, h, bodies, now);
+        Manifolds::begin_with(scene, margin, h, shapes_of(scene, bodies), now);
+    }
+    /// All shapes of these bodies look, ascending.
+    std::span<const int> shapes_of(const RigidScene& scene,
+                                   std::span<const int> bodies)
+    {
+        if (scene.carried.empty()) return bodies;
+        looking_.clear();
+        for (const int body : bodies)
+            scene.for_each_shape(
+                body, [this](Index k) { looking_.push_back(static_cast<int>(k)); });
+        std::sort(looking_.begin(), looking_.end());
+        return looking_;
     }
     void list_falls(const RigidScene& scene, std::span<const int> bodies)
     {
@@ -93,6 +116,7 @@ struct ActedManifolds : Manifolds {
     void end(Scene& scene, const StepSettings& settings, Method& method,
              const StepData<3>& now)
     {
+        for (const int k : now.active) carry(scene, k);
         Manifolds::end(scene, settings, method, now);
         if (acting->empty()) return;
         for (const int k : now.active) {
@@ -103,6 +127,9 @@ struct ActedManifolds : Manifolds {
                     then = then.cwiseQuotient(own.slowed(settings.part())).eval();
         }
     }
+
+private:
+    std::vector<int> looking_;
 };
 //! [dragged]
 

@@ -10,7 +10,7 @@ namespace rigid {
 /// Where a contact of the last step is, without its impulses.
 inline ContactView view_of(const EngineState& state, const Contact& c)
 {
-    Touch touch{state.id(c.a), state.id(c.b), {}};
+    Touch touch{state.id(c.shape_a()), state.id(c.shape_b()), {}};
     if (c.a == world) touch.wall = state.walls.id(wall_of(state.scene, c));
     return {touch, c.point, c.normal, c.gap};
 }
@@ -86,18 +86,22 @@ inline void list_resting_contacts(const EngineState& state, Index k,
         return at != impulses.end() && at->first == key ? at->second : 0;
     };
     StepData<3> found;
-    const PlacedShape shape(state.shape(k), state.scene.bodies.position(k));
+    const RigidScene& scene = state.scene;
     const Real margin = state.metres(state.settings.margin);
-    for (std::size_t w = 0; w < state.scene.walls.size(); ++w)
-        if (state.walls.has(w))
-            add_contacts(state.scene, world, k,
-                         collide(state.scene.walls[w], shape.view(), margin),
-                         static_cast<int>(w) * shape.view().size(), found);
+    scene.for_each_shape(k, [&](Index i) {
+        if (!scene.pushes(i)) return;
+        const PlacedShape shape(state.shape(i), scene.bodies.position(i));
+        for (std::size_t w = 0; w < scene.walls.size(); ++w)
+            if (state.walls.has(w))
+                add_contacts(scene, world, i,
+                             collide(scene.walls[w], shape.view(), margin),
+                             static_cast<int>(w) * shape.view().size(), found);
+    });
     const Manifolds& stage = state.awake().touching;
     for (const auto* const pairs : {&stage.touching, &stage.resting})
         for (const TouchingPair& pair : *pairs)
-            if (pair.a == k || pair.b == k)
-                add_contacts(state.scene, pair.a, pair.b, pair.manifold, 0, found);
+            if (scene.carrier(pair.a) == k || scene.carrier(pair.b) == k)
+                add_contacts(scene, pair.a, pair.b, pair.manifold, 0, found);
     for (const Contact& c : found.contacts) {
         list.push_back(view_of(state, c));
         list.back().impulse = impulse(c, normal_part);

@@ -42,7 +42,8 @@ const char* to_string(BodyKind kind);
 
 //! [body]
 struct BodyDefinition {
-    /// convex, counterclockwise, with a radius; its centroid goes to `position` [m]
+    /// convex, counterclockwise, with a radius; its centroid, or that of all
+    /// shapes, goes to `position` [m]
     Polygon shape = box(1, 1);
     Vec2 position = {0, 0};  ///< of the centroid [m]
     Real angle = 0;          ///< [rad]
@@ -67,6 +68,22 @@ struct BodyDefinition {
     std::uint64_t user = 0;  ///< anything of the caller's
 };
 //! [body]
+
+//! [shape]
+/// Another shape of a body, in the axes of the first one. It has a name of its own,
+/// and a surface, a filter and a caller's number.
+struct ShapeDefinition {
+    Polygon shape = box(1, 1);
+    /// [kg/m²]; none: that of the body, and of a sensor 0. Where the mass of the
+    /// body is given it must be none
+    std::optional<Real> density = {};
+    Surface surface{0.6, 0, 0, 0};
+    Filter filter = {};
+    /// pushes nothing, goes with the body and reports what overlaps it
+    bool sensor = false;
+    std::uint64_t user = 0;
+};
+//! [shape]
 
 //! [settings]
 /// Safe as they are, for bodies of about a metre: of another size, set `length`.

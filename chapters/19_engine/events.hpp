@@ -12,7 +12,8 @@
 namespace rigid {
 
 //! [events]
-/// Two bodies that touch, or a body and a wall: then `a` is the world.
+/// Two shapes that touch, or a shape and a wall: then `a` is the world. (That of a
+/// body of one shape has its name.)
 struct Touch {
     BodyId a, b;
     WallId wall;
@@ -29,7 +30,7 @@ struct Hit {
     Real speed = 0;        ///< of approach, before the blow [m/s]
 };
 
-/// A body that is in a sensor.
+/// A body that is in a sensor, shape by shape.
 struct Seen {
     BodyId sensor, body;
 

@@ -7,7 +7,7 @@
 
 namespace rigid {
 
-/// What the engine knows of a body besides the scene.
+/// What the engine knows of a body besides the scene; filter, user and sensor also of each other shape of a body.
 struct BodyNotes {
     Filter filter;
     std::uint64_t user = 0;
@@ -42,10 +42,13 @@ struct KnownBodies {
     std::vector<DisabledBody> disabled;
     //! [known]
 
-    Index number(BodyId id) const
+    /// Of a shape.
+    Index shape_number(BodyId id) const
     {
         return static_cast<Index>(bodies.require(id, "body"));
     }
+    /// Of the body that has the shape.
+    Index number(BodyId id) const { return scene.carrier(shape_number(id)); }
     /// The world for an id of nothing.
     Index number_or_world(BodyId id) const { return id ? number(id) : world; }
     BodyId id(Index k) const
@@ -106,7 +109,8 @@ struct KnownBodies {
     /// What sleeps on it would wake if it came or went.
     bool is_ground(Index k) const
     {
-        return !scene.bodies.can_move(k) && !note(k).sensor && !note(k).disabled;
+        return !scene.bodies.can_move(scene.carrier(k)) && !note(k).sensor &&
+               !note(k).disabled;
     }
 };
 

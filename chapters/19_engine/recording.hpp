@@ -45,6 +45,7 @@ enum class Call : std::uint8_t {
     set_bullet,
     set_wall_surface,
     set_joint_user,
+    add_shapes,
 };
 
 struct Replay {

@@ -61,10 +61,15 @@ void members(Archive& io, Bodies<3>& it)
     io(it.x, it.u, it.f, it.inverse_mass);
 }
 template <class Archive>
+void members(Archive& io, CarriedShape& it)
+{
+    io(it.carrier, it.next, it.middle, it.pushes);
+}
+template <class Archive>
 void members(Archive& io, JointedScene& it)
 {
     io(it.bodies, it.shapes, it.joints, it.walls, it.chains, it.gravity, it.length,
-       it.surfaces, it.wall_surfaces, it.placed, it.owner);
+       it.surfaces, it.wall_surfaces, it.placed, it.owner, it.carried);
 }
 template <class Archive>
 void members(Archive& io, BodyForces& it)
@@ -111,6 +116,11 @@ void members(Archive& io, BodyDefinition& it)
     io(it.mass, it.shape, it.position, it.angle, it.velocity, it.spin, it.density,
        it.fixed_rotation, it.gravity_scale, it.linear_damping, it.angular_damping,
        it.surface, it.filter, it.sensor, it.bullet, it.user);
+}
+template <class Archive>
+void members(Archive& io, ShapeDefinition& it)
+{
+    io(it.shape, it.density, it.surface, it.filter, it.sensor, it.user);
 }
 template <class Archive>
 void members(Archive& io, BodyNotes& it)
@@ -215,8 +225,8 @@ void members(Archive& io, EngineState& it)
     members(io, static_cast<JointedScene&>(it.scene));
     io(it.settings, it.scene.acting, it.bodies, it.joints, it.walls, it.notes,
        it.disabled, it.joint_notes);
-    io(it.sensors, it.touching.held, it.touching.asleep, it.seen, it.meanwhile,
-       it.time, it.steps, it.pulled, it.pulled_to, it.changed);
+    io(it.sensors, it.more_shapes, it.touching.held, it.touching.asleep, it.seen,
+       it.meanwhile, it.time, it.steps, it.pulled, it.pulled_to, it.changed);
     // what begins the next step's answer
     io(it.method.start.cache.entries, it.method.start.cache.h);
     // which bodies are awake, and with what the sleepers will wake

@@ -213,7 +213,8 @@ inline void update_sensors(EngineState& state)
         const auto k = static_cast<Index>(s);
         for_each_overlap(state, stage.placed.of(k), state.note(k).filter,
                          [&](int b) {
-                             now.push_back({state.id(k), state.id(b)});
+                             if (state.scene.carrier(b) != state.scene.carrier(k))
+                                 now.push_back({state.id(k), state.id(b)});
                          });
     }
     std::sort(now.begin(), now.end());

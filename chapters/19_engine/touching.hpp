@@ -17,7 +17,7 @@
 
 namespace rigid {
 
-/// Two bodies by their numbers, or a body and a wall by its number; ascending order is that of the step's contacts.
+/// Two shapes by their numbers, or a shape and a wall by its number; ascending order is that of the step's contacts.
 struct TouchKey {
     std::int32_t a = -1, b = 0, wall = -1;
 
@@ -133,8 +133,8 @@ private:
             const Source& source = now.sources[i];
             const Contact& contact =
                 now.contacts[static_cast<std::size_t>(source.index)];
-            TouchKey key{static_cast<int>(contact.a), static_cast<int>(contact.b),
-                         -1};
+            TouchKey key{static_cast<int>(contact.shape_a()),
+                         static_cast<int>(contact.shape_b()), -1};
             if (contact.a == world)
                 key.wall = static_cast<int>(wall_of(scene, contact));
             if (pairs_.empty() || pairs_.back().key != key)

@@ -105,7 +105,7 @@ void World::step(Real h, const StageListener& listener)
     require_step(h / s.settings.substeps);  // of 5e-324 s a half is 0
     s.begin_events();
     s.work = {};
-    s.work.bodies = s.bodies.count;
+    s.work.bodies = s.bodies.count - s.more_shapes;
     s.taken_out.clear();
     ToldManifolds& sleepers = s.awake();
     // all sleep, and no call has changed anything: no step would change a bit

@@ -52,19 +52,26 @@ public:
 
     //! [bodies]
     // ---- bodies -----------------------------------------------------------------
-    BodyId add_body(const BodyDefinition& definition);
+    /// \param more  its other shapes; their names are in shapes()
+    BodyId add_body(const BodyDefinition& definition,
+                    std::span<const ShapeDefinition> more = {});
     /// Edges from each point to the next, solid to the left, that nothing catches on;
     /// they cannot move. Returns the first; to remove one is to remove all.
     /// \param closed  the last point is joined to the first
     BodyId add_chain(std::span<const Vec2> points, bool closed = false,
                      const Surface& surface = {0.6, 0, 0, 0},
                      const Filter& filter = {});
-    /// With its joints. What it carried wakes.
+    /// With its joints and all its shapes. What it carried wakes.
     void remove(BodyId body);
     bool has(BodyId body) const;
     //! [bodies]
     /// All bodies, in the order of their places.
     std::vector<BodyId> bodies() const;
+    /// The names of a body's shapes, in their order; the first is its own name. shape(),
+    /// surface(), filter(), user() and what sets them are about the shape that a name
+    /// is of; all else is about its body.
+    std::vector<BodyId> shapes(BodyId body) const;
+    BodyId body_of(BodyId shape) const;
 
     Vec2 position(BodyId body) const;  ///< of the centroid [m]
     Real angle(BodyId body) const;     ///< [rad], not wrapped
@@ -72,7 +79,7 @@ public:
     Real spin(BodyId body) const;      ///< [rad/s]
     Real mass(BodyId body) const;      ///< [kg]; infinite: nothing pushes it
     Real inertia(BodyId body) const;   ///< about the centroid [kg m²]
-    /// in the body's own axes, its centroid at (0, 0)
+    /// in the body's own axes, the centroid of the body at (0, 0)
     const Polygon& shape(BodyId body) const;
     const Surface& surface(BodyId body) const;
     const Filter& filter(BodyId body) const;
@@ -114,7 +121,7 @@ public:
     /// A mass [kg] and an inertia about the centroid [kg m²]; the body is dynamic.
     void set_mass(BodyId body, Real mass, Real inertia);
     /// The mass and inertia that its shape has at a density [kg/m²]; 0: nothing pushes
-    /// the body from now on.
+    /// the body from now on. Throws for a body of several shapes, unless it is 0.
     void set_density(BodyId body, Real density);
     /// Fixed: it stops. Kinematic: it goes on as it goes. Dynamic: with the mass that
     /// it had or was given; throws if there is none.
@@ -189,7 +196,7 @@ public:
                             const Vec2& way, const Filter& filter = {}) const;
     std::vector<Met> cast_all(const Polygon& shape, const Vec2& from, Real angle,
                               const Vec2& way, const Filter& filter = {}) const;
-    /// The bodies that overlap a shape, in the order of their places.
+    /// What overlaps a shape, shape by shape, in the order of their places.
     std::vector<BodyId> overlapping(const Polygon& shape, const Vec2& at,
                                     Real angle = 0,
                                     const Filter& filter = {}) const;

@@ -9,16 +9,37 @@
 
 namespace rigid {
 
-BodyId World::add_body(const BodyDefinition& definition)
+BodyId World::add_body(const BodyDefinition& definition,
+                       std::span<const ShapeDefinition> more)
 {
     State& s = *state_;
-    const Mass mass = require_valid(definition);
+    const Mass mass = require_valid(definition, more);
     require_weight(mass.mass, definition.gravity_scale * s.settings.gravity);
-    const Index place = s.bodies.free.empty()
-                            ? Index{-1}
-                            : static_cast<Index>(s.bodies.free.back());
-    const BodyId id = enter_body(s, definition, mass, place);
-    s.note(Call::add_body, definition);
+    const auto place = [&s] {
+        return s.bodies.free.empty() ? Index{-1}
+                                     : static_cast<Index>(s.bodies.free.back());
+    };
+    const BodyId id = enter_body(s, definition, mass, place());
+    const auto k = static_cast<Index>(id.place);
+    const auto middle = [&](const Polygon& shape) -> Vec2 {
+        return centroid_of(shape) - mass.centroid;
+    };
+    if (!more.empty()) list_shape(s.scene, k, k, middle(definition.shape));
+    for (const ShapeDefinition& it : more) {
+        BodyDefinition shape{.shape = it.shape,
+                             .position = definition.position,
+                             .angle = definition.angle,
+                             .density = 0,
+                             .surface = it.surface,
+                             .filter = it.filter,
+                             .sensor = it.sensor,
+                             .user = it.user};
+        enter_body(s, shape, {0, mass.centroid, 0}, place(), k, middle(it.shape));
+    }
+    if (more.empty()) s.note(Call::add_body, definition);
+    else
+        s.note(Call::add_shapes, definition,
+               std::vector<ShapeDefinition>(more.begin(), more.end()));
     return id;
 }
 
@@ -57,13 +78,19 @@ void World::remove(BodyId body)
 {
     State& s = *state_;
     const Index k = s.number(body);
-    const auto [first, last] = whole_of(s, k);
+    const std::vector<Index> whole = whole_of(s, k);
     if (s.note(k).chain >= 0) {
-        std::erase_if(s.scene.chains,
-                      [at = first](const Chain& it) { return it.first == at; });
+        std::erase_if(s.scene.chains, [at = whole.front()](const Chain& it) {
+            return it.first == at;
+        });
         s.awake().watch.around.chains = s.scene.chains;
     }
-    for (Index i = first; i <= last; ++i) {
+    if (!s.scene.carried.empty())  // from here on each is a body of its own
+        for (const Index i : whole) {
+            s.more_shapes -= s.scene.carrier(i) != i;
+            list_shape(s.scene, i, i);
+        }
+    for (const Index i : whole) {
         for (std::size_t j = 0; s.note(i).joints > 0 && j < s.joints.size(); ++j)
             if (s.joints.has(j) &&
                 (s.scene.placed[j].joint.a == i || s.scene.placed[j].joint.b == i))
@@ -75,7 +102,23 @@ void World::remove(BodyId body)
 
 bool World::has(BodyId body) const { return state_->bodies.has(body); }
 
-std::vector<BodyId> World::bodies() const { return state_->bodies.all(); }
+std::vector<BodyId> World::bodies() const
+{
+    std::vector<BodyId> all = state_->bodies.all();
+    std::erase_if(all, [this](BodyId it) { return body_of(it) != it; });
+    return all;
+}
+std::vector<BodyId> World::shapes(BodyId body) const
+{
+    std::vector<BodyId> names;
+    state_->scene.for_each_shape(state_->number(body),
+                                 [&](Index k) { names.push_back(state_->id(k)); });
+    return names;
+}
+BodyId World::body_of(BodyId shape) const
+{
+    return state_->id(state_->number(shape));
+}
 
 Vec2 World::position(BodyId body) const
 {
@@ -105,19 +148,20 @@ Real World::inertia(BodyId body) const
 }
 const Polygon& World::shape(BodyId body) const
 {
-    return state_->shape(state_->number(body));
+    return state_->shape(state_->shape_number(body));
 }
 const Surface& World::surface(BodyId body) const
 {
-    return state_->scene.surfaces[static_cast<std::size_t>(state_->number(body))];
+    return state_->scene
+        .surfaces[static_cast<std::size_t>(state_->shape_number(body))];
 }
 const Filter& World::filter(BodyId body) const
 {
-    return state_->note(state_->number(body)).filter;
+    return state_->note(state_->shape_number(body)).filter;
 }
 std::uint64_t World::user(BodyId body) const
 {
-    return state_->note(state_->number(body)).user;
+    return state_->note(state_->shape_number(body)).user;
 }
 BodyKind World::kind(BodyId body) const
 {

@@ -31,7 +31,7 @@ void require_pushed(const EngineState& state, Index k)
 void World::set_shape(BodyId body, const Polygon& shape)
 {
     State& s = *state_;
-    const Index k = s.number(body);
+    const Index k = s.shape_number(body);
     require_no_edge(s, k, "shape");
     require_valid(shape);
     Mass about;
@@ -42,9 +42,11 @@ void World::set_shape(BodyId body, const Polygon& shape)
             shortest(about.centroid.y()) + "); it must be finite");
     require_about(about, shape);
     Polygon own = shape;
+    if (!s.scene.carried.empty())
+        about.centroid -= s.scene.carried[static_cast<std::size_t>(k)].middle;
     for (Vec2& vertex : own.vertices) vertex -= about.centroid;
     s.scene.shapes[static_cast<std::size_t>(k)] = own;
-    s.list_slop(k);
+    s.list_slop(s.scene.carrier(k));
     s.disturb(k);
     s.note(Call::set_shape, body, shape);
 }
@@ -71,6 +73,11 @@ void World::set_density(BodyId body, Real density)
         set_kind(body, BodyKind::kinematic);
         return;
     }
+    if (!s.scene.carried.empty() &&
+        s.scene.carried[static_cast<std::size_t>(k)].next != k)
+        throw std::invalid_argument(
+            "the body has several shapes, and each may have a density of its own; "
+            "set_mass() gives it another mass");
     const Mass of = mass_of(s.shape(k), density);
     set_mass(body, of.mass, of.inertia + of.mass * of.centroid.squaredNorm());
 }
@@ -118,8 +125,7 @@ void World::set_fixed_rotation(BodyId body, bool fixed)
 void World::set_enabled(BodyId body, bool enabled)
 {
     State& s = *state_;
-    const auto [first, last] = whole_of(s, s.number(body));
-    for (Index k = first; k <= last; ++k) switch_body(s, k, enabled);
+    for (const Index k : whole_of(s, s.number(body))) switch_body(s, k, enabled);
     s.note(Call::set_enabled, body, enabled);
 }
 

@@ -109,7 +109,7 @@ void World::set_damping(BodyId body, Real linear, Real angular)
 void World::set_surface(BodyId body, const Surface& surface)
 {
     State& s = *state_;
-    const Index k = s.number(body);
+    const Index k = s.shape_number(body);
     require_surface(surface, "the body");
     write_surface(s, k, surface);
     s.disturb(k);
@@ -118,7 +118,7 @@ void World::set_surface(BodyId body, const Surface& surface)
 void World::set_filter(BodyId body, const Filter& filter)
 {
     State& s = *state_;
-    const Index k = s.number(body);
+    const Index k = s.shape_number(body);
     s.note(k).filter = filter;
     s.write_filter(k);
     s.disturb(k);
@@ -135,7 +135,7 @@ void World::set_bullet(BodyId body, bool bullet)
 }
 void World::set_user(BodyId body, std::uint64_t user)
 {
-    state_->note(state_->number(body)).user = user;
+    state_->note(state_->shape_number(body)).user = user;
     state_->note(Call::set_user, body, user);
 }
 void World::wake(BodyId body)

@@ -8,8 +8,8 @@ namespace rigid {
 
 namespace {
 
-constexpr std::string_view of_a_world = "rigid world 3\n",
-                           of_a_recording = "rigid recording 2\n";
+constexpr std::string_view of_a_world = "rigid world 4\n",
+                           of_a_recording = "rigid recording 3\n";
 
 /// Payload with its heading and its hash, so that no other bytes are taken for it.
 std::string sealed(std::string_view heading, const std::string& payload)
@@ -56,7 +56,7 @@ World World::load(std::string_view bytes)
     require_valid(static_cast<const RigidScene&>(state->scene));
     state->configure();
     for (Index k = 0; k < state->scene.bodies.count(); ++k) {
-        state->displace(static_cast<int>(k));
+        state->displace(state->scene.carrier(k));
         state->write_filter(k);
     }
     return World(std::move(state));
@@ -99,6 +99,9 @@ void call_again(World& here, Call call, Reader& io)
         return again<WorldSettings>(io, [&](auto& s) { here.change(s); });
     case Call::add_body:
         return again<BodyDefinition>(io, [&](auto& b) { here.add_body(b); });
+    case Call::add_shapes:
+        return again<BodyDefinition, std::vector<ShapeDefinition>>(
+            io, [&](auto& b, auto& more) { here.add_body(b, more); });
     case Call::add_chain:
         return again<std::vector<Vec2>, bool, Surface, Filter>(
             io, [&](auto& p, bool closed, auto& s, auto& f) {

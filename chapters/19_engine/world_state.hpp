@@ -36,7 +36,8 @@ struct EngineState : KnownBodies {
     Places<JointTag> joints;  ///< of scene.placed
     Places<WallTag> walls;    ///< of scene.walls
     std::vector<JointNotes> joint_notes;
-    int sensors = 0;  ///< bodies
+    int sensors = 0;      ///< shapes
+    int more_shapes = 0;  ///< that bodies have besides the first
 
     Touching touching;
     std::vector<Seen> seen;       ///< by sensors, ascending
@@ -81,13 +82,14 @@ struct EngineState : KnownBodies {
     //! [disturb]
     /// Body k counts as changed: it wakes, and what touches it or hangs on it, when
     /// the next step begins. It has to rest again from the beginning.
-    void disturb(Index k)
+    void disturb(Index shape)
     {
+        const Index k = scene.carrier(shape);
         changed = true;
         awake().watch.tell(k);
         if (auto& rests = awake().rests; k < static_cast<Index>(rests.size()))
             rests[static_cast<std::size_t>(k)] = {};
-        displace(static_cast<int>(k));
+        displace(k);
     }
     //! [disturb]
 
@@ -103,7 +105,7 @@ struct EngineState : KnownBodies {
     {
         write_inverse_mass(k);
         if (pulled == k && !scene.bodies.can_move(k)) pulled = world;
-        list_slop(k);
+        list_slop(scene.carrier(k));
     }
 
     /// What meets nothing: a sensor, a body that is switched off, a free place.
@@ -155,13 +157,16 @@ struct EngineState : KnownBodies {
     }
     //! [list_driven]
 
-    /// Body k is elsewhere than the shapes have it.
-    void displace(int k)
+    /// Body k is elsewhere than its shapes were placed.
+    void displace(Index k)
     {
         is_unplaced.resize(std::max(is_unplaced.size(), bodies.size()), 0);
-        char& listed = is_unplaced[static_cast<std::size_t>(k)];
-        if (!listed) unplaced.push_back(k);
-        listed = 1;
+        carry(scene, k);
+        scene.for_each_shape(k, [this](Index shape) {
+            char& listed = is_unplaced[static_cast<std::size_t>(shape)];
+            if (!listed) unplaced.push_back(static_cast<int>(shape));
+            listed = 1;
+        });
     }
 
     /// Whether body k goes on however fast it is.
@@ -169,8 +174,11 @@ struct EngineState : KnownBodies {
     {
         std::vector<char>& goes_on = awake().touching.fast.goes_on;
         goes_on.resize(notes.size(), 0);
-        goes_on[static_cast<std::size_t>(k)] =
+        const bool on =
             !note(k).bullet && (!settings.stop_fast || note(k).joints > 0);
+        scene.for_each_shape(k, [&](Index shape) {
+            goes_on[static_cast<std::size_t>(shape)] = on || !scene.pushes(shape);
+        });
     }
 
     //! [slop]
@@ -179,8 +187,16 @@ struct EngineState : KnownBodies {
     /// stands, as an edge of a chain, leaves it to what touches it.)
     void list_slop(Index k)
     {
-        const Real inner = inner_radius(
-            PlacedShape(shape(k), Vec<3>::Zero()).view(), Vec2::Zero());
+        Real inner = infinity;
+        scene.for_each_shape(k, [&](Index i) {
+            const Vec2 middle =
+                scene.carried.empty()
+                    ? Vec2(0, 0)
+                    : scene.carried[static_cast<std::size_t>(i)].middle;
+            inner = std::min(
+                inner,
+                inner_radius(PlacedShape(shape(i), Vec<3>::Zero()).view(), middle));
+        });
         for (std::vector<Real>* slops :
              {&method.correction.slops, &method.solver.heaps.slops}) {
             slops->resize(notes.size(), infinity);
@@ -216,7 +232,9 @@ struct EngineState : KnownBodies {
         solver.sweeps.tolerance = settings.tolerance;
         solver.all.anew = true;
         for (std::size_t k = 0; k < notes.size(); ++k)
-            list_unstopped(static_cast<Index>(k)), list_slop(static_cast<Index>(k));
+            if (const auto body = static_cast<Index>(k);
+                scene.carrier(body) == body)
+                list_unstopped(body), list_slop(body);
     }
 
 private:

@@ -35,10 +35,35 @@ inline void write_surface(EngineState& state, Index k, const Surface& surface)
 }
 //! [surface]
 
+//! [shapes]
+/// Shape k is of this body from now on, as its last one. The list begins with the
+/// first body that has several.
+/// \param middle  the centroid of the shape, in the body's axes [m]
+inline void list_shape(RigidScene& scene, Index k, Index carrier,
+                       const Vec2& middle = {0, 0}, bool pushes = true)
+{
+    std::vector<CarriedShape>& carried = scene.carried;
+    const auto at = [&](Index i) -> CarriedShape& {
+        return carried[static_cast<std::size_t>(i)];
+    };
+    for (auto i = static_cast<Index>(carried.size()); i < scene.bodies.count(); ++i)
+        carried.push_back({i, i});
+    at(k) = {carrier, k, middle, pushes};
+    if (k == carrier) return;
+    Index last = carrier;
+    while (at(last).next != carrier) last = at(last).next;
+    at(last).next = k;
+    at(k).next = carrier;
+}
+//! [shapes]
+
 //! [add]
-/// \param place  of a body that was taken out; −1: at the end
+/// \param place    of a body that was taken out; −1: at the end
+/// \param carrier  the body whose shape it is; the world: it is a body of its own
+/// \param middle   its centroid in the axes of that [m]
 inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
-                         const Mass& mass, Index place)
+                         const Mass& mass, Index place, Index carrier = world,
+                         const Vec2& middle = {0, 0})
 {
     JointedScene& scene = state.scene;
     BodyId id;
@@ -54,6 +79,8 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
         shape = body.shape;
         for (Vec2& vertex : shape.vertices) vertex -= mass.centroid;
     }
+    if (carrier != world) list_shape(scene, k, carrier, middle, !body.sensor);
+    else if (!scene.carried.empty()) list_shape(scene, k, k);
     scene.bodies.velocity(k) << body.velocity, body.spin;
     state.forget_motion(k);
     BodyNotes& notes = state.note(k);
@@ -67,20 +94,25 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
         k,
         {body.gravity_scale, {0, 0}, 0, body.linear_damping, body.angular_damping});
     state.sensors += body.sensor;
+    state.more_shapes += carrier != world;
     write_surface(state, k, body.surface);
     state.disturb(k);
-    state.list_unstopped(k);
+    state.list_unstopped(scene.carrier(k));
     if (state.is_ground(k)) wake_under(state, k);
     return id;
 }
 //! [add]
 
-/// The first and the last body of the chain that body k is an edge of, or itself.
-inline std::pair<Index, Index> whole_of(const EngineState& state, Index k)
+/// All that comes and goes with body k: the edges of its chain, or its shapes.
+inline std::vector<Index> whole_of(const EngineState& state, Index k)
 {
+    std::vector<Index> all;
+    if (state.note(k).chain < 0)
+        state.scene.for_each_shape(k, [&](Index shape) { all.push_back(shape); });
     for (const Chain& chain : state.scene.chains)
-        if (state.note(k).chain == chain.first) return {chain.first, chain.last};
-    return {k, k};
+        if (state.note(k).chain == chain.first)
+            for (Index i = chain.first; i <= chain.last; ++i) all.push_back(i);
+    return all;
 }
 
 /// What body k touched and saw ends, and it stands.

@@ -48,6 +48,9 @@ struct SolidScene {
     Vec3 gravity = {0, -9.81, 0};  ///< [m/s²]
     /// the length that settings are measured in [m]; 0 = typical_length()
     Real length = 0;
+
+    /// The body that shape k is of: all hulls of a body have its number.
+    Index carrier(Index k) const { return k; }
 };
 
 /// From the centroid of a body to the farthest point of its hulls [m].

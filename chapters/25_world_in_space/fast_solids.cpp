@@ -107,9 +107,11 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
                         }));
         return first;
     };
+    const auto part_of = [&](int k) -> Real& {
+        return fast.part[static_cast<std::size_t>(k)];
+    };
     const auto hold = [&](int k, const Impact& impact) {
-        Real& part = fast.part[static_cast<std::size_t>(k)];
-        if (impact.hit) part = std::min(part, impact.part);
+        if (impact.hit) part_of(k) = std::min(part_of(k), impact.part);
     };
     for (const int a : fast.bodies) {
         const MovingSolid m = motion(a);
@@ -138,7 +140,7 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
         for (std::size_t j = 0; j < i; ++j)
             if (may_meet(fast.bodies[j], fast.bodies[i]))
                 fast.pairs.emplace_back(fast.bodies[j], fast.bodies[i]);
-    stop_each_other(motion, first_impact, fast);
+    stop_each_other(motion, first_impact, part_of, fast);
     put_back(scene.bodies, settings.h, now.rows, motion, fast);
 }
 //! [stop_fast]

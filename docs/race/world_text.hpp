@@ -30,6 +30,8 @@ inline std::string world_text(const World& world, Real wall_friction)
         place.resize(std::max<std::size_t>(place.size(), id.place + 1u));
         place[id.place] = static_cast<int>(&id - ids.data());
         const Vec2 at = world.position(id), v = world.velocity(id);
+        if (world.shapes(id).size() > 1)
+            throw std::invalid_argument("the bodies of the race have one shape each");
         const Polygon& shape = world.shape(id);
         const int group = world.filter(id).group;
         touches = touches || group >= 0 || group != world.filter(ids.front()).group;

@@ -172,6 +172,21 @@ protected:
             body.filter = {1u << random_.index(3), 7, static_cast<std::int32_t>(random_.index(3)) - 1};
         return body;
     }
+    /// What a body has besides its first shape.
+    std::vector<ShapeDefinition> some_shapes()
+    {
+        std::vector<ShapeDefinition> more(static_cast<std::size_t>(1 + random_.index(3)));
+        for (ShapeDefinition& it : more) {
+            it.shape = some_shape(power(-1.5, 0));
+            const Vec2 by = along(random_.uniform(0, 7), power(-2, 0.5));
+            for (Vec2& vertex : it.shape.vertices) vertex += by;
+            if (one_of(3)) it.density = or_any(one_of(4) ? 0 : power(-4, 4));
+            it.surface = {or_any(random_.uniform(0, 1.5)), or_any(random_.uniform()), 0, 0};
+            it.sensor = one_of(10);
+            if (one_of(6)) it.filter = {1u << random_.index(3), 7, 0};
+        }
+        return more;
+    }
     JointKind some_joint_kind() { return static_cast<JointKind>(random_.index(joint_kind_count)); }
     /// The rest of a joint that has its kind and its points.
     void fill_in(RigidJoint& joint)

@@ -83,7 +83,9 @@ private:
         for (Index i = 0; i < count; ++i) {
             BodyDefinition body = some_body();
             if (kind_ == 3) body.position = {0.4 * static_cast<Real>(i), 2};
-            attempt([&] { added.push_back(world_.add_body(body)); });
+            const std::vector<ShapeDefinition> more =
+                one_of(5) ? some_shapes() : std::vector<ShapeDefinition>{};
+            attempt([&] { added.push_back(world_.add_body(body, more)); });
         }
         if (kind_ == 3) {
             for (std::size_t i = 0; i < added.size(); ++i)
@@ -101,14 +103,18 @@ private:
     void act()
     {
         const std::vector<BodyId> all = world_.bodies();
-        const BodyId it = some(all), other = some(all);
+        // a body, or one of its shapes: what moves that is the body
+        const BodyId body = some(all), other = some(all);
+        const BodyId it = body && one_of(4) ? some(world_.shapes(body)) : body;
         const Vec2 at = place(3);
         switch (random_.index(12)) {
         case 0:
         case 1:
             if (all.size() < 7) {
                 const BodyDefinition body = some_body();
-                attempt([&] { world_.add_body(body); });
+                const std::vector<ShapeDefinition> more =
+                    one_of(3) ? some_shapes() : std::vector<ShapeDefinition>{};
+                attempt([&] { world_.add_body(body, more); });
             }
             break;
         case 2:

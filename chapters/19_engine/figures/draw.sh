@@ -6,6 +6,7 @@
 # Pictures of scenes.
 run --scene poured --set bodies=60 --steps 600 --svg "$out/ch19_poured.svg"
 run --scene dolls --steps 100 --svg "$out/ch19_dolls.svg"
+run --scene furniture --steps 400 --svg "$out/ch19_furniture.svg"
 
 # What should stand, as it was measured: from benchmark/engines.csv.
 plot ch19_stand

@@ -2,6 +2,7 @@
 /// The samples: a world each, and what may be chosen of it.
 #pragma once
 
+#include "chapters/19_engine/furniture.hpp"
 #include "chapters/19_engine/program/world_run.hpp"
 
 namespace rigid {
@@ -106,6 +107,10 @@ inline std::vector<Demo> samples()
     all.push_back(world_demo(
         "gates", "Two kinds of balls, a ledge for each", {{0, 1}, {5, 4.6}},
         [](const Settings&) { return WorldSetup{gates_world()}; }));
+    all.push_back(sample("furniture", "Tables and wheels of several shapes",
+                         {{0, 3}, {5, 4}},
+                         count_of("bodies", "in the trough", 24, 1, 400),
+                         [](Real n) { return furniture_world(whole(n), 1); }));
     all.push_back(
         world_demo("bullets", "Bullets and thin walls", {{0, 2.4}, {6, 4}},
                    [](const Settings&) { return WorldSetup{bullets_world()}; }));

@@ -95,7 +95,8 @@ public:
                        along = 200 * perpendicular(wall.normal);
             canvas.segment(middle - along, middle + along, paint::wall);
         }
-        for (const BodyId body : here.bodies()) paint_body(canvas, body);
+        for (const BodyId body : here.bodies())
+            for (const BodyId shape : here.shapes(body)) paint_shape(canvas, shape);
         for (const JointId joint : here.joints()) {
             if (here.is_broken(joint)) continue;
             const RigidJoint& it = here.joint(joint);
@@ -107,7 +108,8 @@ public:
     }
 
 private:
-    void paint_body(Canvas& canvas, BodyId body) const
+    /// A shape of a body, by its name.
+    void paint_shape(Canvas& canvas, BodyId body) const
     {
         const World& here = setup_.world;
         const Polygon& shape = here.shape(body);
@@ -119,7 +121,8 @@ private:
             corners.push_back(here.point_of(body, vertex));
         if (corners.size() == 1) {
             canvas.disc(corners[0], shape.radius, style);
-            canvas.segment(corners[0], here.point_of(body, {0.9 * shape.radius, 0}),
+            const Vec2 rim = shape.vertices[0] + Vec2(0.9 * shape.radius, 0);
+            canvas.segment(corners[0], here.point_of(body, rim),
                            {Colour::blue, 1.5, 1});
         } else if (shape.radius > 0)
             canvas.polygon(rounded_outline(corners, shape.radius), style);
