@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <thread>
+#include <tuple>
 
 using namespace rigid;
 using Catch::Contains;
@@ -440,6 +441,75 @@ TEST_CASE("a world that asks has the same bits again and after loading and in a 
     }
     CHECK(film.replay({}, [&](World& it) { prepare(it, platform); }).differs_at == -1);
     CHECK(film.replay().differs_at >= 0);
+}
+
+TEST_CASE("whoever helps with a step in whatever order its bits are the same", "[house]")
+{
+    std::atomic<int> called = 0, pieces = 0;
+    const auto counted = [&](Jobs jobs) {
+        return [&, jobs](int count, const std::function<void(int)>& piece) {
+            ++called, pieces += count;
+            jobs(count, piece);
+        };
+    };
+    const Jobs backwards = [](int count, const std::function<void(int)>& piece) {
+        for (int i = count; i-- > 0;) piece(i);
+    };
+    const Jobs on_threads = [](int count, const std::function<void(int)>& piece) {
+        std::atomic<int> next = 0;
+        const auto take = [&] {
+            for (int i = next++; i < count; i = next++) piece(i);
+        };
+        std::vector<std::thread> others;
+        for (int i = 0; i < 3; ++i) others.emplace_back(take);
+        take();
+        for (std::thread& other : others) other.join();
+    };
+    // many islands, some that bounce, some on joints, a heap, and bodies that come and go
+    const auto made = [] {
+        World engine = poured_world(150);
+        for (int i = 0; i < 30; ++i) {
+            JointedScene doll;
+            add_ragdoll(doll, {40.0 + 3 * i, 1.5});
+            cover(doll, {0.6, i % 3 == 0 ? 0.5 : 0, 0, 0});
+            put_in(engine, doll, {1, 0xffff'ffff, -1 - i});
+        }
+        for (int i = 0; i < 40; ++i)
+            for (int k = 0; k < 5; ++k)
+                engine.add_body(body_of(box(0.5, 0.5), {-40.0 - 2 * i, 0.3 + 0.6 * k}, 0.1 * (i % 4)));
+        engine.add_body(body_of(box(400, 1), {0, -1.0}, 0, 0));
+        return engine;
+    };
+    World alone = made();
+    std::vector<std::uint64_t> bits;
+    std::vector<StepWork> work;
+    for (int n = 0; n < 90; ++n) {
+        alone.step(frame);
+        bits.push_back(alone.hash());
+        work.push_back(alone.work());
+    }
+    for (const Jobs& jobs : {backwards, on_threads}) {
+        World helped = made();
+        helped.set_jobs(counted(jobs));
+        called = pieces = 0;
+        for (int n = 0; n < 90; ++n) {
+            helped.step(frame);
+            REQUIRE(helped.hash() == bits[static_cast<std::size_t>(n)]);
+            const StepWork &a = helped.work(), &b = work[static_cast<std::size_t>(n)];
+            REQUIRE(std::tuple(a.visits, a.entries, a.sweeps, a.rescued, a.unsolved, a.residual) ==
+                    std::tuple(b.visits, b.entries, b.sweeps, b.rescued, b.unsolved, b.residual));
+        }
+        CHECK(called > 90);
+        CHECK(pieces > 10 * called / 2);
+        // a world of one small island asks nobody
+        World small;
+        small.set_jobs(counted(jobs));
+        small.add_wall({{0, 1}, 0});
+        for (int k = 0; k < 5; ++k) small.add_body(body_of(box(1, 1), {0, 0.5 + k}));
+        called = 0;
+        small.step(frame);
+        CHECK(called == 0);
+    }
 }
 
 }  // namespace what_is_asked

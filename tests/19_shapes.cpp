@@ -430,7 +430,8 @@ TEST_CASE("shapes are saved and recorded and go with their body by whatever name
     CHECK(engine.shapes(new_cup).size() == 3);
     const auto is_new = [&](BodyId it) { return it.generation > 1; };
     CHECK(is_new(box_there));
-    CHECK(std::any_of(engine.shapes(new_cup).begin(), engine.shapes(new_cup).end(), is_new));
+    const std::vector<BodyId> new_shapes = engine.shapes(new_cup);
+    CHECK(std::any_of(new_shapes.begin(), new_shapes.end(), is_new));
     run(engine, 120);
     CHECK(engine.position(box_there).y() == Approx(0.5).margin(0.006));
     CHECK(lowest(engine, new_cup) == Approx(0).margin(0.006));

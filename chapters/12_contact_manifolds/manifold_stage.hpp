@@ -15,6 +15,7 @@
 #include "chapters/12_contact_manifolds/pair_finder.hpp"
 #include "chapters/12_contact_manifolds/touching_pair.hpp"
 #include "chapters/12_contact_manifolds/wall_manifold.hpp"
+#include "common/jobs.hpp"
 
 namespace rigid {
 
@@ -30,6 +31,7 @@ struct Manifolds : PlainContacts {
     Real ahead = 0;
     /// of each body, where gravity is not all that moves it [m/s²]; empty = it is
     std::vector<Real> falls;
+    Jobs jobs;  ///< for pairs
 
     // What is kept from step to step.
     PlacedShapes placed;
@@ -160,12 +162,30 @@ struct Manifolds : PlainContacts {
     void pair_contacts(const RigidScene& scene, Real margin, StepData<3>& now)
     {
         std::swap(touching, before);
-        touching.clear();
         put_to_rest();
-        auto old = before.begin();
-        for (const std::uint64_t pair : finder.pairs) {
-            const int a = static_cast<int>(pair >> 32),
-                      b = static_cast<int>(pair & 0xffffffffu);
+        touching.resize(finder.pairs.size());
+        in_pieces(
+            jobs, static_cast<int>(touching.size()), 256,
+            [&](int first, int end) { collide_pairs(scene, margin, first, end); });
+        std::erase_if(touching, [](const TouchingPair& it) {
+            return it.manifold.count == 0;
+        });
+        seams.leave_out(scene, placed, edges, margin, touching);
+        for (const TouchingPair& pair : touching)
+            add_contacts(scene, pair.a, pair.b, pair.manifold, 0, now);
+        if (woke_)
+            std::erase_if(resting, [this](const auto& pair) { return asks(pair); });
+    }
+
+    /// Those of some pairs, from first on.
+    void collide_pairs(const RigidScene& scene, Real margin, int first, int end)
+    {
+        auto old =
+            first_from(before, finder.pairs[static_cast<std::size_t>(first)]);
+        for (auto k = static_cast<std::size_t>(first);
+             k < static_cast<std::size_t>(end); ++k) {
+            const std::uint64_t pair = finder.pairs[k];
+            const auto [a, b] = bodies_of(pair);
             while (old != before.end() && key_of(*old) < pair) ++old;
             const bool known = old != before.end() && key_of(*old) == pair;
             const Manifold* const last = known ? &old->manifold : at_rest(pair);
@@ -175,18 +195,12 @@ struct Manifolds : PlainContacts {
                              way_of(static_cast<std::size_t>(b));
             const ManifoldSettings how{margin + reach, stay * margin, last,
                                        second_within(reach, way)};
-            const Manifold m =
+            touching[k] = {
+                a, b,
                 edges.has(a) || edges.has(b)
                     ? collide_in_chain(placed, edges, scene.bodies.x, a, b, how)
-                    : collide(placed.of(a), placed.of(b), how);
-            if (m.count == 0) continue;
-            touching.push_back({a, b, m});
+                    : collide(placed.of(a), placed.of(b), how)};
         }
-        seams.leave_out(scene, placed, edges, margin, touching);
-        for (const TouchingPair& pair : touching)
-            add_contacts(scene, pair.a, pair.b, pair.manifold, 0, now);
-        if (woke_)
-            std::erase_if(resting, [this](const auto& pair) { return asks(pair); });
     }
     //! [pair_contacts]
 
@@ -223,13 +237,18 @@ private:
                            resting.end(), ascending);
     }
 
+    /// The first pair of a list that is not before this one.
+    static std::vector<TouchingPair>::const_iterator
+    first_from(const std::vector<TouchingPair>& list, std::uint64_t pair)
+    {
+        return std::lower_bound(list.begin(), list.end(), pair,
+                                [](const TouchingPair& p, std::uint64_t key) {
+                                    return key_of(p) < key;
+                                });
+    }
     const Manifold* at_rest(std::uint64_t pair) const
     {
-        const auto at =
-            std::lower_bound(resting.begin(), resting.end(), pair,
-                             [](const TouchingPair& p, std::uint64_t key) {
-                                 return key_of(p) < key;
-                             });
+        const auto at = first_from(resting, pair);
         return at != resting.end() && key_of(*at) == pair ? &at->manifold : nullptr;
     }
 };

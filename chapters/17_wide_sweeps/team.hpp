@@ -5,6 +5,9 @@
 /// it there is one member, and the same bits.
 #pragma once
 
+#include "common/jobs.hpp"
+
+#include <atomic>
 #include <type_traits>
 #include <utility>
 
@@ -54,5 +57,18 @@ void run_team(int threads, Work&& work)
         },
         &work);
 }
+
+//! [jobs]
+/// Pieces for so many threads, each of which takes the next one.
+inline Jobs jobs_of_team(int threads)
+{
+    return [threads](int count, const std::function<void(int)>& piece) {
+        std::atomic<int> next = 0;
+        run_team(threads, [&](Member) {
+            for (int i = next++; i < count; i = next++) piece(i);
+        });
+    };
+}
+//! [jobs]
 
 }  // namespace rigid

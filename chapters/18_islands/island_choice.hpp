@@ -17,6 +17,7 @@
 #include "chapters/10_skipping_work/by_islands.hpp"
 #include "chapters/15_trees/newton_positions.hpp"
 #include "chapters/18_islands/island_solvers.hpp"
+#include "common/jobs.hpp"
 
 namespace rigid {
 
@@ -29,6 +30,7 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     int most_exact = 600;  ///< rows with bounds of an island that is solved exactly
     Real slow = 0;    ///< an island of slower bodies is solved to the end [ℓ/s]
     HeapSteps heaps;  ///< of heaps that move
+    Jobs jobs;        ///< for islands
 
     Reflections reflections;
 
@@ -61,10 +63,17 @@ struct IslandChoice : IslandSolvers, PlainSolver {
         bodies_ = &bodies;
         answered_count = rescued_count = stepped_count = unsolved = 0;
         now.solution.residual = 0;
-        for (int i = 0; i < all.islands.count(); ++i) {
+        const int count = all.islands.count();
+        for (int i = 0; i < count; ++i) {
             lessen_start(i, now);
             reflect(i, bodies, now);
-            solve_island(i, bodies, now);
+        }
+        in_pieces(jobs, list_pieces(), 1, [&](int first, int end) {
+            for (int i = piece(first); i < piece(end); ++i)
+                solve_island(i, bodies, now);
+        });
+        for (int i = 0; i < count; ++i) {
+            look_again(i, bodies, now);
             judge(i, bodies, now);
             if (struck.find(i))
                 reflections.add_impulses(all.islands.rows_of(i), now);
@@ -139,15 +148,12 @@ private:
         if (ExactIsland* one = exactly.find(i)) {
             prepare(*one, late, rule.entries, most_exact);
             one->solve(settled(tolerance * now.length), bodies, now);
-            answered_count += one->answered;
         } else if (TreePart* tree = held.find(i)) {
             prepare(*tree, late, rule.entries, std::max(1, rule.always));
             tree->solver.sweeps = rule.held;
             tree->solve(bodies, now);
         } else if (lanes) {
             lanes->solve(sweeps, slow, note, bodies, now);
-            most_sweeps =
-                std::max(most_sweeps, lanes->part.now.solution.iterations);
         } else if (SweptIsland* some = swept.find(i)) {
             some->part.gather(bodies, now);
             some->solver.sweeps = sweeps;
@@ -157,12 +163,24 @@ private:
             some->solver.slow = solving == Solving::sweeps ? slow : 0;
             some->solver.solve(some->part.local, some->part.now);
             some->part.scatter(bodies, now);
-            most_sweeps = std::max(most_sweeps, some->solver.most_sweeps);
         }
+    }
+    //! [solve_island]
+
+    /// What has been solved is counted, and what should be solved further is.
+    void look_again(int i, Bodies<3>& bodies, StepData<3>& now)
+    {
+        if (const ExactIsland* one = exactly.find(i))
+            answered_count += one->answered;
+        else if (const WideIsland* lanes = wide.find(i)) {
+            if (lanes->stepped) return;
+            most_sweeps =
+                std::max(most_sweeps, lanes->part.now.solution.iterations);
+        } else if (const SweptIsland* some = swept.find(i))
+            most_sweeps = std::max(most_sweeps, some->solver.most_sweeps);
         rescue(i, bodies, now);
         settle(i, bodies, now);
     }
-    //! [solve_island]
 
     void prepare(TreePart& one, Real late, std::int64_t entries, int most) const
     {
@@ -211,17 +229,6 @@ private:
     }
     //! [rescue]
 
-    /// What moves does not need all of its old impulses.
-    void lessen_start(int i, StepData<3>& now)
-    {
-        if (!all.note(i).moves) return;
-        const std::span<const int> rows = all.islands.rows_of(i);
-        if (zeros_.size() != now.u_star.size()) zeros_.setZero(now.u_star.size());
-        const Real t = best_part(now, rows, all.islands.bodies_of(i), zeros_);
-        if (t < 1)
-            for (const int row : rows) now.solution.lambda[row] *= t;
-    }
-
     void judge(int i, const Bodies<3>& bodies, StepData<3>& now)
     {
         const ExactIsland* one = exactly.find(i);
@@ -238,7 +245,6 @@ private:
     }
 
     Bodies<3>* bodies_ = nullptr;  ///< of the sub-step under way
-    VecX zeros_;                   ///< of the length of u
     std::vector<int> late_;        ///< islands with bounces at the end
 };
 

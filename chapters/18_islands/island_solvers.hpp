@@ -194,6 +194,40 @@ struct IslandSolvers {
     };
     //! [apart]
 
+    /// What moves does not need all of its old impulses.
+    void lessen_start(int i, StepData<3>& now)
+    {
+        if (!all.note(i).moves) return;
+        const std::span<const int> rows = all.islands.rows_of(i);
+        if (zeros_.size() != now.u_star.size()) zeros_.setZero(now.u_star.size());
+        const Real t = best_part(now, rows, all.islands.bodies_of(i), zeros_);
+        if (t < 1)
+            for (const int row : rows) now.solution.lambda[row] *= t;
+    }
+
+    //! [pieces]
+    /// Islands of together some 64 rows and more are one piece for a thread.
+    /// \return  how many pieces there are
+    int list_pieces()
+    {
+        pieces_.assign(1, 0);
+        std::size_t rows = 0;
+        const int count = all.islands.count();
+        for (int i = 0; i < count; ++i) {
+            rows += all.islands.rows_of(i).size();
+            if (rows < 64 && i + 1 < count) continue;
+            pieces_.push_back(i + 1);
+            rows = 0;
+        }
+        return static_cast<int>(pieces_.size()) - 1;
+    }
+    /// The first island of it; behind the last one: how many islands there are.
+    int piece(int number) const
+    {
+        return pieces_[static_cast<std::size_t>(number)];
+    }
+    //! [pieces]
+
     /// All that exact solves of this step have looked at.
     std::int64_t all_entries()
     {
@@ -205,6 +239,8 @@ struct IslandSolvers {
 
 private:
     PartNumbers numbers_;
+    VecX zeros_;               ///< of the length of u
+    std::vector<int> pieces_;  ///< where each begins
 };
 
 }  // namespace rigid

@@ -18,6 +18,8 @@
 
 #include "chapters/19_engine/events.hpp"
 
+#include "common/jobs.hpp"
+
 #include <functional>
 #include <memory>
 #include <span>
@@ -216,6 +218,9 @@ public:
     // What sleeps is asked about when it wakes. An empty function takes one away.
     void set_contact_filter(ContactFilter filter);
     void set_pre_solve(PreSolve pre_solve);
+    /// What helps with pairs and islands in a step, see common/jobs.hpp: the bits are
+    /// the same with any help. A contact filter and a pre-solve are asked as ever.
+    void set_jobs(Jobs jobs);
     //! [callbacks]
 
     //! [kept]

@@ -1,5 +1,5 @@
 /// \file world_callbacks.cpp
-/// What a caller is asked in the middle of a step.
+/// What a caller is asked in the middle of a step, and where it may help.
 #include "common/eigen_instances.hpp"
 
 #include "chapters/19_engine/world.hpp"
@@ -44,6 +44,11 @@ void World::set_pre_solve(PreSolve pre_solve)
 {
     state_->pre_solve = std::move(pre_solve);
     hand_on(*state_);
+}
+void World::set_jobs(Jobs jobs)
+{
+    state_->awake().touching.jobs = jobs;
+    state_->method.solver.jobs = std::move(jobs);
 }
 
 }  // namespace rigid
