@@ -178,6 +178,56 @@ TEST_CASE("a cup that moves takes along what lies in it and loses nothing", "[id
     }
 }
 
+TEST_CASE("a shape lies on an edge of a chain though the centroid of its body is behind it", "[idea]")
+{
+    // a gate over a post: its bar lies on the top, its legs hang beside it
+    World engine;
+    engine.add_chain(std::vector<Vec2>{{0.2, 0}, {0.2, 1}, {-0.2, 1}, {-0.2, 0}}, true);
+    const BodyId gate = engine.add_body(
+        body_at({0, 0.57}, 1, box(2, 0.1)),
+        std::vector{more(shifted(box(0.1, 1.5), {-0.9, -0.8})), more(shifted(box(0.1, 1.5), {0.9, -0.8}))});
+    const Real bar = engine.shape(gate).vertices[0].y();  // its lower side
+    engine.move(gate, {0, 1.1 - bar}, 0);
+    run(engine, 120);
+    CHECK(engine.position(gate).y() + bar == Approx(1).margin(0.006));
+    CHECK(engine.position(gate).y() < 0.6);
+}
+
+TEST_CASE("what comes to rest under another shape of a sleeper wakes it", "[house]")
+{
+    for (const Real x : {0.0, 2.0}) {
+        World engine;
+        engine.add_wall({{0, 1}, 0});
+        const BodyId two = engine.add_body(body_at({1, 0.5}), std::vector{more(shifted(box(1, 1), {2, 0}))});
+        run(engine, 60);
+        REQUIRE(!engine.is_awake(two));
+        engine.add_body(body_at({x, 0.5}, 0, box(0.3, 0.3)));  // cannot move, and is in one of the two
+        engine.step(frame);
+        CHECK(engine.is_awake(two));
+    }
+}
+
+TEST_CASE("a place that was another body's is looked at once", "[house]")
+{
+    World fresh, used;
+    for (World* const engine : {&fresh, &used})
+        engine->add_wall({{0, 1}, 0}), engine->add_wall({{1, 0}, -0.5});
+    const BodyId a = used.add_body(body_at({3, 3})), b = used.add_body(body_at({5, 3}));
+    used.step(frame);
+    used.remove(a), used.remove(b);
+    for (World* const engine : {&fresh, &used}) {
+        const BodyId it =
+            engine->add_body(body_at({0.5, 0.5}), std::vector{more(shifted(box(1, 1), {1, 0}))});
+        CHECK(engine->shapes(it).size() == 2);
+        for (int n = 0; n < 3; ++n) {
+            engine->step(frame);
+            CHECK(engine->events().began.size() == (n == 0 ? 3U : 0U));  // two on the ground, one at the side
+            CHECK(engine->events().ended.empty());
+            CHECK(engine->work().contacts == 6);
+        }
+    }
+}
+
 TEST_CASE("all shapes of a fast body stop where the first of them touches", "[idea]")
 {
     for (const bool chain : {false, true})
@@ -450,6 +500,12 @@ TEST_CASE("another shape comes where the old one was and the mass stays", "[idea
     CHECK((engine.shape(side).vertices[0] - middle).norm() < 1e-14);
     CHECK(engine.mass(cup) == mass);
     CHECK(engine.at(engine.point_of(cup, middle + Vec2(-0.45, 0))) == std::vector{side});
+    // far from the body's centroid rounding would make one point of two vertices
+    BodyDefinition far = body_at({0, 0}, 1, box(1e9, 1e9));
+    const BodyId wide = engine.add_body(far, std::vector{more(shifted(box(1e9, 1e9), {1e17, 0}))});
+    CHECK_THROWS_WITH(engine.set_shape(engine.shapes(wide)[1], box(1, 1)), Contains("vert"));
+    CHECK(engine.shape(engine.shapes(wide)[1]).vertices.size() == 4);
+    engine.remove(wide);
     CHECK_THROWS_WITH(engine.set_density(cup, 2), Contains("several shapes") && Contains("set_mass()"));
     engine.set_mass(side, 5, 6);
     CHECK(engine.mass(cup) == 5);

@@ -177,11 +177,11 @@ inline Manifold collide_with_edge(const Placed& a, const Placed& b, bool of_b,
 
 /// The manifold of two bodies of which one is an edge of a chain.
 inline Manifold collide_in_chain(const PlacedShapes& placed,
-                                 const ChainEdges& edges, const VecX& x, int a,
-                                 int b, const ManifoldSettings& how)
+                                 const ChainEdges& edges, int a, int b,
+                                 const ManifoldSettings& how)
 {
     const bool of_b = edges.has(b);
-    const int k = of_b ? b : a, other = of_b ? a : b;
+    const int k = of_b ? b : a;
     const Placed edge = placed.of(k);
     const auto at = static_cast<std::size_t>(k);
     const Vec2 t = (edge.vertex(1) - edge.vertex(0)).normalized();
@@ -190,7 +190,8 @@ inline Manifold collide_in_chain(const PlacedShapes& placed,
     };
     return collide_with_edge(
         placed.of(a), placed.of(b), of_b, normal_of_edge(edges.before[at], -t),
-        normal_of_edge(edges.after[at], t), x.segment<2>(3 * other), how);
+        normal_of_edge(edges.after[at], t),
+        placed.middle[static_cast<std::size_t>(of_b ? a : b)], how);
 }
 
 }  // namespace rigid

@@ -164,9 +164,8 @@ struct Manifolds : PlainContacts {
         std::swap(touching, before);
         put_to_rest();
         touching.resize(finder.pairs.size());
-        in_pieces(
-            jobs, static_cast<int>(touching.size()), 256,
-            [&](int first, int end) { collide_pairs(scene, margin, first, end); });
+        in_pieces(jobs, static_cast<int>(touching.size()), 256,
+                  [&](int first, int end) { collide_pairs(margin, first, end); });
         std::erase_if(touching, [](const TouchingPair& it) {
             return it.manifold.count == 0;
         });
@@ -178,7 +177,7 @@ struct Manifolds : PlainContacts {
     }
 
     /// Those of some pairs, from first on.
-    void collide_pairs(const RigidScene& scene, Real margin, int first, int end)
+    void collide_pairs(Real margin, int first, int end)
     {
         auto old =
             first_from(before, finder.pairs[static_cast<std::size_t>(first)]);
@@ -195,11 +194,10 @@ struct Manifolds : PlainContacts {
                              way_of(static_cast<std::size_t>(b));
             const ManifoldSettings how{margin + reach, stay * margin, last,
                                        second_within(reach, way)};
-            touching[k] = {
-                a, b,
-                edges.has(a) || edges.has(b)
-                    ? collide_in_chain(placed, edges, scene.bodies.x, a, b, how)
-                    : collide(placed.of(a), placed.of(b), how)};
+            touching[k] = {a, b,
+                           edges.has(a) || edges.has(b)
+                               ? collide_in_chain(placed, edges, a, b, how)
+                               : collide(placed.of(a), placed.of(b), how)};
         }
     }
     //! [pair_contacts]

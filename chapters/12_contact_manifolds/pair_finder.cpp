@@ -121,6 +121,9 @@ void PairFinder::take_in(const RigidScene& scene, const PlacedShapes& placed,
         if (static_cast<std::size_t>(k) < K)
             is_renewed_[static_cast<std::size_t>(k)] = 0;
     renewed_.clear();
+    for (const int k : placed_)
+        if (static_cast<std::size_t>(k) < K) renew(k);
+    placed_.clear();
     for (const int k : looking)
         if (anew || !is(asks, k)) renew(k);
     for (const int k : asked)

@@ -80,6 +80,12 @@ struct PairFinder {
     void find(const RigidScene& scene, const PlacedShapes& placed, Real margin,
               std::span<const int> looking);
 
+    /// Between two calls: the box of shape k is here now.
+    void place(int k, const Box& box)
+    {
+        if (tree.place(k, box)) placed_.push_back(k);
+    }
+
     /// Calls visit(k) for each body whose box, as the last call found it, overlaps.
     template <class Visit>
     void near(const Box& box, const Visit& visit) const
@@ -99,7 +105,8 @@ private:
     std::vector<std::uint64_t> near_, fresh_, merged_;
     std::vector<int> renewed_;  ///< bodies with such a change in this call
     std::vector<char> is_renewed_;
-    Real margin_ = 0;  ///< of the boxes [m]
+    std::vector<int> placed_;  ///< between two calls
+    Real margin_ = 0;          ///< of the boxes [m]
     PairSearch searched_ = PairSearch::tree;
 
     static bool is(const std::vector<char>& list, int k)

@@ -104,6 +104,7 @@ struct PlacedShapes {
     std::vector<std::size_t> first_vertex, first_normal;  ///< K + 1
     std::vector<Real> radius;                             ///< K [m]
     std::vector<Box> boxes;                               ///< K
+    std::vector<Vec2> middle;          ///< K, of each its centroid
     std::vector<Real> inner, turning;  ///< K, inner and turning radii [m]
 
     /// Places all of them.
@@ -125,6 +126,7 @@ struct PlacedShapes {
         for (std::vector<Real>* const each : {&inner, &turning})
             each->resize(radius.size());
         boxes.resize(radius.size());
+        middle.resize(radius.size());
         for (Index k = 0; k < scene.bodies.count(); ++k) measure(scene, k, of(k));
     }
 
@@ -170,7 +172,8 @@ private:
     {
         const auto k = static_cast<std::size_t>(body);
         boxes[k] = box_of(shape);
-        inner[k] = inner_radius(shape, middle_of(scene, scene.bodies.x, body));
+        middle[k] = middle_of(scene, scene.bodies.x, body);
+        inner[k] = inner_radius(shape, middle[k]);
         turning[k] = turning_radius(scene.shapes[k]);
     }
 

@@ -124,7 +124,8 @@ struct StepPart {
     void scatter(Bodies<3>& all, StepData<3>& whole)
     {
         for (const int i : now.active)
-            all.velocity(bodies[at(i)]) = local.velocity(i);
+            if (const int k = bodies[at(i)]; all.can_move(k))
+                all.velocity(k) = local.velocity(i);
         scatter_lambda(whole);
     }
     void scatter_lambda(StepData<3>& whole)

@@ -96,8 +96,10 @@ struct ActedManifolds : Manifolds {
         if (scene.carried.empty()) return bodies;
         looking_.clear();
         for (const int body : bodies)
-            scene.for_each_shape(
-                body, [this](Index k) { looking_.push_back(static_cast<int>(k)); });
+            if (scene.carrier(body) == body)  // others come with theirs
+                scene.for_each_shape(body, [this](Index k) {
+                    looking_.push_back(static_cast<int>(k));
+                });
         std::sort(looking_.begin(), looking_.end());
         return looking_;
     }

@@ -26,9 +26,8 @@ inline void place_moved(EngineState& state)
     stage.placed.move(state.scene, list);
     for (const int k : list)
         // as large as the stage has them, or it would miss a pair
-        stage.finder.tree.place(
-            k, grown(stage.placed.boxes[static_cast<std::size_t>(k)],
-                     state.awake().margin / 2));
+        stage.finder.place(k, grown(stage.placed.boxes[static_cast<std::size_t>(k)],
+                                    state.awake().margin / 2));
     for (const int k : list) state.is_unplaced[static_cast<std::size_t>(k)] = 0;
     list.clear();
 }

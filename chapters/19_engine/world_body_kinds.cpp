@@ -45,6 +45,7 @@ void World::set_shape(BodyId body, const Polygon& shape)
     if (!s.scene.carried.empty())
         about.centroid -= s.scene.carried[static_cast<std::size_t>(k)].middle;
     for (Vec2& vertex : own.vertices) vertex -= about.centroid;
+    require_valid(own);
     s.scene.shapes[static_cast<std::size_t>(k)] = own;
     s.list_slop(s.scene.carrier(k));
     s.disturb(k);

@@ -23,7 +23,7 @@ inline void wake_under(EngineState& state, Index k)
               state.metres(state.settings.margin));
     sleepers.touching.finder.tree.overlapping(box, [&](int b) {
         if (b < static_cast<int>(sleepers.set.activity.size()))
-            sleepers.set.wake(b);
+            sleepers.set.wake(state.scene.carrier(b));
     });
 }
 

@@ -1,6 +1,6 @@
 //! [lift]
-// A lift that is open from below, a crate on it, and a feather that falls through
-// thick air: what bodies are told while the world runs.
+// A lift that is open from below, a crate on it, a stool of three shapes, and a
+// feather that falls through thick air: what bodies are told while the world runs.
 #include "chapters/19_engine/world.hpp"
 
 #include <cstdio>
@@ -21,6 +21,10 @@ try {
                                            .linear_damping = 4});
     const BodyId ball = world.add_body(
         {.shape = disc(0.1), .position = {-1, 0.2}, .velocity = {0, 12}});
+    const ShapeDefinition left = {.shape = shifted(box(0.2, 0.8), {-0.4, -0.5})},
+                          right = {.shape = shifted(box(0.2, 0.8), {0.4, -0.5})};
+    const BodyId stool = world.add_body({.shape = box(1, 0.2), .position = {5, 1}},
+                                        std::vector{left, right});
 
     // asked in each step: does this touch count in it?
     world.set_pre_solve(
@@ -44,6 +48,8 @@ try {
                 points.size());
     std::printf("the feather falls at %.3f m/s, the ball is at %.1f m\n",
                 -world.velocity(feather).y(), world.position(ball).y());
+    std::printf("the stool stands on its %zu legs, its centroid at %.3f m\n",
+                world.shapes(stool).size() - 1, world.position(stool).y());
     std::printf("a ray from above meets %zu things\n", met);
     world.set_enabled(lift, false);  // and the crate falls
     for (int n = 0; n < 60; ++n) world.step(1.0 / 60);
