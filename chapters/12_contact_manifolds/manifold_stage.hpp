@@ -206,10 +206,6 @@ private:
     std::vector<int> asked_before_;
     bool woke_ = false;  ///< other bodies ask than in the step before
 
-    static std::uint64_t key_of(const TouchingPair& pair)
-    {
-        return pair_key(pair.a, pair.b);
-    }
     static bool ascending(const TouchingPair& a, const TouchingPair& b)
     {
         return key_of(a) < key_of(b);
@@ -235,15 +231,6 @@ private:
                            resting.end(), ascending);
     }
 
-    /// The first pair of a list that is not before this one.
-    static std::vector<TouchingPair>::const_iterator
-    first_from(const std::vector<TouchingPair>& list, std::uint64_t pair)
-    {
-        return std::lower_bound(list.begin(), list.end(), pair,
-                                [](const TouchingPair& p, std::uint64_t key) {
-                                    return key_of(p) < key;
-                                });
-    }
     const Manifold* at_rest(std::uint64_t pair) const
     {
         const auto at = first_from(resting, pair);

@@ -4,6 +4,7 @@
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/12_contact_manifolds/manifold.hpp"
+#include "chapters/12_contact_manifolds/pair_finder.hpp"
 
 namespace rigid {
 
@@ -12,6 +13,20 @@ struct TouchingPair {
     int a = 0, b = 0;  ///< a < b
     Manifold manifold;
 };
+
+inline std::uint64_t key_of(const TouchingPair& pair)
+{
+    return pair_key(pair.a, pair.b);
+}
+
+/// Where a list that is ascending has this pair, or the first one behind it.
+inline std::vector<TouchingPair>::const_iterator
+first_from(const std::vector<TouchingPair>& list, std::uint64_t pair)
+{
+    return std::lower_bound(
+        list.begin(), list.end(), pair,
+        [](const TouchingPair& p, std::uint64_t key) { return key_of(p) < key; });
+}
 
 /// \param a, b           their shapes; a is the world: b touches a wall
 /// \param first_feature  of this wall; else 0

@@ -68,8 +68,9 @@ struct IslandChoice : IslandSolvers, PlainSolver {
             lessen_start(i, now);
             reflect(i, bodies, now);
         }
-        in_pieces(jobs, list_pieces(), 1, [&](int first, int end) {
-            for (int i = piece(first); i < piece(end); ++i)
+        pieces.list(all.islands);
+        in_pieces(jobs, pieces.count(), 1, [&](int first, int end) {
+            for (int i = pieces.begin(first); i < pieces.begin(end); ++i)
                 solve_island(i, bodies, now);
         });
         for (int i = 0; i < count; ++i) {
@@ -110,14 +111,6 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     }
 
 private:
-    static bool bounces(std::span<const int> rows, const StepData<3>& now)
-    {
-        return !now.restitution.empty() &&
-               std::any_of(rows.begin(), rows.end(), [&](int row) {
-                   return now.restitution[static_cast<std::size_t>(row)] > 0;
-               });
-    }
-
     //! [reflect]
     /// Impacts come first, and their joints and contacts are solved exactly.
     void reflect(int i, const Bodies<3>& bodies, StepData<3>& now)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/18_islands/exact_islands.hpp"
+#include "chapters/18_islands/island_pieces.hpp"
 #include "chapters/18_islands/island_places.hpp"
 #include "chapters/18_islands/wide_islands.hpp"
 
@@ -67,7 +68,8 @@ struct PartApart {
 };
 
 struct IslandSolvers {
-    IslandPlaces all;  ///< of the step
+    IslandPlaces all;     ///< of the step
+    IslandPieces pieces;  ///< of those
     IslandPool<ExactIsland> exactly;
     IslandPool<TreePart> held;
     IslandPool<SweptIsland> swept;
@@ -205,29 +207,6 @@ struct IslandSolvers {
             for (const int row : rows) now.solution.lambda[row] *= t;
     }
 
-    //! [pieces]
-    /// Islands of together some 64 rows and more are one piece for a thread.
-    /// \return  how many pieces there are
-    int list_pieces()
-    {
-        pieces_.assign(1, 0);
-        std::size_t rows = 0;
-        const int count = all.islands.count();
-        for (int i = 0; i < count; ++i) {
-            rows += all.islands.rows_of(i).size();
-            if (rows < 64 && i + 1 < count) continue;
-            pieces_.push_back(i + 1);
-            rows = 0;
-        }
-        return static_cast<int>(pieces_.size()) - 1;
-    }
-    /// The first island of it; behind the last one: how many islands there are.
-    int piece(int number) const
-    {
-        return pieces_[static_cast<std::size_t>(number)];
-    }
-    //! [pieces]
-
     /// All that exact solves of this step have looked at.
     std::int64_t all_entries()
     {
@@ -239,8 +218,7 @@ struct IslandSolvers {
 
 private:
     PartNumbers numbers_;
-    VecX zeros_;               ///< of the length of u
-    std::vector<int> pieces_;  ///< where each begins
+    VecX zeros_;  ///< of the length of u
 };
 
 }  // namespace rigid

@@ -218,8 +218,7 @@ public:
     // What sleeps is asked about when it wakes. An empty function takes one away.
     void set_contact_filter(ContactFilter filter);
     void set_pre_solve(PreSolve pre_solve);
-    /// What helps with pairs and islands in a step, see common/jobs.hpp: the bits are
-    /// the same with any help. A contact filter and a pre-solve are asked as ever.
+    /// What helps with pairs and islands, see common/jobs.hpp; the bits are the same.
     void set_jobs(Jobs jobs);
     //! [callbacks]
 
