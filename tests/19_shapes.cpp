@@ -441,6 +441,34 @@ TEST_CASE("a heap of bodies of several shapes goes by small steps like any other
     CHECK(2 * most > 15);
 }
 
+TEST_CASE("what is entangled from the beginning is not thrown away by its overlaps", "[house]")
+{
+    // crosses that begin in one another fly to one place: overlaps that work against each other
+    for (const std::uint64_t seed : {3, 4, 5, 6})
+        for (const int substeps : {1, 4}) {
+            World engine({.gravity = {0, 0}, .substeps = substeps});
+            Random random(seed);
+            for (int i = 0; i < 20; ++i) {
+                BodyDefinition body;
+                body.shape = box(1, 0.2);
+                const Real around = random.uniform(0, 2 * pi);
+                body.position = {6 * rigid::cos(around) + random.uniform(-1, 1),
+                                 6 * rigid::sin(around) + random.uniform(-1, 1)};
+                body.velocity = -0.7 * body.position;
+                body.spin = random.uniform(-3, 3);
+                engine.add_body(body, std::vector{more(box(0.2, 1)), more(shifted(disc(0.3), {0.5, 0}))});
+            }
+            const std::vector<BodyId> all = engine.bodies();
+            for (int n = 0; n < 150; ++n) {
+                std::vector<Vec2> before;
+                for (const BodyId body : all) before.push_back(engine.position(body));
+                engine.step(frame);
+                for (std::size_t k = 0; k < all.size(); ++k)
+                    REQUIRE((engine.position(all[k]) - before[k]).norm() < 0.5);  // at 6 m/s 0.1
+            }
+        }
+}
+
 TEST_CASE("shapes are saved and recorded and go with their body by whatever name", "[idea]")
 {
     Recording film;

@@ -146,7 +146,9 @@ public:
                     if (joined) off = std::max(off, std::abs(error) * unit);
                 } else {
                     // (15.17): what lies too deep comes out once, by the part β
-                    const Real s = slop_of(c, now.length) / unit;
+                    const Real all = slop * now.length;  // an angle's, too
+                    const Real s =
+                        (is_angle(c) ? all : least_slop(all, c, slops)) / unit;
                     at(second.bias, i) = std::max(Real{0}, c.C) / h;
                     if (c.C < -s && n == 0) {
                         const Real over = beta * (c.C + s / 2);
@@ -191,8 +193,10 @@ public:
             }
             second.max_sweeps = wanted ? push_sweeps : sweeps;
             apart.solve_apart(second, v, now);
-            if (wanted &&
-                goes_far(v, members, now.length, h, std::max(pushed, off))) {
+            const auto is_far = [&] {
+                return goes_far(v, members, now.length, h, std::max(pushed, off));
+            };
+            if (wanted && is_far()) {
                 // overlaps that work against each other: they stay
                 gave_up = true;
                 for (const int i : rows) {
@@ -201,6 +205,11 @@ public:
                         at(second.bias, i) = std::max(Real{0}, at(second.bias, i));
                 }
                 apart.solve_apart(second, v, now);
+                if (is_far()) {  // nor is there an answer without them
+                    alone = true;
+                    if (joined) continue;
+                    break;
+                }
             }
             move_by(v, h, bodies, members);
             if (!joined) {  // overlaps come out once
@@ -223,16 +232,6 @@ public:
     bool pushes(int row) const { return deep_[static_cast<std::size_t>(row)] != 0; }
 
 private:
-    Real slop_of(const Constraint<3>& c, Real length) const
-    {
-        Real least = slop * length;
-        if (is_angle(c)) return least;  // a body's own is one of metres
-        for (const Index k : {c.a, c.b})
-            if (k != world && k < static_cast<Index>(slops.size()))
-                least = std::min(least, slops[static_cast<std::size_t>(k)]);
-        return least;
-    }
-
     Arcs arcs_;
     RenewedRows renewed_;
     PlacesBefore best_;       ///< with the least error so far

@@ -63,14 +63,28 @@ inline bool is_angle(const Constraint<3>& c)
     return c.Jb.head<2>().isZero(0) && (c.a == world || c.Ja.head<2>().isZero(0));
 }
 
-/// Whether v moves one of these bodies much farther than what is to be corrected, and by more than a twentieth of ℓ.
+/// Of an overlap of two bodies, what is left alone [m].
+/// \param most   where no body asks for less
+/// \param slops  of each body; empty = none asks
+inline Real least_slop(Real most, const Constraint<3>& c,
+                       const std::vector<Real>& slops)
+{
+    for (const Index k : {c.a, c.b})
+        if (k != world && k < static_cast<Index>(slops.size()))
+            most = std::min(most, slops[static_cast<std::size_t>(k)]);
+    return most;
+}
+
+/// Whether v moves one of these bodies much farther than what is to be corrected, and by more than a twentieth of ℓ, or turns it
+/// by more than a radian.
 inline bool goes_far(const VecX& v, std::span<const int> members, Real length,
                      Real h, Real wanted)
 {
-    Real farthest = 0;
+    Real farthest = 0, turned = 0;
     for (const int k : members)
-        farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
-    return !(farthest <= std::max(8 * wanted, length / 20));
+        farthest = std::max(farthest, h * v.segment<2>(3 * k).norm()),
+        turned = std::max(turned, h * std::abs(v[3 * k + 2]));
+    return !(farthest <= std::max(8 * wanted, length / 20)) || !(turned <= 1);
 }
 
 /// x ← x + h v, of some bodies.

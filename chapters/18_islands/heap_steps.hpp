@@ -13,6 +13,7 @@
 /// joints and overlaps, is corrected afterwards by positions alone.
 #pragma once
 
+#include "chapters/15_trees/newton_settings.hpp"
 #include "chapters/18_islands/lane_errors.hpp"
 #include "chapters/18_islands/step_part.hpp"
 
@@ -46,11 +47,7 @@ struct HeapSteps {
     /// s/2 of a contact [m]
     Real left_alone(const Constraint<3>& c, Real length) const
     {
-        Real left = slop * length;
-        for (const Index k : {c.a, c.b})
-            if (k != world && k < static_cast<Index>(slops.size()))
-                left = std::min(left, slops[static_cast<std::size_t>(k)]);
-        return left / 2;
+        return least_slop(slop * length, c, slops) / 2;
     }
 };
 //! [settings]
