@@ -120,6 +120,7 @@ public:
         Real off = 0, best = 0, part = 1, deepest = 0;
         bool fresh = false;  // J is that of the best positions so far
         bool alone = what == Corrected::joints, gave_up = false, jointed = false;
+        bool unanswered = false;  // what is to come out, if it is solved exactly
         int n = 0;
         if (alone) held_.hold(scene, rows, now);
         for (;; ++n) {
@@ -196,6 +197,8 @@ public:
             const auto is_far = [&] {
                 return goes_far(v, members, now.length, h, std::max(pushed, off));
             };
+            if (wanted && what == Corrected::arcs_and_errors)
+                unanswered = second.solution.status != Status::solved;
             if (wanted && is_far()) {
                 // overlaps that work against each other: they stay
                 gave_up = true;
@@ -222,7 +225,7 @@ public:
         iterations = std::max(iterations, n);
         left = std::max(left, off);
         unmet += (jointed && !(off <= slop * now.length)) ||
-                 (gave_up && deepest > now.length / 20);
+                 ((gave_up || unanswered) && deepest > now.length / 20);
         joints_alone = joints_alone || (alone && what != Corrected::joints);
         gave_up_pushing = gave_up_pushing || gave_up;
     }
