@@ -208,11 +208,8 @@ public:
                         at(second.bias, i) = std::max(Real{0}, at(second.bias, i));
                 }
                 apart.solve_apart(second, v, now);
-                if (is_far()) {  // nor is there an answer without them
-                    alone = true;
-                    if (joined) continue;
-                    break;
-                }
+                // nor is there an answer without them (of joints the error tells)
+                if (!joined && is_far()) break;
             }
             move_by(v, h, bodies, members);
             if (!joined) {  // overlaps come out once

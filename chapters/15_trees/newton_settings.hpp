@@ -75,16 +75,14 @@ inline Real least_slop(Real most, const Constraint<3>& c,
     return most;
 }
 
-/// Whether v moves one of these bodies much farther than what is to be corrected, and by more than a twentieth of ℓ, or turns it
-/// by more than a radian.
+/// Whether v moves one of these bodies much farther than what is to be corrected, and by more than a twentieth of ℓ.
 inline bool goes_far(const VecX& v, std::span<const int> members, Real length,
                      Real h, Real wanted)
 {
-    Real farthest = 0, turned = 0;
+    Real farthest = 0;
     for (const int k : members)
-        farthest = std::max(farthest, h * v.segment<2>(3 * k).norm()),
-        turned = std::max(turned, h * std::abs(v[3 * k + 2]));
-    return !(farthest <= std::max(8 * wanted, length / 20)) || !(turned <= 1);
+        farthest = std::max(farthest, h * v.segment<2>(3 * k).norm());
+    return !(farthest <= std::max(8 * wanted, length / 20));
 }
 
 /// x ← x + h v, of some bodies.
