@@ -21,7 +21,7 @@ struct ExactIsland : TreePart {
     {
         std::span<const int> members(bodies_of_island_);
         push(now, part.rows, members, bodies);
-        count_visits(now, static_cast<std::int64_t>(part.rows.size()));
+        part.visits += static_cast<std::int64_t>(part.rows.size());
         residual = natural_residual(now, part.rows, bodies.u);
         answered = residual <= std::min(solver.tolerance * now.length / 2, enough);
         is_fresh_ = !answered;

@@ -79,6 +79,7 @@ struct IslandChoice : IslandSolvers, PlainSolver {
             if (struck.find(i))
                 reflections.add_impulses(all.islands.rows_of(i), now);
         }
+        now.visits += take_visits();
         now.solution.iterations = most_sweeps;
         now.solution.status =
             unsolved == 0 ? Status::solved : Status::iteration_limit;

@@ -216,6 +216,18 @@ struct IslandSolvers {
         return sum;
     }
 
+    /// Those of this sub-step that are not counted yet.
+    std::int64_t take_visits()
+    {
+        std::int64_t sum = 0;
+        const auto take = [&sum](auto& one) {
+            sum += std::exchange(one.part.visits, 0);
+        };
+        exactly.for_each(take), held.for_each(take), swept.for_each(take);
+        wide.for_each(take), rescuers.for_each(take), struck.for_each(take);
+        return sum;
+    }
+
 private:
     PartNumbers numbers_;
     VecX zeros_;  ///< of the length of u

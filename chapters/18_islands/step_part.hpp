@@ -8,16 +8,9 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 namespace rigid {
-
-/// Several threads may solve islands of one step at a time.
-inline void count_visits(StepData<3>& whole, std::int64_t visits)
-{
-    std::atomic_ref<std::int64_t>(whole.visits) += visits;
-}
 
 /// Where parts of one step find their own numbers while they are made.
 struct PartNumbers {
@@ -33,6 +26,8 @@ struct StepPart {
     StepData<3> now;
     SecondProblem second;
     VecX v;  ///< pseudo-velocities [m/s]
+    /// of rows, which the step has not counted yet: several threads may solve parts
+    std::int64_t visits = 0;
 
     //! [part]
 
@@ -133,7 +128,7 @@ struct StepPart {
         for (std::size_t i = 0; i < rows.size(); ++i)
             whole.solution.lambda[rows[i]] =
                 now.solution.lambda[static_cast<Index>(i)];
-        count_visits(whole, std::exchange(now.visits, 0));
+        visits += std::exchange(now.visits, 0);
     }
 
     /// Gives back the answer of a second problem.
@@ -147,7 +142,7 @@ struct StepPart {
                 found.size() == static_cast<Index>(rows.size())
                     ? found[static_cast<Index>(i)]
                     : 0;
-        count_visits(whole, std::exchange(now.visits, 0));
+        whole.visits += std::exchange(now.visits, 0);
     }
 
     /// The part of a second problem that is about these rows.
