@@ -9,8 +9,7 @@ import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {gzipSync} from 'node:zlib';
 
-const most_of_all = 5e6;
-const most_of = name => name.startsWith('19_') ? 210e3 : 200e3;   // the whole engine, and bodies of several shapes
+const most = 200e3, most_of_all = 5e6;
 const kilobytes = bytes => (bytes / 1000).toFixed(1).padStart(8) + ' kB';
 const sizes = file => { const text = readFileSync(file); return [text.length, gzipSync(text, {level: 9}).length]; };
 const own = dirname(fileURLToPath(import.meta.url));
@@ -22,7 +21,6 @@ for (const folder of process.argv.slice(2)) for (const name of readdirSync(folde
     const found = sizes(join(folder, name));
     row(name.replace('.js', ''), found);
     all += found[1];
-    const most = most_of(name);
     if (found[1] <= most) continue;
     ++faults;
     console.error(`${name} has ${found[1]} bytes in gzip; a program for a page has ${most} at most`);
