@@ -323,6 +323,19 @@ TEST_CASE("what is beside a face that is free is stopped by it", "[idea]")
         for (int i = 0; i < 240; ++i) engine.step(moving_frame);
         CHECK(engine.position(body).y() > 0.49);
     }
+    // a corner in the corner between a wall, which nothing hides, and a floor that is free beside it
+    for (const Real turn : {0.2, 0.25 * pi, 1.2}) {
+        World engine;
+        engine.add_wall({{1, 0}, 0});
+        engine.add_body({.shape = box(4, 1), .position = {2, -0.5}, .density = 0, .surface = {0, 0, 0, 0}});
+        const Real half = (std::cos(turn) + std::sin(turn)) / 2;  // of its width, and of its height
+        const BodyId body = engine.add_body(
+            {.position = {half, half}, .angle = turn, .velocity = {-1, 0}, .surface = {0, 0, 0, 0}});
+        for (int i = 0; i < 240; ++i) {
+            engine.step(moving_frame);
+            CHECK(engine.position(body).y() > 0.49);
+        }
+    }
 }
 
 TEST_CASE("a jaw of bounded force stalls on boxes that have no room and throws none of them", "[idea]")

@@ -4,6 +4,7 @@
 #include "tests/scene_of.hpp"
 #include "tests/sentence.hpp"
 
+#include "cmake/web/to_chars.hpp"
 #include "common/contact.hpp"
 #include "common/forces.hpp"
 #include "common/measure.hpp"
@@ -351,6 +352,36 @@ TEST_CASE("a message has the number itself and not its first six digits")
     CHECK(sentence_of(scene) == "inverse_mass[4] is -1e-12 1/kg; it must be zero (cannot move) or positive");
     for (const Real value : {1e-9, 0.1, 1.0 / 3, -1e300, 5e-324, 123456.789})
         CHECK(parse_real(shortest(value)) == value);
+}
+
+TEST_CASE("a page writes each number as every other program does", "[house]")
+{
+    // std::to_chars, which the pages' compiler has not, is exact: no tolerance
+    namespace web = rigid::web;
+    std::vector<Real> numbers{
+        0,    0.5,    1.5, 2.5,  9.5,  999999.5, 0.045,      0.95,   9.995,     1e-4,
+        1e-5, 120000, 1e5, 1e22, 1e23, 0x1p52,   0x1p53 - 1, 5e-324, 0x1p-1022, 1.7976931348623157e308};
+    for (int e = -1074; e < 1024; e += 7) numbers.push_back(std::ldexp(Real{1}, e));
+    Random random(1);
+    for (int i = 0; i < 300; ++i) {
+        const Real some = random.uniform(-1, 1);
+        for (const Real scale : {1.0, 1e-3, 1e9, 1e-200, 1e300}) numbers.push_back(scale * some);
+        numbers.push_back(std::round(1000 * some) / 1000);
+        numbers.push_back(std::round(1000 * some) * 1000);
+    }
+    const auto same = [](const std::string& text, Real value, auto... how) {
+        char its[400];
+        const auto end = std::to_chars(its, its + sizeof its, value, how...).ptr;
+        CHECK(text == std::string(its, end));
+    };
+    for (const Real value : numbers) {
+        same(web::text_of(value, web::Form::shortest), value);
+        same(web::text_of(-value, web::Form::shortest), -value);
+        for (const int digits : {0, 1, 3, 6, 10, 20}) {
+            same(web::text_of(value, web::Form::fixed, digits), value, std::chars_format::fixed, digits);
+            same(web::text_of(value, web::Form::general, digits), value, std::chars_format::general, digits);
+        }
+    }
 }
 
 TEST_CASE("random numbers are the same on every machine")

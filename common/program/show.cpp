@@ -1,7 +1,7 @@
 #include "common/program/show.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -142,19 +142,19 @@ bool Show::is_over() const
 void Show::advance(Real seconds, const Input& hand, long stop_every)
 {
     if (paused || is_over()) return;
-    // At most so many steps and so long a time in one frame: a window must stay alive. What is left
-    // over then is dropped, and the scene runs slower than set.
-    constexpr Real most_steps = 4000;
-    constexpr auto longest = std::chrono::milliseconds(25);
+    // At most so many steps and so long a time of the processor [s] in one frame: a window must stay
+    // alive. What is left over then is dropped, and the scene runs slower than set.
+    constexpr Real most_steps = 4000, longest = 0.025;
     due_ += speed * seconds / settings_.h;
     falls_behind_ = due_ > most_steps;
     due_ = std::min(due_, most_steps);
-    const auto start_of_frame = std::chrono::steady_clock::now();
+    const std::clock_t start_of_frame = std::clock();
     while (due_ >= 1 && !is_over()) {
         due_ -= 1;
         step(hand);
         if (stop_every > 0 && playback_->steps() % stop_every == 0) return;
-        if (std::chrono::steady_clock::now() - start_of_frame > longest && due_ >= 1) {
+        const auto spent = static_cast<Real>(std::clock() - start_of_frame) / CLOCKS_PER_SEC;
+        if (spent > longest && due_ >= 1) {
             falls_behind_ = true;
             due_ = 0;
         }
