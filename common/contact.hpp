@@ -11,6 +11,10 @@
 
 namespace rigid {
 
+/// What the normal of a contact turns with: the body whose face it is of, or the centres of two discs. That of a wall of the
+/// world stays, and so does one from corner to corner, for these may pass each other.
+enum class NormalOf : char { fixed, a, b, centres };
+
 struct Contact {
     Index a = world, b = 0;  ///< the bodies; a wall of the world is always a
     Vec2 normal = {0, 1};    ///< unit vector from a to b
@@ -21,6 +25,7 @@ struct Contact {
          core_b = 0;  ///< from there, against and along the normal, to what turns with a and with b [m]
     /// of bodies of several shapes (chapter 19): from the numbers of the bodies to those of the shapes that touch
     int from_a = 0, from_b = 0;
+    NormalOf normal_of = NormalOf::fixed;
 
     Index shape_a() const { return a + from_a; }
     Index shape_b() const { return b + from_b; }

@@ -132,8 +132,13 @@ TEST_CASE("J of a contact is the derivative of its C at any positions", "[idea]"
         const Real angle = random.uniform(0, 2 * pi), px = random.uniform(-1, 1), py = random.uniform(-1, 1);
         Contact contact{
             round % 2 == 0 ? world : Index{0}, 1, {std::cos(angle), std::sin(angle)}, 0.01, 0, {px, py}};
-        CHECK(jacobian_error(contact, x_found, x, u) <= 1e-8);
-        CHECK(contact_constraint(contact, x_found, x_found).C == 0.01);  // to the bit
+        for (const NormalOf of : {NormalOf::fixed, NormalOf::a, NormalOf::b, NormalOf::centres}) {
+            contact.normal_of = of;
+            // the nearer two centres are, the larger is the third derivative
+            contact.core_a = contact.core_b = of == NormalOf::centres ? 3 : 0.1;
+            CHECK(jacobian_error(contact, x_found, x, u) <= 1e-8);
+            CHECK(contact_constraint(contact, x_found, x_found).C == 0.01);  // to the bit
+        }
     }
 }
 
@@ -154,6 +159,38 @@ TEST_CASE("C of a contact at other positions is the gap there to second order", 
     for (const Real t : {0.04, 0.02, 0.01, 0.005, 0.0025})
         errors.push_back(std::abs(contact_constraint(contact, x, x + t * u).C - deepest(manifold_at(t))));
     CHECK(std::abs(order_of(errors) - 2) <= 0.15);
+}
+
+TEST_CASE("C of a contact is the gap at other positions as long as the same features are nearest", "[idea]")
+{
+    // a corner over a face that turns, a face that turns over a corner, and what is round; rounding of lengths of 2 m
+    Random random(3);
+    const Polygon corner = box(1, 1), wide = box(4, 2), wheel = disc(0.5), pill = capsule(1, 0.3);
+    struct Pair {
+        const Polygon &a, &b;
+        Vec<3> at_b;
+    };
+    const Pair pairs[] = {{wide, corner, {0.3, 1.78, 0.7}},
+                          {corner, wide, {0.2, -1.78, 0.1}},
+                          {wheel, wheel, {0.6, 0.85, 0}},
+                          {wide, wheel, {-0.5, 1.52, 0}},
+                          {wheel, pill, {0.1, 0.85, 0.2}}};
+    for (const auto& [a, b, at_b] : pairs)
+        for (int round = 0; round < 20; ++round) {
+            VecX x_found(6), x(6);
+            x_found << 0, 0, 0, at_b;
+            for (Index i = 0; i < 6; ++i) x[i] = x_found[i] + random.uniform(-0.05, 0.05);
+            const Manifold found = at_poses(a, x_found.head<3>(), b, x_found.tail<3>()),
+                           now = at_poses(a, x.head<3>(), b, x.tail<3>());
+            const ManifoldPoint& p = found.count < 2 || found.points[0].gap < found.points[1].gap
+                                         ? found.points[0]
+                                         : found.points[1];
+            REQUIRE(found.normal_of == now.normal_of);
+            const Contact contact{0,         1,       found.normal,         p.gap,
+                                  p.feature, p.point, a.radius + p.gap / 2, b.radius + p.gap / 2,
+                                  0,         0,       found.normal_of};
+            CHECK(std::abs(contact_constraint(contact, x_found, x).C - deepest(now)) <= 1e-14);
+        }
 }
 
 TEST_CASE("a disc that spins in its place keeps its gap", "[idea]")

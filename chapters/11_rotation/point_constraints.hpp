@@ -9,7 +9,7 @@
 ///     pulley     C = Σ g ‖p − q‖ − c           J = g (n, r × n),  n = (p − q)/‖p − q‖, of either body
 ///     rack       C = g_a (θ_a − θ_b) + g_b n·(p_b − p_a) − c, n turns with b: turning with a and b exchanged
 ///     corner     C = n·p − c − ρ ≥ 0           J = (n, r × n)
-///     contact    C = gap + n·(p_b − p_a) ≥ 0   (−n, −r_a × n), (n, r_b × n),  p in one place where the gap was found
+///     contact    C = n·(p_b − p_a) − ρ ≥ 0     (−n, −r_a × n), (n, r_b × n),  turning where n is of a face of a or b
 ///
 /// (11.6), (11.13), (11.14). θ is a number like any other and is wrapped nowhere: a gear that has turned ten times is at 20π.
 #pragma once
@@ -133,7 +133,8 @@ inline Constraint<3> corner_constraint(const RigidScene& scene, const VecX& x,
 /// C and J of a contact at the positions x. Let p_a and p_b be the points of its
 /// bodies that were at contact.point when it was found, at x_found, or behind it at
 /// the corners of the polygons where the surface is round around them: C is the gap
-/// of then and what they have come apart since, n·(p_b − p_a).
+/// of then and what they have come apart since, along n. n turns with the body whose
+/// face it is of, about its centroid, as in (11.13), or with two centres.
 inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_found,
                                         const VecX& x)
 {
@@ -142,23 +143,39 @@ inline Constraint<3> contact_constraint(const Contact& contact, const VecX& x_fo
     c.C = contact.gap;
     c.kind = ConstraintKind::unilateral;
     c.bounces = true;
-    const Vec2& n = contact.normal;
-    const auto side = [&](Index k, Real sign, Real core) -> RowVec<3> {
-        Vec2 r = contact.point + sign * core * n - x_found.segment<2>(3 * k),
-             moved = x.segment<2>(3 * k) - x_found.segment<2>(3 * k);
+    const Vec2& before = contact.normal;
+    const Real apart = contact.core_a + contact.core_b;
+    Vec2 n = before, d = apart * n;
+    bool moved = false;
+    const auto arm = [&](Index k, Real sign, Real core) {
+        Vec2 r = contact.point + sign * core * before - x_found.segment<2>(3 * k),
+             way = x.segment<2>(3 * k) - x_found.segment<2>(3 * k);
         const Index angle = 3 * k + 2;
         const Real turn = x[angle] - x_found[angle];
         if (turn != 0) {
-            const Vec2 before = r;
+            const Vec2 then = r;
             const auto [sine, cosine] = sine_and_cosine(turn);
-            r = cosine * before + sine * perpendicular(before);
-            moved += r - before;
+            r = cosine * then + sine * perpendicular(then);
+            way += r - then;
+            if (contact.normal_of == (sign > 0 ? NormalOf::b : NormalOf::a))
+                n = cosine * before + sine * perpendicular(before);
         }
-        c.C += sign * n.dot(moved);
-        return sign * point_row(r, n);
+        c.C += sign * before.dot(way);
+        d += sign * way;
+        moved = moved || turn != 0 || !way.isZero(0);
+        return r;
     };
-    c.Jb = side(c.b, 1, contact.core_b);
-    if (c.a != world) c.Ja = side(c.a, -1, contact.core_a);
+    Vec2 arm_b = arm(c.b, 1, contact.core_b), arm_a(0, 0);
+    if (c.a != world) arm_a = arm(c.a, -1, contact.core_a);
+    if (moved) {
+        if (contact.normal_of == NormalOf::centres && !d.isZero(0))
+            n = d.normalized();
+        c.C += (n - before).dot(d);
+        if (contact.normal_of == NormalOf::a) arm_a += d;
+        if (contact.normal_of == NormalOf::b) arm_b -= d;
+    }
+    if (c.a != world) c.Ja = -point_row(arm_a, n);
+    c.Jb = point_row(arm_b, n);
     return c;
 }
 //! [contact]

@@ -134,6 +134,7 @@ inline Manifold points_over_edge(const Placed& a, const Placed& b, bool of_b,
     Manifold m;
     m.normal = of_b ? Vec2(-n) : n;
     m.face = of_b ? a.edges() : 0;
+    m.normal_of = of_b ? NormalOf::b : NormalOf::a;
     measure_along(perpendicular(m.normal), ea, eb);
     const auto low = [](const EdgeEnds& e) {
         return std::min(e.along[0], e.along[1]);

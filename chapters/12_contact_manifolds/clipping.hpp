@@ -7,6 +7,7 @@
 #pragma once
 
 #include "chapters/12_contact_manifolds/placed_shape.hpp"
+#include "common/contact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,7 @@ struct Manifold {
     std::array<ManifoldPoint, 2> points;  ///< features ascending
     int face =
         -1;  ///< reference face: edge of a, or that of b behind them; −1: none
+    NormalOf normal_of = NormalOf::fixed;
 
     bool has(int feature) const
     {

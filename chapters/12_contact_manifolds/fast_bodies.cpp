@@ -8,11 +8,36 @@
 
 namespace rigid {
 
+namespace {
+
+/// Whether two shapes have a row in this step and are where it was found. (What goes on alone, after the other one has been
+/// stopped, does not: its row counted on the other's way.)
+bool has_row(const RigidScene& scene, const VecX& x_found,
+             const std::vector<TouchingPair>& touching, const MovingShape& one,
+             const MovingShape& other)
+{
+    const auto number = [&scene](const MovingShape& m) {
+        return static_cast<int>(m.shape - &scene.shapes[0]);
+    };
+    for (const MovingShape* m : {&one, &other})
+        if (m->from != x_found.segment<3>(3 * number(*m))) return false;
+    const auto [a, b] = std::minmax({number(one), number(other)});
+    const auto at = first_from(touching, pair_key(a, b));
+    return at != touching.end() && at->a == a && at->b == b;
+}
+bool has_row(const RigidScene&, const VecX&, const std::vector<TouchingPair>&,
+             const HalfSpace&, const MovingShape&)
+{
+    return false;  // asked only where rows do not look ahead
+}
+
+}  // namespace
+
 //! [fast]
 void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                       const StepData<3>& now, const PlacedShapes& placed,
                       const ChainEdges& edges, const PairFinder& finder,
-                      FastBodies& fast)
+                      const std::vector<TouchingPair>& touching, FastBodies& fast)
 {
     const VecX& x_found = now.x_found;
     const Real margin = settings.margin * now.length;
@@ -89,13 +114,18 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     const auto hold = [&](int k, const Impact& impact) {
         if (impact.hit) part_of(k) = std::min(part_of(k), impact.part);
     };
-    // of what is close already, only that it gets deeper than half its inner radius,
-    // or than it is by an eighth
+    // of what has its row, or is close already, only that it gets deeper than half its
+    // inner radius, or than it is by an eighth
     const auto first_impact = [&](const auto& other, const MovingShape& moving,
                                   Real inner, bool edge = false) {
-        const Real target = edge ? -std::min(inner, margin) / 2 : margin / 4;
-        Impact impact = time_of_impact(
-            other, moving, target, edge ? -target / 4 : margin / 4, fast.memory);
+        const bool held =
+            inner > 0 && !edge && has_row(scene, x_found, touching, other, moving);
+        const Real target = held   ? -inner / 2
+                            : edge ? -std::min(inner, margin) / 2
+                                   : margin / 4;
+        Impact impact =
+            time_of_impact(other, moving, target,
+                           target < 0 ? -target / 4 : margin / 4, fast.memory);
         fast.rounds += impact.rounds;
         if (!impact.close) return impact;
         // what has no inside must not get past the middle of its way to the other
@@ -139,7 +169,8 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         fast.rounds += near.rounds;
         if (!near.hit && !near.close) return near;
         // what is close has its row
-        if (near.close) inner = inner_at_edge(moving, edge, inner);
+        if (near.close || has_row(scene, x_found, touching, other, moving))
+            inner = inner_at_edge(moving, edge, inner);
         return first_impact(other, moving, inner, inner > 0);
     };
     // what slides over a seam does not catch on it, (12.13)

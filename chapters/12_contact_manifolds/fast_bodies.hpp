@@ -4,8 +4,9 @@
 /// A body that moves by no more than half its inner radius, from its centroid to its nearest side, is still on the side it
 /// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way to
 /// its first impact (time_of_impact.hpp). It loses the rest of the step's time, and what its weight did in it (12.10); the
-/// next step finds the contact. Of two that are close already, the contact has its row; they are only stopped when one gets
-/// half its inner radius deep into the other, or by an eighth deeper than it was. A thin body whose foot stands there and
+/// next step finds the contact. Two that are close already, or come close by what was known of their way, have their row and
+/// are held by it; they are only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than
+/// it was. A thin body whose foot stands there and
 /// turns goes deeper, as a step is straight: the foot of a rod of length L by L (ωh)²/4. If it were stopped, it would lose
 /// time in each step. Nothing comes out behind a half-space, nor behind an edge of a chain while its centroid is in front,
 /// so there it may go in by half the margin and is held by its row (in a half-space: where rows look ahead). What stops early
@@ -17,6 +18,7 @@
 #include "chapters/12_contact_manifolds/flush_faces.hpp"
 #include "chapters/12_contact_manifolds/pair_finder.hpp"
 #include "chapters/12_contact_manifolds/stop_each_other.hpp"
+#include "chapters/12_contact_manifolds/touching_pair.hpp"
 #include "common/elementary.hpp"
 
 namespace rigid {
@@ -90,9 +92,10 @@ void put_back(RigidScene& scene, Real h, const std::vector<Row<3>>& rows,
 /// \param edges      of chains: what slides over them is close to the next one when
 ///                   it gets there, and goes on until it is too deep
 /// \param finder     of the pairs at now.x_found
+/// \param touching   those that have rows in the step, ascending
 void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                       const StepData<3>& now, const PlacedShapes& placed,
                       const ChainEdges& edges, const PairFinder& finder,
-                      FastBodies& fast);
+                      const std::vector<TouchingPair>& touching, FastBodies& fast);
 
 }  // namespace rigid

@@ -5,8 +5,9 @@
 ///
 /// C is convex: from p to c it is solid, so in front of the face, as near to p as one likes, there is no room for anything. No
 /// outline of B and C together has the normal n at p; what touches there touches C, and the contact with C says how. Where the
-/// face is free beside p, as a floor is beside the foot of a wall, nothing is hidden. The engine looks for hidden faces
-/// (chapter 19); chapter 12 has chains.
+/// face is free beside p, as a floor is beside the foot of a wall, nothing is hidden. Where one face at p is free and another
+/// one hidden, something else must bear what the free one would. The engine looks for hidden faces (chapter 19); chapter 12
+/// has chains.
 #pragma once
 
 #include "chapters/12_contact_manifolds/casts.hpp"
@@ -37,17 +38,22 @@ inline bool is_in_front(const HalfSpace& wall, const Vec2&, const Vec2& n, Real)
     return (n - wall.normal).squaredNorm() > 1e-6;
 }
 
-/// (12.13): whether another thing that stands, a shape or a half-space, hides the
-/// face of a shape that has the contact.
+/// What another thing that stands, a shape or a half-space, does to the faces that a
+/// shape has at p and that n leans on.
+struct FacesAt {
+    bool hidden = false;  ///< (12.13), one of them
+    Vec2 free = {0, 0};   ///< the normal of one that is not; zero: there is none
+};
 /// \param p         on the outline of the shape
 /// \param n         out of it
 /// \param flush     how well the two must fit [m]
 template <class Other>
-bool hides(const Other& other, const Placed& shape, const Vec2& p, const Vec2& n,
-           Real flush)
+FacesAt faces_at(const Other& other, const Placed& shape, const Vec2& p,
+                 const Vec2& n, Real flush)
 {
+    FacesAt faces;
     if (!is_inside(other, p, flush) || !is_in_front(other, p, n, flush / 10))
-        return false;
+        return faces;
     for (int i = 0; i < shape.edges(); ++i) {
         const Vec2& m = shape.normal(i);
         if (!(n.dot(m) > 1e-3)) continue;
@@ -61,9 +67,17 @@ bool hides(const Other& other, const Placed& shape, const Vec2& p, const Vec2& n
             at = std::clamp(at, Real{0}, length);
             return !is_inside(other, Vec2(from + at / length * e), flush);
         };
-        if (!is_free(along - 8 * flush) && !is_free(along + 8 * flush)) return true;
+        if (!is_free(along - 8 * flush) && !is_free(along + 8 * flush))
+            faces.hidden = true;
+        else faces.free = m;
     }
-    return false;
+    return faces;
+}
+template <class Other>
+bool hides(const Other& other, const Placed& shape, const Vec2& p, const Vec2& n,
+           Real flush)
+{
+    return faces_at(other, shape, p, n, flush).hidden;
 }
 
 /// Whether each point of a manifold is on a face that is hidden.
@@ -130,13 +144,36 @@ struct Seams {
                     pairs[it.pair].manifold, it.of_b,
                     [&](const Vec2& p, const Vec2& n) {
                         const Placed shape = placed.of(it.still);
+                        const auto bears = [&](const Vec2& m) {
+                            const auto shape_does = [&](const Touching& other) {
+                                const Vec2& way = pairs[other.pair].manifold.normal;
+                                return other.still != it.still && !other.hidden &&
+                                       (other.of_b ? -way : way).dot(m) > 0.5 &&
+                                       is_inside(placed.of(other.still), p, flush);
+                            };
+                            const auto wall_does = [&](const HalfSpace& wall) {
+                                return wall.normal.dot(m) > 0.5 &&
+                                       is_inside(wall, p, flush);
+                            };
+                            return std::any_of(touched.begin(), touched.end(),
+                                               shape_does) ||
+                                   std::any_of(scene.walls.begin(),
+                                               scene.walls.end(), wall_does);
+                        };
+                        // at a corner whose other face is free, something else must
+                        // bear there what that would bear
+                        const auto is_by = [&](const auto& other) {
+                            const FacesAt faces =
+                                faces_at(other, shape, p, n, flush);
+                            return faces.hidden &&
+                                   (faces.free.isZero(0) || bears(faces.free));
+                        };
                         const auto by = [&](const Touching& other) {
                             return other.still != it.still && !other.hidden &&
-                                   hides(placed.of(other.still), shape, p, n,
-                                         flush);
+                                   is_by(placed.of(other.still));
                         };
                         const auto by_wall = [&](const HalfSpace& wall) {
-                            return hides(wall, shape, p, n, flush);
+                            return is_by(wall);
                         };
                         return std::any_of(touched.begin(), touched.end(), by) ||
                                std::any_of(scene.walls.begin(), scene.walls.end(),

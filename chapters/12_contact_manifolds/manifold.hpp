@@ -114,7 +114,8 @@ inline Manifold collide(const Placed& a, const Placed& b,
     if (face.separation >= reach) return m;
     EdgeEnds ea = ends_of(a, 0), eb = ends_of(b, 0);
     bool corners = face.edge < 0;  // two discs
-    if (!corners) {
+    if (corners) m.normal_of = NormalOf::centres;
+    else {
         stay_with_face(a, b, how, face);
         m.face = face.of_b ? a.edges() + face.edge : face.edge;
         const Placed &p = face.of_b ? b : a, &q = face.of_b ? a : b;
@@ -127,6 +128,7 @@ inline Manifold collide(const Placed& a, const Placed& b,
         ea = face.of_b ? incident : reference;
         eb = face.of_b ? reference : incident;
         m.normal = face.of_b ? Vec2(-n) : n;
+        if (!corners) m.normal_of = face.of_b ? NormalOf::b : NormalOf::a;
     }
     if (corners) {
         const Vec2 d = eb.at[0] - ea.at[0];

@@ -99,7 +99,8 @@ struct Manifolds : PlainContacts {
         fast.have_rows = ahead > 0;
         fast.seams = seams.look;
         if (fast.stop)
-            stop_fast_bodies(scene, settings, now, placed, edges, finder, fast);
+            stop_fast_bodies(scene, settings, now, placed, edges, finder, touching,
+                             fast);
     }
     //! [stage]
 

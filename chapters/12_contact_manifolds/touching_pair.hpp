@@ -41,10 +41,11 @@ inline void add_contacts(const RigidScene& scene, Index a, Index b,
         now.sources.push_back(
             {Source::Of::contact, static_cast<int>(now.contacts.size())});
         const Index body_a = scene.carrier(a), body_b = scene.carrier(b);
-        now.contacts.push_back(
-            {body_a, body_b, m.normal, p.gap, first_feature + p.feature, p.point,
-             radius(a) + p.gap / 2, radius(b) + p.gap / 2,
-             static_cast<int>(a - body_a), static_cast<int>(b - body_b)});
+        now.contacts.push_back({body_a, body_b, m.normal, p.gap,
+                                first_feature + p.feature, p.point,
+                                radius(a) + p.gap / 2, radius(b) + p.gap / 2,
+                                static_cast<int>(a - body_a),
+                                static_cast<int>(b - body_b), m.normal_of});
     }
 }
 

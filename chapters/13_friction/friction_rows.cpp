@@ -54,6 +54,15 @@ Constraint<3> cloth_constraint(const RoughScene& scene, const StepData<3>& now,
     return c;
 }
 
+/// Whether one of the bodies of a contact is not where it was found.
+static bool has_moved(const Contact& contact, const VecX& x_found, const VecX& x)
+{
+    const auto stays = [&](Index k) {
+        return x.segment<3>(3 * k) == x_found.segment<3>(3 * k);
+    };
+    return !stays(contact.a) || !stays(contact.b);
+}
+
 Constraint<3> drag_constraint(const RoughScene& scene, const StepData<3>& now,
                               const Source& source, const Constraint<3>& normal,
                               const TouchedSurface& touched, const VecX& x)
@@ -62,12 +71,26 @@ Constraint<3> drag_constraint(const RoughScene& scene, const StepData<3>& now,
     const int number = static_cast<int>(normal_of(now, source.index));
     if (source.part == rolling_part)
         return rolling_constraint(normal, number, touched.surface, now.length);
-    // the point moves with a
+    // the point moves with a, or with the body whose face it is on
     Vec2 arm_a(0, 0), point = contact.point;
     if (contact.a != world) {
-        const auto moved = x.segment<2>(3 * contact.a);
+        const Vec2 at_a = x.segment<2>(3 * contact.a);
         arm_a = point - now.x_found.segment<2>(3 * contact.a);
-        point = moved + arm_a;
+        point = at_a + arm_a;
+        if (contact.normal_of != NormalOf::fixed &&
+            has_moved(contact, now.x_found, x)) {
+            const bool discs = contact.normal_of == NormalOf::centres;
+            const Index k =
+                contact.normal_of == NormalOf::b ? contact.b : contact.a;
+            const Real core = discs ? contact.core_a : 0;
+            const Vec2 r = contact.point - core * contact.normal -
+                           now.x_found.segment<2>(3 * k);
+            const auto [s, c] =
+                sine_and_cosine(x[3 * k + 2] - now.x_found[3 * k + 2]);
+            point = x.segment<2>(3 * k) + c * r + s * perpendicular(r) +
+                    core * Vec2(normal.Jb.head<2>().transpose());
+            arm_a = point - at_a;
+        }
     } else if (touched.wall < scene.walls.size())
         // chapter 11 has the centre of a round corner: drag acts on the wall
         point -= (contact.normal.dot(point) - scene.walls[touched.wall].offset) *

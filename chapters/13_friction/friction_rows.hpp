@@ -7,7 +7,8 @@
 ///     cloth     J = (d, 0), (0, 0, 1), d along u*      |λ| ≤ h μ m g,   |λ| ≤ h c μ m g
 ///
 /// (13.3). Solvers compare the w of all rows, so that of rolling is a speed as well, at the distance ℓ of the scene: in
-/// rad/s it would be another one of a hundred in a scene a hundred times as large. The point of a contact moves with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
+/// rad/s it would be another one of a hundred in a scene a hundred times as large. The point of a contact is one for both bodies. It goes with
+/// the one whose face it is on; else with a: then r_b × t = r_b·n is right however far b slides or rolls in a sub-step.
 #pragma once
 
 #include "chapters/06_sequential_impulse/restitution.hpp"

@@ -209,7 +209,7 @@ void members(Archive& io, ToldChanges& it)
 template <class Archive>
 void members(Archive& io, Manifold& it)
 {
-    io(it.normal, it.count, it.face);
+    io(it.normal, it.count, it.face, it.normal_of);
     for (ManifoldPoint& p : it.points) io(p.point, p.gap, p.feature);
 }
 template <class Archive>

@@ -8,8 +8,8 @@ namespace rigid {
 
 namespace {
 
-constexpr std::string_view of_a_world = "rigid world 4\n",
-                           of_a_recording = "rigid recording 3\n";
+constexpr std::string_view of_a_world = "rigid world 5\n",
+                           of_a_recording = "rigid recording 4\n";
 
 /// Payload with its heading and its hash, so that no other bytes are taken for it.
 std::string sealed(std::string_view heading, const std::string& payload)

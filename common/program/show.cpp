@@ -1,8 +1,8 @@
 #include "common/program/show.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <cmath>
+#include <ctime>
 #include <stdexcept>
 #include <utility>
 

@@ -24,6 +24,7 @@ const parts = {
         wasm: 'race_plane.wasm', text: 'docs/race.md', peer: 'Box2D', package: 'box2d3-wasm', build: 'deluxe', peer_of: () => box2d_of(packages), judged_from: 0,
         ours: scene => [
             {method: 'engine', substeps: 1, sleep: true},
+            ...(overlaps(scene) ? every([2, 4], substeps => ({method: 'small engine', substeps})) : []),
             ...every(large(scene) ? [1, 4, 16] : [1, 2, 4, 8, 16], substeps => [
                 {method: 'engine', substeps},
                 ...(large(scene) ? [] : [{method: 'exact', substeps}]),
