@@ -10,26 +10,39 @@ namespace rigid {
 
 namespace {
 
-/// Whether two shapes have a row in this step and are where it was found. (What goes on alone, after the other one has been
-/// stopped, does not: its row counted on the other's way.)
-bool has_row(const RigidScene& scene, const VecX& x_found,
-             const std::vector<TouchingPair>& touching, const MovingShape& one,
-             const MovingShape& other)
-{
-    const auto number = [&scene](const MovingShape& m) {
+/// Whether two shapes have a row in this step that holds them: they are where it was found, and go no farther than they are
+/// long. (What goes on alone, after the other one has been stopped, does not: its row counted on the other's way.)
+struct HeldPairs {
+    const RigidScene& scene;
+    const VecX& x_found;
+    const PlacedShapes& placed;
+    const std::vector<TouchingPair>& touching;
+
+    int number(const MovingShape& m) const
+    {
         return static_cast<int>(m.shape - &scene.shapes[0]);
-    };
-    for (const MovingShape* m : {&one, &other})
-        if (m->from != x_found.segment<3>(3 * number(*m))) return false;
-    const auto [a, b] = std::minmax({number(one), number(other)});
-    const auto at = first_from(touching, pair_key(a, b));
-    return at != touching.end() && at->a == a && at->b == b;
-}
-bool has_row(const RigidScene&, const VecX&, const std::vector<TouchingPair>&,
-             const HalfSpace&, const MovingShape&)
-{
-    return false;  // asked only where rows do not look ahead
-}
+    }
+    bool stays_near(const MovingShape& m) const
+    {
+        const int k = number(m);
+        const auto at = static_cast<std::size_t>(k);
+        const Vec<3> way = m.way();
+        return m.from == x_found.segment<3>(3 * k) &&
+               hypot(way[0], way[1]) + std::abs(way[2]) * placed.turning[at] <=
+                   2 * std::max(placed.inner[at], placed.turning[at]);
+    }
+    bool operator()(const MovingShape& one, const MovingShape& other) const
+    {
+        if (!stays_near(one) || !stays_near(other)) return false;
+        const auto [a, b] = std::minmax({number(one), number(other)});
+        const auto at = first_from(touching, pair_key(a, b));
+        return at != touching.end() && at->a == a && at->b == b;
+    }
+    bool operator()(const HalfSpace&, const MovingShape&) const
+    {
+        return false;  // asked only where rows do not look ahead
+    }
+};
 
 }  // namespace
 
@@ -40,6 +53,7 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                       const std::vector<TouchingPair>& touching, FastBodies& fast)
 {
     const VecX& x_found = now.x_found;
+    const HeldPairs is_held{scene, x_found, placed, touching};
     const Real margin = settings.margin * now.length;
     const auto K = static_cast<std::size_t>(scene.bodies.count());
     const auto motion = [&](Index k) {
@@ -118,8 +132,7 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     // inner radius, or than it is by an eighth
     const auto first_impact = [&](const auto& other, const MovingShape& moving,
                                   Real inner, bool edge = false) {
-        const bool held =
-            inner > 0 && !edge && has_row(scene, x_found, touching, other, moving);
+        const bool held = inner > 0 && !edge && is_held(other, moving);
         const Real target = held   ? -inner / 2
                             : edge ? -std::min(inner, margin) / 2
                                    : margin / 4;
@@ -169,7 +182,7 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
         fast.rounds += near.rounds;
         if (!near.hit && !near.close) return near;
         // what is close has its row
-        if (near.close || has_row(scene, x_found, touching, other, moving))
+        if (near.close || is_held(other, moving))
             inner = inner_at_edge(moving, edge, inner);
         return first_impact(other, moving, inner, inner > 0);
     };

@@ -4,13 +4,13 @@
 /// A body that moves by no more than half its inner radius, from its centroid to its nearest side, is still on the side it
 /// came from, and its contact pushes it back there. Any other is fast: at the end of the step it goes back along its way to
 /// its first impact (time_of_impact.hpp). It loses the rest of the step's time, and what its weight did in it (12.10); the
-/// next step finds the contact. Two that are close already, or come close by what was known of their way, have their row and
-/// are held by it; they are only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than
-/// it was. A thin body whose foot stands there and
-/// turns goes deeper, as a step is straight: the foot of a rod of length L by L (ωh)²/4. If it were stopped, it would lose
-/// time in each step. Nothing comes out behind a half-space, nor behind an edge of a chain while its centroid is in front,
-/// so there it may go in by half the margin and is held by its row (in a half-space: where rows look ahead). What stops early
-/// stands in the way of others: fast bodies are looked at in pairs again until none of them stops any earlier.
+/// next step finds the contact. Two that are close already, or have a row and go no farther than they are long, are held by
+/// it; they are only stopped when one gets half its inner radius deep into the other, or by an eighth deeper than it was. A
+/// thin body whose foot stands there and turns goes deeper, as a step is straight: the foot of a rod of length L by
+/// L (ωh)²/4. If it were stopped, it would lose time in each step. Nothing comes out behind a half-space, nor behind an edge
+/// of a chain while its centroid is in front, so there it may go in by half the margin and is held by its row (in a
+/// half-space: where rows look ahead). What stops early stands in the way of others: fast bodies are looked at in pairs again
+/// until none of them stops any earlier.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
