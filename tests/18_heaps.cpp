@@ -431,7 +431,7 @@ TEST_CASE("ten dolls in one heap take small steps and overstep no limit and gain
     CHECK(worst < 1e-8);  // Newton stops at 1e-9 ℓ; limits that are near are held meanwhile
     CHECK(unsolved == 0);
     CHECK(gained < 0.02);        // of 220 falls 0.0083 m at worst; 9.4 where joints hold pushes back
-    CHECK(price < 200'000'000);  // 0.12e9; several times as much by a thousand sweeps, or solved exactly
+    CHECK(price < 150'000'000);  // 0.12e9; 1.1e9 by a thousand sweeps, 2.7e9 where the heap is solved exactly
 }
 
 TEST_CASE("a doll that falls in small steps gains no height", "[idea]")
@@ -575,7 +575,7 @@ TEST_CASE("rubble that is solved exactly is solved in every step and no step loo
     }
     // 4.5e6, of ten heaps 4.6e6 at most; more than 1e7 where what guesses cannot settle must be as good as their answers: one
     // walk of Lemke's algorithm
-    CHECK(most < 6'000'000);
+    CHECK(most < 5'000'000);
 }
 
 TEST_CASE("a doll that spins in the air is solved exactly with all its limits and keeps its joints",

@@ -10,6 +10,20 @@ namespace rigid {
 
 namespace {
 
+int number_of(const RigidScene& scene, const MovingShape& m)
+{
+    return static_cast<int>(m.shape - &scene.shapes[0]);
+}
+
+/// How far any point of it goes at most [m]
+/// \param turning  from its centroid to its farthest vertex [m]
+Real length_of_way(const MovingShape& m, Real turning)
+{
+    const Vec<3> way = m.way();
+    if (way.isZero(0)) return 0;
+    return hypot(way[0], way[1]) + std::abs(way[2]) * turning;
+}
+
 /// Whether two shapes have a row in this step that holds them: they are where it was found, and go no farther than they are
 /// long. (What goes on alone, after the other one has been stopped, does not: its row counted on the other's way.)
 struct HeldPairs {
@@ -18,23 +32,19 @@ struct HeldPairs {
     const PlacedShapes& placed;
     const std::vector<TouchingPair>& touching;
 
-    int number(const MovingShape& m) const
-    {
-        return static_cast<int>(m.shape - &scene.shapes[0]);
-    }
     bool stays_near(const MovingShape& m) const
     {
-        const int k = number(m);
+        const int k = number_of(scene, m);
         const auto at = static_cast<std::size_t>(k);
-        const Vec<3> way = m.way();
         return m.from == x_found.segment<3>(3 * k) &&
-               hypot(way[0], way[1]) + std::abs(way[2]) * placed.turning[at] <=
+               length_of_way(m, placed.turning[at]) <=
                    2 * std::max(placed.inner[at], placed.turning[at]);
     }
     bool operator()(const MovingShape& one, const MovingShape& other) const
     {
         if (!stays_near(one) || !stays_near(other)) return false;
-        const auto [a, b] = std::minmax({number(one), number(other)});
+        const auto [a, b] =
+            std::minmax({number_of(scene, one), number_of(scene, other)});
         const auto at = first_from(touching, pair_key(a, b));
         return at != touching.end() && at->a == a && at->b == b;
     }
@@ -69,15 +79,13 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     // where the centroid of its shape is
     const auto middle_at = [&](const MovingShape& m, const Vec<3>& pose) -> Vec2 {
         if (scene.carried.empty()) return pose.head<2>();
-        const auto shape = static_cast<std::size_t>(m.shape - &scene.shapes[0]);
+        const auto shape = static_cast<std::size_t>(number_of(scene, m));
         const auto [s, c] = sine_and_cosine(pose[2]);
         const Vec2& r = scene.carried[shape].middle;
         return pose.head<2>() + c * r + s * perpendicular(r);
     };
     const auto how_far = [&](int k) {
-        const Vec<3> way = motion(k).way();
-        if (way.isZero(0)) return Real{0};
-        return hypot(way[0], way[1]) + std::abs(way[2]) * turning_of(k);
+        return length_of_way(motion(k), turning_of(k));
     };
     // most go less far even along the axes
     const auto goes_beyond = [&](int k, Real limit) {
@@ -200,13 +208,10 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
                 if (hides(wall, shape, p, n, flush)) return true;
             bool hidden = false;
             finder.near(box, [&](int c) {
-                hidden =
-                    hidden ||
-                    (c != b && !edges.has(c) && stands(scene, c) &&
-                     finder.may_touch(
-                         static_cast<int>(moving.shape - &scene.shapes[0]), c) &&
-                     overlap(box, box_of(placed.of(c))) &&
-                     hides(placed.of(c), shape, p, n, flush));
+                hidden = hidden || (c != b && !edges.has(c) && stands(scene, c) &&
+                                    finder.may_touch(number_of(scene, moving), c) &&
+                                    overlap(box, box_of(placed.of(c))) &&
+                                    hides(placed.of(c), shape, p, n, flush));
             });
             return hidden;
         });
