@@ -193,6 +193,21 @@ TEST_CASE("C of a contact is the gap at other positions as long as the same feat
         }
 }
 
+TEST_CASE("a normal turns with the face that it is of or with two centres and from corner to corner it stays",
+          "[house]")
+{
+    const Polygon block = box(1, 1), wheel = disc(0.5);
+    const auto of = [](const Polygon& a, const Polygon& b, const Vec<3>& at_b) {
+        return at_poses(a, Vec<3>::Zero(), b, at_b).normal_of;
+    };
+    CHECK(of(block, block, {0.2, 1.3, 0.3}) == NormalOf::a);     // a corner over the face of a
+    CHECK(of(block, block, {0.9, 0.9, pi / 4}) == NormalOf::b);  // the corner of a before a face of b
+    CHECK(of(block, block, {1.05, 1.05, 0}) == NormalOf::fixed);
+    CHECK(of(block, wheel, {0, 1.05, 0}) == NormalOf::a);
+    CHECK(of(block, wheel, {0.9, 0.9, 0}) == NormalOf::fixed);  // round, at a corner
+    CHECK(of(wheel, wheel, {0.9, 0.9, 0}) == NormalOf::centres);
+}
+
 TEST_CASE("a disc that spins in its place keeps its gap", "[idea]")
 {
     // With points that turn with its rim the gap of ρ would change by ρ (1 − cos) = 0.19 m.
